@@ -1,0 +1,323 @@
+/* graze.h - exact point classification against swept solids: the whole public interface.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A solid S moves by M(t), t in [t0, t1]. For a query point P the inverted trajectory
+ * c(t) = M(t)^-1 P runs through the standing solid ([EI] Erdim & Ilies 2008, eqs 4-6). Where c
+ * crosses the boundary of S and where it only touches it decides what P is (Definitions 3-11).
+ * Nothing is rounded.
+ *
+ * Rules of use
+ *  1. A context carries options, limits and the last message. One context is used by one thread at
+ * a time; solids, motions and scenes are never changed once made, and threads may share them.
+ *  2. Outputs come first. On any status but GRAZE_OK an output handle is NULL, and the context
+ * holds a message that says which file, which line or index, what is wrong and what would be right.
+ *  3. What a _create, _read or _from function returns is the caller's; its _destroy takes NULL.
+ *     Getters borrow: what they return lives as long as the handle asked.
+ *  4. Strings handed out through char ** are freed with graze_free.
+ *  5. No function exits, aborts, throws or prints; memory that runs out inside GMP or FLINT ends
+ * the process, so the limits act first.
+ */
+#ifndef GRAZE_H
+#define GRAZE_H
+
+#include <gmp.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define GRAZE_CHECKED __attribute__((warn_unused_result))
+#define GRAZE_API __attribute__((visibility("default")))
+#else
+#define GRAZE_CHECKED
+#define GRAZE_API
+#endif
+
+#define GRAZE_VERSION "0.1.0"
+
+/** What became of a call. Causes are kept apart; a failure never shares a value with an answer. */
+typedef enum graze_status {
+    GRAZE_OK = 0,       /**< done */
+    GRAZE_EUSE = 1,     /**< wrong use: an argument of the call */
+    GRAZE_EINPUT = 2,   /**< bad input: cannot be read as what it should be */
+    GRAZE_EILLEGAL = 3, /**< readable, but not a legal solid, motion or pair (semantics: Objects) */
+    GRAZE_ELIMIT = 4,   /**< a limit of the context was met */
+    GRAZE_ESYSTEM = 5,  /**< the machine: a file, memory, a thread */
+    GRAZE_ECANCELED = 6, /**< the context's cancel callback asked to stop */
+    GRAZE_EINTERNAL = 7  /**< a fault of Graze itself; no answer is given */
+} graze_status;
+
+typedef struct graze_context graze_context;
+typedef struct graze_solid graze_solid;
+typedef struct graze_motion graze_motion;
+typedef struct graze_scene graze_scene;
+typedef struct graze_trace graze_trace;
+typedef struct graze_time graze_time;
+
+/* ------------------------------------------------------------------------------------- context */
+
+/** Limits against number bombs; what one counts stands beside it. */
+typedef enum graze_limit {
+    GRAZE_LIMIT_DIGITS =
+        0, /**< decimal digits of a number, exponent written out (`digits`, 10000) */
+    GRAZE_LIMIT_DEGREE = 1, /**< degree of a polynomial of a motion (`degree`, 200) */
+    GRAZE_LIMIT_PIECES = 2, /**< pieces of a motion after all cuts (`pieces`, 10000) */
+    GRAZE_LIMIT_DEPTH = 3,  /**< nesting of brackets, JSON values and transforms (`depth`, 100) */
+    GRAZE_LIMIT_GRID = 4,   /**< points of a grid (`grid`, 10^10) */
+    GRAZE_LIMIT_LINE = 5,   /**< bytes of one line of a text file (`line`, 10^7) */
+    GRAZE_LIMIT_CELLS = 6,  /**< vertices or facets of a solid (`cells`, 10^8) */
+    GRAZE_LIMIT_COUNT = 7
+} graze_limit;
+
+/** How number tokens are taken. Binary64 and binary32 round to nearest, ties to even; overflow is
+ * an error. */
+typedef enum graze_rounding {
+    GRAZE_ROUND_NONE = 0,
+    GRAZE_ROUND_BINARY64 = 1,
+    GRAZE_ROUND_BINARY32 = 2
+} graze_rounding;
+
+/** Called now and then from long calls; a non-zero return makes the call end with GRAZE_ECANCELED.
+ */
+typedef int (*graze_cancel)(void *data);
+
+GRAZE_API GRAZE_CHECKED graze_status graze_context_create(graze_context **out);
+GRAZE_API void graze_context_destroy(graze_context *context);
+/** The last message, "" if none; borrowed until the next call with this context. */
+GRAZE_API const char *graze_context_message(const graze_context *context);
+GRAZE_API GRAZE_CHECKED graze_status graze_context_set_limit(graze_context *context,
+                                                             graze_limit limit,
+                                                             unsigned long value);
+GRAZE_API unsigned long graze_context_limit(const graze_context *context, graze_limit limit);
+/** The limit's name on the command line, such as "digits"; NULL past the last. */
+GRAZE_API const char *graze_limit_name(graze_limit limit);
+GRAZE_API GRAZE_CHECKED graze_status graze_context_set_rounding(graze_context *context,
+                                                                graze_rounding rounding);
+/** NULL takes the callback away. It is called in the thread of the call it may end. */
+GRAZE_API void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data);
+GRAZE_API void graze_free(void *memory);
+/** Versions of Graze and of the libraries it runs with, one line each; static. */
+GRAZE_API const char *graze_version(void);
+
+/**
+ * Read one number token exactly: `-12`, `0.1`, `.5`, `5.`, `1.5e-3`, `22/7` (formats: Numbers),
+ * then round it as the context says.
+ * @param[out] out  initialised by the caller; set to the value in lowest terms
+ * @return GRAZE_EINPUT not a number (NaN and infinities are none), or rounding overflows;
+ * GRAZE_ELIMIT
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_number_parse(mpq_t out, graze_context *context,
+                                                        const char *text, size_t length);
+
+/* --------------------------------------------------------------------------------------- solid */
+
+/** Take facets that are not planar: fan them from their first vertex (formats: Solids). */
+#define GRAZE_SOLID_TRIANGULATE 1u
+
+/**
+ * Read and validate a solid; the format is told by the extension: .off .obj .ply .stl .nef3 (E^3),
+ * .wkt (E^2).
+ * @return GRAZE_EINPUT unreadable; GRAZE_EILLEGAL not a solid (open, crossing, overlapping,
+ * degenerate, ...)
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_solid_read(graze_solid **out, graze_context *context,
+                                                      const char *path, unsigned flags);
+/**
+ * Make a solid from arrays. In E^3 a facet is one outward oriented cycle of vertices; in E^2 a
+ * "facet" is one ring, of which outer rings and holes may come in either orientation.
+ * @param dimension   2 or 3
+ * @param coordinates vertex_count*dimension canonical rationals, vertex after vertex; copied
+ * @param facet_sizes facet_count sizes, each at least 3
+ * @param indices     the vertices of all facets, facet after facet, from 0
+ */
+GRAZE_API GRAZE_CHECKED graze_status
+graze_solid_from_arrays(graze_solid **out, graze_context *context, int dimension,
+                        const mpq_t *coordinates, size_t vertex_count, const size_t *facet_sizes,
+                        size_t facet_count, const size_t *indices, unsigned flags);
+/** The same with coordinates as doubles, each taken as the dyadic rational it is; NaN and inf are
+ * GRAZE_EINPUT. */
+GRAZE_API GRAZE_CHECKED graze_status
+graze_solid_from_doubles(graze_solid **out, graze_context *context, int dimension,
+                         const double *coordinates, size_t vertex_count, const size_t *facet_sizes,
+                         size_t facet_count, const size_t *indices, unsigned flags);
+GRAZE_API void graze_solid_destroy(graze_solid *solid);
+GRAZE_API int graze_solid_dimension(const graze_solid *solid);
+/** Vertices and facets (E^2: edges) as the input numbers them. */
+GRAZE_API size_t graze_solid_vertex_count(const graze_solid *solid);
+GRAZE_API size_t graze_solid_facet_count(const graze_solid *solid);
+
+/* -------------------------------------------------------------------------------------- motion */
+
+GRAZE_API GRAZE_CHECKED graze_status graze_motion_read(graze_motion **out, graze_context *context,
+                                                       const char *path);
+GRAZE_API GRAZE_CHECKED graze_status graze_motion_from_json(graze_motion **out,
+                                                            graze_context *context,
+                                                            const char *text, size_t length);
+GRAZE_API void graze_motion_destroy(graze_motion *motion);
+GRAZE_API int graze_motion_dimension(const graze_motion *motion);
+GRAZE_API size_t graze_motion_piece_count(const graze_motion *motion);
+
+/* --------------------------------------------------------------------------------------- scene */
+
+typedef enum graze_overlap { GRAZE_OVERLAP_EXTEND = 0, GRAZE_OVERLAP_REJECT = 1 } graze_overlap;
+typedef enum graze_folds { GRAZE_FOLDS_SEPARATE = 0, GRAZE_FOLDS_COMBINED = 1 } graze_folds;
+typedef enum graze_operation { GRAZE_SWEEP = 0, GRAZE_UNSWEEP = 1 } graze_operation;
+
+/** What answers depend on besides solid and motion. Zeroed it holds the defaults. */
+typedef struct graze_options {
+    graze_operation operation; /**< sweep, or unsweep ([IS] eqs 12, 13, 35) */
+    graze_overlap
+        overlap;       /**< extend: nine cases; reject: S^0 and S^1 that meet are GRAZE_EILLEGAL */
+    graze_folds folds; /**< Definitions 6, 7 or 10, 11 */
+} graze_options;
+
+/**
+ * Put a solid and a motion of the same dimension together and decide whether S^0 and S^1 meet
+ * (touching included). Solid and motion are borrowed and must outlive the scene. `options` may be
+ * NULL.
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_scene_create(graze_scene **out, graze_context *context,
+                                                        const graze_solid *solid,
+                                                        const graze_motion *motion,
+                                                        const graze_options *options);
+GRAZE_API void graze_scene_destroy(graze_scene *scene);
+GRAZE_API int graze_scene_dimension(const graze_scene *scene);
+/** 1 if S^0 and S^1 have a point in common, 0 if not. */
+GRAZE_API int graze_scene_ends_meet(const graze_scene *scene);
+GRAZE_API graze_options graze_scene_options(const graze_scene *scene);
+/** A box of dyadic coordinates that holds the sweep (for unsweep: the unsweep). low, high: d
+ * initialised rationals. */
+GRAZE_API GRAZE_CHECKED graze_status graze_scene_box(mpq_t *low, mpq_t *high,
+                                                     graze_context *context,
+                                                     const graze_scene *scene);
+
+/* ------------------------------------------------------------------------------------- verdict */
+
+/** Zero is never a verdict. */
+typedef enum graze_pmc { GRAZE_PMC_NONE = 0, GRAZE_IN = 1, GRAZE_ON = 2, GRAZE_OUT = 3 } graze_pmc;
+typedef enum graze_class {
+    GRAZE_CLASS_NONE = 0,
+    GRAZE_REGULAR = 1,       /**< Definition 5 */
+    GRAZE_FOLD = 2,          /**< Definition 6 (10) */
+    GRAZE_FOLD_BOUNDARY = 3, /**< Definition 7 (11) */
+    GRAZE_BOUNDARY = 4,      /**< Definition 8 */
+    GRAZE_EXTERIOR = 5       /**< Definition 9 */
+} graze_class;
+
+typedef struct graze_verdict {
+    graze_pmc pmc;
+    graze_class class_; /**< GRAZE_CLASS_NONE for unsweep */
+    int definition;     /**< 5 ... 11; 0 stands for `ext`: cases 5, 6, 8, 9 */
+    int case_;          /**< 1 ... 9, [EI] Table 1; for unsweep 0 */
+    unsigned long i;    /**< number of intersections, [EI] i_p */
+    unsigned long t;    /**< number of tangencies, [EI] t_p */
+} graze_verdict;
+
+/** "in", "on", "out"; "regular" ...; static. */
+GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
+GRAZE_API const char *graze_class_name(graze_class class_);
+
+/**
+ * Classify n points exactly. Every point's inverted trajectory ([EI] eq. 4) is cut at its contacts
+ * with the boundary; they are counted by Definitions 3 and 4 and the counts decide the class
+ * (Definitions 5-11).
+ * @param[out] out  n verdicts in the order of `points`, the caller's; entries not reached stay
+ * zeroed
+ * @param points    n*d canonical rationals, point after point; may be NULL when n is 0
+ * @return GRAZE_OK every verdict is exact; else the verdicts that are not zeroed are still exact
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_classify(graze_verdict *out, graze_context *context,
+                                                    const graze_scene *scene, const mpq_t *points,
+                                                    size_t n);
+/** The same for points of doubles, taken as the exact values they are. */
+GRAZE_API GRAZE_CHECKED graze_status graze_classify_doubles(graze_verdict *out,
+                                                            graze_context *context,
+                                                            const graze_scene *scene,
+                                                            const double *points, size_t n);
+
+/* --------------------------------------------------------------------------------------- trace */
+
+/** State of the trajectory: in the interior, on the boundary, outside (semantics: The trace). */
+typedef enum graze_state {
+    GRAZE_STATE_ABSENT = 0,
+    GRAZE_STATE_I = 'I',
+    GRAZE_STATE_B = 'B',
+    GRAZE_STATE_O = 'O'
+} graze_state;
+typedef enum graze_kind { GRAZE_INTERSECTION = 1, GRAZE_TANGENCY = 2 } graze_kind;
+typedef enum graze_cell_kind {
+    GRAZE_CELL_FACE = 1,
+    GRAZE_CELL_EDGE = 2,
+    GRAZE_CELL_VERTEX = 3
+} graze_cell_kind;
+
+/** A boundary cell in the input's numbering, from 0: face a; edge a < b; vertex a. */
+typedef struct graze_cell {
+    graze_cell_kind kind;
+    size_t a, b;
+} graze_cell;
+
+/** One contact: a maximal interval [from, to] of times at which the trajectory is on the boundary.
+ */
+typedef struct graze_contact {
+    graze_kind kind;
+    graze_state left, right; /**< I, O, or absent at an end of the motion */
+    const graze_time *from;  /**< borrowed from the trace */
+    const graze_time *to;    /**< the same handle as `from` when the contact is one instant */
+    const graze_cell *cells; /**< the boundary cells met, sorted, each once; borrowed */
+    size_t cell_count;
+} graze_contact;
+
+/** Trace one point: d canonical rationals. */
+GRAZE_API GRAZE_CHECKED graze_status graze_trace_create(graze_trace **out, graze_context *context,
+                                                        const graze_scene *scene,
+                                                        const mpq_t *point);
+GRAZE_API void graze_trace_destroy(graze_trace *trace);
+/** The word, such as "OBIBO"; borrowed. */
+GRAZE_API const char *graze_trace_word(const graze_trace *trace);
+GRAZE_API graze_verdict graze_trace_verdict(const graze_trace *trace);
+GRAZE_API size_t graze_trace_contact_count(const graze_trace *trace);
+/** Contact `index` < count, in order of time. An index past the end gives a zeroed contact. */
+GRAZE_API graze_contact graze_trace_contact(const graze_trace *trace, size_t index);
+
+/** 1 and the value if the time is rational, else 0 and `out` is unchanged. `out` is initialised. */
+GRAZE_API int graze_time_rational(mpq_t out, const graze_time *time);
+/** Degree of the minimal polynomial; 1 if rational. */
+GRAZE_API int graze_time_degree(const graze_time *time);
+/** Coefficient k of the minimal polynomial: primitive, leading coefficient positive. `out` is
+ * initialised. */
+GRAZE_API void graze_time_coefficient(mpz_t out, const graze_time *time, int k);
+/** The widest dyadic interval (j/2^m, (j+1)/2^m) that isolates an irrational time; a rational time
+ * gives itself twice. */
+GRAZE_API void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time);
+/** The time, correctly rounded to `digits` significant decimal digits (1 to 1000), as text for
+ * graze_free. */
+GRAZE_API GRAZE_CHECKED graze_status graze_time_decimal(char **out, graze_context *context,
+                                                        const graze_time *time, int digits);
+
+/* ------------------------------------------------------------------------------------- reports */
+
+typedef enum graze_format { GRAZE_FORMAT_CSV = 0, GRAZE_FORMAT_JSONL = 1 } graze_format;
+
+/** The `#` lines of a CSV table and its column line. `columns`: names of further columns as they
+ * were, comma-joined, or NULL. */
+GRAZE_API GRAZE_CHECKED graze_status graze_report_header(char **out, graze_context *context,
+                                                         const graze_scene *scene,
+                                                         const char *columns);
+/** One row with its newline. `rest`: the further columns as they were, or NULL; CSV only. */
+GRAZE_API GRAZE_CHECKED graze_status graze_report_row(char **out, graze_context *context,
+                                                      const graze_scene *scene, const mpq_t *point,
+                                                      const graze_trace *trace, graze_format format,
+                                                      const char *rest);
+/** The whole reasoning for one point, for a person to read. */
+GRAZE_API GRAZE_CHECKED graze_status graze_report_explain(char **out, graze_context *context,
+                                                          const graze_scene *scene,
+                                                          const mpq_t *point,
+                                                          const graze_trace *trace);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

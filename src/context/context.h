@@ -1,0 +1,45 @@
+/* The inside of a context: options, limits, the last message, the cancel callback.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CONTEXT_H
+#define GRAZE_CONTEXT_H
+
+#include "graze.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CONTEXT_MESSAGE_SIZE 2048
+
+struct graze_context {
+    char message[CONTEXT_MESSAGE_SIZE];
+    unsigned long limits[GRAZE_LIMIT_COUNT];
+    graze_rounding rounding;
+    graze_cancel cancel;
+    void *cancel_data;
+};
+
+/**
+ * Record a message and hand the status back, so that a failing function ends in one line:
+ * return context_fail(context, GRAZE_EINPUT, "%s:%zu: ...", ...). A message says where, what is
+ * wrong and what would be right, in one line without a full stop at its end.
+ */
+graze_status context_fail(graze_context *context, graze_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/** Put `where` and ": " before the message of a failure on its way up; returns `status`. */
+graze_status context_at(graze_context *context, graze_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/** GRAZE_ELIMIT with the message every limit has, naming `--limit NAME=V`. `what` names the thing
+ * that is too large. */
+graze_status context_limit(graze_context *context, graze_limit limit, const char *what);
+
+/** GRAZE_OK, or GRAZE_ECANCELED with its message when the callback asks to stop. */
+graze_status context_poll(graze_context *context);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

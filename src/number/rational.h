@@ -1,0 +1,34 @@
+/* Exact rationals as text: number tokens in, lowest terms out (formats: Numbers).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_NUMBER_RATIONAL_H
+#define GRAZE_NUMBER_RATIONAL_H
+
+#include <flint/fmpq.h>
+#include "context/context.h"
+
+/**
+ * Read one number token exactly, then round it as context->rounding says. Forms: integer, decimal,
+ * decimal with exponent, ratio of two unsigned-denominator integers; sign + or -; `.5` and `5.`.
+ * No blanks inside. The digits limit counts digits with the exponent written out.
+ * @return GRAZE_EINPUT (message quotes the token, shortened), GRAZE_ELIMIT
+ */
+graze_status rational_parse(fmpq_t out, graze_context *context, const char *text, size_t length);
+
+/** Round to the nearest binary64 or binary32, ties to even, subnormals included; NONE leaves it.
+ * Overflow: GRAZE_EINPUT. */
+graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding);
+
+/** The dyadic rational a finite double is; NaN and infinities are GRAZE_EINPUT. */
+graze_status rational_from_double(fmpq_t out, graze_context *context, double value);
+
+/** Integer or ratio in lowest terms, malloc'ed; NULL when out of memory. */
+char *rational_text(const fmpq_t value);
+
+/**
+ * Bounds in doubles: *low <= value <= *high, whatever the rounding mode, FTZ and DAZ are; past the
+ * range of doubles they are infinite. They are within a few ulps.
+ */
+void rational_bounds(double *low, double *high, const fmpq_t value);
+
+#endif

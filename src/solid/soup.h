@@ -1,0 +1,55 @@
+/* A polygon soup: the boundary as a file or the caller's arrays give it, indices checked, geometry
+ * not yet. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * In E^3 a facet is one or more cycles of vertices (an outer one, then holes; only .nef3 has more
+ * than one), outward oriented: seen from outside the outer cycle runs counter-clockwise. In E^2 a
+ * facet is one polygon: its cycles are rings, the outer one counter-clockwise, the holes clockwise
+ * (the WKT reader turns them so). A cycle does not repeat its first vertex at its end.
+ */
+#ifndef GRAZE_SOLID_SOUP_H
+#define GRAZE_SOLID_SOUP_H
+
+#include <flint/fmpq.h>
+#include "context/context.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct soup {
+    int dimension;
+    size_t vertex_count;
+    fmpq *coordinates; /* vertex_count * dimension, canonical */
+    size_t index_count;
+    size_t *index; /* vertex numbers of all cycles */
+    size_t cycle_count;
+    size_t *cycle_start; /* cycle_count + 1 offsets into index */
+    size_t facet_count;
+    size_t *facet_start;      /* facet_count + 1 offsets into cycles */
+    unsigned char sha256[32]; /* of the file's bytes; zero for arrays */
+} soup;
+
+/** An empty soup; grows by the functions below. */
+void soup_init(soup *s, int dimension);
+void soup_clear(soup *s);
+/** Append a vertex; `coordinates` are `dimension` canonical rationals, copied. Obeys the cells
+ * limit. */
+graze_status soup_add_vertex(soup *s, graze_context *context, const fmpq *coordinates);
+/** Append a facet without cycles yet; then its cycles. Indices out of range are the caller's to
+ * refuse beforehand. */
+graze_status soup_add_facet(soup *s, graze_context *context);
+graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count);
+
+/**
+ * Read a file by its extension (.off .obj .ply .stl .nef3 .wkt, any case). Number tokens are exact
+ * and rounded as the context says. Fills sha256.
+ * @param[out] s uninitialised; on failure nothing is left to clear
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT with file and line (or byte) and what
+ * would be right; GRAZE_EILLEGAL a .nef3 that is unbounded or not regular closed; GRAZE_ELIMIT
+ */
+graze_status soup_read(soup *s, graze_context *context, const char *path);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,54 @@
+/* The geometry a soup must have to bound a solid, decided exactly, and its cut into simplices. The
+ * only door to CGAL together with overlap.h. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_SOLID_VALIDATE_H
+#define GRAZE_SOLID_VALIDATE_H
+
+#include <stdint.h>
+#include "solid/soup.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * A piece of the boundary: a triangle (d = 3) or a segment (d = 2). Outward oriented: d = 3
+ * counter-clockwise seen from outside, d = 2 the solid lies on the left of vertex 0 -> vertex 1.
+ * Side k: d = 3 the edge from vertex k to vertex (k+1)%3; d = 2 the vertex k.
+ */
+typedef struct simplex {
+    uint32_t vertex[3]; /* the input's numbers; vertex[2] unused in E^2 */
+    uint32_t facet; /* the input's facet; in E^2 the number of the edge in order of appearance */
+    uint32_t component; /* edge-connected (E^2: vertex-connected) component of the boundary,
+                           numbered from 0 */
+    uint8_t diagonal;   /* bit k set: side k is no input edge but was made by cutting the facet */
+} simplex;
+
+typedef struct simplices {
+    size_t count;
+    simplex *item; /* malloc'ed */
+    size_t component_count;
+} simplices;
+
+/**
+ * Check everything about a soup that is local, and cut its facets. Checked: facets not degenerate,
+ * planar and simple; edges run through as often one way as the other (by position); relative
+ * interiors of facets disjoint; around every segment (E^2: point) where more than two facet sides
+ * meet, in and out alternate. What is left to the caller is one side test per component.
+ * @param flags GRAZE_SOLID_TRIANGULATE
+ * @return GRAZE_EILLEGAL naming facets, edges, vertices; GRAZE_ELIMIT; GRAZE_EINTERNAL
+ */
+graze_status validate_soup(simplices *out, graze_context *context, const soup *s, unsigned flags);
+
+/**
+ * Does any simplex of S touch any simplex of the image of S under the affine map? (Closed sets,
+ * exactly.) Containment of one boundary in the other solid is the caller's to ask.
+ * @param map d*(d+1) rationals, row by row, invertible
+ */
+graze_status boundaries_meet(int *out, graze_context *context, const soup *s, const simplices *cut,
+                             const fmpq *map);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,54 @@
+/* The trace of one point: its contacts with the boundary in order of time, and the word.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TRACE_TRACE_H
+#define GRAZE_TRACE_TRACE_H
+
+#include "motion/motion.h"
+#include "number/algebraic.h"
+#include "solid/solid.h"
+
+/**
+ * A time of the motion: piece `piece`, local parameter u in [0, 1]. In the motion's parameter it is
+ * lo + (hi - lo) u. `poly`, `low`, `high` are its canonical form there, made once when the time is
+ * asked for: minimal polynomial, and the widest isolating dyadic interval (both ends the value
+ * itself when it is rational).
+ */
+struct graze_time {
+    size_t piece;
+    algebraic u;
+    const graze_motion *motion;
+    int canonical; /* 0 until poly, low, high are made */
+    fmpz_poly_t poly;
+    fmpq_t low, high;
+};
+
+/** One contact (semantics: The trace): states on both sides, exact ends, cells. */
+typedef struct contact {
+    graze_state left, right; /* I, O, or ABSENT at an end of the motion */
+    graze_time *from, *to;   /* the same pointer for an instant; owned by the trace */
+    graze_cell *cell;
+    size_t cell_count;
+} contact;
+
+struct graze_trace {
+    graze_state first, last; /* states at t0 and t1: I, B or O */
+    size_t contact_count;
+    contact *contact;
+    char *word;
+    graze_verdict verdict; /* filled by the verdict stage */
+};
+
+/**
+ * Trace the curve t -> map(t) P through the solid, where map is the motion's inverse (sweep) or the
+ * motion itself (unsweep).
+ * @param[out] out uninitialised; cleared by trace_clear
+ */
+graze_status trace_point(graze_trace *out, graze_context *context, const graze_solid *solid,
+                         const graze_motion *motion, graze_operation operation, const fmpq *point);
+void trace_clear(graze_trace *trace);
+
+/** Make the canonical form of a time; idempotent. */
+void time_canonicalise(graze_time *time);
+
+#endif

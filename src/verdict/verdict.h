@@ -1,0 +1,23 @@
+/* Counts, case and class of a trace ([EI] Definitions 3-11, Table 1; semantics: The trace, Class).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_VERDICT_VERDICT_H
+#define GRAZE_VERDICT_VERDICT_H
+
+#include "graze.h"
+
+/** What a contact counts as, from the states beside it (GRAZE_STATE_ABSENT at an end of the
+ * motion). */
+graze_kind verdict_kind(graze_state left, graze_state right);
+
+/** Position case of [EI] Table 1 from the states at t0 and t1. */
+int verdict_case(graze_state first, graze_state last);
+
+/** The verdict of a sweep from end states and counts. */
+graze_verdict verdict_sweep(graze_state first, graze_state last, unsigned long i, unsigned long t,
+                            graze_folds folds);
+
+/** The verdict of an unsweep from its word ([IS] eqs 12, 13, 35): only pmc, i and t are set. */
+graze_verdict verdict_unsweep(const char *word, unsigned long i, unsigned long t);
+
+#endif
