@@ -1,40 +1,124 @@
-# Graze: exact classification of points against swept solids.   make help lists the targets.
+# Graze: exact classification of points against swept solids.  `make help` lists the targets.
 SHELL := /bin/bash
 B ?= build
 CC ?= gcc
 CXX ?= g++
 OPT ?= -O2
 WARN := -Wall -Wextra -Werror
-# -frounding-math: CGAL's interval arithmetic changes the rounding mode.
-CFLAGS += -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) -g $(WARN) -fPIC -fvisibility=hidden -pthread -Iinclude -Isrc -MMD -MP
-CXXFLAGS += -std=c++17 $(OPT) -g $(WARN) -fPIC -fvisibility=hidden -frounding-math -pthread -Iinclude -Isrc -MMD -MP
+COMMON = $(OPT) -g $(WARN) -fPIC -fvisibility=hidden -pthread -Iinclude -Isrc -MMD -MP
+ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON) $(CFLAGS)
+# CGAL's interval arithmetic changes the rounding mode, which the compiler must respect.
+ALL_CXXFLAGS = -std=c++17 -frounding-math $(COMMON) $(CXXFLAGS)
 LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 
-LIB_C   := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*.c))
+# What a bare Debian 12 lacks. Only `make` targets that need a group install it.
+PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
+PACKAGES_TEST  := $(PACKAGES_BUILD) libcmocka-dev python3
+PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck
+
+LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
-CLI_C   := $(wildcard src/cli/*.c)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
-CLI_O   := $(CLI_C:%.c=$B/%.o)
-UNIT_C  := $(wildcard tests/unit/*.c)
-UNIT    := $(UNIT_C:tests/unit/%.c=$B/tests/unit/%)
+CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c))
+UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
+ORACLES := $B/tests/minkowski $B/tests/to_nef
+BENCH   := $B/tests/bench
 
 .PHONY: all
-all: $B/graze $B/libgraze.a $B/libgraze.so
+all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so
 
-$B/%.o: %.c
+.PHONY: help
+help:
+	@echo "make            build the program and both libraries under build/"
+	@echo "make demo       install what is missing, build, classify the points of cases/bracket"
+	@echo "make test       install what is missing, build, run every test (a few minutes)"
+	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
+	@echo "make bench      speed, as ratios and rates of one run"
+	@echo "make format     clang-format on all sources"
+	@echo "make clean      remove build/"
+
+# ---------------------------------------------------------------- packages
+# Install the packages of group $(1) that are missing, and say so.
+define install_packages
+	@mkdir -p $(@D); missing=; \
+	if ! command -v dpkg-query >/dev/null; then \
+	  echo "make: no dpkg here; please see to it that these are installed: $(1)"; \
+	else \
+	  for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q ' installed' \
+	    || missing="$$missing $$p"; done; \
+	  if [ -n "$$missing" ]; then \
+	    echo "make: installing Debian packages:$$missing"; \
+	    if [ "$$(id -u)" = 0 ]; then as=; \
+	    elif command -v sudo >/dev/null; then as=sudo; \
+	    else echo "make: neither root nor sudo is here; please have these installed:$$missing" >&2; exit 1; fi; \
+	    export DEBIAN_FRONTEND=noninteractive; \
+	    $$as apt-get update -qq && $$as apt-get install -y -qq --no-install-recommends $$missing \
+	      >$B/packages.log 2>&1 \
+	      || { cat $B/packages.log >&2; echo "make: apt-get could not install:$$missing" >&2; exit 1; }; \
+	  fi; \
+	fi; touch $@
+endef
+$B/.packages-build: Makefile
+	$(call install_packages,$(PACKAGES_BUILD))
+$B/.packages-test: Makefile
+	$(call install_packages,$(PACKAGES_TEST))
+$B/.packages-all: Makefile
+	$(call install_packages,$(PACKAGES_ALL))
+
+# ---------------------------------------------------------------- building
+$B/%.o: %.c | $B/.packages-build
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) -c -o $@ $<
-$B/%.o: %.cpp
+	$(CC) $(ALL_CFLAGS) -c -o $@ $<
+$B/%.o: %.cpp | $B/.packages-build
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) -c -o $@ $<
+	$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
 $B/libgraze.a: $(LIB_O)
 	@rm -f $@
 	ar rcs $@ $^
 $B/libgraze.so: $(LIB_O)
-	$(CXX) -shared -Wl,-soname,libgraze.so.0 $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(CXX) -shared -Wl,-soname,libgraze.so.0 $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 $B/graze: $(CLI_O) $B/libgraze.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 $B/tests/unit/%: $B/tests/unit/%.o $B/libgraze.a
-	$(CXX) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
+	$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
+$B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
+	$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
+$B/tests/%.o: | $B/.packages-test
+$B/tests/minkowski: tests/agree/minkowski.cpp | $B/.packages-build
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+$B/tests/to_nef: tests/agree/to_nef.cpp | $B/.packages-build
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+.SECONDARY:
 
--include $(shell find $B -name '*.d' 2>/dev/null)
+# ---------------------------------------------------------------- running
+.PHONY: demo
+demo: all
+	@src/demo.sh $B/graze
+
+.PHONY: test
+test: $B/.packages-test all $(UNIT) $(ORACLES)
+	@python3 tests/run.py --build $B
+
+.PHONY: test-all
+test-all: $B/.packages-all test
+	@tests/long.sh
+
+.PHONY: bench
+bench: all
+	@python3 tests/bench/run.py --graze $B/graze
+
+.PHONY: lint
+lint: $B/.packages-all
+	@tests/lint.sh
+
+.PHONY: format
+format:
+	clang-format -i $$(git ls-files 'include/*.h' 'src/*.[ch]' 'src/*.[ch]pp' 'tests/*.[ch]' 'tests/*.cpp')
+
+.PHONY: clean
+clean:
+	rm -rf build build-*
+
+-include $(shell test -d $B && find $B -name '*.d')

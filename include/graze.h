@@ -83,23 +83,42 @@ typedef enum graze_rounding {
  */
 typedef int (*graze_cancel)(void *data);
 
+/** A context with the default limits, no rounding and no message. The caller's; not to be shared by
+ * threads at one time.
+ * @return GRAZE_ESYSTEM out of memory, and *out is NULL
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_context_create(graze_context **out);
+/** Free a context. NULL is harmless; nothing made with the context ends with it. */
 GRAZE_API void graze_context_destroy(graze_context *context);
 /** The last message, "" if none; borrowed until the next call with this context. */
 GRAZE_API const char *graze_context_message(const graze_context *context);
+/** Set a limit, from 1 up to a bound that keeps sizes inside machine words.
+ * @return GRAZE_EUSE no such limit, or the value is out of its range
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_context_set_limit(graze_context *context,
                                                              graze_limit limit,
                                                              unsigned long value);
+/** The limit in force; 0 if there is no such limit. */
 GRAZE_API unsigned long graze_context_limit(const graze_context *context, graze_limit limit);
 /** The limit's name on the command line, such as "digits"; NULL past the last. */
 GRAZE_API const char *graze_limit_name(graze_limit limit);
+/** Round every number token read from now on with this context. Solids, motions and points that are
+ * to be compared must be read under one rounding.
+ * @return GRAZE_EUSE no such rounding
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_context_set_rounding(graze_context *context,
                                                                 graze_rounding rounding);
 /** NULL takes the callback away. It is called in the thread of the call it may end. */
 GRAZE_API void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data);
+/** Free a string that a function handed out through a char **; NULL is harmless. */
 GRAZE_API void graze_free(void *memory);
-/** Versions of Graze and of the libraries it runs with, one line each; static. */
+/** Versions of Graze and of the libraries it runs with, one line each; static. Any thread may ask.
+ */
 GRAZE_API const char *graze_version(void);
+/** Give back what the arithmetic keeps for the calling thread. A thread that has used Graze calls
+ * this before it ends; whoever does not loses some memory and nothing else. Exact numbers held by
+ * handles stay valid. */
+GRAZE_API void graze_thread_finish(void);
 
 /**
  * Read one number token exactly: `-12`, `0.1`, `.5`, `5.`, `1.5e-3`, `22/7` (formats: Numbers),
@@ -118,9 +137,11 @@ GRAZE_API GRAZE_CHECKED graze_status graze_number_parse(mpq_t out, graze_context
 
 /**
  * Read and validate a solid; the format is told by the extension: .off .obj .ply .stl .nef3 (E^3),
- * .wkt (E^2).
- * @return GRAZE_EINPUT unreadable; GRAZE_EILLEGAL not a solid (open, crossing, overlapping,
- * degenerate, ...)
+ * .wkt (E^2). Legal is what semantics calls a solid: bounded, regular closed, its boundary exactly
+ * the union of the facets given.
+ * @param flags 0 or GRAZE_SOLID_TRIANGULATE
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is not of its format;
+ * GRAZE_EILLEGAL not a solid (open, crossing, overlapping, degenerate, ...); GRAZE_ELIMIT
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_read(graze_solid **out, graze_context *context,
                                                       const char *path, unsigned flags);
@@ -131,6 +152,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_read(graze_solid **out, graze_c
  * @param coordinates vertex_count*dimension canonical rationals, vertex after vertex; copied
  * @param facet_sizes facet_count sizes, each at least 3
  * @param indices     the vertices of all facets, facet after facet, from 0
+ * @param flags       0 or GRAZE_SOLID_TRIANGULATE
+ * @return GRAZE_EUSE a NULL array, a dimension, or a coordinate that is not canonical; GRAZE_EINPUT
+ * a size below 3 or an index out of range; GRAZE_EILLEGAL not a solid; GRAZE_ELIMIT
  */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_solid_from_arrays(graze_solid **out, graze_context *context, int dimension,
@@ -142,27 +166,46 @@ GRAZE_API GRAZE_CHECKED graze_status
 graze_solid_from_doubles(graze_solid **out, graze_context *context, int dimension,
                          const double *coordinates, size_t vertex_count, const size_t *facet_sizes,
                          size_t facet_count, const size_t *indices, unsigned flags);
+/** Free a solid, after every scene made of it. NULL is harmless. */
 GRAZE_API void graze_solid_destroy(graze_solid *solid);
+/** 2 or 3; 0 for NULL. */
 GRAZE_API int graze_solid_dimension(const graze_solid *solid);
-/** Vertices and facets (E^2: edges) as the input numbers them. */
+/** Vertices as the input numbers them; 0 for NULL. */
 GRAZE_API size_t graze_solid_vertex_count(const graze_solid *solid);
+/** Facets (E^2: edges) as the input numbers them; 0 for NULL. */
 GRAZE_API size_t graze_solid_facet_count(const graze_solid *solid);
+/** Components of the boundary, connected through edges (E^2: through vertices); 0 for NULL. A
+ * cavity is one of its own. */
+GRAZE_API size_t graze_solid_component_count(const graze_solid *solid);
 
 /* -------------------------------------------------------------------------------------- motion */
 
+/**
+ * Read a motion from a JSON file (formats: Motions) and check it exactly: the pieces follow one
+ * another, the motion is continuous, has no pole, and its determinant does not vanish.
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT not such JSON, the entry named;
+ * GRAZE_EILLEGAL not a legal motion, piece and entry named; GRAZE_ELIMIT
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_read(graze_motion **out, graze_context *context,
                                                        const char *path);
+/** The same from `length` bytes of JSON in memory, which need not end in NUL. */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_from_json(graze_motion **out,
                                                             graze_context *context,
                                                             const char *text, size_t length);
+/** Free a motion, after every scene made of it. NULL is harmless. */
 GRAZE_API void graze_motion_destroy(graze_motion *motion);
+/** 2 or 3; 0 for NULL. */
 GRAZE_API int graze_motion_dimension(const graze_motion *motion);
+/** Pieces after all cuts, at least 1; 0 for NULL. */
 GRAZE_API size_t graze_motion_piece_count(const graze_motion *motion);
 
 /* --------------------------------------------------------------------------------------- scene */
 
+/** What to do when S^0 and S^1 meet, which [EI] excludes. */
 typedef enum graze_overlap { GRAZE_OVERLAP_EXTEND = 0, GRAZE_OVERLAP_REJECT = 1 } graze_overlap;
+/** Definitions 6 and 7, or 10 and 11 in their place ([EI] appendix A). */
 typedef enum graze_folds { GRAZE_FOLDS_SEPARATE = 0, GRAZE_FOLDS_COMBINED = 1 } graze_folds;
+/** The set points are classified against. */
 typedef enum graze_operation { GRAZE_SWEEP = 0, GRAZE_UNSWEEP = 1 } graze_operation;
 
 /** What answers depend on besides solid and motion. Zeroed it holds the defaults. */
@@ -175,20 +218,28 @@ typedef struct graze_options {
 
 /**
  * Put a solid and a motion of the same dimension together and decide whether S^0 and S^1 meet
- * (touching included). Solid and motion are borrowed and must outlive the scene. `options` may be
- * NULL.
+ * (touching included), exactly. Solid and motion are borrowed and must outlive the scene. `options`
+ * may be NULL for the defaults. Threads may share the scene.
+ * @return GRAZE_EUSE a NULL handle or an unknown option; GRAZE_EILLEGAL the dimensions differ, or
+ * S^0 and S^1 meet and `overlap` rejects it (a sweep only); GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_create(graze_scene **out, graze_context *context,
                                                         const graze_solid *solid,
                                                         const graze_motion *motion,
                                                         const graze_options *options);
+/** Free a scene; solid and motion stay. NULL is harmless. */
 GRAZE_API void graze_scene_destroy(graze_scene *scene);
+/** 2 or 3; 0 for NULL. */
 GRAZE_API int graze_scene_dimension(const graze_scene *scene);
-/** 1 if S^0 and S^1 have a point in common, 0 if not. */
+/** 1 if S^0 and S^1 have a point in common, 0 if not (also for NULL). */
 GRAZE_API int graze_scene_ends_meet(const graze_scene *scene);
+/** The options in force; zeroed for NULL. */
 GRAZE_API graze_options graze_scene_options(const graze_scene *scene);
-/** A box of dyadic coordinates that holds the sweep (for unsweep: the unsweep). low, high: d
- * initialised rationals. */
+/**
+ * A box of dyadic coordinates that holds the sweep (for unsweep: the unsweep). It holds the images
+ * of the solid's coordinate box and exceeds theirs by at most about 2^-11 of its longest side.
+ * @param[out] low, high d initialised rationals each
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_box(mpq_t *low, mpq_t *high,
                                                      graze_context *context,
                                                      const graze_scene *scene);
@@ -215,8 +266,9 @@ typedef struct graze_verdict {
     unsigned long t;    /**< number of tangencies, [EI] t_p */
 } graze_verdict;
 
-/** "in", "on", "out"; "regular" ...; static. */
+/** "in", "on", "out", else "none"; static. */
 GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
+/** "regular", "fold", "fold_boundary", "boundary", "exterior", else "none"; static. */
 GRAZE_API const char *graze_class_name(graze_class class_);
 
 /**
@@ -226,12 +278,15 @@ GRAZE_API const char *graze_class_name(graze_class class_);
  * @param[out] out  n verdicts in the order of `points`, the caller's; entries not reached stay
  * zeroed
  * @param points    n*d canonical rationals, point after point; may be NULL when n is 0
- * @return GRAZE_OK every verdict is exact; else the verdicts that are not zeroed are still exact
+ * @return GRAZE_OK every verdict is exact; GRAZE_EUSE a NULL, or a point that is not canonical, and
+ * no verdict is given; GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_EINTERNAL: the verdicts that are not
+ * zeroed are still exact
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_classify(graze_verdict *out, graze_context *context,
                                                     const graze_scene *scene, const mpq_t *points,
                                                     size_t n);
-/** The same for points of doubles, taken as the exact values they are. */
+/** The same for points of doubles, taken as the exact values they are. NaN and infinities are
+ * GRAZE_EINPUT; the verdicts before them are given. */
 GRAZE_API GRAZE_CHECKED graze_status graze_classify_doubles(graze_verdict *out,
                                                             graze_context *context,
                                                             const graze_scene *scene,
@@ -246,7 +301,10 @@ typedef enum graze_state {
     GRAZE_STATE_B = 'B',
     GRAZE_STATE_O = 'O'
 } graze_state;
+/** What a contact counts as: [EI] Definitions 3 and 4 at the ends of the motion, the states on both
+ * sides elsewhere. */
 typedef enum graze_kind { GRAZE_INTERSECTION = 1, GRAZE_TANGENCY = 2 } graze_kind;
+/** In E^2 there are no faces. */
 typedef enum graze_cell_kind {
     GRAZE_CELL_FACE = 1,
     GRAZE_CELL_EDGE = 2,
@@ -270,48 +328,69 @@ typedef struct graze_contact {
     size_t cell_count;
 } graze_contact;
 
-/** Trace one point: d canonical rationals. */
+/**
+ * Trace one point: all contacts of its (inverted) trajectory with the boundary, in order of time.
+ * The trace does not borrow from the scene but its times do from the motion. A trace is used by one
+ * thread at a time.
+ * @param point d canonical rationals
+ * @return GRAZE_EUSE a NULL, or a coordinate that is not canonical; GRAZE_ELIMIT; GRAZE_ECANCELED;
+ * GRAZE_EINTERNAL
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_trace_create(graze_trace **out, graze_context *context,
                                                         const graze_scene *scene,
                                                         const mpq_t *point);
+/** Free a trace with its contacts and times. NULL is harmless. */
 GRAZE_API void graze_trace_destroy(graze_trace *trace);
-/** The word, such as "OBIBO"; borrowed. */
+/** The word, such as "OBIBO"; borrowed; "" for NULL. */
 GRAZE_API const char *graze_trace_word(const graze_trace *trace);
+/** The verdict; zeroed for NULL. */
 GRAZE_API graze_verdict graze_trace_verdict(const graze_trace *trace);
+/** The number of contacts, i + t; 0 for NULL. */
 GRAZE_API size_t graze_trace_contact_count(const graze_trace *trace);
 /** Contact `index` < count, in order of time. An index past the end gives a zeroed contact. */
 GRAZE_API graze_contact graze_trace_contact(const graze_trace *trace, size_t index);
 
 /** 1 and the value if the time is rational, else 0 and `out` is unchanged. `out` is initialised. */
 GRAZE_API int graze_time_rational(mpq_t out, const graze_time *time);
-/** Degree of the minimal polynomial; 1 if rational. */
+/** Degree of the minimal polynomial; 1 if rational; 0 for NULL. */
 GRAZE_API int graze_time_degree(const graze_time *time);
-/** Coefficient k of the minimal polynomial: primitive, leading coefficient positive. `out` is
- * initialised. */
+/** Coefficient k of the minimal polynomial in the motion's parameter: primitive, leading
+ * coefficient positive. 0 where there is none. `out` is initialised. */
 GRAZE_API void graze_time_coefficient(mpz_t out, const graze_time *time, int k);
 /** The widest dyadic interval (j/2^m, (j+1)/2^m) that isolates an irrational time; a rational time
- * gives itself twice. */
+ * gives itself twice. `low` and `high` are initialised; unchanged for NULL. */
 GRAZE_API void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time);
-/** The time, correctly rounded to `digits` significant decimal digits (1 to 1000), as text for
- * graze_free. */
+/** The time, correctly rounded (ties to even) to `digits` significant decimal digits, 1 to 1000, as
+ * text for graze_free. A rational that is such a decimal comes without trailing zeros. */
 GRAZE_API GRAZE_CHECKED graze_status graze_time_decimal(char **out, graze_context *context,
                                                         const graze_time *time, int digits);
 
 /* ------------------------------------------------------------------------------------- reports */
 
+/** How rows are written. */
 typedef enum graze_format { GRAZE_FORMAT_CSV = 0, GRAZE_FORMAT_JSONL = 1 } graze_format;
 
-/** The `#` lines of a CSV table and its column line. `columns`: names of further columns as they
- * were, comma-joined, or NULL. */
+/**
+ * The `#` lines of a CSV table and its column line (formats: Results).
+ * @param notes   further lines, each `# key value` and a newline, or NULL: what the scene does not
+ * know, such as the grid
+ * @param columns names of further columns as they were, comma-joined, or NULL
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_header(char **out, graze_context *context,
                                                          const graze_scene *scene,
-                                                         const char *columns);
-/** One row with its newline. `rest`: the further columns as they were, or NULL; CSV only. */
+                                                         const char *notes, const char *columns);
+/**
+ * One row with its newline.
+ * @param point the point the trace was made of
+ * @param rest  the further columns as they were, or NULL; CSV only
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_row(char **out, graze_context *context,
                                                       const graze_scene *scene, const mpq_t *point,
                                                       const graze_trace *trace, graze_format format,
                                                       const char *rest);
-/** The whole reasoning for one point, for a person to read. */
+/** The whole reasoning for one point, for a person to read: where it is, the trajectory, the
+ * contacts in order of time and why each counts as what it does, the counts, the definition and the
+ * case. */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_explain(char **out, graze_context *context,
                                                           const graze_scene *scene,
                                                           const mpq_t *point,

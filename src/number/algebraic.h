@@ -1,4 +1,4 @@
-/* Real algebraic numbers in [0, 1]: roots of integer polynomials, compared and evaluated exactly.
+/* Real algebraic numbers: roots of integer polynomials, compared and evaluated exactly.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_NUMBER_ALGEBRAIC_H
@@ -6,37 +6,48 @@
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_poly.h>
+#include "number/bernstein.h"
 
 /**
- * A real number, rational or a root of `poly`. Invariant: if poly is zero the number is `low`, and
- * high = low. Otherwise poly is squarefree of degree >= 2, low < number < high are dyadic, poly has
- * exactly one root in [low, high], and it is not an end point. Refining narrows low and high and
- * changes no other thing.
+ * A real number. Invariant: if `poly` is zero the number is `value`. Otherwise it is the one root
+ * of `poly` in the closed interval `where`, a simple root, and no end of the interval is a root of
+ * `poly`. Functions that take a number without const may narrow the interval, replace `poly` by a
+ * factor, or find the number rational; its value never changes.
  */
 typedef struct algebraic {
-    fmpq_t low, high;
+    fmpq_t value;
     fmpz_poly_t poly;
+    dyadic_interval where;
 } algebraic;
 
+/** Zero. */
 void algebraic_init(algebraic *x);
 void algebraic_clear(algebraic *x);
 void algebraic_set(algebraic *x, const algebraic *y);
 void algebraic_set_rational(algebraic *x, const fmpq_t value);
-int algebraic_is_rational_known(const algebraic *x);
 
-/** Halve the isolating interval; a root met at the middle makes the number rational. */
+void algebraic_set_dyadic(algebraic *x, const fmpz_t numerator, ulong exponent);
+
+/** 1 if the number is known to be rational and stands in `value`; 0 says nothing. */
+int algebraic_is_rational(const algebraic *x);
+
+/** Halve the interval. */
 void algebraic_refine(algebraic *x);
 
-/** Sign of x - y: -1, 0, 1. Refines both. (theory K3, K4) */
+/** Sign of x - y: -1, 0, 1 (theory K3, K4). Equal numbers share interval and polynomial afterwards.
+ */
 int algebraic_compare(algebraic *x, algebraic *y);
 
-/** Sign of q at x: -1, 0, 1. Refines x. (theory K2) */
+/** Sign of q at x: -1, 0, 1 (theory K2). */
 int algebraic_sign_at(const fmpz_poly_t q, algebraic *x);
 
-/** A rational strictly between x < y, with a small denominator. Refines both. */
+/** A dyadic number strictly between x and y, x < y. */
 void algebraic_between(fmpq_t out, algebraic *x, algebraic *y);
 
-/** A list of numbers, ascending. */
+/** low <= x <= high. */
+void algebraic_bounds(fmpq_t low, fmpq_t high, const algebraic *x);
+
+/** A list of numbers. Each item is initialised up to `capacity`; `count` are in use. */
 typedef struct algebraic_list {
     size_t count, capacity;
     algebraic *item;
@@ -44,11 +55,13 @@ typedef struct algebraic_list {
 
 void algebraic_list_init(algebraic_list *list);
 void algebraic_list_clear(algebraic_list *list);
-/** A new number at the end, uninitialised value 0; the pointer lives until the next append. */
+/** One more number at the end; the pointer lives until the next append. */
 algebraic *algebraic_list_append(algebraic_list *list);
 
-/** All real roots of q (not zero) in the closed interval [a, b], each once, ascending, appended.
- * (theory K1) */
-void algebraic_roots(algebraic_list *list, const fmpz_poly_t q, const fmpq_t a, const fmpq_t b);
+/**
+ * Append all real roots of q in a closed interval, each once, ascending (theory K1).
+ * @param q not zero
+ */
+void algebraic_roots(algebraic_list *list, const fmpz_poly_t q, const dyadic_interval *interval);
 
 #endif

@@ -15,6 +15,9 @@
  */
 graze_status rational_parse(fmpq_t out, graze_context *context, const char *text, size_t length);
 
+/** 1 if the text is one number token of a form rational_parse reads, else 0. */
+int rational_is_token(const char *text, size_t length);
+
 /** Round to the nearest binary64 or binary32, ties to even, subnormals included; NONE leaves it.
  * Overflow: GRAZE_EINPUT. */
 graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding);

@@ -4,7 +4,7 @@
 #ifndef GRAZE_VERDICT_VERDICT_H
 #define GRAZE_VERDICT_VERDICT_H
 
-#include "graze.h"
+#include "trace/trace.h"
 
 /** What a contact counts as, from the states beside it (GRAZE_STATE_ABSENT at an end of the
  * motion). */
@@ -13,11 +13,14 @@ graze_kind verdict_kind(graze_state left, graze_state right);
 /** Position case of [EI] Table 1 from the states at t0 and t1. */
 int verdict_case(graze_state first, graze_state last);
 
-/** The verdict of a sweep from end states and counts. */
+/** The verdict of a sweep from the states at t0 and t1 and the counts. */
 graze_verdict verdict_sweep(graze_state first, graze_state last, unsigned long i, unsigned long t,
                             graze_folds folds);
 
 /** The verdict of an unsweep from its word ([IS] eqs 12, 13, 35): only pmc, i and t are set. */
 graze_verdict verdict_unsweep(const char *word, unsigned long i, unsigned long t);
+
+/** Count the contacts of a trace and set trace->verdict. */
+void verdict_decide(graze_trace *trace, const graze_options *options);
 
 #endif

@@ -1,0 +1,140 @@
+/* Contexts: options, limits and the last message, which every failing call leaves behind.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Invariant: the message is one line of printable text, "" while nothing has failed.
+ */
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "context/context.h"
+
+/* The largest values keep every size Graze computes from a limit inside 64 bits, indices of
+ * vertices inside 32 bits, and recursion inside an ordinary stack. */
+static const struct {
+    const char *name;
+    unsigned long preset, largest;
+} limit_table[GRAZE_LIMIT_COUNT] = {
+    [GRAZE_LIMIT_DIGITS] = {"digits", 10000, 100000000},
+    [GRAZE_LIMIT_DEGREE] = {"degree", 200, 1000000},
+    [GRAZE_LIMIT_PIECES] = {"pieces", 10000, 100000000},
+    [GRAZE_LIMIT_DEPTH] = {"depth", 100, 5000},
+    [GRAZE_LIMIT_GRID] = {"grid", 10000000000, 1000000000000000000},
+    [GRAZE_LIMIT_LINE] = {"line", 10000000, 1000000000000},
+    [GRAZE_LIMIT_CELLS] = {"cells", 100000000, 4000000000},
+};
+
+graze_status graze_context_create(graze_context **out) {
+    *out = calloc(1, sizeof **out);
+    if (*out == NULL) {
+        return GRAZE_ESYSTEM;
+    }
+    for (int k = 0; k < GRAZE_LIMIT_COUNT; k++) {
+        (*out)->limits[k] = limit_table[k].preset;
+    }
+    return GRAZE_OK;
+}
+
+void graze_context_destroy(graze_context *context) {
+    free(context);
+}
+
+const char *graze_context_message(const graze_context *context) {
+    return context->message;
+}
+
+static int is_limit(graze_limit limit) {
+    return (int)limit >= 0 && (int)limit < GRAZE_LIMIT_COUNT;
+}
+
+graze_status graze_context_set_limit(graze_context *context, graze_limit limit,
+                                     unsigned long value) {
+    if (!is_limit(limit)) {
+        return context_fail(context, GRAZE_EUSE, "limit %d is none of the %d there are", (int)limit,
+                            (int)GRAZE_LIMIT_COUNT);
+    }
+    if (value == 0 || value > limit_table[limit].largest) {
+        return context_fail(context, GRAZE_EUSE, "limit %s: %lu is not from 1 to %lu",
+                            limit_table[limit].name, value, limit_table[limit].largest);
+    }
+    context->limits[limit] = value;
+    return GRAZE_OK;
+}
+
+unsigned long graze_context_limit(const graze_context *context, graze_limit limit) {
+    return is_limit(limit) ? context->limits[limit] : 0;
+}
+
+const char *graze_limit_name(graze_limit limit) {
+    return is_limit(limit) ? limit_table[limit].name : NULL;
+}
+
+graze_status graze_context_set_rounding(graze_context *context, graze_rounding rounding) {
+    if (rounding != GRAZE_ROUND_NONE && rounding != GRAZE_ROUND_BINARY64 &&
+        rounding != GRAZE_ROUND_BINARY32) {
+        return context_fail(context, GRAZE_EUSE, "rounding %d is none, binary64 nor binary32",
+                            (int)rounding);
+    }
+    context->rounding = rounding;
+    return GRAZE_OK;
+}
+
+void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data) {
+    context->cancel = cancel;
+    context->cancel_data = data;
+}
+
+void graze_free(void *memory) {
+    free(memory);
+}
+
+/* Quoted input may hold line ends and other control bytes; a message is one line. A byte of UTF-8
+ * cut off at the end by the message's size goes too. */
+static void set_message(graze_context *context, const char *text) {
+    size_t n = strnlen(text, CONTEXT_MESSAGE_SIZE - 1);
+    for (size_t k = 0; k < n; k++) {
+        unsigned char c = (unsigned char)text[k];
+        context->message[k] = c < 0x20 || c == 0x7f ? '?' : text[k];
+    }
+    if (n == CONTEXT_MESSAGE_SIZE - 1) {
+        while (n > 0 && ((unsigned char)text[n - 1] & 0x80) != 0) {
+            n--;
+        }
+    }
+    context->message[n] = '\0';
+}
+
+graze_status context_fail(graze_context *context, graze_status status, const char *format, ...) {
+    char text[CONTEXT_MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    set_message(context, text);
+    return status;
+}
+
+graze_status context_at(graze_context *context, graze_status status, const char *format, ...) {
+    char text[2 * CONTEXT_MESSAGE_SIZE + 2];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, CONTEXT_MESSAGE_SIZE, format, arguments);
+    va_end(arguments);
+    size_t used = strlen(text);
+    snprintf(text + used, sizeof text - used, ": %s", context->message);
+    set_message(context, text);
+    return status;
+}
+
+graze_status context_limit(graze_context *context, graze_limit limit, const char *what) {
+    return context_fail(context, GRAZE_ELIMIT,
+                        "%s: more than the limit %s=%lu allows; --limit %s=V raises it", what,
+                        limit_table[limit].name, context->limits[limit], limit_table[limit].name);
+}
+
+graze_status context_poll(graze_context *context) {
+    if (context->cancel != NULL && context->cancel(context->cancel_data) != 0) {
+        return context_fail(context, GRAZE_ECANCELED, "canceled by the caller");
+    }
+    return GRAZE_OK;
+}

@@ -1,0 +1,296 @@
+/* Exact rationals as text: number tokens in, lowest terms out (formats: Numbers).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A token is first read for its shape, the limit then acts on the counted digits, and only then is
+ * a number made. Bounds in doubles are made from integers, so that no floating-point mode matters.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "number/rational.h"
+
+enum { EXPONENT_CAP = 2000000000, SHOWN = 40 };
+
+/* Where the parts of a token stand. `exponent` is held to +-EXPONENT_CAP, past every limit. */
+typedef struct shape {
+    int negative;
+    const char *whole, *fraction, *denominator; /* denominator NULL unless a ratio */
+    size_t whole_count, fraction_count, denominator_count;
+    long exponent;
+} shape;
+
+static size_t digit_run(const char *p, const char *end) {
+    const char *start = p;
+    while (p < end && *p >= '0' && *p <= '9') {
+        p++;
+    }
+    return (size_t)(p - start);
+}
+
+static int is_sign(const char *p, const char *end) {
+    return p < end && (*p == '+' || *p == '-');
+}
+
+/* The exponent after its `e`; the place after it, or NULL where there are no digits. */
+static const char *exponent_shape(long *exponent, const char *p, const char *end) {
+    int negative = p < end && *p == '-';
+    p += is_sign(p, end);
+    size_t n = digit_run(p, end);
+    long value = 0;
+    for (size_t k = 0; k < n && value < EXPONENT_CAP; k++) {
+        value = 10 * value + (p[k] - '0');
+    }
+    value = value > EXPONENT_CAP ? EXPONENT_CAP : value;
+    *exponent = negative ? -value : value;
+    return n == 0 ? NULL : p + n;
+}
+
+static int token_shape(shape *s, const char *p, size_t length) {
+    const char *end = p + length;
+    *s = (shape){.negative = p < end && *p == '-'};
+    p += is_sign(p, end);
+    s->whole = p;
+    s->whole_count = digit_run(p, end);
+    p += s->whole_count;
+    if (p < end && *p == '/' && s->whole_count > 0) {
+        s->denominator = p + 1;
+        s->denominator_count = digit_run(p + 1, end);
+        return s->denominator_count > 0 && p + 1 + s->denominator_count == end;
+    }
+    if (p < end && *p == '.') {
+        s->fraction = p + 1;
+        s->fraction_count = digit_run(p + 1, end);
+        p += 1 + s->fraction_count;
+    }
+    if (s->whole_count + s->fraction_count == 0) {
+        return 0;
+    }
+    if (p < end && (*p == 'e' || *p == 'E')) {
+        p = exponent_shape(&s->exponent, p + 1, end);
+    }
+    return p == end;
+}
+
+int rational_is_token(const char *text, size_t length) {
+    shape s;
+    return token_shape(&s, text, length);
+}
+
+/* Digits of the decimal written without exponent: those before and those behind its point. */
+static unsigned long written_out(const shape *s) {
+    long before = (long)s->whole_count + s->exponent;
+    long behind = (long)s->fraction_count - s->exponent;
+    return (unsigned long)(before > 0 ? before : 0) + (unsigned long)(behind > 0 ? behind : 0);
+}
+
+/* The integer of two runs of digits, one after the other. 0 when memory is short. */
+static int set_digits(fmpz_t out, const char *a, size_t a_count, const char *b, size_t b_count) {
+    char *digits = malloc(a_count + b_count + 1);
+    if (digits == NULL) {
+        return 0;
+    }
+    memcpy(digits, a, a_count);
+    if (b_count > 0) {
+        memcpy(digits + a_count, b, b_count);
+    }
+    digits[a_count + b_count] = '\0';
+    int failed = fmpz_set_str(out, digits, 10);
+    free(digits);
+    return !failed;
+}
+
+static int set_decimal(fmpq_t out, const shape *s) {
+    if (!set_digits(fmpq_numref(out), s->whole, s->whole_count, s->fraction, s->fraction_count)) {
+        return 0;
+    }
+    long shift = s->exponent - (long)s->fraction_count;
+    fmpz_t power;
+    fmpz_init_set_ui(power, 10);
+    fmpz_pow_ui(power, power, (unsigned long)labs(shift));
+    if (shift >= 0) {
+        fmpz_mul(fmpq_numref(out), fmpq_numref(out), power);
+        fmpz_one(fmpq_denref(out));
+    } else {
+        fmpz_set(fmpq_denref(out), power);
+        fmpq_canonicalise(out);
+    }
+    fmpz_clear(power);
+    return 1;
+}
+
+static graze_status set_ratio(fmpq_t out, graze_context *context, const shape *s) {
+    if (!set_digits(fmpq_numref(out), s->whole, s->whole_count, NULL, 0) ||
+        !set_digits(fmpq_denref(out), s->denominator, s->denominator_count, NULL, 0)) {
+        return context_fail(context, GRAZE_ESYSTEM, "no memory for a number");
+    }
+    if (fmpz_is_zero(fmpq_denref(out))) {
+        fmpz_one(fmpq_denref(out));
+        return context_fail(context, GRAZE_EINPUT, "a ratio has the denominator 0");
+    }
+    fmpq_canonicalise(out);
+    return GRAZE_OK;
+}
+
+graze_status rational_parse(fmpq_t out, graze_context *context, const char *text, size_t length) {
+    int shown = length > SHOWN ? SHOWN : (int)length;
+    const char *more = length > SHOWN ? "..." : "";
+    shape s;
+    fmpq_zero(out);
+    if (!token_shape(&s, text, length)) {
+        return context_fail(context, GRAZE_EINPUT,
+                            "'%.*s%s' is not a number; right are -12, 0.1, 1.5e-3, 22/7", shown,
+                            text, more);
+    }
+    unsigned long limit = context->limits[GRAZE_LIMIT_DIGITS];
+    if (written_out(&s) > limit || s.denominator_count > limit) {
+        graze_status status = context_limit(context, GRAZE_LIMIT_DIGITS, "digits written out");
+        return context_at(context, status, "'%.*s%s'", shown, text, more);
+    }
+    graze_status status = GRAZE_OK;
+    if (s.denominator != NULL) {
+        status = set_ratio(out, context, &s);
+    } else if (!set_decimal(out, &s)) {
+        status = context_fail(context, GRAZE_ESYSTEM, "no memory for a number");
+    }
+    if (status == GRAZE_OK && s.negative) {
+        fmpq_neg(out, out);
+    }
+    if (status == GRAZE_OK) {
+        status = rational_round(out, context, context->rounding);
+    }
+    return status == GRAZE_OK ? status : context_at(context, status, "'%.*s%s'", shown, text, more);
+}
+
+/* |value| = (quotient + rest) 2^*shift with 0 <= rest < 1 and quotient of `bits` bits, or fewer
+ * where the shift is held at `least`. `*twice` compares rest with 1/2 as -1, 0, 1; returns whether
+ * rest is 0. value is not zero. */
+static int scale_down(fmpz_t quotient, slong *shift, int *twice, const fmpq_t value, slong bits,
+                      slong least) {
+    fmpz_t numerator, denominator, rest;
+    fmpz_init(numerator);
+    fmpz_init(denominator);
+    fmpz_init(rest);
+    slong s = (slong)fmpz_bits(fmpq_numref(value)) - (slong)fmpz_bits(fmpq_denref(value)) - bits;
+    s = s < least ? least : s;
+    for (;;) {
+        fmpz_abs(numerator, fmpq_numref(value));
+        fmpz_set(denominator, fmpq_denref(value));
+        if (s > 0) {
+            fmpz_mul_2exp(denominator, denominator, (ulong)s);
+        } else {
+            fmpz_mul_2exp(numerator, numerator, (ulong)-s);
+        }
+        fmpz_fdiv_qr(quotient, rest, numerator, denominator);
+        if ((slong)fmpz_bits(quotient) <= bits) {
+            break;
+        }
+        s++;
+    }
+    int exact = fmpz_is_zero(rest);
+    fmpz_mul_2exp(rest, rest, 1);
+    int order = fmpz_cmp(rest, denominator);
+    *twice = (order > 0) - (order < 0);
+    *shift = s;
+    fmpz_clear(numerator);
+    fmpz_clear(denominator);
+    fmpz_clear(rest);
+    return exact;
+}
+
+/* quotient 2^shift, with a sign, as a rational. */
+static void set_scaled(fmpq_t out, const fmpz_t quotient, slong shift, int negative) {
+    fmpq_set_fmpz(out, quotient);
+    if (shift >= 0) {
+        fmpq_mul_2exp(out, out, (flint_bitcnt_t)shift);
+    } else {
+        fmpq_div_2exp(out, out, (flint_bitcnt_t)-shift);
+    }
+    if (negative) {
+        fmpq_neg(out, out);
+    }
+}
+
+graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding) {
+    if (rounding == GRAZE_ROUND_NONE || fmpq_is_zero(value)) {
+        return GRAZE_OK;
+    }
+    int wide = rounding == GRAZE_ROUND_BINARY64;
+    slong bits = wide ? 53 : 24;
+    slong largest = wide ? 1024 : 128; /* the format ends below 2^largest */
+    slong least = wide ? -1074 : -149; /* the smallest subnormal is 2^least */
+    fmpz_t quotient;
+    fmpz_init(quotient);
+    slong shift;
+    int twice;
+    scale_down(quotient, &shift, &twice, value, bits, least);
+    if (twice > 0 || (twice == 0 && fmpz_is_odd(quotient))) {
+        fmpz_add_ui(quotient, quotient, 1);
+    }
+    graze_status status = GRAZE_OK;
+    if ((slong)fmpz_bits(quotient) + shift > largest) {
+        status = context_fail(context, GRAZE_EINPUT, "overflows %s when rounded",
+                              wide ? "binary64" : "binary32");
+    } else {
+        set_scaled(value, quotient, shift, fmpq_sgn(value) < 0);
+    }
+    fmpz_clear(quotient);
+    return status;
+}
+
+graze_status rational_from_double(fmpq_t out, graze_context *context, double value) {
+    uint64_t image;
+    memcpy(&image, &value, sizeof image);
+    int exponent = (int)(image >> 52 & 0x7ff);
+    uint64_t mantissa = image & 0xfffffffffffff;
+    fmpq_zero(out);
+    if (exponent == 0x7ff) {
+        return context_fail(context, GRAZE_EINPUT,
+                            "%s is not a number; a finite double is expected",
+                            mantissa != 0 ? "NaN" : "an infinity");
+    }
+    mantissa |= exponent > 0 ? (uint64_t)1 << 52 : 0;
+    fmpz_t integer;
+    fmpz_init_set_ui(integer, mantissa);
+    set_scaled(out, integer, (exponent > 0 ? exponent : 1) - 1075, (int)(image >> 63));
+    fmpz_clear(integer);
+    return GRAZE_OK;
+}
+
+char *rational_text(const fmpq_t value) {
+    size_t size =
+        fmpz_sizeinbase(fmpq_numref(value), 10) + fmpz_sizeinbase(fmpq_denref(value), 10) + 3;
+    char *text = malloc(size);
+    return text == NULL ? NULL : fmpq_get_str(text, 10, value);
+}
+
+void rational_bounds(double *low, double *high, const fmpq_t value) {
+    *low = *high = 0;
+    if (fmpq_is_zero(value)) {
+        return;
+    }
+    fmpz_t quotient;
+    fmpz_init(quotient);
+    slong shift;
+    int twice;
+    int exact = scale_down(quotient, &shift, &twice, value, 53, -1074);
+    slong top = (slong)fmpz_bits(quotient) + shift; /* |value| < 2^top */
+    double below, above;
+    if (top <= -1022) { /* subnormal doubles may read as 0 */
+        below = 0;
+        above = DBL_MIN;
+    } else if (top > 1024) {
+        below = DBL_MAX;
+        above = INFINITY;
+    } else {
+        /* Both integers are at most 2^53, so conversion is exact, and so is the shift. */
+        below = ldexp((double)fmpz_get_ui(quotient), (int)shift);
+        fmpz_add_ui(quotient, quotient, exact ? 0 : 1);
+        int past = (slong)fmpz_bits(quotient) + shift > 1024;
+        above = past ? INFINITY : ldexp((double)fmpz_get_ui(quotient), (int)shift);
+    }
+    fmpz_clear(quotient);
+    *low = fmpq_sgn(value) > 0 ? below : -above;
+    *high = fmpq_sgn(value) > 0 ? above : -below;
+}

@@ -1,0 +1,36 @@
+/* A binary tree of boxes over the simplices of a boundary, for searches that may only leave out.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_SOLID_TREE_H
+#define GRAZE_SOLID_TREE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/** A closed box that holds what it stands for; in E^2 the third coordinate is [0, 0]. */
+typedef struct box {
+    double low[3], high[3];
+} box;
+
+/** Inner nodes have their children at `child` and `child` + 1. A leaf has child 0 and one simplex.
+ */
+typedef struct tree_node {
+    box box;
+    uint32_t child;
+    uint32_t simplex;
+} tree_node;
+
+/** Node 0 is the root; 2 * simplices - 1 nodes. */
+typedef struct tree {
+    size_t node_count;
+    tree_node *node;
+} tree;
+
+/** Build a tree over n >= 1 boxes; returns 0, or -1 without memory. */
+int tree_build(tree *out, const box *boxes, size_t n);
+void tree_clear(tree *t);
+
+/** 1 if the closed boxes have a point in common. */
+int box_meets(const box *a, const box *b);
+
+#endif

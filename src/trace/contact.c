@@ -1,0 +1,143 @@
+/* From touches, piece after piece, to contacts: maximal closed intervals of time on the boundary.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "trace/contact.h"
+
+#include <stdlib.h>
+
+static graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u) {
+    graze_time *time = malloc(sizeof *time);
+    if (!time)
+        return NULL;
+    time->piece = piece;
+    time->motion = motion;
+    time->canonical = 0;
+    algebraic_init(&time->u);
+    algebraic_set(&time->u, u);
+    fmpz_poly_init(time->poly);
+    fmpq_init(time->low);
+    fmpq_init(time->high);
+    return time;
+}
+
+static void time_destroy(graze_time *time) {
+    if (!time)
+        return;
+    algebraic_clear(&time->u);
+    fmpz_poly_clear(time->poly);
+    fmpq_clear(time->low);
+    fmpq_clear(time->high);
+    free(time);
+}
+
+void contact_clear(contact *c) {
+    if (c->to != c->from)
+        time_destroy(c->to);
+    time_destroy(c->from);
+    free(c->cell);
+}
+
+int time_is_start(const graze_time *time) {
+    return time->piece == 0 && algebraic_is_rational(&time->u) && fmpq_is_zero(time->u.value);
+}
+
+/* Whether a time is the end of its piece. */
+static int is_piece_end(const graze_time *time) {
+    return algebraic_is_rational(&time->u) && fmpq_is_one(time->u.value);
+}
+
+int time_is_end(const graze_time *time) {
+    return time->piece + 1 == time->motion->piece_count && is_piece_end(time);
+}
+
+static int compare_cells(const void *left, const void *right) {
+    const graze_cell *a = left, *b = right;
+    if (a->kind != b->kind)
+        return a->kind < b->kind ? -1 : 1;
+    if (a->a != b->a)
+        return a->a < b->a ? -1 : 1;
+    return a->b < b->b ? -1 : a->b > b->b;
+}
+
+/* Add cells of touches to a contact, in order and each once; 0 without memory. */
+static int add_cells(contact *c, const touch *item, size_t count) {
+    graze_cell *cell = realloc(c->cell, (c->cell_count + count) * sizeof *cell);
+    if (!cell)
+        return 0;
+    c->cell = cell;
+    for (size_t k = 0; k < count; k++)
+        cell[c->cell_count++] = item[k].cell;
+    qsort(cell, c->cell_count, sizeof *cell, compare_cells);
+    size_t kept = 1;
+    for (size_t k = 1; k < c->cell_count; k++)
+        if (compare_cells(&cell[kept - 1], &cell[k]) != 0)
+            cell[kept++] = cell[k];
+    c->cell_count = kept;
+    return 1;
+}
+
+/* Let the last contact, which ends where the piece before ended, go on to `to`. */
+static int prolong(contact *last, graze_time *to) {
+    if (!to)
+        return 0;
+    if (last->to != last->from)
+        time_destroy(last->to);
+    last->to = to;
+    return 1;
+}
+
+static contact *append_contact(graze_trace *trace, graze_time *from, graze_time *to) {
+    contact *list = realloc(trace->contact, (trace->contact_count + 1) * sizeof *list);
+    if (list)
+        trace->contact = list;
+    if (!list || !from || !to) {
+        time_destroy(from);
+        if (to != from)
+            time_destroy(to);
+        return NULL;
+    }
+    list[trace->contact_count] = (contact){.from = from, .to = to};
+    return &list[trace->contact_count++];
+}
+
+/* One maximal run of touches, from rank `from` to rank `to`, in a piece. */
+static int add_run(graze_trace *trace, const graze_motion *motion, size_t piece, const touches *t,
+                   size_t first, size_t count, size_t to) {
+    const algebraic *u0 = &t->time.item[t->by_rank[t->item[first].from]];
+    const algebraic *u1 = &t->time.item[t->by_rank[to]];
+    contact *last = trace->contact_count ? &trace->contact[trace->contact_count - 1] : NULL;
+    int at_start = algebraic_is_rational(u0) && fmpq_is_zero(u0->value), instant = u0 == u1;
+    if (at_start && last && last->to->piece + 1 == piece && is_piece_end(last->to)) {
+        if (!instant && !prolong(last, time_create(motion, piece, u1)))
+            return 0;
+    } else {
+        graze_time *from = time_create(motion, piece, u0);
+        last = append_contact(trace, from, instant ? from : time_create(motion, piece, u1));
+        if (!last)
+            return 0;
+    }
+    return add_cells(last, &t->item[first], count);
+}
+
+static int begins_with_touch(const touches *t)
+{
+    const algebraic *first = t->count ? &t->time.item[t->by_rank[t->item[0].from]] : NULL;
+    return first && algebraic_is_rational(first) && fmpq_is_zero(first->value);
+}
+
+graze_status contacts_append(graze_trace *trace, graze_context *context, const graze_motion *motion,
+                             size_t piece, const touches *t) {
+    contact *last = trace->contact_count ? &trace->contact[trace->contact_count - 1] : NULL;
+    if (last && last->to->piece + 1 == piece && is_piece_end(last->to) && !begins_with_touch(t))
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "a contact ends between two pieces of the motion");
+    for (size_t first = 0, next; first < t->count; first = next) {
+        size_t to = t->item[first].to;
+        for (next = first + 1; next < t->count && t->item[next].from <= to; next++)
+            to = t->item[next].to > to ? t->item[next].to : to;
+        if (!add_run(trace, motion, piece, t, first, next - first, to))
+            return context_fail(context, GRAZE_ESYSTEM,
+                                "out of memory for the contacts of a trace");
+    }
+    return GRAZE_OK;
+}

@@ -1,0 +1,23 @@
+/* Contacts of a trace: built from the touches of one piece after another.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TRACE_CONTACT_H
+#define GRAZE_TRACE_CONTACT_H
+
+#include "trace/touch.h"
+#include "trace/trace.h"
+
+/**
+ * Append the contacts of a piece, whose touches are ordered. A contact that ended with the piece
+ * before goes on if this one begins with a contact: the trajectory is continuous.
+ */
+graze_status contacts_append(graze_trace *trace, graze_context *context, const graze_motion *motion,
+                             size_t piece, const touches *t);
+
+void contact_clear(contact *c);
+
+/** Whether a time is t0, t1. */
+int time_is_start(const graze_time *time);
+int time_is_end(const graze_time *time);
+
+#endif

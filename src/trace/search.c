@@ -1,0 +1,159 @@
+/* Time and tree are subdivided together. Boxes only ever leave a pair out: what they leave is for
+ * the exact tests to answer. Pieces of the curve are cut when first asked for and kept for all
+ * branches of the tree. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "trace/search.h"
+
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* The piece [start, start + 2^(LEVELS - level)] of the curve. */
+typedef struct span {
+    uint32_t start;
+    int level;
+    size_t child; /* the two halves stand at child and child + 1; 0: not cut yet */
+    box box;
+    fmpz *bernstein; /* d + 1 polynomials to the trajectory's degree */
+} span;
+
+typedef struct searcher {
+    const graze_solid *solid;
+    const trajectory *c;
+    candidates *out;
+    span *spans;
+    size_t count, capacity;
+    int out_of_memory;
+} searcher;
+
+static slong span_length(const searcher *s) {
+    return (s->c->dimension + 1) * (s->c->degree + 1);
+}
+
+static double extent(const box *b) {
+    return fmax(b->high[0] - b->low[0], fmax(b->high[1] - b->low[1], b->high[2] - b->low[2]));
+}
+
+/* Room for two more spans; 0 if there is no memory. */
+static int reserve_spans(searcher *s) {
+    if (s->count + 2 > s->capacity) {
+        size_t capacity = s->capacity ? 2 * s->capacity : 64;
+        span *spans = realloc(s->spans, capacity * sizeof *spans);
+        s->out_of_memory = s->out_of_memory || !spans;
+        if (!spans)
+            return 0;
+        s->spans = spans;
+        s->capacity = capacity;
+    }
+    return 1;
+}
+
+static void add_span(searcher *s, uint32_t start, int level, fmpz *bernstein) {
+    span *added = &s->spans[s->count++];
+    *added = (span){.start = start, .level = level, .bernstein = bernstein};
+    trajectory_bound(&added->box, s->c, bernstein);
+}
+
+/* Cut a span in halves; 0 if there is no memory. */
+static int cut_span(searcher *s, size_t index) {
+    if (s->spans[index].child)
+        return 1;
+    if (!reserve_spans(s))
+        return 0;
+    span *whole = &s->spans[index];
+    fmpz *left = _fmpz_vec_init(span_length(s)), *right = _fmpz_vec_init(span_length(s));
+    for (int i = 0; i <= s->c->dimension; i++) {
+        slong at = i * (s->c->degree + 1);
+        bernstein_split(left + at, right + at, whole->bernstein + at, s->c->degree);
+    }
+    whole->child = s->count;
+    int level = whole->level + 1;
+    uint32_t start = whole->start;
+    add_span(s, start, level, left);
+    add_span(s, start + (UINT32_C(1) << (SEARCH_LEVELS - level)), level, right);
+    return 1;
+}
+
+static void record(searcher *s, uint32_t simplex, const span *when) {
+    candidates *out = s->out;
+    if (out->count == out->capacity) {
+        size_t capacity = out->capacity ? 2 * out->capacity : 64;
+        candidate *item = realloc(out->item, capacity * sizeof *item);
+        s->out_of_memory = s->out_of_memory || !item;
+        if (!item)
+            return;
+        out->item = item;
+        out->capacity = capacity;
+    }
+    uint32_t length = UINT32_C(1) << (SEARCH_LEVELS - when->level);
+    out->item[out->count++] =
+        (candidate){s->solid->plane_of[simplex], simplex, when->start, when->start + length};
+}
+
+static void descend(searcher *s, size_t node_index, size_t span_index) {
+    const tree_node *node = &s->solid->boxes.node[node_index];
+    const span *piece = &s->spans[span_index];
+    if (s->out_of_memory || !box_meets(&node->box, &piece->box))
+        return;
+    if (piece->level < SEARCH_LEVELS && !(extent(&piece->box) <= extent(&node->box))) {
+        if (!cut_span(s, span_index))
+            return;
+        size_t half = s->spans[span_index].child;
+        descend(s, node_index, half);
+        descend(s, node_index, half + 1);
+    } else if (node->child) {
+        descend(s, node->child, span_index);
+        descend(s, node->child + 1, span_index);
+    } else {
+        record(s, node->simplex, piece);
+    }
+}
+
+static int compare_candidates(const void *left, const void *right) {
+    const candidate *a = left, *b = right;
+    if (a->plane != b->plane)
+        return a->plane < b->plane ? -1 : 1;
+    if (a->simplex != b->simplex)
+        return a->simplex < b->simplex ? -1 : 1;
+    return a->from < b->from ? -1 : a->from > b->from;
+}
+
+/* Windows of one simplex that touch become one. */
+static void join_windows(candidates *list) {
+    size_t kept = 0;
+    for (size_t k = 0; k < list->count; k++) {
+        const candidate *next = &list->item[k];
+        candidate *last = kept ? &list->item[kept - 1] : NULL;
+        if (last && last->simplex == next->simplex && next->from <= last->to)
+            last->to = next->to > last->to ? next->to : last->to;
+        else
+            list->item[kept++] = *next;
+    }
+    list->count = kept;
+}
+
+graze_status search_candidates(candidates *out, graze_context *context, const graze_solid *solid,
+                               const trajectory *c) {
+    searcher s = {.solid = solid, .c = c, .out = out};
+    out->count = 0;
+    if (reserve_spans(&s)) {
+        fmpz *whole = _fmpz_vec_init(span_length(&s));
+        dyadic_interval unit;
+        dyadic_interval_init(&unit);
+        dyadic_interval_set_si(&unit, 0, 1);
+        for (int i = 0; i <= c->dimension; i++)
+            bernstein_from_poly(whole + i * (c->degree + 1), &c->x[i], c->degree, &unit);
+        dyadic_interval_clear(&unit);
+        add_span(&s, 0, 0, whole);
+        descend(&s, 0, 0);
+    }
+    for (size_t k = 0; k < s.count; k++)
+        _fmpz_vec_clear(s.spans[k].bernstein, span_length(&s));
+    free(s.spans);
+    if (s.out_of_memory)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory while a trajectory is searched");
+    if (out->count)
+        qsort(out->item, out->count, sizeof *out->item, compare_candidates);
+    join_windows(out);
+    return GRAZE_OK;
+}

@@ -1,0 +1,273 @@
+/* Real algebraic numbers: roots, order and signs against polynomials built from known roots.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "number/algebraic.h"
+
+/* A root known in advance: p/q, or the positive root of n x^2 = m, that is sqrt(m/n). */
+typedef struct known {
+    slong m, n;
+    int irrational;
+} known;
+
+static void known_factor(fmpz_poly_t out, known k) {
+    fmpz_poly_zero(out);
+    fmpz_poly_set_coeff_si(out, 0, -k.m);
+    fmpz_poly_set_coeff_si(out, k.irrational ? 2 : 1, k.n);
+}
+
+/* a < b for positive numbers: compare a^2 and b^2, which are rational. */
+static int known_less(known a, known b) {
+    slong am = a.irrational ? a.m : a.m * a.m, an = a.irrational ? a.n : a.n * a.n;
+    slong bm = b.irrational ? b.m : b.m * b.m, bn = b.irrational ? b.n : b.n * b.n;
+    return am * bn < bm * an;
+}
+
+static ulong next_random(ulong *state) {
+    *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+    return *state >> 33;
+}
+
+static int is_square(slong m) {
+    for (slong k = 0; k * k <= m; k++)
+        if (k * k == m)
+            return 1;
+    return 0;
+}
+
+/* A known number in (0, 1]; the irrational ones have m/n that is no square, as neither m n is. */
+static known random_known(ulong *state) {
+    for (;;) {
+        known k = {(slong)(next_random(state) % 12) + 1, (slong)(next_random(state) % 12) + 1,
+                   (int)(next_random(state) % 2)};
+        if (k.m <= k.n && !(k.irrational && is_square(k.m * k.n)))
+            return k;
+    }
+}
+
+static void unit_interval(dyadic_interval *unit) {
+    dyadic_interval_init(unit);
+    dyadic_interval_set_si(unit, 0, 1);
+}
+
+/* Products of known factors with random multiplicities: the roots come out each once and in order,
+ * and each vanishes on its own factor and on no other one's. */
+static void test_known_roots(void **unused) {
+    (void)unused;
+    ulong state = 20261121;
+    dyadic_interval unit;
+    unit_interval(&unit);
+    for (int round = 0; round < 400; round++) {
+        known root[5];
+        int n = (int)(next_random(&state) % 5) + 1, kept = 0;
+        fmpz_poly_t p, factor;
+        fmpz_poly_init(p);
+        fmpz_poly_init(factor);
+        fmpz_poly_set_si(p, round % 2 ? 3 : -2);
+        for (int k = 0; k < n; k++) {
+            known candidate = random_known(&state);
+            int place = kept, repeated = 0;
+            for (int j = 0; j < kept; j++)
+                repeated |= !known_less(root[j], candidate) && !known_less(candidate, root[j]);
+            known_factor(factor, candidate);
+            for (ulong e = next_random(&state) % 3 + 1; e > 0; e--)
+                fmpz_poly_mul(p, p, factor);
+            if (repeated)
+                continue;
+            while (place > 0 && known_less(candidate, root[place - 1])) {
+                root[place] = root[place - 1];
+                place--;
+            }
+            root[place] = candidate;
+            kept++;
+        }
+        algebraic_list list;
+        algebraic_list_init(&list);
+        algebraic_roots(&list, p, &unit);
+        if ((int)list.count != kept) {
+            fmpz_poly_print_pretty(p, "x");
+            fail_msg(": %zu roots instead of %d", list.count, kept);
+        }
+        for (int k = 0; k < kept; k++)
+            for (int j = 0; j < kept; j++) {
+                known_factor(factor, root[j]);
+                /* The factor n x^e - m is negative below its root. */
+                int expected = k < j ? -1 : k > j;
+                assert_int_equal(algebraic_sign_at(factor, &list.item[k]), expected);
+                assert_int_equal(algebraic_compare(&list.item[k], &list.item[j]), expected);
+            }
+        algebraic_list_clear(&list);
+        fmpz_poly_clear(p);
+        fmpz_poly_clear(factor);
+    }
+    dyadic_interval_clear(&unit);
+}
+
+/* The number of roots in (0, 1] by Sturm's theorem, as FLINT counts them over all of R after moving
+ * (0, 1) to R+ and squaring; a second method for random polynomials. */
+static slong count_by_sturm(const fmpz_poly_t p) {
+    fmpz_poly_t moved, shifted;
+    fmpz_t value, one;
+    fmpz_poly_init(moved);
+    fmpz_poly_init(shifted);
+    fmpz_init(value);
+    fmpz_init_set_ui(one, 1);
+    /* q(y) = (1 + y)^n p(1 / (1 + y)): y > 0 is x in (0, 1). Then q(z^2) has twice as many roots,
+     * none at 0. */
+    fmpz_poly_reverse(moved, p, fmpz_poly_length(p));
+    fmpz_poly_taylor_shift(moved, moved, one);
+    fmpz_poly_inflate(shifted, moved, 2);
+    fmpz_poly_primitive_part(shifted, shifted);
+    fmpz_poly_evaluate_fmpz(value, p, one);
+    slong at_one = fmpz_is_zero(value);
+    while (fmpz_poly_degree(shifted) > 0 && fmpz_is_zero(shifted->coeffs))
+        fmpz_poly_shift_right(shifted, shifted, 1);
+    fmpz_poly_t squarefree, g;
+    fmpz_poly_init(squarefree);
+    fmpz_poly_init(g);
+    fmpz_poly_derivative(g, shifted);
+    fmpz_poly_gcd(g, shifted, g);
+    fmpz_poly_div(squarefree, shifted, g);
+    slong all = fmpz_poly_num_real_roots_sturm(squarefree);
+    fmpz_poly_clear(squarefree);
+    fmpz_poly_clear(g);
+    fmpz_poly_clear(moved);
+    fmpz_poly_clear(shifted);
+    fmpz_clear(value);
+    fmpz_clear(one);
+    return all / 2 + at_one;
+}
+
+static void test_counts_against_sturm(void **unused) {
+    (void)unused;
+    ulong state = 7;
+    dyadic_interval unit;
+    unit_interval(&unit);
+    slong total = 0;
+    for (int round = 0; round < 2000; round++) {
+        fmpz_poly_t p;
+        fmpz_poly_init(p);
+        slong degree = (slong)(next_random(&state) % 9) + 1;
+        for (slong k = 0; k <= degree; k++)
+            fmpz_poly_set_coeff_si(p, k, (slong)(next_random(&state) % 41) - 20);
+        if (fmpz_poly_is_zero(p) || fmpz_is_zero(p->coeffs)) {
+            fmpz_poly_clear(p);
+            continue;
+        }
+        algebraic_list list;
+        algebraic_list_init(&list);
+        algebraic_roots(&list, p, &unit);
+        total += (slong)list.count;
+        if ((slong)list.count != count_by_sturm(p)) {
+            fmpz_poly_print_pretty(p, "x");
+            fail_msg(": %zu roots, Sturm counts %ld", list.count, (long)count_by_sturm(p));
+        }
+        for (size_t k = 0; k < list.count; k++)
+            assert_int_equal(algebraic_sign_at(p, &list.item[k]), 0);
+        algebraic_list_clear(&list);
+        fmpz_poly_clear(p);
+    }
+    assert_true(total > 500);
+    dyadic_interval_clear(&unit);
+}
+
+/* 2 x^2 - 1 and the same polynomial moved by 2^-300: roots no double tells apart. */
+static void test_near_miss(void **unused) {
+    (void)unused;
+    dyadic_interval unit;
+    unit_interval(&unit);
+    fmpz_poly_t p, q;
+    fmpz_poly_init(p);
+    fmpz_poly_init(q);
+    fmpz_poly_set_coeff_si(p, 0, -1);
+    fmpz_poly_set_coeff_si(p, 2, 2);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        fmpz_t big;
+        fmpz_init(big);
+        fmpz_one_2exp(big, 300);
+        fmpz_poly_scalar_mul_fmpz(q, p, big);
+        fmpz_sub_si(q->coeffs, q->coeffs, sign);
+        algebraic_list list;
+        algebraic_list_init(&list);
+        algebraic_roots(&list, p, &unit);
+        algebraic_roots(&list, q, &unit);
+        assert_int_equal(list.count, 2);
+        /* q = 2^300 p - sign: where p vanishes q has the sign -sign, and its root lies on the side
+         * sign. */
+        assert_int_equal(algebraic_sign_at(q, &list.item[0]), -sign);
+        assert_int_equal(algebraic_compare(&list.item[1], &list.item[0]), sign);
+        algebraic_list_clear(&list);
+        fmpz_clear(big);
+    }
+    fmpz_poly_clear(p);
+    fmpz_poly_clear(q);
+    dyadic_interval_clear(&unit);
+}
+
+/* Roots exactly at both ends of a window and in its middle, of multiplicity two. */
+static void test_ends(void **unused) {
+    (void)unused;
+    dyadic_interval window;
+    dyadic_interval_init(&window);
+    fmpz_set_si(window.low, 1);
+    fmpz_set_si(window.high, 3);
+    window.exponent = 2;
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    /* ((4x - 1)(2x - 1)(4x - 3))^2 */
+    fmpz_poly_set_str(p, "4  -3 22 -48 32");
+    fmpz_poly_mul(p, p, p);
+    algebraic_list list;
+    algebraic_list_init(&list);
+    algebraic_roots(&list, p, &window);
+    assert_int_equal(list.count, 3);
+    for (int k = 0; k < 3; k++) {
+        fmpq_t expected;
+        fmpq_init(expected);
+        fmpq_set_si(expected, k + 1, 4);
+        assert_true(algebraic_is_rational(&list.item[k]));
+        assert_true(fmpq_equal(list.item[k].value, expected));
+        fmpq_clear(expected);
+    }
+    algebraic_list_clear(&list);
+    fmpz_poly_clear(p);
+    dyadic_interval_clear(&window);
+}
+
+/* Between two numbers there is a third, also when one or both are irrational. */
+static void test_between(void **unused) {
+    (void)unused;
+    dyadic_interval unit;
+    unit_interval(&unit);
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    fmpz_poly_set_str(p, "5  1 0 -5 0 6"); /* (2x^2 - 1)(3x^2 - 1) */
+    algebraic_list list;
+    algebraic_list_init(&list);
+    algebraic_roots(&list, p, &unit);
+    assert_int_equal(list.count, 2);
+    algebraic middle;
+    algebraic_init(&middle);
+    algebraic_between(middle.value, &list.item[0], &list.item[1]);
+    assert_int_equal(algebraic_compare(&list.item[0], &middle), -1);
+    assert_int_equal(algebraic_compare(&middle, &list.item[1]), -1);
+    algebraic_clear(&middle);
+    algebraic_list_clear(&list);
+    fmpz_poly_clear(p);
+    dyadic_interval_clear(&unit);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_known_roots), cmocka_unit_test(test_counts_against_sturm),
+        cmocka_unit_test(test_near_miss),   cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_between),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
