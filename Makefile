@@ -1,12 +1,18 @@
 # Graze: exact classification of points against swept solids.  `make help` lists the targets.
 SHELL := /bin/bash
 B ?= build
-CC ?= gcc
-CXX ?= g++
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+ifeq ($(origin CXX),default)
+CXX := g++
+endif
 OPT ?= -O2
+# FLINT 2.9 takes a field of its fmpq for an array of the whole, at which gcc 12 stumbles.
+GCC_ONLY := $(if $(findstring clang,$(CC)),,-Wno-stringop-overread -Wno-stringop-overflow)
 WARN := -Wall -Wextra -Werror
 COMMON = $(OPT) -g $(WARN) -fPIC -fvisibility=hidden -pthread -Iinclude -Isrc -MMD -MP
-ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON) $(CFLAGS)
+ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON) $(GCC_ONLY) $(CFLAGS)
 # CGAL's interval arithmetic changes the rounding mode, which the compiler must respect.
 ALL_CXXFLAGS = -std=c++17 -frounding-math $(COMMON) $(CXXFLAGS)
 LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
@@ -95,7 +101,7 @@ $B/tests/to_nef: tests/agree/to_nef.cpp | $B/.packages-build
 # ---------------------------------------------------------------- running
 .PHONY: demo
 demo: all
-	@src/demo.sh $B/graze
+	@cases/demo.sh $B/graze
 
 .PHONY: test
 test: $B/.packages-test all $(UNIT) $(ORACLES)

@@ -80,7 +80,8 @@ def main():
             total = [a + b for a, b in zip(total, counts)]
     if sum(total) == 0:
         total[1] = 1
-    print(f"{total[0]} passed, {total[1]} failed, {total[2]} skipped")
+    skipped = f", {total[2]} skipped" if total[2] else ""
+    print(f"{total[0]} passed, {total[1]} failed{skipped}")
     sys.exit(1 if total[1] else 0)
 
 

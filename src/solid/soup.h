@@ -39,6 +39,8 @@ graze_status soup_add_vertex(soup *s, graze_context *context, const fmpq *coordi
  * refuse beforehand. */
 graze_status soup_add_facet(soup *s, graze_context *context);
 graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count);
+/** Append a vertex number to the last cycle, which soup_add_cycle may have begun with none. */
+graze_status soup_add_index(soup *s, graze_context *context, size_t vertex);
 
 /**
  * Read a file by its extension (.off .obj .ply .stl .nef3 .wkt, any case). Number tokens are exact

@@ -1,0 +1,204 @@
+/* The public functions of scenes and verdicts, and what belongs to no handle: argument checks and
+ * one call each. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "api.h"
+
+#include <flint/flint.h>
+#include <flint/fmpq_vec.h>
+#include <mpfr.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <yajl/yajl_version.h>
+#include "number/rational.h"
+#include "scene/scene.h"
+#include "trace/trace.h"
+#include "verdict/verdict.h"
+
+graze_status api_misuse(graze_context *context, const char *function, const char *reason) {
+    return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;
+}
+
+/* More than `digits` digits: mpz_sizeinbase is exact or one too large. */
+static int too_long(const mpz_t value, unsigned long digits) {
+    return mpz_sizeinbase(value, 10) - 1 > digits;
+}
+
+graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value) {
+    unsigned long digits = context->limits[GRAZE_LIMIT_DIGITS];
+    if (mpz_sgn(mpq_denref(value)) <= 0)
+        return context_fail(context, GRAZE_EUSE, "a rational's denominator must be positive");
+    if (too_long(mpq_numref(value), digits) || too_long(mpq_denref(value), digits))
+        return context_limit(context, GRAZE_LIMIT_DIGITS, "a rational");
+    fmpq_set_mpq(out, value);
+    if (!fmpq_is_canonical(out))
+        return context_fail(context, GRAZE_EUSE,
+                            "a rational must be in lowest terms (mpq_canonicalize)");
+    return GRAZE_OK;
+}
+
+void api_rational_out(mpq_t out, const fmpq_t value) {
+    fmpq_get_mpq(out, value);
+}
+
+static char version_text[256];
+
+static void make_version(void) {
+    snprintf(version_text, sizeof version_text,
+             "graze " GRAZE_VERSION "\nGMP %s\nMPFR %s\nFLINT %s\nyajl %d.%d.%d\n", gmp_version,
+             mpfr_get_version(), flint_version, yajl_version() / 10000, yajl_version() / 100 % 100,
+             yajl_version() % 100);
+}
+
+const char *graze_version(void) {
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    pthread_once(&once, make_version);
+    return version_text;
+}
+
+void graze_thread_finish(void) {
+    flint_cleanup();
+    mpfr_free_cache();
+}
+
+graze_status graze_number_parse(mpq_t out, graze_context *context, const char *text,
+                                size_t length) {
+    if (!context || !text)
+        return api_misuse(context, "graze_number_parse", "context and text must not be NULL");
+    fmpq_t value;
+    fmpq_init(value);
+    graze_status status = rational_parse(value, context, text, length);
+    if (!status)
+        api_rational_out(out, value);
+    fmpq_clear(value);
+    return status;
+}
+
+static int options_known(const graze_options *o) {
+    return (o->operation == GRAZE_SWEEP || o->operation == GRAZE_UNSWEEP) &&
+           (o->overlap == GRAZE_OVERLAP_EXTEND || o->overlap == GRAZE_OVERLAP_REJECT) &&
+           (o->folds == GRAZE_FOLDS_SEPARATE || o->folds == GRAZE_FOLDS_COMBINED);
+}
+
+graze_status graze_scene_create(graze_scene **out, graze_context *context, const graze_solid *solid,
+                                const graze_motion *motion, const graze_options *options) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !solid || !motion)
+        return api_misuse(context, "graze_scene_create",
+                          "out, context, solid and motion must not be NULL");
+    if (options && !options_known(options))
+        return api_misuse(context, "graze_scene_create", "an option has an unknown value");
+    graze_scene *scene = malloc(sizeof *scene);
+    if (!scene)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    graze_status status = scene_make(scene, context, solid, motion, options);
+    if (status)
+        free(scene);
+    else
+        *out = scene;
+    return status;
+}
+
+void graze_scene_destroy(graze_scene *scene) {
+    free(scene);
+}
+
+int graze_scene_dimension(const graze_scene *scene) {
+    return scene ? scene->motion->dimension : 0;
+}
+
+int graze_scene_ends_meet(const graze_scene *scene) {
+    return scene ? scene->ends_meet : 0;
+}
+
+graze_options graze_scene_options(const graze_scene *scene) {
+    graze_options none = {GRAZE_SWEEP, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
+    return scene ? scene->options : none;
+}
+
+graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
+                             const graze_scene *scene) {
+    if (!low || !high || !context || !scene)
+        return api_misuse(context, "graze_scene_box",
+                          "low, high, context and scene must not be NULL");
+    int d = scene->motion->dimension;
+    fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);
+    graze_status status = scene_box(from, to, context, scene);
+    for (int k = 0; k < d && !status; k++) {
+        api_rational_out(low[k], from + k);
+        api_rational_out(high[k], to + k);
+    }
+    _fmpq_vec_clear(from, d);
+    _fmpq_vec_clear(to, d);
+    return status;
+}
+
+static graze_status classify_one(graze_verdict *out, graze_context *context,
+                                 const graze_scene *scene, const fmpq *point) {
+    graze_trace trace;
+    graze_status status = context_poll(context);
+    if (!status)
+        status = trace_point(&trace, context, scene->solid, scene->motion, scene->options.operation,
+                             point);
+    if (status)
+        return status;
+    verdict_decide(&trace, &scene->options);
+    *out = trace.verdict;
+    trace_clear(&trace);
+    return GRAZE_OK;
+}
+
+/* The checks both functions share; on success the verdicts are zeroed. */
+static graze_status begin(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                          const void *points, size_t n) {
+    if (!context || !scene || (n && (!out || !points)))
+        return api_misuse(
+            context, "graze_classify",
+            "context and scene, and with n > 0 also out and points, must not be NULL");
+    if (n)
+        memset(out, 0, n * sizeof *out);
+    return GRAZE_OK;
+}
+
+graze_status graze_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                            const mpq_t *points, size_t n) {
+    graze_status status = begin(out, context, scene, points, n);
+    if (status)
+        return status;
+    size_t d = (size_t)scene->motion->dimension;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    for (size_t p = 0; p < n && !status; p++)
+        for (size_t k = 0; k < d && !status; k++)
+            if ((status = api_rational(point + k, context, points[p * d + k])) != GRAZE_OK)
+                status = context_at(context, status, "point %zu, coordinate %zu", p, k);
+    for (size_t p = 0; p < n && !status; p++) {
+        for (size_t k = 0; k < d; k++)
+            fmpq_set_mpq(point + k, points[p * d + k]);
+        status = classify_one(out + p, context, scene, point);
+        if (status)
+            status = context_at(context, status, "point %zu", p);
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    return status;
+}
+
+graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
+                                    const graze_scene *scene, const double *points, size_t n) {
+    graze_status status = begin(out, context, scene, points, n);
+    if (status)
+        return status;
+    size_t d = (size_t)scene->motion->dimension;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    for (size_t p = 0; p < n && !status; p++) {
+        for (size_t k = 0; k < d && !status; k++)
+            status = rational_from_double(point + k, context, points[p * d + k]);
+        if (!status)
+            status = classify_one(out + p, context, scene, point);
+        if (status)
+            status = context_at(context, status, "point %zu", p);
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    return status;
+}

@@ -1,0 +1,162 @@
+/* The public functions of solids: from files, from arrays, and what can be asked of them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdint.h>
+#include "api.h"
+#include "number/rational.h"
+#include "solid/nesting.h"
+#include "solid/solid.h"
+
+graze_status graze_solid_read(graze_solid **out, graze_context *context, const char *path,
+                              unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !path)
+        return api_misuse(context, "graze_solid_read", "out, context and path must not be NULL");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, "graze_solid_read", "an unknown flag is set");
+    soup input;
+    graze_status status = soup_read(&input, context, path);
+    if (status)
+        return status;
+    status = solid_create(out, context, &input, flags);
+    return status ? context_at(context, status, "%s", path) : GRAZE_OK;
+}
+
+/* A caller's arrays; exactly one of `rationals` and `doubles` is given. */
+typedef struct arrays {
+    int dimension;
+    const mpq_t *rationals;
+    const double *doubles;
+    size_t vertex_count;
+    const size_t *facet_sizes;
+    size_t facet_count;
+    const size_t *indices;
+    size_t index_count;
+} arrays;
+
+/* Everything that can be wrong with the arrays themselves, before anything is copied. */
+static graze_status check_arrays(arrays *a, graze_context *context, unsigned flags) {
+    const char *name = a->doubles ? "graze_solid_from_doubles" : "graze_solid_from_arrays";
+    unsigned long limit = context->limits[GRAZE_LIMIT_CELLS];
+    if (a->dimension != 2 && a->dimension != 3)
+        return api_misuse(context, name, "the dimension must be 2 or 3");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, name, "an unknown flag is set");
+    if (!a->facet_count)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "empty interior: there is no facet; right is a closed boundary");
+    if (!a->facet_sizes || !a->indices || (!a->rationals && !a->doubles))
+        return api_misuse(context, name, "no array must be NULL");
+    if (a->vertex_count > limit)
+        return context_limit(context, GRAZE_LIMIT_CELLS, "vertices");
+    if (a->facet_count > limit)
+        return context_limit(context, GRAZE_LIMIT_CELLS, "facets");
+    size_t next = 0;
+    for (size_t f = 0; f < a->facet_count; f++) {
+        size_t size = a->facet_sizes[f];
+        if (size < 3)
+            return context_fail(context, GRAZE_EINPUT,
+                                "facet %zu has %zu vertices; right is at least 3", f, size);
+        if (size > SIZE_MAX - next || next + size > limit)
+            return context_limit(context, GRAZE_LIMIT_CELLS, "corners of facets");
+        for (size_t k = 0; k < size; k++, next++)
+            if (a->indices[next] >= a->vertex_count)
+                return context_fail(context, GRAZE_EINPUT,
+                                    "facet %zu names vertex %zu; right is below %zu", f,
+                                    a->indices[next], a->vertex_count);
+    }
+    a->index_count = next;
+    return GRAZE_OK;
+}
+
+static graze_status add_vertices(soup *s, graze_context *context, const arrays *a) {
+    size_t d = (size_t)a->dimension;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    graze_status status = GRAZE_OK;
+    for (size_t v = 0; v < a->vertex_count && !status; v++) {
+        for (size_t k = 0; k < d && !status; k++) {
+            status = a->doubles ? rational_from_double(point + k, context, a->doubles[v * d + k])
+                                : api_rational(point + k, context, a->rationals[v * d + k]);
+            if (status)
+                status = context_at(context, status, "vertex %zu, coordinate %zu", v, k);
+        }
+        if (!status)
+            status = soup_add_vertex(s, context, point);
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    return status;
+}
+
+static graze_status add_facets(soup *s, graze_context *context, const arrays *a) {
+    if (a->dimension == 2)
+        return nesting_add_rings(s, context, a->facet_sizes, a->facet_count, a->indices);
+    const size_t *index = a->indices;
+    graze_status status = GRAZE_OK;
+    for (size_t f = 0; f < a->facet_count && !status; f++) {
+        status = soup_add_facet(s, context);
+        if (!status)
+            status = soup_add_cycle(s, context, index, a->facet_sizes[f]);
+        index += a->facet_sizes[f];
+    }
+    return status;
+}
+
+static graze_status make_solid(graze_solid **out, graze_context *context, arrays *a,
+                               unsigned flags) {
+    graze_status status = check_arrays(a, context, flags);
+    if (status)
+        return status;
+    soup input;
+    soup_init(&input, a->dimension);
+    status = add_vertices(&input, context, a);
+    if (!status)
+        status = add_facets(&input, context, a);
+    if (!status)
+        return solid_create(out, context, &input, flags);
+    soup_clear(&input);
+    return status;
+}
+
+graze_status graze_solid_from_arrays(graze_solid **out, graze_context *context, int dimension,
+                                     const mpq_t *coordinates, size_t vertex_count,
+                                     const size_t *facet_sizes, size_t facet_count,
+                                     const size_t *indices, unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context)
+        return api_misuse(context, "graze_solid_from_arrays", "out and context must not be NULL");
+    arrays a = {dimension, coordinates, NULL, vertex_count, facet_sizes, facet_count, indices, 0};
+    return make_solid(out, context, &a, flags);
+}
+
+graze_status graze_solid_from_doubles(graze_solid **out, graze_context *context, int dimension,
+                                      const double *coordinates, size_t vertex_count,
+                                      const size_t *facet_sizes, size_t facet_count,
+                                      const size_t *indices, unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context)
+        return api_misuse(context, "graze_solid_from_doubles", "out and context must not be NULL");
+    arrays a = {dimension, NULL, coordinates, vertex_count, facet_sizes, facet_count, indices, 0};
+    return make_solid(out, context, &a, flags);
+}
+
+int graze_solid_dimension(const graze_solid *solid) {
+    return solid ? solid->input.dimension : 0;
+}
+
+size_t graze_solid_vertex_count(const graze_solid *solid) {
+    return solid ? solid->input.vertex_count : 0;
+}
+
+size_t graze_solid_facet_count(const graze_solid *solid) {
+    if (!solid)
+        return 0;
+    return solid->input.dimension == 2 ? solid->input.index_count : solid->input.facet_count;
+}
+
+size_t graze_solid_component_count(const graze_solid *solid) {
+    return solid ? solid->cut.component_count : 0;
+}

@@ -1,0 +1,182 @@
+/* The public functions of traces, their times, and the reports. SPDX-License-Identifier:
+ * GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "api.h"
+#include "report/decimal.h"
+#include "report/report.h"
+#include "verdict/verdict.h"
+
+/* A caller's point as d rationals for _fmpq_vec_clear; NULL on failure. */
+static graze_status take_point(fmpq **out, graze_context *context, const graze_scene *scene,
+                               const mpq_t *point) {
+    int d = scene->motion->dimension;
+    graze_status status = GRAZE_OK;
+    *out = _fmpq_vec_init(d);
+    for (int k = 0; k < d && !status; k++)
+        if ((status = api_rational(*out + k, context, point[k])) != GRAZE_OK)
+            status = context_at(context, status, "coordinate %d", k);
+    if (status) {
+        _fmpq_vec_clear(*out, d);
+        *out = NULL;
+    }
+    return status;
+}
+
+graze_status graze_trace_create(graze_trace **out, graze_context *context, const graze_scene *scene,
+                                const mpq_t *point) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !point)
+        return api_misuse(context, "graze_trace_create",
+                          "out, context, scene and point must not be NULL");
+    fmpq *p;
+    graze_status status = take_point(&p, context, scene, point);
+    if (status)
+        return status;
+    graze_trace *trace = malloc(sizeof *trace);
+    status = trace ? trace_point(trace, context, scene->solid, scene->motion,
+                                 scene->options.operation, p)
+                   : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    _fmpq_vec_clear(p, scene->motion->dimension);
+    if (status) {
+        free(trace);
+        return status;
+    }
+    verdict_decide(trace, &scene->options);
+    *out = trace;
+    return GRAZE_OK;
+}
+
+void graze_trace_destroy(graze_trace *trace) {
+    if (!trace)
+        return;
+    trace_clear(trace);
+    free(trace);
+}
+
+const char *graze_trace_word(const graze_trace *trace) {
+    return trace ? trace->word : "";
+}
+
+graze_verdict graze_trace_verdict(const graze_trace *trace) {
+    graze_verdict none;
+    memset(&none, 0, sizeof none);
+    return trace ? trace->verdict : none;
+}
+
+size_t graze_trace_contact_count(const graze_trace *trace) {
+    return trace ? trace->contact_count : 0;
+}
+
+graze_contact graze_trace_contact(const graze_trace *trace, size_t index) {
+    graze_contact out;
+    memset(&out, 0, sizeof out);
+    if (index >= graze_trace_contact_count(trace))
+        return out;
+    const contact *c = &trace->contact[index];
+    out.kind = verdict_kind(c->left, c->right);
+    out.left = c->left;
+    out.right = c->right;
+    out.from = c->from;
+    out.to = c->to;
+    out.cells = c->cell;
+    out.cell_count = c->cell_count;
+    return out;
+}
+
+int graze_time_rational(mpq_t out, const graze_time *time) {
+    if (!time || !time_is_rational(time))
+        return 0;
+    api_rational_out(out, time->low);
+    return 1;
+}
+
+int graze_time_degree(const graze_time *time) {
+    if (!time)
+        return 0;
+    return time_is_rational(time) ? 1 : (int)fmpz_poly_degree(time->poly);
+}
+
+void graze_time_coefficient(mpz_t out, const graze_time *time, int k) {
+    fmpz_t c;
+    fmpz_init(c);
+    if (time && k >= 0 && time_is_rational(time)) {
+        if (k == 0)
+            fmpz_neg(c, fmpq_numref(time->low));
+        else if (k == 1)
+            fmpz_set(c, fmpq_denref(time->low));
+    } else if (time && k >= 0) {
+        fmpz_poly_get_coeff_fmpz(c, time->poly, k);
+    }
+    fmpz_get_mpz(out, c);
+    fmpz_clear(c);
+}
+
+void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time) {
+    if (!time)
+        return;
+    (void)time_is_rational(time);
+    api_rational_out(low, time->low);
+    api_rational_out(high, time->high);
+}
+
+graze_status graze_time_decimal(char **out, graze_context *context, const graze_time *time,
+                                int digits) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !time)
+        return api_misuse(context, "graze_time_decimal", "out, context and time must not be NULL");
+    if (digits < 1 || digits > 1000)
+        return api_misuse(context, "graze_time_decimal", "digits must be from 1 to 1000");
+    *out = decimal_of_time(NULL, time, digits);
+    return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+}
+
+graze_status graze_report_header(char **out, graze_context *context, const graze_scene *scene,
+                                 const char *notes, const char *columns) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene)
+        return api_misuse(context, "graze_report_header",
+                          "out, context and scene must not be NULL");
+    return report_header(out, context, scene, notes, columns);
+}
+
+graze_status graze_report_row(char **out, graze_context *context, const graze_scene *scene,
+                              const mpq_t *point, const graze_trace *trace, graze_format format,
+                              const char *rest) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !point || !trace)
+        return api_misuse(context, "graze_report_row",
+                          "out, context, scene, point and trace must not be NULL");
+    if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
+        return api_misuse(context, "graze_report_row", "the format is unknown");
+    fmpq *p;
+    graze_status status = take_point(&p, context, scene, point);
+    if (status)
+        return status;
+    status = format == GRAZE_FORMAT_CSV ? report_csv(out, context, scene, p, trace, rest)
+                                        : report_json(out, context, scene, p, trace);
+    _fmpq_vec_clear(p, scene->motion->dimension);
+    return status;
+}
+
+graze_status graze_report_explain(char **out, graze_context *context, const graze_scene *scene,
+                                  const mpq_t *point, const graze_trace *trace) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !point || !trace)
+        return api_misuse(context, "graze_report_explain",
+                          "out, context, scene, point and trace must not be NULL");
+    fmpq *p;
+    graze_status status = take_point(&p, context, scene, point);
+    if (status)
+        return status;
+    status = report_explain(out, context, scene, p, trace);
+    _fmpq_vec_clear(p, scene->motion->dimension);
+    return status;
+}

@@ -1,0 +1,213 @@
+/* graze classify: the table. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Points come in blocks, threads answer a block, its rows are written in order. A failure leaves
+ * the whole rows before it and no `# complete` line.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+#include "cli/interrupt.h"
+#include "cli/output.h"
+#include "cli/rows.h"
+
+static const char help[] =
+    "graze classify SOLID MOTION POINTS: in, on, out and the class of each point, exactly\n"
+    "\n"
+    "POINTS is a CSV file or - for standard input; a header may name x, y, z among other columns,\n"
+    "which are kept. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
+    "\n"
+    "  --grid NX,NY[,NZ]    a grid of points instead of POINTS, each number at least 2\n"
+    "  --box x0,y0[,z0],x1,y1[,z1]   the grid's corners; default: a box around the sweep\n"
+    "  --operation sweep|unsweep     the set points are classified against (sweep)\n"
+    "  --overlap extend|reject       S^0 and S^1 that meet: nine cases (default), or an error\n"
+    "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
+    "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
+    "                       line of JSON per point with its contacts\n"
+    "  --round none|binary64|binary32   round every number read to the nearest such float\n"
+    "  --triangulate        fan facets that are not planar from their first vertex\n"
+    "  --jobs N             threads (default: all cores); the output is the same for any N\n"
+    "  --output FILE        write there instead of to standard output\n"
+    "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10,\n"
+    "                       line 10^7, cells 10^8\n"
+    "\n"
+    "Example: graze classify cube.off move.json points.csv > table.csv\n";
+
+typedef struct run_state {
+    loaded l;
+    csv *points;
+    grid *grid;
+    jobs *jobs;
+    block *block;
+    output out;
+    int opened, headed;
+    unsigned long rows;
+    time_t start, shown;
+} run_state;
+
+/* A line that grows on standard error, where it is a terminal. */
+static void progress(run_state *s, int last) {
+    time_t now = time(NULL);
+    if (!isatty(STDERR_FILENO) || (now == s->shown && !last))
+        return;
+    s->shown = now;
+    unsigned long seconds = (unsigned long)(now - s->start);
+    fprintf(stderr, "\r%lu rows, %lu rows/s   %s", s->rows, s->rows / (seconds ? seconds : 1),
+            last ? "\n" : "");
+}
+
+static int put_header(run_state *s, const options *o) {
+    char *grid = s->grid ? grid_notes(s->grid) : strdup("");
+    const char *cut =
+        o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n" : "# triangulate no\n";
+    char *notes = grid ? malloc(strlen(cut) + strlen(grid) + 1) : NULL;
+    char *text = NULL;
+    if (!notes) {
+        free(grid);
+        return complain(EXIT_IO, "out of memory");
+    }
+    strcpy(notes, cut);
+    strcat(notes, grid);
+    graze_status status = graze_report_header(&text, s->l.context, s->l.scene, notes,
+                                              s->points ? csv_columns(s->points) : NULL);
+    if (!status)
+        output_put(&s->out, text);
+    graze_free(text);
+    free(notes);
+    free(grid);
+    return complain_of(status, s->l.context);
+}
+
+/* The exit status of the first row without an answer. */
+static int row_status(const row *r, unsigned long number) {
+    const char *message = r->message ? r->message : "out of memory";
+    switch (r->status) {
+    case GRAZE_OK:
+    case GRAZE_ECANCELED:
+        return EXIT_SIGNAL;
+    case GRAZE_ELIMIT:
+        return complain(EXIT_LIMIT, "row %lu: %s", number, message);
+    case GRAZE_ESYSTEM:
+        return complain(EXIT_IO, "row %lu: %s", number, message);
+    default:
+        return complain(EXIT_FAULT, "row %lu: %s", number, message);
+    }
+}
+
+static int put_rows(run_state *s) {
+    for (size_t r = 0; r < s->block->count; r++) {
+        const row *line = &s->block->rows[r];
+        if (!line->text)
+            return row_status(line, s->rows + 1);
+        output_put(&s->out, line->text);
+        s->rows++;
+    }
+    output_flush(&s->out);
+    return EXIT_DONE;
+}
+
+/* Answer and write the block at hand; a failure in reading it comes after its rows. */
+static int do_block(run_state *s, const options *o, int read_status) {
+    int status = EXIT_DONE;
+    int columns_known = read_status == EXIT_DONE || (s->points && csv_started(s->points));
+    if (!s->headed && columns_known && o->format == GRAZE_FORMAT_CSV)
+        status = put_header(s, o);
+    s->headed |= columns_known;
+    if (status)
+        return status;
+    jobs_answer(s->jobs, s->block);
+    status = put_rows(s);
+    return status ? status : read_status;
+}
+
+static int do_blocks(run_state *s, const options *o) {
+    int status = EXIT_DONE, more = 1;
+    s->start = s->shown = time(NULL);
+    while (!status && more) {
+        block_reset(s->block);
+        if (s->points)
+            status = csv_fill(s->points, s->block);
+        else
+            grid_fill(s->grid, s->block);
+        more = s->block->count > 0;
+        status = do_block(s, o, status);
+        progress(s, 0);
+        if (!status && interrupt_signal())
+            status = EXIT_SIGNAL;
+        if (s->out.error)
+            status = EXIT_IO;
+    }
+    progress(s, 1);
+    return status;
+}
+
+static int prepare(run_state *s, const options *o) {
+    int status = load(&s->l, o, EXIT_INPUT);
+    if (status)
+        return status;
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    int threads = (int)(o->jobs ? o->jobs : cores > 0 ? cores : 1);
+    if (o->grid)
+        status = grid_open(&s->grid, o, s->l.context, s->l.scene);
+    else
+        status =
+            csv_open(&s->points, o->operands[2], graze_scene_dimension(s->l.scene), s->l.context);
+    if (!status && s->points && o->output && csv_same_file(s->points, o->output))
+        status =
+            complain(EXIT_USAGE, "--output %s: is the file the points are read from", o->output);
+    if (!status && !(s->block = block_create()))
+        status = complain(EXIT_IO, "out of memory");
+    if (!status)
+        status = jobs_start(&s->jobs, o, s->l.scene, threads);
+    if (!status)
+        status = output_open(&s->out, o->output);
+    s->opened = !status;
+    return status;
+}
+
+static void finish(run_state *s) {
+    jobs_stop(s->jobs);
+    block_destroy(s->block);
+    csv_close(s->points);
+    grid_close(s->grid);
+    unload(&s->l);
+    free(s);
+}
+
+static int check_usage(const options *o) {
+    int wanted = o->grid ? 2 : 3;
+    if (o->box && !o->grid)
+        return complain(EXIT_USAGE, "--box goes with --grid; see graze classify --help");
+    if (o->operand_count != wanted)
+        return complain(EXIT_USAGE,
+                        "classify takes SOLID, MOTION and %s, %d operands given; see graze "
+                        "classify --help",
+                        o->grid ? "with --grid no POINTS" : "POINTS or --grid", o->operand_count);
+    return EXIT_DONE;
+}
+
+static int run(const options *o) {
+    int status = check_usage(o);
+    if (status)
+        return status;
+    run_state *s = calloc(1, sizeof *s);
+    if (!s)
+        return complain(EXIT_IO, "out of memory");
+    status = prepare(s, o);
+    if (!status)
+        status = do_blocks(s, o);
+    if (!status && o->format == GRAZE_FORMAT_CSV) {
+        char line[40];
+        snprintf(line, sizeof line, "# complete %lu\n", s->rows);
+        output_put(&s->out, line);
+    }
+    if (s->opened) {
+        int closed = output_close(&s->out);
+        status = closed ? closed : status;
+    }
+    finish(s);
+    return status;
+}
+
+const command command_classify = {"classify", "rltvfpmgbjo", help, run};

@@ -1,0 +1,139 @@
+/* Grids of query points (formats: Commands, --grid and --box). SPDX-License-Identifier:
+ * GPL-3.0-or-later
+ */
+#include <ctype.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cli/rows.h"
+
+/* Cut a text at its commas into at most `most` words; returns how many words it has. */
+static int words(const char **start, size_t *length, int most, const char *text) {
+    int count = 0;
+    for (;;) {
+        size_t n = strcspn(text, ",");
+        if (count < most) {
+            start[count] = text;
+            length[count] = n;
+        }
+        count++;
+        if (!text[n])
+            return count;
+        text += n + 1;
+    }
+}
+
+static int read_sizes(grid *g, const char *text, unsigned long limit) {
+    const char *start[3];
+    size_t length[3];
+    int d = g->dimension;
+    if (words(start, length, 3, text) != d)
+        return complain(EXIT_USAGE, "--grid %s: the scene has dimension %d: right is %s", text, d,
+                        d == 2 ? "NX,NY" : "NX,NY,NZ");
+    g->count = 1;
+    for (int k = 0; k < d; k++) {
+        char *end;
+        errno = 0;
+        int digit = isdigit((unsigned char)*start[k]);
+        unsigned long n = digit ? strtoul(start[k], &end, 10) : 0;
+        if (!digit || end != start[k] + length[k] || n < 2)
+            return complain(EXIT_USAGE, "--grid %s: right are whole numbers of at least 2", text);
+        if (errno || n > limit / g->count)
+            return complain(EXIT_LIMIT,
+                            "--grid %s: more than %lu points; raise it with --limit grid=V", text,
+                            limit);
+        g->size[k] = n;
+        g->count *= n;
+    }
+    return EXIT_DONE;
+}
+
+static int read_box(grid *g, const char *text, graze_context *context) {
+    const char *start[6];
+    size_t length[6];
+    int d = g->dimension;
+    if (words(start, length, 6, text) != 2 * d)
+        return complain(EXIT_USAGE, "--box %s: the scene has dimension %d: right is %s", text, d,
+                        d == 2 ? "x0,y0,x1,y1" : "x0,y0,z0,x1,y1,z1");
+    for (int k = 0; k < 2 * d; k++) {
+        mpq_t *value = k < d ? &g->low[k] : &g->high[k - d];
+        graze_status status = graze_number_parse(*value, context, start[k], length[k]);
+        if (status)
+            return complain(status == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_USAGE, "--box: %s",
+                            graze_context_message(context));
+    }
+    for (int k = 0; k < d; k++)
+        if (mpq_cmp(g->low[k], g->high[k]) >= 0)
+            return complain(EXIT_USAGE, "--box %s: %c0 must be less than %c1", text, 'x' + k,
+                            'x' + k);
+    return EXIT_DONE;
+}
+
+int grid_open(grid **out, const options *o, graze_context *context, const graze_scene *scene) {
+    grid *g = calloc(1, sizeof *g);
+    *out = g;
+    if (!g)
+        return complain(EXIT_IO, "out of memory");
+    g->dimension = graze_scene_dimension(scene);
+    for (int k = 0; k < 3; k++) {
+        mpq_init(g->low[k]);
+        mpq_init(g->high[k]);
+    }
+    int status = read_sizes(g, o->grid, graze_context_limit(context, GRAZE_LIMIT_GRID));
+    if (status)
+        return status;
+    return o->box ? read_box(g, o->box, context)
+                  : complain_of(graze_scene_box(g->low, g->high, context, scene), context);
+}
+
+void grid_close(grid *g) {
+    if (!g)
+        return;
+    for (int k = 0; k < 3; k++) {
+        mpq_clear(g->low[k]);
+        mpq_clear(g->high[k]);
+    }
+    free(g);
+}
+
+void grid_fill(grid *g, block *b) {
+    mpq_t share;
+    mpq_init(share);
+    for (; b->count < BLOCK_ROWS && g->next < g->count; g->next++, b->count++) {
+        unsigned long index = g->next;
+        for (int k = 0; k < g->dimension; k++) {
+            mpq_t *x = &b->rows[b->count].point[k];
+            mpq_set_ui(share, index % g->size[k], g->size[k] - 1);
+            mpq_canonicalize(share);
+            mpq_sub(*x, g->high[k], g->low[k]);
+            mpq_mul(*x, *x, share);
+            mpq_add(*x, *x, g->low[k]);
+            index /= g->size[k];
+        }
+    }
+    mpq_clear(share);
+}
+
+/* Room for a rational as text with its comma. */
+static size_t text_length(const mpq_t value) {
+    return mpz_sizeinbase(mpq_numref(value), 10) + mpz_sizeinbase(mpq_denref(value), 10) + 4;
+}
+
+char *grid_notes(const grid *g) {
+    size_t room = 128;
+    for (int k = 0; k < g->dimension; k++)
+        room += text_length(g->low[k]) + text_length(g->high[k]) + 24;
+    char *text = malloc(room), *at = text;
+    if (!text)
+        return NULL;
+    at += gmp_sprintf(at, "# grid ");
+    for (int k = 0; k < g->dimension; k++)
+        at += gmp_sprintf(at, "%s%lu", k ? "," : "", g->size[k]);
+    at += gmp_sprintf(at, "\n# box ");
+    for (int k = 0; k < g->dimension; k++)
+        at += gmp_sprintf(at, "%s%Qd", k ? "," : "", g->low[k]);
+    for (int k = 0; k < g->dimension; k++)
+        at += gmp_sprintf(at, ",%Qd", g->high[k]);
+    gmp_sprintf(at, "\n");
+    return text;
+}

@@ -1,0 +1,64 @@
+/* graze: chooses the command. SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdio.h>
+#include <string.h>
+#include "cli/cli.h"
+#include "cli/interrupt.h"
+#include "cli/output.h"
+
+static const command *const commands[] = {&command_check, &command_classify, &command_explain};
+
+static const char overview[] =
+    "graze: exact classification of points against a solid swept by a motion\n"
+    "\n"
+    "  graze check SOLID MOTION             is the pair legal, and why not\n"
+    "  graze classify SOLID MOTION POINTS   a table: in, on, out and class of each point\n"
+    "  graze explain SOLID MOTION X Y [Z]   the whole reasoning for one point\n"
+    "  graze COMMAND --help                 options and an example\n"
+    "  graze --version                      versions of graze and its libraries\n"
+    "\n"
+    "SOLID is .off .obj .ply .stl .nef3 (3D) or .wkt (2D), MOTION is JSON, POINTS is CSV or -.\n"
+    "\n"
+    "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 a fault of graze,\n"
+    "5 reading or writing failed, 6 a limit was met.\n";
+
+static output page;
+
+static int show(const char *text) {
+    int status = output_open(&page, NULL);
+    output_put(&page, text);
+    return status ? status : output_close(&page);
+}
+
+static int run(const command *c, int argc, char **argv) {
+    options o;
+    int help, status = options_read(&o, &help, c, argc, argv);
+    if (!status)
+        status = help ? show(c->help) : c->run(&o);
+    options_clear(&o);
+    return status;
+}
+
+int main(int argc, char **argv) {
+    output_guard_standard();
+    if (interrupt_watch() != 0)
+        return complain(EXIT_IO, "signals cannot be watched");
+    if (argc < 2)
+        return complain(EXIT_USAGE, "a command is missing: check, classify or explain; see graze "
+                                    "--help");
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
+        return show(overview);
+    if (strcmp(argv[1], "--version") == 0)
+        return show(graze_version());
+    for (size_t k = 0; k < sizeof commands / sizeof *commands; k++) {
+        if (strcmp(argv[1], commands[k]->name) != 0)
+            continue;
+        int status = run(commands[k], argc - 1, argv + 1);
+        if (status == EXIT_SIGNAL)
+            interrupt_die();
+        return status;
+    }
+    return complain(EXIT_USAGE,
+                    "%s: there is no such command; right is check, classify or "
+                    "explain",
+                    argv[1]);
+}

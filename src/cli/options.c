@@ -1,0 +1,197 @@
+/* Reads a command's options with getopt_long. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Options may stand anywhere. A word that begins like a negative number is an operand, so that
+ * `explain SOLID MOTION -1 2` needs no `--`.
+ */
+#include <ctype.h>
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cli/cli.h"
+
+/* The letter is the option's name in `allowed` and getopt_long's value. */
+static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
+                                             {"round", required_argument, NULL, 'r'},
+                                             {"limit", required_argument, NULL, 'l'},
+                                             {"triangulate", no_argument, NULL, 't'},
+                                             {"overlap", required_argument, NULL, 'v'},
+                                             {"folds", required_argument, NULL, 'f'},
+                                             {"operation", required_argument, NULL, 'p'},
+                                             {"format", required_argument, NULL, 'm'},
+                                             {"grid", required_argument, NULL, 'g'},
+                                             {"box", required_argument, NULL, 'b'},
+                                             {"jobs", required_argument, NULL, 'j'},
+                                             {"output", required_argument, NULL, 'o'},
+                                             {NULL, 0, NULL, 0}};
+
+/* A value out of two or three words. */
+static int choose(int *out, const char *option, const char *value, const char *const *names,
+                  int count) {
+    for (int k = 0; k < count; k++)
+        if (strcmp(value, names[k]) == 0) {
+            *out = k;
+            return EXIT_DONE;
+        }
+    char list[64] = "";
+    for (int k = 0; k < count; k++) {
+        strcat(list, k == 0 ? "" : k + 1 < count ? ", " : " or ");
+        strcat(list, names[k]);
+    }
+    return complain(EXIT_USAGE, "--%s %s: right is %s", option, value, list);
+}
+
+/* A whole number from `low` up; digits only. */
+static int read_count(unsigned long *out, const char *text, unsigned long low) {
+    char *end;
+    if (!isdigit((unsigned char)*text))
+        return 0;
+    errno = 0;
+    *out = strtoul(text, &end, 10);
+    return !*end && !errno && *out >= low;
+}
+
+static int limit_names_complain(const char *value) {
+    char list[256] = "";
+    for (int k = 0; k < GRAZE_LIMIT_COUNT; k++) {
+        strcat(list, k ? ", " : "");
+        strcat(list, graze_limit_name((graze_limit)k));
+    }
+    return complain(EXIT_USAGE, "--limit %s: right is NAME=V, NAME one of %s", value, list);
+}
+
+static int read_limit(options *o, const char *value) {
+    const char *equals = strchr(value, '=');
+    if (!equals)
+        return limit_names_complain(value);
+    for (int k = 0; k < GRAZE_LIMIT_COUNT; k++) {
+        const char *name = graze_limit_name((graze_limit)k);
+        size_t length = strlen(name);
+        if (length != (size_t)(equals - value) || memcmp(name, value, length) != 0)
+            continue;
+        if (!read_count(&o->limits[k], equals + 1, 1))
+            return complain(EXIT_USAGE, "--limit %s: the value must be a whole number from 1 up",
+                            value);
+        return EXIT_DONE;
+    }
+    return limit_names_complain(value);
+}
+
+static int read_choice(options *o, int letter, const char *value) {
+    static const char *const round[] = {"none", "binary64", "binary32"};
+    static const char *const overlap[] = {"extend", "reject"};
+    static const char *const folds[] = {"separate", "combined"};
+    static const char *const operation[] = {"sweep", "unsweep"};
+    static const char *const format[] = {"csv", "jsonl"};
+    int chosen = 0, status;
+    switch (letter) {
+    case 'r':
+        status = choose(&chosen, "round", value, round, 3);
+        o->rounding = (graze_rounding)chosen;
+        return status;
+    case 'v':
+        status = choose(&chosen, "overlap", value, overlap, 2);
+        o->scene.overlap = (graze_overlap)chosen;
+        return status;
+    case 'f':
+        status = choose(&chosen, "folds", value, folds, 2);
+        o->scene.folds = (graze_folds)chosen;
+        return status;
+    case 'p':
+        status = choose(&chosen, "operation", value, operation, 2);
+        o->scene.operation = (graze_operation)chosen;
+        return status;
+    default:
+        status = choose(&chosen, "format", value, format, 2);
+        o->format = (graze_format)chosen;
+        return status;
+    }
+}
+
+static int read_option(options *o, int letter, const char *value) {
+    unsigned long jobs;
+    switch (letter) {
+    case 'l':
+        return read_limit(o, value);
+    case 't':
+        o->solid_flags |= GRAZE_SOLID_TRIANGULATE;
+        return EXIT_DONE;
+    case 'g':
+        o->grid = value;
+        return EXIT_DONE;
+    case 'b':
+        o->box = value;
+        return EXIT_DONE;
+    case 'o':
+        o->output = value;
+        return EXIT_DONE;
+    case 'j':
+        if (!read_count(&jobs, value, 1) || jobs > 1024)
+            return complain(EXIT_USAGE, "--jobs %s: right is a whole number from 1 to 1024", value);
+        o->jobs = (long)jobs;
+        return EXIT_DONE;
+    default:
+        return read_choice(o, letter, value);
+    }
+}
+
+static int is_negative_number(const char *word) {
+    return word[0] == '-' && (isdigit((unsigned char)word[1]) || word[1] == '.');
+}
+
+/* What getopt_long could not read. */
+static int complain_of_word(const command *c, int letter, int code, char **argv) {
+    const char *word = argv[optind - 1];
+    if (code == ':')
+        return complain(EXIT_USAGE, "%s: the option needs a value; see graze %s --help", word,
+                        c->name);
+    if (letter && strncmp(word, "--", 2) != 0)
+        return complain(EXIT_USAGE, "-%c: there is no such option; see graze %s --help", letter,
+                        c->name);
+    if (letter)
+        return complain(EXIT_USAGE, "%s: the option takes no value; see graze %s --help", word,
+                        c->name);
+    return complain(EXIT_USAGE, "%s: there is no such option; see graze %s --help", word, c->name);
+}
+
+int options_read(options *out, int *help, const command *c, int argc, char **argv) {
+    memset(out, 0, sizeof *out);
+    *help = 0;
+    out->operands = calloc((size_t)argc + 1, sizeof *out->operands);
+    if (!out->operands)
+        return complain(EXIT_IO, "out of memory");
+    opterr = 0;
+    optind = 1;
+    while (optind < argc) {
+        if (is_negative_number(argv[optind])) {
+            out->operands[out->operand_count++] = argv[optind++];
+            continue;
+        }
+        int index = -1, letter = getopt_long(argc, argv, "-:h", long_options, &index);
+        if (letter == -1) {
+            while (optind < argc)
+                out->operands[out->operand_count++] = argv[optind++];
+        } else if (letter == 1) {
+            out->operands[out->operand_count++] = optarg;
+        } else if (letter == 'h') {
+            *help = 1;
+            return EXIT_DONE;
+        } else if (letter == '?' || letter == ':') {
+            return complain_of_word(c, optopt, letter, argv);
+        } else if (!strchr(c->allowed, letter)) {
+            return complain(EXIT_USAGE, "%s has no option --%s; see graze %s --help", c->name,
+                            long_options[index].name, c->name);
+        } else {
+            int status = read_option(out, letter, optarg);
+            if (status)
+                return status;
+        }
+    }
+    return EXIT_DONE;
+}
+
+void options_clear(options *o) {
+    free(o->operands);
+    o->operands = NULL;
+}

@@ -1,0 +1,66 @@
+/* Buffered output whose every failure is noticed: a full disk, a closed pipe, a late error at the
+ * close. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "cli/output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <unistd.h>
+#include "cli/cli.h"
+
+int output_open(output *out, const char *path) {
+    out->fd = STDOUT_FILENO;
+    out->name = path ? path : "standard output";
+    out->error = 0;
+    out->used = 0;
+    if (!path)
+        return EXIT_DONE;
+    out->fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (out->fd < 0)
+        return complain(EXIT_IO, "%s: cannot be opened for writing: %s", path, strerror(errno));
+    return EXIT_DONE;
+}
+
+void output_flush(output *out) {
+    size_t done = 0;
+    while (done < out->used && !out->error) {
+        ssize_t n = write(out->fd, out->buffer + done, out->used - done);
+        if (n >= 0)
+            done += (size_t)n;
+        else if (errno != EINTR)
+            out->error = errno;
+    }
+    out->used = 0;
+}
+
+void output_put(output *out, const char *text) {
+    size_t length = strlen(text);
+    while (length && !out->error) {
+        size_t room = sizeof out->buffer - out->used;
+        size_t part = length < room ? length : room;
+        memcpy(out->buffer + out->used, text, part);
+        out->used += part;
+        text += part;
+        length -= part;
+        if (out->used == sizeof out->buffer)
+            output_flush(out);
+    }
+}
+
+int output_close(output *out) {
+    output_flush(out);
+    if (close(out->fd) != 0 && !out->error)
+        out->error = errno;
+    if (out->error)
+        return complain(EXIT_IO, "%s: writing failed: %s", out->name, strerror(out->error));
+    return EXIT_DONE;
+}
+
+void output_guard_standard(void) {
+    static const int wrong_way[] = {O_WRONLY, O_RDONLY, O_WRONLY};
+    for (int fd = 0; fd < 3; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF)
+            if (open("/dev/null", wrong_way[fd]) < 0)
+                return;
+}

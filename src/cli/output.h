@@ -1,0 +1,30 @@
+/* Buffered output to standard output or a file, whose every failure is noticed.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CLI_OUTPUT_H
+#define GRAZE_CLI_OUTPUT_H
+
+#include <stddef.h>
+
+/** Once a write has failed `error` holds its errno and nothing more is written. */
+typedef struct output {
+    int fd;
+    const char *name; /* for messages */
+    int error;
+    size_t used;
+    char buffer[1 << 16];
+} output;
+
+/** Open `path`, or standard output where it is NULL; an existing file is emptied. Returns an exit
+ * status and says what is wrong. */
+int output_open(output *out, const char *path);
+void output_put(output *out, const char *text);
+void output_flush(output *out);
+/** Flush and close. Returns an exit status and says what went wrong since it was opened. */
+int output_close(output *out);
+
+/** Make sure that file descriptors 0, 1 and 2 are in use, so that no file opened later takes the
+ * place of a closed one; reading or writing one that was closed fails. */
+void output_guard_standard(void);
+
+#endif

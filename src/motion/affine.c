@@ -1,0 +1,213 @@
+/* Affine maps of E^d whose entries are rational functions of one parameter u.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "motion/affine.h"
+
+void affine_init(affine *a, int dimension) {
+    a->dimension = dimension;
+    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+        fmpz_poly_q_init(a->entry[k]);
+    }
+    affine_identity(a);
+}
+
+void affine_clear(affine *a) {
+    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+        fmpz_poly_q_clear(a->entry[k]);
+    }
+}
+
+fmpz_poly_q_struct *affine_at(affine *a, int i, int j) {
+    return a->entry[i * (a->dimension + 1) + j];
+}
+
+static const fmpz_poly_q_struct *at(const affine *a, int i, int j) {
+    return a->entry[i * (a->dimension + 1) + j];
+}
+
+void affine_identity(affine *a) {
+    for (int i = 0; i < a->dimension; i++) {
+        for (int j = 0; j <= a->dimension; j++) {
+            fmpz_poly_q_set_si(affine_at(a, i, j), i == j);
+        }
+    }
+}
+
+void affine_set(affine *a, const affine *b) {
+    a->dimension = b->dimension;
+    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+        fmpz_poly_q_set(a->entry[k], b->entry[k]);
+    }
+}
+
+int affine_equal(const affine *a, const affine *b) {
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        if (!fmpz_poly_q_equal(a->entry[k], b->entry[k])) {
+            return 0;
+        }
+    }
+    return a->dimension == b->dimension;
+}
+
+void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b) {
+    int d = a->dimension;
+    affine result;
+    fmpz_poly_q_t product;
+    affine_init(&result, d);
+    fmpz_poly_q_init(product);
+    for (int i = 0; i < d; i++) {
+        for (int j = 0; j <= d; j++) {
+            fmpz_poly_q_struct *sum = affine_at(&result, i, j);
+            fmpz_poly_q_zero(sum);
+            for (int k = 0; k < d; k++) {
+                quotient_mul(c, product, at(a, i, k), at(b, k, j));
+                quotient_add(c, sum, sum, product);
+            }
+            if (j == d) {
+                quotient_add(c, sum, sum, at(a, i, d));
+            }
+        }
+    }
+    affine_set(out, &result);
+    fmpz_poly_q_clear(product);
+    affine_clear(&result);
+}
+
+/* out = p q - r s */
+static void minor(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t p, const fmpz_poly_q_t q,
+                  const fmpz_poly_q_t r, const fmpz_poly_q_t s) {
+    fmpz_poly_q_t other;
+    fmpz_poly_q_init(other);
+    quotient_mul(c, other, r, s);
+    quotient_mul(c, out, p, q);
+    quotient_sub(c, out, out, other);
+    fmpz_poly_q_clear(other);
+}
+
+/* The cofactor of entry (i, j) of the linear part. Taking rows and columns cyclically gives a 3x3
+ * cofactor its sign. */
+static void cofactor(calculation *c, fmpz_poly_q_t out, const affine *a, int i, int j) {
+    if (a->dimension == 2) {
+        fmpz_poly_q_set(out, at(a, 1 - i, 1 - j));
+        if (i != j) {
+            fmpz_poly_q_neg(out, out);
+        }
+        return;
+    }
+    int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+    minor(c, out, at(a, i1, j1), at(a, i2, j2), at(a, i1, j2), at(a, i2, j1));
+}
+
+void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
+    fmpz_poly_q_t product;
+    fmpz_poly_q_init(product);
+    fmpz_poly_q_zero(out);
+    for (int j = 0; j < a->dimension; j++) {
+        cofactor(c, product, a, 0, j);
+        quotient_mul(c, product, product, at(a, 0, j));
+        quotient_add(c, out, out, product);
+    }
+    fmpz_poly_q_clear(product);
+}
+
+void affine_inverse(calculation *c, affine *out, const affine *a) {
+    int d = a->dimension;
+    fmpz_poly_q_t determinant, product;
+    fmpz_poly_q_init(determinant);
+    fmpz_poly_q_init(product);
+    out->dimension = d;
+    affine_determinant(c, determinant, a);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_q_struct *shift = affine_at(out, i, d);
+        fmpz_poly_q_zero(shift);
+        for (int j = 0; j < d; j++) {
+            fmpz_poly_q_struct *entry = affine_at(out, i, j);
+            cofactor(c, entry, a, j, i);
+            quotient_div(c, entry, entry, determinant);
+            quotient_mul(c, product, entry, at(a, j, d));
+            quotient_sub(c, shift, shift, product);
+        }
+    }
+    fmpz_poly_q_clear(product);
+    fmpz_poly_q_clear(determinant);
+}
+
+void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center) {
+    int d = a->dimension;
+    fmpz_poly_q_t product;
+    fmpz_poly_q_init(product);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_q_struct *shift = affine_at(a, i, d);
+        quotient_add(c, shift, shift, center[i]);
+        for (int j = 0; j < d; j++) {
+            quotient_mul(c, product, at(a, i, j), center[j]);
+            quotient_sub(c, shift, shift, product);
+        }
+    }
+    fmpz_poly_q_clear(product);
+}
+
+void affine_substitute(calculation *c, affine *out, const affine *a, const fmpq_t low,
+                       const fmpq_t high) {
+    fmpz_poly_q_t line;
+    fmpz_poly_q_init(line);
+    quotient_set_line(line, low, high);
+    out->dimension = a->dimension;
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        quotient_substitute(c, out->entry[k], a->entry[k], line);
+    }
+    fmpz_poly_q_clear(line);
+}
+
+void affine_at_time(affine *out, const affine *a, const fmpq_t u) {
+    fmpq_t value;
+    fmpq_init(value);
+    out->dimension = a->dimension;
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        quotient_at(value, a->entry[k], u);
+        quotient_set_rational(out->entry[k], value);
+    }
+    fmpq_clear(value);
+}
+
+void point_map_init(point_map *map, int dimension) {
+    map->dimension = dimension;
+    fmpz_poly_init(map->weight);
+    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+        fmpz_poly_init(&map->entry[k]);
+    }
+}
+
+void point_map_clear(point_map *map) {
+    fmpz_poly_clear(map->weight);
+    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+        fmpz_poly_clear(&map->entry[k]);
+    }
+}
+
+/* The value of the weight at 0, where it does not vanish, tells its sign on all of [0, 1]. */
+static void make_weight(calculation *c, fmpz_poly_q_t weight, const affine *a) {
+    fmpz_poly_struct *h = fmpz_poly_q_numref(weight);
+    fmpz_poly_q_one(weight);
+    for (int k = 0; k < a->dimension * (a->dimension + 1) && c->status == GRAZE_OK; k++) {
+        fmpz_poly_lcm(h, h, fmpz_poly_q_denref(a->entry[k]));
+        quotient_check(c, weight);
+    }
+    if (fmpz_sgn(fmpz_poly_get_coeff_ptr(h, 0)) < 0) {
+        fmpz_poly_neg(h, h);
+    }
+}
+
+void point_map_from_affine(calculation *c, point_map *out, const affine *a) {
+    fmpz_poly_q_t weight, entry;
+    fmpz_poly_q_init(weight);
+    fmpz_poly_q_init(entry);
+    make_weight(c, weight, a);
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        quotient_mul(c, entry, a->entry[k], weight);
+        fmpz_poly_set(&out->entry[k], fmpz_poly_q_numref(entry));
+    }
+    fmpz_poly_set(out->weight, fmpz_poly_q_numref(weight));
+    fmpz_poly_q_clear(entry);
+    fmpz_poly_q_clear(weight);
+}

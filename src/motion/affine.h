@@ -1,0 +1,52 @@
+/* Affine maps of E^d whose entries are rational functions of one parameter u.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_MOTION_AFFINE_H
+#define GRAZE_MOTION_AFFINE_H
+
+#include "motion/motion.h"
+#include "motion/quotient.h"
+
+enum { AFFINE_ENTRIES = 12 };
+
+/** P -> A P + b: d rows of d + 1 entries, b last in each row. */
+typedef struct affine {
+    int dimension;
+    fmpz_poly_q_t entry[AFFINE_ENTRIES]; /* all initialised, dimension*(dimension+1) in use */
+} affine;
+
+/** The identity of E^d. */
+void affine_init(affine *a, int dimension);
+void affine_clear(affine *a);
+void affine_identity(affine *a);
+void affine_set(affine *a, const affine *b);
+int affine_equal(const affine *a, const affine *b);
+
+/** The entry of row i and column j, both from 0. */
+fmpz_poly_q_struct *affine_at(affine *a, int i, int j);
+
+/** out = a after b, that is, the matrix a b. `out` may be either. */
+void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b);
+/** The determinant of the linear part. */
+void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a);
+/** The inverse map; the determinant is not the zero function. `out` is not `a`. */
+void affine_inverse(calculation *c, affine *out, const affine *a);
+/** Put `center` (d functions) in the place of the origin: b += center - A center. */
+void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center);
+/** out(u) = a(low + (high - low) u). `out` is not `a`. */
+void affine_substitute(calculation *c, affine *out, const affine *a, const fmpq_t low,
+                       const fmpq_t high);
+/** The constant map that a is at u, where it has no pole. */
+void affine_at_time(affine *out, const affine *a, const fmpq_t u);
+
+/**
+ * The point map of a, which has no pole on [0, 1]. Entries times the least common multiple of the
+ * denominators: as each entry was in lowest terms, no factor is common to all of them and the
+ * multiple.
+ * @param[out] out initialised
+ */
+void point_map_from_affine(calculation *c, point_map *out, const affine *a);
+void point_map_init(point_map *map, int dimension);
+void point_map_clear(point_map *map);
+
+#endif

@@ -1,0 +1,144 @@
+/* Motions from parsed JSON: the four forms, and those made of other motions.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "motion/motion_read.h"
+#include "motion/entry.h"
+
+enum { DIMENSION, PIECES, KEYFRAMES, RELATIVE, SEQUENCE, KEYS };
+
+static graze_status read_dimension(int *out, graze_context *context, const json *value, int outer) {
+    fmpz_t number;
+    fmpz_init(number);
+    graze_status status = entry_integer(number, context, value);
+    if (status == GRAZE_OK && fmpz_cmp_si(number, 2) != 0 && fmpz_cmp_si(number, 3) != 0) {
+        status = json_fail(context, GRAZE_EINPUT, value, "the dimension is 2 or 3, not %.20s",
+                           value->text);
+    }
+    if (status == GRAZE_OK) {
+        *out = (int)fmpz_get_si(number);
+        if (outer != 0 && *out != outer) {
+            status =
+                json_fail(context, GRAZE_EILLEGAL, value,
+                          "this motion has dimension %d inside one of dimension %d", *out, outer);
+        }
+    }
+    fmpz_clear(number);
+    return status;
+}
+
+static int same_interval(const draft *a, const draft *b) {
+    return fmpq_equal(a->piece[0].lo, b->piece[0].lo) &&
+           fmpq_equal(a->piece[a->count - 1].hi, b->piece[b->count - 1].hi);
+}
+
+static graze_status read_relative(draft *out, graze_context *context, const json *value) {
+    static const char *const names[] = {"moving", "frame"};
+    const json *member[2];
+    graze_status status = json_members(member, context, value, names, 2);
+    for (int k = 0; k < 2 && status == GRAZE_OK; k++) {
+        if (member[k] == NULL) {
+            status = json_fail(context, GRAZE_EINPUT, value, "the key %s is missing", names[k]);
+        }
+    }
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    draft moving, frame;
+    draft_init(&frame, out->dimension);
+    status = motion_read_draft(&moving, context, member[0], out->dimension);
+    if (status == GRAZE_OK) {
+        status = motion_read_draft(&frame, context, member[1], out->dimension);
+    }
+    if (status == GRAZE_OK && !same_interval(&moving, &frame)) {
+        status = json_fail(context, GRAZE_EILLEGAL, value,
+                           "moving and frame must have the same interval of t");
+    } else if (status == GRAZE_OK) {
+        status = draft_relative(out, context, &moving, &frame);
+        if (status != GRAZE_OK) {
+            json_at(context, status, value);
+        }
+    }
+    draft_clear(&moving);
+    draft_clear(&frame);
+    return status;
+}
+
+static int starts_at_identity(const draft *d) {
+    fmpq_t zero;
+    affine start, identity;
+    fmpq_init(zero);
+    affine_init(&start, d->dimension);
+    affine_init(&identity, d->dimension);
+    affine_at_time(&start, &d->piece[0].map, zero);
+    int equal = affine_equal(&start, &identity);
+    affine_clear(&identity);
+    affine_clear(&start);
+    fmpq_clear(zero);
+    return equal;
+}
+
+static graze_status read_sequence(draft *out, graze_context *context, const json *value) {
+    graze_status status = json_array(context, value, 0);
+    if (status == GRAZE_OK && value->count == 0) {
+        status = json_fail(context, GRAZE_EINPUT, value, "at least one motion is expected");
+    }
+    affine end;
+    affine_init(&end, out->dimension);
+    for (const json *item = value->first; item != NULL && status == GRAZE_OK; item = item->next) {
+        draft next;
+        status = motion_read_draft(&next, context, item, out->dimension);
+        if (status == GRAZE_OK && item->index > 0 && !starts_at_identity(&next)) {
+            status = json_fail(context, GRAZE_EILLEGAL, item,
+                               "the motion jumps at t = %zu: each motion of a sequence but the "
+                               "first must start at the identity",
+                               item->index);
+        } else if (status == GRAZE_OK) {
+            status = draft_follow(out, context, &next, (slong)item->index, &end);
+            if (status != GRAZE_OK) {
+                json_at(context, status, item);
+            }
+        }
+        draft_clear(&next);
+    }
+    affine_clear(&end);
+    return status;
+}
+
+graze_status motion_read_draft(draft *out, graze_context *context, const json *value,
+                               int dimension) {
+    static const char *const names[KEYS] = {[DIMENSION] = "dimension",
+                                            [PIECES] = "pieces",
+                                            [KEYFRAMES] = "keyframes",
+                                            [RELATIVE] = "relative",
+                                            [SEQUENCE] = "sequence"};
+    static graze_status (*const read[KEYS])(draft *, graze_context *,
+                                            const json *) = {[PIECES] = motion_read_pieces,
+                                                             [KEYFRAMES] = motion_read_keyframes,
+                                                             [RELATIVE] = read_relative,
+                                                             [SEQUENCE] = read_sequence};
+    const json *member[KEYS];
+    int form = 0, forms = 0, own = 0;
+    draft_init(out, dimension);
+    graze_status status = json_members(member, context, value, names, KEYS);
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    if (member[DIMENSION] == NULL) {
+        return json_fail(context, GRAZE_EINPUT, value, "the key dimension is missing");
+    }
+    for (int k = PIECES; k < KEYS; k++) {
+        forms += member[k] != NULL;
+        form = member[k] != NULL ? k : form;
+    }
+    if (forms != 1) {
+        return json_fail(context, GRAZE_EINPUT, value,
+                         "exactly one of pieces, keyframes, relative, sequence is expected, not %d",
+                         forms);
+    }
+    status = read_dimension(&own, context, member[DIMENSION], dimension);
+    if (status == GRAZE_OK) {
+        out->dimension = own;
+        status = read[form](out, context, member[form]);
+    }
+    return status;
+}

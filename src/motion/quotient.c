@@ -1,0 +1,176 @@
+/* Rational functions of one variable over Q, with the limits acting at every step.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "motion/quotient.h"
+#include "number/algebraic.h"
+
+enum { ROOT_REFINEMENTS = 12 }; /* narrow enough to be told in a message */
+
+static void check_polynomial(calculation *c, const fmpz_poly_t p) {
+    const unsigned long *limits = c->context->limits;
+    if (fmpz_poly_degree(p) > (slong)limits[GRAZE_LIMIT_DEGREE]) {
+        c->status =
+            context_limit(c->context, GRAZE_LIMIT_DEGREE, "the degree of a rational function");
+        return;
+    }
+    /* 3.322 > log2(10), so a number of `digits` digits always passes. */
+    unsigned long bits = limits[GRAZE_LIMIT_DIGITS] * 3322 / 1000 + 1;
+    if ((unsigned long)labs(fmpz_poly_max_bits(p)) > bits) {
+        c->status =
+            context_limit(c->context, GRAZE_LIMIT_DIGITS, "a coefficient of a rational function");
+    }
+}
+
+void quotient_check(calculation *c, const fmpz_poly_q_t a) {
+    if (c->status == GRAZE_OK) {
+        check_polynomial(c, fmpz_poly_q_numref(a));
+    }
+    if (c->status == GRAZE_OK) {
+        check_polynomial(c, fmpz_poly_q_denref(a));
+    }
+}
+
+void quotient_add(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b) {
+    if (c->status == GRAZE_OK) {
+        fmpz_poly_q_add(out, a, b);
+        quotient_check(c, out);
+    }
+}
+
+void quotient_sub(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b) {
+    if (c->status == GRAZE_OK) {
+        fmpz_poly_q_sub(out, a, b);
+        quotient_check(c, out);
+    }
+}
+
+void quotient_mul(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b) {
+    if (c->status == GRAZE_OK) {
+        fmpz_poly_q_mul(out, a, b);
+        quotient_check(c, out);
+    }
+}
+
+void quotient_div(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b) {
+    if (c->status != GRAZE_OK) {
+        return;
+    }
+    if (fmpz_poly_q_is_zero(b)) {
+        c->status = context_fail(c->context, GRAZE_EINPUT, "division by the zero function");
+        return;
+    }
+    fmpz_poly_q_div(out, a, b);
+    quotient_check(c, out);
+}
+
+/* From the exponent's highest bit down, so that no power above the wanted one is ever made and
+ * the limits stop a large one after a few squarings. */
+void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_t n) {
+    fmpz_poly_q_t one, base;
+    fmpz_t size;
+    fmpz_poly_q_init(one);
+    fmpz_poly_q_init(base);
+    fmpz_init(size);
+    fmpz_poly_q_one(one);
+    fmpz_poly_q_set(base, a);
+    fmpz_abs(size, n);
+    fmpz_poly_q_one(out);
+    for (ulong bit = fmpz_bits(size); bit-- > 0 && c->status == GRAZE_OK;) {
+        quotient_mul(c, out, out, out);
+        if (fmpz_tstbit(size, bit)) {
+            quotient_mul(c, out, out, base);
+        }
+    }
+    if (fmpz_sgn(n) < 0) {
+        quotient_div(c, out, one, out);
+    }
+    fmpz_clear(size);
+    fmpz_poly_q_clear(base);
+    fmpz_poly_q_clear(one);
+}
+
+void quotient_set_rational(fmpz_poly_q_t out, const fmpq_t value) {
+    fmpz_poly_set_fmpz(fmpz_poly_q_numref(out), fmpq_numref(value));
+    fmpz_poly_set_fmpz(fmpz_poly_q_denref(out), fmpq_denref(value));
+}
+
+void quotient_set_line(fmpz_poly_q_t out, const fmpq_t low, const fmpq_t high) {
+    fmpq_t step;
+    fmpz_t value;
+    fmpq_init(step);
+    fmpz_init(value);
+    fmpq_sub(step, high, low);
+    fmpz_poly_zero(fmpz_poly_q_numref(out));
+    fmpz_mul(value, fmpq_numref(low), fmpq_denref(step));
+    fmpz_poly_set_coeff_fmpz(fmpz_poly_q_numref(out), 0, value);
+    fmpz_mul(value, fmpq_numref(step), fmpq_denref(low));
+    fmpz_poly_set_coeff_fmpz(fmpz_poly_q_numref(out), 1, value);
+    fmpz_mul(value, fmpq_denref(step), fmpq_denref(low));
+    fmpz_poly_set_fmpz(fmpz_poly_q_denref(out), value);
+    fmpz_poly_q_canonicalise(out);
+    fmpz_clear(value);
+    fmpq_clear(step);
+}
+
+void quotient_at(fmpq_t out, const fmpz_poly_q_t a, const fmpq_t u) {
+    fmpq_t denominator;
+    fmpq_init(denominator);
+    fmpz_poly_evaluate_fmpq(denominator, fmpz_poly_q_denref(a), u);
+    fmpz_poly_evaluate_fmpq(out, fmpz_poly_q_numref(a), u);
+    fmpq_div(out, out, denominator);
+    fmpq_clear(denominator);
+}
+
+/* Horner's scheme. */
+static void substitute_polynomial(calculation *c, fmpz_poly_q_t out, const fmpz_poly_t p,
+                                  const fmpz_poly_q_t line) {
+    fmpz_poly_q_t coefficient;
+    fmpz_poly_q_init(coefficient);
+    fmpz_poly_q_zero(out);
+    for (slong k = fmpz_poly_degree(p); k >= 0 && c->status == GRAZE_OK; k--) {
+        fmpz_poly_q_one(coefficient);
+        fmpz_poly_set_fmpz(fmpz_poly_q_numref(coefficient), fmpz_poly_get_coeff_ptr(p, k));
+        quotient_mul(c, out, out, line);
+        quotient_add(c, out, out, coefficient);
+    }
+    fmpz_poly_q_clear(coefficient);
+}
+
+void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
+                         const fmpz_poly_q_t line) {
+    fmpz_poly_q_t denominator;
+    fmpz_poly_q_init(denominator);
+    substitute_polynomial(c, out, fmpz_poly_q_numref(a), line);
+    substitute_polynomial(c, denominator, fmpz_poly_q_denref(a), line);
+    quotient_div(c, out, out, denominator);
+    fmpz_poly_q_clear(denominator);
+}
+
+/* Numerator and denominator are coprime in Z[u], which factors uniquely; so a is a square exactly
+ * if both are. */
+int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a) {
+    return fmpz_poly_sqrt(fmpz_poly_q_numref(out), fmpz_poly_q_numref(a)) &&
+           fmpz_poly_sqrt(fmpz_poly_q_denref(out), fmpz_poly_q_denref(a));
+}
+
+int polynomial_root(fmpq_t low, fmpq_t high, const fmpz_poly_t p) {
+    if (fmpz_poly_degree(p) <= 0) {
+        return 0;
+    }
+    dyadic_interval unit;
+    algebraic_list roots;
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    algebraic_list_init(&roots);
+    algebraic_roots(&roots, p, &unit);
+    int found = roots.count > 0;
+    if (found) {
+        for (int k = 0; k < ROOT_REFINEMENTS; k++) {
+            algebraic_refine(&roots.item[0]);
+        }
+        algebraic_bounds(low, high, &roots.item[0]);
+    }
+    algebraic_list_clear(&roots);
+    dyadic_interval_clear(&unit);
+    return found;
+}

@@ -1,0 +1,51 @@
+/* Rational functions of one variable over Q, with the limits acting at every step.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Values are FLINT's fmpz_poly_q: numerator and denominator coprime in Z[u], leading coefficient of
+ * the denominator positive. Two values within the limits make a result of at most about twice their
+ * size, so it is enough that every result is looked at.
+ */
+#ifndef GRAZE_MOTION_QUOTIENT_H
+#define GRAZE_MOTION_QUOTIENT_H
+
+#include <flint/fmpq.h>
+#include <flint/fmpz_poly.h>
+#include <flint/fmpz_poly_q.h>
+#include "context/context.h"
+
+/** A calculation: after the first failure its operations do nothing and `status` keeps the cause.
+ */
+typedef struct calculation {
+    graze_context *context;
+    graze_status status;
+} calculation;
+
+void quotient_add(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b);
+void quotient_sub(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b);
+void quotient_mul(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b);
+/** GRAZE_EINPUT when b is the zero function. */
+void quotient_div(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b);
+/** a^n for any integer n, a^0 = 1; GRAZE_EINPUT for a negative power of zero. */
+void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_t n);
+
+void quotient_set_rational(fmpz_poly_q_t out, const fmpq_t value);
+/** low + (high - low) u. */
+void quotient_set_line(fmpz_poly_q_t out, const fmpq_t low, const fmpq_t high);
+/** The value at a place that is no pole. */
+void quotient_at(fmpq_t out, const fmpz_poly_q_t a, const fmpq_t u);
+/** out(u) = a(line(u)), where the denominator of `line` is a constant. `out` is not `a`. */
+void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
+                         const fmpz_poly_q_t line);
+/** 1 and one of the two roots if a is a square in Q(u), else 0. */
+int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
+
+/** GRAZE_ELIMIT in the calculation if degree or digits of a are past the limits. */
+void quotient_check(calculation *c, const fmpz_poly_q_t a);
+
+/**
+ * Has p, not zero, a root in [0, 1]? If so 1, and low <= the first one <= high, equal when it is
+ * seen to be rational.
+ */
+int polynomial_root(fmpq_t low, fmpq_t high, const fmpz_poly_t p);
+
+#endif

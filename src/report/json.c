@@ -1,0 +1,166 @@
+/* One point's verdict and contacts as a line of JSON (formats: Results, JSON Lines).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Exact numbers are strings; counts, cases and cell numbers are JSON integers.
+ */
+#include "report/report.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <yajl/yajl_gen.h>
+#include "number/rational.h"
+#include "report/decimal.h"
+#include "verdict/verdict.h"
+
+enum { APPROX_DIGITS = 17 };
+
+typedef struct writer {
+    yajl_gen gen;
+    int failed;
+} writer;
+
+static void check(writer *w, yajl_gen_status status) {
+    w->failed |= status != yajl_gen_status_ok;
+}
+
+static void put_string(writer *w, const char *string) {
+    check(w, yajl_gen_string(w->gen, (const unsigned char *)string, strlen(string)));
+}
+
+static void put_owned(writer *w, char *string) {
+    if (string)
+        put_string(w, string);
+    else
+        w->failed = 1;
+    free(string);
+}
+
+static void put_count(writer *w, const char *key, unsigned long value) {
+    put_string(w, key);
+    check(w, yajl_gen_integer(w->gen, (long long)value));
+}
+
+static void put_text(writer *w, const char *key, const char *value) {
+    put_string(w, key);
+    put_string(w, value);
+}
+
+static void put_state(writer *w, const char *key, graze_state state) {
+    put_string(w, key);
+    if (state == GRAZE_STATE_ABSENT)
+        check(w, yajl_gen_null(w->gen));
+    else
+        put_string(w, state == GRAZE_STATE_I ? "I" : "O");
+}
+
+static void put_root(writer *w, const graze_time *time) {
+    check(w, yajl_gen_map_open(w->gen));
+    put_string(w, "poly");
+    check(w, yajl_gen_array_open(w->gen));
+    fmpq_t coefficient;
+    fmpq_init(coefficient);
+    for (slong k = 0; k < fmpz_poly_length(time->poly); k++) {
+        fmpz_poly_get_coeff_fmpz(fmpq_numref(coefficient), time->poly, k);
+        put_owned(w, rational_text(coefficient));
+    }
+    fmpq_clear(coefficient);
+    check(w, yajl_gen_array_close(w->gen));
+    put_string(w, "lo");
+    put_owned(w, rational_text(time->low));
+    put_string(w, "hi");
+    put_owned(w, rational_text(time->high));
+    put_string(w, "approx");
+    put_owned(w, decimal_of_time(NULL, time, APPROX_DIGITS));
+    check(w, yajl_gen_map_close(w->gen));
+}
+
+static void put_time(writer *w, const char *key, const graze_time *time) {
+    put_string(w, key);
+    if (time_is_rational(time))
+        put_owned(w, rational_text(time->low));
+    else
+        put_root(w, time);
+}
+
+static void put_cell(writer *w, const graze_cell *cell) {
+    check(w, yajl_gen_map_open(w->gen));
+    if (cell->kind == GRAZE_CELL_EDGE) {
+        put_string(w, "edge");
+        check(w, yajl_gen_array_open(w->gen));
+        check(w, yajl_gen_integer(w->gen, (long long)cell->a));
+        check(w, yajl_gen_integer(w->gen, (long long)cell->b));
+        check(w, yajl_gen_array_close(w->gen));
+    } else {
+        put_count(w, cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
+    }
+    check(w, yajl_gen_map_close(w->gen));
+}
+
+static void put_contact(writer *w, const contact *c) {
+    graze_kind kind = verdict_kind(c->left, c->right);
+    check(w, yajl_gen_map_open(w->gen));
+    put_text(w, "kind", kind == GRAZE_INTERSECTION ? "intersection" : "tangency");
+    put_state(w, "left", c->left);
+    put_state(w, "right", c->right);
+    put_time(w, "from", c->from);
+    put_time(w, "to", c->to);
+    put_string(w, "features");
+    check(w, yajl_gen_array_open(w->gen));
+    for (size_t k = 0; k < c->cell_count; k++)
+        put_cell(w, &c->cell[k]);
+    check(w, yajl_gen_array_close(w->gen));
+    check(w, yajl_gen_map_close(w->gen));
+}
+
+static void put_verdict(writer *w, const graze_scene *scene, const graze_verdict *v) {
+    put_text(w, "pmc", graze_pmc_name(v->pmc));
+    if (scene->options.operation != GRAZE_SWEEP)
+        return;
+    put_text(w, "class", graze_class_name(v->class_));
+    if (v->definition)
+        put_count(w, "definition", (unsigned long)v->definition);
+    else
+        put_text(w, "definition", "ext");
+    put_count(w, "case", (unsigned long)v->case_);
+    put_count(w, "i", v->i);
+    put_count(w, "t", v->t);
+}
+
+static void put_row(writer *w, const graze_scene *scene, const fmpq *point,
+                    const graze_trace *trace) {
+    check(w, yajl_gen_map_open(w->gen));
+    put_string(w, "point");
+    check(w, yajl_gen_array_open(w->gen));
+    for (int k = 0; k < scene->motion->dimension; k++)
+        put_owned(w, rational_text(point + k));
+    check(w, yajl_gen_array_close(w->gen));
+    put_verdict(w, scene, &trace->verdict);
+    put_text(w, "word", trace->word);
+    put_string(w, "contacts");
+    check(w, yajl_gen_array_open(w->gen));
+    for (size_t k = 0; k < trace->contact_count; k++)
+        put_contact(w, &trace->contact[k]);
+    check(w, yajl_gen_array_close(w->gen));
+    check(w, yajl_gen_map_close(w->gen));
+}
+
+graze_status report_json(char **out, graze_context *context, const graze_scene *scene,
+                         const fmpq *point, const graze_trace *trace) {
+    text t;
+    text_init(&t);
+    writer w = {yajl_gen_alloc(NULL), 0};
+    if (!w.gen) {
+        t.failed = 1;
+        return text_finish(out, context, &t);
+    }
+    put_row(&w, scene, point, trace);
+    const unsigned char *line = NULL;
+    size_t length = 0;
+    check(&w, yajl_gen_get_buf(w.gen, &line, &length));
+    t.failed = w.failed;
+    if (!w.failed)
+        text_bytes(&t, (const char *)line, length);
+    text_put(&t, "\n");
+    yajl_gen_free(w.gen);
+    return text_finish(out, context, &t);
+}

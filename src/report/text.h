@@ -1,0 +1,27 @@
+/* Text that grows: what the reports write into. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_REPORT_TEXT_H
+#define GRAZE_REPORT_TEXT_H
+
+#include <flint/fmpq.h>
+#include "context/context.h"
+
+/** A NUL-terminated text. Once memory has run short `failed` is set and nothing more is added. */
+typedef struct text {
+    char *data;
+    size_t length, capacity;
+    int failed;
+} text;
+
+void text_init(text *t);
+void text_clear(text *t);
+void text_bytes(text *t, const char *bytes, size_t length);
+void text_put(text *t, const char *string);
+void text_format(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/** An integer or a ratio in lowest terms. */
+void text_rational(text *t, const fmpq_t value);
+/** Add a malloc'ed string and free it; NULL stands for memory that ran short. */
+void text_owned(text *t, char *string);
+/** Hand the text over as a malloc'ed string and clear; GRAZE_ESYSTEM when memory ran short. */
+graze_status text_finish(char **out, graze_context *context, text *t);
+
+#endif

@@ -1,0 +1,49 @@
+/* A scene: a solid, a motion of the same dimension, the options its answers depend on, and what is
+ * known about the pair. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends_meet` is
+ * decided exactly. A scene never changes once made.
+ */
+#ifndef GRAZE_SCENE_SCENE_H
+#define GRAZE_SCENE_SCENE_H
+
+#include "motion/motion.h"
+#include "solid/solid.h"
+
+struct graze_scene {
+    const graze_solid *solid;
+    const graze_motion *motion;
+    graze_options options;
+    int ends_meet;            /* 1 if S^0 and S^1 have a point in common, else 0 */
+    unsigned char sha256[32]; /* of the canonical text of solid and motion, see scene_hash */
+};
+
+/**
+ * Fill a scene: dimensions, the ends, the hash.
+ * @return GRAZE_EILLEGAL the dimensions differ, or the ends meet where `overlap` rejects it
+ */
+graze_status scene_make(graze_scene *out, graze_context *context, const graze_solid *solid,
+                        const graze_motion *motion, const graze_options *options);
+
+/** Decide whether M(t0) S and M(t1) S, closed sets, have a point in common. */
+graze_status scene_ends(int *out, graze_context *context, const graze_solid *solid,
+                        const graze_motion *motion);
+
+/**
+ * SHA-256 of the scene's canonical text, line by line:
+ * `d N`; `v X Y [Z]` for each vertex; for each facet `f` and the vertices of its cycles, cycles
+ * parted by ` |`; where a facet's simplices lie in more than one plane (it was fanned) `t A B C`
+ * for each of them; for each piece of the motion `p LO HI`, then `m` and the coefficients of each
+ * entry of M in the piece's own parameter, row by row, then `w` and those of the weight. Numbers
+ * are those in force: after rounding, in lowest terms.
+ */
+graze_status scene_hash(unsigned char out[32], graze_context *context, const graze_solid *solid,
+                        const graze_motion *motion);
+
+/**
+ * A box of dyadic rationals that holds the sweep (for unsweep the unsweep).
+ * @param[out] low, high d initialised rationals each
+ */
+graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graze_scene *scene);
+
+#endif

@@ -1,0 +1,64 @@
+/* What all code that touches CGAL shares: the kernel, and the one wall that turns every C++
+ * exception into a status. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * CGAL 5.5 drops its precondition checks when NDEBUG is defined; a broken precondition would then
+ * be an undefined answer instead of GRAZE_EINTERNAL, so such a build is refused.
+ */
+#ifndef GRAZE_SOLID_CGAL_H
+#define GRAZE_SOLID_CGAL_H
+
+#if defined(NDEBUG) || defined(CGAL_NDEBUG)
+#error "Graze relies on CGAL's preconditions: build without NDEBUG and CGAL_NDEBUG"
+#endif
+
+#include <exception>
+#include <new>
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/exceptions.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include "solid/failure.hpp"
+
+typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
+/** The exact number a Kernel::FT stands for. */
+typedef Kernel::FT::ET Exact;
+
+/** CGAL throws at a failed check, and never writes, aborts or exits. Done once for the process. */
+inline void cgal_throws() {
+    static const bool once = [] {
+        CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+        CGAL::set_warning_behaviour(CGAL::THROW_EXCEPTION);
+        return true;
+    }();
+    (void)once;
+}
+
+/**
+ * Run `work`, a callable without arguments, so that nothing is thrown past this point.
+ * @return GRAZE_OK; the status of a failure; GRAZE_ESYSTEM when memory ran out; GRAZE_EINTERNAL for
+ * every other exception, a failed check of CGAL among them
+ */
+template <class Work> graze_status guard(graze_context *context, const Work &work) noexcept {
+    try {
+        cgal_throws();
+        work();
+        return GRAZE_OK;
+    } catch (const failure &given_up) {
+        return given_up.status;
+    } catch (const std::bad_alloc &) {
+        return context_fail(context, GRAZE_ESYSTEM,
+                            "memory ran out while working on the solid; a smaller solid would fit");
+    } catch (const CGAL::Failure_exception &broken) {
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "a check inside the geometry library failed (%s:%d): please report it",
+                            broken.filename().c_str(), broken.line_number());
+    } catch (const std::exception &fault) {
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "unexpected fault in the geometry (%s): please report it",
+                            fault.what());
+    } catch (...) {
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "unexpected fault in the geometry: please report it");
+    }
+}
+
+#endif

@@ -1,0 +1,182 @@
+/* Polygon soups: their arrays, and the choice of a reader by a file's extension.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * An array of n entries has room for the power of two at or above n, so no capacity is kept.
+ */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include "context/file.h"
+#include "solid/readers.h"
+
+enum { ROOM_LEAST = 16, POLL_MASK = 0xffff };
+
+static size_t room(size_t count) {
+    size_t size = ROOM_LEAST;
+    while (size < count) {
+        size *= 2;
+    }
+    return count == 0 ? 0 : size;
+}
+
+/* Make room for `more` entries behind the `count` there are. */
+static graze_status grow(graze_context *context, void **array, size_t count, size_t more,
+                         size_t entry) {
+    if (count + more < count || count + more > SIZE_MAX / 2 / entry) {
+        return context_fail(context, GRAZE_ESYSTEM, "no memory for %zu more entries", more);
+    }
+    size_t size = room(count + more);
+    if (size == room(count)) {
+        return GRAZE_OK;
+    }
+    void *grown = realloc(*array, size * entry);
+    if (grown == NULL) {
+        return context_fail(context, GRAZE_ESYSTEM, "no memory for a solid's %zu bytes",
+                            size * entry);
+    }
+    *array = grown;
+    return GRAZE_OK;
+}
+
+/* One more part behind `count` parts of which `start` has the offsets; it begins and ends at
+ * `end`. */
+static graze_status add_part(graze_context *context, size_t **start, size_t *count, size_t end) {
+    size_t stored = *count == 0 ? 0 : *count + 1;
+    void *array = *start;
+    graze_status status = grow(context, &array, stored, *count + 2 - stored, sizeof **start);
+    *start = array;
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    (*start)[*count] = end;
+    (*count)++;
+    (*start)[*count] = end;
+    return GRAZE_OK;
+}
+
+void soup_init(soup *s, int dimension) {
+    *s = (soup){.dimension = dimension};
+}
+
+void soup_clear(soup *s) {
+    for (size_t k = 0; k < s->vertex_count * (size_t)s->dimension; k++) {
+        fmpq_clear(s->coordinates + k);
+    }
+    free(s->coordinates);
+    free(s->index);
+    free(s->cycle_start);
+    free(s->facet_start);
+    soup_init(s, s->dimension);
+}
+
+/* The cells limit and, now and then, the cancel callback. */
+static graze_status may_add(graze_context *context, size_t count, const char *what) {
+    if (count >= context->limits[GRAZE_LIMIT_CELLS]) {
+        return context_limit(context, GRAZE_LIMIT_CELLS, what);
+    }
+    return (count & POLL_MASK) == POLL_MASK ? context_poll(context) : GRAZE_OK;
+}
+
+graze_status soup_add_vertex(soup *s, graze_context *context, const fmpq *coordinates) {
+    size_t d = (size_t)s->dimension;
+    size_t count = s->vertex_count * d;
+    graze_status status = may_add(context, s->vertex_count, "vertices");
+    if (status == GRAZE_OK) {
+        void *array = s->coordinates;
+        status = grow(context, &array, count, d, sizeof *s->coordinates);
+        s->coordinates = array;
+    }
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    for (size_t k = 0; k < d; k++) {
+        fmpq_init(s->coordinates + count + k);
+        fmpq_set(s->coordinates + count + k, coordinates + k);
+    }
+    s->vertex_count++;
+    return GRAZE_OK;
+}
+
+graze_status soup_add_facet(soup *s, graze_context *context) {
+    graze_status status = may_add(context, s->facet_count, "facets");
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    return add_part(context, &s->facet_start, &s->facet_count, s->cycle_count);
+}
+
+graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count) {
+    graze_status status = add_part(context, &s->cycle_start, &s->cycle_count, s->index_count);
+    if (status == GRAZE_OK) {
+        s->facet_start[s->facet_count] = s->cycle_count;
+    }
+    for (size_t k = 0; k < count && status == GRAZE_OK; k++) {
+        status = soup_add_index(s, context, vertex[k]);
+    }
+    return status;
+}
+
+graze_status soup_add_index(soup *s, graze_context *context, size_t vertex) {
+    void *array = s->index;
+    graze_status status = grow(context, &array, s->index_count, 1, sizeof *s->index);
+    s->index = array;
+    if (status == GRAZE_OK) {
+        s->index[s->index_count++] = vertex;
+        s->cycle_start[s->cycle_count] = s->index_count;
+    }
+    return status;
+}
+
+static const struct format {
+    const char *extension;
+    int dimension;
+    soup_reader *read;
+} formats[] = {
+    {".off", 3, read_off}, {".obj", 3, read_obj},   {".ply", 3, read_ply},
+    {".stl", 3, read_stl}, {".nef3", 3, read_nef3}, {".wkt", 2, read_wkt},
+};
+
+static const struct format *format_of(const char *path) {
+    const char *name = strrchr(path, '/');
+    const char *extension = strrchr(name == NULL ? path : name, '.');
+    for (size_t k = 0; extension != NULL && k < sizeof formats / sizeof *formats; k++) {
+        if (strcasecmp(extension, formats[k].extension) == 0) {
+            return formats + k;
+        }
+    }
+    return NULL;
+}
+
+graze_status soup_read(soup *s, graze_context *context, const char *path) {
+    const struct format *format = format_of(path);
+    if (format == NULL) {
+        return context_fail(context, GRAZE_EINPUT,
+                            "%s: the extension tells no format of a solid; right are .off, .obj, "
+                            ".ply, .stl, .nef3, .wkt",
+                            path);
+    }
+    char *text;
+    size_t length;
+    soup_init(s, format->dimension);
+    graze_status status = file_read(&text, &length, s->sha256, context, path);
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    if (length == 0) {
+        status = context_fail(context, GRAZE_EINPUT, "%s: the file is empty", path);
+    } else {
+        status = format->read(s, context, path, text, length);
+    }
+    free(text);
+    if (status == GRAZE_OK && s->facet_count == 0) {
+        status = context_fail(context, GRAZE_EILLEGAL,
+                              "%s: empty interior: there are no facets, and a solid needs a closed "
+                              "boundary",
+                              path);
+    }
+    if (status != GRAZE_OK) {
+        soup_clear(s);
+    }
+    return status;
+}

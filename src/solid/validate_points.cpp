@@ -1,0 +1,237 @@
+/* Exact points: scaling, order, positions and signs (validate_points.hpp).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Signs are filtered. Each axis is divided by a power of two that brings it into [-1, 1]; the
+ * double kept of a coordinate is within 2^-50 of that, so a difference of two of them, rounded in
+ * any direction, is within DELTA = 2^-48 of the true one. With A_j bounding the true and the
+ * computed differences along axis j, a 3 x 3 determinant of differences has six products; replacing
+ * the entries costs at most 6 DELTA (A_1 A_2 + A_0 A_2 + A_0 A_1), and rounding its evaluation less
+ * than 2^-46 A_0 A_1 A_2. The bounds below are larger by enough to be evaluated in doubles
+ * themselves, and never smaller than 2^-145, so that no underflow matters, flushed or not.
+ */
+#include "solid/validate_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <gmp.h>
+
+namespace {
+
+/* Longer common denominators than this many bits are not worth having. */
+constexpr flint_bitcnt_t COMMON_BITS = 4096;
+constexpr double DELTA = 0x1p-48;
+
+int sign_of(double value) {
+    return (value > 0) - (value < 0);
+}
+
+/* The two coordinates left when `drop` is dropped, in the cyclic order that keeps the sign. */
+int first_kept(int drop) {
+    return (drop + 1) % 3;
+}
+int second_kept(int drop) {
+    return (drop + 2) % 3;
+}
+
+double largest(double a, double b, double c) {
+    return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c))) + DELTA;
+}
+
+} // namespace
+
+integers::integers(std::size_t count) : value_(count) {
+    for (fmpz &value : value_)
+        fmpz_init(&value);
+}
+
+integers::~integers() {
+    for (fmpz &value : value_)
+        fmpz_clear(&value);
+}
+
+points::points(int dimension, std::size_t count, const fmpq *coordinates)
+    : dimension_(dimension), count_(count), numerator_(count * dimension), weight_(count),
+      approximation_(count * dimension), rank_(count * dimension), position_(count), scratch_(12) {
+    scale(coordinates);
+    approximate();
+    order();
+}
+
+bool points::common_denominators(const fmpq *coordinates, integers &common) const {
+    for (int j = 0; j < dimension_; j++) {
+        fmpz_one(common[j]);
+        for (std::size_t v = 0; v < count_; v++) {
+            const fmpz *denominator = fmpq_denref(coordinates + v * dimension_ + j);
+            if (fmpz_bits(denominator) > COMMON_BITS)
+                return false;
+            if (!fmpz_divisible(common[j], denominator))
+                fmpz_lcm(common[j], common[j], denominator);
+            if (fmpz_bits(common[j]) > COMMON_BITS)
+                return false;
+        }
+    }
+    return true;
+}
+
+void points::scale(const fmpq *coordinates) {
+    integers common(3), factor(1);
+    weighted_ = !common_denominators(coordinates, common);
+    for (std::size_t v = 0; v < count_; v++) {
+        const fmpq *x = coordinates + v * dimension_;
+        fmpz_one(weight_[v]);
+        for (int j = 0; weighted_ && j < dimension_; j++)
+            fmpz_lcm(weight_[v], weight_[v], fmpq_denref(x + j));
+        for (int j = 0; j < dimension_; j++) {
+            fmpz_divexact(factor[0], weighted_ ? weight_[v] : common[j], fmpq_denref(x + j));
+            fmpz_mul(numerator_[v * dimension_ + j], factor[0], fmpq_numref(x + j));
+        }
+    }
+}
+
+void points::approximate() {
+    for (int j = 0; j < dimension_; j++) {
+        std::vector<slong> exponent(count_);
+        slong top = 0;
+        bool any = false;
+        for (std::size_t v = 0; v < count_; v++) {
+            const fmpz *x = numerator_[v * dimension_ + j];
+            slong over = 0, under = 0;
+            double quotient = fmpz_get_d_2exp(&over, x);
+            if (weighted_)
+                quotient /= fmpz_get_d_2exp(&under, weight_[v]);
+            approximation_[v * dimension_ + j] = quotient / 2;
+            exponent[v] = over - under + 1;
+            if (!fmpz_is_zero(x) && (!any || exponent[v] > top)) {
+                top = exponent[v];
+                any = true;
+            }
+        }
+        for (std::size_t v = 0; v < count_; v++) {
+            double &x = approximation_[v * dimension_ + j];
+            x = x == 0 ? 0 : std::ldexp(x, static_cast<int>(std::max(exponent[v] - top, -1000L)));
+        }
+    }
+}
+
+int points::compare(std::uint32_t u, std::uint32_t v, int axis) const {
+    const double apart = approximation(u, axis) - approximation(v, axis);
+    if (std::fabs(apart) > DELTA)
+        return sign_of(apart);
+    if (!weighted_)
+        return fmpz_cmp(numerator_[u * std::size_t(dimension_) + axis],
+                        numerator_[v * std::size_t(dimension_) + axis]);
+    difference(scratch_[0], u, v, axis);
+    return fmpz_sgn(scratch_[0]);
+}
+
+void points::order() {
+    std::vector<std::uint32_t> list(count_);
+    std::iota(list.begin(), list.end(), 0U);
+    for (int j = 0; j < dimension_; j++) {
+        std::sort(list.begin(), list.end(),
+                  [&](std::uint32_t u, std::uint32_t v) { return compare(u, v, j) < 0; });
+        std::uint32_t rank = 0;
+        for (std::size_t k = 0; k < count_; k++) {
+            if (k > 0 && compare(list[k - 1], list[k], j) != 0)
+                rank++;
+            rank_[list[k] * std::size_t(dimension_) + j] = rank;
+        }
+    }
+    const auto key = [&](std::uint32_t v) { return &rank_[v * std::size_t(dimension_)]; };
+    const auto before = [&](std::uint32_t u, std::uint32_t v) {
+        return std::lexicographical_compare(key(u), key(u) + dimension_, key(v),
+                                            key(v) + dimension_);
+    };
+    std::sort(list.begin(), list.end(), [&](std::uint32_t u, std::uint32_t v) {
+        return before(u, v) || (!before(v, u) && u < v);
+    });
+    for (std::size_t k = 0; k < count_; k++)
+        position_[list[k]] = k > 0 && !before(list[k - 1], list[k]) ? position_[list[k - 1]]
+                                                                    : list[k];
+}
+
+int points::axis_between(std::uint32_t a, std::uint32_t b) const {
+    int axis = 0;
+    while (axis + 1 < dimension_ && rank(a, axis) == rank(b, axis))
+        axis++;
+    return axis;
+}
+
+mpq_class points::coordinate(std::uint32_t v, int axis) const {
+    mpz_class over, under;
+    fmpz_get_mpz(over.get_mpz_t(), numerator_[v * std::size_t(dimension_) + axis]);
+    fmpz_get_mpz(under.get_mpz_t(), weight_[v]);
+    mpq_class value(over, under);
+    value.canonicalize();
+    return value;
+}
+
+/* x_u - x_v times the product of the two weights, which are positive. */
+void points::difference(fmpz *out, std::uint32_t u, std::uint32_t v, int axis) const {
+    const fmpz *x = numerator_[u * std::size_t(dimension_) + axis];
+    const fmpz *y = numerator_[v * std::size_t(dimension_) + axis];
+    if (!weighted_) {
+        fmpz_sub(out, x, y);
+        return;
+    }
+    fmpz_mul(out, x, weight_[v]);
+    fmpz_submul(out, y, weight_[u]);
+}
+
+int points::turn(int drop, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const int i = first_kept(drop), j = second_kept(drop);
+    const double bi = approximation(b, i) - approximation(a, i);
+    const double bj = approximation(b, j) - approximation(a, j);
+    const double ci = approximation(c, i) - approximation(a, i);
+    const double cj = approximation(c, j) - approximation(a, j);
+    const double most_i = largest(bi, ci, 0), most_j = largest(bj, cj, 0);
+    const double value = bi * cj - bj * ci;
+    if (std::fabs(value) > 4 * DELTA * (most_i + most_j) + 0x1p-46 * most_i * most_j)
+        return sign_of(value);
+    return exact_turn(i, j, a, b, c);
+}
+
+int points::exact_turn(int i, int j, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    integers &m = scratch_;
+    difference(m[0], b, a, i);
+    difference(m[1], b, a, j);
+    difference(m[2], c, a, i);
+    difference(m[3], c, a, j);
+    fmpz_mul(m[4], m[0], m[3]);
+    fmpz_submul(m[4], m[1], m[2]);
+    return fmpz_sgn(m[4]);
+}
+
+int points::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    const std::uint32_t row[3] = {b, c, d};
+    double m[3][3], most[3];
+    for (int j = 0; j < 3; j++) {
+        for (int k = 0; k < 3; k++)
+            m[k][j] = approximation(row[k], j) - approximation(a, j);
+        most[j] = largest(m[0][j], m[1][j], m[2][j]);
+    }
+    const double value = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    const double bound =
+        8 * DELTA * (most[1] * most[2] + most[0] * most[2] + most[0] * most[1]) +
+        0x1p-44 * most[0] * most[1] * most[2];
+    return std::fabs(value) > bound ? sign_of(value) : exact_side(a, b, c, d);
+}
+
+int points::exact_side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    const std::uint32_t row[3] = {b, c, d};
+    integers &m = scratch_;
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            difference(m[3 * k + j], row[k], a, j);
+    fmpz_zero(m[9]);
+    for (int j = 0; j < 3; j++) {
+        const int i = (j + 1) % 3, k = (j + 2) % 3;
+        fmpz_mul(m[10], m[3 + i], m[6 + k]);
+        fmpz_submul(m[10], m[3 + k], m[6 + i]);
+        fmpz_addmul(m[9], m[j], m[10]);
+    }
+    return fmpz_sgn(m[9]);
+}

@@ -1,0 +1,92 @@
+/* Point positions in a solid swept along straight legs, by CGAL's Minkowski sum.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Standard input: the shells of a solid (shells.h) and `end`; the number of legs, each with its two
+ * end points, the positions the origin is carried between; the number of points, and the points.
+ * Standard output: one line a point, two words. First, the position in the open sweep: `in` if it is
+ * in the sum of the interior of the solid with a leg, `on` if only in the sum of the closed solid,
+ * `out` if in neither. Second, the position in the closed sweep as a point set: interior, boundary,
+ * exterior.
+ */
+#include "shells.h"
+#include <CGAL/minkowski_sum_3.h>
+#include <iostream>
+#include <list>
+#include <utility>
+
+namespace {
+
+Nef segment(const Point &from, const Point &to) {
+    std::vector<Point> points{from, to};
+    using Range = std::pair<std::vector<Point>::iterator, std::vector<Point>::iterator>;
+    std::list<Range> lines{{points.begin(), points.end()}};
+    return Nef(lines.begin(), lines.end(), Nef::Polylines_tag());
+}
+
+/* minkowski_sum_3 cuts its arguments into convex parts in place, hence by value. */
+Nef sum(Nef solid, Nef leg) {
+    return CGAL::minkowski_sum_3(solid, leg);
+}
+
+enum class Place { outside, boundary, inside };
+
+/* Where a point lies relative to the closure of a set. */
+Place place(const Nef &set, const Point &point, bool *member) {
+    Nef::Object_handle where = set.locate(point);
+    Nef::Vertex_const_handle vertex;
+    Nef::Halfedge_const_handle edge;
+    Nef::Halffacet_const_handle facet;
+    Nef::Volume_const_handle volume;
+    if (CGAL::assign(vertex, where)) {
+        *member = vertex->mark();
+    } else if (CGAL::assign(edge, where)) {
+        *member = edge->mark();
+    } else if (CGAL::assign(facet, where)) {
+        *member = facet->mark();
+    } else if (CGAL::assign(volume, where)) {
+        *member = volume->mark();
+        return *member ? Place::inside : Place::outside;
+    } else {
+        throw std::runtime_error("locate gave nothing");
+    }
+    return Place::boundary;
+}
+
+void run(std::istream &in, std::ostream &out) {
+    Nef solid = read_solid(in), closed(Nef::EMPTY);
+    std::vector<Nef> open;
+    for (size_t k = next_count(in); k > 0; k--) {
+        Point from = next_point(in), to = next_point(in);
+        Nef leg = segment(from, to);
+        closed = closed + sum(solid, leg);
+        open.push_back(sum(solid.interior(), leg));
+    }
+    closed = closed.regularization();
+    for (size_t k = next_count(in); k > 0; k--) {
+        Point point = next_point(in);
+        bool member = false, entered = false;
+        for (const Nef &part : open) {
+            bool in_part = false;
+            place(part, point, &in_part);
+            entered = entered || in_part;
+        }
+        Place topological = place(closed, point, &member);
+        out << (entered ? "in" : member ? "on" : "out") << ' '
+            << (topological == Place::inside     ? "interior"
+                : topological == Place::boundary ? "boundary"
+                                                 : "exterior")
+            << '\n';
+    }
+}
+
+}  // namespace
+
+int main() {
+    try {
+        run(std::cin, std::cout);
+    } catch (const std::exception &error) {
+        std::cerr << "minkowski: " << error.what() << "\n";
+        return 1;
+    }
+    return std::cout.flush() ? 0 : 1;
+}

@@ -1,0 +1,163 @@
+"""Near misses: degenerate contacts, and the same points displaced by as little as 2^-1100.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Next to a big facet the trajectory is c = y + p(t) e + q(t) n, e along the facet and n outward
+transversal, so the sign of q alone says where the point is: words and times follow from q and,
+displaced by d along n, from q + d. The solid is the affine image of a square or a cube of half
+side 50; the trajectory keeps within 11 along the facet and 32 across, so nothing else is met. At corners and
+pinches the words follow from the picture named beside each case.
+"""
+import os
+import sys
+from fractions import Fraction as F
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+
+from algebra import Root, add, between, compare, integral, roots, sign_at  # noqa: E402
+from harness import Checks, Graze, options  # noqa: E402
+from motion import build, compose, legs, rotation, translate  # noqa: E402
+from solids import Polygon, block, box_ring, joined  # noqa: E402
+from times import time_is  # noqa: E402
+
+SIZES = (60, 200, 1100)
+
+# q(t) on [-2, 2], and the word it gives; a displacement must give the words beside it: outward, inward
+HEIGHTS = {
+    "touch from outside": ([0, 0, 3], "OBO", "O", "OBIBO"),
+    "touch from inside": ([0, 0, -3], "IBI", "IBOBI", "I"),
+    "crossing of order three": ([0, 0, 0, -2], "OBI", "OBI", "OBI"),
+    "touch of order four": ([0, 0, 0, 0, 1], "OBO", "O", "OBIBO"),
+    "touch twice at irrational times": ([4, 0, -4, 0, 1], "OBOBO", "O", "OBIBOBIBO"),
+    "touch inside at irrational times": ([-4, 0, 4, 0, -1], "IBIBI", "IBOBIBOBI", "I"),
+    "plain crossing": ([0, 1], "IBO", "IBO", "IBO"),
+    "slide": ([0], "B", "O", "I"),
+    "touch at the end": ([2, -1], "OB", "O", "OBI"),
+    "crossing of order five": ([0, 0, 0, 0, 0, 1], "IBO", "IBO", "IBO"),
+}
+
+
+def word_of(q):
+    """Word and times of a trajectory at height q over the facet."""
+    if not q:
+        return "B", None
+    marks = roots(q, F(-2), F(2))
+    stops = [Root(value=F(-2))] + marks + [Root(value=F(2))]
+    word = ""
+    for k, (a, b) in enumerate(zip(stops, stops[1:])):
+        if compare(a, b):
+            word += "O" if sign_at(q, between(a, b)) > 0 else "I"
+        word += "B" if k < len(marks) else ""
+    return word, marks
+
+
+def frame(rng, d):
+    """A random linear map; its diagonal outweighs its rows, so its det is positive."""
+    return [[F(rng.randint(-2, 2), rng.randint(1, 3)) + (6 if i == j else 0) for j in range(d)]
+            for i in range(d)]
+
+
+def apply(m, p):
+    return tuple(sum(a * x for a, x in zip(row, p)) for row in m)
+
+
+def facets(graze, checks, rng, d, turning):
+    """All heights over a random facet of a random image of the square or cube."""
+    m = frame(rng, d)
+    box = Polygon([[box_ring(-50, -50, 50, 50)]]) if d == 2 else block(-50, -50, -50, 50, 50, 50)
+    solid = box.mapped(lambda p: apply(m, p))
+    axis, side = rng.randrange(d), rng.choice((-1, 1))
+    out = tuple(F(side * (k == axis)) for k in range(d))
+    y = tuple(F(rng.randint(-9, 9), 2) if k != axis else F(50 * side) for k in range(d))
+    slope = tuple(F(0) if k == axis else F(rng.randint(-3, 3)) for k in range(d))
+    n, y, e = apply(m, out), apply(m, y), apply(m, slope)
+    for name, (q, plain, outward, inward) in HEIGHTS.items():
+        c = [path(q, y[k], n[k], e[k]) for k in range(d)]
+        motion = build([(-2, 2, translate([[-x for x in p] for p in c]))])
+        shifts = [(F(0), plain)] + [(s * F(1, 2 ** z), outward if s > 0 else inward)
+                                    for z in SIZES for s in (1, -1)]
+        points = [tuple(s * x for x in n) for s, _ in shifts]
+        answers = graze.classify(f"near {d} {name}", solid, motion, points)
+        for (shift, word), answer in zip(shifts, answers or []):
+            where = (d, name, m, axis, side, shift)
+            moved = integral(add([F(x) for x in q], [shift]))
+            derived, marks = word_of(moved)
+            checks.equal(derived, word, *where, "the test's own table")
+            checks.equal(answer.word, word, *where)
+            if marks is not None and checks.equal(len(answer.contacts), len(marks), *where):
+                for contact, root in zip(answer.contacts, marks):
+                    checks.true(time_is(contact["from"], root), *where, contact["from"])
+    if turning:
+        turned(graze, checks, solid, n, y, e, d)
+
+
+def path(q, y, n, e):
+    """y + q n + t e, coordinate by coordinate."""
+    out = [F(c) * n for c in q] + [F(0)] * max(0, 2 - len(q))
+    out[0] += y
+    out[1] += e
+    return out
+
+
+def turned(graze, checks, solid, n, y, e, d):
+    """The solid also turns about the query point while it touches: M = R(t) after the translation,
+    so the displacement is seen turned by less than 60 degrees and keeps its side of a touch. The
+    middle of the facet's normal is n only for right-angled images, hence |t| <= 1/4 here."""
+    c = [path([0, 0, 3], y[k], n[k], e[k]) for k in range(d)]
+    axis = {"axis": [0, 0, 1], "length": 1} if d == 3 else {}
+    still = translate([[-x for x in p] for p in c])
+    motion = build([(F(-1, 4), F(1, 4), compose(still, rotation([0, F(1, 8)], **axis)))])
+    shifts = [(F(0), "OBO")] + [(s * F(1, 2 ** z), "O" if s > 0 else "OBIBO")
+                                for z in SIZES for s in (1, -1)]
+    answers = graze.classify(f"near turned {d}", solid, motion,
+                             [tuple(s * x for x in n) for s, _ in shifts])
+    for (shift, word), answer in zip(shifts, answers or []):
+        checks.equal(answer.word, word, "turned", d, shift, [str(x) for x in n])
+
+
+def corners(graze, checks):
+    """Corner cases in the plane and over it as prisms; each displaced along the vector named."""
+    square = Polygon([[box_ring(-50, -50, 50, 50)]])
+    pinch = Polygon([[box_ring(-50, -50, 0, 0)], [box_ring(0, 0, 50, 50)]])
+    cases = [
+        # past a corner: outward none, inward a crossing pair
+        ("past a corner", square, [(51, 49), (49, 51)], (1, 1), "OBO", "O", "OBIBO"),
+        # straight in at a corner: crossed a little beside it, either way
+        ("in at a corner", square, [(51, 51), (49, 49)], (1, -1), "OBI", "OBI", "OBI"),
+        # from part to part through the pinch: beside it a gap opens
+        ("through a pinch", pinch, [(1, 1), (-1, -1)], (1, -1), "IBI", "IBOBI", "IBOBI"),
+        # across the pinch from gap to gap: beside it one part is crossed
+        ("across a pinch", pinch, [(1, -1), (-1, 1)], (1, 1), "OBO", "OBIBO", "OBIBO"),
+        # along an edge and past its end
+        ("along an edge", square, [(40, 50), (60, 50)], (0, 1), "BO", "O", "IBO"),
+    ]
+    for name, polygon, (start, end), way, plain, plus, minus in cases:
+        for d in (2, 3):
+            lift = [] if d == 2 else [0]
+            solid = polygon
+            if d == 3:
+                parts = [part[0] for part in polygon.parts]
+                boxes = [block(*r[0], -50, *r[2], 50) for r in parts]
+                solid = joined(*boxes)
+            path = [tuple(-x for x in p) + tuple(lift) for p in (start, end)]
+            shifts = [(F(0), plain)] + [(s * F(1, 2 ** z), plus if s > 0 else minus)
+                                        for z in SIZES for s in (1, -1)]
+            points = [tuple(s * x for x in way) + tuple(lift) for s, _ in shifts]
+            answers = graze.classify(f"near {name} {d}", solid, legs(path), points)
+            for (shift, word), answer in zip(shifts, answers or []):
+                checks.equal(answer.word, word, name, d, shift)
+
+
+def main():
+    args = options(__doc__.splitlines()[0])
+    checks = Checks()
+    graze = Graze(args, checks)
+    corners(graze, checks)
+    for k in range(3 * args.scale):
+        for d in (2, 3):
+            facets(graze, checks, args.random, d, True)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()

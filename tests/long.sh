@@ -1,0 +1,27 @@
+#!/bin/bash
+# The tests that take long: lint, both sanitizer builds, long agreement runs, a sample of the mutants.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+failed=0
+passed=0
+stage() {
+    local name=$1
+    shift
+    echo "== $name"
+    if "$@"; then passed=$((passed + 1)); else
+        failed=$((failed + 1))
+        echo "== $name FAILED"
+    fi
+}
+under_sanitizers() { # folder, flags
+    make -s B="$1" CC=clang CXX=clang++ OPT="-O1 $2 -fno-omit-frame-pointer" "$1/graze" unit-"$1" &&
+        ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1 \
+            python3 tests/run.py --build "$1" --limit 2400
+}
+stage "lint" tests/lint.sh
+stage "address and undefined behaviour" under_sanitizers build-asan "-fsanitize=address,undefined -fno-sanitize-recover=all"
+stage "threads" env GRAZE_ONLY=api bash -c 'make -s B=build-tsan CC=clang CXX=clang++ OPT="-O1 -fsanitize=thread" build-tsan/graze unit-build-tsan && python3 tests/run.py --build build-tsan --only tests/api'
+stage "long agreement" python3 tests/run.py --build build --only tests/agree --scale 5 --limit 1500
+stage "mutants, one in forty" python3 tests/mutate.py --sample $((RANDOM % 40))/40
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

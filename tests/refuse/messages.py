@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Which messages of the source the refusal cases have reached.
+
+A message is a string literal handed to context_fail, to a function declared with a printf format
+attribute, or to one of the functions named below that pass a text on. Its conversions become
+wildcards, and it is reached when the pattern occurs in what the cases printed to standard error.
+run.py calls account(); messages.py --list prints the messages found. SPDX-License-Identifier:
+GPL-3.0-or-later
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+# Functions without a format attribute whose literal is (part of) a message.
+PLAIN = ("context_limit",)
+
+# Functions with a format attribute that are no messages.
+SILENT = ("text_format",)
+
+# Messages no case of the command line can reach, each with the reason.
+UNREACHED = {
+    r"out of memory|no memory|memory is short": "an allocation fails only under fault injection",
+    r"do not add up|ends? maps? (are|is) singular|internal|cannot happen": "a fault of Graze itself",
+}
+
+# Files whose messages only callers of the library can meet; tests/api reaches them.
+LIBRARY = ("src/api.c", "src/api_solid.c", "src/api_trace.c", "src/solid/nesting.c")
+
+STRING = r'"(?:[^"\\]|\\.)*"'
+ATTRIBUTE = re.compile(r"(\w+)\s*\([^;{}]*?\)\s*(?:\n\s*)?__attribute__\s*\(\(\s*format\s*\(\s*printf", re.S)
+CONVERSION = re.compile(r"%(?:%|[-+ #0]*(?:\*|\d+)?(?:\.(?:\*|\d+))?(?:hh|h|ll|l|z|j|t)?[a-zA-Z])")
+
+
+def sources():
+    """(path, text without comments) of every source file."""
+    for path in sorted((ROOT / "src").rglob("*")):
+        if path.suffix in (".c", ".h", ".cpp", ".hpp"):
+            text = path.read_text(encoding="utf-8")
+            text = re.sub(STRING + r"|'(?:[^'\\]|\\.)+'|/\*.*?\*/|//[^\n]*",
+                          lambda m: re.sub(r"[^\n]", " ", m[0]) if m[0][0] == "/" else m[0], text,
+                          flags=re.S)
+            yield path, text
+
+
+def expand(text):
+    """Put the printf macros of <inttypes.h> and string constants of macros between literals aside."""
+    return re.sub(r"\bPRI\w+\b", '"u"', text)
+
+
+def messages():
+    """(file:line, message) of every message."""
+    texts = [(path, expand(text)) for path, text in sources()]
+    names = set(PLAIN)
+    for _, text in texts:
+        names.update(ATTRIBUTE.findall(text))
+    names -= set(SILENT)
+    call = re.compile(r"\b(" + "|".join(sorted(names)) + r")\s*\(")
+    for path, text in texts:
+        for match in call.finditer(text):
+            literal = first_literal(text, match.end())
+            if literal:
+                line = text.count("\n", 0, match.start()) + 1
+                yield f"{path.relative_to(ROOT)}:{line}", literal
+
+
+def first_literal(text, start):
+    """The first run of string literals among a call's own arguments; None if there is none."""
+    depth, at = 1, start
+    while at < len(text) and depth:
+        run = re.compile(rf"{STRING}(?:\s*{STRING})*").match(text, at)
+        if run:
+            if depth == 1 or depth == 2:
+                parts = re.findall(STRING, run[0])
+                return "".join(p[1:-1].replace('\\"', '"').replace("\\\\", "\\") for p in parts)
+            at = run.end()
+            continue
+        depth += {"(": 1, ")": -1}.get(text[at], 0)
+        at += 1
+    return None
+
+
+def pattern(message):
+    """What the message looks like when printed."""
+    parts = CONVERSION.split(message)
+    kinds = [m[0] for m in CONVERSION.finditer(message)]
+    out = re.escape(parts[0])
+    for kind, part in zip(kinds, parts[1:]):
+        out += ("%" if kind == "%%" else "[^\n]*?") + re.escape(part)
+    return out
+
+
+def says_something(message):
+    """A format that is only places and values, such as `%s:%zu`, is part of another message."""
+    return len(re.sub(r"[^a-z]", "", CONVERSION.sub("", message))) >= 4
+
+
+def account(printed):
+    """(number reached, [(where, message) of those that are not])."""
+    reached, silent = 0, []
+    for where, message in messages():
+        file = where.split(":")[0]
+        if not says_something(message) or file in LIBRARY:
+            continue
+        if any(re.search(reason, message) for reason in UNREACHED):
+            continue
+        if re.search(pattern(message), printed):
+            reached += 1
+        else:
+            silent.append((where, message))
+    return reached, silent
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] != ["--list"]:
+        sys.exit("usage: messages.py --list")
+    for found in messages():
+        print(*found)

@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+# suite
+"""Runs the refusal cases: what graze says and how it ends on bad input.
+
+Every tests/refuse/*.txt holds cases; tests/refuse/common holds good files they share.
+
+    === name-of-case
+    run: graze check {dir}/cube.off {dir}/move.json
+    exit: 3
+    says: a distinctive part of standard error
+    --- cube.off
+    the file, literally, up to the next line that begins with "--- " or "=== "; blank lines at its
+    end are left out
+    --- big.csv python
+    b"1,2,3\\n" * 1000        (a Python expression that gives bytes or str)
+
+Further keys: `stdin: FILE`, `env: K=V`, `stdout: /dev/full` or `closed` or `broken` (a pipe that
+nobody reads), `stderr: closed`, `signal: NAME AFTER` (sent after so many seconds; `exit: -15` is an
+end by SIGTERM), `rows: N` (whole rows on standard output that are neither comment nor head),
+`prints: a part of standard output`. `says` and `prints` may stand more than once. A case with exit 0
+and a CSV table must end with `# complete`, every other case must not print it.
+
+    run.py --graze GRAZE [--sanitizers] [NAME ...]
+
+NAME restricts to case or topic names. A whole run also asks messages.py which messages of the
+source no case has reached; each is a failure.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import os
+import pathlib
+import resource
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+import messages
+
+HERE = pathlib.Path(__file__).resolve().parent
+SECONDS = 30
+MEMORY = 4 << 30
+SEVERAL = ("says", "prints", "env")
+KEYS = ("run", "exit", "stdin", "stdout", "stderr", "signal", "rows") + SEVERAL
+
+
+class Case:
+    """One case: its keys and its files, name -> bytes."""
+
+    def __init__(self, topic, line, name):
+        self.topic, self.line, self.name = topic, line, name
+        self.keys = {key: [] for key in SEVERAL}
+        self.files = {}
+
+    def add_key(self, text):
+        key, colon, value = text.partition(":")
+        if not colon or key not in KEYS:
+            raise SystemExit(f"{self.topic}: {self.name}: {text!r} is no key")
+        if key in SEVERAL:
+            self.keys[key].append(value.strip())
+        elif key in self.keys:
+            raise SystemExit(f"{self.topic}: {self.name}: {key} stands twice")
+        else:
+            self.keys[key] = value.strip()
+
+    def add_file(self, head, lines):
+        name, _, kind = head.partition(" ")
+        text = "\n".join(lines)
+        if kind == "python":
+            content = eval(text.strip(), {})
+            self.files[name] = content.encode() if isinstance(content, str) else content
+        elif kind:
+            raise SystemExit(f"{self.topic}: {self.name}: {kind!r} is no kind of file")
+        else:
+            self.files[name] = (text + "\n" if lines else "").encode()
+
+
+def parse(path):
+    """The cases of one file."""
+    cases, lines, head = [], [], None
+
+    def end_file():
+        if head is not None:
+            while lines and not lines[-1]:
+                lines.pop()
+            cases[-1].add_file(head, lines)
+
+    for number, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1):
+        if line.startswith("=== "):
+            end_file()
+            cases.append(Case(path.stem, number, line[4:].strip()))
+            lines, head = [], None
+        elif line.startswith("--- ") and cases:
+            end_file()
+            lines, head = [], line[4:].strip()
+        elif head is not None:
+            lines.append(line)
+        elif line.strip() and cases:
+            cases[-1].add_key(line)
+    end_file()
+    names = [case.name for case in cases]
+    for name in names:
+        if names.count(name) > 1:
+            raise SystemExit(f"{path.name}: two cases are called {name}")
+    for case in cases:
+        if "run" not in case.keys or "exit" not in case.keys:
+            raise SystemExit(f"{path.name}: {case.name} lacks run or exit")
+    return cases
+
+
+def prepare_child(case, limited):
+    """What the child does before it becomes graze."""
+
+    def run():
+        if limited:
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        if case.keys.get("stdin") == "closed":
+            os.close(0)
+        if case.keys.get("stdout") == "closed":
+            os.close(1)
+        if case.keys.get("stderr") == "closed":
+            os.close(2)
+
+    return run
+
+
+def open_stdout(case):
+    """Where standard output goes; a broken pipe has no reader."""
+    wanted = case.keys.get("stdout")
+    if wanted == "broken":
+        reader, writer = os.pipe()
+        os.close(reader)
+        return os.fdopen(writer, "wb")
+    if wanted and wanted != "closed":
+        return open(wanted, "wb")
+    return subprocess.PIPE
+
+
+def execute(case, graze, limited):
+    """Run a case in a fresh folder; (status, stdout, stderr)."""
+    with tempfile.TemporaryDirectory(prefix="graze-refuse-") as folder:
+        for name, content in case.files.items():
+            path = pathlib.Path(folder, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+        words = shlex.split(case.keys["run"])
+        words = [w.replace("{dir}", folder).replace("{common}", str(HERE / "common")) for w in words]
+        if words[0] != "graze":
+            raise SystemExit(f"{case.topic}: {case.name}: run must begin with graze")
+        words[0] = graze
+        environment = dict(os.environ, **dict(e.split("=", 1) for e in case.keys["env"]))
+        name = case.keys.get("stdin")
+        stdin = open(os.path.join(folder, name), "rb") if name not in (None, "closed", "open") else None
+        held = os.pipe() if name == "open" else None
+        stdout = open_stdout(case)
+        try:
+            child = subprocess.Popen(words, stdin=stdin or (held[0] if held else subprocess.DEVNULL),
+                                     stdout=stdout, stderr=subprocess.PIPE, env=environment,
+                                     cwd=folder, preexec_fn=prepare_child(case, limited))
+            if "signal" in case.keys:
+                which, after = case.keys["signal"].split()
+                time.sleep(float(after))
+                child.send_signal(getattr(signal, which))
+            try:
+                out, err = child.communicate(timeout=SECONDS)
+            except subprocess.TimeoutExpired:
+                child.kill()
+                out, err = child.communicate()
+                err = (err or b"") + f"\n[still running after {SECONDS} seconds]".encode()
+            return child.returncode, out or b"", err or b"", folder
+        finally:
+            for handle in (stdin, None if stdout is subprocess.PIPE else stdout):
+                if handle:
+                    handle.close()
+            for end in held or ():
+                os.close(end)
+
+
+def faults(case, status, out, err, folder):
+    """What is wrong with the outcome, as sentences."""
+    found = []
+    out, err = out.decode("utf-8", "replace"), err.decode("utf-8", "replace")
+    if str(status) != case.keys["exit"]:
+        found.append(f"it ended with {status}, expected {case.keys['exit']}")
+    for part in case.keys["says"]:
+        if part.replace("{dir}", folder) not in err:
+            found.append(f"standard error lacks {part!r}")
+    for part in case.keys["prints"]:
+        if part not in out:
+            found.append(f"standard output lacks {part!r}")
+    if status not in (0, -2, -15) and err.count("\n") != 1 and case.keys.get("stderr") != "closed":
+        found.append("a refusal is one line on standard error")
+    whole = out.startswith("# complete") or "\n# complete" in out
+    if whole != (status == 0 and out.startswith("# graze")):
+        found.append("`# complete` stands where it must not" if whole else "`# complete` is missing")
+    if "rows" in case.keys:
+        rows = [line for line in out.split("\n")[:-1] if not line.startswith("#")]
+        if len(rows) - 1 != int(case.keys["rows"]) or (out and not out.endswith("\n")):
+            found.append(f"there are {max(len(rows) - 1, 0)} whole rows, expected {case.keys['rows']}")
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Run the refusal cases.")
+    parser.add_argument("--graze", required=True)
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("--sanitizers", action="store_true", help="no limit on address space")
+    options = parser.parse_args()
+    graze = os.path.abspath(options.graze)
+    cases = [case for path in sorted(HERE.glob("*.txt")) for case in parse(path)]
+    if options.names:
+        cases = [c for c in cases if c.name in options.names or c.topic in options.names]
+    passed, failed, said = 0, 0, []
+    for case in cases:
+        status, out, err, folder = execute(case, graze, not options.sanitizers)
+        said.append(err.decode("utf-8", "replace"))
+        found = faults(case, status, out, err, folder)
+        passed, failed = passed + (not found), failed + bool(found)
+        if found:
+            print(f"FAIL {case.topic}.txt:{case.line}: {case.name}: " + "; ".join(found))
+            print("    run: " + case.keys["run"])
+            print("    stdout: " + out[:2000].decode("utf-8", "replace").replace("\n", "\n      "))
+            print("    stderr: " + err[:4000].decode("utf-8", "replace").replace("\n", "\n      "))
+    if not options.names:
+        reached, silent = messages.account("".join(said))
+        passed, failed = passed + reached, failed + len(silent)
+        for where, text in silent:
+            print(f"FAIL {where}: no case reaches the message {text!r}")
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not cases else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

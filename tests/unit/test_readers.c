@@ -1,0 +1,627 @@
+/* Solid readers: every format's cube is one soup; numbering; exactness of tokens; Nef polyhedra by
+ * their volumes; mutated files. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Run in the project's top folder; files are written to a folder of the system's own.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <cmocka.h>
+#include "context/file.h"
+#include "number/rational.h"
+#include "solid/soup.h"
+
+#define NEF "tests/refuse/common/nef3/"
+
+enum { TEXT_SIZE = 1 << 16, MUTANTS = 300 };
+
+static char folder[] = "/tmp/graze-readers-XXXXXX";
+static graze_context *context;
+
+static int set_up(void **state) {
+    (void)state;
+    return mkdtemp(folder) == NULL || graze_context_create(&context) != GRAZE_OK;
+}
+
+static int tear_down(void **state) {
+    (void)state;
+    graze_context_destroy(context);
+    return rmdir(folder);
+}
+
+/* Read bytes as a file of the extension. */
+static graze_status read_bytes(soup *s, const char *extension, const char *bytes, size_t size) {
+    char path[128];
+    snprintf(path, sizeof path, "%s/s%s", folder, extension);
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    assert_int_equal(fclose(file), 0);
+    graze_status status = soup_read(s, context, path);
+    assert_int_equal(remove(path), 0);
+    return status;
+}
+
+static graze_status read_text(soup *s, const char *extension, const char *text) {
+    return read_bytes(s, extension, text, strlen(text));
+}
+
+static void must_read(soup *s, const char *extension, const char *text) {
+    if (read_text(s, extension, text) != GRAZE_OK) {
+        fail_msg("%s: %s", extension, graze_context_message(context));
+    }
+}
+
+static void assert_coordinate(const soup *s, size_t v, int k, const char *expected) {
+    char *text = rational_text(s->coordinates + v * (size_t)s->dimension + (size_t)k);
+    assert_string_equal(text, expected);
+    free(text);
+}
+
+static void assert_cycle(const soup *s, size_t c, size_t count, const size_t *expected) {
+    assert_int_equal(s->cycle_start[c + 1] - s->cycle_start[c], count);
+    assert_memory_equal(s->index + s->cycle_start[c], expected, count * sizeof *expected);
+}
+
+static void assert_same(const soup *a, const soup *b) {
+    size_t d = (size_t)a->dimension;
+    assert_int_equal(a->dimension, b->dimension);
+    assert_int_equal(a->vertex_count, b->vertex_count);
+    for (size_t k = 0; k < a->vertex_count * d; k++) {
+        assert_true(fmpq_equal(a->coordinates + k, b->coordinates + k));
+    }
+    assert_int_equal(a->facet_count, b->facet_count);
+    assert_int_equal(a->cycle_count, b->cycle_count);
+    assert_int_equal(a->index_count, b->index_count);
+    assert_memory_equal(a->facet_start, b->facet_start, (a->facet_count + 1) * sizeof(size_t));
+    assert_memory_equal(a->cycle_start, b->cycle_start, (a->cycle_count + 1) * sizeof(size_t));
+    assert_memory_equal(a->index, b->index, a->index_count * sizeof(size_t));
+}
+
+/* Vertex k of the cube [0, 2]^3 has its x, y, z from bits 0, 1, 2 of k. */
+static const int cube_facet[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+static int cube_coordinate(int vertex, int k) {
+    return (vertex >> k & 1) * 2;
+}
+
+static void make_cube(soup *s) {
+    soup_init(s, 3);
+    fmpq point[3];
+    for (int v = 0; v < 8; v++) {
+        for (int k = 0; k < 3; k++) {
+            fmpq_init(point + k);
+            fmpq_set_si(point + k, cube_coordinate(v, k), 1);
+        }
+        assert_int_equal(soup_add_vertex(s, context, point), GRAZE_OK);
+    }
+    for (int f = 0; f < 6; f++) {
+        size_t cycle[4];
+        for (int k = 0; k < 4; k++) {
+            cycle[k] = (size_t)cube_facet[f][k];
+        }
+        assert_int_equal(soup_add_facet(s, context), GRAZE_OK);
+        assert_int_equal(soup_add_cycle(s, context, cycle, 4), GRAZE_OK);
+    }
+}
+
+static char text[TEXT_SIZE];
+static size_t text_size;
+
+__attribute__((format(printf, 1, 2))) static void put(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    text_size += (size_t)vsnprintf(text + text_size, TEXT_SIZE - text_size, format, arguments);
+    va_end(arguments);
+}
+
+static void put_cube(const char *vertex, const char *facet, int first) {
+    for (int v = 0; v < 8; v++) {
+        put("%s%d %d %d\n", vertex, cube_coordinate(v, 0), cube_coordinate(v, 1),
+            cube_coordinate(v, 2));
+    }
+    for (int f = 0; f < 6; f++) {
+        const int *c = cube_facet[f];
+        put("%s%d %d %d %d\n", facet, c[0] + first, c[1] + first, c[2] + first, c[3] + first);
+    }
+}
+
+static const char ply_head[] = "element vertex 8\nproperty float x\nproperty float y\n"
+                               "property float z\nelement face 6\n"
+                               "property list uchar int vertex_indices\nend_header\n";
+
+static void cube_text(const char *extension) {
+    text_size = 0;
+    if (strcmp(extension, ".off") == 0) {
+        put("OFF # a cube\n8 6 0\n");
+        put_cube("", "4 ", 0);
+    } else if (strcmp(extension, ".obj") == 0) {
+        put("# a cube\no cube\n");
+        put_cube("v ", "f ", 1);
+    } else {
+        put("ply\nformat ascii 1.0\ncomment a cube\n%s", ply_head);
+        put_cube("", "4 ", 0);
+    }
+}
+
+/* The text with a byte order mark and CRLF. */
+static void dress(char *out) {
+    out += sprintf(out, "\xef\xbb\xbf");
+    for (const char *p = text; *p != '\0'; p++) {
+        if (*p == '\n') {
+            *out++ = '\r';
+        }
+        *out++ = *p;
+    }
+    *out = '\0';
+}
+
+static void test_cube_in_texts(void **state) {
+    (void)state;
+    static char dressed[2 * TEXT_SIZE];
+    const char *const extensions[] = {".off", ".obj", ".ply"};
+    soup cube, s;
+    make_cube(&cube);
+    for (int k = 0; k < 3; k++) {
+        cube_text(extensions[k]);
+        must_read(&s, extensions[k], text);
+        assert_same(&s, &cube);
+        soup_clear(&s);
+        dress(dressed);
+        must_read(&s, extensions[k], dressed);
+        assert_same(&s, &cube);
+        soup_clear(&s);
+    }
+    assert_int_equal(soup_read(&s, context, "tests/refuse/common/cube.off"), GRAZE_OK);
+    assert_same(&s, &cube);
+    soup_clear(&s);
+    assert_int_equal(soup_read(&s, context, NEF "cube.nef3"), GRAZE_OK);
+    assert_same(&s, &cube);
+    soup_clear(&s);
+    soup_clear(&cube);
+}
+
+/* Append the low `width` bytes of an image, in either byte order. */
+static void put_image(uint64_t image, int width, int big) {
+    for (int k = 0; k < width; k++) {
+        text[text_size++] = (char)(image >> 8 * (big ? width - 1 - k : k));
+    }
+}
+
+static void put_float(float value, int big) {
+    uint32_t image;
+    memcpy(&image, &value, sizeof image);
+    put_image(image, 4, big);
+}
+
+static void test_cube_in_binary_ply(void **state) {
+    (void)state;
+    soup cube, s;
+    make_cube(&cube);
+    for (int big = 0; big < 2; big++) {
+        text_size = 0;
+        put("ply\nformat binary_%s_endian 1.0\n%s", big ? "big" : "little", ply_head);
+        for (int v = 0; v < 24; v++) {
+            put_float((float)cube_coordinate(v / 3, v % 3), big);
+        }
+        for (int f = 0; f < 24; f++) {
+            if (f % 4 == 0) {
+                put_image(4, 1, big);
+            }
+            put_image((uint64_t)cube_facet[f / 4][f % 4], 4, big);
+        }
+        assert_int_equal(read_bytes(&s, ".ply", text, text_size), GRAZE_OK);
+        assert_same(&s, &cube);
+        soup_clear(&s);
+    }
+    soup_clear(&cube);
+}
+
+/* Further elements and properties, lists among them, stand before and between what is taken; the
+ * types of coordinates differ; faces stand before vertices. */
+static void test_ply_passes_over(void **state) {
+    (void)state;
+    static const char head[] =
+        "element extra 1\nproperty list uint8 float64 a\nproperty int16 b\n"
+        "element face 1\nproperty uchar c\nproperty list char short vertex_index\n"
+        "property list ushort uchar d\n"
+        "element vertex 3\nproperty list uchar uint e\nproperty int8 z\nproperty double q\n"
+        "property double y\nproperty uint32 x\nend_header\n";
+    soup s, binary;
+    text_size = 0;
+    put("ply\nformat ascii 1.0\n%s2 nan 1e9 7\n9 3 2 0 1 0\n0 -1 0 0.5 4000000000\n"
+        "1 8 2 0 -0.25 1\n2 5 5 -128 0 1e3 0\n",
+        head);
+    must_read(&s, ".ply", text);
+    assert_cycle(&s, 0, 3, (const size_t[]){2, 0, 1});
+    assert_coordinate(&s, 0, 0, "4000000000");
+    assert_coordinate(&s, 0, 1, "1/2");
+    assert_coordinate(&s, 0, 2, "-1");
+    assert_coordinate(&s, 1, 1, "-1/4");
+    assert_coordinate(&s, 2, 1, "1000");
+    assert_coordinate(&s, 2, 2, "-128");
+    text_size = 0;
+    put("ply\nformat binary_big_endian 1.0\n%s", head);
+    put_image(2, 1, 1);
+    put_image(0x7ff8000000000000, 8, 1);
+    put_image(0, 8, 1);
+    put_image(7, 2, 1);
+    put_image(9, 1, 1);
+    put_image(3, 1, 1);
+    put_image(2, 2, 1);
+    put_image(0, 2, 1);
+    put_image(1, 2, 1);
+    put_image(0, 2, 1);
+    static const double y[3] = {0.5, -0.25, 1000};
+    static const uint64_t x[3] = {4000000000, 1, 0}, z[3] = {0xff, 2, 0x80};
+    for (int v = 0; v < 3; v++) {
+        uint64_t image;
+        memcpy(&image, y + v, sizeof image);
+        put_image((uint64_t)v, 1, 1);
+        put_image(8, 4 * v, 1);
+        put_image(z[v], 1, 1);
+        put_image(0, 8, 1);
+        put_image(image, 8, 1);
+        put_image(x[v], 4, 1);
+    }
+    assert_int_equal(read_bytes(&binary, ".ply", text, text_size), GRAZE_OK);
+    assert_same(&binary, &s);
+    soup_clear(&binary);
+    soup_clear(&s);
+}
+
+/* 0.1 2^27 = 13421772.8, so 0.1f is 13421773/2^27; 0.1 2^55 = 3602879701896396.8, so the double
+ * nearest to 0.1 is 3602879701896397/2^55. */
+static const char tenth32[] = "13421773/134217728",
+                  tenth64[] = "3602879701896397/36028797018963968";
+
+static const char *const tenth_texts[][2] = {
+    {".off", "OFF\n3 1 0\n0.1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {".obj", "v 1e-1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {".ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+             "property float z\nelement face 1\nproperty list int int vertex_index\nend_header\n"
+             "+.1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {".stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0.10 0 0\nvertex 1 0 0\n"
+             "vertex 0 1 0\nendloop\nendfacet\nendsolid\n"},
+    {".wkt", "POLYGON ((1/10 0, 1 0, 0 1, 0.1 0))"},
+};
+
+static void test_tokens_are_exact(void **state) {
+    (void)state;
+    static const char *const value[] = {"1/10", tenth64, tenth32};
+    soup s;
+    for (int k = 0; k < 5; k++) {
+        for (int rounding = 0; rounding < 3; rounding++) {
+            context->rounding = (graze_rounding)rounding;
+            must_read(&s, tenth_texts[k][0], tenth_texts[k][1]);
+            assert_coordinate(&s, 0, 0, value[rounding]);
+            soup_clear(&s);
+        }
+    }
+    /* 2/3 2^24 = 11184810.67: the float nearest to 2/3 is 11184811/2^24. */
+    context->rounding = GRAZE_ROUND_BINARY32;
+    assert_int_equal(soup_read(&s, context, NEF "third.nef3"), GRAZE_OK);
+    assert_coordinate(&s, 7, 2, "11184811/16777216");
+    soup_clear(&s);
+    context->rounding = GRAZE_ROUND_NONE;
+}
+
+static void put_stl(const float *corners, int facets) {
+    text_size = 0;
+    put("solid %-74s", "that is binary");
+    put_image((uint64_t)facets, 4, 0);
+    for (int f = 0; f < facets; f++) {
+        for (int k = 0; k < 12; k++) {
+            put_float(k < 3 ? 7.0f : corners[9 * f + k - 3], 0);
+        }
+        put_image(0, 2, 0);
+    }
+}
+
+static void test_binary_values(void **state) {
+    (void)state;
+    static const float corners[] = {0.1f, -0.0f, 0, 0x1p-149f, 0, 0, 0, 0x1p127f, 0};
+    soup s;
+    put_stl(corners, 1);
+    assert_int_equal(text_size, 134);
+    assert_int_equal(read_bytes(&s, ".stl", text, text_size), GRAZE_OK);
+    assert_coordinate(&s, 0, 0, tenth32);
+    assert_coordinate(&s, 0, 1, "0");
+    assert_coordinate(&s, 1, 0, "1/713623846352979940529142984724747568191373312"); /* 2^149 */
+    assert_coordinate(&s, 2, 1, "170141183460469231731687303715884105728");         /* 2^127 */
+    soup_clear(&s);
+}
+
+static void test_stl_merges_equal_positions(void **state) {
+    (void)state;
+    static const float corners[] = {5, 0,     0, 1, 0, 0, 0, 1, 0,  /* 0 1 2 */
+                                    1, -0.0f, 0, 5, 0, 0, 0, 0, 3}; /* 1 0 3 */
+    soup s, binary;
+    must_read(&s, ".stl",
+              "solid a b c\n facet normal nan nan nan outer loop vertex 5 0 0\n vertex 1 0 0\n"
+              "vertex 0 1 0\nendloop endfacet endsolid a b c\nSOLID\nFacet normal 0 0 0\nouter loop"
+              "\nvertex 1.0 -0.0 0\nvertex 10/2 0 0\nvertex 0 0 3e0\nendloop\nendfacet\nendsolid");
+    assert_int_equal(s.vertex_count, 4);
+    assert_int_equal(s.facet_count, 2);
+    assert_cycle(&s, 0, 3, (const size_t[]){0, 1, 2});
+    assert_cycle(&s, 1, 3, (const size_t[]){1, 0, 3});
+    put_stl(corners, 2);
+    assert_int_equal(read_bytes(&binary, ".stl", text, text_size), GRAZE_OK);
+    assert_same(&binary, &s);
+    soup_clear(&binary);
+    soup_clear(&s);
+}
+
+/* More vertices than the first table of the merger holds: a strip of n triangles has n + 2. */
+static void test_stl_merges_many(void **state) {
+    (void)state;
+    static float corners[9 * 1200];
+    for (int f = 0; f < 1200; f++) {
+        for (int k = 0; k < 3; k++) {
+            corners[9 * f + 3 * k] = (float)((f + k) / 2);
+            corners[9 * f + 3 * k + 1] = (float)((f + k) % 2);
+            corners[9 * f + 3 * k + 2] = 0.1f;
+        }
+    }
+    soup s;
+    put_stl(corners, 1200);
+    assert_int_equal(read_bytes(&s, ".stl", text, text_size), GRAZE_OK);
+    assert_int_equal(s.vertex_count, 1202);
+    assert_cycle(&s, 1199, 3, (const size_t[]){1199, 1200, 1201});
+    soup_clear(&s);
+}
+
+static void test_obj_indices(void **state) {
+    (void)state;
+    soup s;
+    must_read(&s, ".obj",
+              "f 5 2/1 1/1/1 # before its vertices\nv 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 0.5\n"
+              "vt 0 0\nf -3//9 -2//-1 \\\n -1\nv 0 0 1\nv 3 3 3\nf -1 -5/7 3\nusemtl x\n");
+    assert_int_equal(s.vertex_count, 5);
+    assert_int_equal(s.facet_count, 3);
+    assert_cycle(&s, 0, 3, (const size_t[]){4, 1, 0});
+    assert_cycle(&s, 1, 3, (const size_t[]){0, 1, 2});
+    assert_cycle(&s, 2, 3, (const size_t[]){4, 0, 2});
+    soup_clear(&s);
+}
+
+static void test_off_colours_and_blanks(void **state) {
+    (void)state;
+    soup s;
+    must_read(&s, ".off",
+              "# first\n\nOFF 3 4 0 # counts\n\n 0 0\t0\n1 0 0 #\n0 1 0\n\n3 0 1 2\n3 0 1 2 7\n"
+              "3 0 1 2 0.5 0.5 0.5\n3 2 1 0 1 2 3 4 # end\n\n");
+    assert_int_equal(s.facet_count, 4);
+    assert_cycle(&s, 3, 3, (const size_t[]){2, 1, 0});
+    soup_clear(&s);
+}
+
+/* Rings come in the wrong orientation and are turned from their first vertex; one comes right. */
+static void test_wkt_turns_rings(void **state) {
+    (void)state;
+    soup s;
+    must_read(
+        &s, ".wkt",
+        "multipolygon(((0 0, 0 9, 9 9, 9 0, 0 0),\r\n(1 1,2 1,2 2,1 1), (5 5, 5 6, 6 5, 5 5)),"
+        "((20 0,30 0,20 10,20 0)))\n");
+    assert_int_equal(s.dimension, 2);
+    assert_int_equal(s.vertex_count, 13);
+    assert_int_equal(s.facet_count, 2);
+    assert_int_equal(s.facet_start[1], 3);
+    assert_cycle(&s, 0, 4, (const size_t[]){0, 3, 2, 1});
+    assert_cycle(&s, 1, 3, (const size_t[]){4, 6, 5});
+    assert_cycle(&s, 2, 3, (const size_t[]){7, 8, 9});
+    assert_cycle(&s, 3, 3, (const size_t[]){10, 11, 12});
+    assert_coordinate(&s, 4, 0, "1");
+    assert_coordinate(&s, 12, 1, "10");
+    soup_clear(&s);
+}
+
+/* Six times the volume inside a soup, by tetrahedra from the origin over fans of its cycles: holes
+ * and slits count with their orientation. */
+static void sixfold_volume(fmpq_t out, const soup *s) {
+    fmpq_t part;
+    fmpq_init(part);
+    fmpq_zero(out);
+    for (size_t c = 0; c < s->cycle_count; c++) {
+        const size_t *v = s->index + s->cycle_start[c];
+        for (size_t k = 1; k + 1 < s->cycle_start[c + 1] - s->cycle_start[c]; k++) {
+            const fmpq *row[3] = {s->coordinates + 3 * v[0], s->coordinates + 3 * v[k],
+                                  s->coordinates + 3 * v[k + 1]};
+            for (int i = 0; i < 6; i++) { /* the six terms of the determinant */
+                int a = i % 3, b = (a + (i < 3 ? 1 : 2)) % 3, e = 3 - a - b;
+                fmpq_mul(part, row[0] + a, row[1] + b);
+                fmpq_mul(part, part, row[2] + e);
+                if (i < 3) {
+                    fmpq_add(out, out, part);
+                } else {
+                    fmpq_sub(out, out, part);
+                }
+            }
+        }
+    }
+    fmpq_clear(part);
+}
+
+/* Volumes from the sets the files were made of (the README beside them); counts of cycles: a ring
+ * has two facets with a hole, an edge inside a facet is a cycle of its own, one that ends on the
+ * rim lengthens the outer cycle, and a touching vertex leaves no trace. */
+static void test_nef_volumes(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        size_t vertices, facets, cycles;
+        const char *six_volumes;
+    } files[] = {
+        {"cube", 8, 6, 6, "48"},
+        {"third", 8, 6, 6, "16/9"},
+        {"cavity", 16, 12, 12, "1248"},
+        {"edge", 14, 12, 12, "96"},
+        {"vertex", 15, 12, 12, "96"},
+        {"ring", 16, 10, 12, "384"},
+        {"edge_in_facet", 12, 10, 11, "800"},
+        {"edge_on_facet", 12, 10, 10, "52"},
+        {"vertex_on_facet", 12, 10, 10, "800"},
+    };
+    fmpq_t volume;
+    fmpq_init(volume);
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+        char path[128];
+        soup s;
+        snprintf(path, sizeof path, NEF "%s.nef3", files[k].name);
+        if (soup_read(&s, context, path) != GRAZE_OK) {
+            fail_msg("%s", graze_context_message(context));
+        }
+        assert_int_equal(s.vertex_count, files[k].vertices);
+        assert_int_equal(s.facet_count, files[k].facets);
+        assert_int_equal(s.cycle_count, files[k].cycles);
+        sixfold_volume(volume, &s);
+        char *value = rational_text(volume);
+        assert_string_equal(value, files[k].six_volumes);
+        free(value);
+        soup_clear(&s);
+    }
+    fmpq_clear(volume);
+}
+
+/* A facet's outer cycle comes first even where the file lists its hole first. */
+static void test_nef_outer_cycle_first(void **state) {
+    (void)state;
+    char *bytes, *first, *second;
+    size_t size;
+    unsigned char sha256[32];
+    soup s, swapped;
+    assert_int_equal(file_read(&bytes, &size, sha256, context, NEF "ring.nef3"), GRAZE_OK);
+    char *line = strstr(bytes, "\n0 { 1, ");
+    assert_non_null(line);
+    unsigned entry[2] = {0, 0};
+    int length = 0;
+    assert_int_equal(sscanf(line, " 0 { 1, %u %u ,%n", entry, entry + 1, &length), 2);
+    assert_int_equal(soup_read(&s, context, NEF "ring.nef3"), GRAZE_OK);
+    assert_memory_equal(s.sha256, sha256, sizeof sha256);
+    first = malloc(size + 64);
+    assert_non_null(first);
+    second = first +
+             sprintf(first, "%.*s\n0 { 1, %u %u ,", (int)(line - bytes), bytes, entry[1], entry[0]);
+    strcpy(second, line + length + (line[length] == ','));
+    must_read(&swapped, ".nef3", first);
+    assert_same(&swapped, &s);
+    assert_int_equal(s.facet_start[1], 2);
+    soup_clear(&s);
+    soup_clear(&swapped);
+    free(first);
+    free(bytes);
+}
+
+static void test_limits(void **state) {
+    (void)state;
+    soup s;
+    cube_text(".off");
+    context->limits[GRAZE_LIMIT_CELLS] = 7;
+    assert_int_equal(read_text(&s, ".off", text), GRAZE_ELIMIT);
+    cube_text(".obj");
+    assert_int_equal(read_text(&s, ".obj", text), GRAZE_ELIMIT);
+    context->limits[GRAZE_LIMIT_CELLS] = 8;
+    must_read(&s, ".obj", text);
+    soup_clear(&s);
+    context->limits[GRAZE_LIMIT_LINE] = 8; /* "v 0 0 0" has 7 bytes, "# a cube" 8 */
+    must_read(&s, ".obj", text);
+    soup_clear(&s);
+    context->limits[GRAZE_LIMIT_LINE] = 7;
+    assert_int_equal(read_text(&s, ".obj", text), GRAZE_ELIMIT);
+    context->limits[GRAZE_LIMIT_LINE] = 10000000;
+    context->limits[GRAZE_LIMIT_CELLS] = 100000000;
+}
+
+static uint64_t random_state;
+
+static uint64_t random_below(uint64_t n) {
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 7;
+    random_state ^= random_state << 17;
+    return random_state % n;
+}
+
+/* Whatever is done to a file's bytes, it is read as a soup with its indices in range, or refused
+ * with a message. */
+static void mutate_and_read(const char *extension, char *bytes, size_t size) {
+    static const char pieces[] = " \n\r\t\\#/-+.,(){}|0123456789eEnai\0\xff";
+    char *copy = malloc(size + 1);
+    assert_non_null(copy);
+    for (int k = 0; k < MUTANTS; k++) {
+        uint64_t seed = random_state;
+        size_t length = random_below(4) == 0 ? random_below(size + 1) : size;
+        memcpy(copy, bytes, size);
+        for (uint64_t changes = random_below(4); changes > 0 && length > 0; changes--) {
+            copy[random_below(length)] = pieces[random_below(sizeof pieces - 1)];
+        }
+        soup s;
+        graze_status status = read_bytes(&s, extension, copy, length);
+        if (status != GRAZE_OK && *graze_context_message(context) == '\0') {
+            fail_msg("%s, seed %llu: refused without a message", extension,
+                     (unsigned long long)seed);
+        }
+        for (size_t i = 0; status == GRAZE_OK && i < s.index_count; i++) {
+            if (s.index[i] >= s.vertex_count) {
+                fail_msg("%s, seed %llu: index %zu out of range", extension,
+                         (unsigned long long)seed, i);
+            }
+        }
+        if (status == GRAZE_OK) {
+            soup_clear(&s);
+        }
+    }
+    free(copy);
+}
+
+static void test_mutants(void **state) {
+    (void)state;
+    random_state = 20240611;
+    const char *const extensions[] = {".off", ".obj", ".ply"};
+    for (int k = 0; k < 3; k++) {
+        cube_text(extensions[k]);
+        mutate_and_read(extensions[k], text, text_size);
+    }
+    static const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    put_stl(corners, 1);
+    mutate_and_read(".stl", text, text_size);
+    text_size = 0;
+    put("%s", tenth_texts[3][1]);
+    mutate_and_read(".stl", text, text_size);
+    text_size = 0;
+    put("MULTIPOLYGON(((0 0, 0 9, 9 9, 9 0, 0 0),(1 1,2 1,2 2,1 1)),((20 0,30 0,20 10,20 0)))");
+    mutate_and_read(".wkt", text, text_size);
+    char *bytes;
+    size_t size;
+    unsigned char sha256[32];
+    assert_int_equal(file_read(&bytes, &size, sha256, context, NEF "vertex_on_facet.nef3"),
+                     GRAZE_OK);
+    mutate_and_read(".nef3", bytes, size);
+    free(bytes);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_cube_in_texts),
+        cmocka_unit_test(test_cube_in_binary_ply),
+        cmocka_unit_test(test_ply_passes_over),
+        cmocka_unit_test(test_tokens_are_exact),
+        cmocka_unit_test(test_binary_values),
+        cmocka_unit_test(test_stl_merges_equal_positions),
+        cmocka_unit_test(test_stl_merges_many),
+        cmocka_unit_test(test_obj_indices),
+        cmocka_unit_test(test_off_colours_and_blanks),
+        cmocka_unit_test(test_wkt_turns_rings),
+        cmocka_unit_test(test_nef_volumes),
+        cmocka_unit_test(test_nef_outer_cycle_first),
+        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_mutants),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
