@@ -7,12 +7,12 @@ scene=$(dirname "$0")/bracket
 table=$(mktemp)
 trap 'rm -f "$table" "$table.rows"' EXIT
 
-echo "\$ graze check cases/bracket/bracket.off cases/bracket/motion.json"
-"$graze" check "$scene/bracket.off" "$scene/motion.json"
+echo "\$ graze check cases/bracket/solid.off cases/bracket/motion.json"
+"$graze" check "$scene/solid.off" "$scene/motion.json"
 
 echo
-echo "\$ graze classify cases/bracket/bracket.off cases/bracket/motion.json cases/bracket/points.csv | head -n 28"
-"$graze" classify "$scene/bracket.off" "$scene/motion.json" "$scene/points.csv" >"$table"
+echo "\$ graze classify cases/bracket/solid.off cases/bracket/motion.json cases/bracket/points.csv | head -n 28"
+"$graze" classify "$scene/solid.off" "$scene/motion.json" "$scene/points.csv" >"$table"
 head -n 28 "$table"
 
 echo
@@ -28,5 +28,5 @@ fi
 echo "All rows are as derived in cases/bracket/README.md."
 
 echo
-echo "\$ graze explain cases/bracket/bracket.off cases/bracket/motion.json 3/5 29/5 3"
-"$graze" explain "$scene/bracket.off" "$scene/motion.json" 3/5 29/5 3
+echo "\$ graze explain cases/bracket/solid.off cases/bracket/motion.json 3/5 29/5 3"
+"$graze" explain "$scene/solid.off" "$scene/motion.json" 3/5 29/5 3

@@ -50,10 +50,6 @@ graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
 /* The part of a piece's map over [lo, hi], in a parameter of its own. */
 static void cut(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
                 const fmpq_t hi) {
-    if (fmpq_equal(lo, piece->lo) && fmpq_equal(hi, piece->hi)) {
-        affine_set(out, &piece->map);
-        return;
-    }
     fmpq_t span, low, high;
     fmpq_init(span);
     fmpq_init(low);
@@ -63,7 +59,11 @@ static void cut(calculation *c, affine *out, const draft_piece *piece, const fmp
     fmpq_div(low, low, span);
     fmpq_sub(high, hi, piece->lo);
     fmpq_div(high, high, span);
-    affine_substitute(c, out, &piece->map, low, high);
+    if (fmpq_is_zero(low) && fmpq_is_one(high)) {
+        affine_set(out, &piece->map);
+    } else {
+        affine_substitute(c, out, &piece->map, low, high);
+    }
     fmpq_clear(span);
     fmpq_clear(low);
     fmpq_clear(high);

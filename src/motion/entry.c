@@ -15,7 +15,7 @@ void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi
     fmpq_init(one);
     fmpq_one(one);
     part->dimension = dimension;
-    part->strict = 0;
+    part->fault = FAULT_NONE;
     fmpq_init(part->from);
     fmpq_init(part->to);
     fmpq_init(part->lo);
@@ -71,7 +71,7 @@ graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const jso
 graze_status entry_finite(fmpz_poly_q_t out, graze_context *context, const json *value,
                           const stretch *part) {
     graze_status status = entry_function(out, context, value, part);
-    if (status == GRAZE_OK && part->strict) {
+    if (status == GRAZE_OK && part->fault == FAULT_POLE) {
         status = entry_no_root(context, value, fmpz_poly_q_denref(out), part->lo, part->hi,
                                "this entry has a pole");
     }

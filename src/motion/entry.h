@@ -7,13 +7,16 @@
 #include "motion/json.h"
 #include "motion/quotient.h"
 
+/** What to refuse an entry for when the motion is known to be illegal and the culprit is sought. */
+typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
+
 /** The part of a piece that is being made, with u in [0, 1] running along it. */
 typedef struct stretch {
     int dimension;
     fmpq_t from, to;    /* in s, which runs from 0 to 1 along the piece as written */
     fmpq_t lo, hi;      /* the same in t */
     fmpz_poly_q_t t, s; /* as functions of u */
-    int strict;         /* 1: an entry with a pole or a singular leaf fails by itself */
+    entry_fault fault;  /* what an entry is refused for on this stretch, beyond nonsense */
 } stretch;
 
 /** All of a piece lo < hi; dimension d. */
@@ -26,10 +29,10 @@ void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t f
 /** The function of u an expression or a JSON number stands for. */
 graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const json *value,
                             const stretch *part);
-/** The same, refused where it has a pole and the stretch is strict. */
+/** The same, refused for a pole on a stretch whose fault is FAULT_POLE. */
 graze_status entry_finite(fmpz_poly_q_t out, graze_context *context, const json *value,
                           const stretch *part);
-/** An array of `count` finite functions. */
+/** An array of `count` such functions. */
 graze_status entry_vector(fmpz_poly_q_t *out, graze_context *context, const json *value,
                           size_t count, const stretch *part);
 /** A number, as JSON number or as expression without t and s. */

@@ -16,25 +16,26 @@ static void number_text(char out[NUMBER_SIZE], const fmpq_t value) {
     free(text);
 }
 
-/* No entry has a pole, and the determinant no zero, on the closed piece. */
-static graze_status check_piece(draft_piece *piece, graze_context *context, const json *where) {
+static graze_status check_poles(draft_piece *piece, graze_context *context, const json *where) {
     int d = piece->map.dimension;
     graze_status status = GRAZE_OK;
     for (int k = 0; k < d * (d + 1) && status == GRAZE_OK; k++) {
-        char what[80];
-        snprintf(what, sizeof what, "row %d, column %d of the motion's matrix has a pole",
-                 k / (d + 1) + 1, k % (d + 1) + 1);
         status = entry_no_root(context, where, fmpz_poly_q_denref(piece->map.entry[k]), piece->lo,
-                               piece->hi, what);
+                               piece->hi, "the motion's matrix has a pole");
     }
-    calculation c = {context, status};
+    return status;
+}
+
+static graze_status check_determinant(draft_piece *piece, graze_context *context,
+                                      const json *where) {
+    calculation c = {context, GRAZE_OK};
     fmpz_poly_q_t determinant;
     fmpz_poly_q_init(determinant);
     affine_determinant(&c, determinant, &piece->map);
     if (c.status == GRAZE_OK) {
         c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), piece->lo,
                                  piece->hi, "the determinant of the motion's linear part is zero");
-    } else if (c.status == GRAZE_ELIMIT) {
+    } else {
         json_at(context, c.status, where);
     }
     fmpz_poly_q_clear(determinant);
@@ -72,14 +73,16 @@ static graze_status check_joint(const draft_piece *before, const draft_piece *af
     return status;
 }
 
-static graze_status check_last_joint(const draft *d, graze_context *context, const json *where)
-{
-    const draft_piece *last = &d->piece[d->count - 1];
-    return d->count > 1 ? check_joint(last - 1, last, context, where) : GRAZE_OK;
+/* The map is illegal and the context says so. Some single entry has the same fault, as poles of a
+ * product come from its factors and a zero of its determinant from theirs; reading the transform
+ * once more finds it, and a message that names it. */
+static graze_status blame(affine *map, graze_context *context, const json *transform, stretch *part,
+                          entry_fault fault) {
+    part->fault = fault;
+    graze_status status = transform_map(map, context, transform, part);
+    return status == GRAZE_OK ? GRAZE_EILLEGAL : status;
 }
 
-/* One stretch of a piece. When the whole matrix turns out to be illegal, reading it once more in
- * strict fashion finds the entry to blame, if a single one is. */
 static graze_status read_stretch(draft *out, graze_context *context, const json *transform,
                                  stretch *part) {
     draft_piece *piece;
@@ -93,16 +96,16 @@ static graze_status read_stretch(draft *out, graze_context *context, const json 
     if (status != GRAZE_OK) {
         return status;
     }
-    status = check_piece(piece, context, transform);
+    status = check_poles(piece, context, transform);
     if (status == GRAZE_EILLEGAL) {
-        char found[CONTEXT_MESSAGE_SIZE];
-        snprintf(found, sizeof found, "%s", context->message);
-        part->strict = 1;
-        if (transform_map(&piece->map, context, transform, part) == GRAZE_OK) {
-            context_fail(context, GRAZE_EILLEGAL, "%s", found);
-        }
+        return blame(&piece->map, context, transform, part, FAULT_POLE);
     }
-    return status == GRAZE_OK ? check_last_joint(out, context, transform) : status;
+    status = check_determinant(piece, context, transform);
+    if (status == GRAZE_EILLEGAL) {
+        return blame(&piece->map, context, transform, part, FAULT_SINGULAR);
+    }
+    return status == GRAZE_OK && out->count > 1 ? check_joint(piece - 1, piece, context, transform)
+                                                : status;
 }
 
 static graze_status read_transform(draft *out, graze_context *context, const json *transform,
@@ -245,6 +248,8 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
     return status;
 }
 
+/* No pole, no zero determinant and no jump can come about here: rotation_of sees to the rotation,
+ * and the rest is linear between the frames. */
 static graze_status append_between(draft *out, graze_context *context, const json *where,
                                    const keyframe *from, const keyframe *to) {
     draft_piece *piece;
@@ -267,10 +272,7 @@ static graze_status append_between(draft *out, graze_context *context, const jso
         quotient_set_line(affine_at(&piece->map, i, out->dimension), from->position[i],
                           to->position[i]);
     }
-    if (status == GRAZE_OK) {
-        status = check_piece(piece, context, where);
-    }
-    return status == GRAZE_OK ? check_last_joint(out, context, where) : status;
+    return status;
 }
 
 static graze_status read_next_frame(draft *out, graze_context *context, const json *value,

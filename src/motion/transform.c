@@ -198,7 +198,9 @@ static graze_status read_matrix(affine *out, graze_context *context, const json 
     if (status == GRAZE_OK && row != NULL) {
         status = check_last_row(context, row, part);
     }
-    return status == GRAZE_OK && part->strict ? check_regular(out, context, value, part) : status;
+    return status == GRAZE_OK && part->fault == FAULT_SINGULAR
+               ? check_regular(out, context, value, part)
+               : status;
 }
 
 static graze_status read_translation(affine *out, graze_context *context, const json *value,
@@ -221,7 +223,7 @@ static graze_status read_scale(affine *out, graze_context *context, const json *
     for (int i = 0; i < d && status == GRAZE_OK; i++, item = each ? item->next : item) {
         fmpz_poly_q_struct *factor = affine_at(out, i, i);
         status = entry_finite(factor, context, item, part);
-        if (status == GRAZE_OK && part->strict) {
+        if (status == GRAZE_OK && part->fault == FAULT_SINGULAR) {
             status = entry_no_root(context, item, fmpz_poly_q_numref(factor), part->lo, part->hi,
                                    "the scale is zero");
         }

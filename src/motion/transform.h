@@ -23,8 +23,8 @@ graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *
  * The map of a transform over one stretch between two of its cuts.
  * @param[out] out initialised, of the stretch's dimension
  * @return GRAZE_EINPUT keys, types, expressions; GRAZE_EILLEGAL an axis whose length is not a
- * rational function, vanishes or has a pole, a quaternion that vanishes; on a strict stretch also
- * an entry with a pole and a singular scale or matrix; GRAZE_ELIMIT
+ * rational function, vanishes or has a pole, a quaternion that vanishes, and what the
+ * stretch's fault says: an entry with a pole, or a singular scale or matrix; GRAZE_ELIMIT
  */
 graze_status transform_map(affine *out, graze_context *context, const json *transform,
                            const stretch *part);

@@ -4,6 +4,7 @@
  * Only the plain OFF of three coordinates is read. Colours behind a facet's indices are passed
  * over; `#` begins a comment.
  */
+#include "number/rational.h"
 #include "solid/lines.h"
 #include "solid/readers.h"
 
@@ -61,6 +62,11 @@ static graze_status pass_colours(lines *l, size_t f) {
     token t;
     size_t count = 0;
     while (lines_token(l, &t)) {
+        if (!rational_is_token(t.text, t.length)) {
+            return lines_fail(l, GRAZE_EINPUT,
+                              "facet %zu: '%.*s' follows its indices; a colour is of numbers", f,
+                              TOKEN_SHOWN(t));
+        }
         count++;
     }
     if (count == 2 || count > 4) {

@@ -237,14 +237,15 @@ static graze_status read_body(ply *p) {
 static size_t header_length(const char *text, size_t length) {
     static const char last[] = "end_header";
     size_t at = 0;
-    while (at < length) {
+    int found = 0;
+    while (at < length && !found) {
         const char *newline = memchr(text + at, '\n', length - at);
         size_t next = newline == NULL ? length : (size_t)(newline - text) + 1;
-        int found = next - at >= sizeof last - 1 && memcmp(text + at, last, sizeof last - 1) == 0;
-        at = next;
-        if (found) {
-            break;
+        while (at < next && (text[at] == ' ' || text[at] == '\t')) {
+            at++;
         }
+        found = next - at >= sizeof last - 1 && memcmp(text + at, last, sizeof last - 1) == 0;
+        at = next;
     }
     return at;
 }

@@ -63,3 +63,7 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
         hand_over(out, pieces, components);
     });
 }
+
+graze_status validate_probe(graze_context *context) {
+    return guard(context, [] { CGAL_precondition_msg(false, "failed on purpose"); });
+}

@@ -48,6 +48,12 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
 graze_status boundaries_meet(int *out, graze_context *context, const soup *s, const simplices *cut,
                              const fmpq *map);
 
+/**
+ * Fail a precondition of CGAL on purpose, so that a test sees how such a fault arrives.
+ * @return GRAZE_EINTERNAL, if all is well
+ */
+graze_status validate_probe(graze_context *context);
+
 #ifdef __cplusplus
 }
 #endif

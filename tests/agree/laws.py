@@ -12,6 +12,7 @@ import os
 import subprocess
 import sys
 from fractions import Fraction as F
+from functools import cmp_to_key
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
@@ -26,8 +27,8 @@ from points import mixed  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import Polygon, extruded, meshes, polygons  # noqa: E402
+from tally import Tally  # noqa: E402
 from times import irrational, negated, time_root  # noqa: E402
-from trace2d import Tally  # noqa: E402
 
 POINTS = 18
 BACKWARDS = {1: 1, 2: 4, 3: 7, 4: 2, 5: 5, 6: 8, 7: 3, 8: 6, 9: 9}
@@ -210,7 +211,6 @@ def law_union(law):
 
 
 def in_order(contacts):
-    from functools import cmp_to_key
     return sorted(contacts, key=cmp_to_key(
         lambda x, y: compare_roots(time_root(x["from"]), time_root(y["from"]))))
 
@@ -244,18 +244,23 @@ def followers(space):
                                   translate([[0, -7], [0, 0, 2]])))])]
 
 
+def affine_at(motion, t):
+    """The map at time t as rows of d+1 numbers, from the images of the origin and the unit points."""
+    d = motion.dimension
+    origin = motion.map([F(0)] * d, t)
+    columns = [[a - b for a, b in zip(motion.map([F(int(i == j)) for j in range(d)], t), origin)]
+               for i in range(d)]
+    return [list(row) for row in zip(*columns, origin)]
+
+
 def law_sequence(law):
+    """On [0, 1] the first motion, on [1, 2] the second after the first one's last position."""
     s = law.scene
     second = law.rng.choice(followers(s.space))
-    end = s.motion.pieces[-1]
-    one = [[F(int(i == j)) for j in range(end_dimension(s))] for i in range(end_dimension(s))]
-    columns = [s.motion.map([F(0)] * len(one), s.motion.end)]
-    columns = [[a - b for a, b in zip(s.motion.map(e, s.motion.end), columns[0])]
-               for e in one] + columns
-    last = [list(row) for row in zip(*columns)]
-    after = Motion([Piece(p.lo, p.hi, *product((p.a, p.b, p.w), constant(last, len(one))))
+    d, last = s.motion.dimension, affine_at(s.motion, s.motion.end)
+    after = Motion([Piece(p.lo, p.hi, *product((p.a, p.b, p.w), constant(last, d)))
                     for p in second.pieces])
-    whole = Motion(s.motion.pieces, {"dimension": len(one), "sequence": [
+    whole = Motion(s.motion.pieces, {"dimension": d, "sequence": [
         s.motion.document, second.document]})
     answers = law.ask("sequence", s.solid, whole, s.points)
     tails = law.ask("second part", s.solid, after, s.points)
@@ -275,10 +280,6 @@ def law_sequence(law):
             spans[j - 1:j + 1] = [[spans[j - 1][0], spans[j][1]]]
         for x, (start, stop) in zip(a.contacts, spans):
             law.checks.true(agrees(x["from"], *start) and agrees(x["to"], *stop), *where, x)
-
-
-def end_dimension(scene):
-    return scene.motion.dimension
 
 
 def shifted_time(motion, k, time):

@@ -35,7 +35,7 @@ class Checks:
     def fail(self, what, *where):
         self.failed += 1
         if self.failed <= 40:
-            print("FAILED", " | ".join(str(w) for w in where), "|", what)
+            print("FAILED", " | ".join(str(w)[:300] for w in where), "|", what[:1500])
 
     def skip(self, what, count=1):
         self.skipped += count

@@ -1,15 +1,17 @@
-"""A second tracer for the plane: contacts, word and cells of one point by another road.
+"""A second tracer: contacts, word and cells of one point by another road than the program's.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
-Every edge gives polynomials along the trajectory: on which side of its line the point is, and how
-far along the edge. Their roots (Sturm sequences) cut the piece; the state at each cut follows from
-exact signs there, the state between two cuts from a rational sample by an even-odd count. Nothing
-is taken from the program but its conventions on cells and words.
+Every facet (in the plane: edge) gives polynomials along the trajectory: on which side of its plane
+the point is, on which side of the lines of its edges, and how far along them. Their roots (Sturm
+sequences) cut the piece; the state at each cut follows from exact signs there, the state between
+two cuts from a rational sample, by parity. Facets are taken whole, with any number of corners;
+nothing is taken from the program but its conventions on cells and words.
 """
 from fractions import Fraction as F
 
-from algebra import Root, add, between, roots, scale, sort_roots, sub, value
+from algebra import Root, add, between, roots, scale, sort_roots, value
+from solids import Polygon, cross, edge, minus
 
 
 class Contact:
@@ -24,74 +26,193 @@ class Contact:
         return "intersection" if present == ["I"] else "tangency"
 
 
-def locate(polygon, point):
-    """'I', 'B' or 'O', and the cells that hold the point."""
-    x, y = point
-    cells, inside = set(), False
-    for (u, v) in polygon.edges:
-        (ax, ay), (bx, by) = polygon.vertices[u], polygon.vertices[v]
-        turn = (bx - ax) * (y - ay) - (by - ay) * (x - ax)
-        along = (bx - ax) * (x - ax) + (by - ay) * (y - ay)
-        whole = (bx - ax) ** 2 + (by - ay) ** 2
-        if turn == 0 and 0 < along < whole:
-            cells.add(("edge", min(u, v), max(u, v)))
-        if (ay > y) != (by > y) and (turn > 0) == (by > ay):
-            inside = not inside
-    cells |= {("vertex", k) for k, p in enumerate(polygon.vertices) if p == point}
-    return ("B" if cells else "I" if inside else "O"), cells
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
 
 
-def edge_forms(polygon, xs, w):
-    """Per edge: side, progress from the first vertex, and to the second, as polynomials."""
-    for (u, v) in polygon.edges:
-        a, b = polygon.vertices[u], polygon.vertices[v]
-        den = 1
-        for c in a + b:
-            den *= c.denominator
-        ax, ay, bx, by = (int(c * den) for c in a + b)
-        dx, dy = bx - ax, by - ay
-        x, y = scale(xs[0], den), scale(xs[1], den)
-        from_a = sub(x, scale(w, ax)), sub(y, scale(w, ay))
-        from_b = sub(x, scale(w, bx)), sub(y, scale(w, by))
-        yield ((u, v), sub(scale(from_a[1], dx), scale(from_a[0], dy)),
-               add(scale(from_a[0], dx), scale(from_a[1], dy)),
-               scale(add(scale(from_b[0], dx), scale(from_b[1], dy)), -1))
+def whole(numbers):
+    """Fractions times a positive number, as ints."""
+    den = 1
+    for x in numbers:
+        den *= F(x).denominator
+    return [int(x * den) for x in numbers]
 
 
-def cells_at(forms, t):
-    """The cells met at a root, from the signs of the forms."""
-    cells = set()
-    for (u, v), side, first, second in forms:
-        if t.sign_of(side):
+class Line:
+    """An edge seen in a plane of two coordinates: forms in (X, W), each an int list a with value
+    a[0] X0 + a[1] X1 + a[2] W. `turn` > 0 is the left side of p -> q; `rise` is the height of the
+    point over p, `fall` over q."""
+
+    def __init__(self, cell, ends, p, q):
+        d = q[0] - p[0], q[1] - p[1]
+        self.cell, self.ends = cell, ends
+        self.turn = whole([-d[1], d[0], d[1] * p[0] - d[0] * p[1]])
+        self.first = whole([d[0], d[1], -dot(d, p)])
+        self.second = whole([-d[0], -d[1], dot(d, q)])
+        self.rise, self.fall = whole([0, 1, -p[1]]), whole([0, 1, -q[1]])
+        self.up = q[1] > p[1]
+
+
+class Facet:
+    """A facet's plane form and its edges, seen along an axis its normal is not square to."""
+
+    def __init__(self, mesh, number):
+        cycle = mesh.facets[number]
+        p, q, r = mesh.basis(cycle)
+        self.normal = cross(minus(q, p), minus(r, p))
+        self.plane = whole(list(self.normal) + [-dot(self.normal, p)])
+        drop = next(k for k in range(3) if self.normal[k])
+        self.axes = [k for k in range(3) if k != drop]
+        def flat(k):
+            return [mesh.vertices[k][a] for a in self.axes]
+        self.lines = [Line(edge(u, v), (u, v), flat(u), flat(v))
+                      for u, v in zip(cycle, cycle[1:] + cycle[:1])]
+        self.cell = ("face", number)
+
+
+class Edge:
+    """An edge of a polygon: the plane is the whole drawing, so it has no form."""
+    plane, axes, cell = None, [0, 1], None
+
+    def __init__(self, polygon, u, v):
+        self.lines = [Line(edge(u, v), (u, v), polygon.vertices[u], polygon.vertices[v])]
+
+
+def along(form, xs, w):
+    """A form on the trajectory X / W."""
+    total = scale(w, form[-1])
+    for c, x in zip(form, xs):
+        total = add(total, scale(x, c))
+    return total
+
+
+class View:
+    """A solid's facets on one trajectory: pulled-back forms, made when first asked for."""
+
+    def __init__(self, facets, xs, w):
+        self.facets, self.xs, self.w, self.made = facets, xs, w, {}
+
+    def pull(self, facet, form):
+        key = id(form)
+        if key not in self.made:
+            xs = self.xs if form is facet.plane else [self.xs[a] for a in facet.axes]
+            self.made[key] = along(form, xs, self.w)
+        return self.made[key]
+
+    def critical(self):
+        """Polynomials between whose roots no cell can change."""
+        for facet in self.facets:
+            plane = self.pull(facet, facet.plane) if facet.plane else []
+            if plane:
+                yield plane
+                continue
+            for line in facet.lines:
+                turn = self.pull(facet, line.turn)
+                for q in [turn] if turn else [self.pull(facet, line.first),
+                                              self.pull(facet, line.second)]:
+                    if q:
+                        yield q
+
+    def cells(self, t):
+        out = set()
+        for facet in self.facets:
+            if facet.plane and t.sign_of(self.pull(facet, facet.plane)):
+                continue
+            here = self.on_lines(facet, t)
+            if not here and facet.cell and self.within(facet, t):
+                here = {facet.cell}
+            out |= here
+        return out
+
+    def on_lines(self, facet, t):
+        out = set()
+        for line in facet.lines:
+            if t.sign_of(self.pull(facet, line.turn)):
+                continue
+            first = t.sign_of(self.pull(facet, line.first))
+            second = t.sign_of(self.pull(facet, line.second))
+            if first > 0 and second > 0:
+                out.add(line.cell)
+            elif first == 0 or second == 0:
+                out.add(("vertex", line.ends[0] if first == 0 else line.ends[1]))
+        return out
+
+    def within(self, facet, t):
+        """Even-odd: edges crossed by the ray in the direction of the first axis."""
+        inside = False
+        for line in facet.lines:
+            above = t.sign_of(self.pull(facet, line.rise)) >= 0
+            if above != (t.sign_of(self.pull(facet, line.fall)) >= 0):
+                inside ^= (t.sign_of(self.pull(facet, line.turn)) > 0) == line.up
+        return inside
+
+
+NOW = Root(value=F(0))
+
+
+def fixed(facets, point):
+    """The view of a point that stands still."""
+    *xs, w = whole(list(point) + [F(1)])
+    return View(facets, [[x] if x else [] for x in xs], [w])
+
+
+def parity(solid, facets, point):
+    """I or O of a point off the boundary."""
+    if isinstance(solid, Polygon):
+        view = fixed(facets, point)
+        inside = False
+        for facet in facets:
+            inside ^= view.within(facet, NOW)
+        return "I" if inside else "O"
+    for k in range(1, 100):
+        direction = (F(1), F(k, 101), F(k * k, 1009))
+        crossed = ray(facets, point, direction)
+        if crossed is not None:
+            return "I" if crossed % 2 else "O"
+    raise ArithmeticError("no ray in general position")
+
+
+def ray(facets, point, direction):
+    """The number of facets a ray crosses, or None where it meets an edge or runs in a plane."""
+    count = 0
+    for facet in facets:
+        height = dot(facet.plane[:3], point) + facet.plane[3]
+        speed = dot(facet.plane[:3], direction)
+        if speed == 0:
+            if height == 0:
+                return None
             continue
-        s1, s2 = t.sign_of(first), t.sign_of(second)
-        if s1 > 0 and s2 > 0:
-            cells.add(("edge", min(u, v), max(u, v)))
-        elif s1 == 0:
-            cells.add(("vertex", u))
-        elif s2 == 0:
-            cells.add(("vertex", v))
-    return cells
+        s = -height / speed
+        if s > 0:
+            view = fixed([facet], [p + s * d for p, d in zip(point, direction)])
+            if view.on_lines(facet, NOW):
+                return None
+            count += view.within(facet, NOW)
+    return count
 
 
-def trace_piece(polygon, piece, point):
-    """[(kind, start, end, state, cells)] of cuts and gaps on one piece."""
-    xs, w = piece.trajectory(point)
-    forms = list(edge_forms(polygon, xs, w))
+def facets_of(solid):
+    if isinstance(solid, Polygon):
+        return [Edge(solid, u, v) for u, v in solid.edges]
+    return [Facet(solid, k) for k in range(len(solid.facets))]
+
+
+def trace_piece(solid, facets, piece, point):
+    """[(start, end, state, cells)] of cuts and gaps on one piece."""
+    view = View(facets, *piece.trajectory(point))
     marks = [Root(value=piece.lo), Root(value=piece.hi)]
-    for _, side, first, second in forms:
-        for q in ([side] if side else [first, second]):
-            if q:
-                marks += roots(q, piece.lo, piece.hi)
+    for q in view.critical():
+        marks += roots(q, piece.lo, piece.hi)
     marks = sort_roots(marks)
     out = []
     for k, t in enumerate(marks):
-        cells = cells_at(forms, t)
+        cells = view.cells(t)
         out.append((t, t, "B" if cells else None, cells))
         if k + 1 < len(marks):
             s = between(t, marks[k + 1])
-            ws = value(w, s)
-            out.append((t, marks[k + 1]) + locate(polygon, tuple(value(x, s) / ws for x in xs)))
+            cells = view.cells(Root(value=s))
+            place = tuple(value(x, s) / value(view.w, s) for x in view.xs)
+            out.append((t, marks[k + 1], "B" if cells else parity(solid, facets, place), cells))
     # off the boundary a cut has the state of the gap beside it
     for k, item in enumerate(out):
         if item[2] is None:
@@ -100,11 +221,12 @@ def trace_piece(polygon, piece, point):
     return out
 
 
-def trace(polygon, motion, point):
+def trace(solid, motion, point):
     """(word, contacts) of the inverted trajectory."""
     word, contacts, last = "", [], None
+    facets = facets_of(solid)
     for piece in motion.pieces:
-        for start, end, state, cells in trace_piece(polygon, piece, point):
+        for start, end, state, cells in trace_piece(solid, facets, piece, point):
             if state == "B":
                 if last != "B":
                     contacts.append(Contact(start, end, last, set(cells)))

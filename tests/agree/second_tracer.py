@@ -1,4 +1,4 @@
-"""The program against the second tracer of lib/tracer.py, point by point, in the plane.
+"""The program against the second tracer of lib/tracer.py, point by point, in plane and space.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -7,42 +7,17 @@ canonical form; at least 30 % of the times must be irrational, or the scenes pro
 """
 import os
 import sys
-from collections import Counter
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from harness import Checks, Graze, options  # noqa: E402
 from points import mixed  # noqa: E402
-from scenes import plane_scenes  # noqa: E402
-from times import check_canonical, irrational, time_is  # noqa: E402
+from scenes import plane_scenes, space_scenes  # noqa: E402
+from tally import Tally  # noqa: E402
+from times import check_canonical, time_is  # noqa: E402
 from tracer import trace  # noqa: E402
 
-POINTS = 36
-
-
-class Tally:
-    """What the points met: how often which case, class and cells, how many irrational times."""
-
-    def __init__(self):
-        self.histogram, self.times, self.irrational, self.unproven = Counter(), 0, 0, 0
-
-    def add(self, answer):
-        r = answer.record
-        kinds = {"+".join(sorted({c[0] for c in cells})) for cells in answer.cells()} or {"none"}
-        for kind in kinds:
-            self.histogram[(r["case"], r["class"], kind)] += 1
-        for c in answer.contacts:
-            self.times += 1
-            self.irrational += irrational(c["from"])
-
-    def report(self, checks):
-        print("case class          cells of a contact         points")
-        for (case, name, kind), n in sorted(self.histogram.items()):
-            print(f"{case:4} {name:14} {kind:26} {n:6}")
-        share = self.irrational / max(self.times, 1)
-        print(f"{self.times} contacts, {100 * share:.0f} % at irrational times, "
-              f"{self.unproven} minimal polynomials not seen to be irreducible")
-        checks.true(share >= 0.3, "share of irrational times", share)
+PLANE_POINTS, SPACE_POINTS = 30, 9
 
 
 def compare(checks, tally, answer, word, contacts, *where):
@@ -62,8 +37,10 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Tally()
     graze = Graze(args, checks)
-    for name, solid, motion in plane_scenes(args.random, args.scale):
-        points = mixed(solid, motion, args.random, POINTS)
+    scenes = plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale)
+    for name, solid, motion in scenes:
+        count = PLANE_POINTS if motion.dimension == 2 else SPACE_POINTS
+        points = mixed(solid, motion, args.random, count)
         answers = graze.classify(name, solid, motion, [p for _, p in points])
         for (kind, p), answer in zip(points, answers or []):
             where = (name, kind, ",".join(str(x) for x in p))
