@@ -1,5 +1,6 @@
 /* The public functions of scenes and verdicts, and what belongs to no handle: argument checks and
- * one call each. SPDX-License-Identifier: GPL-3.0-or-later
+ * one call each.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api.h"
 

@@ -1,4 +1,5 @@
-/* What the files of the public functions share. SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the files of the public functions share.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_API_INTERNAL_H
 #define GRAZE_API_INTERNAL_H
 

@@ -1,5 +1,5 @@
-/* The public functions of traces, their times, and the reports. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* The public functions of traces, their times, and the reports.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* Blocks of rows. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Blocks of rows.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include "cli/rows.h"
 

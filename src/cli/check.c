@@ -1,4 +1,5 @@
-/* graze check: is a pair of solid and motion legal. SPDX-License-Identifier: GPL-3.0-or-later */
+/* graze check: is a pair of solid and motion legal.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
 #include "cli/cli.h"
 #include "cli/output.h"
@@ -15,7 +16,7 @@ static const char help[] =
     "  --operation sweep|unsweep   in an unsweep S^0 and S^1 may always meet\n"
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, line 10^7,\n"
-    "                       cells 10^8\n"
+    "                       cells 10^8, bytes 4*10^9\n"
     "\n"
     "Example: graze check cube.off move.json\n";
 

@@ -1,4 +1,5 @@
-/* graze classify: the table. SPDX-License-Identifier: GPL-3.0-or-later
+/* graze classify: the table.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Points come in blocks, threads answer a block, its rows are written in order. A failure leaves
  * the whole rows before it and no `# complete` line.
@@ -6,10 +7,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 #include "cli/interrupt.h"
 #include "cli/output.h"
+#include "cli/progress.h"
 #include "cli/rows.h"
 
 static const char help[] =
@@ -30,7 +31,7 @@ static const char help[] =
     "  --jobs N             threads (default: all cores); the output is the same for any N\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10,\n"
-    "                       line 10^7, cells 10^8\n"
+    "                       line 10^7, cells 10^8, bytes 4*10^9\n"
     "\n"
     "Example: graze classify cube.off move.json points.csv > table.csv\n";
 
@@ -43,19 +44,8 @@ typedef struct run_state {
     output out;
     int opened, headed;
     unsigned long rows;
-    time_t start, shown;
+    progress progress;
 } run_state;
-
-/* A line that grows on standard error, where it is a terminal. */
-static void progress(run_state *s, int last) {
-    time_t now = time(NULL);
-    if (!isatty(STDERR_FILENO) || (now == s->shown && !last))
-        return;
-    s->shown = now;
-    unsigned long seconds = (unsigned long)(now - s->start);
-    fprintf(stderr, "\r%lu rows, %lu rows/s   %s", s->rows, s->rows / (seconds ? seconds : 1),
-            last ? "\n" : "");
-}
 
 static int put_header(run_state *s, const options *o) {
     char *grid = s->grid ? grid_notes(s->grid) : strdup("");
@@ -123,7 +113,7 @@ static int do_block(run_state *s, const options *o, int read_status) {
 
 static int do_blocks(run_state *s, const options *o) {
     int status = EXIT_DONE, more = 1;
-    s->start = s->shown = time(NULL);
+    progress_start(&s->progress);
     while (!status && more) {
         block_reset(s->block);
         if (s->points)
@@ -132,13 +122,13 @@ static int do_blocks(run_state *s, const options *o) {
             grid_fill(s->grid, s->block);
         more = s->block->count > 0;
         status = do_block(s, o, status);
-        progress(s, 0);
+        progress_show(&s->progress, s->rows);
         if (!status && interrupt_signal())
             status = EXIT_SIGNAL;
         if (s->out.error)
             status = EXIT_IO;
     }
-    progress(s, 1);
+    progress_end(&s->progress, s->rows);
     return status;
 }
 

@@ -1,5 +1,5 @@
-/* What the commands share: options, messages and exit status. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* What the commands share: options, messages and exit status.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_CLI_H
 #define GRAZE_CLI_CLI_H
@@ -25,8 +25,11 @@ typedef struct options {
     unsigned solid_flags;
     graze_format format;
     unsigned long limits[GRAZE_LIMIT_COUNT]; /* 0: as the context has it */
-    const char *grid, *box, *output;
+    const char *grid, *box, *output, *strata, *folder;
     long jobs;
+    unsigned long count;     /* -n */
+    unsigned long long seed; /* --seed */
+    int seeded, representable;
     int operand_count;
     char **operands; /* malloc'ed array of what is no option, options anywhere between */
 } options;
@@ -39,7 +42,8 @@ typedef struct command {
     int (*run)(const options *o);
 } command;
 
-extern const command command_check, command_classify, command_explain;
+extern const command command_check, command_classify, command_explain, command_generate,
+    command_cases;
 
 /**
  * Read the options of a command; `argv[0]` is the command's name. Says on standard error what is

@@ -1,4 +1,5 @@
-/* Reads points from CSV in blocks (formats: Points). SPDX-License-Identifier: GPL-3.0-or-later
+/* Reads points from CSV in blocks (formats: Points).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The first line that is neither blank nor a comment fixes the columns. It is a header if it has a
  * field x, y or (in E^3) z. Further columns are handed on as the bytes they were. Only one buffer's

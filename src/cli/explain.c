@@ -1,4 +1,5 @@
-/* graze explain: the whole reasoning for one point. SPDX-License-Identifier: GPL-3.0-or-later */
+/* graze explain: the whole reasoning for one point.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 #include "cli/cli.h"
 #include "cli/output.h"

@@ -1,5 +1,5 @@
-/* Grids of query points (formats: Commands, --grid and --box). SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* Grids of query points (formats: Commands, --grid and --box).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <ctype.h>
 #include <errno.h>

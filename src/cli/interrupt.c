@@ -1,4 +1,5 @@
-/* SIGINT and SIGTERM end a run after whole rows. SPDX-License-Identifier: GPL-3.0-or-later
+/* SIGINT and SIGTERM end a run after whole rows.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The handler writes a byte into a pipe: a signal that comes just before a blocking read is then
  * seen by the poll in front of the read.

@@ -1,4 +1,5 @@
-/* SIGINT and SIGTERM as a flag that long work asks for. SPDX-License-Identifier: GPL-3.0-or-later
+/* SIGINT and SIGTERM as a flag that long work asks for.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_INTERRUPT_H
 #define GRAZE_CLI_INTERRUPT_H

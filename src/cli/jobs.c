@@ -1,4 +1,5 @@
-/* Threads that answer the rows of a block. SPDX-License-Identifier: GPL-3.0-or-later
+/* Threads that answer the rows of a block.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Each thread has a context of its own and takes the next row that nobody has; answers stand in
  * their rows, so what is written does not depend on the number of threads.

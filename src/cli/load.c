@@ -1,5 +1,5 @@
-/* Messages, exit status, contexts, and a scene from two files. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* Messages, exit status, contexts, and a scene from two files.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,11 +1,13 @@
-/* graze: chooses the command. SPDX-License-Identifier: GPL-3.0-or-later */
+/* graze: chooses the command.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
 #include <string.h>
 #include "cli/cli.h"
 #include "cli/interrupt.h"
 #include "cli/output.h"
 
-static const command *const commands[] = {&command_check, &command_classify, &command_explain};
+static const command *const commands[] = {&command_check, &command_classify, &command_explain,
+                                          &command_generate, &command_cases};
 
 static const char overview[] =
     "graze: exact classification of points against a solid swept by a motion\n"
@@ -13,6 +15,8 @@ static const char overview[] =
     "  graze check SOLID MOTION             is the pair legal, and why not\n"
     "  graze classify SOLID MOTION POINTS   a table: in, on, out and class of each point\n"
     "  graze explain SOLID MOTION X Y [Z]   the whole reasoning for one point\n"
+    "  graze generate SOLID MOTION -n N --seed K   query points, most of them degenerate\n"
+    "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 options and an example\n"
     "  graze --version                      versions of graze and its libraries\n"
     "\n"
@@ -43,8 +47,9 @@ int main(int argc, char **argv) {
     if (interrupt_watch() != 0)
         return complain(EXIT_IO, "signals cannot be watched");
     if (argc < 2)
-        return complain(EXIT_USAGE, "a command is missing: check, classify or explain; see graze "
-                                    "--help");
+        return complain(EXIT_USAGE,
+                        "a command is missing: check, classify, explain or generate; see graze "
+                        "--help");
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
         return show(overview);
     if (strcmp(argv[1], "--version") == 0)
@@ -58,7 +63,7 @@ int main(int argc, char **argv) {
         return status;
     }
     return complain(EXIT_USAGE,
-                    "%s: there is no such command; right is check, classify or "
-                    "explain",
+                    "%s: there is no such command; right is check, classify, explain or "
+                    "generate",
                     argv[1]);
 }

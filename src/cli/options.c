@@ -1,4 +1,5 @@
-/* Reads a command's options with getopt_long. SPDX-License-Identifier: GPL-3.0-or-later
+/* Reads a command's options with getopt_long.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Options may stand anywhere. A word that begins like a negative number is an operand, so that
  * `explain SOLID MOTION -1 2` needs no `--`.
@@ -24,6 +25,10 @@ static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
                                              {"box", required_argument, NULL, 'b'},
                                              {"jobs", required_argument, NULL, 'j'},
                                              {"output", required_argument, NULL, 'o'},
+                                             {"folder", required_argument, NULL, 'd'},
+                                             {"seed", required_argument, NULL, 's'},
+                                             {"strata", required_argument, NULL, 'a'},
+                                             {"representable", required_argument, NULL, 'e'},
                                              {NULL, 0, NULL, 0}};
 
 /* A value out of two or three words. */
@@ -110,7 +115,7 @@ static int read_choice(options *o, int letter, const char *value) {
 }
 
 static int read_option(options *o, int letter, const char *value) {
-    unsigned long jobs;
+    unsigned long jobs, seed;
     switch (letter) {
     case 'l':
         return read_limit(o, value);
@@ -125,6 +130,28 @@ static int read_option(options *o, int letter, const char *value) {
         return EXIT_DONE;
     case 'o':
         o->output = value;
+        return EXIT_DONE;
+    case 'd':
+        o->folder = value;
+        return EXIT_DONE;
+    case 'a':
+        o->strata = value;
+        return EXIT_DONE;
+    case 'n':
+        if (!read_count(&o->count, value, 1))
+            return complain(EXIT_USAGE, "-n %s: right is a whole number from 1 up", value);
+        return EXIT_DONE;
+    case 's':
+        if (!read_count(&seed, value, 0))
+            return complain(EXIT_USAGE, "--seed %s: right is a whole number from 0 to 2^64 - 1",
+                            value);
+        o->seed = seed;
+        o->seeded = 1;
+        return EXIT_DONE;
+    case 'e':
+        if (strcmp(value, "binary64") != 0)
+            return complain(EXIT_USAGE, "--representable %s: right is binary64", value);
+        o->representable = 1;
         return EXIT_DONE;
     case 'j':
         if (!read_count(&jobs, value, 1) || jobs > 1024)
@@ -168,7 +195,7 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
             out->operands[out->operand_count++] = argv[optind++];
             continue;
         }
-        int index = -1, letter = getopt_long(argc, argv, "-:h", long_options, &index);
+        int index = -1, letter = getopt_long(argc, argv, "-:hn:", long_options, &index);
         if (letter == -1) {
             while (optind < argc)
                 out->operands[out->operand_count++] = argv[optind++];
@@ -180,8 +207,9 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
         } else if (letter == '?' || letter == ':') {
             return complain_of_word(c, optopt, letter, argv);
         } else if (!strchr(c->allowed, letter)) {
-            return complain(EXIT_USAGE, "%s has no option --%s; see graze %s --help", c->name,
-                            long_options[index].name, c->name);
+            return complain(EXIT_USAGE, "%s has no option %s%s; see graze %s --help", c->name,
+                            index < 0 ? "-" : "--", index < 0 ? "n" : long_options[index].name,
+                            c->name);
         } else {
             int status = read_option(out, letter, optarg);
             if (status)

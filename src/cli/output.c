@@ -1,5 +1,6 @@
 /* Buffered output whose every failure is noticed: a full disk, a closed pipe, a late error at the
- * close. SPDX-License-Identifier: GPL-3.0-or-later
+ * close.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "cli/output.h"
 

@@ -1,5 +1,5 @@
-/* Rows of query points: read or made in blocks, answered by threads. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* Rows of query points: read or made in blocks, answered by threads.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_ROWS_H
 #define GRAZE_CLI_ROWS_H

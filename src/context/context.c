@@ -22,9 +22,13 @@ static const struct {
     [GRAZE_LIMIT_GRID] = {"grid", 10000000000, 1000000000000000000},
     [GRAZE_LIMIT_LINE] = {"line", 10000000, 1000000000000},
     [GRAZE_LIMIT_CELLS] = {"cells", 100000000, 4000000000},
+    [GRAZE_LIMIT_BYTES] = {"bytes", 4000000000, 1000000000000},
 };
 
 graze_status graze_context_create(graze_context **out) {
+    if (out == NULL) {
+        return GRAZE_EUSE;
+    }
     *out = calloc(1, sizeof **out);
     if (*out == NULL) {
         return GRAZE_ESYSTEM;
@@ -40,7 +44,7 @@ void graze_context_destroy(graze_context *context) {
 }
 
 const char *graze_context_message(const graze_context *context) {
-    return context->message;
+    return context != NULL ? context->message : "";
 }
 
 static int is_limit(graze_limit limit) {
@@ -49,6 +53,9 @@ static int is_limit(graze_limit limit) {
 
 graze_status graze_context_set_limit(graze_context *context, graze_limit limit,
                                      unsigned long value) {
+    if (context == NULL) {
+        return GRAZE_EUSE;
+    }
     if (!is_limit(limit)) {
         return context_fail(context, GRAZE_EUSE, "limit %d is none of the %d there are", (int)limit,
                             (int)GRAZE_LIMIT_COUNT);
@@ -62,7 +69,7 @@ graze_status graze_context_set_limit(graze_context *context, graze_limit limit,
 }
 
 unsigned long graze_context_limit(const graze_context *context, graze_limit limit) {
-    return is_limit(limit) ? context->limits[limit] : 0;
+    return context != NULL && is_limit(limit) ? context->limits[limit] : 0;
 }
 
 const char *graze_limit_name(graze_limit limit) {
@@ -70,6 +77,9 @@ const char *graze_limit_name(graze_limit limit) {
 }
 
 graze_status graze_context_set_rounding(graze_context *context, graze_rounding rounding) {
+    if (context == NULL) {
+        return GRAZE_EUSE;
+    }
     if (rounding != GRAZE_ROUND_NONE && rounding != GRAZE_ROUND_BINARY64 &&
         rounding != GRAZE_ROUND_BINARY32) {
         return context_fail(context, GRAZE_EUSE, "rounding %d is none, binary64 nor binary32",
@@ -80,8 +90,10 @@ graze_status graze_context_set_rounding(graze_context *context, graze_rounding r
 }
 
 void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data) {
-    context->cancel = cancel;
-    context->cancel_data = data;
+    if (context != NULL) {
+        context->cancel = cancel;
+        context->cancel_data = data;
+    }
 }
 
 void graze_free(void *memory) {

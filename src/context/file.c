@@ -28,6 +28,9 @@ static graze_status fail(graze_context *context, const char *path, const char *w
 static graze_status read_all(char **text, size_t *length, graze_context *context, const char *path,
                              int file, size_t capacity) {
     for (;;) {
+        if (*length > context->limits[GRAZE_LIMIT_BYTES]) {
+            return context_limit(context, GRAZE_LIMIT_BYTES, path);
+        }
         if (*text == NULL || *length + 1 >= capacity) {
             capacity = *text == NULL ? capacity : 2 * capacity;
             char *larger = realloc(*text, capacity);
@@ -63,6 +66,9 @@ graze_status file_read(char **text, size_t *length, unsigned char sha256[32],
         status = fail(context, path, "cannot be read", errno);
     } else if (S_ISDIR(about.st_mode)) {
         status = fail(context, path, "cannot be read", EISDIR);
+    } else if (S_ISREG(about.st_mode) &&
+               (unsigned long long)about.st_size > context->limits[GRAZE_LIMIT_BYTES]) {
+        status = context_limit(context, GRAZE_LIMIT_BYTES, path);
     } else {
         size_t guess = S_ISREG(about.st_mode) && about.st_size > 0 ? (size_t)about.st_size : 0;
         status = read_all(text, length, context, path, file, guess + 4096);

@@ -1,4 +1,4 @@
-/* Motions: the public functions, and values of point maps.
+/* Motions from files and texts, and values of point maps.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdlib.h>
@@ -27,7 +27,7 @@ static graze_status read_text(graze_motion **out, graze_context *context, const 
     return status;
 }
 
-graze_status graze_motion_read(graze_motion **out, graze_context *context, const char *path) {
+graze_status motion_from_file(graze_motion **out, graze_context *context, const char *path) {
     char *text;
     size_t length;
     unsigned char sha256[32];
@@ -44,8 +44,8 @@ graze_status graze_motion_read(graze_motion **out, graze_context *context, const
     return status;
 }
 
-graze_status graze_motion_from_json(graze_motion **out, graze_context *context, const char *text,
-                                    size_t length) {
+graze_status motion_from_text(graze_motion **out, graze_context *context, const char *text,
+                              size_t length) {
     graze_status status = read_text(out, context, "motion", text, length);
     if (status == GRAZE_OK) {
         file_sha256((*out)->sha256, text, length);
@@ -53,10 +53,7 @@ graze_status graze_motion_from_json(graze_motion **out, graze_context *context, 
     return status;
 }
 
-void graze_motion_destroy(graze_motion *motion) {
-    if (motion == NULL) {
-        return;
-    }
+void motion_destroy(graze_motion *motion) {
     for (size_t k = 0; k < motion->piece_count; k++) {
         fmpq_clear(motion->piece[k].lo);
         fmpq_clear(motion->piece[k].hi);
@@ -65,14 +62,6 @@ void graze_motion_destroy(graze_motion *motion) {
     }
     free(motion->piece);
     free(motion);
-}
-
-int graze_motion_dimension(const graze_motion *motion) {
-    return motion->dimension;
-}
-
-size_t graze_motion_piece_count(const graze_motion *motion) {
-    return motion->piece_count;
 }
 
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u) {

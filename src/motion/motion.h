@@ -40,4 +40,13 @@ struct graze_motion {
  * d*(d+1) initialised fmpq. */
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);
 
+/**
+ * Read a motion file, or a text in its form (formats: Motions).
+ * @return GRAZE_ESYSTEM, GRAZE_EINPUT, GRAZE_EILLEGAL, GRAZE_ELIMIT, GRAZE_ECANCELED
+ */
+graze_status motion_from_file(graze_motion **out, graze_context *context, const char *path);
+graze_status motion_from_text(graze_motion **out, graze_context *context, const char *text,
+                              size_t length);
+void motion_destroy(graze_motion *motion);
+
 #endif

@@ -1,6 +1,6 @@
 /* Isolation of the real roots of an integer polynomial in a closed interval, by bisection with
- * Descartes' rule on Bernstein coefficients (theory K1; proofs/claims.md). SPDX-License-Identifier:
- * GPL-3.0-or-later
+ * Descartes' rule on Bernstein coefficients (theory K1; proofs/claims.md C24, C25).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "number/algebraic.h"
 

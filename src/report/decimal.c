@@ -1,4 +1,5 @@
-/* Correctly rounded decimals of exact numbers. SPDX-License-Identifier: GPL-3.0-or-later
+/* Correctly rounded decimals of exact numbers.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A rational is rounded by one integer division: no working precision settles a tie such as 3/20
  * at one digit. An irrational root is never a tie, so its isolating interval is narrowed until MPFR

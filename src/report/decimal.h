@@ -1,4 +1,5 @@
-/* Correctly rounded decimals of exact numbers. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Correctly rounded decimals of exact numbers.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_REPORT_DECIMAL_H
 #define GRAZE_REPORT_DECIMAL_H
 

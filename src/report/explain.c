@@ -1,5 +1,5 @@
-/* The whole reasoning for one point, for a person to read. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* The whole reasoning for one point, for a person to read.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Six short parts: the answer, where the point stands at the two ends, the trajectory, the contacts
  * in order of time, the counts, and which definition and case apply. Every number is exact;

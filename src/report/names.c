@@ -1,4 +1,5 @@
-/* The words of the formats for verdicts. SPDX-License-Identifier: GPL-3.0-or-later */
+/* The words of the formats for verdicts.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "graze.h"
 
 const char *graze_pmc_name(graze_pmc pmc) {

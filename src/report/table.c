@@ -1,5 +1,5 @@
-/* The CSV table: its head and its rows (formats: Results). SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* The CSV table: its head and its rows (formats: Results).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "report/report.h"
 

@@ -1,4 +1,5 @@
-/* Text that grows by doubling. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Text that grows by doubling.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "report/text.h"
 
 #include <stdarg.h>

@@ -1,4 +1,5 @@
-/* Text that grows: what the reports write into. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Text that grows: what the reports write into.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_REPORT_TEXT_H
 #define GRAZE_REPORT_TEXT_H
 

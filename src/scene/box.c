@@ -1,4 +1,5 @@
-/* A dyadic box around a sweep or an unsweep. SPDX-License-Identifier: GPL-3.0-or-later
+/* A dyadic box around a sweep or an unsweep.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * At a fixed time M(t) x is affine in x, so it is extreme at the corners of the solid's coordinate
  * box. The image of a corner is a quotient p/w of polynomials in u, and where all Bernstein
@@ -25,7 +26,6 @@ typedef struct search {
     slong degree;
     fmpq reached_low[3], reached_high[3]; /* attained by points of the set bounded */
     fmpq low[3], high[3];                 /* bounds of the intervals done so far */
-    int started;
     fmpq_t slack;
 } search;
 
@@ -58,30 +58,29 @@ static void widen(fmpq *low, fmpq *high, const fmpq_t value, int fresh) {
         fmpq_set(high, value);
 }
 
-/* Bounds of coordinate i on the interval, and what its two ends attain. */
+/* Bounds of coordinate i on the interval, and what its two ends attain. The quotients are compared
+ * as they come and reduced only once chosen. */
 static void bound(search *s, fmpq *low, fmpq *high, const images *m, const fmpz_poly_t weight,
                   int i) {
     fmpz_poly_t c;
-    fmpz_t p, w;
     fmpq_t ratio;
     fmpz_poly_init(c);
-    fmpz_init(p);
-    fmpz_init(w);
     fmpq_init(ratio);
     for (int corner = 0; corner < s->corners; corner++) {
         bernstein_multiples(c, &m->value[i * CORNERS + corner], s->degree);
         for (slong k = 0; k <= s->degree; k++) {
-            fmpz_poly_get_coeff_fmpz(p, c, k);
-            fmpz_poly_get_coeff_fmpz(w, weight, k);
-            fmpq_set_fmpz_frac(ratio, p, w);
+            fmpz_poly_get_coeff_fmpz(fmpq_numref(ratio), c, k);
+            fmpz_poly_get_coeff_fmpz(fmpq_denref(ratio), weight, k);
             widen(low, high, ratio, corner == 0 && k == 0);
             if (k == 0 || k == s->degree)
                 widen(&s->reached_low[i], &s->reached_high[i], ratio, 0);
         }
     }
+    fmpq_canonicalise(low);
+    fmpq_canonicalise(high);
+    fmpq_canonicalise(&s->reached_low[i]);
+    fmpq_canonicalise(&s->reached_high[i]);
     fmpz_poly_clear(c);
-    fmpz_clear(p);
-    fmpz_clear(w);
     fmpq_clear(ratio);
 }
 
@@ -119,9 +118,10 @@ static void left_half(fmpz_poly_t out, const fmpz_poly_t p, slong degree) {
     fmpz_clear(c);
 }
 
-static graze_status enclose(search *s, const images *m);
+/* Enclose the coordinates whose bit is set in `open` over the interval. */
+static graze_status enclose(search *s, const images *m, unsigned open);
 
-static graze_status enclose_halves(search *s, const images *m) {
+static graze_status enclose_halves(search *s, const images *m, unsigned open) {
     images half;
     fmpz_t one;
     fmpz_init_set_ui(one, 1);
@@ -129,44 +129,41 @@ static graze_status enclose_halves(search *s, const images *m) {
     for (int k = 0; k < 3 * CORNERS; k++)
         left_half(&half.value[k], &m->value[k], s->degree);
     left_half(half.weight, m->weight, s->degree);
-    graze_status status = enclose(s, &half);
+    graze_status status = enclose(s, &half, open);
     if (!status) {
         for (int k = 0; k < 3 * CORNERS; k++)
             fmpz_poly_taylor_shift(&half.value[k], &half.value[k], one);
         fmpz_poly_taylor_shift(half.weight, half.weight, one);
-        status = enclose(s, &half);
+        status = enclose(s, &half, open);
     }
     images_clear(&half);
     fmpz_clear(one);
     return status;
 }
 
-static graze_status enclose(search *s, const images *m) {
+static graze_status enclose(search *s, const images *m, unsigned open) {
     graze_status status = context_poll(s->context);
     if (status)
         return status;
     fmpz_poly_t weight;
-    fmpq *low = _fmpq_vec_init(3), *high = _fmpq_vec_init(3);
+    fmpq *low = _fmpq_vec_init(1), *high = _fmpq_vec_init(1);
     fmpz_poly_init(weight);
     bernstein_multiples(weight, m->weight, s->degree);
-    int done = all_positive(weight, s->degree);
-    for (int i = 0; done && i < s->dimension; i++) {
-        bound(s, low + i, high + i, m, weight, i);
-        done = tight(s, low + i, high + i, i);
+    int bounded = all_positive(weight, s->degree);
+    for (int i = 0; bounded && i < s->dimension; i++) {
+        if (!(open >> i & 1))
+            continue;
+        bound(s, low, high, m, weight, i);
+        if (!tight(s, low, high, i))
+            continue;
+        open &= ~(1u << i);
+        widen(&s->low[i], &s->high[i], low, 0);
+        widen(&s->low[i], &s->high[i], high, 0);
     }
     fmpz_poly_clear(weight);
-    if (done) {
-        for (int i = 0; i < s->dimension; i++) {
-            widen(&s->low[i], &s->high[i], low + i, !s->started);
-            widen(&s->low[i], &s->high[i], high + i, 0);
-        }
-        s->started = 1;
-    } else {
-        status = enclose_halves(s, m);
-    }
-    _fmpq_vec_clear(low, 3);
-    _fmpq_vec_clear(high, 3);
-    return status;
+    _fmpq_vec_clear(low, 1);
+    _fmpq_vec_clear(high, 1);
+    return open ? enclose_halves(s, m, open) : GRAZE_OK;
 }
 
 /* The images of the corners of the box [low, high] under a map; all multiplied by one positive
@@ -218,6 +215,7 @@ static void start(search *s, const images *m) {
             fmpz_poly_get_coeff_fmpz(p, &m->value[i * CORNERS + corner], 0);
             fmpq_set_fmpz_frac(value, p, w);
             widen(&s->reached_low[i], &s->reached_high[i], value, corner == 0);
+            widen(&s->low[i], &s->high[i], value, corner == 0);
         }
     fmpz_clear(p);
     fmpz_clear(w);
@@ -294,7 +292,6 @@ static void search_init(search *s, graze_context *context, int dimension) {
     s->context = context;
     s->dimension = dimension;
     s->corners = 1 << dimension;
-    s->started = 0;
     for (int i = 0; i < 3; i++) {
         fmpq_init(&s->reached_low[i]);
         fmpq_init(&s->reached_high[i]);
@@ -332,7 +329,7 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
     for (size_t p = 0; p < (unsweep ? 1 : motion->piece_count) && !status; p++) {
         if (!unsweep)
             images_set(&m, &s, &motion->piece[p].forward, from, to);
-        status = enclose(&s, &m);
+        status = enclose(&s, &m, (1u << d) - 1);
     }
     for (int i = 0; i < d && !status; i++) {
         fmpq_set(low + i, &s.low[i]);

@@ -1,5 +1,6 @@
 /* Makes a scene of a solid and a motion, and decides whether the swept solid's first and last
- * configuration meet. SPDX-License-Identifier: GPL-3.0-or-later
+ * configuration meet.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * S^0 and S^1 meet iff S and A S do, A = M(t0)^-1 M(t1). If their boundaries have no point in
  * common then the boundary of S n A S, where that set is not empty, holds a point of one boundary

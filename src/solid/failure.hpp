@@ -15,8 +15,10 @@ struct failure {
 };
 
 /** The solid is illegal: records the message and throws. */
-[[noreturn]] __attribute__((format(printf, 2, 3))) inline void
-refuse(graze_context *context, const char *format, ...) {
+[[noreturn]] inline void refuse(graze_context *context, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+inline void refuse(graze_context *context, const char *format, ...) {
     char text[CONTEXT_MESSAGE_SIZE];
     va_list arguments;
     va_start(arguments, format);

@@ -1,4 +1,5 @@
-/* Gathers rings of E^2 into polygons with holes. SPDX-License-Identifier: GPL-3.0-or-later
+/* Gathers rings of E^2 into polygons with holes.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Rings of a legal solid meet in finitely many points, so a ring lies in another iff a point of its
  * first edge does that is not on the other. Such a point is found among 1/2, 1/3, 1/4, ... of the

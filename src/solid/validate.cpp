@@ -29,13 +29,10 @@ void check_size(graze_context *context, const soup &s) {
                                    "the solid has more than %zu vertices or corners of facets, "
                                    "which is as many as can be numbered",
                                    MOST)};
-    if (s.facet_count == 0)
-        refuse(context, "the solid has no %s; its boundary must enclose something",
-               s.dimension == 2 ? "polygons" : "facets");
 }
 
 void hand_over(simplices *out, const std::vector<piece> &pieces, std::size_t components) {
-    out->item = static_cast<simplex *>(std::malloc(pieces.size() * sizeof *out->item));
+    out->item = static_cast<simplex *>(std::malloc((pieces.size() + 1) * sizeof *out->item));
     if (out->item == nullptr)
         throw std::bad_alloc();
     for (std::size_t k = 0; k < pieces.size(); k++)

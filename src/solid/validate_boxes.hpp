@@ -35,17 +35,16 @@ class box_list {
     /** Call visit(i, j) for the numbers of any two intersecting boxes, once. */
     template <class Visit> void each_pair(const Visit &visit) {
         std::vector<const box *> all = addresses();
-        CGAL::box_self_intersection_d(
-            all.begin(), all.end(),
-            [&](const box *a, const box *b) { visit(a->info(), b->info()); });
+        CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const box *a, const box *b) {
+            visit(a->info(), b->info());
+        });
     }
 
     /** Call visit(i, j) for box i of this list and box j of the other where they intersect. */
     template <class Visit> void each_pair(const box_list &other, const Visit &visit) {
         std::vector<const box *> mine = addresses(), theirs = other.addresses();
-        CGAL::box_intersection_d(
-            mine.begin(), mine.end(), theirs.begin(), theirs.end(),
-            [&](const box *a, const box *b) { visit(a->info(), b->info()); });
+        CGAL::box_intersection_d(mine.begin(), mine.end(), theirs.begin(), theirs.end(),
+                                 [&](const box *a, const box *b) { visit(a->info(), b->info()); });
     }
 
   private:

@@ -73,9 +73,8 @@ void check_pair(graze_context *context, const points &at, std::size_t facet, int
     std::uint32_t touching = 0;
     switch (segments_lie(touching, at, drop, e.a, e.b, f.a, f.b)) {
     case segments::cross:
-        refuse(context,
-               "facet %zu is not a simple polygon: its sides %zu-%zu and %zu-%zu cross", facet,
-               e.from, e.to, f.from, f.to);
+        refuse(context, "facet %zu is not a simple polygon: its sides %zu-%zu and %zu-%zu cross",
+               facet, e.from, e.to, f.from, f.to);
     case segments::touch:
         refuse(context,
                "facet %zu is not a simple polygon: its sides %zu-%zu and %zu-%zu touch at vertex "
@@ -160,7 +159,8 @@ void mark_inside(Triangulation &plane, const facet_sides &sides) {
     }
 }
 
-/* +1 if the facet runs counter-clockwise in the projection, -1 if clockwise. */
+/* +1 if the facet runs counter-clockwise in the projection, -1 if clockwise. A facet without inside
+ * has even sides only, with outside on both hands, and is refused. */
 int orientation(graze_context *context, std::size_t facet, const Triangulation &plane,
                 const facet_sides &sides) {
     int sense = 0;
@@ -201,8 +201,6 @@ void cut_planar_facet(graze_context *context, std::vector<piece> &out, const poi
     insert_sides(plane, at, spanning.drop, sides);
     mark_inside(plane, sides);
     const int sense = orientation(context, facet, plane, sides);
-    if (sense == 0)
-        refuse(context, "facet %zu has no area: its sides enclose nothing", facet);
     for (auto face = plane.finite_faces_begin(); face != plane.finite_faces_end(); ++face) {
         if (face->info() != 1)
             continue;
@@ -212,7 +210,8 @@ void cut_planar_facet(graze_context *context, std::vector<piece> &out, const poi
         p.facing = static_cast<std::int8_t>(sense);
         p.planar = true;
         for (int k = 0; k < 3; k++) {
-            /* Clockwise facets take the corners 0, 2, 1; side k then is opposite corner other(k). */
+            /* Clockwise facets take the corners 0, 2, 1; side k then is opposite corner other(k).
+             */
             const int corner = sense > 0 ? k : (3 - k) % 3;
             const int opposite = sense > 0 ? (k + 2) % 3 : (4 - k) % 3;
             p.at[k] = face->vertex(corner)->info();

@@ -21,9 +21,6 @@ cycle vertices_of(const soup &s, std::size_t facet) {
 
 void check_cycle(graze_context *context, const points &at, std::size_t facet,
                  const std::size_t *index, std::size_t count) {
-    if (count < 3)
-        refuse(context, "facet %zu: a cycle of %zu vertices; a facet needs at least three", facet,
-               count);
     std::vector<std::uint32_t> different;
     for (std::size_t k = 0; k < count; k++) {
         const std::size_t u = index[k], v = index[(k + 1) % count];
@@ -35,8 +32,8 @@ void check_cycle(graze_context *context, const points &at, std::size_t facet,
                    "facet %zu: vertices %zu and %zu follow one another at the same position; a "
                    "side needs a length",
                    facet, u, v);
-        if (different.size() < 3 && std::find(different.begin(), different.end(),
-                                              position(at, u)) == different.end())
+        if (different.size() < 3 &&
+            std::find(different.begin(), different.end(), position(at, u)) == different.end())
             different.push_back(position(at, u));
     }
     if (different.size() < 3)
@@ -112,7 +109,7 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
                std::size_t facet, bool fan) {
     const std::size_t cycles = s.facet_start[facet + 1] - s.facet_start[facet];
     if (cycles == 0)
-        refuse(context, "facet %zu has no vertices; a facet needs at least three", facet);
+        check_cycle(context, at, facet, s.index, 0);
     for (std::size_t c = s.facet_start[facet]; c < s.facet_start[facet + 1]; c++)
         check_cycle(context, at, facet, s.index + s.cycle_start[c],
                     s.cycle_start[c + 1] - s.cycle_start[c]);

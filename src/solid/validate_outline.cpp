@@ -28,30 +28,17 @@ std::vector<ring> rings_of(const soup &s) {
     return all;
 }
 
+/* A ring of fewer than three positions, or on one line, has edges on one another. */
 void check_ring(graze_context *context, const points &at, const ring &r) {
     const auto position = [&](std::size_t k) {
         return at.position(static_cast<std::uint32_t>(r.index[k % r.count]));
     };
-    if (r.count < 3)
-        refuse(context, "polygon %zu, ring %zu: %zu vertices; a ring needs at least three",
-               r.polygon, r.number, r.count);
-    bool area = false, third = false;
-    for (std::size_t k = 0; k < r.count; k++) {
+    for (std::size_t k = 0; k < r.count; k++)
         if (position(k) == position(k + 1))
             refuse(context,
                    "polygon %zu, ring %zu: vertices %zu and %zu follow one another at the same "
                    "position; an edge needs a length",
                    r.polygon, r.number, r.index[k], r.index[(k + 1) % r.count]);
-        third = third || (position(k) != position(0) && position(k) != position(1));
-        area = area || at.turn(2, position(0), position(1), position(k)) != 0;
-    }
-    if (!third)
-        refuse(context,
-               "polygon %zu, ring %zu: only two different positions; a ring needs at least three",
-               r.polygon, r.number);
-    if (!area)
-        refuse(context, "polygon %zu, ring %zu has no area: all its vertices lie on one line",
-               r.polygon, r.number);
 }
 
 /* The vertex `vertex` (a position) rests inside the edge `edge`. */
@@ -79,7 +66,8 @@ class outline {
     void check_point(std::uint32_t vertex, const std::vector<std::uint32_t> &ends,
                      const std::vector<std::uint32_t> &through);
     void check_holes();
-    bool outside(const ring &outer, std::uint32_t edge) const;
+    bool vertex_outside(const ring &outer, std::uint32_t v) const;
+    bool middle_outside(const ring &outer, const piece &edge) const;
 
     graze_context *context_;
     std::vector<piece> &edges_;
@@ -202,12 +190,25 @@ void outline::check_point(std::uint32_t vertex, const std::vector<std::uint32_t>
            germs[k].crossing > 0 ? "inside" : "outside");
 }
 
-/* Is the middle of an edge outside a ring it does not cross? By the parity of a ray to the right;
- * a middle that lies on the ring is not outside. Coordinates are doubled to keep it a point. */
-bool outline::outside(const ring &outer, std::uint32_t edge) const {
+/* Is a vertex outside a ring it does not lie on? By the parity of a ray to the right. */
+bool outline::vertex_outside(const ring &outer, std::uint32_t v) const {
+    bool odd = false;
+    for (std::size_t k = 0; k < outer.count; k++) {
+        const piece &e = edges_[outer.first_edge + k];
+        const bool above = at_.rank(e.at[1], 1) > at_.rank(v, 1);
+        if ((at_.rank(e.at[0], 1) > at_.rank(v, 1)) != above &&
+            at_.turn(2, e.at[0], e.at[1], v) == (above ? 1 : -1))
+            odd = !odd;
+    }
+    return !odd;
+}
+
+/* The same for the middle of an edge both of whose ends may lie on the ring; a middle that lies on
+ * the ring is not outside. Coordinates are doubled. */
+bool outline::middle_outside(const ring &outer, const piece &edge) const {
     mpq_class m[2];
     for (int j = 0; j < 2; j++)
-        m[j] = at_.coordinate(edges_[edge].at[0], j) + at_.coordinate(edges_[edge].at[1], j);
+        m[j] = at_.coordinate(edge.at[0], j) + at_.coordinate(edge.at[1], j);
     bool odd = false;
     for (std::size_t k = 0; k < outer.count; k++) {
         const piece &e = edges_[outer.first_edge + k];
@@ -239,13 +240,17 @@ void outline::check_holes() {
             outer = &r;
         for (std::uint32_t k = 0; r.number > 0 && k < r.count; k++) {
             cancel.poll();
-            const std::uint32_t edge = r.first_edge + k;
-            if ((k == 0 || passes[edges_[edge].at[0]] > 1) && outside(*outer, edge))
+            const piece &e = edges_[r.first_edge + k];
+            if (k > 0 && passes[e.at[0]] == 1)
+                continue;
+            const bool outside = passes[e.at[0]] == 1   ? vertex_outside(*outer, e.at[0])
+                                 : passes[e.at[1]] == 1 ? vertex_outside(*outer, e.at[1])
+                                                        : middle_outside(*outer, e);
+            if (outside)
                 refuse(context_,
                        "polygon %zu, ring %zu: edge %u-%u of this hole is outside the outer ring; "
                        "a hole must lie inside it",
-                       r.polygon, r.number, edges_[edge].cell.vertex[0],
-                       edges_[edge].cell.vertex[1]);
+                       r.polygon, r.number, e.cell.vertex[0], e.cell.vertex[1]);
         }
     }
 }

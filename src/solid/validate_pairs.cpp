@@ -102,7 +102,8 @@ int apex(const plane_signs &s, int &sign) {
 }
 
 /* -1: the intervals the triangles cut out of the common line of their planes are disjoint, 0: they
- * have one end in common and no more, 1: they overlap. Neither triangle is off the other's plane. */
+ * have one end in common and no more, 1: they overlap. Neither triangle is off the other's plane.
+ */
 int intervals(const points &at, const piece &s, const plane_signs &of_s, const piece &t,
               const plane_signs &of_t) {
     int up_s = 0, up_t = 0;
@@ -243,8 +244,7 @@ triangles triangles_lie(contact_sides &sides, const points &at, const piece &s, 
 bool pieces_meet(const points &at, const piece &s, const piece &t) {
     if (at.dimension() == 2) {
         std::uint32_t touching = 0;
-        return segments_lie(touching, at, 2, s.at[0], s.at[1], t.at[0], t.at[1]) !=
-               segments::apart;
+        return segments_lie(touching, at, 2, s.at[0], s.at[1], t.at[0], t.at[1]) != segments::apart;
     }
     const plane_signs of_t = signs_against(at, s, t);
     if (of_t.one_side())

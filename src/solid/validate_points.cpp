@@ -147,8 +147,8 @@ void points::order() {
         return before(u, v) || (!before(v, u) && u < v);
     });
     for (std::size_t k = 0; k < count_; k++)
-        position_[list[k]] = k > 0 && !before(list[k - 1], list[k]) ? position_[list[k - 1]]
-                                                                    : list[k];
+        position_[list[k]] =
+            k > 0 && !before(list[k - 1], list[k]) ? position_[list[k - 1]] : list[k];
 }
 
 int points::axis_between(std::uint32_t a, std::uint32_t b) const {
@@ -214,9 +214,8 @@ int points::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_
     const double value = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
                          m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    const double bound =
-        8 * DELTA * (most[1] * most[2] + most[0] * most[2] + most[0] * most[1]) +
-        0x1p-44 * most[0] * most[1] * most[2];
+    const double bound = 8 * DELTA * (most[1] * most[2] + most[0] * most[2] + most[0] * most[1]) +
+                         0x1p-44 * most[0] * most[1] * most[2];
     return std::fabs(value) > bound ? sign_of(value) : exact_side(a, b, c, d);
 }
 

@@ -15,13 +15,13 @@
  * rises by one there. Around an interior point of an elementary segment the germs cut a small disc
  * across it into sectors; w changes by one at each, by (3) alternately down and up, so every germ
  * has the same value outside and the same value inside. The inside of a piece, less the elementary
- * segments in it, less finitely many points, falls into parts that are joined across those segments,
- * where both halves of the piece are among the germs; points do not disconnect it. So the outer
- * value is one number for a piece, and one for a component. With two germs, (2) is (3).
+ * segments in it, less finitely many points, falls into parts that are joined across those
+ * segments, where both halves of the piece are among the germs; points do not disconnect it. So the
+ * outer value is one number for a piece, and one for a component. With two germs, (2) is (3).
  *
  * It follows that one side test per component, outer value 0, decides everything: then w is 0 or 1
- * everywhere, the solid is the closure of w = 1, and its boundary is the union of the pieces. In E^3
- * contacts in isolated points need no look. Diagonals, made by cutting facets, are edges here.
+ * everywhere, the solid is the closure of w = 1, and its boundary is the union of the pieces. In
+ * E^3 contacts in isolated points need no look. Diagonals, made by cutting facets, are edges here.
  */
 #ifndef GRAZE_SOLID_VALIDATE_STAGES_HPP
 #define GRAZE_SOLID_VALIDATE_STAGES_HPP

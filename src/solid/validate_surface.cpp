@@ -3,9 +3,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The theorem of validate_stages.hpp is applied to the triangles themselves. An edge is looked at
- * closely if more than two triangles have it as a side or if it runs, for a while, inside a triangle
- * or along another edge. It is then split at the ends of those contacts, and on each part the germs
- * of all triangles that contain the part are sorted around it.
+ * closely if more than two triangles have it as a side or if it runs, for a while, inside a
+ * triangle or along another edge. It is then split at the ends of those contacts, and on each part
+ * the germs of all triangles that contain the part are sorted around it.
  */
 #include <algorithm>
 #include <tuple>

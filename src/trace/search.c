@@ -34,6 +34,16 @@ static double extent(const box *b) {
     return fmax(b->high[0] - b->low[0], fmax(b->high[1] - b->low[1], b->high[2] - b->low[2]));
 }
 
+/* Whether cutting a piece can still make its box smaller: not once the box is hardly wider than
+ * what rounding outwards adds to it. Without this, solids far from the origin or tiny beyond the
+ * doubles' range would be cut for ever. */
+static int can_shrink(const box *b) {
+    double reach = 0;
+    for (int i = 0; i < 3; i++)
+        reach = fmax(reach, fmax(fabs(b->low[i]), fabs(b->high[i])));
+    return isinf(reach) || extent(b) > reach * 0x1p-44 + 0x1p-880;
+}
+
 /* Room for two more spans; 0 if there is no memory. */
 static int reserve_spans(searcher *s) {
     if (s->count + 2 > s->capacity) {
@@ -95,7 +105,8 @@ static void descend(searcher *s, size_t node_index, size_t span_index) {
     const span *piece = &s->spans[span_index];
     if (s->out_of_memory || !box_meets(&node->box, &piece->box))
         return;
-    if (piece->level < SEARCH_LEVELS && !(extent(&piece->box) <= extent(&node->box))) {
+    if (piece->level < SEARCH_LEVELS && !(extent(&piece->box) <= extent(&node->box)) &&
+        can_shrink(&piece->box)) {
         if (!cut_span(s, span_index))
             return;
         size_t half = s->spans[span_index].child;

@@ -1,6 +1,6 @@
 /* A contact time in the motion's own parameter: minimal polynomial and widest isolating dyadic
- * interval (formats: TIME), so that equal times are equal text. SPDX-License-Identifier:
- * GPL-3.0-or-later
+ * interval (formats: TIME), so that equal times are equal text (proofs/claims.md C28).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "trace/trace.h"
 

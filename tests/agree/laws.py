@@ -1,3 +1,4 @@
+# suite
 """Laws every answer obeys: the same question put in another way must get the matching answer.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -17,17 +18,17 @@ from functools import cmp_to_key
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 import refine  # noqa: E402
+from agreement import Tally  # noqa: E402
 from algebra import compare as compare_roots  # noqa: E402
 from algebra import scale, sub, substitute  # noqa: E402
 from harness import Checks, Graze, exchanged, merged, options  # noqa: E402
 from motion import Motion, Piece, build, compose, constant, conjugated, cut, legs  # noqa: E402
-from motion import mobius, product, reversed_in_time, rotation, scaling, squared  # noqa: E402
+from motion import far, mobius, product, reversed_in_time, rotation, scaling, squared  # noqa: E402
 from motion import translate  # noqa: E402
 from points import mixed  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import Polygon, extruded, meshes, polygons  # noqa: E402
-from tally import Tally  # noqa: E402
 from times import irrational, negated, time_root  # noqa: E402
 
 POINTS = 18
@@ -88,6 +89,12 @@ SHEARS = {
 }
 
 
+def magnified(d, exponent):
+    """A scaling out of the range of doubles, and a translation as large."""
+    f = F(2) ** exponent
+    return [[f if i == j else F(0) for j in range(d)] + [(3 - i) * f] for i in range(d)]
+
+
 def affine_inverse(m):
     n = len(m)
     rows = [[F(x) for x in row[:n]] + [F(int(i == j)) for j in range(n)]
@@ -109,13 +116,14 @@ def affine_map(m):
 
 
 def law_world(law):
-    """The second map of each dimension is a reflection: facets then run the other way round."""
-    s = law.scene
-    for mirror, m in enumerate(SHEARS[s.motion.dimension]):
+    """Sheared, mirrored (facets then run the other way round), and far out of a double's range."""
+    s, d = law.scene, law.scene.motion.dimension
+    maps = list(zip(("moved", "mirrored"), SHEARS[d]))
+    maps += [("vast", magnified(d, 1100)), ("minute", magnified(d, -1100))]
+    for name, m in maps:
         f = affine_map(m)
-        solid = s.solid.mapped(f, bool(mirror)) if s.space else s.solid.mapped(f)
+        solid = s.solid.mapped(f, name == "mirrored") if s.space else s.solid.mapped(f)
         motion = conjugated(s.motion, m, affine_inverse(m))
-        name = "mirrored" if mirror else "moved"
         law.same(name, law.ask(name, solid, motion, [f(p) for p in s.points]), cells=unchanged)
 
 
@@ -141,7 +149,7 @@ def law_boundary(law):
 
 def law_parameter(law):
     s = law.scene
-    for name, change in (("mobius", mobius), ("squared", squared)):
+    for name, change in (("mobius", mobius), ("squared", squared), ("far", far)):
         motion, changes = change(s.motion)
         answers = law.ask(name, s.solid, motion, s.points)
         law.same(name, answers, times=False, cells=unchanged)
@@ -155,7 +163,7 @@ def law_parameter(law):
 def carried(new, old, motion, changes):
     """Is phi(new) = old for the piece's monotone phi?"""
     u, t = time_root(new), time_root(old)
-    u.narrow(F(1, 2 ** 40))
+    u.narrow(min(c[1] - c[0] for c in changes) / 2 ** 40)
     a, b = u.bounds()
     k = next(k for k, c in enumerate(changes) if c[0] <= a and b <= c[1])
     lo, hi, num, den = changes[k]

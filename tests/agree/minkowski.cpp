@@ -3,10 +3,10 @@
  *
  * Standard input: the shells of a solid (shells.h) and `end`; the number of legs, each with its two
  * end points, the positions the origin is carried between; the number of points, and the points.
- * Standard output: one line a point, two words. First, the position in the open sweep: `in` if it is
- * in the sum of the interior of the solid with a leg, `on` if only in the sum of the closed solid,
- * `out` if in neither. Second, the position in the closed sweep as a point set: interior, boundary,
- * exterior.
+ * Standard output: one line a point, two words. First, the position in the open sweep: `in` if it
+ * is in the sum of the interior of the solid with a leg, `on` if only in the sum of the closed
+ * solid, `out` if in neither. Second, the position in the closed sweep as a point set: interior,
+ * boundary, exterior.
  */
 #include "shells.h"
 #include <CGAL/minkowski_sum_3.h>
@@ -71,7 +71,10 @@ void run(std::istream &in, std::ostream &out) {
             entered = entered || in_part;
         }
         Place topological = place(closed, point, &member);
-        out << (entered ? "in" : member ? "on" : "out") << ' '
+        out << (entered  ? "in"
+                : member ? "on"
+                         : "out")
+            << ' '
             << (topological == Place::inside     ? "interior"
                 : topological == Place::boundary ? "boundary"
                                                  : "exterior")
@@ -79,7 +82,7 @@ void run(std::istream &in, std::ostream &out) {
     }
 }
 
-}  // namespace
+} // namespace
 
 int main() {
     try {

@@ -1,3 +1,4 @@
+# suite
 """Near misses: degenerate contacts, and the same points displaced by as little as 2^-1100.
 
 SPDX-License-Identifier: GPL-3.0-or-later

@@ -1,3 +1,4 @@
+# suite
 """The program against the second tracer of lib/tracer.py, point by point, in plane and space.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,27 +11,13 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
+from agreement import Tally, compare  # noqa: E402
 from harness import Checks, Graze, options  # noqa: E402
 from points import mixed  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
-from tally import Tally  # noqa: E402
-from times import check_canonical, time_is  # noqa: E402
 from tracer import trace  # noqa: E402
 
 PLANE_POINTS, SPACE_POINTS = 30, 9
-
-
-def compare(checks, tally, answer, word, contacts, *where):
-    checks.equal(answer.word, word, *where, "word")
-    if not checks.equal(len(answer.contacts), len(contacts), *where, "contacts"):
-        return
-    for got, want, cells in zip(answer.contacts, contacts, answer.cells()):
-        checks.equal((got["kind"], got["left"], got["right"]), (want.kind, want.left, want.right),
-                     *where, "kind")
-        for name, root in (("from", want.start), ("to", want.end)):
-            checks.true(time_is(got[name], root), *where, name, got[name], float(root))
-        checks.equal(cells, want.cells, *where, "cells")
-        tally.unproven += not check_canonical(checks, got["from"], *where)
 
 
 def main():

@@ -1,5 +1,5 @@
-/* Reading shells of a solid into a Nef polyhedron, exactly, for the CGAL side of the agreement tests.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Reading shells of a solid into a Nef polyhedron, exactly, for the CGAL side of the agreement
+ * tests. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Input, in tokens: `shell +` (a part) or `shell -` (a cavity, given outward oriented too), number
  * of vertices and facets, coordinates as ratios, facets as a count and that many indices; any

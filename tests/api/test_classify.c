@@ -1,5 +1,6 @@
 /* Verdicts and traces through the public functions: theory G's examples, doubles against rationals,
- * cancelling, threads. SPDX-License-Identifier: GPL-3.0-or-later
+ * cancelling, threads.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "walk.h"
 #include <pthread.h>

@@ -1,4 +1,5 @@
-/* Small scenes for the tests of the public functions. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Small scenes for the tests of the public functions.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_TESTS_API_WALK_H
 #define GRAZE_TESTS_API_WALK_H
 

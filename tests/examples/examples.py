@@ -1,3 +1,4 @@
+# suite
 """The worked examples of examples.txt against the program, fields, times and hypothesis.
 
 SPDX-License-Identifier: GPL-3.0-or-later

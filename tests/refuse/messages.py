@@ -22,7 +22,7 @@ SILENT = ("text_format",)
 # Messages no case of the command line can reach: a part of the message, and the reason.
 UNREACHED = {
     "out of memory": "an allocation fails only under fault injection",
-    "no memory for": "an allocation fails only under fault injection",
+    "no memory ": "an allocation fails only under fault injection",
     "memory ran out": "an allocation fails only under fault injection",
     "cannot be started; right is a smaller --jobs": "the system refuses a thread",
     "signals cannot be watched": "the system refuses a pipe",

@@ -117,7 +117,8 @@ static void test_nef_volumes(void **state) {
 /* A facet's outer cycle comes first even where the file lists its hole first. */
 static void test_nef_outer_cycle_first(void **state) {
     (void)state;
-    char *bytes, *exchanged;
+    static char exchanged[1 << 15];
+    char *bytes;
     size_t size;
     unsigned char sha256[32];
     soup s, swapped;
@@ -129,10 +130,9 @@ static void test_nef_outer_cycle_first(void **state) {
     assert_int_equal(sscanf(line, " 0 { 1, %u %u ,%n", entry, entry + 1, &length), 2);
     assert_int_equal(soup_read(&s, context, NEF "ring.nef3"), GRAZE_OK);
     assert_memory_equal(s.sha256, sha256, sizeof sha256);
-    exchanged = malloc(size + 64);
-    assert_non_null(exchanged);
-    sprintf(exchanged, "%.*s\n0 { 1, %u %u ,%s", (int)(line - bytes), bytes, entry[1], entry[0],
-            line + length);
+    assert_true(size + 64 < sizeof exchanged);
+    snprintf(exchanged, sizeof exchanged, "%.*s\n0 { 1, %u %u ,%s", (int)(line - bytes), bytes,
+             entry[1], entry[0], line + length);
     read_copy(&swapped, exchanged);
     assert_int_equal(swapped.index_count, s.index_count);
     assert_memory_equal(swapped.index, s.index, s.index_count * sizeof *s.index);
@@ -140,7 +140,6 @@ static void test_nef_outer_cycle_first(void **state) {
     assert_int_equal(s.facet_start[1], 2);
     soup_clear(&s);
     soup_clear(&swapped);
-    free(exchanged);
     free(bytes);
 }
 

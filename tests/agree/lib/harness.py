@@ -11,9 +11,13 @@ import csv
 import json
 import os
 import random
+import resource
 import subprocess
 import sys
 import tempfile
+
+
+SECONDS = 60     # of one run, thousands of times what any takes
 
 
 class Checks:
@@ -52,6 +56,8 @@ def options(description):
     parser.add_argument("--graze", default="build/graze", help="the program under test")
     parser.add_argument("--scale", type=int, default=1, help="multiplies the random part")
     parser.add_argument("--seed", type=int, default=2008, help="of the random part")
+    parser.add_argument("--memory", type=int, default=4,
+                        help="GiB a run may map; 0 for no limit, which sanitizers need")
     parser.add_argument("--keep", help="folder that keeps the files of every run")
     args = parser.parse_args()
     args.graze = os.path.abspath(args.graze)
@@ -95,6 +101,7 @@ def cell_set(features):
 class Graze:
     def __init__(self, args, checks):
         self.path, self.checks, self.keep = args.graze, checks, args.keep
+        self.memory = args.memory
         self.folder = tempfile.TemporaryDirectory()
         self.runs = 0
 
@@ -107,8 +114,18 @@ class Graze:
         return path
 
     def call(self, *args):
+        """One run; one that takes too long comes back as exit status 124, as `timeout` says it."""
         self.runs += 1
-        return subprocess.run([self.path, *args], capture_output=True, text=True, timeout=600)
+        command = [self.path, *args]
+        try:
+            return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS,
+                                  preexec_fn=self.limit)
+        except subprocess.TimeoutExpired:
+            return subprocess.CompletedProcess(command, 124, "", f"no end after {SECONDS} s")
+
+    def limit(self):
+        if self.memory:
+            resource.setrlimit(resource.RLIMIT_AS, (self.memory << 30, self.memory << 30))
 
     def classify(self, name, solid, motion, points, *flags, table=False):
         """Answers for the points, or None after a failed check. `solid` is an object with text()

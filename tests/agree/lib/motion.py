@@ -468,3 +468,11 @@ def mobius(motion, q=F(3, 2)):
         changes.append((F(k), F(k + 1), trim([int(c * factor) for c in num]),
                         trim([int(c * factor) for c in den])))
     return reparametrised(motion, changes), changes
+
+
+def far(motion):
+    """phi = (u - 10^30) 2^100: far from zero, and too short for a double to see it as an interval."""
+    base, rate = 10 ** 30, 2 ** 100
+    changes = [(base + p.lo / rate, base + p.hi / rate, [-base * rate, rate], [1])
+               for p in motion.pieces]
+    return reparametrised(motion, changes), changes

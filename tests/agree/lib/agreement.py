@@ -1,10 +1,10 @@
-"""What the points of a script met: the histogram of (case, class, cells) and irrational times.
+"""One answer against the second tracer, and what the points of a script met.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from collections import Counter
 
-from times import irrational
+from times import check_canonical, irrational, time_is
 
 
 class Tally:
@@ -28,3 +28,16 @@ class Tally:
         print(f"{self.times} contacts, {100 * share:.0f} % at irrational times, "
               f"{self.unproven} minimal polynomials not seen to be irreducible")
         checks.true(share >= 0.3, "share of irrational times", share)
+
+
+def compare(checks, tally, answer, word, contacts, *where):
+    checks.equal(answer.word, word, *where, "word")
+    if not checks.equal(len(answer.contacts), len(contacts), *where, "contacts"):
+        return
+    for got, want, cells in zip(answer.contacts, contacts, answer.cells()):
+        checks.equal((got["kind"], got["left"], got["right"]), (want.kind, want.left, want.right),
+                     *where, "kind")
+        for name, root in (("from", want.start), ("to", want.end)):
+            checks.true(time_is(got[name], root), *where, name, got[name], float(root))
+        checks.equal(cells, want.cells, *where, "cells")
+        tally.unproven += not check_canonical(checks, got["from"], *where)

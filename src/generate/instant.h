@@ -1,0 +1,38 @@
+/* One rational time of a motion with what is needed to make contacts at it: where body points are,
+ * and how fast they leave their facets. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * For a point P and a facet's plane form n, F(u) = n . (X, W)(u) is the pullback along P's
+ * trajectory. At a fixed u it and its derivatives are affine in P, so in the body point y with P =
+ * M(u) y: F(u) = 0 for y on the facet, and F'(u) = 0 there says that the normal velocity of y
+ * vanishes (theory C1).
+ */
+#ifndef GRAZE_GENERATE_INSTANT_H
+#define GRAZE_GENERATE_INSTANT_H
+
+#include "motion/motion.h"
+
+/** Rows of the inverse map, the weight's last, differentiated 0, 1 or 2 times. */
+enum { INSTANT_DERIVATIVES = 3 };
+
+typedef struct instant {
+    int dimension;
+    size_t piece;
+    fmpq_t u, t;
+    fmpq *map;                          /* M at u: d * (d + 1) */
+    fmpq *inverse[INSTANT_DERIVATIVES]; /* (d + 1) * (d + 1) each */
+} instant;
+
+void instant_init(instant *i, const graze_motion *motion, size_t piece, const fmpq_t u);
+void instant_clear(instant *i);
+
+/** P = M(u) y. */
+void instant_move(fmpq *out, const instant *i, const fmpq *y);
+
+/** The derivative of order k of the pullback of a plane form along the trajectory of P, at u. */
+void instant_pullback(fmpq_t out, const instant *i, const fmpz *form, const fmpq *point, int k);
+
+/** The gradient by P of the pullback of a plane form: an outward normal of the moved facet if the
+ * form is positive outside. */
+void instant_normal(fmpq *out, const instant *i, const fmpz *form);
+
+#endif

@@ -1,0 +1,160 @@
+/* Normal velocities as polynomials in time, at the vertices of one simplex per plane.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "generate/special.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_poly_factor.h>
+#include <stdlib.h>
+
+/* Planes times pieces looked at, and special instants kept. */
+enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512, FACTORED_DEGREE = 40 };
+
+/* The homogeneous position of a body point, d + 1 polynomials in u. */
+static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq *y) {
+    int d = map->dimension;
+    fmpz_t common, c;
+    fmpz_init_set_ui(common, 1);
+    fmpz_init(c);
+    for (int j = 0; j < d; j++)
+        fmpz_lcm(common, common, fmpq_denref(y + j));
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_scalar_mul_fmpz(&out[i], &map->entry[i * (d + 1) + d], common);
+        for (int j = 0; j < d; j++) {
+            fmpz_divexact(c, common, fmpq_denref(y + j));
+            fmpz_mul(c, c, fmpq_numref(y + j));
+            fmpz_poly_scalar_addmul_fmpz(&out[i], &map->entry[i * (d + 1) + j], c);
+        }
+    }
+    fmpz_poly_scalar_mul_fmpz(&out[d], map->weight, common);
+    fmpz_clear(common);
+    fmpz_clear(c);
+}
+
+/* The derivative by u of the pullback of `form` along the trajectory of P = M(u) y, at u itself:
+ * zero where the normal velocity of y is zero. */
+static void normal_velocity(fmpz_poly_t out, const motion_piece *piece, const fmpz *form,
+                            const fmpq *y) {
+    int d = piece->inverse.dimension;
+    fmpz_poly_struct place[4];
+    fmpz_poly_t derivative, row;
+    fmpz_poly_init(derivative);
+    fmpz_poly_init(row);
+    for (int i = 0; i <= d; i++)
+        fmpz_poly_init(&place[i]);
+    moving_point(place, &piece->forward, y);
+    fmpz_poly_derivative(derivative, piece->inverse.weight);
+    fmpz_poly_mul(out, derivative, &place[d]);
+    fmpz_poly_scalar_mul_fmpz(out, out, form + d);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_zero(row);
+        for (int j = 0; j <= d; j++) {
+            fmpz_poly_derivative(derivative, &piece->inverse.entry[i * (d + 1) + j]);
+            fmpz_poly_mul(derivative, derivative, &place[j]);
+            fmpz_poly_add(row, row, derivative);
+        }
+        fmpz_poly_scalar_addmul_fmpz(out, row, form + i);
+    }
+    for (int i = 0; i <= d; i++)
+        fmpz_poly_clear(&place[i]);
+    fmpz_poly_clear(derivative);
+    fmpz_poly_clear(row);
+}
+
+static graze_status append(specials *out, graze_context *context, const graze_scene *scene,
+                           size_t piece, const fmpq_t u, size_t simplex, int slides) {
+    if (out->count == out->capacity) {
+        size_t capacity = out->capacity ? 2 * out->capacity : 16;
+        special *item = realloc(out->item, capacity * sizeof *item);
+        if (!item)
+            return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu special times",
+                                capacity);
+        out->item = item;
+        out->capacity = capacity;
+    }
+    special *added = &out->item[out->count++];
+    instant_init(&added->when, scene->motion, piece, u);
+    added->simplex = simplex;
+    added->slides = slides;
+    return GRAZE_OK;
+}
+
+/* The rational roots in (0, 1) of g, the common part of the vertices' normal velocities. */
+static graze_status append_roots(specials *out, graze_context *context, const graze_scene *scene,
+                                 size_t piece, size_t simplex, const fmpz_poly_t g) {
+    graze_status status = GRAZE_OK;
+    fmpz_poly_factor_t factors;
+    fmpq_t u;
+    fmpz_poly_factor_init(factors);
+    fmpq_init(u);
+    fmpz_poly_factor(factors, g);
+    for (slong k = 0; k < factors->num && !status && out->count < MOST_SPECIALS; k++) {
+        if (fmpz_poly_degree(factors->p + k) != 1)
+            continue;
+        fmpq_set_fmpz_frac(u, factors->p[k].coeffs, factors->p[k].coeffs + 1);
+        fmpq_neg(u, u);
+        if (fmpq_sgn(u) > 0 && fmpq_cmp_ui(u, 1) < 0)
+            status = append(out, context, scene, piece, u, simplex, 0);
+    }
+    fmpz_poly_factor_clear(factors);
+    fmpq_clear(u);
+    return status;
+}
+
+static graze_status look_at(specials *out, graze_context *context, const graze_scene *scene,
+                            size_t piece, size_t simplex) {
+    const graze_solid *solid = scene->solid;
+    int d = solid->input.dimension;
+    fmpz_poly_t common, velocity;
+    fmpq_t half;
+    fmpz_poly_init(common);
+    fmpz_poly_init(velocity);
+    fmpq_init(half);
+    fmpq_set_si(half, 1, 2);
+    for (int k = 0; k < d; k++) {
+        normal_velocity(velocity, &scene->motion->piece[piece], solid_plane(solid, simplex),
+                        solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
+        fmpz_poly_gcd(common, common, velocity);
+    }
+    graze_status status = GRAZE_OK;
+    if (fmpz_poly_is_zero(common))
+        status = append(out, context, scene, piece, half, simplex, 1);
+    else if (fmpz_poly_degree(common) > 0 && fmpz_poly_degree(common) <= FACTORED_DEGREE)
+        status = append_roots(out, context, scene, piece, simplex, common);
+    fmpz_poly_clear(common);
+    fmpz_poly_clear(velocity);
+    fmpq_clear(half);
+    return status;
+}
+
+graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene) {
+    const graze_solid *solid = scene->solid;
+    size_t pieces = scene->motion->piece_count;
+    size_t pairs = solid->plane_count * pieces, stride = pairs / MOST_PAIRS + 1, seen = 0;
+    *out = (specials){.count = 0};
+    unsigned char *done = calloc(solid->plane_count, 1);
+    graze_status status = done ? GRAZE_OK
+                               : context_fail(context, GRAZE_ESYSTEM,
+                                              "out of memory for %zu planes", solid->plane_count);
+    for (size_t s = 0; s < solid->cut.count && !status; s++) {
+        if (done[solid->plane_of[s]])
+            continue;
+        done[solid->plane_of[s]] = 1;
+        for (size_t piece = 0; piece < pieces && !status && out->count < MOST_SPECIALS; piece++)
+            if (seen++ % stride == 0)
+                status = look_at(out, context, scene, piece, s);
+        if (!status)
+            status = context_poll(context);
+    }
+    free(done);
+    if (status)
+        specials_clear(out);
+    return status;
+}
+
+void specials_clear(specials *list) {
+    for (size_t k = 0; k < list->count; k++)
+        instant_clear(&list->item[k].when);
+    free(list->item);
+    *list = (specials){.count = 0};
+}

@@ -1,0 +1,126 @@
+/* Reports through the public functions: the canonical hash, rows, refusals.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "walk.h"
+#include <sha256.h>
+#include <stdio.h>
+
+static void scene_line(char *out, size_t size, const char *canonical) {
+    unsigned char hash[32];
+    SHA2_CTX sha;
+    SHA256Init(&sha);
+    SHA256Update(&sha, (const uint8_t *)canonical, strlen(canonical));
+    SHA256Final(hash, &sha);
+    int at = snprintf(out, size, "# scene-sha256 ");
+    for (int k = 0; k < 32; k++)
+        at += snprintf(out + at, size - (size_t)at, "%02x", hash[k]);
+    snprintf(out + at, size - (size_t)at, "\n");
+}
+
+static void expect_hash(const scene *s, const graze_scene *made, const char *canonical) {
+    char line[128], *head;
+    scene_line(line, sizeof line, canonical);
+    assert_int_equal(graze_report_header(&head, s->context, made, NULL, NULL), GRAZE_OK);
+    if (!strstr(head, line))
+        fail_msg("%s lacks %s", head, line);
+    graze_free(head);
+}
+
+#define MOTION "p 0 1\nm 1\nm\nm 0 8\nm\nm 1\nm\nw 1\n"
+
+/* The canonical text written by hand from its description, hashed here. */
+static void hash_of_the_canonical_text(void **state) {
+    (void)state;
+    scene s;
+    scene_open(&s, slide, NULL);
+    expect_hash(&s, s.scene, "d 2\nv 0 0\nv 2 0\nv 2 2\nv 0 2\nf 0 1 2 3\n" MOTION);
+    scene_close(&s);
+}
+
+/* Non-planar facets that are fanned add their triangles: a cube with one corner pulled out. */
+static void hash_of_a_fanned_solid(void **state) {
+    (void)state;
+    static const double v[] = {0, 0, 0, 2, 0, 0, 0, 2, 0, 2, 2, 0,
+                               0, 0, 2, 2, 0, 2, 0, 2, 2, 3, 3, 3};
+    static const size_t sizes[] = {4, 4, 4, 4, 4, 4};
+    static const size_t cube[] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4,
+                                  2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+    static const char slide3[] = "{\"dimension\":3,\"pieces\":[{\"t\":[0,1],\"transform\":"
+                                 "{\"translate\":[\"8*t\",0,0]}}]}";
+    scene s;
+    scene_open(&s, slide, NULL);
+    graze_solid *solid;
+    graze_motion *motion;
+    graze_scene *made;
+    assert_int_equal(graze_solid_from_doubles(&solid, s.context, 3, v, 8, sizes, 6, cube, 0),
+                     GRAZE_EILLEGAL);
+    assert_int_equal(graze_solid_from_doubles(&solid, s.context, 3, v, 8, sizes, 6, cube,
+                                              GRAZE_SOLID_TRIANGULATE),
+                     GRAZE_OK);
+    assert_int_equal(graze_motion_from_json(&motion, s.context, slide3, strlen(slide3)), GRAZE_OK);
+    assert_int_equal(graze_scene_create(&made, s.context, solid, motion, NULL), GRAZE_OK);
+    expect_hash(&s, made,
+                "d 3\nv 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nv 0 0 2\nv 2 0 2\nv 0 2 2\nv 3 3 3\n"
+                "f 0 2 3 1\nf 4 5 7 6\nf 0 1 5 4\nf 2 6 7 3\nf 0 4 6 2\nf 1 3 7 5\n"
+                "t 4 5 7\nt 4 7 6\nt 2 6 7\nt 2 7 3\nt 1 3 7\nt 1 7 5\n"
+                "p 0 1\nm 1\nm\nm\nm 0 8\nm\nm 1\nm\nm\nm\nm\nm 1\nm\nw 1\n");
+    graze_scene_destroy(made);
+    graze_motion_destroy(motion);
+    graze_solid_destroy(solid);
+    scene_close(&s);
+}
+
+static void rows_and_explanation(void **state) {
+    (void)state;
+    scene s;
+    scene_open(&s, slide, NULL);
+    mpq_t p[2];
+    graze_trace *trace;
+    char *text;
+    mpq_inits(p[0], p[1], NULL);
+    mpq_set_ui(p[0], 16, 3);
+    mpq_set_ui(p[1], 2, 1);
+    assert_int_equal(graze_trace_create(&trace, s.context, s.scene, (const mpq_t *)p), GRAZE_OK);
+    assert_int_equal(graze_report_row(&text, s.context, s.scene, (const mpq_t *)p, trace,
+                                      GRAZE_FORMAT_CSV, "a,b"),
+                     GRAZE_OK);
+    assert_string_equal(text, "16/3,2,on,boundary,8,1,0,1,OBO,a,b\n");
+    graze_free(text);
+    /* 16/3 - 8t runs over [0, 2] for t from 5/12 to 2/3, along the edge between vertices 2 and 3.
+     */
+    assert_int_equal(graze_report_row(&text, s.context, s.scene, (const mpq_t *)p, trace,
+                                      GRAZE_FORMAT_JSONL, NULL),
+                     GRAZE_OK);
+    assert_string_equal(text, "{\"point\":[\"16/3\",\"2\"],\"pmc\":\"on\",\"class\":\"boundary\","
+                              "\"definition\":8,\"case\":1,\"i\":0,\"t\":1,\"word\":\"OBO\","
+                              "\"contacts\":[{\"kind\":\"tangency\",\"left\":\"O\",\"right\":\"O\","
+                              "\"from\":\"5/12\",\"to\":\"2/3\",\"features\":[{\"edge\":[2,3]},"
+                              "{\"vertex\":2},{\"vertex\":3}]}]}\n");
+    graze_free(text);
+    assert_int_equal(
+        graze_report_row(&text, s.context, s.scene, (const mpq_t *)p, trace, (graze_format)5, NULL),
+        GRAZE_EUSE);
+    assert_int_equal(graze_report_explain(&text, s.context, s.scene, (const mpq_t *)p, trace),
+                     GRAZE_OK);
+    assert_non_null(strstr(text, "  B  from t = 5/12, about 0.416666666667\n"
+                                 "     to t = 2/3, about 0.666666666667\n"
+                                 "       it meets edge 2-3, vertex 2, vertex 3\n"
+                                 "       tangency: O before and after"));
+    graze_free(text);
+    mpz_set_ui(mpq_denref(p[0]), 2);
+    assert_int_equal(graze_report_explain(&text, s.context, s.scene, (const mpq_t *)p, trace),
+                     GRAZE_EUSE);
+    assert_null(text);
+    graze_trace_destroy(trace);
+    mpq_clears(p[0], p[1], NULL);
+    scene_close(&s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hash_of_the_canonical_text),
+        cmocka_unit_test(hash_of_a_fanned_solid),
+        cmocka_unit_test(rows_and_explanation),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

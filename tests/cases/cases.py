@@ -1,0 +1,113 @@
+"""Graze against the golden tables of cases/: rows, words, times and cells, and what they cover.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+# suite
+
+Each case is run as a table, which must be expected.csv byte for byte, and as JSON Lines, whose
+words, times and cells must be those the README derives. Times are compared exactly (times.py). All
+84 (definition, case, dimension) combinations must occur.
+"""
+import json
+import re
+import subprocess
+import sys
+
+import casefile
+from tally import Tally, options
+from times import given_time, same_time
+from words import combinations
+
+
+def run(graze, case, *more):
+    files = [case.path(f) for f in (case.solid, "motion.json", "points.csv")]
+    return subprocess.run([graze, "classify", *files, *case.options, *more],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+def cells_of(features):
+    """The cells of a contact as the README writes them."""
+    return " ".join("edge {}-{}".format(*c["edge"]) if "edge" in c else "{} {}".format(*next(iter(c.items())))
+                    for c in features)
+
+
+def check_files(tally, case):
+    tally.equal(case.unused, [], case.name, "files that belong to no case")
+    ids = [id for id, _ in case.points]
+    tally.equal(len(set(ids)), len(ids), case.name, "each id once")
+    tally.equal(sorted(case.table), sorted(ids), case.name, "points of the README's table")
+    tally.equal([row.get("id") for row in case.expected], ids, case.name, "points of expected.csv")
+
+
+def check_table(tally, graze, case):
+    done = run(graze, case)
+    tally.equal(done.returncode, 0, case.name, done.stderr.decode("utf-8", "replace"))
+    lines = done.stdout.splitlines(keepends=True)
+    got = [line for line in lines if not line.startswith(b"#")]
+    with open(case.path("expected.csv"), "rb") as file:
+        want = file.readlines()
+    tally.equal(len(got), len(want), case.name, "lines of the table")
+    for g, w in zip(got, want):
+        tally.equal(g, w, case.name, "row")
+
+
+def check_record(tally, case, id, record):
+    word, spans, cells = case.table.get(id, ("", [], None))
+    tally.equal(record["word"], word, case.name, id, "word")
+    contacts = record["contacts"]
+    if not tally.equal(len(contacts), len(spans), case.name, id, "number of contacts"):
+        return
+    for contact, (low, high) in zip(contacts, spans):
+        for got, want in ((contact["from"], low), (contact["to"], high)):
+            tally.holds(same_time(given_time(got), want), f"{got} is not {want}", case.name, id)
+    if cells:
+        got = [cells_of(contact["features"]) for contact in contacts]
+        tally.equal(got, [re.sub(r"[\s,]+", " ", c).strip() for c in cells], case.name, id, "cells")
+
+
+def check_records(tally, graze, case):
+    done = run(graze, case, "--format", "jsonl")
+    tally.equal(done.returncode, 0, case.name, "jsonl")
+    lines = done.stdout.decode().splitlines()
+    tally.equal(len(lines), len(case.points), case.name, "lines of JSON")
+    for (id, _), line in zip(case.points, lines):
+        check_record(tally, case, id, json.loads(line))
+
+
+def covered(case):
+    """The combinations of a case's rows; a README that has another operation covers none."""
+    if case.option("--operation", "sweep") == "unsweep":
+        return set()
+    out = set()
+    for row in case.expected:
+        name = f"ext {row['class']}" if row["definition"] == "ext" else row["definition"]
+        out.add((name, int(row["case"]), case.dimension))
+    return out
+
+
+def main():
+    args, tally, seen, points = options(__doc__.splitlines()[0]), Tally(), set(), 0
+    for name in casefile.names():
+        if args.only not in name:
+            continue
+        try:
+            case = casefile.Case(name)
+        except (casefile.CaseError, ValueError, OSError) as wrong:
+            tally.holds(False, str(wrong), name)
+            continue
+        check_files(tally, case)
+        check_table(tally, args.graze, case)
+        check_records(tally, args.graze, case)
+        seen |= covered(case)
+        points += len(case.points)
+    want = combinations()
+    print(f"{points} points; {len(seen & want)} of {len(want)} combinations of definition, case and "
+          "dimension")
+    if not args.only:
+        missing = sorted(want - seen)
+        tally.equal(missing, [], "combinations that no case shows")
+        tally.equal(sorted(seen - want), [], "combinations that cannot be")
+    tally.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,115 @@
+"""Every word and time of every case once more, without a line of Graze.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+# suite
+
+PARI's gp follows each point of each case through the solid (trace.gp, motion.gp; one process for
+all) and finds word and times. They must be those of the README's table, and expected.csv must say
+what follows from the word. Without gp this is one skip.
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction as F
+
+import casefile
+from motionfile import motion_of
+from solidfile import facets_of, gp_facet
+from tally import Tally, options
+from times import same_time
+from words import read, unswept
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def script(case, name):
+    """The gp text that answers all points of a case."""
+    facets = "[" + ",".join(gp_facet(f) for f in facets_of(case.path(case.solid))) + "]"
+    unsweep = case.option("--operation", "sweep") == "unsweep"
+    lines = [f"facets = {facets};", f"motion = {motion_of(case.path('motion.json'))};"]
+    if not unsweep:
+        lines.append("motion = [[p[1], p[2], p[3]^-1] | p <- motion];")
+    for id, point in case.points:
+        place = "[" + ",".join(str(F(x)) for x in point) + "]"
+        lines.append(f'iferr(answer("{name} {id}", motion, {place}, facets), E, '
+                     f'print("answer {name} {id} error ", E));')
+    return "\n".join(lines) + "\n"
+
+
+def time_of(text):
+    if "@" not in text:
+        return None, F(text), F(text)
+    polynomial, low, high = text.split("@")
+    return [F(c) for c in polynomial.strip("[]").split(",")], F(low), F(high)
+
+
+def answers_of(text):
+    """(case, id) -> (word, [(from, to)])."""
+    out = {}
+    for line in text.splitlines():
+        if not line.startswith("answer "):
+            print("gp:", line)
+            continue
+        _, name, id, word, rest = (line + " ").split(" ", 4)
+        if word == "error":
+            print("gp:", line)
+            continue
+        ends = [time_of(t) for t in rest.replace(" ", "").split("|")[1:]]
+        out[name, id] = word, list(zip(ends[::2], ends[1::2]))
+    return out
+
+
+def check(tally, case, answers):
+    expected = dict(zip((id for id, _ in case.points), case.expected))
+    combined = case.option("--folds", "separate") == "combined"
+    for id, _ in case.points:
+        where = (case.name, id)
+        if not tally.holds(where in answers, "gp gave no answer", *where):
+            continue
+        word, spans = answers[where]
+        want_word, want_spans, _ = case.table.get(id, ("", [], None))
+        tally.equal(word, want_word, *where, "word of the README")
+        row = expected.get(id, {})
+        fields = ({"pmc": unswept(word)} if case.option("--operation", "sweep") == "unsweep"
+                  else read(word, combined))
+        fields["word"] = word
+        tally.equal({k: row.get(k) for k in fields}, fields, *where, "expected.csv")
+        same = len(spans) == len(want_spans) and all(
+            same_time(g, w) for got, want in zip(spans, want_spans) for g, w in zip(got, want))
+        tally.holds(same, f"times {spans}, the README has {want_spans}", *where)
+
+
+def main():
+    args, tally = options(__doc__.splitlines()[0]), Tally()
+    if not shutil.which("gp"):
+        tally.skip("gp", "PARI's gp is not installed (Debian package pari-gp)")
+        tally.finish()
+    cases, text = [], ""
+    text += "".join(f'read("{os.path.join(HERE, f)}");\n' for f in ("motion.gp", "trace.gp"))
+    for name in casefile.names():
+        if args.only not in name:
+            continue
+        try:
+            case = casefile.Case(name)
+            text += script(case, name)
+            cases.append(case)
+        except (casefile.CaseError, ValueError, OSError, KeyError) as wrong:
+            tally.holds(False, str(wrong), name)
+    with tempfile.NamedTemporaryFile("w", suffix=".gp") as file:
+        file.write(text)
+        file.flush()
+        done = subprocess.run(["gp", "-q", "-f", "-D", "parisizemax=2G", file.name], stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    answers = answers_of(done.stdout)
+    tally.equal(done.returncode, 0, "gp's exit status")
+    for case in cases:
+        check(tally, case, answers)
+    tally.holds(bool(cases), "there are cases")
+    print(f"{len(cases)} cases, {sum(len(c.points) for c in cases)} points")
+    tally.finish()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

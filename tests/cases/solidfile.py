@@ -1,0 +1,84 @@
+"""The facets of a case's solid for trace.gp, read by a reader of its own (OFF, OBJ, WKT).
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+A facet is (normal, offset, kept coordinates, corners): normal . x = offset is its plane, the two
+kept coordinates see it flat. In the plane a facet is an edge and keeps none. Cases are legal
+solids, so nothing is checked here but the reading.
+"""
+import re
+from fractions import Fraction as F
+
+
+def number(token):
+    """The exact value of a number token: 3, -1.5e2, 22/7."""
+    return F(token)
+
+
+def plane(corners):
+    """Newell's normal, and the plane through the first corner."""
+    n = [F(0)] * 3
+    for (a, b) in zip(corners, corners[1:] + corners[:1]):
+        for k in range(3):
+            i, j = (k + 1) % 3, (k + 2) % 3
+            n[k] += (a[i] - b[i]) * (a[j] + b[j])
+    drop = next(k for k in range(3) if n[k])
+    return n, sum(x * y for x, y in zip(n, corners[0])), [k for k in range(3) if k != drop], corners
+
+
+def read_off(text):
+    tokens = re.sub(r"#[^\n]*", "", text.lstrip("\ufeff")).split()
+    tokens = tokens[1:] if tokens[0].upper() == "OFF" else tokens
+    count, facets = int(tokens[0]), int(tokens[1])
+    numbers = [number(t) for t in tokens[3:3 + 3 * count]]
+    vertices = [numbers[3 * k:3 * k + 3] for k in range(count)]
+    # a facet's line may end in a colour, so facets are read line by line
+    lines = [l for l in (re.sub(r"#.*", "", l).split() for l in text.splitlines()) if l]
+    out = []
+    for line in lines[-facets:]:
+        out.append([vertices[int(v)] for v in line[1:1 + int(line[0])]])
+    return out
+
+
+def read_obj(text):
+    vertices, out = [], []
+    for line in text.splitlines():
+        word = line.split()
+        if word[:1] == ["v"]:
+            vertices.append([number(t) for t in word[1:4]])
+        elif word[:1] == ["f"]:
+            at = [int(w.split("/")[0]) for w in word[1:]]
+            out.append([vertices[k - 1 if k > 0 else k] for k in at])
+    return out
+
+
+def read_wkt(text):
+    edges = []
+    for ring in re.findall(r"\(([^()]+)\)", text):
+        corners = [[number(t) for t in corner.split()] for corner in ring.split(",")]
+        for a, b in zip(corners, corners[1:]):
+            n = [b[1] - a[1], a[0] - b[0]]
+            edges.append((n, n[0] * a[0] + n[1] * a[1], [], [a, b]))
+    return edges
+
+
+def facets_of(path):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    ending = path.rsplit(".", 1)[1]
+    if ending == "wkt":
+        return read_wkt(text)
+    readers = {"off": read_off, "obj": read_obj}
+    if ending not in readers:
+        raise ValueError(f"{path}: recompute.py reads .off, .obj and .wkt")
+    return [plane(corners) for corners in readers[ending](text)]
+
+
+def gp_list(values):
+    return "[" + ",".join(str(v) for v in values) + "]"
+
+
+def gp_facet(facet):
+    normal, offset, kept, corners = facet
+    corners = "[" + ",".join(gp_list(c) for c in corners) + "]"
+    return f"[{gp_list(normal)},{offset},{gp_list(k + 1 for k in kept)},{corners}]"
