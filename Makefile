@@ -19,7 +19,7 @@ LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 
 # What a bare Debian 12 lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
-PACKAGES_TEST  := $(PACKAGES_BUILD) libcmocka-dev python3
+PACKAGES_TEST  := $(PACKAGES_BUILD) libcmocka-dev python3 pari-gp locales
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck
 
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/%,$(wildcard src/*/*.c))
@@ -38,6 +38,7 @@ help:
 	@echo "make            build the program and both libraries under build/"
 	@echo "make demo       install what is missing, build, classify the points of cases/bracket"
 	@echo "make test       install what is missing, build, run every test (a few minutes)"
+	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
 	@echo "make bench      speed, as ratios and rates of one run"
 	@echo "make format     clang-format on all sources"
@@ -96,6 +97,10 @@ $B/tests/minkowski: tests/agree/minkowski.cpp | $B/.packages-build
 $B/tests/to_nef: tests/agree/to_nef.cpp | $B/.packages-build
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+# A locale with a decimal comma, for the tests that must not notice it.
+build/tests/locale/de_DE.UTF-8: | $B/.packages-test
+	@mkdir -p $(@D)
+	localedef -i de_DE -f UTF-8 $@
 .SECONDARY:
 
 # ---------------------------------------------------------------- running
@@ -104,8 +109,16 @@ demo: all
 	@cases/demo.sh $B/graze
 
 .PHONY: test
-test: $B/.packages-test all $(UNIT) $(ORACLES)
+test: $B/.packages-test all $(UNIT) $(ORACLES) build/tests/locale/de_DE.UTF-8
 	@python3 tests/run.py --build $B
+
+# The programs of the tests in another build folder, for the sanitizers.
+.PHONY: programs
+programs: all $(UNIT) build/tests/locale/de_DE.UTF-8
+
+.PHONY: cases
+cases: $B/.packages-test all
+	@python3 tests/run.py --build $B --only tests/cases/
 
 .PHONY: test-all
 test-all: $B/.packages-all test

@@ -11,6 +11,13 @@
 #error "Graze relies on CGAL's preconditions: build without NDEBUG and CGAL_NDEBUG"
 #endif
 
+/* CGAL would test the rounding modes before main and abort where they do not work, as under
+ * valgrind; guard tests them instead. */
+#ifndef CGAL_DISABLE_ROUNDING_MATH_CHECK
+#define CGAL_DISABLE_ROUNDING_MATH_CHECK
+#endif
+
+#include <cfenv>
 #include <exception>
 #include <new>
 #include <CGAL/assertions_behaviour.h>
@@ -32,6 +39,18 @@ inline void cgal_throws() {
     (void)once;
 }
 
+/** Whether the processor rounds as it is told to, which interval arithmetic rests on. */
+inline bool rounds_as_told() {
+    volatile double one = 1, three = 3;
+    const int before = std::fegetround();
+    std::fesetround(FE_UPWARD);
+    volatile double up = one / three;
+    std::fesetround(FE_DOWNWARD);
+    volatile double down = one / three;
+    std::fesetround(before);
+    return down < up;
+}
+
 /**
  * Run `work`, a callable without arguments, so that nothing is thrown past this point.
  * @return GRAZE_OK; the status of a failure; GRAZE_ESYSTEM when memory ran out; GRAZE_EINTERNAL for
@@ -40,6 +59,11 @@ inline void cgal_throws() {
 template <class Work> graze_status guard(graze_context *context, const Work &work) noexcept {
     try {
         cgal_throws();
+        if (!rounds_as_told())
+            return context_fail(
+                context, GRAZE_EINTERNAL,
+                "this processor does not round as it is told to, which exact "
+                "geometry rests on; an emulator such as valgrind is no place for it");
         work();
         return GRAZE_OK;
     } catch (const failure &given_up) {
