@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api.h"
+#include "context/environment.h"
 #include "motion/motion.h"
 
 graze_status graze_motion_read(graze_motion **out, graze_context *context, const char *path) {
@@ -9,6 +10,7 @@ graze_status graze_motion_read(graze_motion **out, graze_context *context, const
         *out = NULL;
     if (!out || !context || !path)
         return api_misuse(context, "graze_motion_read", "out, context and path must not be NULL");
+    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
     return motion_from_file(out, context, path);
 }
 
@@ -19,6 +21,7 @@ graze_status graze_motion_from_json(graze_motion **out, graze_context *context, 
     if (!out || !context || !text)
         return api_misuse(context, "graze_motion_from_json",
                           "out, context and text must not be NULL");
+    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
     return motion_from_text(out, context, text, length);
 }
 

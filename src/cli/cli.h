@@ -30,6 +30,10 @@ typedef struct options {
     unsigned long count;     /* -n */
     unsigned long long seed; /* --seed */
     int seeded, representable;
+    graze_compare_options compare;
+    graze_comparison_format report;
+    const char *candidate, *points, *keep; /* validate */
+    unsigned long timeout;                 /* seconds; 0: as the command has it */
     int operand_count;
     char **operands; /* malloc'ed array of what is no option, options anywhere between */
 } options;
@@ -43,7 +47,7 @@ typedef struct command {
 } command;
 
 extern const command command_check, command_classify, command_explain, command_generate,
-    command_cases;
+    command_cases, command_compare, command_validate;
 
 /**
  * Read the options of a command; `argv[0]` is the command's name. Says on standard error what is

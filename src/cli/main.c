@@ -7,7 +7,8 @@
 #include "cli/output.h"
 
 static const command *const commands[] = {&command_check, &command_classify, &command_explain,
-                                          &command_generate, &command_cases};
+                                          &command_generate, &command_cases, &command_compare,
+                                          &command_validate};
 
 static const char overview[] =
     "graze: exact classification of points against a solid swept by a motion\n"
@@ -16,6 +17,8 @@ static const char overview[] =
     "  graze classify SOLID MOTION POINTS   a table: in, on, out and class of each point\n"
     "  graze explain SOLID MOTION X Y [Z]   the whole reasoning for one point\n"
     "  graze generate SOLID MOTION -n N --seed K   query points, most of them degenerate\n"
+    "  graze compare GOLDEN CANDIDATE       a candidate's answers against a golden table\n"
+    "  graze validate SOLID MOTION --candidate CMD   run a candidate and judge it\n"
     "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 options and an example\n"
     "  graze --version                      versions of graze and its libraries\n"

@@ -29,6 +29,16 @@ static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
                                              {"seed", required_argument, NULL, 's'},
                                              {"strata", required_argument, NULL, 'a'},
                                              {"representable", required_argument, NULL, 'e'},
+                                             {"question", required_argument, NULL, 'q'},
+                                             {"on-as", required_argument, NULL, 'A'},
+                                             {"candidate-has", required_argument, NULL, 'H'},
+                                             {"show", required_argument, NULL, 'S'},
+                                             {"solid", required_argument, NULL, 'D'},
+                                             {"motion", required_argument, NULL, 'M'},
+                                             {"candidate", required_argument, NULL, 'C'},
+                                             {"points", required_argument, NULL, 'P'},
+                                             {"keep", required_argument, NULL, 'K'},
+                                             {"timeout", required_argument, NULL, 'T'},
                                              {NULL, 0, NULL, 0}};
 
 /* A value out of two or three words. */
@@ -114,6 +124,43 @@ static int read_choice(options *o, int letter, const char *value) {
     }
 }
 
+/* Options of compare and validate. */
+static int read_comparison(options *o, int letter, const char *value) {
+    static const char *const question[] = {"open", "closed"};
+    static const char *const on_as[] = {"on", "any", "in", "out"};
+    static const char *const has[] = {"columns", "sdf"};
+    static const char *const format[] = {"text", "json"};
+    int chosen = 0, status;
+    unsigned long count;
+    switch (letter) {
+    case 'q':
+        status = choose(&chosen, "question", value, question, 2);
+        o->compare.question = (graze_question)chosen;
+        return status;
+    case 'A':
+        status = choose(&chosen, "on-as", value, on_as, 4);
+        o->compare.on_as = (graze_on_as)chosen;
+        return status;
+    case 'H':
+        status = choose(&chosen, "candidate-has", value, has, 2);
+        o->compare.has = (graze_candidate_has)chosen;
+        return status;
+    case 'F':
+        status = choose(&chosen, "format", value, format, 2);
+        o->report = (graze_comparison_format)chosen;
+        return status;
+    case 'S':
+        if (!read_count(&count, value, 0) || count > 1000000)
+            return complain(EXIT_USAGE, "--show %s: right is a whole number up to 1000000", value);
+        o->compare.show = count;
+        return EXIT_DONE;
+    default:
+        if (!read_count(&o->timeout, value, 1))
+            return complain(EXIT_USAGE, "--timeout %s: right are whole seconds from 1 up", value);
+        return EXIT_DONE;
+    }
+}
+
 static int read_option(options *o, int letter, const char *value) {
     unsigned long jobs, seed;
     switch (letter) {
@@ -158,8 +205,24 @@ static int read_option(options *o, int letter, const char *value) {
             return complain(EXIT_USAGE, "--jobs %s: right is a whole number from 1 to 1024", value);
         o->jobs = (long)jobs;
         return EXIT_DONE;
+    case 'D':
+        o->compare.solid = value;
+        return EXIT_DONE;
+    case 'M':
+        o->compare.motion = value;
+        return EXIT_DONE;
+    case 'C':
+        o->candidate = value;
+        return EXIT_DONE;
+    case 'P':
+        o->points = value;
+        return EXIT_DONE;
+    case 'K':
+        o->keep = value;
+        return EXIT_DONE;
     default:
-        return read_choice(o, letter, value);
+        return strchr("qAHFST", letter) ? read_comparison(o, letter, value)
+                                        : read_choice(o, letter, value);
     }
 }
 
@@ -184,6 +247,7 @@ static int complain_of_word(const command *c, int letter, int code, char **argv)
 
 int options_read(options *out, int *help, const command *c, int argc, char **argv) {
     memset(out, 0, sizeof *out);
+    out->compare.show = 10;
     *help = 0;
     out->operands = calloc((size_t)argc + 1, sizeof *out->operands);
     if (!out->operands)
@@ -211,7 +275,8 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
                             index < 0 ? "-" : "--", index < 0 ? "n" : long_options[index].name,
                             c->name);
         } else {
-            int status = read_option(out, letter, optarg);
+            int reports = letter == 'm' && strchr(c->allowed, 'F');
+            int status = read_option(out, reports ? 'F' : letter, optarg);
             if (status)
                 return status;
         }

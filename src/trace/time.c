@@ -5,6 +5,7 @@
 #include "trace/trace.h"
 
 #include <flint/fmpz_poly_factor.h>
+#include "context/environment.h"
 
 /* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a
  * positive number, as a polynomial in t. */
@@ -129,6 +130,8 @@ static void find_widest_interval(graze_time *time, fmpq_t low, fmpq_t high) {
 void time_canonicalise(graze_time *time) {
     if (time->canonical)
         return;
+    /* Getters that take no context end up here. */
+    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
     time->canonical = 1;
     fmpq_t low, high;
     fmpq_init(low);

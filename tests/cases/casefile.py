@@ -39,7 +39,9 @@ def table_of(text):
     for cells in lines[2:]:
         if len(cells) != len(lines[0]) or cells[0] in rows:
             raise CaseError(f"row {cells}: another number of columns, or the id a second time")
-        met = cells[3].split(";") if len(cells) == 4 and cells[3] else None
+        met = None
+        if len(cells) == 4 and cells[3]:
+            met = [re.sub(r"[\s,]+", " ", c).strip() for c in cells[3].split(";")]
         rows[cells[0]] = (cells[1].strip("`"), contacts_of(cells[2]), met)
     return rows
 

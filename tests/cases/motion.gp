@@ -49,7 +49,7 @@ keyframes(L) = vector(#L - 1, k, [L[k][1], L[k+1][1], between(L[k], L[k+1])]);
 piece_at(A, u, v) = { for(k = 1, #A, if(A[k][1] <= u && v <= A[k][2], return(A[k][3])));
   error("an interval lies in no piece"); }
 relative(A, B) = {
-  my(cuts = Set(concat([[p[1], p[2]] | p <- concat(A, B)])));
+  my(cuts = vecsort(Set(concat([[p[1], p[2]] | p <- concat(A, B)]))));
   vector(#cuts - 1, k, my(u = cuts[k], v = cuts[k+1]); [u, v, piece_at(B, u, v)^-1 * piece_at(A, u, v)]); }
 sequence(L) = {
   my(out = [], E = 1);

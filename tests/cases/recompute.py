@@ -4,8 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 # suite
 
 PARI's gp follows each point of each case through the solid (trace.gp, motion.gp; one process for
-all) and finds word and times. They must be those of the README's table, and expected.csv must say
-what follows from the word. Without gp this is one skip.
+all) and finds word, times and cells. They must be those of the README's table, and expected.csv
+must say what follows from the word. Without gp this is one skip.
 """
 import os
 import shutil
@@ -26,9 +26,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 def script(case, name):
     """The gp text that answers all points of a case."""
-    facets = "[" + ",".join(gp_facet(f) for f in facets_of(case.path(case.solid))) + "]"
+    facets = "[" + ",".join(gp_facet(*f) for f in enumerate(facets_of(case.path(case.solid)))) + "]"
     unsweep = case.option("--operation", "sweep") == "unsweep"
-    lines = [f"facets = {facets};", f"motion = {motion_of(case.path('motion.json'))};"]
+    lines = [f"facets = {facets};", "motion = [];",
+             f"iferr(motion = {motion_of(case.path('motion.json'))}, E, print(\"{name}: \", E));"]
     if not unsweep:
         lines.append("motion = [[p[1], p[2], p[3]^-1] | p <- motion];")
     for id, point in case.points:
@@ -46,18 +47,16 @@ def time_of(text):
 
 
 def answers_of(text):
-    """(case, id) -> (word, [(from, to)])."""
+    """(case, id) -> (word, [(from, to)], [cells])."""
     out = {}
     for line in text.splitlines():
-        if not line.startswith("answer "):
+        head, *met = line.split("|")
+        words = head.split()
+        if words[:1] != ["answer"] or words[3] == "error":
             print("gp:", line)
             continue
-        _, name, id, word, rest = (line + " ").split(" ", 4)
-        if word == "error":
-            print("gp:", line)
-            continue
-        ends = [time_of(t) for t in rest.replace(" ", "").split("|")[1:]]
-        out[name, id] = word, list(zip(ends[::2], ends[1::2]))
+        ends = zip(map(time_of, met[::3]), map(time_of, met[1::3]))
+        out[words[1], words[2]] = words[3], list(ends), [c.strip() for c in met[2::3]]
     return out
 
 
@@ -68,8 +67,8 @@ def check(tally, case, answers):
         where = (case.name, id)
         if not tally.holds(where in answers, "gp gave no answer", *where):
             continue
-        word, spans = answers[where]
-        want_word, want_spans, _ = case.table.get(id, ("", [], None))
+        word, spans, cells = answers[where]
+        want_word, want_spans, want_cells = case.table.get(id, ("", [], None))
         tally.equal(word, want_word, *where, "word of the README")
         row = expected.get(id, {})
         fields = ({"pmc": unswept(word)} if case.option("--operation", "sweep") == "unsweep"
@@ -79,6 +78,8 @@ def check(tally, case, answers):
         same = len(spans) == len(want_spans) and all(
             same_time(g, w) for got, want in zip(spans, want_spans) for g, w in zip(got, want))
         tally.holds(same, f"times {spans}, the README has {want_spans}", *where)
+        if want_cells:
+            tally.equal(cells, want_cells, *where, "cells")
 
 
 def main():

@@ -2,9 +2,9 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
-A facet is (normal, offset, kept coordinates, corners): normal . x = offset is its plane, the two
-kept coordinates see it flat. In the plane a facet is an edge and keeps none. Cases are legal
-solids, so nothing is checked here but the reading.
+A facet is (normal, offset, kept coordinates, corners, corners' numbers): normal . x = offset is its
+plane, the two kept coordinates do not see it edge-on. In the plane a facet is an edge and keeps
+none. Cases are legal solids, so nothing is checked here but the reading.
 """
 import re
 from fractions import Fraction as F
@@ -15,15 +15,16 @@ def number(token):
     return F(token)
 
 
-def plane(corners):
+def plane(vertices, numbers):
     """Newell's normal, and the plane through the first corner."""
+    corners = [vertices[k] for k in numbers]
     n = [F(0)] * 3
     for (a, b) in zip(corners, corners[1:] + corners[:1]):
         for k in range(3):
             i, j = (k + 1) % 3, (k + 2) % 3
             n[k] += (a[i] - b[i]) * (a[j] + b[j])
     drop = next(k for k in range(3) if n[k])
-    return n, sum(x * y for x, y in zip(n, corners[0])), [k for k in range(3) if k != drop], corners
+    return n, sum(x * y for x, y in zip(n, corners[0])), [k for k in range(3) if k != drop], corners, numbers
 
 
 def read_off(text):
@@ -36,8 +37,8 @@ def read_off(text):
     lines = [l for l in (re.sub(r"#.*", "", l).split() for l in text.splitlines()) if l]
     out = []
     for line in lines[-facets:]:
-        out.append([vertices[int(v)] for v in line[1:1 + int(line[0])]])
-    return out
+        out.append([int(v) for v in line[1:1 + int(line[0])]])
+    return vertices, out
 
 
 def read_obj(text):
@@ -48,17 +49,20 @@ def read_obj(text):
             vertices.append([number(t) for t in word[1:4]])
         elif word[:1] == ["f"]:
             at = [int(w.split("/")[0]) for w in word[1:]]
-            out.append([vertices[k - 1 if k > 0 else k] for k in at])
-    return out
+            out.append([k - 1 if k > 0 else len(vertices) + k for k in at])
+    return vertices, out
 
 
 def read_wkt(text):
-    edges = []
+    edges, first = [], 0
     for ring in re.findall(r"\(([^()]+)\)", text):
         corners = [[number(t) for t in corner.split()] for corner in ring.split(",")]
-        for a, b in zip(corners, corners[1:]):
+        count = len(corners) - 1
+        for k, (a, b) in enumerate(zip(corners, corners[1:])):
             n = [b[1] - a[1], a[0] - b[0]]
-            edges.append((n, n[0] * a[0] + n[1] * a[1], [], [a, b]))
+            ends = [first + k, first + (k + 1) % count]
+            edges.append((n, n[0] * a[0] + n[1] * a[1], [], [a, b], ends))
+        first += count
     return edges
 
 
@@ -71,14 +75,15 @@ def facets_of(path):
     readers = {"off": read_off, "obj": read_obj}
     if ending not in readers:
         raise ValueError(f"{path}: recompute.py reads .off, .obj and .wkt")
-    return [plane(corners) for corners in readers[ending](text)]
+    vertices, facets = readers[ending](text)
+    return [plane(vertices, numbers) for numbers in facets]
 
 
 def gp_list(values):
     return "[" + ",".join(str(v) for v in values) + "]"
 
 
-def gp_facet(facet):
-    normal, offset, kept, corners = facet
+def gp_facet(index, facet):
+    normal, offset, kept, corners, numbers = facet
     corners = "[" + ",".join(gp_list(c) for c in corners) + "]"
-    return f"[{gp_list(normal)},{offset},{gp_list(k + 1 for k in kept)},{corners}]"
+    return f"[{gp_list(normal)},{offset},{gp_list(k + 1 for k in kept)},{corners},{index},{gp_list(numbers)}]"

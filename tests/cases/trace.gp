@@ -2,9 +2,10 @@
 \\
 \\ A time is [lo, hi, p]: the one root in (lo, hi) of p, irreducible over Q of degree 2 or more; or
 \\ [r, r, 0], the rational r. Irreducible factors make equal times equal and different ones differ.
-\\ A facet is [n, d, k, V]: the plane n.x = d, two coordinates k in which it is not seen edge-on, its
-\\ corners V in turn; in the plane of d = 2 an edge, k empty. A contact is a root of a plane's
-\\ polynomial at which the point lies in the closed facet, or a gap in which it stays in one.
+\\ A facet is [n, d, k, V, j, I]: the plane n.x = d, two coordinates k in which it is not seen edge-on,
+\\ its corners V in turn, its number and its corners' numbers; in the plane of d = 2 an edge, k empty.
+\\ A contact is a root of a plane's polynomial at which the point lies in the closed facet, or a gap in
+\\ which it stays in one. A cell is [0, face], [1, vertex, vertex] or [2, vertex].
 \\ SPDX-License-Identifier: GPL-3.0-or-later
 
 refine(T) = { my([lo, hi, p] = T, m = (lo + hi) / 2);
@@ -38,7 +39,7 @@ sign_at(f, T) = {
 \\ Where N/D at the time T, known to lie in the facet's plane, is: 1 in its interior, 2 on its rim,
 \\ 0 elsewhere. The rim is crossed by a ray in the plane.
 place(F, N, D, T) = {
-  my([n, d, k, V] = F, odd = 0, m = #V);
+  my(k = F[3], V = F[4], odd = 0, m = #V);
   if(k == [], return(if(between_ends(V[1], V[2], N, D, T), 1, 0)));
   my(i = k[1], j = k[2]);
   my(low = vecmin([v[j] | v <- V]), high = vecmax([v[j] | v <- V]));
@@ -68,15 +69,17 @@ state(X, facets) = {
     if(good, return(if(odd, "I", "O"))));
   error("every ray meets a rim"); }
 
+\\ The times at which N/D has a coordinate of the corner u.
+at_corner(u, N, D, a, b) = concat(vector(#u, k, roots_in(N[k] - u[k] * D, a, b)));
+
 \\ The times at which a point that moves in the facet's plane can enter or leave it.
 rim_times(F, N, D, a, b) = {
-  my(out = [], m = #F[4], i, j);
-  my(ends(u) = for(k = 1, #u, out = concat(out, roots_in(N[k] - u[k] * D, a, b))));
-  if(F[3] == [], ends(F[4][1]); ends(F[4][2]); return(out));
+  my(V = F[4], out = [], i, j);
+  if(F[3] == [], return(concat(at_corner(V[1], N, D, a, b), at_corner(V[2], N, D, a, b))));
   [i, j] = F[3];
-  for(e = 1, m, my(u = F[4][e], v = F[4][e % m + 1], g);
+  for(e = 1, #V, my(u = V[e], v = V[e % #V + 1], g);
     g = (v[i] - u[i]) * (N[j] - u[j] * D) - (v[j] - u[j]) * (N[i] - u[i] * D);
-    if(g == 0, ends(u); ends(v), out = concat(out, roots_in(g, a, b))));
+    out = concat(out, if(g == 0, concat(at_corner(u, N, D, a, b), at_corner(v, N, D, a, b)), roots_in(g, a, b))));
   out; }
 
 \\ Times in order, their intervals made disjoint.
@@ -87,11 +90,30 @@ in_order(L) = { my(again = 1);
       again = 1; for(q = k, k + 1, if(L[q][3] != 0, L[q] = refine(L[q]))))));
   L; }
 
-on_facets(facets, N, D, T) = {
-  for(f = 1, #facets, my(F = facets[f]);
-    if(sign_at(F[1] * N~ - F[2] * D, T) == 0 && place(F, N, D, T), return(1))); 0; }
+\\ The cells of facet F in whose relative interior N/D, known to lie in the closed facet, is.
+rim_cells(F, N, D, T) = {
+  my(V = F[4], I = F[6], m = #V, out = []);
+  my(at(u) = vecmin([sign_at(N[k] - u[k] * D, T) == 0 | k <- [1..#u]]));
+  for(e = 1, if(m == 2, 1, m), my(g = e % m + 1, u = V[e], v = V[g]);
+    if(at(u), out = concat(out, [[2, I[e]]]); next);
+    if(at(v), out = concat(out, [[2, I[g]]]); next);
+    if(on_line(F, u, v, N, D, T) && between_ends(u, v, N, D, T),
+      out = concat(out, [[1, min(I[e], I[g]), max(I[e], I[g])]])));
+  out; }
+on_line(F, u, v, N, D, T) = {
+  if(F[3] == [], return(1));
+  my([i, j] = F[3]);
+  sign_at((v[i] - u[i]) * (N[j] - u[j] * D) - (v[j] - u[j]) * (N[i] - u[i] * D), T) == 0; }
 
-\\ One piece: [time, state, state of the gap after it], the last without a gap.
+\\ All cells N/D is on at the time T; none off the boundary.
+cells(facets, N, D, T) = {
+  my(out = []);
+  foreach(facets, F, if(sign_at(F[1] * N~ - F[2] * D, T) == 0,
+    my(p = place(F, N, D, T));
+    if(p == 1 && F[3] != [], out = concat(out, [[0, F[5]]]), p, out = concat(out, rim_cells(F, N, D, T)))));
+  Set(out); }
+
+\\ One piece: [time, state, its cells, state of the gap after it, its cells], the last without a gap.
 piece_trace(c, a, b, facets) = {
   my(D = 1, N, met = [[a, a, 0], [b, b, 0]], more = [], out = [], T);
   for(k = 1, #c, D = lcm(D, denominator(c[k])));
@@ -102,32 +124,38 @@ piece_trace(c, a, b, facets) = {
       more = concat(more, [T | T <- roots_in(f, a, b), place(F, N, D, T)])));
   T = in_order(concat(met, more));
   for(k = 1, #T,
-    my(on = on_facets(facets, N, D, T[k]), gap = "");
-    if(k < #T, my(r = (T[k][2] + T[k+1][1]) / 2); gap = state([subst(x, 't, r) | x <- c], facets));
-    out = concat(out, [[T[k], if(on, "B", "?"), gap]]));
+    my(on = cells(facets, N, D, T[k]), gap = "", under = []);
+    if(k < #T, my(r = (T[k][2] + T[k+1][1]) / 2, Z = [r, r, 0]);
+      gap = state([subst(x, 't, r) | x <- c], facets); if(gap == "B", under = cells(facets, N, D, Z)));
+    out = concat(out, [[T[k], if(#on, "B", "?"), on, gap, under]]));
   for(k = 1, #out, if(out[k][2] == "?",
-    out[k][2] = if(k < #out, out[k][3], out[k-1][3]);
-    if(out[k][2] == "B" || (k > 1 && out[k-1][3] != out[k][2]), error("the states around a time do not fit"))));
+    out[k][2] = if(k < #out, out[k][4], out[k-1][4]);
+    if(out[k][2] == "B" || (k > 1 && out[k-1][4] != out[k][2]), error("the states around a time do not fit"))));
   out; }
 
-\\ All pieces as one list of [state, time], the time of a gap being "gap".
+\\ All pieces as one list of [state, time, cells], the time of a gap being "gap".
 follow(motion, P, facets) = {
   my(all = []);
   foreach(motion, p, my(c = p[3] * concat(P, [1])~, E = piece_trace(c[1..#P]~, p[1], p[2], facets));
     foreach(E, e, my(n = #all);
       if(n && all[n][2] == e[1] && all[n][1] != e[2], error("the pieces do not join"));
-      all = concat(all, [[e[2], e[1]]]);
-      if(e[3] != "", all = concat(all, [[e[3], "gap"]]))));
+      all = concat(all, [[e[2], e[1], e[3]]]);
+      if(e[4] != "", all = concat(all, [[e[4], "gap", e[5]]]))));
   all; }
 
 time_text(T) = if(T[3] == 0, T[1], Str(Vecrev(T[3]), "@", T[1], "@", T[2]));
 
-\\ "answer ID WORD FROM TO FROM TO ..." with no blank inside a time.
+cell_text(c) = if(c[1] == 0, Str("face ", c[2]), c[1] == 1, Str("edge ", c[2], "-", c[3]), Str("vertex ", c[2]));
+
+\\ "answer ID WORD|FROM|TO|CELLS|FROM|TO|CELLS ..."
 answer(id, motion, P, facets) = {
   my(all = follow(motion, P, facets), word = "", out = "", k = 1);
-  while(k <= #all, my(q = k);
+  while(k <= #all, my(q = k, met = []);
     while(q < #all && all[q+1][1] == all[k][1], q++);
     word = Str(word, all[k][1]);
-    if(all[k][1] == "B", out = Str(out, "|", time_text(all[k][2]), "|", time_text(all[q][2])));
+    if(all[k][1] == "B",
+      for(e = k, q, met = concat(met, all[e][3]));
+      out = Str(out, "|", time_text(all[k][2]), "|", time_text(all[q][2]), "|");
+      foreach(vecsort(Set(met)), c, out = Str(out, cell_text(c), " ")));
     k = q + 1);
-  print("answer ", id, " ", word, " ", out); }
+  print("answer ", id, " ", word, out); }

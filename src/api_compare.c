@@ -1,0 +1,61 @@
+/* The public functions of comparisons: argument checks and one call each.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include "api.h"
+#include "compare/compare.h"
+
+static int options_known(const graze_compare_options *o) {
+    return (unsigned)o->question <= GRAZE_QUESTION_CLOSED &&
+           (unsigned)o->on_as <= GRAZE_ON_AS_OUT && (unsigned)o->has <= GRAZE_HAS_SDF;
+}
+
+graze_status graze_compare(graze_comparison **out, graze_context *context, const char *golden,
+                           const char *candidate, const graze_compare_options *options) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !golden || !candidate)
+        return api_misuse(context, "graze_compare",
+                          "out, context, golden and candidate must not be NULL");
+    if (options && !options_known(options))
+        return api_misuse(context, "graze_compare", "an option has an unknown value");
+    graze_comparison *c = calloc(1, sizeof *c);
+    if (!c)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    graze_status status = comparison_make(c, context, golden, candidate, options);
+    if (status)
+        graze_comparison_destroy(c);
+    else
+        *out = c;
+    return status;
+}
+
+void graze_comparison_destroy(graze_comparison *comparison) {
+    if (comparison)
+        comparison_clear(comparison);
+    free(comparison);
+}
+
+graze_comparison_counts graze_comparison_count(const graze_comparison *comparison) {
+    graze_comparison_counts counts = {0, 0, 0, 0, 0, 0};
+    if (comparison)
+        counts =
+            (graze_comparison_counts){comparison->rows,  comparison->agree,   comparison->wrong,
+                                      comparison->apart, comparison->missing, comparison->extra};
+    return counts;
+}
+
+graze_status graze_comparison_report(char **out, graze_context *context,
+                                     const graze_comparison *comparison,
+                                     graze_comparison_format format) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !comparison)
+        return api_misuse(context, "graze_comparison_report",
+                          "out, context and comparison must not be NULL");
+    if (format == GRAZE_COMPARISON_TEXT)
+        return comparison_text(out, context, comparison);
+    if (format == GRAZE_COMPARISON_JSON)
+        return comparison_json(out, context, comparison);
+    return api_misuse(context, "graze_comparison_report", "there is no such format");
+}

@@ -1,0 +1,256 @@
+/* graze validate: makes points, classifies them, runs a candidate on them and reports.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The steps are the commands generate, classify and compare, joined by files in one folder.
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "cli/candidate.h"
+#include "cli/cli.h"
+#include "cli/output.h"
+
+static const char help[] =
+    "graze validate SOLID MOTION --candidate 'CMD {solid} {motion} {points} {out}'\n"
+    "\n"
+    "Makes points (graze generate), classifies them, runs CMD on them, compares the table it "
+    "wrote\n"
+    "to {out} (see graze compare --help) and reports: figures, time and a verdict.\n"
+    "Exit status 0: no difference; 1: differences; 3: the candidate failed, or its table is none.\n"
+    "\n"
+    "CMD is cut into words without a shell: blanks part words, '...', \"...\" and \\ quote as in\n"
+    "sh, nothing is expanded. Each placeholder is a word of its own. Its standard output goes to\n"
+    "standard error. For a pipeline: sh -c 'mine <\"$1\" >\"$2\"' sh {points} {out}\n"
+    "\n"
+    "  -n N, --seed K       how many points (10000), and their seed (1)\n"
+    "  --strata, --representable   as in graze generate\n"
+    "  --points FILE        these points instead\n"
+    "  --timeout V          seconds the candidate may take (3600)\n"
+    "  --keep DIR           leave points.csv, golden.csv, candidate.csv there\n"
+    "  --output NAME        write NAME.md and NAME.json instead of to standard output\n"
+    "  --question, --on-as, --candidate-has, --round, --show, --format   as in graze compare\n"
+    "  --overlap, --folds, --operation, --triangulate, --jobs, --limit   as in graze classify\n"
+    "\n"
+    "Example: graze validate cube.off move.json --representable binary64 \\\n"
+    "             --candidate './mine {solid} {motion} {points} {out}'\n";
+
+enum { POINTS, GOLDEN, ANSWERS, FILE_COUNT };
+
+typedef struct validation {
+    char *folder;
+    int temporary;           /* the folder goes when all is done */
+    char *files[FILE_COUNT]; /* in the folder */
+    char **words;
+    double seconds;
+    graze_context *context;
+    graze_comparison *comparison;
+    output out;
+} validation;
+
+static char *joined(const char *a, const char *b) {
+    char *text = malloc(strlen(a) + strlen(b) + 1);
+    return text ? strcat(strcpy(text, a), b) : NULL;
+}
+
+/* The folder for the files: the one to keep, or a fresh one. */
+static int make_folder(validation *v, const options *o) {
+    static const char *const names[FILE_COUNT] = {"/points.csv", "/golden.csv", "/candidate.csv"};
+    const char *base = getenv("TMPDIR");
+    v->folder = o->keep ? strdup(o->keep) : joined(base && *base ? base : "/tmp", "/graze-XXXXXX");
+    if (!v->folder)
+        return complain(EXIT_IO, "out of memory");
+    v->temporary = !o->keep && mkdtemp(v->folder) != NULL;
+    int failed = o->keep ? mkdir(o->keep, 0777) != 0 && errno != EEXIST : !v->temporary;
+    if (failed)
+        return complain(EXIT_IO, "%s: cannot be made: %s", v->folder, strerror(errno));
+    for (int k = 0; k < FILE_COUNT; k++)
+        if (!(v->files[k] = joined(v->folder, names[k])))
+            return complain(EXIT_IO, "out of memory");
+    return EXIT_DONE;
+}
+
+static void remove_folder(validation *v) {
+    for (int k = 0; v->temporary && k < FILE_COUNT; k++)
+        if (v->files[k])
+            unlink(v->files[k]);
+    if (v->temporary)
+        rmdir(v->folder);
+}
+
+static const char *points_of(const validation *v, const options *o) {
+    return o->points ? o->points : v->files[POINTS];
+}
+
+/* Points and golden table, by the commands that make them. */
+static int make_golden(const validation *v, const options *o) {
+    char *operands[] = {o->operands[0], o->operands[1], (char *)points_of(v, o), NULL};
+    options step = *o;
+    step.operands = operands;
+    step.operand_count = 2;
+    step.output = v->files[POINTS];
+    step.count = o->count ? o->count : 10000;
+    step.seed = o->seeded ? o->seed : 1;
+    step.seeded = 1;
+    int status = o->points ? EXIT_DONE : command_generate.run(&step);
+    step.operand_count = 3;
+    step.output = v->files[GOLDEN];
+    step.strata = NULL;
+    return status ? status : command_classify.run(&step);
+}
+
+static int compare(validation *v, const options *o) {
+    graze_compare_options chosen = o->compare;
+    chosen.solid = o->operands[0];
+    chosen.motion = o->operands[1];
+    graze_status status = context_for(&v->context, o);
+    if (!v->context)
+        return complain(EXIT_IO, "out of memory");
+    if (!status)
+        status =
+            graze_compare(&v->comparison, v->context, v->files[GOLDEN], v->files[ANSWERS], &chosen);
+    return complain_of(status, v->context);
+}
+
+static void put_verdict(char *out, size_t size, const graze_comparison_counts *n) {
+    if (n->wrong + n->missing + n->extra == 0)
+        snprintf(out, size, "no difference in %lu rows%s", n->rows,
+                 n->apart ? ", those apart not judged" : "");
+    else
+        snprintf(out, size,
+                 "differs from the exact answer: %lu of %lu rows wrong, %lu missing, %lu extra",
+                 n->wrong, n->rows, n->missing, n->extra);
+}
+
+/* The text between the quotes of a JSON string. */
+static void put_quoted(output *out, const char *text) {
+    for (; *text; text++) {
+        unsigned char c = (unsigned char)*text;
+        char plain[] = {c < 0x20 || c > 126 ? '?' : *text, '\0'};
+        output_put(out, c == '"' ? "\\\"" : c == '\\' ? "\\\\" : plain);
+    }
+}
+
+static void put_named(output *out, const char *name, const char *value) {
+    output_put(out, "\"");
+    output_put(out, name);
+    output_put(out, "\": \"");
+    put_quoted(out, value);
+    output_put(out, "\",\n");
+}
+
+/* Whole numbers keep the locale's decimal comma out. */
+static void put_report(validation *v, const options *o, const char *body,
+                       graze_comparison_format format) {
+    graze_comparison_counts n = graze_comparison_count(v->comparison);
+    unsigned long milliseconds = (unsigned long)(1000 * v->seconds + 0.5);
+    unsigned long rate = milliseconds ? (unsigned long)((double)n.rows / v->seconds + 0.5) : 0;
+    char verdict[160], line[96];
+    put_verdict(verdict, sizeof verdict, &n);
+    if (format == GRAZE_COMPARISON_JSON) {
+        output_put(&v->out, "{\n");
+        put_named(&v->out, "command", o->candidate);
+        put_named(&v->out, "solid", o->operands[0]);
+        put_named(&v->out, "motion", o->operands[1]);
+        put_named(&v->out, "verdict", verdict);
+        snprintf(line, sizeof line, "\"milliseconds\": %lu,\n\"rows-per-second\": %lu,\n",
+                 milliseconds, rate);
+        output_put(&v->out, line);
+        output_put(&v->out, "\"comparison\": ");
+        output_put(&v->out, body);
+        output_put(&v->out, "}\n");
+        return;
+    }
+    const char *const parts[] = {"# Validation\n\ncommand: `",
+                                 o->candidate,
+                                 "`\nsolid: ",
+                                 o->operands[0],
+                                 "\nmotion: ",
+                                 o->operands[1],
+                                 "\nverdict: ",
+                                 verdict,
+                                 "\n"};
+    for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+        output_put(&v->out, parts[k]);
+    snprintf(line, sizeof line, "time: %lu.%03lu s, %lu rows a second\n\n", milliseconds / 1000,
+             milliseconds % 1000, rate);
+    output_put(&v->out, line);
+    output_put(&v->out, body);
+}
+
+/* One report to a file NAME + suffix, or to standard output. */
+static int write_report(validation *v, const options *o, const char *suffix,
+                        graze_comparison_format format) {
+    char *body = NULL, *path = o->output ? joined(o->output, suffix) : NULL;
+    graze_status made = graze_comparison_report(&body, v->context, v->comparison, format);
+    int status = complain_of(made, v->context);
+    if (!status && o->output && !path)
+        status = complain(EXIT_IO, "out of memory");
+    if (!status)
+        status = output_open(&v->out, path);
+    if (!status) {
+        put_report(v, o, body, format);
+        status = output_close(&v->out);
+    }
+    graze_free(body);
+    free(path);
+    return status;
+}
+
+static int report(validation *v, const options *o) {
+    graze_comparison_counts n = graze_comparison_count(v->comparison);
+    int status = o->output ? write_report(v, o, ".md", GRAZE_COMPARISON_TEXT)
+                           : write_report(v, o, "", o->report);
+    if (!status && o->output)
+        status = write_report(v, o, ".json", GRAZE_COMPARISON_JSON);
+    return status ? status : n.wrong + n.missing + n.extra ? EXIT_NO : EXIT_DONE;
+}
+
+static int validate(validation *v, const options *o) {
+    int status = make_folder(v, o);
+    if (status)
+        return status;
+    candidate_paths paths = {o->operands[0], o->operands[1], points_of(v, o), v->files[ANSWERS]};
+    status = candidate_split(&v->words, o->candidate, &paths);
+    if (!status)
+        status = make_golden(v, o);
+    if (!status && unlink(v->files[ANSWERS]) != 0 && errno != ENOENT)
+        status = complain(EXIT_IO, "%s: cannot be removed: %s", v->files[ANSWERS], strerror(errno));
+    if (!status)
+        status = candidate_run(&v->seconds, v->words, o->timeout ? o->timeout : 3600);
+    if (!status && access(v->files[ANSWERS], R_OK) != 0)
+        status =
+            complain(EXIT_INPUT, "the candidate %s has written no table to {out}", v->words[0]);
+    if (!status)
+        status = compare(v, o);
+    return status ? status : report(v, o);
+}
+
+static int run(const options *o) {
+    if (o->operand_count != 2 || !o->candidate)
+        return complain(EXIT_USAGE, "validate takes SOLID, MOTION and --candidate; see graze "
+                                    "validate --help");
+    if (o->points && (o->count || o->seeded || o->strata || o->representable))
+        return complain(EXIT_USAGE, "--points takes the place of -n, --seed, --strata and "
+                                    "--representable");
+    if (o->points && strcmp(o->points, "-") == 0)
+        return complain(EXIT_USAGE, "--points -: right is a file, it is read twice");
+    validation *v = calloc(1, sizeof *v);
+    if (!v)
+        return complain(EXIT_IO, "out of memory");
+    int status = validate(v, o);
+    remove_folder(v);
+    candidate_free(v->words);
+    for (int k = 0; k < FILE_COUNT; k++)
+        free(v->files[k]);
+    free(v->folder);
+    graze_comparison_destroy(v->comparison);
+    graze_context_destroy(v->context);
+    graze_thread_finish();
+    free(v);
+    return status;
+}
+
+const command command_validate = {"validate", "rltvfpnsaejomFqAHSCPKT", help, run};

@@ -1,0 +1,296 @@
+/* Runs through both tables and counts.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "compare/compare.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "compare/judge.h"
+#include "compare/match.h"
+
+/* Both tables and their matching, while a comparison is made. */
+typedef struct run {
+    graze_context *context;
+    table golden, candidate;
+    match match;
+} run;
+
+/* The golden column that each grouping goes by. */
+static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K, COLUMN_CLASS, COLUMN_DEFINITION,
+                                          COLUMN_CASE};
+
+static graze_status no_memory(graze_context *context) {
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+}
+
+static graze_status check_golden(const table *t) {
+    if (t->where[COLUMN_PMC] < 0 || !t->dimension)
+        return context_fail(t->in.context, GRAZE_EINPUT,
+                            "%s: has no column %s; right is a table that graze classify wrote",
+                            t->in.name, t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y");
+    return GRAZE_OK;
+}
+
+/* Both tables must speak of the same scene and the same question. */
+static graze_status check_notes(const table *golden, const table *candidate) {
+    static const note same[] = {NOTE_SOLID,     NOTE_MOTION, NOTE_SCENE,
+                                NOTE_OPERATION, NOTE_FOLDS,  NOTE_DIMENSION};
+    for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
+        const char *g = golden->notes[same[k]], *c = candidate->notes[same[k]];
+        if (g && c && strcmp(g, "none") != 0 && strcmp(c, "none") != 0 && strcmp(g, c) != 0)
+            return context_fail(golden->in.context, GRAZE_EINPUT,
+                                "%s: %s is %.64s, that of %s is %.64s; right are tables of one "
+                                "scene and one set of options",
+                                candidate->in.name, note_name(same[k]), c, golden->in.name, g);
+    }
+    return GRAZE_OK;
+}
+
+/* What the candidate answers, and whether the golden table can judge it. */
+static graze_status choose_columns(graze_comparison *c, const table *golden,
+                                   const table *candidate) {
+    int sdf = c->options.has == GRAZE_HAS_SDF, any = 0;
+    if (sdf && candidate->where[COLUMN_SDF] < 0)
+        return context_fail(golden->in.context, GRAZE_EINPUT,
+                            "%s: has no column sdf; right is a signed distance in a column of that "
+                            "name",
+                            candidate->in.name);
+    for (int k = 0; k < JUDGED_COUNT; k++) {
+        column which = judged_column(k);
+        int answered = candidate->where[which] >= 0;
+        int open = c->options.question == GRAZE_QUESTION_OPEN;
+        c->judged[k] = k == JUDGED_PMC ? answered || sdf : answered && open && !sdf;
+        if (c->judged[k] && golden->where[which] < 0)
+            return context_fail(golden->in.context, GRAZE_EINPUT,
+                                "%s: has no column %s to judge that of %s by", golden->in.name,
+                                column_name(which), candidate->in.name);
+        any |= c->judged[k];
+    }
+    if (!any)
+        return context_fail(
+            golden->in.context, GRAZE_EINPUT, "%s: has none of the columns %s", candidate->in.name,
+            c->options.question == GRAZE_QUESTION_OPEN ? "pmc, class, i, t, word" : "pmc (or sdf)");
+    return GRAZE_OK;
+}
+
+/* The options under which `graze explain` answers as the golden table does. */
+static graze_status note_options(graze_comparison *c, graze_context *context, const table *t) {
+    size_t length;
+    const char *round = t->notes[NOTE_ROUND], *folds = t->notes[NOTE_FOLDS];
+    const char *operation = t->notes[NOTE_OPERATION], *cut = t->notes[NOTE_TRIANGULATE];
+    FILE *file = open_memstream(&c->explain_options, &length);
+    if (!file)
+        return no_memory(context);
+    if (round && (strcmp(round, "binary64") == 0 || strcmp(round, "binary32") == 0))
+        fprintf(file, " --round %s", round);
+    if (folds && strcmp(folds, "combined") == 0)
+        fputs(" --folds combined", file);
+    if (operation && strcmp(operation, "unsweep") == 0)
+        fputs(" --operation unsweep", file);
+    if (cut && strcmp(cut, "yes") == 0)
+        fputs(" --triangulate", file);
+    return fclose(file) == 0 ? GRAZE_OK : no_memory(context);
+}
+
+static graze_status check_rounding(graze_comparison *c, run *r, const char *path) {
+    column columns[JUDGED_COUNT];
+    size_t count = 0;
+    for (int k = 0; k < JUDGED_COUNT; k++)
+        if (c->judged[k])
+            columns[count++] = judged_column(k);
+    if (c->rounding == GRAZE_ROUND_NONE || r->match.by_id)
+        return GRAZE_OK;
+    return match_rounding(r->context, &r->golden, path, columns, count);
+}
+
+static graze_status start(graze_comparison *c, run *r, const char *golden, const char *candidate) {
+    graze_status status = table_open(&r->golden, r->context, golden);
+    if (!status)
+        status = check_golden(&r->golden);
+    if (!status)
+        status = table_open(&r->candidate, r->context, candidate);
+    if (!status)
+        status = check_notes(&r->golden, &r->candidate);
+    if (!status)
+        status = choose_columns(c, &r->golden, &r->candidate);
+    if (!status)
+        status = note_options(c, r->context, &r->golden);
+    if (!status)
+        status = match_start(&r->match, r->context, &r->golden, &r->candidate);
+    for (int g = 0; g < GROUPING_COUNT; g++)
+        c->grouped[g] = r->golden.where[by[g]] >= 0;
+    return status ? status : check_rounding(c, r, golden);
+}
+
+/* The answers of a row, as `pmc=on i=0`. */
+static void put_answers(FILE *file, const graze_comparison *c, const table *t, const table_row *row,
+                        int candidate) {
+    const char *blank = "";
+    for (int col = COLUMN_PMC; col < COLUMN_COUNT; col++) {
+        field f = table_field(t, row, (column)col);
+        int sdf = candidate && c->options.has == GRAZE_HAS_SDF;
+        int told = sdf ? col == COLUMN_SDF : col <= COLUMN_TOPO;
+        if (t->where[col] < 0 || !told)
+            continue;
+        fprintf(file, "%s%s=%.*s", blank, column_name((column)col), (int)f.length, f.start);
+        blank = " ";
+    }
+}
+
+/* A malloc'ed text of a row's point (which = 0) or answers (1 golden, 2 candidate). */
+static char *row_text(const graze_comparison *c, const table *t, const table_row *row, int which) {
+    char *text = NULL;
+    size_t length;
+    FILE *file = open_memstream(&text, &length);
+    if (!file)
+        return NULL;
+    for (int k = 0; which == 0 && k < t->dimension; k++) {
+        field f = table_field(t, row, (column)(COLUMN_X + k));
+        fprintf(file, "%s%.*s", k ? " " : "", (int)f.length, f.start);
+    }
+    if (which)
+        put_answers(file, c, t, row, which == 2);
+    if (fclose(file) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+static graze_status show(graze_comparison *c, const run *r, const table_row *golden,
+                         const table_row *candidate) {
+    if (c->shown == c->options.show)
+        return GRAZE_OK;
+    disagreement *grown = realloc(c->disagreements, (c->shown + 1) * sizeof *grown);
+    if (!grown)
+        return no_memory(r->context);
+    c->disagreements = grown;
+    disagreement *d = &c->disagreements[c->shown++];
+    memset(d, 0, sizeof *d);
+    d->golden_line = golden ? golden->line : 0;
+    d->candidate_line = candidate ? candidate->line : 0;
+    d->point =
+        golden ? row_text(c, &r->golden, golden, 0) : row_text(c, &r->candidate, candidate, 0);
+    d->golden = golden ? row_text(c, &r->golden, golden, 1) : NULL;
+    d->candidate = candidate ? row_text(c, &r->candidate, candidate, 2) : NULL;
+    int failed = !d->point || (golden && !d->golden) || (candidate && !d->candidate);
+    return failed ? no_memory(r->context) : GRAZE_OK;
+}
+
+static graze_status count_groups(graze_comparison *c, const run *r, const table_row *row,
+                                 char what) {
+    graze_status status = GRAZE_OK;
+    for (int g = 0; g < GROUPING_COUNT && !status; g++) {
+        field name = table_field(&r->golden, row, by[g]);
+        if (c->grouped[g] && (name.length || g != BY_DISTANCE))
+            status = tally_add(&c->tallies[g], r->context, name, what);
+    }
+    return status;
+}
+
+static graze_status count_pair(graze_comparison *c, run *r, const table_row *golden,
+                               const table_row *candidate) {
+    answer right, given = {-1, -1, 0, 0, {"", 0}};
+    int known[JUDGED_COUNT];
+    memcpy(known, c->judged, sizeof known);
+    known[JUDGED_PMC] = 1;
+    graze_status status = answer_read(&right, &r->golden, golden, known, 0);
+    if (!status && candidate)
+        status = answer_read(&given, &r->candidate, candidate, c->judged,
+                             c->options.has == GRAZE_HAS_SDF);
+    if (status)
+        return status;
+    judgement j = judge(c, &r->golden, golden, &right, &given);
+    char what = !candidate ? 'm' : j.any_wrong ? 'w' : j.apart ? 'p' : 'a';
+    c->rows++;
+    c->missing += what == 'm';
+    c->wrong += what == 'w';
+    c->apart += what == 'p';
+    c->agree += what == 'a';
+    for (int k = 0; candidate && k < JUDGED_COUNT; k++)
+        c->column_wrong[k] += (unsigned long)j.wrong[k];
+    if (what == 'p')
+        c->apart_answers[given.pmc]++;
+    else if (c->judged[JUDGED_PMC])
+        c->confusion.pmc[j.truth][candidate ? given.pmc : 3]++;
+    if (c->judged[JUDGED_CLASS])
+        c->confusion.class_[right.class_][candidate ? given.class_ : 5]++;
+    status = count_groups(c, r, golden, what);
+    return status || what == 'a' || what == 'p' ? status : show(c, r, golden, candidate);
+}
+
+static graze_status count_all(graze_comparison *c, run *r) {
+    for (unsigned long n = 0;; n++) {
+        const table_row *golden, *candidate;
+        graze_status status = match_next(&r->match, &golden, &candidate);
+        if (!status && n % 1024 == 0)
+            status = context_poll(r->context);
+        if (status || (!golden && !candidate))
+            return status;
+        if (golden) {
+            status = count_pair(c, r, golden, candidate);
+        } else {
+            c->extra++;
+            status = show(c, r, NULL, candidate);
+        }
+        if (status)
+            return status;
+    }
+}
+
+static graze_status finish(const run *r) {
+    if (!r->golden.complete)
+        return context_fail(r->context, GRAZE_EINPUT,
+                            "%s: ends after %lu rows without `# complete`; right is a whole table",
+                            r->golden.in.name, r->golden.rows);
+    return match_finish(&r->match);
+}
+
+static int copy_names(graze_comparison *c, const char *golden, const char *candidate) {
+    c->golden = strdup(golden);
+    c->candidate = strdup(candidate);
+    c->solid = strdup(c->options.solid ? c->options.solid : "SOLID");
+    c->motion = strdup(c->options.motion ? c->options.motion : "MOTION");
+    return c->golden && c->candidate && c->solid && c->motion;
+}
+
+graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
+                             const char *candidate, const graze_compare_options *options) {
+    if (options)
+        out->options = *options;
+    out->rounding = context->rounding;
+    if (!copy_names(out, golden, candidate))
+        return no_memory(context);
+    run *r = calloc(1, sizeof *r);
+    if (!r)
+        return no_memory(context);
+    r->context = context;
+    graze_status status = start(out, r, golden, candidate);
+    if (!status)
+        status = count_all(out, r);
+    if (!status)
+        status = finish(r);
+    for (int g = 0; g < GROUPING_COUNT; g++)
+        tally_sort(&out->tallies[g]);
+    match_clear(&r->match);
+    table_close(&r->golden);
+    table_close(&r->candidate);
+    free(r);
+    return status;
+}
+
+void comparison_clear(graze_comparison *c) {
+    for (size_t k = 0; k < c->shown; k++) {
+        free(c->disagreements[k].point);
+        free(c->disagreements[k].golden);
+        free(c->disagreements[k].candidate);
+    }
+    for (int g = 0; g < GROUPING_COUNT; g++)
+        tally_clear(&c->tallies[g]);
+    free(c->disagreements);
+    free(c->explain_options);
+    free(c->golden);
+    free(c->candidate);
+    free(c->solid);
+    free(c->motion);
+}

@@ -1,0 +1,158 @@
+/* Reads answers and judges them under the question asked.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "compare/judge.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "number/rational.h"
+
+enum { IN, ON, OUT };
+
+const char *const pmc_words[3] = {"in", "on", "out"};
+const char *const class_words[5] = {"regular", "fold", "fold_boundary", "boundary", "exterior"};
+
+static const column judged_columns[JUDGED_COUNT] = {COLUMN_PMC, COLUMN_CLASS, COLUMN_I, COLUMN_T,
+                                                    COLUMN_WORD};
+
+column judged_column(int judged) {
+    return judged_columns[judged];
+}
+
+const char *judged_name(int judged) {
+    return column_name(judged_columns[judged]);
+}
+
+static graze_status no_answer(const table *t, const table_row *row, column c, const char *right) {
+    field f = table_field(t, row, c);
+    return context_fail(t->in.context, GRAZE_EINPUT, "%s:%lu: %s: '%.*s' is no answer; right is %s",
+                        t->in.name, row->line, column_name(c), f.length > 40 ? 40 : (int)f.length,
+                        f.start, right);
+}
+
+static int index_of(field f, const char *const *words, int count) {
+    for (int k = 0; k < count; k++)
+        if (field_is(f, words[k]))
+            return k;
+    return -1;
+}
+
+static int read_whole(unsigned long *out, field f) {
+    char text[24], *end;
+    if (!f.length || f.length > 18 || *f.start < '0' || *f.start > '9')
+        return 0;
+    memcpy(text, f.start, f.length);
+    text[f.length] = '\0';
+    *out = strtoul(text, &end, 10);
+    return !*end;
+}
+
+/* The sign of a number token is that of its digits before an exponent or a denominator: no value
+ * need be made, and none can underflow. */
+static int sign_of(field f) {
+    size_t n = 0;
+    while (n < f.length && !strchr("eE/", f.start[n]))
+        n++;
+    for (size_t k = 0; k < n; k++)
+        if (f.start[k] >= '1' && f.start[k] <= '9')
+            return *f.start == '-' ? -1 : 1;
+    return 0;
+}
+
+static int zero_denominator(field f) {
+    const char *slash = memchr(f.start, '/', f.length);
+    return slash && sign_of((field){slash + 1, (size_t)(f.start + f.length - slash - 1)}) == 0;
+}
+
+static graze_status read_distance(int *pmc, const table *t, const table_row *row) {
+    field f = table_field(t, row, COLUMN_SDF);
+    if (!rational_is_token(f.start, f.length) || zero_denominator(f))
+        return no_answer(t, row, COLUMN_SDF, "a number, negative inside");
+    int sign = sign_of(f);
+    *pmc = sign < 0 ? IN : sign > 0 ? OUT : ON;
+    return GRAZE_OK;
+}
+
+graze_status answer_read(answer *out, const table *t, const table_row *row, const int *judged,
+                         int sdf) {
+    *out = (answer){-1, -1, 0, 0, {"", 0}};
+    if (sdf)
+        return read_distance(&out->pmc, t, row);
+    if (judged[JUDGED_PMC]) {
+        out->pmc = index_of(table_field(t, row, COLUMN_PMC), pmc_words, 3);
+        if (out->pmc < 0)
+            return no_answer(t, row, COLUMN_PMC, "in, on or out");
+    }
+    if (judged[JUDGED_CLASS]) {
+        out->class_ = index_of(table_field(t, row, COLUMN_CLASS), class_words, 5);
+        if (out->class_ < 0)
+            return no_answer(t, row, COLUMN_CLASS,
+                             "regular, fold, fold_boundary, boundary or exterior");
+    }
+    if (judged[JUDGED_I] && !read_whole(&out->i, table_field(t, row, COLUMN_I)))
+        return no_answer(t, row, COLUMN_I, "a whole number");
+    if (judged[JUDGED_T] && !read_whole(&out->t, table_field(t, row, COLUMN_T)))
+        return no_answer(t, row, COLUMN_T, "a whole number");
+    out->word = table_field(t, row, COLUMN_WORD);
+    if (judged[JUDGED_WORD])
+        for (size_t k = 0; k < out->word.length || k == 0; k++)
+            if (!out->word.length || !strchr("IBO", out->word.start[k]))
+                return no_answer(t, row, COLUMN_WORD, "letters I, B, O");
+    return GRAZE_OK;
+}
+
+/* An `on` point is certainly on the boundary of the closed sweep if its one contact is an instant
+ * in a face (d = 2: an edge): the solid is there on one side of a plane only. That it is an instant
+ * is known of points made in their face, not displaced, by a contact of finite order; at a break
+ * point the order is that of one side. */
+static int surely_boundary(const table *t, const table_row *row) {
+    unsigned long i, tangencies, order;
+    const char *flat = t->dimension == 2 ? "edge" : "face";
+    field cell = table_field(t, row, COLUMN_CELL);
+    int one = read_whole(&i, table_field(t, row, COLUMN_I)) &&
+              read_whole(&tangencies, table_field(t, row, COLUMN_T)) && i + tangencies == 1;
+    int in_face = cell.length >= 4 && memcmp(cell.start, flat, 4) == 0;
+    int instant = read_whole(&order, table_field(t, row, COLUMN_ORDER)) &&
+                  !field_is(table_field(t, row, COLUMN_STRATUM), "break");
+    return one && in_face && instant && table_field(t, row, COLUMN_K).length == 0;
+}
+
+/* What the golden answer is under the question. */
+static int truth_of(int *apart, const graze_comparison *c, const table *t, const table_row *row,
+                    int pmc) {
+    *apart = 0;
+    if (c->options.question == GRAZE_QUESTION_OPEN || pmc != ON)
+        return pmc;
+    field topo = table_field(t, row, COLUMN_TOPO);
+    if (field_is(topo, "interior"))
+        return IN;
+    if (!field_is(topo, "boundary"))
+        *apart = topo.length > 0 || !surely_boundary(t, row);
+    return ON;
+}
+
+static int pmc_wrong(graze_on_as on_as, int truth, int given) {
+    if (on_as == GRAZE_ON_AS_ANY && truth == ON)
+        return 0;
+    if (on_as == GRAZE_ON_AS_IN || on_as == GRAZE_ON_AS_OUT) {
+        int side = on_as == GRAZE_ON_AS_IN ? IN : OUT;
+        truth = truth == ON ? side : truth;
+        given = given == ON ? side : given;
+    }
+    return truth != given;
+}
+
+judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
+                const answer *right, const answer *given) {
+    judgement j = {{0}, 0, 0, 0};
+    j.truth = truth_of(&j.apart, c, golden, row, right->pmc);
+    j.wrong[JUDGED_PMC] =
+        c->judged[JUDGED_PMC] && !j.apart && pmc_wrong(c->options.on_as, j.truth, given->pmc);
+    j.wrong[JUDGED_CLASS] = c->judged[JUDGED_CLASS] && right->class_ != given->class_;
+    j.wrong[JUDGED_I] = c->judged[JUDGED_I] && right->i != given->i;
+    j.wrong[JUDGED_T] = c->judged[JUDGED_T] && right->t != given->t;
+    j.wrong[JUDGED_WORD] = c->judged[JUDGED_WORD] && !field_equal(right->word, given->word);
+    for (int k = 0; k < JUDGED_COUNT; k++)
+        j.any_wrong |= j.wrong[k];
+    return j;
+}

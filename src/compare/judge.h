@@ -1,0 +1,35 @@
+/* One row's answers, and whether the candidate's are right.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_COMPARE_JUDGE_H
+#define GRAZE_COMPARE_JUDGE_H
+
+#include "compare/compare.h"
+
+/** Answers as indices into pmc_words and class_words; -1 where there is none. */
+typedef struct answer {
+    int pmc, class_;
+    unsigned long i, t;
+    field word;
+} answer;
+
+typedef struct judgement {
+    int wrong[JUDGED_COUNT];
+    int any_wrong;
+    int apart; /* the golden answer is `on`, and the point may lie inside the closed sweep */
+    int truth; /* the golden pmc under the question asked */
+} judgement;
+
+/** The column of what is judged. */
+column judged_column(int judged);
+
+/** Read the answers of a row: pmc always (or from the sign of `sdf`), the others where judged.
+ * @return GRAZE_EINPUT a word that is no answer */
+graze_status answer_read(answer *out, const table *t, const table_row *row, const int *judged,
+                         int sdf);
+
+/** Judge a pair of rows. */
+judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
+                const answer *right, const answer *given);
+
+#endif

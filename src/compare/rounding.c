@@ -1,0 +1,123 @@
+/* Finds golden rows that rounding makes equal though their answers differ.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * One pass over the table keeps the digests of those rows whose key falls to it; a table too large
+ * for one pass is read several times, each for its share of the keys.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "compare/match.h"
+
+enum { MOST_ENTRIES = 1 << 21 };
+
+/* A free place has line 0. */
+typedef struct entry {
+    digest key;
+    uint64_t answers, line;
+} entry;
+
+typedef struct share {
+    entry *entries; /* an open hash table, at most half full */
+    size_t count, capacity;
+    unsigned long pass, passes; /* keys with high % passes = pass are kept */
+} share;
+
+static entry *place(const share *s, digest key) {
+    size_t at = key.low & (s->capacity - 1);
+    while (s->entries[at].line && !digest_equal(s->entries[at].key, key))
+        at = (at + 1) & (s->capacity - 1);
+    return &s->entries[at];
+}
+
+static int grow(share *s) {
+    share larger = *s;
+    larger.capacity = s->capacity ? 2 * s->capacity : 1024;
+    larger.entries = calloc(larger.capacity, sizeof *larger.entries);
+    if (!larger.entries)
+        return 0;
+    for (size_t k = 0; k < s->capacity; k++)
+        if (s->entries[k].line)
+            *place(&larger, s->entries[k].key) = s->entries[k];
+    free(s->entries);
+    *s = larger;
+    return 1;
+}
+
+/* The digest of a row's answers, each ended by a byte that no field holds. */
+static graze_status answers_of(uint64_t *out, const table *t, const table_row *row,
+                               const column *columns, size_t count) {
+    char *text = NULL;
+    size_t length = 0;
+    FILE *file = open_memstream(&text, &length);
+    for (size_t k = 0; file && k < count; k++) {
+        field f = table_field(t, row, columns[k]);
+        fprintf(file, "%.*s\n", (int)f.length, f.start);
+    }
+    int failed = !file || fclose(file) != 0;
+    *out = failed ? 0 : digest_of(text, length).high;
+    free(text);
+    return failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
+}
+
+static graze_status keep(share *s, const table *t, const table_row *row, const column *columns,
+                         size_t count) {
+    uint64_t answers;
+    graze_status status = answers_of(&answers, t, row, columns, count);
+    if (status || row->key.high % s->passes != s->pass)
+        return status;
+    if (2 * (s->count + 1) > s->capacity && !grow(s))
+        return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
+    entry *e = place(s, row->key);
+    if (e->line && e->answers != answers)
+        return context_fail(t->in.context, GRAZE_EINPUT,
+                            "%s:%lu: rounding makes this row equal to that of line %lu, whose "
+                            "answer is another; right are points that stay apart",
+                            t->in.name, row->line, (unsigned long)e->line);
+    s->count += !e->line;
+    *e = (entry){row->key, answers, row->line};
+    return GRAZE_OK;
+}
+
+/* One pass; it stops early, without fault, when its share of the keys is too large. */
+static graze_status pass(share *s, graze_context *context, const char *path, const column *columns,
+                         size_t count) {
+    table t;
+    table_row row = {0};
+    int more = 1;
+    graze_status status = table_open(&t, context, path);
+    while (!status && more && s->count < MOST_ENTRIES) {
+        status = table_next(&t, &row, &more);
+        if (!status && more)
+            status = match_key(&row, context, &t, 0, t.dimension);
+        if (!status && more)
+            status = keep(s, &t, &row, columns, count);
+    }
+    table_row_clear(&row);
+    table_close(&t);
+    return status;
+}
+
+graze_status match_rounding(graze_context *context, const table *golden, const char *path,
+                            const column *columns, size_t count) {
+    if (!stream_repeatable(&golden->in))
+        return context_fail(context, GRAZE_EINPUT,
+                            "%s: is read more than once under --round; right is a regular file",
+                            golden->in.name);
+    share s = {NULL, 0, 0, 0, 1};
+    graze_status status = GRAZE_OK;
+    while (!status && s.pass < s.passes) {
+        s.count = 0;
+        if (s.capacity)
+            memset(s.entries, 0, s.capacity * sizeof *s.entries);
+        status = pass(&s, context, path, columns, count);
+        if (s.count < MOST_ENTRIES) {
+            s.pass++;
+        } else {
+            s.passes *= 2;
+            s.pass = 0;
+        }
+    }
+    free(s.entries);
+    return status;
+}

@@ -1,0 +1,262 @@
+/* Reads the `#` lines, the column line and the rows of a table.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "compare/table.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "context/file.h"
+
+static const char *const column_names[COLUMN_COUNT] = {
+    "x", "y",    "z",    "id",      "pmc",   "class", "definition", "case", "i",
+    "t", "word", "topo", "stratum", "order", "cell",  "k",          "sdf"};
+
+static const char *const note_names[NOTE_COUNT] = {"graze",         "dimension",    "solid-sha256",
+                                                   "motion-sha256", "scene-sha256", "operation",
+                                                   "folds",         "round",        "triangulate"};
+
+const char *column_name(column c) {
+    return column_names[c];
+}
+
+const char *note_name(note n) {
+    return note_names[n];
+}
+
+int field_is(field f, const char *text) {
+    return f.length == strlen(text) && memcmp(f.start, text, f.length) == 0;
+}
+
+int field_equal(field a, field b) {
+    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
+}
+
+field table_field(const table *t, const table_row *row, column c) {
+    return t->where[c] < 0 ? (field){"", 0} : row->fields[t->where[c]];
+}
+
+digest digest_of(const char *bytes, size_t length) {
+    unsigned char sha256[32];
+    digest d;
+    file_sha256(sha256, bytes, length);
+    memcpy(&d.high, sha256, 8);
+    memcpy(&d.low, sha256 + 8, 8);
+    return d;
+}
+
+int digest_equal(digest a, digest b) {
+    return a.high == b.high && a.low == b.low;
+}
+
+static graze_status no_memory(const table *t) {
+    return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
+}
+
+static int is_blank(char byte) {
+    return byte == ' ' || byte == '\t';
+}
+
+static field trimmed(field f) {
+    for (; f.length && is_blank(*f.start); f.start++)
+        f.length--;
+    while (f.length && is_blank(f.start[f.length - 1]))
+        f.length--;
+    return f;
+}
+
+/* A whole number as the last line has it; 0 if it is none or too large. */
+static int read_count(unsigned long *out, field f) {
+    *out = 0;
+    for (size_t k = 0; k < f.length; k++) {
+        unsigned digit = (unsigned)(f.start[k] - '0');
+        if (digit > 9 || *out > (~0ul - digit) / 10)
+            return 0;
+        *out = 10 * *out + digit;
+    }
+    return f.length > 0;
+}
+
+static graze_status read_complete(table *t, field value) {
+    unsigned long count;
+    if (!read_count(&count, value) || count != t->rows || t->complete)
+        return context_fail(t->in.context, GRAZE_EINPUT,
+                            "%s:%lu: `# complete %.*s` stands after %lu rows; right is one such "
+                            "line, the last, with their number",
+                            t->in.name, t->in.line, value.length > 40 ? 40 : (int)value.length,
+                            value.start, t->rows);
+    t->complete = 1;
+    return GRAZE_OK;
+}
+
+/* A `#` line: `# key value`. */
+static graze_status read_note(table *t, field line) {
+    field key = trimmed((field){line.start + 1, line.length - 1}), value = key;
+    for (key.length = 0; key.length < value.length && !is_blank(key.start[key.length]);)
+        key.length++;
+    value.start += key.length;
+    value.length -= key.length;
+    value = trimmed(value);
+    if (field_is(key, "complete"))
+        return read_complete(t, value);
+    for (int n = 0; n < NOTE_COUNT; n++) {
+        if (!field_is(key, note_names[n]) || t->notes[n] || t->columns)
+            continue;
+        t->notes[n] = strndup(value.start, value.length);
+        return t->notes[n] ? GRAZE_OK : no_memory(t);
+    }
+    return GRAZE_OK;
+}
+
+/* Where a field that begins at `at` ends; NULL if a quote in it is not closed or followed by more.
+ */
+static const char *field_end(const char *at, const char *end) {
+    while (at < end && is_blank(*at))
+        at++;
+    if (at == end || *at != '"') {
+        const char *comma = memchr(at, ',', (size_t)(end - at));
+        return comma ? comma : end;
+    }
+    for (at++; at < end && !(*at == '"' && (at + 1 == end || at[1] != '"')); at++)
+        at += *at == '"';
+    if (at >= end)
+        return NULL;
+    for (at++; at < end && is_blank(*at);)
+        at++;
+    return at == end || *at == ',' ? at : NULL;
+}
+
+static graze_status add_field(table *t, table_row *row, field f) {
+    if (row->field_count == row->field_capacity) {
+        size_t capacity = 2 * row->field_capacity + 16;
+        field *grown = realloc(row->fields, capacity * sizeof *grown);
+        if (!grown)
+            return no_memory(t);
+        row->fields = grown;
+        row->field_capacity = capacity;
+    }
+    f = trimmed(f);
+    if (f.length >= 2 && *f.start == '"') {
+        f.start++;
+        f.length -= 2;
+    }
+    row->fields[row->field_count++] = f;
+    return GRAZE_OK;
+}
+
+/* Copy a line into a row and cut it at its commas. */
+static graze_status split(table *t, table_row *row, field line) {
+    if (row->capacity < line.length + 1) {
+        char *grown = realloc(row->bytes, line.length + 256);
+        if (!grown)
+            return no_memory(t);
+        row->bytes = grown;
+        row->capacity = line.length + 256;
+    }
+    memcpy(row->bytes, line.start, line.length);
+    row->bytes[line.length] = '\0';
+    row->field_count = 0;
+    row->keyed = 0;
+    row->line = t->in.line;
+    const char *at = row->bytes, *end = at + line.length;
+    for (;;) {
+        const char *stop = field_end(at, end);
+        if (!stop)
+            return context_fail(t->in.context, GRAZE_EINPUT,
+                                "%s:%lu: a quoted field must end on its line, before a comma or "
+                                "the line's end",
+                                t->in.name, t->in.line);
+        graze_status status = add_field(t, row, (field){at, (size_t)(stop - at)});
+        if (status || stop == end)
+            return status;
+        at = stop + 1;
+    }
+}
+
+/* The next line that is neither blank nor a `#` line, as a row. */
+static graze_status next_line(table *t, table_row *row, int *more) {
+    field line;
+    graze_status status = GRAZE_OK;
+    *more = 0;
+    while (!status) {
+        status = stream_next(&t->in, &line.start, &line.length);
+        if (status || !line.start)
+            return status;
+        if (line.length && *line.start == '#') {
+            status = read_note(t, line);
+        } else if (trimmed(line).length) {
+            *more = 1;
+            return split(t, row, line);
+        }
+    }
+    return status;
+}
+
+/* The first column of a name counts in a table of Graze's own, where the points' further columns
+ * come last and may be called anything. */
+static graze_status fix_columns(table *t, const table_row *row) {
+    for (size_t k = 0; k < row->field_count; k++)
+        for (int c = 0; c < COLUMN_COUNT; c++) {
+            if (!field_is(row->fields[k], column_names[c]))
+                continue;
+            if (t->where[c] >= 0 && !t->notes[NOTE_GRAZE])
+                return context_fail(t->in.context, GRAZE_EINPUT,
+                                    "%s:%lu: the column line names %s twice; right is once",
+                                    t->in.name, t->in.line, column_names[c]);
+            if (t->where[c] < 0)
+                t->where[c] = (int)k;
+        }
+    t->columns = row->field_count;
+    int has_z = t->where[COLUMN_Z] >= 0;
+    if (t->where[COLUMN_X] >= 0 && t->where[COLUMN_Y] >= 0)
+        t->dimension = has_z ? 3 : 2;
+    if (t->notes[NOTE_DIMENSION] && t->dimension == 3 && strcmp(t->notes[NOTE_DIMENSION], "2") == 0)
+        t->dimension = 2;
+    return GRAZE_OK;
+}
+
+graze_status table_open(table *out, graze_context *context, const char *path) {
+    table_row row = {0};
+    int more = 0;
+    memset(out, 0, sizeof *out);
+    for (int c = 0; c < COLUMN_COUNT; c++)
+        out->where[c] = -1;
+    graze_status status = stream_open(&out->in, context, path);
+    if (!status)
+        status = next_line(out, &row, &more);
+    if (!status && !more)
+        status = context_fail(context, GRAZE_EINPUT,
+                              "%s: no column line; right is a line of names such as x,y,z,pmc",
+                              out->in.name);
+    if (!status)
+        status = fix_columns(out, &row);
+    table_row_clear(&row);
+    return status;
+}
+
+void table_close(table *t) {
+    stream_close(&t->in);
+    for (int n = 0; n < NOTE_COUNT; n++)
+        free(t->notes[n]);
+}
+
+graze_status table_next(table *t, table_row *row, int *more) {
+    graze_status status = next_line(t, row, more);
+    if (status || !*more)
+        return status;
+    if (t->complete)
+        return context_fail(t->in.context, GRAZE_EINPUT,
+                            "%s:%lu: a row after `# complete`; right is that line last", t->in.name,
+                            t->in.line);
+    if (row->field_count != t->columns)
+        return context_fail(t->in.context, GRAZE_EINPUT,
+                            "%s:%lu: %zu columns; right are %zu, as on the column line", t->in.name,
+                            t->in.line, row->field_count, t->columns);
+    row->number = ++t->rows;
+    return GRAZE_OK;
+}
+
+void table_row_clear(table_row *row) {
+    free(row->bytes);
+    free(row->fields);
+    memset(row, 0, sizeof *row);
+}

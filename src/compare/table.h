@@ -1,0 +1,103 @@
+/* A table of answers as a stream of rows: golden tables as classify writes them, and candidates'.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Invariant: once opened, the `#` lines before the column line and the columns are known; every row
+ * handed out has as many fields as there are columns.
+ */
+#ifndef GRAZE_COMPARE_TABLE_H
+#define GRAZE_COMPARE_TABLE_H
+
+#include <stdint.h>
+#include "compare/stream.h"
+
+/** Columns that mean something here; any other is passed over. */
+typedef enum column {
+    COLUMN_X,
+    COLUMN_Y,
+    COLUMN_Z,
+    COLUMN_ID,
+    COLUMN_PMC,
+    COLUMN_CLASS,
+    COLUMN_DEFINITION,
+    COLUMN_CASE,
+    COLUMN_I,
+    COLUMN_T,
+    COLUMN_WORD,
+    COLUMN_TOPO,
+    COLUMN_STRATUM,
+    COLUMN_ORDER,
+    COLUMN_CELL,
+    COLUMN_K,
+    COLUMN_SDF,
+    COLUMN_COUNT
+} column;
+
+/** Keys of `#` lines that mean something here. */
+typedef enum note {
+    NOTE_GRAZE,
+    NOTE_DIMENSION,
+    NOTE_SOLID,
+    NOTE_MOTION,
+    NOTE_SCENE,
+    NOTE_OPERATION,
+    NOTE_FOLDS,
+    NOTE_ROUND,
+    NOTE_TRIANGULATE,
+    NOTE_COUNT
+} note;
+
+typedef struct field {
+    const char *start;
+    size_t length;
+} field;
+
+/** The first 128 bits of a SHA-256, by which points and answers are known again. */
+typedef struct digest {
+    uint64_t high, low;
+} digest;
+
+/** A row with bytes of its own. `fields` are without blanks and quotes around them. */
+typedef struct table_row {
+    unsigned long line, number; /* in the file, and among the rows, from 1 */
+    char *bytes;
+    field *fields;
+    size_t capacity, field_count, field_capacity;
+    int keyed;  /* 1 once `key` is known */
+    digest key; /* of the row's id or point */
+} table_row;
+
+typedef struct table {
+    stream in;
+    char *notes[NOTE_COUNT]; /* values of `#` lines; NULL where there is none */
+    int dimension;           /* of the points; 0 without columns x and y */
+    int where[COLUMN_COUNT]; /* -1 where there is no such column */
+    size_t columns;
+    unsigned long rows; /* handed out */
+    int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
+} table;
+
+/** The name of a column or of a `#` line. */
+const char *column_name(column c);
+const char *note_name(note n);
+
+/** Open a table and read up to its columns. table_close in either case. `path` is borrowed.
+ * @return GRAZE_EINPUT no column line, or a name in it twice; those of stream_next */
+graze_status table_open(table *out, graze_context *context, const char *path);
+void table_close(table *t);
+
+/** The next row. *more is 0 at the end of the table.
+ * @return GRAZE_EINPUT a wrong number of fields, a quote not closed, a wrong `# complete N`, rows
+ * after it; those of stream_next */
+graze_status table_next(table *t, table_row *row, int *more);
+void table_row_clear(table_row *row);
+
+/** A field of a row; empty where the table has no such column. */
+field table_field(const table *t, const table_row *row, column c);
+int field_is(field f, const char *text);
+int field_equal(field a, field b);
+
+/** The digest of bytes. */
+digest digest_of(const char *bytes, size_t length);
+int digest_equal(digest a, digest b);
+
+#endif

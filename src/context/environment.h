@@ -1,0 +1,24 @@
+/* The floating-point environment that Graze computes in, whatever the host has set.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * FLINT's modular arithmetic and CGAL's filters take rounding to nearest for granted; under another
+ * mode FLINT was seen to factor wrongly. Every public function that computes opens with
+ *     __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+ */
+#ifndef GRAZE_CONTEXT_ENVIRONMENT_H
+#define GRAZE_CONTEXT_ENVIRONMENT_H
+
+#include <fenv.h>
+
+/** What the host had set: rounding mode, traps, flushing of subnormals, exception flags. */
+typedef struct environment {
+    fenv_t host;
+} environment;
+
+/** Set the default environment for this thread: to nearest, no traps, subnormals kept. */
+environment environment_enter(void);
+
+/** Give the host its own back. */
+void environment_leave(const environment *saved);
+
+#endif
