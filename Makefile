@@ -1,5 +1,8 @@
 # Graze: exact classification of points against swept solids.  `make help` lists the targets.
 SHELL := /bin/bash
+ifeq ($(filter -j%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell nproc)
+endif
 B ?= build
 ifeq ($(origin CC),default)
 CC := gcc
@@ -67,36 +70,45 @@ define install_packages
 endef
 $B/.packages-build: Makefile
 	$(call install_packages,$(PACKAGES_BUILD))
-$B/.packages-test: Makefile
+$B/.packages-test: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_TEST))
-$B/.packages-all: Makefile
+$B/.packages-all: Makefile | $B/.packages-test
 	$(call install_packages,$(PACKAGES_ALL))
 
 # ---------------------------------------------------------------- building
 $B/%.o: %.c | $B/.packages-build
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) -c -o $@ $<
+	@echo "  CC   $<"
+	@$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $B/%.o: %.cpp | $B/.packages-build
 	@mkdir -p $(@D)
-	$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
+	@echo "  CXX  $<"
+	@$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
 $B/libgraze.a: $(LIB_O)
 	@rm -f $@
-	ar rcs $@ $^
+	@echo "  AR   $@"
+	@ar rcs $@ $^
 $B/libgraze.so: $(LIB_O)
-	$(CXX) -shared -Wl,-soname,libgraze.so.0 $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+	@echo "  LINK $@"
+	@$(CXX) -shared -Wl,-soname,libgraze.so.0 $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 $B/graze: $(CLI_O) $B/libgraze.a
-	$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 $B/tests/unit/%: $B/tests/unit/%.o $B/libgraze.a
-	$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
 $B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
-	$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
 $B/tests/%.o: | $B/.packages-test
 $B/tests/minkowski: tests/agree/minkowski.cpp | $B/.packages-build
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+	@echo "  CXX  $<"
+	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
 $B/tests/to_nef: tests/agree/to_nef.cpp | $B/.packages-build
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+	@echo "  CXX  $<"
+	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
 # A locale with a decimal comma, for the tests that must not notice it.
 build/tests/locale/de_DE.UTF-8: | $B/.packages-test
 	@mkdir -p $(@D)

@@ -66,12 +66,22 @@ static void search_minimum(run *r, int piece, const facet *f, double low, double
                            double sign) {
     const double ratio = (sqrt(5) - 1) / 2;
     double from = low, to = high, at_low = height_at(r, piece, f, low);
-    for (int k = 0; k < 80; k++) {
-        double a = to - ratio * (to - from), b = from + ratio * (to - from);
-        if (sign * height_at(r, piece, f, a) < sign * height_at(r, piece, f, b))
+    double a = to - ratio * (to - from), b = from + ratio * (to - from);
+    double at_a = sign * height_at(r, piece, f, a), at_b = sign * height_at(r, piece, f, b);
+    while (to - from > 1e-9 * (high - low)) {
+        if (at_a < at_b) {
             to = b;
-        else
+            b = a;
+            at_b = at_a;
+            a = to - ratio * (to - from);
+            at_a = sign * height_at(r, piece, f, a);
+        } else {
             from = a;
+            a = b;
+            at_a = at_b;
+            b = from + ratio * (to - from);
+            at_b = sign * height_at(r, piece, f, b);
+        }
     }
     double best = (from + to) / 2, value = height_at(r, piece, f, best);
     if (fabs(value) <= r->epsilon) {

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "cli/cli.h"
 #include "cli/output.h"
 
@@ -25,15 +26,20 @@ static int by_name(const struct dirent **a, const struct dirent **b) {
     return strcmp((*a)->d_name, (*b)->d_name);
 }
 
-/* The case `name`: its name and title; nothing where there is no README.md.
+/* The case `name`: its name and title; nothing where README.md or motion.json is missing.
  * Returns 1 if it is a case, 0 if not, -1 (and says why) if it cannot be read. */
 static int list_one(const char *folder, const char *name) {
     char line[512] = ""; /* a longer title is cut */
-    size_t size = strlen(folder) + strlen(name) + sizeof "//README.md";
+    size_t size = strlen(folder) + strlen(name) + sizeof "//motion.json";
     char *path = malloc(size);
     if (!path) {
         complain(EXIT_IO, "out of memory");
         return -1;
+    }
+    snprintf(path, size, "%s/%s/motion.json", folder, name);
+    if (access(path, F_OK) != 0) {
+        free(path);
+        return 0;
     }
     snprintf(path, size, "%s/%s/README.md", folder, name);
     FILE *readme = fopen(path, "r");
@@ -72,7 +78,9 @@ static int list(const char *folder) {
         return EXIT_IO;
     if (cases == 0)
         return complain(EXIT_INPUT,
-                        "%s: holds no case; right is a folder of folders with README.md", folder);
+                        "%s: holds no case; right is a folder of folders with README.md and "
+                        "motion.json",
+                        folder);
     return EXIT_DONE;
 }
 

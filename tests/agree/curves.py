@@ -26,8 +26,8 @@ from tracer import trace  # noqa: E402
 CURVES = 8
 
 # u(t) on an interval: roots 0, -1/2 and 1/3, sqrt 2, the cube root of 2, the golden ratio, +-sqrt 2
-CLOCKS = [([0, 1], -1, 1), ([F(-1, 6), F(1, 6), 1], -1, 1), ([-2, 0, 1], 0, 2), ([-2, 0, 0, 1], 0, 2),
-          ([-1, -1, 1], 0, 2), ([-2, 0, 1], -2, 2)]
+CLOCKS = [([0, 1], -1, 1), ([F(-1, 6), F(1, 6), 1], -1, 1), ([-2, 0, 1], 0, 2),
+          ([-2, 0, 0, 1], 0, 2), ([-1, -1, 1], 0, 2), ([-2, 0, 1], -2, 2)]
 # p(u): how fast the curve leaves along a direction
 SPEEDS = [[], [0, 1], [0, -1], [0, 0, 1], [0, 0, -1], [0, 0, 0, 1], [0, 1, 1], [0, 0, 2, -1],
           [0, F(1, 2)], [0, 0, F(1, 2**40)]]
@@ -35,8 +35,8 @@ SPEEDS = [[], [0, 1], [0, -1], [0, 0, 1], [0, 0, -1], [0, 0, 0, 1], [0, 1, 1], [
 
 def cone(sides):
     """A pyramid over a star: its apex is on 2 * sides facets, half of its edges are reflex."""
-    turns = [(1, 0), (F(3, 5), F(4, 5)), (F(-7, 25), F(24, 25)), (-1, F(0)), (F(-7, 25), F(-24, 25)),
-             (F(3, 5), F(-4, 5))][:sides]
+    turns = [(1, 0), (F(3, 5), F(4, 5)), (F(-7, 25), F(24, 25)), (-1, 0),
+             (F(-7, 25), F(-24, 25)), (F(3, 5), F(-4, 5))][:sides]
     base = []
     for k, (x, y) in enumerate(turns):
         z = turns[(k + 1) % len(turns)]

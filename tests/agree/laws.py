@@ -8,7 +8,6 @@ mesh against Nef polyhedron, union against its parts, sweep against unsweep of t
 ([IS] eqs 19, 36), sequence against its parts, plane scene against its prism. No law trusts the
 program: all compare one run of it with another one along a different path.
 """
-import json
 import os
 import subprocess
 import sys
@@ -28,7 +27,7 @@ from motion import translate  # noqa: E402
 from points import mixed  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
 from shells import shells_text  # noqa: E402
-from solids import Polygon, extruded, meshes, polygons  # noqa: E402
+from solids import extruded, meshes, polygons  # noqa: E402
 from times import irrational, negated, time_root  # noqa: E402
 
 POINTS = 18
@@ -83,7 +82,8 @@ def law_reversed(law):
 
 
 SHEARS = {
-    2: ([[1, F(1, 2), 3], [F(-1, 3), 1, -2]], [[F(-3, 5), F(4, 5), 1], [F(4, 5), F(3, 5), F(1, 7)]]),
+    2: ([[1, F(1, 2), 3], [F(-1, 3), 1, -2]],
+        [[F(-3, 5), F(4, 5), 1], [F(4, 5), F(3, 5), F(1, 7)]]),
     3: ([[1, F(1, 2), 0, 3], [F(-1, 3), 1, 0, -2], [0, F(1, 5), 2, 1]],
         [[0, 1, 0, 1], [1, 0, F(1, 4), 0], [0, 0, 1, F(-2, 3)]]),
 }
@@ -253,7 +253,7 @@ def followers(space):
 
 
 def affine_at(motion, t):
-    """The map at time t as rows of d+1 numbers, from the images of the origin and the unit points."""
+    """The map at time t as rows of d+1 numbers, from the images of origin and unit points."""
     d = motion.dimension
     origin = motion.map([F(0)] * d, t)
     columns = [[a - b for a, b in zip(motion.map([F(int(i == j)) for j in range(d)], t), origin)]

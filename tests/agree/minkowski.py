@@ -4,8 +4,9 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 
 For one leg or several the open sweep is the union of int S + leg and the closed one of S + leg:
-`in`, `on` and `out` of the program must be membership in these. CGAL's position in the closed sweep as
-a point set must fit theory A3: `out` is exterior, `in` is interior, and every boundary point is `on`.
+`in`, `on` and `out` of the program must be membership in these. CGAL's position in the closed
+sweep as a point set must fit theory A3: `out` is exterior, `in` is interior, and every boundary
+point is `on`.
 """
 import os
 import subprocess

@@ -6,8 +6,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Next to a big facet the trajectory is c = y + p(t) e + q(t) n, e along the facet and n outward
 transversal, so the sign of q alone says where the point is: words and times follow from q and,
 displaced by d along n, from q + d. The solid is the affine image of a square or a cube of half
-side 50; the trajectory keeps within 11 along the facet and 32 across, so nothing else is met. At corners and
-pinches the words follow from the picture named beside each case.
+side 50; the trajectory keeps within 11 along the facet and 32 across, so nothing else is met. At
+corners and pinches the words follow from the picture named beside each case.
 """
 import os
 import sys
@@ -23,7 +23,7 @@ from times import time_is  # noqa: E402
 
 SIZES = (60, 200, 1100)
 
-# q(t) on [-2, 2], and the word it gives; a displacement must give the words beside it: outward, inward
+# q(t) on [-2, 2], the word it gives, and the words displaced outward and inward
 HEIGHTS = {
     "touch from outside": ([0, 0, 3], "OBO", "O", "OBIBO"),
     "touch from inside": ([0, 0, -3], "IBI", "IBOBI", "I"),

@@ -25,8 +25,11 @@ def run(graze, case, *more):
 
 def cells_of(features):
     """The cells of a contact as the README writes them."""
-    return " ".join("edge {}-{}".format(*c["edge"]) if "edge" in c else "{} {}".format(*next(iter(c.items())))
-                    for c in features)
+    out = []
+    for feature in features:
+        (kind, number), = feature.items()
+        out.append(f"{kind} " + ("-".join(map(str, number)) if kind == "edge" else str(number)))
+    return " ".join(out)
 
 
 def check_files(tally, case):
@@ -99,8 +102,8 @@ def main():
         seen |= covered(case)
         points += len(case.points)
     want = combinations()
-    print(f"{points} points; {len(seen & want)} of {len(want)} combinations of definition, case and "
-          "dimension")
+    print(f"{points} points; {len(seen & want)} of {len(want)} combinations of definition, case "
+          "and dimension")
     if not args.only:
         missing = sorted(want - seen)
         tally.equal(missing, [], "combinations that no case shows")

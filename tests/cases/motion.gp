@@ -18,7 +18,7 @@ turned(q) = { my(w, x, y, z); [w, x, y, z] = q;
    2*(x*z-w*y), 2*(y*z+w*x), w^2-x^2-y^2+z^2] / (w^2+x^2+y^2+z^2); }
 quaternion(q, c) = about(turned(q), c);
 
-\\ The rotation by 2 atan(h): in the plane (axis 0), or about an axis whose length is rational and is
+\\ The rotation by 2 atan(h): in the plane (axis 0), or about an axis whose length is rational and
 \\ positive at the time m.
 half(h, axis, m) = {
   my(e, L);
@@ -41,8 +41,11 @@ compose(L) = { my(M = 1); for(k = 1, #L, M = L[k] * M); M; }
 \\ Between frames [time, position, rotation] both run linearly; a rotation is a quaternion or, in
 \\ the plane, a half angle as a complex number.
 between(F, G) = {
-  my(s = ('t - F[1]) / (G[1] - F[1]), p = F[2] + s * (G[2] - F[2]), q = F[3] + s * (G[3] - F[3]));
-  affine(if(#q == 2, [q[1]^2-q[2]^2, -2*q[1]*q[2]; 2*q[1]*q[2], q[1]^2-q[2]^2] / (q*q~), turned(q)), p); }
+  my(s = ('t - F[1]) / (G[1] - F[1]), x, y,
+    p = F[2] + s * (G[2] - F[2]), q = F[3] + s * (G[3] - F[3]));
+  if(#q == 4, return(affine(turned(q), p)));
+  [x, y] = q;
+  affine([x^2-y^2, -2*x*y; 2*x*y, x^2-y^2] / (x^2+y^2), p); }
 keyframes(L) = vector(#L - 1, k, [L[k][1], L[k+1][1], between(L[k], L[k+1])]);
 
 \\ The piece's matrix of a motion on an interval within it.
@@ -50,7 +53,8 @@ piece_at(A, u, v) = { for(k = 1, #A, if(A[k][1] <= u && v <= A[k][2], return(A[k
   error("an interval lies in no piece"); }
 relative(A, B) = {
   my(cuts = vecsort(Set(concat([[p[1], p[2]] | p <- concat(A, B)]))));
-  vector(#cuts - 1, k, my(u = cuts[k], v = cuts[k+1]); [u, v, piece_at(B, u, v)^-1 * piece_at(A, u, v)]); }
+  vector(#cuts - 1, k, my(u = cuts[k], v = cuts[k+1]);
+    [u, v, piece_at(B, u, v)^-1 * piece_at(A, u, v)]); }
 sequence(L) = {
   my(out = [], E = 1);
   for(j = 1, #L, my(A = L[j], a = A[1][1], b = A[#A][2], w = b - a, f(x) = (x - a) / w + j - 1);

@@ -61,19 +61,19 @@ def answers_of(text):
 
 
 def check(tally, case, answers):
-    expected = dict(zip((id for id, _ in case.points), case.expected))
+    rows = {row.get("id"): row for row in case.expected}
     combined = case.option("--folds", "separate") == "combined"
-    for id, _ in case.points:
+    for id, point in case.points:
         where = (case.name, id)
         if not tally.holds(where in answers, "gp gave no answer", *where):
             continue
         word, spans, cells = answers[where]
         want_word, want_spans, want_cells = case.table.get(id, ("", [], None))
         tally.equal(word, want_word, *where, "word of the README")
-        row = expected.get(id, {})
+        row = rows.get(id, {})
         fields = ({"pmc": unswept(word)} if case.option("--operation", "sweep") == "unsweep"
                   else read(word, combined))
-        fields["word"] = word
+        fields.update(word=word, **{axis: str(F(x)) for axis, x in zip("xyz", point)})
         tally.equal({k: row.get(k) for k in fields}, fields, *where, "expected.csv")
         same = len(spans) == len(want_spans) and all(
             same_time(g, w) for got, want in zip(spans, want_spans) for g, w in zip(got, want))
@@ -101,8 +101,9 @@ def main():
     with tempfile.NamedTemporaryFile("w", suffix=".gp") as file:
         file.write(text)
         file.flush()
-        done = subprocess.run(["gp", "-q", "-f", "-D", "parisizemax=2G", file.name], stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        done = subprocess.run(["gp", "-q", "-f", "-D", "parisizemax=2G", file.name], text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT)
     answers = answers_of(done.stdout)
     tally.equal(done.returncode, 0, "gp's exit status")
     for case in cases:

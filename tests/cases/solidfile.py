@@ -24,7 +24,8 @@ def plane(vertices, numbers):
             i, j = (k + 1) % 3, (k + 2) % 3
             n[k] += (a[i] - b[i]) * (a[j] + b[j])
     drop = next(k for k in range(3) if n[k])
-    return n, sum(x * y for x, y in zip(n, corners[0])), [k for k in range(3) if k != drop], corners, numbers
+    offset = sum(x * y for x, y in zip(n, corners[0]))
+    return n, offset, [k for k in range(3) if k != drop], corners, numbers
 
 
 def read_off(text):
@@ -86,4 +87,5 @@ def gp_list(values):
 def gp_facet(index, facet):
     normal, offset, kept, corners, numbers = facet
     corners = "[" + ",".join(gp_list(c) for c in corners) + "]"
-    return f"[{gp_list(normal)},{offset},{gp_list(k + 1 for k in kept)},{corners},{index},{gp_list(numbers)}]"
+    kept = gp_list(k + 1 for k in kept)
+    return f"[{gp_list(normal)},{offset},{kept},{corners},{index},{gp_list(numbers)}]"

@@ -106,7 +106,8 @@ def parse_polynomial(text):
         while tokens and tokens[0] in "+-":
             more = term()
             wide = max(len(out), len(more))
-            out = [a + b for a, b in zip(out + [F(0)] * (wide - len(out)), more + [F(0)] * (wide - len(more)))]
+            out, more = (p + [F(0)] * (wide - len(p)) for p in (out, more))
+            out = [a + b for a, b in zip(out, more)]
         return out
 
     out = trim(total())
@@ -143,4 +144,5 @@ def same_time(got, want):
         if p is None:
             return got == want
         return low < got[1] < high and value(p, got[1]) == 0
-    return not remainder(p, got[0]) and roots_between(got[0], max(low, got[1]), min(high, got[2])) == 1
+    common = max(low, got[1]), min(high, got[2])
+    return not remainder(p, got[0]) and roots_between(got[0], *common) == 1

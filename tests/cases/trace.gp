@@ -2,9 +2,9 @@
 \\
 \\ A time is [lo, hi, p]: the one root in (lo, hi) of p, irreducible over Q of degree 2 or more; or
 \\ [r, r, 0], the rational r. Irreducible factors make equal times equal and different ones differ.
-\\ A facet is [n, d, k, V, j, I]: the plane n.x = d, two coordinates k in which it is not seen edge-on,
-\\ its corners V in turn, its number and its corners' numbers; in the plane of d = 2 an edge, k empty.
-\\ A contact is a root of a plane's polynomial at which the point lies in the closed facet, or a gap in
+\\ A facet is [n, d, k, V, j, I]: the plane n.x = d, two coordinates k that do not see it edge-on,
+\\ its corners V in turn, its number j and its corners' numbers I; where d = 2 an edge, k empty. A
+\\ contact is a root of a plane's polynomial at which the point lies in the closed facet, or a gap in
 \\ which it stays in one. A cell is [0, face], [1, vertex, vertex] or [2, vertex].
 \\ SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -15,11 +15,12 @@ refine(T) = { my([lo, hi, p] = T, m = (lo + hi) / 2);
 isolate(p, a, b) = { my(n = polsturm(p, [a, b]), T, m = (a + b) / 2);
   if(n == 0, return([]));
   if(n > 1, return(concat(isolate(p, a, m), isolate(p, m, b))));
-  T = [a, b, p]; while(T[2] - T[1] > 2^-40, T = refine(T)); [T]; }
+  T = [a, b, p]; while(T[2] - T[1] > 2^-10, T = refine(T)); [T]; }
 
 {cache = Map();}
 factor_roots(p, a, b) = { my(out = 0, r, key);
-  if(poldegree(p) == 1, r = -polcoef(p, 0) / polcoef(p, 1); return(if(a <= r && r <= b, [[r, r, 0]], [])));
+  if(poldegree(p) == 1, r = -polcoef(p, 0) / polcoef(p, 1);
+    return(if(a <= r && r <= b, [[r, r, 0]], [])));
   p = p / content(p) * sign(pollead(p)); key = [p, a, b];
   if(mapisdefined(cache, key, &out), return(out));
   out = isolate(p, a, b); mapput(cache, key, out); out; }
@@ -57,7 +58,8 @@ between_ends(u, v, N, D, T) = {
 \\ The state of a rational point: B on a facet; else the parity of a slanted ray's facets, the ray
 \\ being changed where it meets a rim.
 state(X, facets) = {
-  my(Z = [0, 0, 0], rays = [[1009, 337, 211], [-613, 1201, 89], [227, -401, 1303], [-71, -1511, -2003]]);
+  my(Z = [0, 0, 0], rays);
+  rays = [[1009, 337, 211], [-613, 1201, 89], [227, -401, 1303], [-71, -1511, -2003]];
   for(f = 1, #facets, my(F = facets[f]); if(F[1] * X~ == F[2] && place(F, X, 1, Z), return("B")));
   for(r = 1, #rays, my(w = rays[r][1..#X], odd = 0, good = 1);
     for(f = 1, #facets, my(F = facets[f], s = F[1] * w~, l, p, Y);
@@ -79,13 +81,14 @@ rim_times(F, N, D, a, b) = {
   [i, j] = F[3];
   for(e = 1, #V, my(u = V[e], v = V[e % #V + 1], g);
     g = (v[i] - u[i]) * (N[j] - u[j] * D) - (v[j] - u[j]) * (N[i] - u[i] * D);
-    out = concat(out, if(g == 0, concat(at_corner(u, N, D, a, b), at_corner(v, N, D, a, b)), roots_in(g, a, b))));
+    out = concat(out, if(g == 0,
+      concat(at_corner(u, N, D, a, b), at_corner(v, N, D, a, b)), roots_in(g, a, b))));
   out; }
 
 \\ Times in order, their intervals made disjoint.
-in_order(L) = { my(again = 1);
+in_order(L) = { my(again = 1, before = (x, y) -> sign(if(x[1] == y[1], x[2] - y[2], x[1] - y[1])));
   L = Set(L);
-  while(again, again = 0; L = vecsort(L, (x, y) -> if(x[1] == y[1], sign(x[2] - y[2]), sign(x[1] - y[1])));
+  while(again, again = 0; L = vecsort(L, before);
     for(k = 1, #L - 1, if(L[k][2] >= L[k+1][1],
       again = 1; for(q = k, k + 1, if(L[q][3] != 0, L[q] = refine(L[q]))))));
   L; }
@@ -110,10 +113,10 @@ cells(facets, N, D, T) = {
   my(out = []);
   foreach(facets, F, if(sign_at(F[1] * N~ - F[2] * D, T) == 0,
     my(p = place(F, N, D, T));
-    if(p == 1 && F[3] != [], out = concat(out, [[0, F[5]]]), p, out = concat(out, rim_cells(F, N, D, T)))));
+    if(p, out = concat(out, if(p == 1 && F[3] != [], [[0, F[5]]], rim_cells(F, N, D, T))))));
   Set(out); }
 
-\\ One piece: [time, state, its cells, state of the gap after it, its cells], the last without a gap.
+\\ One piece: [time, state, its cells, state of the gap after it, its cells]; after the last no gap.
 piece_trace(c, a, b, facets) = {
   my(D = 1, N, met = [[a, a, 0], [b, b, 0]], more = [], out = [], T);
   for(k = 1, #c, D = lcm(D, denominator(c[k])));
@@ -126,11 +129,13 @@ piece_trace(c, a, b, facets) = {
   for(k = 1, #T,
     my(on = cells(facets, N, D, T[k]), gap = "", under = []);
     if(k < #T, my(r = (T[k][2] + T[k+1][1]) / 2, Z = [r, r, 0]);
-      gap = state([subst(x, 't, r) | x <- c], facets); if(gap == "B", under = cells(facets, N, D, Z)));
+      gap = state([subst(x, 't, r) | x <- c], facets);
+      if(gap == "B", under = cells(facets, N, D, Z)));
     out = concat(out, [[T[k], if(#on, "B", "?"), on, gap, under]]));
   for(k = 1, #out, if(out[k][2] == "?",
     out[k][2] = if(k < #out, out[k][4], out[k-1][4]);
-    if(out[k][2] == "B" || (k > 1 && out[k-1][4] != out[k][2]), error("the states around a time do not fit"))));
+    if(out[k][2] == "B" || (k > 1 && out[k-1][4] != out[k][2]),
+      error("the states around a time do not fit"))));
   out; }
 
 \\ All pieces as one list of [state, time, cells], the time of a gap being "gap".
@@ -145,7 +150,8 @@ follow(motion, P, facets) = {
 
 time_text(T) = if(T[3] == 0, T[1], Str(Vecrev(T[3]), "@", T[1], "@", T[2]));
 
-cell_text(c) = if(c[1] == 0, Str("face ", c[2]), c[1] == 1, Str("edge ", c[2], "-", c[3]), Str("vertex ", c[2]));
+cell_text(c) = {
+  if(c[1] == 1, Str("edge ", c[2], "-", c[3]), Str(if(c[1], "vertex ", "face "), c[2])); }
 
 \\ "answer ID WORD|FROM|TO|CELLS|FROM|TO|CELLS ..."
 answer(id, motion, P, facets) = {

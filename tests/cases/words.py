@@ -3,7 +3,8 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 # Table 1: rows by the state at the end, columns by the state at the start.
-POSITION = {"O": {"O": 1, "B": 4, "I": 7}, "B": {"O": 2, "B": 5, "I": 8}, "I": {"O": 3, "B": 6, "I": 9}}
+POSITION = {"O": {"O": 1, "B": 4, "I": 7}, "B": {"O": 2, "B": 5, "I": 8},
+            "I": {"O": 3, "B": 6, "I": 9}}
 NUMBER = {"regular": 5, "fold": 6, "fold_boundary": 7, "boundary": 8, "exterior": 9}
 
 

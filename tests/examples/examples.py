@@ -79,7 +79,7 @@ def main():
     for e in examples():
         check(checks, graze, e)
         used |= {e["solid"], e["motion"] + ".json"}
-    present = set(os.listdir(os.path.join(HERE, "solids")) + os.listdir(os.path.join(HERE, "motions")))
+    present = {f for d in ("solids", "motions") for f in os.listdir(os.path.join(HERE, d))}
     checks.equal(present, used, "every file is used")
     checks.finish()
 

@@ -76,6 +76,11 @@ def parts_of(word, y, way):
     return parts
 
 
+def far_part(n):
+    """A component no trajectory comes near, narrow enough to miss itself after the motion."""
+    return [box_ring(-n - 9, -20, F(-2 * n - 17, 2), -19)]
+
+
 def times_of(word, way):
     """The contacts' times: place over length, a slide H around it, cut off at the ends."""
     n, out, place = len(letters(word)), [], 0
@@ -117,7 +122,7 @@ def batched(graze, checks, words):
         for way in ("edge", "corner", "slide"):
             lines = [APART * k for k in range(len(group))]
             parts = [p for w, y in zip(group, lines) for p in parts_of(w, y, way)]
-            parts.append([box_ring(-n - 9, -20, F(-2 * n - 17, 2), -19)])
+            parts.append(far_part(n))
             flat = Polygon(parts)
             for space, levels in (("plane", None), ("prism", [-1, 1]), ("layers", [-1, 0, 1])):
                 solid = flat if levels is None else extruded(flat, levels)[0]
@@ -136,7 +141,7 @@ def alone(graze, checks, words):
     """Each word with a solid and a run of its own; `reject` must refuse the extended cases."""
     for word in words:
         n, main = len(letters(word)), TABLE[word[0], word[-1]] in MAIN
-        solid = Polygon(parts_of(word, 0, "edge") + [[box_ring(-n - 9, -20, F(-2 * n - 17, 2), -19)]])
+        solid = Polygon(parts_of(word, 0, "edge") + [far_part(n)])
         motion = build([(0, 1, translate([[0, -n] if n else [0], [0]]))])
         answers = graze.classify("alone " + word, solid, motion, [(F(0), F(0))], table=True)
         check_rows(checks, answers, [word], False, "edge", "alone")

@@ -471,7 +471,7 @@ def mobius(motion, q=F(3, 2)):
 
 
 def far(motion):
-    """phi = (u - 10^30) 2^100: far from zero, and too short for a double to see it as an interval."""
+    """phi = (u - 10^30) 2^100: far from zero, and shorter than doubles there can tell."""
     base, rate = 10 ** 30, 2 ** 100
     changes = [(base + p.lo / rate, base + p.hi / rate, [-base * rate, rate], [1])
                for p in motion.pieces]

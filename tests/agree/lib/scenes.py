@@ -27,8 +27,9 @@ def plane_motions():
         "double_rotation": build([(-1, 1, compose(rotation([0, 1], times=2),
                                                   translate([[0, 4], [0, -1]])))]),
         "turns": build([(0, 3, spin)]),
-        "scaling": build([(0, 2, compose(scaling([[1, F(1, 2)], [2, F(-1, 2)]], center=[F(1), F(1)]),
-                                         translate([[0, 0, 2], [0, 3]])))]),
+        "scaling": build([(0, 2, compose(
+            scaling([[1, F(1, 2)], [2, F(-1, 2)]], center=[F(1), F(1)]),
+            translate([[0, 0, 2], [0, 3]])))]),
         "mirror": build([(0, 1, compose(scaling([[-1, F(-1, 2)], [1, 1]]),
                                         translate([[-4, 14], [1, -2]])))]),
         "keyframes": keyframes([(0, (0, 0), (1, 0)), (1, (8, 1), (1, 1)), (3, (0, 6), (0, 1))]),

@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""# suite: graze compare and graze validate from outside.
+
+Golden tables come from graze itself on a scene with a slide, a vertex and break points; candidates are made from
+them by known changes, and every figure of the JSON report is counted again here. Then the commands that the report
+gives are run, a long table shows that memory does not grow with rows, and both candidates of cases/candidates are
+compiled and judged on points whose answers are evident.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import json
+import os
+import random
+import resource
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CASES = os.path.join(HERE, "..", "..", "cases", "candidates")
+PMC = ("in", "on", "out")
+counts = {"passed": 0, "failed": 0}
+
+
+def check(holds, *what):
+    counts["passed" if holds else "failed"] += 1
+    if not holds:
+        print("FAILED", *what)
+
+
+def run(*command, memory=None):
+    limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))) if memory else None
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit)
+    return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+
+def read_table(path):
+    """(column names, rows as dicts) of a table."""
+    with open(path, encoding="utf-8") as file:
+        lines = [line.rstrip("\n") for line in file if not line.startswith("#")]
+    names = lines[0].split(",")
+    return names, [dict(zip(names, line.split(","))) for line in lines[1:]]
+
+
+def write_table(path, names, rows, head=""):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(head + ",".join(names) + "\n")
+        for row in rows:
+            file.write(",".join(row[n] for n in names) + "\n")
+
+
+def make_golden(graze, folder, solid, motion, count, seed):
+    points, golden = os.path.join(folder, "points.csv"), os.path.join(folder, "golden.csv")
+    status, _, said = run(graze, "generate", solid, motion, "-n", str(count), "--seed", str(seed),
+                          "--output", points)
+    check(status == 0, "generate", said)
+    status, _, said = run(graze, "classify", solid, motion, points, "--output", golden)
+    check(status == 0, "classify", said)
+    return golden
+
+
+def tally(rows, column):
+    """value -> [rows, wrong, missing] as the report has it."""
+    out = {}
+    for golden, given in rows:
+        if column == "k" and not golden[column]:
+            continue
+        one = out.setdefault(golden[column], [0, 0, 0])
+        one[0] += 1
+        one[1] += given is not None and any(given[c] != golden[c] for c in given)
+        one[2] += given is None
+    return out
+
+
+def check_figures(report, pairs, columns, label):
+    """Every figure of a report against a recount of the pairs it was made of."""
+    for column in ("stratum", "k", "class", "definition", "case"):
+        told = {g["value"]: [g["rows"], g["wrong"], g["missing"]] for g in report["by"][column]}
+        check(told == tally(pairs, column), label, column, told, tally(pairs, column))
+    wrong = {c: sum(b is not None and b[c] != a[c] for a, b in pairs) for c in columns}
+    check(report["wrong-by-column"] == wrong, label, report["wrong-by-column"], wrong)
+    if "pmc" in columns:
+        matrix = {p: dict.fromkeys(PMC + ("missing",), 0) for p in PMC}
+        for golden, given in pairs:
+            matrix[golden["pmc"]][given["pmc"] if given else "missing"] += 1
+        check(report["pmc"] == matrix, label, report["pmc"], matrix)
+
+
+def changed(row, column, chance):
+    """The value of a column, by chance a wrong one."""
+    value = row[column]
+    if chance.random() < 0.9:
+        return value
+    if column == "pmc":
+        return chance.choice([p for p in PMC if p != value])
+    if column == "class":
+        return "regular" if value != "regular" else "fold"
+    return value + "O" if column == "word" else str(int(value) + 1)
+
+
+def figures(graze, folder, golden, names, rows, seed):
+    chance = random.Random(seed)
+    columns = sorted(chance.sample(["pmc", "class", "i", "t", "word"], chance.randint(1, 5)))
+    coordinates = [c for c in ("x", "y", "z") if c in names]
+    pairs, table = [], []
+    for row in rows:
+        given = None if chance.random() < 0.05 else {c: changed(row, c, chance) for c in columns}
+        pairs.append((row, given))
+        if given:
+            table.append(dict({c: row[c] for c in coordinates}, **given))
+    candidate = os.path.join(folder, "candidate.csv")
+    order = coordinates + columns
+    chance.shuffle(order)
+    write_table(candidate, order, table)
+    label = f"seed {seed} columns {columns}"
+    status, out, said = run(graze, "compare", golden, candidate, "--format", "json", "--show", "3")
+    check(status in (0, 1), label, said)
+    report = json.loads(out)
+    differ = any(b is None or any(b[c] != a[c] for c in columns) for a, b in pairs)
+    check(status == (1 if differ else 0), label, status)
+    check(report["rows"] == len(rows) and report["extra"] == 0, label, report["rows"])
+    check_figures(report, pairs, columns, label)
+    return report
+
+
+def explanations(graze, folder, golden, names, rows, scene):
+    """The command beside a disagreement runs, and its answer is the golden one."""
+    candidate = os.path.join(folder, "candidate.csv")
+    wrong = [dict(r, pmc="in" if r["pmc"] == "out" else "out") for r in rows]
+    write_table(candidate, [n for n in names if n in ("x", "y", "z", "pmc")], wrong)
+    status, out, _ = run(graze, "compare", golden, candidate, "--format", "json", "--show", "5",
+                         "--solid", scene[0], "--motion", scene[1])
+    check(status == 1, "all rows wrong", status)
+    report = json.loads(out)
+    check(report["wrong"] == len(rows), report["wrong"], len(rows))
+    for one, row in zip(report["disagreements"], rows):
+        words = shlex.split(one["explain"])
+        status, text, said = run(graze, *words[1:])
+        check(status == 0 and row["word"] in text, one, text, said)
+
+
+def order_of_rows(graze, folder, golden, names, rows):
+    candidate = os.path.join(folder, "candidate.csv")
+    shuffled = list(rows)
+    random.Random(1).shuffle(shuffled)
+    for table in (shuffled, list(reversed(rows))):
+        write_table(candidate, names, table)
+        status, _, said = run(graze, "compare", golden, candidate)
+        check(status == 3 and "in another order" in said, status, said)
+    write_table(candidate, names, [r for r in rows for _ in (0, 1)])
+    status, out, said = run(graze, "compare", golden, candidate, "--format", "json")
+    check(status == 1 and json.loads(out)["extra"] == len(rows), "every row twice", status, said)
+    status, out, said = run(graze, "compare", golden, golden, "--format", "json")
+    check(status == 0 and json.loads(out)["agree"] == len(rows), "itself", status, said)
+    with open(golden, encoding="utf-8") as file:
+        text = file.read()
+    write_table(candidate, names, rows, head=text[:text.index("x,y")].replace("solid-sha256 ",
+                                                                             "solid-sha256 0"))
+    status, _, said = run(graze, "compare", golden, candidate)
+    check(status == 3 and "solid-sha256" in said, status, said)
+
+
+def long_tables(graze, folder, count):
+    """A table ten times longer needs no more memory; under rounding a digest a row."""
+    golden, candidate = os.path.join(folder, "long.csv"), os.path.join(folder, "long2.csv")
+    with open(golden, "w", encoding="utf-8") as one, open(candidate, "w", encoding="utf-8") as two:
+        one.write("x,y,pmc,id\n")
+        two.write("x,y,pmc\n")
+        for k in range(count):
+            one.write(f"{k}/8,1/3,{'in' if k % 2 else 'out'},{'n' * 60}\n")
+            two.write(f"{k / 8!r},1/3,{'in' if k % 2 else 'out'}\n")
+        one.write(f"# complete {count}\n")
+    for extra in ([], ["--round", "binary64"]):
+        status, out, said = run(graze, "compare", golden, candidate, "--format", "json", *extra,
+                                memory=180 << 20)
+        check(status == 0 and json.loads(out)["agree"] == count, extra, status, out[:200], said)
+
+
+def candidates(graze, folder):
+    """Both candidates compile and are right where nothing is close."""
+    compiler = shutil.which("cc") or shutil.which("gcc")
+    if not compiler:
+        print("SKIP candidates: there is no C compiler")
+        return 1
+    points = os.path.join(folder, "plain.csv")
+    with open(points, "w", encoding="utf-8") as file:
+        # Passed by the block's foot; inside at the start; beside; above its path; inside at the end.
+        file.write("x,y,z\n9/2,5/2,1\n1/2,1/2,1\n-1,0,1\n5,9/2,7/2\n5,7,5/2\n")
+    for name, parameter in (("sampled", "100"), ("ei_double", "1e-9")):
+        program = os.path.join(folder, name)
+        sources = [os.path.join(CASES, f) for f in (name + ".c", "scene.c", "motion.c")]
+        status, _, said = run(compiler, "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1", "-o", program,
+                              *sources, "-lyajl", "-lm")
+        check(status == 0, "compiling", name, said)
+        report = os.path.join(folder, "it's a report")
+        status, _, said = run(graze, "validate", os.path.join(CASES, "ell.off"),
+                              os.path.join(CASES, "arch.json"), "--points", points, "--output", report,
+                              "--candidate",
+                              f"'{program}' {parameter} {{solid}} {{motion}} {{points}} {{out}}")
+        check(status == 0, name, status, said)
+        with open(report + ".json", encoding="utf-8") as file:
+            told = json.load(file)
+        check(told["comparison"]["agree"] == 5 and told["verdict"] == "no difference in 5 rows", told)
+        with open(report + ".md", encoding="utf-8") as file:
+            check("verdict: no difference in 5 rows" in file.read(), name, "Markdown")
+    status, out, said = run(graze, "validate", os.path.join(CASES, "ell.off"),
+                            os.path.join(CASES, "arch.json"), "-n", "200", "--format", "json",
+                            "--candidate", f"'{os.path.join(folder, 'sampled')}' 3 {{solid}} "
+                            "{motion} {points} {out}")
+    check(status == 1 and json.loads(out)["comparison"]["wrong"] > 20, "three samples", status, said)
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--graze", required=True)
+    parser.add_argument("--scale", type=float, default=1)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    graze = os.path.abspath(options.graze)
+    with tempfile.TemporaryDirectory(prefix="graze compare ") as folder:
+        for scene in (("ell.off", "arch.json"), ("plate.wkt", "shear.json")):
+            scene = [os.path.join(CASES, f) for f in scene]
+            golden = make_golden(graze, folder, *scene, 400, options.seed)
+            names, rows = read_table(golden)
+            check(len(rows) == 400, scene, len(rows))
+            for round_ in range(int(15 * options.scale)):
+                figures(graze, folder, golden, names, rows, options.seed + round_)
+            explanations(graze, folder, golden, names, rows, scene)
+            order_of_rows(graze, folder, golden, names, rows)
+        long_tables(graze, folder, int(300000 * options.scale))
+        skipped = candidates(graze, folder)
+    print(f"{counts['passed']} passed, {counts['failed']} failed" +
+          (f", {skipped} skipped" if skipped else ""))
+    sys.exit(1 if counts["failed"] else 0)
+
+
+if __name__ == "__main__":
+    main()
