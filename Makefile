@@ -101,11 +101,11 @@ $B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
 $B/tests/%.o: | $B/.packages-test
-$B/tests/minkowski: tests/agree/minkowski.cpp | $B/.packages-build
+$B/tests/minkowski: tests/agree/minkowski.cpp tests/agree/shells.h | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
-$B/tests/to_nef: tests/agree/to_nef.cpp | $B/.packages-build
+$B/tests/to_nef: tests/agree/to_nef.cpp tests/agree/shells.h | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp

@@ -16,12 +16,12 @@ stage() {
 under_sanitizers() { # folder, flags
     make -s B="$1" CC=clang CXX=clang++ OPT="-O1 $2 -fno-omit-frame-pointer" "$1/graze" programs &&
         ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1 \
-            python3 tests/run.py --build "$1" --limit 2400
+            python3 tests/run.py --build "$1" --limit 2400 --sanitizers
 }
 stage "lint" tests/lint.sh
 stage "address and undefined behaviour" under_sanitizers build-asan "-fsanitize=address,undefined -fno-sanitize-recover=all"
-stage "threads" env GRAZE_ONLY=api bash -c 'make -s B=build-tsan CC=clang CXX=clang++ OPT="-O1 -fsanitize=thread" programs && python3 tests/run.py --build build-tsan --only tests/api'
-stage "long agreement" python3 tests/run.py --build build --only tests/agree --scale 5 --limit 1500
+stage "threads" bash -c 'make -s B=build-tsan CC=clang CXX=clang++ OPT="-O1 -fsanitize=thread" programs && python3 tests/run.py --build build-tsan --only tests/api'
+stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 4 --limit 1500
 stage "mutants, one in forty" python3 tests/mutate.py --sample $((RANDOM % 40))/40
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

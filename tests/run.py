@@ -20,7 +20,12 @@ CMOCKA_FAILED = re.compile(r"\[  FAILED  \] (\d+) test")
 CMOCKA_SKIPPED = re.compile(r"\[  SKIPPED \] (\d+) test")
 
 
-def suites(build):
+# Suites that hold the program to a limit of memory, and how to tell them not to: sanitizers need address space.
+NO_LIMIT = {"refuse": ["--sanitizers"], "agree": ["--memory", "0"], "words": ["--memory", "0"],
+            "examples": ["--memory", "0"]}
+
+
+def suites(build, scale, sanitizers):
     graze = os.path.join(build, "graze")
     for kind in ("unit", "api"):
         for source in sorted(glob.glob(f"tests/{kind}/*.c")):
@@ -28,7 +33,12 @@ def suites(build):
     for script in sorted(glob.glob("tests/*/*.py")):
         with open(script, encoding="utf-8") as file:
             if "# suite" in file.read(400):
-                yield script, [sys.executable, script, "--graze", graze]
+                command = [sys.executable, script, "--graze", graze]
+                if scale != 1:
+                    command += ["--scale", str(scale)]
+                if sanitizers:
+                    command += NO_LIMIT.get(script.split("/")[1], [])
+                yield script, command
 
 
 def count(output, status):
@@ -62,9 +72,12 @@ def main():
     parser.add_argument("--build", default="build")
     parser.add_argument("--only", default="", help="run suites whose name holds this text")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--scale", type=int, default=1, help="multiplies random tests")
+    parser.add_argument("--sanitizers", action="store_true", help="no limits of memory")
     parser.add_argument("--limit", type=float, default=900, help="seconds for one suite")
     options = parser.parse_args()
-    chosen = [s for s in suites(options.build) if options.only in s[0]]
+    chosen = [s for s in suites(options.build, options.scale, options.sanitizers)
+              if options.only in s[0]]
     total = [0, 0, 0]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for name, output, status, seconds in pool.map(lambda s: run(s, options.limit), chosen):

@@ -4,8 +4,8 @@
 \\ [r, r, 0], the rational r. Irreducible factors make equal times equal and different ones differ.
 \\ A facet is [n, d, k, V, j, I]: the plane n.x = d, two coordinates k that do not see it edge-on,
 \\ its corners V in turn, its number j and its corners' numbers I; where d = 2 an edge, k empty. A
-\\ contact is a root of a plane's polynomial at which the point lies in the closed facet, or a gap in
-\\ which it stays in one. A cell is [0, face], [1, vertex, vertex] or [2, vertex].
+\\ contact is a root of a plane's polynomial at which the point lies in the closed facet, or a gap
+\\ in which it stays in one. A cell is [0, face], [1, vertex, vertex] or [2, vertex].
 \\ SPDX-License-Identifier: GPL-3.0-or-later
 
 refine(T) = { my([lo, hi, p] = T, m = (lo + hi) / 2);

@@ -34,6 +34,7 @@ UNREACHED = {
     "the motion's end maps are singular": "a fault of Graze itself",
     "inside the geometry library failed": "a fault of Graze itself",
     "unexpected fault in the geometry": "a fault of Graze itself",
+    "this processor does not round as it is told": "needs an emulator such as valgrind",
     "a contact ends between two pieces": "a fault of Graze itself",
     "between two contacts of a trace is neither": "a fault of Graze itself",
 }
