@@ -1,10 +1,11 @@
 #!/bin/sh
 # Formatting, and what the static analysers say of the C sources.
+# (affine.c returns a row of an array of FLINT's one-element arrays, which cppcheck takes for an integer.)
 set -eu
 cd "$(dirname "$0")/.."
 sources=$(git ls-files 'include/*.h' 'src/*.c' 'src/*.h' 'src/*.cpp' 'src/*.hpp' 'tests/*.c' 'tests/*.h' 'tests/*.cpp')
 # shellcheck disable=SC2086 # a list of files
 clang-format --dry-run -Werror $sources
 cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr \
-    --suppress=missingIncludeSystem --suppress=normalCheckLevelMaxBranches -Iinclude -Isrc src/*/*.c src/*.c
+    --suppress=missingIncludeSystem --suppress=CastIntegerToAddressAtReturn:src/motion/affine.c -Iinclude -Isrc src/*/*.c src/*.c
 echo "1 passed, 0 failed"

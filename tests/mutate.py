@@ -8,6 +8,7 @@ tests/mutants.txt lists it with the reason why it is equivalent. `--sample K/N` 
 import argparse
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -70,6 +71,11 @@ def known_equivalents():
     return known
 
 
+def bound_memory():
+    """Some mutants never stop asking for memory."""
+    resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30))
+
+
 def is_killed(copy, build, log, limit):
     make = ["make", "-s", f"B={build}", f"{build}/graze", f"{build}/tests/unit/test_algebraic",
             "WARN=-w"]
@@ -79,7 +85,7 @@ def is_killed(copy, build, log, limit):
         command = [part.format(b=build) for part in suite]
         try:
             done = subprocess.run(command, cwd=copy, stdout=log, stderr=log, timeout=limit,
-                                  stdin=subprocess.DEVNULL)
+                                  stdin=subprocess.DEVNULL, preexec_fn=bound_memory)
         except subprocess.TimeoutExpired:
             return f"too slow: {command[-3] if len(command) > 2 else command[0]}"
         if done.returncode != 0:

@@ -119,8 +119,7 @@ static int add_run(graze_trace *trace, const graze_motion *motion, size_t piece,
     return add_cells(last, &t->item[first], count);
 }
 
-static int begins_with_touch(const touches *t)
-{
+static int begins_with_touch(const touches *t) {
     const algebraic *first = t->count ? &t->time.item[t->by_rank[t->item[0].from]] : NULL;
     return first && algebraic_is_rational(first) && fmpq_is_zero(first->value);
 }

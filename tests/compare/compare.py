@@ -230,7 +230,7 @@ def main():
                 figures(graze, folder, golden, names, rows, options.seed + round_)
             explanations(graze, folder, golden, names, rows, scene)
             order_of_rows(graze, folder, golden, names, rows)
-        long_tables(graze, folder, int(300000 * options.scale))
+        long_tables(graze, folder, 300000)
         skipped = candidates(graze, folder)
     print(f"{counts['passed']} passed, {counts['failed']} failed" +
           (f", {skipped} skipped" if skipped else ""))
