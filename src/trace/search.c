@@ -14,6 +14,7 @@ typedef struct span {
     int level;
     size_t child; /* the two halves stand at child and child + 1; 0: not cut yet */
     box box;
+    int bounded;     /* what trajectory_bound returned */
     fmpz *bernstein; /* d + 1 polynomials to the trajectory's degree */
 } span;
 
@@ -35,13 +36,13 @@ static double extent(const box *b) {
 }
 
 /* Whether cutting a piece can still make its box smaller: not once the box is hardly wider than
- * what rounding outwards adds to it. Without this, solids far from the origin or tiny beyond the
- * doubles' range would be cut for ever. */
-static int can_shrink(const box *b) {
+ * what rounding outwards adds to it, or past the range of doubles. Without this, solids that are
+ * far from the origin, huge or tiny would be cut for ever. */
+static int can_shrink(const span *piece) {
     double reach = 0;
     for (int i = 0; i < 3; i++)
-        reach = fmax(reach, fmax(fabs(b->low[i]), fabs(b->high[i])));
-    return isinf(reach) || extent(b) > reach * 0x1p-44 + 0x1p-880;
+        reach = fmax(reach, fmax(fabs(piece->box.low[i]), fabs(piece->box.high[i])));
+    return !piece->bounded || (isfinite(reach) && extent(&piece->box) > reach * 0x1p-44 + 0x1p-880);
 }
 
 /* Room for two more spans; 0 if there is no memory. */
@@ -61,7 +62,7 @@ static int reserve_spans(searcher *s) {
 static void add_span(searcher *s, uint32_t start, int level, fmpz *bernstein) {
     span *added = &s->spans[s->count++];
     *added = (span){.start = start, .level = level, .bernstein = bernstein};
-    trajectory_bound(&added->box, s->c, bernstein);
+    added->bounded = trajectory_bound(&added->box, s->c, bernstein);
 }
 
 /* Cut a span in halves; 0 if there is no memory. */
@@ -106,7 +107,7 @@ static void descend(searcher *s, size_t node_index, size_t span_index) {
     if (s->out_of_memory || !box_meets(&node->box, &piece->box))
         return;
     if (piece->level < SEARCH_LEVELS && !(extent(&piece->box) <= extent(&node->box)) &&
-        can_shrink(&piece->box)) {
+        can_shrink(piece)) {
         if (!cut_span(s, span_index))
             return;
         size_t half = s->spans[span_index].child;

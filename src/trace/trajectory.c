@@ -87,7 +87,7 @@ static void quotient_bounds(double *low, double *high, const fmpz_t x, const fmp
     *high = scale_outward(m + margin, ex - ew, 0);
 }
 
-void trajectory_bound(box *out, const trajectory *c, const fmpz *bernstein) {
+int trajectory_bound(box *out, const trajectory *c, const fmpz *bernstein) {
     slong n = c->degree + 1;
     const fmpz *w = bernstein + c->dimension * n;
     int positive = 1;
@@ -104,4 +104,5 @@ void trajectory_bound(box *out, const trajectory *c, const fmpz *bernstein) {
             out->high[i] = fmax(out->high[i], high);
         }
     }
+    return positive;
 }

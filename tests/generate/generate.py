@@ -28,13 +28,13 @@ from times import given_time, value  # noqa: E402
 
 ROWS = 60
 SHARE_ROWS = 600
-CASES = ["bracket", "family-once-apex", "figure2-orders-2d", "figure2-orders-3d", "figure2-rotation-3d",
-         "figure2-slides-2d", "figure2-turn-3d", "figure4", "figure6", "unsweep-figure14b",
-         "unsweep-figure7"]
+CASES = ["bracket", "family-once-apex", "figure2-orders-2d", "figure2-orders-3d",
+         "figure2-rotation-3d", "figure2-slides-2d", "figure2-straight-2d", "figure2-turn-3d",
+         "figure4", "unsweep-figure14b", "unsweep-figure7"]
 UNMADE = {"edge": lambda scene: scene.solid.dimension == 2,
           "break": lambda scene: len(scene.breaks) == 2}
-STRATA = ["random", "near", "face", "face-odd", "edge", "vertex", "crossing", "start", "end", "break",
-          "slide", "miss"]
+STRATA = ["random", "near", "face", "face-odd", "edge", "vertex", "crossing", "start", "end",
+          "break", "slide", "miss"]
 
 
 class Scene:
@@ -295,7 +295,8 @@ def check_bytes(suite, scene, seed):
 
 
 def check_weights(suite, scene, seed):
-    """Counts within five standard deviations; strata without a weight are neither named nor made."""
+    """Counts within five standard deviations; a stratum without weight is neither named nor made.
+    """
     count, weights = 1500, {"random": 1, "vertex": 3, "crossing": 6, "break": 2}
     text = suite.generate(scene, count, seed, "--strata",
                           ",".join(f"{s}={w}" for s, w in weights.items()))
@@ -308,7 +309,8 @@ def check_weights(suite, scene, seed):
         share = weight / sum(given.values())
         off = abs(rows[stratum] - count * share)
         suite.tally.holds(off <= 5 * math.sqrt(count * share * (1 - share)),
-                          f"{rows[stratum]} of {count} rows with the share {share}", scene.name, stratum)
+                          f"{rows[stratum]} of {count} rows with the share {share}", scene.name,
+                          stratum)
 
 
 # ---------------------------------------------------------------- boxes in closed form

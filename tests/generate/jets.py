@@ -2,8 +2,8 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
-A Jet is a number c0 + c1 e + ... to the power TERMS - 1 of e, where t = t* + e; all exact. The order of a
-contact with a plane is the number of leading zeros of the plane's pullback; TERMS zeros count as a
+A Jet is c0 + c1 e + ... up to the power TERMS - 1 of e, where t = t* + e; all exact. The order of
+a contact with a plane is the number of leading zeros of the plane's pullback; TERMS zeros count as a
 slide. At a break point the germ is that of the piece that begins there.
 """
 import json

@@ -178,7 +178,8 @@ def eq24_points(s):
 
 def eq24_solids(s):
     """The same with the unswept and the swept solid, which an axis-parallel translation by whole
-    cells keeps made of cells. The regularised unsweep may lose points: then only S ⊃ is tested."""
+    cells keeps made of cells. The regularised unsweep may lose points; its sweep is in S even so.
+    """
     k, axis = s.rng.randint(1, 3), s.rng.randrange(s.d)
     motion = build([(0, 1, translate([[0, k] if a == axis else [0] for a in range(s.d)]))])
     steps = [shifted(s.cells, [j * (a == axis) for a in range(s.d)]) for j in range(k + 1)]
@@ -315,7 +316,7 @@ def eq34(s):
 def printed_30(graze, checks, d):
     """Equation 30 as printed against the truth, S = [0, 10], M1 = +3, M2 = -3: unsweep(S, M1) is
     [0, 7], moved [3, 10]; what M2 leaves of this is [6, 10], moved back [3, 7]. But every point of
-    [0, 7] stays in S by the sequence. In d dimensions the other coordinates stand still in (0, 1)."""
+    [0, 7] stays in S by the sequence. The other coordinates stand still in (0, 1)."""
     def run(low, high, steps, xs):
         motions = [build([(0, 1, translate([[0, k]] + [[0]] * (d - 1)))]) for k in steps]
         motion = in_sequence(motions) if len(motions) > 1 else motions[0]
@@ -335,7 +336,8 @@ def printed_30(graze, checks, d):
     checks.true(truth != printed, "30 printed", d, "the two sides must differ")
 
 
-EQUATIONS = [eq19, eq20, eq24_points, eq24_solids, eq25, eq25_regularised, eq25_blocks, eq27, eq28, eq30, eq32, eq34]
+EQUATIONS = [eq19, eq20, eq24_points, eq24_solids, eq25, eq25_regularised, eq25_blocks, eq27, eq28,
+             eq30, eq32, eq34]
 
 
 def main():
