@@ -68,7 +68,7 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
                                 size_t length) {
     if (!context || !text)
         return api_misuse(context, "graze_number_parse", "context and text must not be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq_t value;
     fmpq_init(value);
     graze_status status = rational_parse(value, context, text, length);
@@ -93,7 +93,7 @@ graze_status graze_scene_create(graze_scene **out, graze_context *context, const
                           "out, context, solid and motion must not be NULL");
     if (options && !options_known(options))
         return api_misuse(context, "graze_scene_create", "an option has an unknown value");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_scene *scene = malloc(sizeof *scene);
     if (!scene)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -127,7 +127,7 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     if (!low || !high || !context || !scene)
         return api_misuse(context, "graze_scene_box",
                           "low, high, context and scene must not be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     int d = scene->motion->dimension;
     fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);
     graze_status status = scene_box(from, to, context, scene);
@@ -172,7 +172,7 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
     graze_status status = begin(out, context, scene, points, n);
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     size_t d = (size_t)scene->motion->dimension;
     fmpq *point = _fmpq_vec_init((slong)d);
     for (size_t p = 0; p < n && !status; p++)
@@ -195,7 +195,7 @@ graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
     graze_status status = begin(out, context, scene, points, n);
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     size_t d = (size_t)scene->motion->dimension;
     fmpq *point = _fmpq_vec_init((slong)d);
     for (size_t p = 0; p < n && !status; p++) {

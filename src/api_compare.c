@@ -20,7 +20,7 @@ graze_status graze_compare(graze_comparison **out, graze_context *context, const
                           "out, context, golden and candidate must not be NULL");
     if (options && !options_known(options))
         return api_misuse(context, "graze_compare", "an option has an unknown value");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_comparison *c = calloc(1, sizeof *c);
     if (!c)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");

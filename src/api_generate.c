@@ -33,7 +33,7 @@ graze_status graze_generator_create(graze_generator **out, graze_context *contex
     if (!out || !context || !scene)
         return api_misuse(context, "graze_generator_create",
                           "out, context and scene must not be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     unsigned long chosen[GRAZE_STRATUM_COUNT];
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
         chosen[k] = weights ? weights[k] : strata[k].weight;
@@ -79,7 +79,7 @@ graze_status graze_generator_point(mpq_t *point, mpq_t time, graze_sample *out,
                                    unsigned long long row) {
     if (!point || !time || !out || !context || !generator)
         return api_misuse(context, "graze_generator_point", "no argument may be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     sample s;
     sample_init(&s);
     generator_sample(&s, generator, row);

@@ -10,7 +10,7 @@ graze_status graze_motion_read(graze_motion **out, graze_context *context, const
         *out = NULL;
     if (!out || !context || !path)
         return api_misuse(context, "graze_motion_read", "out, context and path must not be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     return motion_from_file(out, context, path);
 }
 
@@ -21,7 +21,7 @@ graze_status graze_motion_from_json(graze_motion **out, graze_context *context, 
     if (!out || !context || !text)
         return api_misuse(context, "graze_motion_from_json",
                           "out, context and text must not be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     return motion_from_text(out, context, text, length);
 }
 

@@ -17,7 +17,7 @@ graze_status graze_solid_read(graze_solid **out, graze_context *context, const c
         return api_misuse(context, "graze_solid_read", "out, context and path must not be NULL");
     if (flags & ~GRAZE_SOLID_TRIANGULATE)
         return api_misuse(context, "graze_solid_read", "an unknown flag is set");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     soup input;
     graze_status status = soup_read(&input, context, path);
     if (status)
@@ -107,7 +107,7 @@ static graze_status add_facets(soup *s, graze_context *context, const arrays *a)
 
 static graze_status make_solid(graze_solid **out, graze_context *context, arrays *a,
                                unsigned flags) {
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_status status = check_arrays(a, context, flags);
     if (status)
         return status;

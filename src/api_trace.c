@@ -33,7 +33,7 @@ graze_status graze_trace_create(graze_trace **out, graze_context *context, const
     if (!out || !context || !scene || !point)
         return api_misuse(context, "graze_trace_create",
                           "out, context, scene and point must not be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *p;
     graze_status status = take_point(&p, context, scene, point);
     if (status)
@@ -133,7 +133,7 @@ graze_status graze_time_decimal(char **out, graze_context *context, const graze_
         return api_misuse(context, "graze_time_decimal", "out, context and time must not be NULL");
     if (digits < 1 || digits > 1000)
         return api_misuse(context, "graze_time_decimal", "digits must be from 1 to 1000");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     *out = decimal_of_time(NULL, time, digits);
     return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
@@ -145,7 +145,7 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
     if (!out || !context || !scene)
         return api_misuse(context, "graze_report_header",
                           "out, context and scene must not be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     return report_header(out, context, scene, notes, columns);
 }
 
@@ -159,7 +159,7 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
                           "out, context, scene, point and trace must not be NULL");
     if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
         return api_misuse(context, "graze_report_row", "the format is unknown");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *p;
     graze_status status = take_point(&p, context, scene, point);
     if (status)
@@ -177,7 +177,7 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
     if (!out || !context || !scene || !point || !trace)
         return api_misuse(context, "graze_report_explain",
                           "out, context, scene, point and trace must not be NULL");
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *p;
     graze_status status = take_point(&p, context, scene, point);
     if (status)

@@ -10,7 +10,7 @@ SPDX-License-Identifier: CC0-1.0
 import argparse
 import json
 import os
-import shutil
+import re
 import subprocess
 import sys
 import tempfile
@@ -33,6 +33,14 @@ def compile_programs(folder):
                         os.path.join(folder, name)] + sources + ["-lyajl", "-lm"], check=True)
 
 
+def keep_report(path, folder):
+    """Copy a report; the folder that held its tables is gone and stays unnamed."""
+    with open(path, encoding="utf-8") as file:
+        text = re.sub(r"^(golden|candidate): .*/", r"\1: ", file.read(), flags=re.M)
+    with open(os.path.join(folder, os.path.basename(path)), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 def validate(options, folder, candidate, scene):
     """The report of one candidate on one scene, as read from its JSON."""
     program, parameter, on_as = candidate
@@ -48,7 +56,7 @@ def validate(options, folder, candidate, scene):
     if done.returncode not in (0, 1):
         sys.exit(f"{' '.join(command)}: ended with {done.returncode}")
     if options.reports:
-        shutil.copy(stem + ".md", options.reports)
+        keep_report(stem + ".md", options.reports)
     with open(stem + ".json", encoding="utf-8") as file:
         return json.load(file)["comparison"]
 

@@ -3,7 +3,7 @@
  *
  * FLINT's modular arithmetic and CGAL's filters take rounding to nearest for granted; under another
  * mode FLINT was seen to factor wrongly. Every public function that computes opens with
- *     __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+ *     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
  */
 #ifndef GRAZE_CONTEXT_ENVIRONMENT_H
 #define GRAZE_CONTEXT_ENVIRONMENT_H

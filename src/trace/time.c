@@ -131,7 +131,7 @@ void time_canonicalise(graze_time *time) {
     if (time->canonical)
         return;
     /* Getters that take no context end up here. */
-    __attribute__((cleanup(environment_leave))) environment host = environment_enter();
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     time->canonical = 1;
     fmpq_t low, high;
     fmpq_init(low);
