@@ -91,7 +91,7 @@ $B/libgraze.a: $(LIB_O)
 $B/libgraze.so: $(LIB_O)
 	@echo "  LINK $@"
 	@$(CXX) -shared -Wl,-soname,libgraze.so.0 $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
-	@ln -sf libgraze.so $@.0
+	@ln -sf $(@F) $@.0
 $B/graze: $(CLI_O) $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)

@@ -9,9 +9,9 @@
 static const struct {
     const char *name;
     unsigned long weight;
-} strata[GRAZE_STRATUM_COUNT] = {{"random", 6}, {"near", 5},    {"face", 16},    {"face-odd", 4},
-                                 {"edge", 15},  {"vertex", 15}, {"crossing", 6}, {"start", 9},
-                                 {"end", 9},    {"break", 7},   {"slide", 3},    {"miss", 5}};
+} strata[GRAZE_STRATUM_COUNT] = {{"random", 4}, {"near", 4},    {"face", 16},    {"face-odd", 4},
+                                 {"edge", 15},  {"vertex", 15}, {"crossing", 4}, {"start", 9},
+                                 {"end", 9},    {"break", 7},   {"slide", 3},    {"miss", 4}};
 
 static int is_stratum(graze_stratum stratum) {
     return (int)stratum >= 0 && stratum < GRAZE_STRATUM_COUNT;

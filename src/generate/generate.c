@@ -43,7 +43,7 @@ static graze_status make_instants(struct graze_generator *g, graze_context *cont
             fmpq_set_si(u, simple, 4);
         else
             fmpq_set_si(u, fine, 1u << TIME_BITS);
-        instant_init(&g->instants[k], g->scene->motion, piece, u);
+        instant_init(&g->instants[k], g->scene, piece, u);
         g->instant_count++;
     }
     fmpq_clear(u);
@@ -59,9 +59,9 @@ static graze_status make_joints(struct graze_generator *g, graze_context *contex
     fmpq_t u;
     fmpq_init(u);
     for (size_t k = 0; k < pieces; k++)
-        instant_init(&g->joints[g->joint_count++], g->scene->motion, k, u);
+        instant_init(&g->joints[g->joint_count++], g->scene, k, u);
     fmpq_one(u);
-    instant_init(&g->joints[g->joint_count++], g->scene->motion, pieces - 1, u);
+    instant_init(&g->joints[g->joint_count++], g->scene, pieces - 1, u);
     fmpq_clear(u);
     return GRAZE_OK;
 }

@@ -15,7 +15,19 @@ static void evaluate(fmpq_t out, const fmpz_poly_t p, const fmpq_t u, int deriva
     fmpz_poly_clear(q);
 }
 
-void instant_init(instant *i, const graze_motion *motion, size_t piece, const fmpq_t u) {
+const point_map *instant_placing(const graze_scene *scene, size_t piece) {
+    const motion_piece *p = &scene->motion->piece[piece];
+    return scene->options.operation == GRAZE_UNSWEEP ? &p->inverse : &p->forward;
+}
+
+const point_map *instant_tracing(const graze_scene *scene, size_t piece) {
+    const motion_piece *p = &scene->motion->piece[piece];
+    return scene->options.operation == GRAZE_UNSWEEP ? &p->forward : &p->inverse;
+}
+
+void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u) {
+    const graze_motion *motion = scene->motion;
+    const point_map *tracing = instant_tracing(scene, piece);
     int d = motion->dimension;
     const motion_piece *p = &motion->piece[piece];
     i->dimension = d;
@@ -27,12 +39,12 @@ void instant_init(instant *i, const graze_motion *motion, size_t piece, const fm
     fmpq_mul(i->t, i->t, u);
     fmpq_add(i->t, i->t, p->lo);
     i->map = _fmpq_vec_init(d * (d + 1));
-    point_map_at(i->map, &p->forward, u);
+    point_map_at(i->map, instant_placing(scene, piece), u);
     for (int k = 0; k < INSTANT_DERIVATIVES; k++) {
         i->inverse[k] = _fmpq_vec_init((d + 1) * (d + 1));
         for (int e = 0; e < d * (d + 1); e++)
-            evaluate(i->inverse[k] + e, &p->inverse.entry[e], u, k);
-        evaluate(i->inverse[k] + (d + 1) * (d + 1) - 1, p->inverse.weight, u, k);
+            evaluate(i->inverse[k] + e, &tracing->entry[e], u, k);
+        evaluate(i->inverse[k] + (d + 1) * (d + 1) - 1, tracing->weight, u, k);
     }
 }
 

@@ -9,7 +9,7 @@
 #ifndef GRAZE_GENERATE_INSTANT_H
 #define GRAZE_GENERATE_INSTANT_H
 
-#include "motion/motion.h"
+#include "scene/scene.h"
 
 /** Rows of the inverse map, the weight's last, differentiated 0, 1 or 2 times. */
 enum { INSTANT_DERIVATIVES = 3 };
@@ -22,7 +22,12 @@ typedef struct instant {
     fmpq *inverse[INSTANT_DERIVATIVES]; /* (d + 1) * (d + 1) each */
 } instant;
 
-void instant_init(instant *i, const graze_motion *motion, size_t piece, const fmpq_t u);
+/** Body point to P on a piece: M, and for unsweep M^-1. */
+const point_map *instant_placing(const graze_scene *scene, size_t piece);
+/** P to body point: the other one of the two. */
+const point_map *instant_tracing(const graze_scene *scene, size_t piece);
+
+void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u);
 void instant_clear(instant *i);
 
 /** P = M(u) y. */

@@ -33,23 +33,24 @@ static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq
 
 /* The derivative by u of the pullback of `form` along the trajectory of P = M(u) y, at u itself:
  * zero where the normal velocity of y is zero. */
-static void normal_velocity(fmpz_poly_t out, const motion_piece *piece, const fmpz *form,
-                            const fmpq *y) {
-    int d = piece->inverse.dimension;
+static void normal_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece,
+                            const fmpz *form, const fmpq *y) {
+    const point_map *tracing = instant_tracing(scene, piece);
+    int d = tracing->dimension;
     fmpz_poly_struct place[4];
     fmpz_poly_t derivative, row;
     fmpz_poly_init(derivative);
     fmpz_poly_init(row);
     for (int i = 0; i <= d; i++)
         fmpz_poly_init(&place[i]);
-    moving_point(place, &piece->forward, y);
-    fmpz_poly_derivative(derivative, piece->inverse.weight);
+    moving_point(place, instant_placing(scene, piece), y);
+    fmpz_poly_derivative(derivative, tracing->weight);
     fmpz_poly_mul(out, derivative, &place[d]);
     fmpz_poly_scalar_mul_fmpz(out, out, form + d);
     for (int i = 0; i < d; i++) {
         fmpz_poly_zero(row);
         for (int j = 0; j <= d; j++) {
-            fmpz_poly_derivative(derivative, &piece->inverse.entry[i * (d + 1) + j]);
+            fmpz_poly_derivative(derivative, &tracing->entry[i * (d + 1) + j]);
             fmpz_poly_mul(derivative, derivative, &place[j]);
             fmpz_poly_add(row, row, derivative);
         }
@@ -73,7 +74,7 @@ static graze_status append(specials *out, graze_context *context, const graze_sc
         out->capacity = capacity;
     }
     special *added = &out->item[out->count++];
-    instant_init(&added->when, scene->motion, piece, u);
+    instant_init(&added->when, scene, piece, u);
     added->simplex = simplex;
     added->slides = slides;
     return GRAZE_OK;
@@ -112,7 +113,7 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     fmpq_init(half);
     fmpq_set_si(half, 1, 2);
     for (int k = 0; k < d; k++) {
-        normal_velocity(velocity, &scene->motion->piece[piece], solid_plane(solid, simplex),
+        normal_velocity(velocity, scene, piece, solid_plane(solid, simplex),
                         solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
         fmpz_poly_gcd(common, common, velocity);
     }

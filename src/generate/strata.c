@@ -164,7 +164,7 @@ static int order_at(const struct graze_generator *g, const touchpoint *p, const 
     trajectory_init(&c, p->when->dimension);
     fmpz_poly_init(f);
     fmpq_init(value);
-    trajectory_set(&c, &g->scene->motion->piece[p->when->piece].inverse, world);
+    trajectory_set(&c, instant_tracing(g->scene, p->when->piece), world);
     trajectory_pullback(f, &c, solid_plane(g->scene->solid, p->simplex));
     if (fmpz_poly_is_zero(f)) {
         order = GRAZE_ORDER_SLIDE;

@@ -365,8 +365,8 @@ static void explanation(void **state) {
         "case 2 of Table 1",
         "    x = -4*t + 1/2\n    y = -3\n",
         "  B  at t = 3/2 = 1.5\n       it meets face 3\n       intersection: O before and I after",
-        "  B  from t = about 2.41421356237, the one root of t^2 - 2*t - 1 between 2 and 3\n"
-        "     to t = 3\n       it meets edge 1-2, vertex 7\n",
+        ("  B  from t = about 2.41421356237, the one root of t^2 - 2*t - 1 between 2 and 3\n"
+         "     to t = 3\n       it meets edge 1-2, vertex 7\n"),
         "intersection: the motion ends here, and I came before ([EI] Definition 3)\n",
         "= (2 + 0 + 0) / 2 = 1:\n",
         "k = 1 and t = 0 make a regular point (Definition 5) in case 2\n",
