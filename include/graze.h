@@ -472,10 +472,11 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_explain(char **out, graze_cont
 
 /** What a candidate's pmc is measured against. */
 typedef enum graze_question {
-    GRAZE_QUESTION_OPEN = 0,  /**< the open sweep: pmc as Graze gives it */
-    GRAZE_QUESTION_CLOSED = 1 /**< position in the closed sweep, of which `on` points are members:
-                                 `on` with topo `interior` counts as `in`; without such a column,
-                                 `on` rows that may be seams are counted apart. pmc alone is judged */
+    GRAZE_QUESTION_OPEN = 0, /**< the open sweep: pmc as Graze gives it */
+    GRAZE_QUESTION_CLOSED =
+        1 /**< position in the closed sweep, of which `on` points are members:
+             `on` with topo `interior` counts as `in`; without such a column,
+             `on` rows that may be seams are counted apart. pmc alone is judged */
 } graze_question;
 
 /** What `on` is, for candidates that only know in and out. */
@@ -497,7 +498,7 @@ typedef struct graze_compare_options {
     graze_question question;
     graze_on_as on_as;
     graze_candidate_has has;
-    size_t show;               /**< disagreements to keep, each with the command that explains it */
+    size_t show; /**< disagreements to keep, each with the command that explains it */
     const char *solid, *motion; /**< names for those commands, or NULL */
 } graze_compare_options;
 

@@ -6,8 +6,8 @@
 #include "cli/interrupt.h"
 #include "cli/output.h"
 
-static const command *const commands[] = {&command_check, &command_classify, &command_explain,
-                                          &command_generate, &command_cases, &command_compare,
+static const command *const commands[] = {&command_check,    &command_classify, &command_explain,
+                                          &command_generate, &command_cases,    &command_compare,
                                           &command_validate};
 
 static const char overview[] =
