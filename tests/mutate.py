@@ -10,6 +10,7 @@ import os
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -81,14 +82,19 @@ def is_killed(copy, build, log, limit):
             "WARN=-w"]
     if subprocess.run(make, cwd=copy, stdout=log, stderr=log).returncode != 0:
         return "does not compile"
-    for suite in SUITES:
-        command = [part.format(b=build) for part in suite]
+    for parts in SUITES:
+        command = [part.format(b=build) for part in parts]
+        suite = subprocess.Popen(command, cwd=copy, stdout=log, stderr=log,
+                                 stdin=subprocess.DEVNULL, preexec_fn=bound_memory,
+                                 start_new_session=True)
         try:
-            done = subprocess.run(command, cwd=copy, stdout=log, stderr=log, timeout=limit,
-                                  stdin=subprocess.DEVNULL, preexec_fn=bound_memory)
+            status = suite.wait(limit)
         except subprocess.TimeoutExpired:
-            return f"too slow: {command[-3] if len(command) > 2 else command[0]}"
-        if done.returncode != 0:
+            # A mutant may loop for ever: end it with the suite that started it.
+            os.killpg(suite.pid, signal.SIGKILL)
+            suite.wait()
+            return f"too slow: {command[1] if len(command) > 1 else command[0]}"
+        if status != 0:
             return command[1] if len(command) > 1 else command[0]
     return None
 
