@@ -101,7 +101,7 @@ $B/tests/unit/%: $B/tests/unit/%.o $B/libgraze.a
 $B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
-$B/tests/%.o: | $B/.packages-test
+$(addsuffix .o,$(UNIT)): | $B/.packages-test
 $B/tests/minkowski: tests/agree/minkowski.cpp tests/agree/shells.h | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
