@@ -170,6 +170,18 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     return status;
 }
 
+graze_status graze_report_point(char **out, graze_context *context, const graze_scene *scene,
+                                const mpq_t *point, graze_format format, const char *rest) {
+    graze_trace *trace = NULL;
+    if (out)
+        *out = NULL;
+    graze_status status = graze_trace_create(&trace, context, scene, point);
+    if (!status)
+        status = graze_report_row(out, context, scene, point, trace, format, rest);
+    graze_trace_destroy(trace);
+    return status;
+}
+
 graze_status graze_report_explain(char **out, graze_context *context, const graze_scene *scene,
                                   const mpq_t *point, const graze_trace *trace) {
     if (out)

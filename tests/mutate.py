@@ -25,12 +25,12 @@ FILES = [
 SUITES = [
     ["{b}/tests/unit/test_algebraic"],
     [sys.executable, "tests/examples/examples.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/cases/cases.py", "--graze", "{b}/graze"],
     [sys.executable, "tests/agree/near.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/agree/laws.py", "--graze", "{b}/graze"],
+    [sys.executable, "tests/cases/cases.py", "--graze", "{b}/graze"],
     [sys.executable, "tests/agree/second_tracer.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/words/words.py", "--graze", "{b}/graze"],
+    [sys.executable, "tests/agree/laws.py", "--graze", "{b}/graze"],
     [sys.executable, "tests/refuse/run.py", "--graze", "{b}/graze"],
+    [sys.executable, "tests/words/words.py", "--graze", "{b}/graze"],
 ]
 # A token and what it becomes. Two variants for an order: its negation, and its boundary moved.
 SWAPS = {

@@ -29,6 +29,7 @@ static const char help[] =
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
     "  --triangulate        fan facets that are not planar from their first vertex\n"
     "  --jobs N             threads (default: all cores); the output is the same for any N\n"
+    "  --no-filter          the exact path alone: the same answers, slower\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10,\n"
     "                       line 10^7, cells 10^8, bytes 4*10^9\n"
@@ -200,4 +201,4 @@ static int run(const options *o) {
     return status;
 }
 
-const command command_classify = {"classify", "rltvfpmgbjo", help, run};
+const command command_classify = {"classify", "rltvfpmgbjox", help, run};

@@ -30,6 +30,7 @@ typedef struct options {
     unsigned long count;     /* -n */
     unsigned long long seed; /* --seed */
     int seeded, representable;
+    int exact_only; /* --no-filter */
     graze_compare_options compare;
     graze_comparison_format report;
     const char *candidate, *points, *keep; /* validate */

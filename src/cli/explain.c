@@ -11,7 +11,8 @@ static const char help[] =
     "with the boundary in order of time and why it counts as what it does, the counts, and the\n"
     "definition and case that apply. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
     "\n"
-    "  --triangulate, --round, --overlap extend|reject, --limit NAME=V   as in graze classify\n"
+    "  --triangulate, --round, --overlap extend|reject, --limit NAME=V,\n"
+    "  --no-filter          as in graze classify\n"
     "  --folds separate     Definitions 6 and 7 (default)\n"
     "  --folds combined     Definitions 10 and 11 in their place\n"
     "  --operation sweep    the set swept by the solid (default)\n"
@@ -77,4 +78,4 @@ static int run(const options *o) {
     return status;
 }
 
-const command command_explain = {"explain", "rltvfp", help, run};
+const command command_explain = {"explain", "rltvfpx", help, run};

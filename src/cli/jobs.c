@@ -33,14 +33,10 @@ struct jobs {
 
 static void answer(worker *w, row *r) {
     jobs *j = w->shared;
-    graze_trace *trace = NULL;
-    r->status = graze_trace_create(&trace, w->context, j->scene, (const mpq_t *)r->point);
-    if (!r->status)
-        r->status = graze_report_row(&r->text, w->context, j->scene, (const mpq_t *)r->point, trace,
-                                     j->format, r->rest);
+    r->status = graze_report_point(&r->text, w->context, j->scene, (const mpq_t *)r->point,
+                                   j->format, r->rest);
     if (r->status)
         r->message = strdup(graze_context_message(w->context));
-    graze_trace_destroy(trace);
 }
 
 static void *serve(void *data) {

@@ -52,6 +52,7 @@ graze_status context_for(graze_context **out, const options *o) {
     if (status)
         return status;
     graze_context_set_cancel(*out, interrupted, NULL);
+    graze_context_set_filter(*out, !o->exact_only);
     status = graze_context_set_rounding(*out, o->rounding);
     for (int k = 0; k < GRAZE_LIMIT_COUNT && !status; k++)
         if (o->limits[k])

@@ -39,6 +39,7 @@ static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
                                              {"points", required_argument, NULL, 'P'},
                                              {"keep", required_argument, NULL, 'K'},
                                              {"timeout", required_argument, NULL, 'T'},
+                                             {"no-filter", no_argument, NULL, 'x'},
                                              {NULL, 0, NULL, 0}};
 
 /* A value out of two or three words. */
@@ -168,6 +169,9 @@ static int read_option(options *o, int letter, const char *value) {
         return read_limit(o, value);
     case 't':
         o->solid_flags |= GRAZE_SOLID_TRIANGULATE;
+        return EXIT_DONE;
+    case 'x':
+        o->exact_only = 1;
         return EXIT_DONE;
     case 'g':
         o->grid = value;

@@ -72,6 +72,12 @@ unsigned long graze_context_limit(const graze_context *context, graze_limit limi
     return context != NULL && is_limit(limit) ? context->limits[limit] : 0;
 }
 
+void graze_context_set_filter(graze_context *context, int on) {
+    if (context != NULL) {
+        context->exact_only = !on;
+    }
+}
+
 const char *graze_limit_name(graze_limit limit) {
     return is_limit(limit) ? limit_table[limit].name : NULL;
 }

@@ -16,6 +16,7 @@ struct graze_context {
     char message[CONTEXT_MESSAGE_SIZE];
     unsigned long limits[GRAZE_LIMIT_COUNT];
     graze_rounding rounding;
+    int exact_only; /* the filter is off */
     graze_cancel cancel;
     void *cancel_data;
 };
