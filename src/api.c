@@ -7,6 +7,7 @@
 
 #include <flint/flint.h>
 #include <flint/fmpq_vec.h>
+#include <math.h>
 #include <mpfr.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -106,6 +107,8 @@ graze_status graze_scene_create(graze_scene **out, graze_context *context, const
 }
 
 void graze_scene_destroy(graze_scene *scene) {
+    if (scene)
+        scene_clear(scene);
     free(scene);
 }
 
@@ -140,13 +143,15 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     return status;
 }
 
+trace_scene api_trace_scene(const graze_scene *scene) {
+    return (trace_scene){scene->solid, scene->motion, scene->options.operation, &scene->filter};
+}
+
 static graze_status classify_one(graze_verdict *out, graze_context *context,
-                                 const graze_scene *scene, const fmpq *point) {
+                                 const graze_scene *scene, query_point point) {
     graze_trace trace;
-    graze_status status = context_poll(context);
-    if (!status)
-        status = trace_point(&trace, context, scene->solid, scene->motion, scene->options.operation,
-                             point);
+    trace_scene through = api_trace_scene(scene);
+    graze_status status = trace_point(&trace, context, &through, point, TRACE_WORD);
     if (status)
         return status;
     verdict_decide(&trace, &scene->options);
@@ -182,11 +187,25 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
     for (size_t p = 0; p < n && !status; p++) {
         for (size_t k = 0; k < d; k++)
             fmpq_set_mpq(point + k, points[p * d + k]);
-        status = classify_one(out + p, context, scene, point);
+        status = classify_one(out + p, context, scene, (query_point){.rational = point});
         if (status)
             status = context_at(context, status, "point %zu", p);
     }
     _fmpq_vec_clear(point, (slong)d);
+    return status;
+}
+
+/* GRAZE_EINPUT with a message if a coordinate is no finite number. */
+static graze_status check_finite(graze_context *context, const double *point, size_t d) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < d && !status; k++) {
+        if (isfinite(point[k]))
+            continue;
+        fmpq_t value;
+        fmpq_init(value);
+        status = rational_from_double(value, context, point[k]);
+        fmpq_clear(value);
+    }
     return status;
 }
 
@@ -197,15 +216,13 @@ graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     size_t d = (size_t)scene->motion->dimension;
-    fmpq *point = _fmpq_vec_init((slong)d);
     for (size_t p = 0; p < n && !status; p++) {
-        for (size_t k = 0; k < d && !status; k++)
-            status = rational_from_double(point + k, context, points[p * d + k]);
+        const double *point = points + p * d;
+        status = check_finite(context, point, d);
         if (!status)
-            status = classify_one(out + p, context, scene, point);
+            status = classify_one(out + p, context, scene, (query_point){.value = point});
         if (status)
             status = context_at(context, status, "point %zu", p);
     }
-    _fmpq_vec_clear(point, (slong)d);
     return status;
 }

@@ -38,10 +38,11 @@ graze_status graze_trace_create(graze_trace **out, graze_context *context, const
     graze_status status = take_point(&p, context, scene, point);
     if (status)
         return status;
+    trace_scene through = api_trace_scene(scene);
     graze_trace *trace = malloc(sizeof *trace);
-    status = trace ? trace_point(trace, context, scene->solid, scene->motion,
-                                 scene->options.operation, p)
-                   : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    status =
+        trace ? trace_point(trace, context, &through, (query_point){.rational = p}, TRACE_CONTACTS)
+              : context_fail(context, GRAZE_ESYSTEM, "out of memory");
     _fmpq_vec_clear(p, scene->motion->dimension);
     if (status) {
         free(trace);
@@ -170,15 +171,38 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     return status;
 }
 
+/* Trace a point and write its row. */
+static graze_status write_row(char **out, graze_context *context, const graze_scene *scene,
+                              const fmpq *point, graze_format format, const char *rest) {
+    graze_trace trace;
+    trace_scene through = api_trace_scene(scene);
+    graze_status status = trace_point(&trace, context, &through, (query_point){.rational = point},
+                                      format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
+    if (status)
+        return status;
+    verdict_decide(&trace, &scene->options);
+    status = format == GRAZE_FORMAT_CSV ? report_csv(out, context, scene, point, &trace, rest)
+                                        : report_json(out, context, scene, point, &trace);
+    trace_clear(&trace);
+    return status;
+}
+
 graze_status graze_report_point(char **out, graze_context *context, const graze_scene *scene,
                                 const mpq_t *point, graze_format format, const char *rest) {
-    graze_trace *trace = NULL;
     if (out)
         *out = NULL;
-    graze_status status = graze_trace_create(&trace, context, scene, point);
-    if (!status)
-        status = graze_report_row(out, context, scene, point, trace, format, rest);
-    graze_trace_destroy(trace);
+    if (!out || !context || !scene || !point)
+        return api_misuse(context, "graze_report_point",
+                          "out, context, scene and point must not be NULL");
+    if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
+        return api_misuse(context, "graze_report_point", "the format is unknown");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq *p;
+    graze_status status = take_point(&p, context, scene, point);
+    if (status)
+        return status;
+    status = write_row(out, context, scene, p, format, rest);
+    _fmpq_vec_clear(p, scene->motion->dimension);
     return status;
 }
 

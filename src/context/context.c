@@ -40,7 +40,14 @@ graze_status graze_context_create(graze_context **out) {
 }
 
 void graze_context_destroy(graze_context *context) {
+    if (context != NULL && context->workspace != NULL) {
+        context->workspace_free(context->workspace);
+    }
     free(context);
+}
+
+unsigned long graze_context_exact_count(const graze_context *context) {
+    return context != NULL ? context->exact_count : 0;
 }
 
 const char *graze_context_message(const graze_context *context) {

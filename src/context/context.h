@@ -16,7 +16,10 @@ struct graze_context {
     char message[CONTEXT_MESSAGE_SIZE];
     unsigned long limits[GRAZE_LIMIT_COUNT];
     graze_rounding rounding;
-    int exact_only; /* the filter is off */
+    int exact_only;            /* the filter is off */
+    unsigned long exact_count; /* points whose answer needed the exact path */
+    void *workspace;           /* memory that a later stage uses again from call to call */
+    void (*workspace_free)(void *);
     graze_cancel cancel;
     void *cancel_data;
 };

@@ -143,5 +143,11 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
         return context_fail(context, GRAZE_EILLEGAL,
                             "S^0 and S^1 meet, which overlap `reject` excludes; `extend` "
                             "classifies all nine cases");
-    return scene_hash(out->sha256, context, solid, motion);
+    status = scene_hash(out->sha256, context, solid, motion);
+    return status ? status
+                  : filter_make(&out->filter, context, solid, motion, out->options.operation);
+}
+
+void scene_clear(graze_scene *scene) {
+    filter_clear(&scene->filter);
 }

@@ -8,6 +8,7 @@
 #ifndef GRAZE_SCENE_SCENE_H
 #define GRAZE_SCENE_SCENE_H
 
+#include "filter/filter.h"
 #include "motion/motion.h"
 #include "solid/solid.h"
 
@@ -15,16 +16,19 @@ struct graze_scene {
     const graze_solid *solid;
     const graze_motion *motion;
     graze_options options;
+    filter filter;            /* for the operation of the options */
     int ends_meet;            /* 1 if S^0 and S^1 have a point in common, else 0 */
     unsigned char sha256[32]; /* of the canonical text of solid and motion, see scene_hash */
 };
 
 /**
- * Fill a scene: dimensions, the ends, the hash.
+ * Fill a scene: dimensions, the ends, the hash, the filter. On success scene_clear frees it.
  * @return GRAZE_EILLEGAL the dimensions differ, or the ends meet where `overlap` rejects it
  */
 graze_status scene_make(graze_scene *out, graze_context *context, const graze_solid *solid,
                         const graze_motion *motion, const graze_options *options);
+
+void scene_clear(graze_scene *scene);
 
 /** Decide whether M(t0) S and M(t1) S, closed sets, have a point in common. */
 graze_status scene_ends(int *out, graze_context *context, const graze_solid *solid,

@@ -164,6 +164,8 @@ graze_status solid_create(graze_solid **out, graze_context *context, soup *input
     if (status == GRAZE_OK)
         status = make_tree(solid, context);
     if (status == GRAZE_OK)
+        status = corners_make(&solid->corners, context, &solid->input, &solid->cut);
+    if (status == GRAZE_OK)
         status = solid_check_sides(solid, context);
     if (status == GRAZE_OK)
         *out = solid;
@@ -183,6 +185,7 @@ void graze_solid_destroy(graze_solid *solid) {
     free(solid->plane_of);
     free(solid->facing);
     tree_clear(&solid->boxes);
+    corners_clear(&solid->corners);
     free(solid->cut.item);
     soup_clear(&solid->input);
     free(solid);

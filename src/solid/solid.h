@@ -9,6 +9,7 @@
 #ifndef GRAZE_SOLID_SOLID_H
 #define GRAZE_SOLID_SOLID_H
 
+#include "solid/corners.h"
 #include "solid/soup.h"
 #include "solid/tree.h"
 #include "solid/validate.h"
@@ -23,6 +24,7 @@ struct graze_solid {
     fmpz *side;          /* cut.count * d * (d + 1): side form k of a simplex, >= 0 on its side; the
                             coordinate of the first non-zero normal coordinate does not occur in it */
     tree boxes;
+    corners corners;
 };
 
 /** Make a solid of a soup, which it takes over (also on failure): validation, planes, tree, side

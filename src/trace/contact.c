@@ -38,7 +38,8 @@ void contact_clear(contact *c) {
 }
 
 int time_is_start(const graze_time *time) {
-    return time->piece == 0 && algebraic_is_rational(&time->u) && fmpq_is_zero(time->u.value);
+    return time && time->piece == 0 && algebraic_is_rational(&time->u) &&
+           fmpq_is_zero(time->u.value);
 }
 
 /* Whether a time is the end of its piece. */
@@ -47,7 +48,7 @@ static int is_piece_end(const graze_time *time) {
 }
 
 int time_is_end(const graze_time *time) {
-    return time->piece + 1 == time->motion->piece_count && is_piece_end(time);
+    return time && time->piece + 1 == time->motion->piece_count && is_piece_end(time);
 }
 
 static int compare_cells(const void *left, const void *right) {
@@ -86,18 +87,33 @@ static int prolong(contact *last, graze_time *to) {
     return 1;
 }
 
-static contact *append_contact(graze_trace *trace, graze_time *from, graze_time *to) {
+/* One more contact, all zero; NULL without memory. */
+static contact *append_contact(graze_trace *trace) {
     contact *list = realloc(trace->contact, (trace->contact_count + 1) * sizeof *list);
-    if (list)
-        trace->contact = list;
-    if (!list || !from || !to) {
+    if (!list)
+        return NULL;
+    trace->contact = list;
+    list[trace->contact_count] = (contact){.from = NULL};
+    return &list[trace->contact_count++];
+}
+
+/* A contact with times, which it takes over; NULL if one of them is, or without memory. */
+static contact *append_timed(graze_trace *trace, graze_time *from, graze_time *to) {
+    contact *added = from && to ? append_contact(trace) : NULL;
+    if (!added) {
         time_destroy(from);
         if (to != from)
             time_destroy(to);
         return NULL;
     }
-    list[trace->contact_count] = (contact){.from = from, .to = to};
-    return &list[trace->contact_count++];
+    added->from = from;
+    added->to = to;
+    return added;
+}
+
+/* Whether a contact, or none, ends where a piece begins. */
+static int ends_before(const contact *last, size_t piece) {
+    return last && last->to && last->to->piece + 1 == piece && is_piece_end(last->to);
 }
 
 /* One maximal run of touches, from rank `from` to rank `to`, in a piece. */
@@ -107,12 +123,12 @@ static int add_run(graze_trace *trace, const graze_motion *motion, size_t piece,
     const algebraic *u1 = &t->time.item[t->by_rank[to]];
     contact *last = trace->contact_count ? &trace->contact[trace->contact_count - 1] : NULL;
     int at_start = algebraic_is_rational(u0) && fmpq_is_zero(u0->value), instant = u0 == u1;
-    if (at_start && last && last->to->piece + 1 == piece && is_piece_end(last->to)) {
+    if (at_start && ends_before(last, piece)) {
         if (!instant && !prolong(last, time_create(motion, piece, u1)))
             return 0;
     } else {
         graze_time *from = time_create(motion, piece, u0);
-        last = append_contact(trace, from, instant ? from : time_create(motion, piece, u1));
+        last = append_timed(trace, from, instant ? from : time_create(motion, piece, u1));
         if (!last)
             return 0;
     }
@@ -124,10 +140,19 @@ static int begins_with_touch(const touches *t) {
     return first && algebraic_is_rational(first) && fmpq_is_zero(first->value);
 }
 
+graze_status contacts_append_crossing(graze_trace *trace, graze_context *context, int enters) {
+    contact *added = append_contact(trace);
+    if (!added)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the contacts of a trace");
+    added->left = enters ? GRAZE_STATE_O : GRAZE_STATE_I;
+    added->right = enters ? GRAZE_STATE_I : GRAZE_STATE_O;
+    return GRAZE_OK;
+}
+
 graze_status contacts_append(graze_trace *trace, graze_context *context, const graze_motion *motion,
-                             size_t piece, const touches *t) {
-    contact *last = trace->contact_count ? &trace->contact[trace->contact_count - 1] : NULL;
-    if (last && last->to->piece + 1 == piece && is_piece_end(last->to) && !begins_with_touch(t))
+                             size_t piece, const touches *t, int opens) {
+    const contact *last = trace->contact_count ? &trace->contact[trace->contact_count - 1] : NULL;
+    if (opens && ends_before(last, piece) && !begins_with_touch(t))
         return context_fail(context, GRAZE_EINTERNAL,
                             "a contact ends between two pieces of the motion");
     for (size_t first = 0, next; first < t->count; first = next) {

@@ -10,9 +10,13 @@
 /**
  * Append the contacts of a piece, whose touches are ordered. A contact that ended with the piece
  * before goes on if this one begins with a contact: the trajectory is continuous.
+ * @param opens the touches are all there are near the piece's beginning; 0: they are later ones
  */
 graze_status contacts_append(graze_trace *trace, graze_context *context, const graze_motion *motion,
-                             size_t piece, const touches *t);
+                             size_t piece, const touches *t, int opens);
+
+/** Append a certain crossing within a piece, which has no times and no cells. */
+graze_status contacts_append_crossing(graze_trace *trace, graze_context *context, int enters);
 
 void contact_clear(contact *c);
 

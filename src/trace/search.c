@@ -9,20 +9,20 @@
 #include <stdlib.h>
 
 /* The piece [start, start + 2^(LEVELS - level)] of the curve. */
-typedef struct span {
+typedef struct exact_span {
     uint32_t start;
     int level;
     size_t child; /* the two halves stand at child and child + 1; 0: not cut yet */
     box box;
     int bounded;     /* what trajectory_bound returned */
     fmpz *bernstein; /* d + 1 polynomials to the trajectory's degree */
-} span;
+} exact_span;
 
 typedef struct searcher {
     const graze_solid *solid;
     const trajectory *c;
     candidates *out;
-    span *spans;
+    exact_span *spans;
     size_t count, capacity;
     int out_of_memory;
 } searcher;
@@ -38,7 +38,7 @@ static double extent(const box *b) {
 /* Whether cutting a piece can still make its box smaller: not once the box is hardly wider than
  * what rounding outwards adds to it, or past the range of doubles. Without this, solids that are
  * far from the origin, huge or tiny would be cut for ever. */
-static int can_shrink(const span *piece) {
+static int can_shrink(const exact_span *piece) {
     double reach = 0;
     for (int i = 0; i < 3; i++)
         reach = fmax(reach, fmax(fabs(piece->box.low[i]), fabs(piece->box.high[i])));
@@ -49,7 +49,7 @@ static int can_shrink(const span *piece) {
 static int reserve_spans(searcher *s) {
     if (s->count + 2 > s->capacity) {
         size_t capacity = s->capacity ? 2 * s->capacity : 64;
-        span *spans = realloc(s->spans, capacity * sizeof *spans);
+        exact_span *spans = realloc(s->spans, capacity * sizeof *spans);
         s->out_of_memory = s->out_of_memory || !spans;
         if (!spans)
             return 0;
@@ -60,8 +60,8 @@ static int reserve_spans(searcher *s) {
 }
 
 static void add_span(searcher *s, uint32_t start, int level, fmpz *bernstein) {
-    span *added = &s->spans[s->count++];
-    *added = (span){.start = start, .level = level, .bernstein = bernstein};
+    exact_span *added = &s->spans[s->count++];
+    *added = (exact_span){.start = start, .level = level, .bernstein = bernstein};
     added->bounded = trajectory_bound(&added->box, s->c, bernstein);
 }
 
@@ -71,7 +71,7 @@ static int cut_span(searcher *s, size_t index) {
         return 1;
     if (!reserve_spans(s))
         return 0;
-    span *whole = &s->spans[index];
+    exact_span *whole = &s->spans[index];
     fmpz *left = _fmpz_vec_init(span_length(s)), *right = _fmpz_vec_init(span_length(s));
     for (int i = 0; i <= s->c->dimension; i++) {
         slong at = i * (s->c->degree + 1);
@@ -81,32 +81,22 @@ static int cut_span(searcher *s, size_t index) {
     int level = whole->level + 1;
     uint32_t start = whole->start;
     add_span(s, start, level, left);
-    add_span(s, start + (UINT32_C(1) << (SEARCH_LEVELS - level)), level, right);
+    add_span(s, start + (UINT32_C(1) << (WINDOW_LEVELS - level)), level, right);
     return 1;
 }
 
-static void record(searcher *s, uint32_t simplex, const span *when) {
-    candidates *out = s->out;
-    if (out->count == out->capacity) {
-        size_t capacity = out->capacity ? 2 * out->capacity : 64;
-        candidate *item = realloc(out->item, capacity * sizeof *item);
-        s->out_of_memory = s->out_of_memory || !item;
-        if (!item)
-            return;
-        out->item = item;
-        out->capacity = capacity;
-    }
-    uint32_t length = UINT32_C(1) << (SEARCH_LEVELS - when->level);
-    out->item[out->count++] =
-        (candidate){s->solid->plane_of[simplex], simplex, when->start, when->start + length};
+static void record(searcher *s, uint32_t simplex, const exact_span *when) {
+    uint32_t length = UINT32_C(1) << (WINDOW_LEVELS - when->level);
+    if (!candidates_append(s->out, (candidate){simplex, when->start, when->start + length}))
+        s->out_of_memory = 1;
 }
 
 static void descend(searcher *s, size_t node_index, size_t span_index) {
     const tree_node *node = &s->solid->boxes.node[node_index];
-    const span *piece = &s->spans[span_index];
+    const exact_span *piece = &s->spans[span_index];
     if (s->out_of_memory || !box_meets(&node->box, &piece->box))
         return;
-    if (piece->level < SEARCH_LEVELS && !(extent(&piece->box) <= extent(&node->box)) &&
+    if (piece->level < WINDOW_LEVELS && !(extent(&piece->box) <= extent(&node->box)) &&
         can_shrink(piece)) {
         if (!cut_span(s, span_index))
             return;
@@ -123,8 +113,6 @@ static void descend(searcher *s, size_t node_index, size_t span_index) {
 
 static int compare_candidates(const void *left, const void *right) {
     const candidate *a = left, *b = right;
-    if (a->plane != b->plane)
-        return a->plane < b->plane ? -1 : 1;
     if (a->simplex != b->simplex)
         return a->simplex < b->simplex ? -1 : 1;
     return a->from < b->from ? -1 : a->from > b->from;

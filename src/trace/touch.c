@@ -63,7 +63,7 @@ static int inside_at(unsigned *zero, finder *f, size_t simplex, algebraic *time)
 static void set_window(dyadic_interval *window, uint32_t from, uint32_t to) {
     fmpz_set_ui(window->low, from);
     fmpz_set_ui(window->high, to);
-    window->exponent = SEARCH_LEVELS;
+    window->exponent = WINDOW_LEVELS;
 }
 
 /* 0 if the time certainly lies outside the candidate's window. */
@@ -75,8 +75,8 @@ static int may_meet(const candidate *c, const algebraic *time) {
     fmpq_init(from);
     fmpq_init(to);
     algebraic_bounds(low, high, time);
-    fmpq_set_ui(from, c->from, UINT32_C(1) << SEARCH_LEVELS);
-    fmpq_set_ui(to, c->to, UINT32_C(1) << SEARCH_LEVELS);
+    fmpq_set_ui(from, c->from, UINT32_C(1) << WINDOW_LEVELS);
+    fmpq_set_ui(to, c->to, UINT32_C(1) << WINDOW_LEVELS);
     meets = fmpq_cmp(high, from) >= 0 && fmpq_cmp(low, to) <= 0;
     fmpq_clear(low);
     fmpq_clear(high);
@@ -187,15 +187,28 @@ static void touch_slide(finder *f, const candidate *slide) {
     algebraic_list_clear(&cuts);
 }
 
+static __thread const graze_solid *hack;
+static int by_plane(const void *l, const void *r) {
+    const candidate *a = l, *b = r;
+    uint32_t x = hack->plane_of[a->simplex], y = hack->plane_of[b->simplex];
+    if (x != y)
+        return x < y ? -1 : 1;
+    return a->simplex < b->simplex ? -1 : a->simplex > b->simplex;
+}
+
 graze_status touches_find(touches *t, graze_context *context, const graze_solid *solid,
                           const trajectory *c, candidates *list) {
     finder f = {.out = t, .solid = solid, .c = c};
     fmpz_poly_t plane;
     fmpz_poly_init(plane);
     fmpz_poly_init(f.pullback);
+    hack = solid;
+    if (list->count)
+        qsort(list->item, list->count, sizeof *list->item, by_plane);
     for (size_t first = 0, next; first < list->count; first = next) {
         for (next = first; next < list->count; next++)
-            if (list->item[next].plane != list->item[first].plane)
+            if (solid->plane_of[list->item[next].simplex] !=
+                solid->plane_of[list->item[first].simplex])
                 break;
         trajectory_pullback(plane, c, solid_plane(solid, list->item[first].simplex));
         if (!fmpz_poly_is_zero(plane))

@@ -4,6 +4,7 @@
 #ifndef GRAZE_TRACE_TRACE_H
 #define GRAZE_TRACE_TRACE_H
 
+#include "filter/filter.h"
 #include "motion/motion.h"
 #include "number/algebraic.h"
 #include "solid/solid.h"
@@ -26,7 +27,8 @@ struct graze_time {
 /** One contact (semantics: The trace): states on both sides, exact ends, cells. */
 typedef struct contact {
     graze_state left, right; /* I, O, or ABSENT at an end of the motion */
-    graze_time *from, *to;   /* the same pointer for an instant; owned by the trace */
+    graze_time *from, *to;   /* the same pointer for an instant; owned by the trace; both NULL for a
+                                crossing whose time was not asked for */
     graze_cell *cell;
     size_t cell_count;
 } contact;
@@ -39,13 +41,31 @@ struct graze_trace {
     graze_verdict verdict; /* filled by the verdict stage */
 };
 
+/** What points are traced through. */
+typedef struct trace_scene {
+    const graze_solid *solid;
+    const graze_motion *motion;
+    graze_operation operation;
+    const filter *filter;
+} trace_scene;
+
+/** A query point: d rationals, or d finite doubles that are meant exactly; the other is NULL. */
+typedef struct query_point {
+    const fmpq *rational;
+    const double *value;
+} query_point;
+
+/** How much of a trace is wanted: contacts with times and cells, or states and the word alone. */
+typedef enum trace_detail { TRACE_CONTACTS, TRACE_WORD } trace_detail;
+
 /**
  * Trace the curve t -> map(t) P through the solid, where map is the motion's inverse (sweep) or the
  * motion itself (unsweep).
- * @param[out] out uninitialised; cleared by trace_clear
+ * @param[out] out uninitialised; cleared by trace_clear. With TRACE_WORD its contacts may lack
+ * times and cells.
  */
-graze_status trace_point(graze_trace *out, graze_context *context, const graze_solid *solid,
-                         const graze_motion *motion, graze_operation operation, const fmpq *point);
+graze_status trace_point(graze_trace *out, graze_context *context, const trace_scene *scene,
+                         query_point point, trace_detail detail);
 void trace_clear(graze_trace *trace);
 
 /** Make the canonical form of a time; idempotent. */

@@ -1,0 +1,258 @@
+/* Spans: coefficients by halving, errors by level, a thick chord as bound.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The bounds are derived in proofs/claims.md (the filter's arithmetic). Every operation rounds to
+ * nearest; U is the unit of rounding. SLACK covers the rounding of the error terms themselves.
+ */
+#include "filter/curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define U UNIT_ROUNDING
+#define SLACK (1 + 0x1p-20)
+/* More than all that underflow and numbers too small to convert can add to a coefficient. */
+#define FLOOR 0x1p-780
+
+void curve_init(curve *c) {
+    *c = (curve){.dimension = 0};
+}
+
+void curve_clear(curve *c) {
+    free(c->spans);
+    free(c->coefficients);
+    curve_init(c);
+}
+
+const double *curve_coefficients(const curve *c, const span *piece, int i) {
+    return c->coefficients + (size_t)(piece - c->spans) * c->stride + i * (c->degree + 1);
+}
+
+/* Room for two more spans; 0 if there is no memory. */
+static int reserve(curve *c) {
+    if (c->count + 2 > c->capacity) {
+        size_t capacity = c->capacity ? 2 * c->capacity : 32;
+        span *spans = realloc(c->spans, capacity * sizeof *spans);
+        if (spans) {
+            c->spans = spans;
+            c->capacity = capacity;
+        }
+        c->out_of_memory |= !spans;
+    }
+    if ((c->count + 2) * c->stride > c->room) {
+        size_t room = 2 * (c->count + 2) * c->stride;
+        double *coefficients = realloc(c->coefficients, room * sizeof *coefficients);
+        if (coefficients) {
+            c->coefficients = coefficients;
+            c->room = room;
+        }
+        c->out_of_memory |= !coefficients;
+    }
+    return !c->out_of_memory;
+}
+
+/* shift_error, shift_size, speed from the coefficients and their errors. */
+static void bound_shift(span *piece, const curve *c) {
+    int d = c->dimension, n = c->degree;
+    double error = 0, size = 0, steepest = 0;
+    for (int i = 0; i <= d; i++) {
+        const double *x = curve_coefficients(c, piece, i);
+        double step = 0;
+        for (int k = 0; k < n; k++)
+            step = fmax(step, fabs(x[k + 1] - x[k]));
+        if (i < d) {
+            error = fmax(error, piece->error[i] + 2 * U * c->size[i]);
+            size = fmax(size, c->size[i]);
+            steepest = fmax(steepest, step + 2 * piece->error[i]);
+        } else {
+            error += (c->reach + c->corner_error) * piece->error[d] +
+                     (c->corner_error + 4 * U * c->reach) * c->size[d];
+            size += c->reach * c->size[d];
+            steepest += c->reach * (step + 2 * piece->error[d]);
+        }
+    }
+    piece->shift_error = SLACK * error;
+    piece->shift_size = SLACK * (size + error);
+    piece->speed = SLACK * n * (steepest + 2 * U * size);
+}
+
+/* The control points X_k / W_k against the points of the chord at k / n. */
+static void bound_space(span *piece, const curve *c) {
+    int d = c->dimension, n = c->degree;
+    const double *w = curve_coefficients(c, piece, d);
+    double least = w[0];
+    for (int k = 1; k <= n; k++)
+        least = fmin(least, w[k]);
+    piece->bounded = least > 2 * piece->error[d];
+    piece->bend = 0;
+    for (int i = 0; i < 3; i++)
+        piece->from[i] = piece->along[i] = piece->thick[i] = piece->inverse[i] = 0;
+    for (int i = 0; i < d && piece->bounded; i++) {
+        const double *x = curve_coefficients(c, piece, i);
+        double from = x[0] / w[0], along = x[n] / w[n] - from, off = 0, most = fabs(from);
+        for (int k = 1; k <= n; k++) {
+            double at = x[k] / w[k];
+            off = fmax(off, fabs(at - (from + along * k / n)));
+            most = fmax(most, fabs(at));
+        }
+        piece->from[i] = from;
+        piece->along[i] = along;
+        piece->thick[i] =
+            SLACK * (off + 2 * (piece->error[i] + most * piece->error[d]) / least + 16 * U * most);
+        piece->bend = off > 0x1p-44 * most ? fmax(piece->bend, off) : piece->bend;
+        piece->thick[i] += 16 * U * (c->reach + most + piece->thick[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        piece->inverse[i] = 1 / piece->along[i];
+}
+
+/* A span whose coefficients stand in their place; its level and start are given. */
+static void finish_span(curve *c, size_t index, const double *error) {
+    span *piece = &c->spans[index];
+    piece->child = 0;
+    for (int i = 0; i <= c->dimension; i++)
+        piece->error[i] = error[i];
+    bound_shift(piece, c);
+    bound_space(piece, c);
+}
+
+/* The whole curve's coefficients stand in their place: sizes, and the first span. */
+static int finish_curve(curve *c, const double *error) {
+    double largest = 0;
+    c->count = 1;
+    c->spans[0].start = 0;
+    c->spans[0].level = 0;
+    for (int i = 0; i <= c->dimension; i++) {
+        const double *x = curve_coefficients(c, c->spans, i);
+        c->size[i] = 0;
+        for (int k = 0; k <= c->degree; k++)
+            c->size[i] = fmax(c->size[i], fabs(x[k]));
+        c->size[i] += error[i];
+        largest = fmax(largest, c->size[i]);
+    }
+    finish_span(c, 0, error);
+    return largest <= 0x1p410;
+}
+
+static int begin(curve *c, int dimension, int degree, double reach, double corner_error) {
+    c->dimension = dimension;
+    c->degree = degree;
+    c->reach = reach;
+    c->corner_error = corner_error;
+    c->stride = (size_t)(dimension + 1) * (size_t)(degree + 1);
+    c->count = 0;
+    return reserve(c);
+}
+
+int curve_set(curve *c, const carrier *map, const filter_point *point, double reach,
+              double corner_error) {
+    int d = map->dimension, n = map->degree;
+    double error[4];
+    if (!map->usable || !begin(c, d, n, reach, corner_error))
+        return 0;
+    for (int j = 0; j < d; j++)
+        if (!(fabs(point->at[j]) <= CARRIER_REACH))
+            return 0;
+    for (int i = 0; i < d; i++) {
+        double most = 0, *x = c->coefficients + i * (n + 1);
+        for (int k = 0; k <= n; k++) {
+            const double *entry = map->entry + i * (d + 1) * (n + 1) + k;
+            double sum = entry[d * (n + 1)], size = fabs(sum);
+            for (int j = 0; j < d; j++) {
+                double term = entry[j * (n + 1)] * point->at[j];
+                sum += term;
+                size += fabs(term);
+            }
+            x[k] = sum;
+            most = fmax(most, size);
+        }
+        error[i] = 20 * U * most + FLOOR;
+    }
+    for (int k = 0; k <= n; k++)
+        c->coefficients[d * (n + 1) + k] = map->weight[k];
+    error[d] = 4 * U + FLOOR;
+    return finish_curve(c, error);
+}
+
+int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
+                      const double *direction, double reach, double corner_error) {
+    double e[4];
+    if (!begin(c, dimension, 1, reach, corner_error))
+        return 0;
+    for (int i = 0; i <= dimension; i++) {
+        double *x = c->coefficients + 2 * i;
+        x[0] = at[i];
+        x[1] = i < dimension ? at[i] + direction[i] * at[dimension] : at[i];
+        e[i] = error[i] + FLOOR;
+    }
+    /* The far end may be anywhere near: its own rounding moves the direction and nothing else. */
+    return finish_curve(c, e);
+}
+
+/* Averages of neighbours, level after level: one rounding each. */
+static void halve(double *left, double *right, const double *x, int n) {
+    for (int k = 0; k <= n; k++)
+        right[k] = x[k];
+    left[0] = x[0];
+    for (int level = 1; level <= n; level++) {
+        for (int k = 0; k <= n - level; k++)
+            right[k] = 0.5 * (right[k] + right[k + 1]);
+        left[level] = right[0];
+    }
+}
+
+int curve_cut(curve *c, uint32_t index) {
+    if (c->spans[index].child)
+        return 1;
+    if (!reserve(c))
+        return 0;
+    int d = c->dimension, n = c->degree;
+    double error[4];
+    uint32_t child = (uint32_t)c->count;
+    span *whole = &c->spans[index];
+    for (int i = 0; i <= d; i++) {
+        halve(c->coefficients + child * c->stride + (size_t)(i * (n + 1)),
+              c->coefficients + (child + 1) * c->stride + (size_t)(i * (n + 1)),
+              curve_coefficients(c, whole, i), n);
+        error[i] = whole->error[i] + (n + 1) * U * c->size[i];
+    }
+    whole->child = child;
+    c->count += 2;
+    for (uint32_t half = 0; half < 2; half++) {
+        span *piece = &c->spans[child + half];
+        piece->level = whole->level + 1;
+        piece->start = whole->start + half * (UINT32_C(1) << (WINDOW_LEVELS - piece->level));
+        finish_span(c, child + half, error);
+    }
+    return 1;
+}
+
+void curve_at(double *at, double *error, const curve *c, const span *piece, double s) {
+    int n = c->degree;
+    for (int i = 0; i <= c->dimension; i++) {
+        const double *x = curve_coefficients(c, piece, i);
+        double row[CARRIER_DEGREE + 1];
+        for (int k = 0; k <= n; k++)
+            row[k] = x[k];
+        for (int level = 1; level <= n; level++)
+            for (int k = 0; k <= n - level; k++)
+                row[k] += s * (row[k + 1] - row[k]);
+        at[i] = row[0];
+        error[i] = SLACK * (piece->error[i] + 5 * n * U * c->size[i]);
+    }
+}
+
+int span_meets(const span *piece, const box *b) {
+    if (!piece->bounded)
+        return 1;
+    double first = 0, last = 1;
+    for (int i = 0; i < 3; i++) {
+        double t0 = (b->low[i] - piece->thick[i] - piece->from[i]) * piece->inverse[i];
+        double t1 = (b->high[i] + piece->thick[i] - piece->from[i]) * piece->inverse[i];
+        double enter = t0 < t1 ? t0 : t1, leave = t0 < t1 ? t1 : t0;
+        /* A comparison with NaN, which 0 times infinity gives, leaves nothing out. */
+        first = enter > first ? enter : first;
+        last = leave < last ? leave : last;
+    }
+    return !(first > last);
+}

@@ -1,0 +1,88 @@
+/* A trajectory in doubles, cut into spans on demand, each with its errors and a bound in space.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_CURVE_H
+#define GRAZE_FILTER_CURVE_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include "filter/carrier.h"
+#include "solid/tree.h"
+
+/** Windows of time are counted in units of 2^-WINDOW_LEVELS of a piece. */
+enum { WINDOW_LEVELS = 24 };
+
+/**
+ * The piece [start, start + 2^(WINDOW_LEVELS - level)] of the curve, local parameter s in [0, 1].
+ * Its Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
+ * other. Where `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <=
+ * thick_i }, and `inverse` is 1 / along, coordinate by coordinate (proofs/claims.md: the span's
+ * bound).
+ */
+typedef struct span {
+    uint32_t start;
+    int level;
+    uint32_t child; /* the halves stand at child and child + 1; 0: not cut yet */
+    int bounded;
+    double from[3], along[3], inverse[3], thick[3];
+    double bend;     /* how far it strays from the chord; 0 where that is hardly more than rounding:
+                        cutting     would not make it thinner */
+    double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
+    /* With D = X - v W for any corner v, coefficient by coordinate (proofs/claims.md: the filter's
+     * forms): */
+    double shift_error; /* of a computed D */
+    double shift_size;  /* |D| is at most this */
+    double speed;       /* |dD/ds| is at most this */
+} span;
+
+/** A curve with its spans: span 0 is the whole. Reused from query to query; one thread at a time.
+ */
+typedef struct curve {
+    int dimension, degree;
+    double size[4]; /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole */
+    double reach, corner_error; /* of the solid's corners */
+    size_t stride, count, capacity, room;
+    span *spans;
+    double *coefficients;
+    int out_of_memory;
+} curve;
+
+/** A query point in doubles, each within 2^-50 of itself of the exact coordinate. */
+typedef struct filter_point {
+    double at[3];
+} filter_point;
+
+void curve_init(curve *c);
+void curve_clear(curve *c);
+
+/**
+ * Set the curve that a carrier gives a point.
+ * @param reach, corner_error the solid's (corners.h)
+ * @return 0 if the numbers are beyond the filter, or without memory
+ */
+int curve_set(curve *c, const carrier *map, const filter_point *point, double reach,
+              double corner_error);
+
+/**
+ * Set the segment from a point to a point + direction, as a curve of degree 1.
+ * @param at   d + 1 homogeneous coordinates, at[d] > 0, each within error[i] of the exact one
+ */
+int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
+                      const double *direction, double reach, double corner_error);
+
+/** Cut a span in halves, if that was not done yet; 0 without memory. Pointers to spans end here. */
+int curve_cut(curve *c, uint32_t index);
+
+/**
+ * The homogeneous point at s of a span, by de Casteljau's scheme.
+ * @param[out] error of each of the d + 1 coordinates
+ */
+void curve_at(double *at, double *error, const curve *c, const span *piece, double s);
+
+/** The coefficients of coordinate i of a span. */
+const double *curve_coefficients(const curve *c, const span *piece, int i);
+
+/** 0 if the span certainly does not meet the box. */
+int span_meets(const span *piece, const box *b);
+
+#endif

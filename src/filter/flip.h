@@ -1,0 +1,32 @@
+/* Decision sites of the filter, numbered so that a test build can falsify one at a time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_FLIP_H
+#define GRAZE_FILTER_FLIP_H
+
+/** Every place at which the filter says "certain". */
+typedef enum flip_site {
+    FLIP_BOX,          /* a span misses a box */
+    FLIP_ONE_SIGN,     /* a plane's pullback has one sign on a span */
+    FLIP_ONE_ROOT,     /* it has just one root there */
+    FLIP_BESIDE,       /* the whole span is beside the simplex */
+    FLIP_ROOT_OUTSIDE, /* the root's window is beside the simplex */
+    FLIP_ROOT_INSIDE,  /* it is inside */
+    FLIP_DIRECTION,    /* a crossing enters */
+    FLIP_APART,        /* two windows of time have no point in common */
+    FLIP_FAR,          /* a place is outside the solid's box */
+    FLIP_SITE_COUNT
+} flip_site;
+
+#ifdef GRAZE_FLIP_SITES
+/** The decision; but of the calls that would say no (FLIP_DIRECTION: of all) at the site that
+ * GRAZE_FLIP_SITE names, one in 10^4 says yes (its contrary): a certainty that is none. */
+int flip(flip_site site, int decision);
+#else
+static inline int flip(flip_site site, int decision) {
+    (void)site;
+    return decision;
+}
+#endif
+
+#endif

@@ -1,0 +1,276 @@
+/* One span against one simplex, in doubles with proven bounds.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The pullback of the simplex's plane in Bernstein form tells by its signs; the simplex's sides are
+ * asked only at the window of a root, or of the whole span. The error bounds are those of
+ * proofs/claims.md (the filter's forms). A comparison that is false for NaN never decides.
+ */
+#include "filter/meet.h"
+
+#include <math.h>
+#include "filter/flip.h"
+
+#define U UNIT_ROUNDING
+#define SLACK (1 + 0x1p-20)
+#define FLOOR 0x1p-780
+
+/* The normal of the simplex's plane, outward, and a bound for the error of each coordinate. */
+typedef struct normal {
+    double at[3], error;
+} normal;
+
+/* A pullback in Bernstein form with one error bound for all coefficients. */
+typedef struct pullback {
+    double at[CARRIER_DEGREE + 1], error, size;
+} pullback;
+
+typedef struct meeter {
+    const curve *c;
+    const span *piece;
+    const double *corner;
+    double corner_error;
+    normal normal;
+    pullback plane;
+} meeter;
+
+static double largest3(const double *x) {
+    return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2])));
+}
+
+static void make_normal(meeter *m) {
+    const double *v = m->corner;
+    double ev = m->corner_error;
+    normal *out = &m->normal;
+    if (m->c->dimension == 2) {
+        out->at[0] = v[3] - v[1];
+        out->at[1] = v[0] - v[2];
+        out->at[2] = 0;
+        out->error = SLACK * (U * largest3(out->at) + 2 * ev) + FLOOR;
+        return;
+    }
+    double a[3], b[3];
+    for (int i = 0; i < 3; i++) {
+        a[i] = v[3 + i] - v[i];
+        b[i] = v[6 + i] - v[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        out->at[i] = a[j] * b[k] - a[k] * b[j];
+    }
+    double la = largest3(a), lb = largest3(b);
+    out->error = SLACK * (9 * U * la * lb + 4 * ev * (la + lb) + 8 * ev * ev) + FLOOR;
+}
+
+/* n . (X - v_0 W), coefficient by coefficient. */
+static void make_plane(meeter *m) {
+    int d = m->c->dimension, n = m->c->degree;
+    const double *w = curve_coefficients(m->c, m->piece, d);
+    double norm = 0;
+    pullback *p = &m->plane;
+    for (int i = 0; i < d; i++) {
+        const double *x = curve_coefficients(m->c, m->piece, i);
+        double a = m->normal.at[i], v = m->corner[i];
+        norm += fabs(a);
+        for (int k = 0; k <= n; k++)
+            p->at[k] = (i ? p->at[k] : 0) + a * (x[k] - v * w[k]);
+    }
+    const span *s = m->piece;
+    p->error = SLACK * (norm * (s->shift_error + 4 * U * s->shift_size) +
+                        3 * m->normal.error * (s->shift_size + s->shift_error)) +
+               FLOOR;
+    p->size = 0;
+    for (int k = 0; k <= n; k++)
+        p->size = fmax(p->size, fabs(p->at[k]));
+}
+
+static int sign_beyond(double value, double error) {
+    return value > error ? 1 : value < -error ? -1 : 0;
+}
+
+/* D = X - v W in two coordinates, exact up to `error` in each. */
+typedef struct shifted {
+    double i, j, error;
+} shifted;
+
+/* Sign of the form of side k, positive inside, at a place shifted by the side's first corner. The
+ * side's direction is taken from the corners; in E^3 both are projected along coordinate `drop` of
+ * the normal. */
+static int side_sign(const meeter *m, int k, int drop, const shifted *at) {
+    double ev = m->corner_error, size = fabs(at->i) + fabs(at->j) + 2 * at->error, value, length;
+    if (m->c->dimension == 2) {
+        double ei = m->corner[2] - m->corner[0], ej = m->corner[3] - m->corner[1];
+        length = fabs(ei) + fabs(ej);
+        value = ei * at->i + ej * at->j;
+        value = k == 0 ? value : -value;
+    } else {
+        const double *v = m->corner + 3 * k, *next = m->corner + 3 * ((k + 1) % 3);
+        int i = (drop + 1) % 3, j = (drop + 2) % 3;
+        double ei = next[i] - v[i], ej = next[j] - v[j];
+        length = fabs(ei) + fabs(ej);
+        value = ei * at->j - ej * at->i;
+        value = m->normal.at[drop] > 0 ? value : -value;
+    }
+    double error = SLACK * (length * (at->error + 8 * U * size) + 4 * ev * size) + FLOOR;
+    return sign_beyond(value, error);
+}
+
+/* The coordinate along which the simplex is projected; -1 if its size is not certain. */
+static int dropped_axis(const meeter *m) {
+    int drop = 0;
+    if (m->c->dimension == 2)
+        return 0;
+    for (int i = 1; i < 3; i++)
+        if (fabs(m->normal.at[i]) > fabs(m->normal.at[drop]))
+            drop = i;
+    return fabs(m->normal.at[drop]) > m->normal.error ? drop : -1;
+}
+
+/* The two coordinates that side_sign asks for. */
+static int first_axis(const meeter *m, int drop) {
+    return m->c->dimension == 2 ? 0 : (drop + 1) % 3;
+}
+static int second_axis(const meeter *m, int drop) {
+    return m->c->dimension == 2 ? 1 : (drop + 2) % 3;
+}
+
+/* Whether the whole span is certainly beyond one side. */
+static int is_beside(const meeter *m, int drop) {
+    int d = m->c->dimension, n = m->c->degree, i = first_axis(m, drop), j = second_axis(m, drop);
+    const double *w = curve_coefficients(m->c, m->piece, d);
+    const double *xi = curve_coefficients(m->c, m->piece, i);
+    const double *xj = curve_coefficients(m->c, m->piece, j);
+    for (int side = 0; side < d; side++) {
+        const double *v = m->corner + d * side;
+        int beyond = 1;
+        for (int k = 0; k <= n && beyond; k++) {
+            shifted at = {xi[k] - v[i] * w[k], xj[k] - v[j] * w[k], m->piece->shift_error};
+            beyond = side_sign(m, side, drop, &at) < 0;
+        }
+        if (beyond)
+            return 1;
+    }
+    return 0;
+}
+
+/* The plane's pullback at s; its error is that of the coefficients and of de Casteljau's scheme. */
+static int plane_sign(const meeter *m, double s, double *value) {
+    int n = m->c->degree;
+    double row[CARRIER_DEGREE + 1];
+    for (int k = 0; k <= n; k++)
+        row[k] = m->plane.at[k];
+    for (int level = 1; level <= n; level++)
+        for (int k = 0; k <= n - level; k++)
+            row[k] += s * (row[k + 1] - row[k]);
+    *value = row[0];
+    return sign_beyond(row[0], SLACK * (m->plane.error + 5 * n * U * m->plane.size));
+}
+
+/* A guess at the root between two places of opposite sign: the Illinois method. */
+static double guess_root(const meeter *m) {
+    double low = 0, high = 1, at_low = m->plane.at[0], at_high = m->plane.at[m->c->degree];
+    double s = at_low / (at_low - at_high), value;
+    int kept = 0;
+    for (int step = 0; step < 24 && m->c->degree > 1; step++) {
+        if (plane_sign(m, s, &value) == 0)
+            break;
+        if ((value > 0) == (at_low > 0)) {
+            low = s;
+            at_low = value;
+            at_high *= kept > 0 ? 0.5 : 1;
+            kept = 1;
+        } else {
+            high = s;
+            at_high = value;
+            at_low *= kept < 0 ? 0.5 : 1;
+            kept = -1;
+        }
+        double next = (low * at_high - high * at_low) / (at_high - at_low);
+        if (!(fabs(next - s) > 0x1p-40))
+            break;
+        s = next;
+    }
+    return s;
+}
+
+/* A window around the one root, its ends certain; 0 if none is found. */
+static int find_window(meet_window *out, const meeter *m) {
+    const double *p = m->plane.at;
+    int n = m->c->degree, before = p[0] > 0 ? 1 : -1;
+    double s = guess_root(m), value;
+    double width = 0x1p-48 + 4 * m->plane.error / fabs(p[n] - p[0]);
+    for (int attempt = 0; attempt < 8; attempt++, width *= 32) {
+        out->low = s - width > 0 ? s - width : 0;
+        out->high = s + width < 1 ? s + width : 1;
+        if ((out->low == 0 || plane_sign(m, out->low, &value) == before) &&
+            (out->high == 1 || plane_sign(m, out->high, &value) == -before))
+            return 1;
+    }
+    return 0;
+}
+
+/* The sides at the window of the plane's one root. */
+static meeting judge_window(meet_window *out, const meeter *m) {
+    int d = m->c->dimension, drop = dropped_axis(m), all = 1;
+    if (drop < 0)
+        return MEET_ASK;
+    double at[4], error[4], middle = 0.5 * (out->low + out->high);
+    double away = (fmax(out->high - middle, middle - out->low)) * m->piece->speed;
+    curve_at(at, error, m->c, m->piece, middle);
+    int i = first_axis(m, drop), j = second_axis(m, drop);
+    double e = SLACK * (m->piece->shift_error + 5 * m->c->degree * U * m->piece->shift_size + away);
+    for (int side = 0; side < d; side++) {
+        const double *v = m->corner + d * side;
+        shifted place = {at[i] - v[i] * at[d], at[j] - v[j] * at[d], e};
+        int sign = side_sign(m, side, drop, &place);
+        if (flip(FLIP_ROOT_OUTSIDE, sign < 0))
+            return MEET_NONE;
+        all = all && sign > 0;
+    }
+    return flip(FLIP_ROOT_INSIDE, all) ? MEET_CROSSING : MEET_ASK;
+}
+
+/* What the signs of the plane's coefficients say. */
+typedef struct signs {
+    int first, last; /* of the coefficients 0 and n; 0: not certain */
+    int one;         /* all have the sign `first` */
+    int zero;        /* none is certain */
+    int single;      /* they change once, whatever the uncertain ones are */
+} signs;
+
+static signs read_signs(const meeter *m) {
+    int n = m->c->degree, changed = 0;
+    signs s = {sign_beyond(m->plane.at[0], m->plane.error),
+               sign_beyond(m->plane.at[n], m->plane.error), 1, 1, 0};
+    s.one = s.first != 0;
+    s.single = s.first * s.last < 0;
+    for (int k = 0; k <= n; k++) {
+        int sign = sign_beyond(m->plane.at[k], m->plane.error);
+        s.one = s.one && sign == s.first;
+        s.zero = s.zero && sign == 0;
+        changed = changed || sign == s.last;
+        s.single = s.single && !(changed && sign == s.first);
+    }
+    return s;
+}
+
+meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
+                     double corner_error) {
+    meeter m = {.c = c, .piece = piece, .corner = corner, .corner_error = corner_error};
+    *out = (meet_window){0, 1, 0};
+    make_normal(&m);
+    make_plane(&m);
+    signs s = read_signs(&m);
+    if (flip(FLIP_ONE_SIGN, s.one))
+        return MEET_NONE;
+    if (flip(FLIP_ONE_ROOT, s.single)) {
+        out->enters = flip(FLIP_DIRECTION, s.first > 0);
+        if (find_window(out, &m))
+            return judge_window(out, &m);
+        *out = (meet_window){0, 1, 0};
+        return MEET_ASK;
+    }
+    int drop = dropped_axis(&m);
+    if (flip(FLIP_BESIDE, drop >= 0 && is_beside(&m, drop)))
+        return MEET_NONE;
+    return s.zero ? MEET_ASK : MEET_CUT;
+}

@@ -1,0 +1,91 @@
+/* Point location: the first crossing of a segment that leaves the solid's box tells the side it
+ * comes from. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <math.h>
+#include "filter/filter.h"
+#include "filter/flip.h"
+#include "filter/search.h"
+
+/* Certainly outside the box of all corners. */
+static int is_far(const filter *f, const double *at, const double *error, int d) {
+    const box *all = &f->solid->boxes.node[0].box;
+    double least = at[d] - 2 * error[d], most = at[d] + 2 * error[d];
+    for (int i = 0; i < d; i++) {
+        double low = at[i] - 2 * error[i], high = at[i] + 2 * error[i];
+        double box_low = all->low[i], box_high = all->high[i];
+        double margin = 0x1p-50 * (fabs(at[i]) + (fabs(box_low) + fabs(box_high)) * most);
+        if (low - margin > fmax(box_high * most, box_high * least) ||
+            high + margin < fmin(box_low * most, box_low * least))
+            return 1;
+    }
+    return 0;
+}
+
+/* The direction to the nearest side of the box, well beyond it, turned a little so that it is
+ * parallel to no axis; `turn` chooses among several. */
+static void choose_direction(double *direction, const filter *f, const double *at, int d,
+                             int turn) {
+    static const double tilt[3] = {0.0859375, -0.0561523, 0.0321045};
+    const box *all = &f->solid->boxes.node[0].box;
+    double nearest = INFINITY, size = 0;
+    int axis = 0, up = 1;
+    for (int i = 0; i < d; i++) {
+        double x = at[i] / at[d], below = x - all->low[i], above = all->high[i] - x;
+        size = fmax(size, all->high[i] - all->low[i]);
+        if (fmin(below, above) < nearest) {
+            nearest = fmin(below, above);
+            axis = i;
+            up = above < below;
+        }
+    }
+    axis = (axis + turn) % d;
+    for (int i = 0; i < d; i++)
+        direction[i] = i == axis ? (up ? 1.5 : -1.5) * size : (1 + turn) * tilt[i] * size;
+}
+
+/* Whether the ray's far end is certainly outside. It is exact but for the weight. */
+static int ends_far(const curve *ray, const filter *f, const double *error, int d) {
+    double end[4];
+    for (int i = 0; i <= d; i++)
+        end[i] = ray->coefficients[2 * i + 1];
+    return is_far(f, end, error, d);
+}
+
+/* The state before the first crossing of the ray, if that is certain. */
+static graze_state read_ray(const findings *found) {
+    const crossing *first = NULL;
+    for (size_t k = 0; k < found->crossing_count; k++)
+        if (!first || found->crossing[k].from < first->from)
+            first = &found->crossing[k];
+    for (size_t k = 0; k < found->crossing_count; k++)
+        if (&found->crossing[k] != first && found->crossing[k].from <= first->to)
+            return GRAZE_STATE_ABSENT;
+    for (size_t k = 0; k < found->asked.count; k++)
+        if (!first || ldexp(found->asked.item[k].from, -WINDOW_LEVELS) <= first->to)
+            return GRAZE_STATE_ABSENT;
+    return !first || first->enters ? GRAZE_STATE_O : GRAZE_STATE_I;
+}
+
+graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
+                          const filter_point *point, double u) {
+    double at[4], error[4], direction[3];
+    int d = f->solid->input.dimension;
+    const corners *corners = &f->solid->corners;
+    if (!filter_set(w, f, piece, point))
+        return GRAZE_STATE_ABSENT;
+    curve_at(at, error, &w->curve, &w->curve.spans[0], u);
+    if (!(at[d] > 4 * error[d]))
+        return GRAZE_STATE_ABSENT;
+    if (flip(FLIP_FAR, is_far(f, at, error, d)))
+        return GRAZE_STATE_O;
+    for (int turn = 0; turn < 2; turn++) {
+        choose_direction(direction, f, at, d, turn);
+        if (!curve_set_segment(&w->ray, d, at, error, direction, corners->reach, corners->error) ||
+            !ends_far(&w->ray, f, error, d) || !search_curve(&w->ray_found, &w->ray, f->solid))
+            return GRAZE_STATE_ABSENT;
+        graze_state state = read_ray(&w->ray_found);
+        if (state != GRAZE_STATE_ABSENT)
+            return state;
+    }
+    return GRAZE_STATE_ABSENT;
+}

@@ -1,0 +1,126 @@
+/* Time and tree are subdivided together: a span much thicker than the box it meets is cut before
+ * the descent goes on. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "filter/search.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "filter/flip.h"
+#include "filter/meet.h"
+
+/* A span is cut for the sake of boxes, and for that of one simplex, down to these levels. */
+enum { BOX_LEVELS = 20, SIMPLEX_LEVELS = 14 };
+
+typedef struct searcher {
+    findings *out;
+    curve *curve;
+    const graze_solid *solid;
+    int failed; /* without memory, or the weight's sign is not certain */
+} searcher;
+
+int candidates_append(candidates *list, candidate item) {
+    if (list->count == list->capacity) {
+        size_t capacity = list->capacity ? 2 * list->capacity : 32;
+        candidate *items = realloc(list->item, capacity * sizeof *items);
+        if (!items)
+            return 0;
+        list->item = items;
+        list->capacity = capacity;
+    }
+    list->item[list->count++] = item;
+    return 1;
+}
+
+static int append_crossing(findings *out, crossing item) {
+    if (out->crossing_count == out->crossing_capacity) {
+        size_t capacity = out->crossing_capacity ? 2 * out->crossing_capacity : 16;
+        crossing *items = realloc(out->crossing, capacity * sizeof *items);
+        if (!items)
+            return 0;
+        out->crossing = items;
+        out->crossing_capacity = capacity;
+    }
+    out->crossing[out->crossing_count++] = item;
+    return 1;
+}
+
+/* A window of a span's own parameter, outward, in units of 2^-WINDOW_LEVELS. */
+static candidate whole_units(uint32_t simplex, const span *piece, const meet_window *w) {
+    double length = (double)(UINT32_C(1) << (WINDOW_LEVELS - piece->level));
+    double from = floor(w->low * length) - 1, to = ceil(w->high * length) + 1;
+    from = fmax(0, from + piece->start);
+    to = fmin((double)(UINT32_C(1) << WINDOW_LEVELS), to + piece->start);
+    return (candidate){simplex, (uint32_t)from, (uint32_t)to};
+}
+
+/* The same window in units of the piece. The start is a multiple of 2^-24, so only the product and
+ * the sum are rounded: by less than 2^-52 together. */
+static crossing whole_crossing(uint32_t simplex, const span *piece, const meet_window *w) {
+    double start = ldexp(piece->start, -WINDOW_LEVELS);
+    return (crossing){start + ldexp(w->low, -piece->level) - 0x1p-51,
+                      start + ldexp(w->high, -piece->level) + 0x1p-51, simplex, w->enters};
+}
+
+static void descend(searcher *s, uint32_t node, uint32_t span_index);
+
+static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
+    if (!curve_cut(s->curve, span_index)) {
+        s->failed = 1;
+        return 0;
+    }
+    uint32_t half = s->curve->spans[span_index].child;
+    descend(s, node, half);
+    descend(s, node, half + 1);
+    return 1;
+}
+
+static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
+    const span *piece = &s->curve->spans[span_index];
+    uint32_t simplex = s->solid->boxes.node[node].simplex;
+    const corners *corners = &s->solid->corners;
+    size_t d = (size_t)s->solid->input.dimension;
+    meet_window window;
+    meeting found =
+        meet_simplex(&window, s->curve, piece, corners->at + simplex * d * d, corners->error);
+    int kept = 1;
+    if (found == MEET_CUT && piece->level < SIMPLEX_LEVELS)
+        cut_and_descend(s, node, span_index);
+    else if (found == MEET_CROSSING)
+        kept = append_crossing(s->out, whole_crossing(simplex, piece, &window));
+    else if (found != MEET_NONE)
+        kept = candidates_append(&s->out->asked, whole_units(simplex, piece, &window));
+    s->failed |= !kept;
+}
+
+static double extent(const box *b) {
+    return fmax(b->high[0] - b->low[0], fmax(b->high[1] - b->low[1], b->high[2] - b->low[2]));
+}
+
+static void descend(searcher *s, uint32_t node, uint32_t span_index) {
+    for (;;) {
+        const span *piece = &s->curve->spans[span_index];
+        const tree_node *here = &s->solid->boxes.node[node];
+        if (s->failed || flip(FLIP_BOX, !span_meets(piece, &here->box)))
+            return;
+        if (!piece->bounded || 2 * piece->bend > extent(&here->box)) {
+            if (piece->level < BOX_LEVELS) {
+                cut_and_descend(s, node, span_index);
+                return;
+            }
+            s->failed |= !piece->bounded;
+        }
+        if (!here->child) {
+            meet_leaf(s, node, span_index);
+            return;
+        }
+        descend(s, here->child, span_index);
+        node = here->child + 1;
+    }
+}
+
+int search_curve(findings *out, curve *c, const graze_solid *solid) {
+    searcher s = {out, c, solid, 0};
+    out->crossing_count = out->asked.count = out->window_count = 0;
+    descend(&s, 0, 0);
+    return !s.failed;
+}

@@ -1,0 +1,12 @@
+/* The descent of a curve's spans through a solid's tree.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_SEARCH_H
+#define GRAZE_FILTER_SEARCH_H
+
+#include "filter/filter.h"
+
+/** Find all certain crossings and candidates of a curve; not sorted yet. 0 without memory. */
+int search_curve(findings *out, curve *c, const graze_solid *solid);
+
+#endif

@@ -1,0 +1,29 @@
+/* The corners of all simplices in doubles, for filters.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_SOLID_CORNERS_H
+#define GRAZE_SOLID_CORNERS_H
+
+#include "solid/soup.h"
+#include "solid/validate.h"
+
+/**
+ * `at` holds d corners of d coordinates for each simplex, in the order of its vertices. Each
+ * differs from the exact coordinate by at most `error`, which is 0 if all coordinates are doubles;
+ * none is larger than `reach` in absolute value. `at` is NULL if a coordinate is beyond
+ * CORNER_REACH: then there is no filter.
+ */
+typedef struct corners {
+    double *at;
+    double error, reach;
+} corners;
+
+/** Beyond it products of coordinates might leave the range of doubles (proofs/claims.md: the
+ * filter's range). */
+#define CORNER_REACH 0x1p200
+
+graze_status corners_make(corners *out, graze_context *context, const soup *s,
+                          const simplices *cut);
+void corners_clear(corners *c);
+
+#endif
