@@ -47,8 +47,8 @@ class Stream:
     between two whole blocks is that of reading, answering and printing their rows, and loading is left out."""
     BLOCK = 1024
 
-    def __init__(self, graze, solid, motion):
-        self.process = subprocess.Popen([graze, "classify", "--jobs", "1", solid, motion, "-"],
+    def __init__(self, graze, solid, motion, *flags):
+        self.process = subprocess.Popen([graze, "classify", "--jobs", "1", *flags, solid, motion, "-"],
                                         stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)
         self.columns = 1  # the line of column names is still to come
 
@@ -87,6 +87,12 @@ class Stream:
         self.columns = 0
         feeder.join()
         return self.cpu() - start
+
+    def fitting(self, lines, target, repeats):
+        """How many rows, in whole blocks, take `target` seconds; `lines` must last for all repeats."""
+        self.rows(lines[:self.BLOCK])
+        blocks = int(target / self.rows(lines[:self.BLOCK]))
+        return max(1, min(len(lines) // self.BLOCK // repeats, blocks)) * self.BLOCK
 
     def close(self):
         self.process.stdin.close()
