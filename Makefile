@@ -31,7 +31,7 @@ LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
 CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c))
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef
-BENCH   := $B/tests/bench
+BENCH   := $B/tests/bench/inside $B/tests/bench/peers
 
 .PHONY: all
 all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so
@@ -43,7 +43,7 @@ help:
 	@echo "make test       install what is missing, build, run every test (a few minutes)"
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
-	@echo "make bench      speed, as ratios and rates of one run"
+	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
 	@echo "make format     clang-format on all sources"
 	@echo "make clean      remove build/"
 
@@ -110,6 +110,14 @@ $B/tests/to_nef: tests/agree/to_nef.cpp tests/agree/shells.h | $B/.packages-buil
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+$B/tests/bench/inside: $B/tests/bench/inside.o $B/libgraze.a
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+# The peers as their users build them: optimised, without assertions.
+$B/tests/bench/peers: tests/bench/peers.cpp | $B/.packages-build
+	@mkdir -p $(@D)
+	@echo "  CXX  $<"
+	@$(CXX) -std=c++17 -O2 -DNDEBUG -frounding-math -o $@ $< -lmpfr -lgmp
 # A locale with a decimal comma, for the tests that must not notice it.
 build/tests/locale/de_DE.UTF-8: | $B/.packages-test
 	@mkdir -p $(@D)
@@ -138,8 +146,8 @@ test-all: $B/.packages-all test
 	@tests/long.sh
 
 .PHONY: bench
-bench: all
-	@python3 tests/bench/run.py --graze $B/graze
+bench: all $(BENCH)
+	@python3 tests/bench/run.py --graze $B/graze $(BENCH_FLAGS)
 
 .PHONY: lint
 lint: $B/.packages-all

@@ -1,103 +1,304 @@
 #!/usr/bin/env python3
-"""Speed of the exact path on one core, through `graze classify --jobs 1`.
+"""Speed of Graze beside its peers, in one run on one core: what each kind of work must reach and what it does.
 
-Each figure is the slope between two row counts in one run, so that loading is left out; medians of five. Rates
+Peers are built with CGAL: all intersections of segments with a mesh (the straight trajectory, or the chord of
+an arc), the union of 1,000 sampled positions, reading and checking a mesh. Both sides take the same points in
+turns, fresh ones in every repeat; times are CPU microseconds a query, ratios the medians of the repeats'. Rates
 move with the machine: compare only figures of one run.
+SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
-import math
 import os
-import random
 import statistics
-import subprocess
 import tempfile
-import time
+
+import scenes
+from measure import Server, Stream, fitting, in_turns, run_cpu, run_wall, same_numbers
+from table import Table
+
+REPEATS = 5
+SAMPLES = 1000
+MOTIONS = {"translation": scenes.TRANSLATION, "rotation": scenes.ROTATION, "screw": scenes.SCREW,
+           "axis": scenes.AXIS_PARALLEL}
 
 
-def sphere(rings, segments, bump):
-    """A bumpy sphere with 2 * segments * (rings - 1) triangles, coordinates binary64."""
-    vertices = [(0.0, 0.0, 1.0)]
-    for i in range(1, rings):
-        for j in range(segments):
-            a, b = math.pi * i / rings, 2 * math.pi * j / segments
-            r = 1 + bump * math.sin(5 * a) * math.cos(7 * b)
-            vertices.append((r * math.sin(a) * math.cos(b), r * math.sin(a) * math.sin(b),
-                             r * math.cos(a)))
-    vertices.append((0.0, 0.0, -1.0))
-    at = lambda i, j: 1 + (i - 1) * segments + j % segments
-    facets = []
-    for j in range(segments):
-        facets.append((0, at(1, j), at(1, j + 1)))
-        facets.append((len(vertices) - 1, at(rings - 1, j + 1), at(rings - 1, j)))
-        for i in range(1, rings - 1):
-            facets.append((at(i, j), at(i + 1, j), at(i + 1, j + 1)))
-            facets.append((at(i, j), at(i + 1, j + 1), at(i, j + 1)))
-    return vertices, facets
+class Bench:
+    def __init__(self, options, folder):
+        self.options, self.folder = options, folder
+        self.graze = options.graze
+        self.programs = os.path.join(os.path.dirname(options.graze), "tests", "bench")
+        self.total = 20000 if options.quick else 100000
+        self.target = 0.2 if options.quick else 0.6
+        self.sizes = [n for n in scenes.TORUS_SIZES if n <= (100000 if options.quick else 1000000)]
+        self.sizes = [n for n in self.sizes if n <= options.largest]
+        self.table = Table()
+        self.growth = {}
+        self.asked = self.exact = 0
 
+    def path(self, name):
+        return os.path.join(self.folder, name)
 
-def cube():
-    vertices = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
-    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-    return vertices, [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
+    def prepare(self):
+        box = scenes.TORUS_BOX
+        for name, motion in MOTIONS.items():
+            with open(self.path(name + ".json"), "w", encoding="ascii") as file:
+                file.write(motion.json)
+        for name in ("translation", "rotation", "screw"):
+            motion = MOTIONS[name]
+            points = scenes.points_crossing(motion, box, self.total, 1)
+            scenes.save_points(self.folder, name, motion, points)
+            if name == "translation":
+                scenes.write_csv(self.path("translation.csv"), points)
+        for name, width in (("near", 1.25), ("far", 2)):
+            scenes.save_points(self.folder, name, scenes.TRANSLATION,
+                               scenes.points_around(scenes.TRANSLATION, box, width, self.total, 1))
+        scenes.save_samples(self.path("screw.samples"), scenes.SCREW, SAMPLES)
+        scenes.save_points(self.folder, "grid", scenes.AXIS_PARALLEL,
+                           scenes.points_grid(scenes.GRID_SIZE, self.total, 1))
 
+    # ------------------------------------------------------------------------------------ one program each
+    def peers(self, solid):
+        return Server(os.path.join(self.programs, "peers"), self.path(solid))
 
-def write_off(path, vertices, facets):
-    with open(path, "w", encoding="ascii") as file:
-        file.write(f"OFF\n{len(vertices)} {len(facets)} 0\n")
-        file.writelines(f"{x!r} {y!r} {z!r}\n" for x, y, z in vertices)
-        file.writelines(f"{len(f)} {' '.join(map(str, f))}\n" for f in facets)
+    def inside(self, solid):
+        return Server(os.path.join(self.programs, "inside"), self.path(solid))
 
+    def points(self, inside, points, counted=True):
+        """A function (start, n) -> seconds of Graze."""
+        name = points if points == "made" else self.path(points + ".points")
 
-MOTIONS = {
-    "translation": '{"dimension": 3, "pieces": [{"t": ["0", "1"], '
-                   '"transform": {"translate": ["3*t", "t/2", "t/4"]}}]}',
-    "quarter turn with translation":
-        '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"compose": ['
-        '{"rotate": {"axis": ["0", "0", "1"], "tan_half": "t"}}, '
-        '{"translate": ["3*t", "t/2", "t/4"]}]}}]}',
-}
+        def ask(start, n):
+            answer = inside.ask("classify", name, start, n)
+            if counted:
+                self.asked += n
+                self.exact = None if answer["exact"] < 0 or self.exact is None else self.exact + answer["exact"]
+            return answer["seconds"]
+        return ask
 
+    def segments(self, peers, points):
+        return lambda start, n: peers.ask("count", self.path(points + ".segments"), start, n)["seconds"]
 
-def seconds(graze, solid, motion, points, rows, folder):
-    path = os.path.join(folder, "points.csv")
-    with open(path, "w", encoding="ascii") as file:
-        file.writelines(f"{x!r},{y!r},{z!r}\n" for x, y, z in points[:rows])
-    start = time.perf_counter()
-    subprocess.run([graze, "classify", "--jobs", "1", solid, motion, path], check=True,
-                   stdout=subprocess.DEVNULL)
-    return time.perf_counter() - start
+    def each(self, inside, points, n):
+        name = points if points == "made" else self.path(points + ".points")
+        return inside.ask("each", name, 0, n)
 
+    # ------------------------------------------------------------------------------------------------ rows
+    def against_count(self, work, key, size, inside, peers, points, most):
+        """Graze in process against all intersections of the same segments, or chords."""
+        graze, peer, ratio, n = in_turns(self.points(inside, points), self.segments(peers, points),
+                                         self.total, self.target, REPEATS)
+        hit = peers.ask("count", self.path(points + ".segments"), 0, n)["hit"] / n
+        self.table.row(f"{work}, {size:,} faces ({hit:.0%} hit, {n:,} points)", ratio, most=most,
+                       graze=graze, peer=peer, each=self.each(inside, points, n))
+        self.growth.setdefault(key, {})[size] = graze, peer
+        return graze
 
-def rate(graze, solid, motion, rows, folder):
-    rng = random.Random(1)
-    points = [(rng.uniform(-1.2, 4.2), rng.uniform(-1.2, 1.7), rng.uniform(-1.2, 1.45))
-              for _ in range(rows)]
-    few = rows // 5
-    slopes = []
-    for _ in range(5):
-        slopes.append((seconds(graze, solid, motion, points, rows, folder) -
-                       seconds(graze, solid, motion, points, few, folder)) / (rows - few))
-    return 1 / statistics.median(slopes)
+    def exact_path(self, work, size, inside, points, filtered):
+        inside.ask("filter", 0)
+        ask = self.points(inside, points, counted=False)
+        n = fitting(ask, self.total // 3, self.target)
+        spent = statistics.median(ask(r * n, n) / n for r in range(3))
+        self.table.row(f"{work}, {size:,} faces, the exact path alone, as multiple", spent / filtered,
+                       graze=spent, each=self.each(inside, points, n))
+        inside.ask("filter", 1)
+
+    def command_line(self, size, solid, peers):
+        with open(self.path("translation.csv"), encoding="ascii") as file:
+            lines = file.readlines()
+        paths = self.path(solid), self.path("translation.json")
+        stream = Stream(self.graze, *paths)
+        n = stream.fitting(lines, self.target, REPEATS)
+        times = [(stream.rows(lines[r * n:(r + 1) * n]) / n,
+                  self.segments(peers, "translation")(r * n, n) / n) for r in range(REPEATS)]
+        stream.close()
+        graze, peer = (statistics.median(t[k] for t in times) for k in (0, 1))
+        self.table.row(f"graze classify, translation, {size:,} faces ({n:,} rows)",
+                       statistics.median(a / b for a, b in times), most=4, graze=graze, peer=peer)
+        stream = Stream(self.graze, *paths, "--no-filter")
+        n = stream.fitting(lines, self.target, REPEATS)
+        exact = statistics.median(stream.rows(lines[r * n:(r + 1) * n]) / n for r in range(3))
+        stream.close()
+        self.table.row(f"graze classify --no-filter, {size:,} faces, as multiple ({n:,} rows)", exact / graze,
+                       graze=exact)
+
+    def union(self, size, inside, peers):
+        ask = lambda start, n: peers.ask("union", self.path("screw.points"), start, n,
+                                         self.path("screw.samples"))["seconds"]
+        peer, graze, ratio, n = in_turns(ask, self.points(inside, "screw"), self.total, self.target, REPEATS)
+        self.table.row(f"screw against the union of {SAMPLES:,} samples, {size:,} faces ({n:,} points)", ratio,
+                       least=3, graze=graze, peer=peer, each=self.each(inside, "screw", n))
+        sampled = peers.ask("union", self.path("screw.points"), 0, n, self.path("screw.samples"))["inside"]
+        exact = inside.ask("classify", self.path("screw.points"), 0, n)["in"]
+        self.table.note(f"{size:,} faces: inside are {sampled:.0f} of {n} points by samples, {exact:.0f} in truth")
+
+    def static(self, size, peers):
+        n = self.total
+        spent = peers.ask("static", self.path("screw.points"), 0, n)["seconds"] / n
+        self.table.row(f"CGAL's point in the standing solid, {size:,} faces", spent * 1e6, unit="us", peer=spent)
+
+    def agreement(self, size, inside, peers, points):
+        n = min(2000, self.total)
+        one, other = self.path("graze.i"), self.path("peers.i")
+        inside.ask("verdicts", self.path(points + ".points"), 0, n, one)
+        peers.ask("counts", self.path(points + ".segments"), 0, n, other)
+        same, count = same_numbers(one, other)
+        self.table.note(f"{size:,} faces: CGAL's hits agree with Graze's intersections for {same} of {count} points")
+
+    def loading(self, size, solid):
+        """Start both programs in turns; the last pair is handed back, warm."""
+        judged = size == self.sizes[-1]
+        repeats = REPEATS if size < 1000000 else 3
+        loads, inside, peers = [], None, None
+        for _ in range(repeats):
+            for server in (inside, peers):
+                if server:
+                    server.close()
+            peers, inside = self.peers(solid), self.inside(solid)
+            checks = peers.ask("checks")["seconds"]
+            validate = inside.ask("validate", self.path(solid))["validate"]
+            load = inside.ready["load"] - validate
+            loads.append((load, peers.ready["read"] + peers.ready["tree"], validate, checks))
+        load, read, validate, checks = (statistics.median(r[k] for r in loads) for k in range(4))
+        for work, one, other, most in (("load and tree", load, read, 2), ("validation", validate, checks, 10)):
+            self.table.row(f"{work}, {size:,} faces, one mesh", one / other,
+                           most=most if judged else None, graze=one, peer=other)
+        self.table.row(f"memory a face, {size:,} faces, binary64", inside.ready["bytes"] / inside.ready["facets"],
+                       most=400 if judged else None, unit=" B")
+        return inside, peers
+
+    def long_numbers(self):
+        solid = self.path("long.off")
+        scenes.write_off(solid, scenes.torus(*scenes.TORUS_SIZES[10000]), 30)
+        inside = self.inside("long.off")
+        inside.close()
+        self.table.row("memory a face, 10,000 faces, 47 decimals", inside.ready["bytes"] / inside.ready["facets"],
+                       most=1000, unit=" B")
+
+    def degenerate(self, inside, name):
+        """The generator's defaults against its random points, as rationals."""
+        n = fitting(self.made(inside, "default"), self.total // REPEATS, self.target)
+        pairs = []
+        for seed in range(REPEATS):
+            pairs.append([self.made(inside, strata)(seed, n) / n for strata in ("default", "random")])
+        self.made(inside, "default")(0, n)
+        graze, random = (statistics.median(p[k] for p in pairs) for k in (0, 1))
+        self.table.row(f"degenerate points, {name}, 1,000 faces, points a second", 1 / graze, least=5000, unit="",
+                       graze=graze, each=self.each(inside, "made", n))
+        self.table.row(f"degenerate points, {name}: share of the random rate",
+                       statistics.median(b / a for a, b in pairs), least=0.05, unit="", graze=graze, peer=random)
+
+    def made(self, inside, strata):
+        def ask(seed, n):
+            inside.ask("make", strata, seed, n)
+            return self.points(inside, "made", counted=False)(0, n)
+        return ask
+
+    def threads(self, solid):
+        """--jobs 2 against two processes, by the wall clock."""
+        with open(self.path("translation.csv"), encoding="ascii") as file:
+            lines = file.readlines()
+        files = {}
+        command = lambda jobs, rows: [self.graze, "classify", "--jobs", str(jobs), self.path(solid),
+                                      self.path("translation.json"), files[rows]]
+
+        def write(rows):
+            files[rows] = self.path(f"rows{rows}.csv")
+            with open(files[rows], "w", encoding="ascii") as file:
+                for r in range(0, rows, len(lines)):
+                    file.writelines(lines[:rows - r])
+        for rows in (1, 2000):
+            write(rows)
+        empty = min(run_wall([command(1, 1)]) for _ in range(3))
+        n = max(2000, int(2000 * 5 * self.target / max(run_cpu(command(1, 2000))[0], 1e-3)))
+        write(n)
+        write(2 * n)
+        ratios = []
+        for _ in range(REPEATS):
+            apart = run_wall([command(1, n), command(1, n)]) - empty
+            together = run_wall([command(2, 2 * n)]) - empty
+            ratios.append((apart / together, together / (2 * n), apart / (2 * n)))
+        ratio, together, apart = (statistics.median(r[k] for r in ratios) for k in range(3))
+        self.table.row(f"2 threads against two processes, wall clock ({2 * n:,} rows)", ratio, least=0.9,
+                       graze=together, peer=apart)
+
+    def grid(self, name, mesh):
+        solid = name.replace(" ", "") + ".off"
+        scenes.write_off(self.path(solid), mesh)
+        inside = self.inside(solid)
+        inside.ask("motion", self.path("axis.json"))
+        ask = self.points(inside, "grid", counted=False)
+        n = fitting(ask, self.total // REPEATS, self.target)
+        spent = statistics.median(ask(r * n, n) / n for r in range(REPEATS))
+        self.table.row(f"grid of {scenes.GRID_SIZE}^3, {name}, in process, points a second ({n:,} drawn)", 1 / spent,
+                       least=50000, unit="", graze=spent, each=self.each(inside, "grid", n))
+        inside.close()
+        # The small grid takes every fourth plane, so that more of its points are coincident.
+        size, high = (50, 196) if self.options.quick or spent > 4e-5 else (scenes.GRID_SIZE, 199)
+        cpu, _ = run_cpu([self.graze, "classify", "--jobs", "1", "--grid", f"{size},{size},{size}",
+                          "--box", f"0,0,0,{high},{high},{high}", self.path(solid), self.path("axis.json")])
+        self.table.row(f"graze classify --grid {size},{size},{size}, {name}, points a second", size ** 3 / cpu,
+                       least=50000, unit="", graze=cpu / size ** 3)
+
+    def grown(self):
+        sizes = self.sizes[0], self.sizes[-1]
+        for key, by_size in self.growth.items():
+            small, large = (by_size[n] for n in sizes)
+            self.table.row(f"growth from {sizes[0]:,} to {sizes[1]:,} faces, {key}: Graze's by CGAL's",
+                           (large[0] / small[0]) / (large[1] / small[1]), most=1.5)
+
+    # ----------------------------------------------------------------------------------------------- order
+    def mesh(self, size):
+        table, solid = self.table, f"torus{size}.off"
+        scenes.write_off(self.path(solid), scenes.torus(*scenes.TORUS_SIZES[size]))
+        table.head(f"Torus of {2 * scenes.TORUS_SIZES[size][0] * scenes.TORUS_SIZES[size][1]:,} faces")
+        inside, peers = self.loading(size, solid)
+        inside.ask("motion", self.path("translation.json"))
+        self.agreement(size, inside, peers, "translation")
+        filtered = self.against_count("translation", "translation", size, inside, peers, "translation", 1.5)
+        self.against_count("translation, most miss", "most miss", size, inside, peers, "near", 3)
+        self.against_count("translation, nearly all miss", "nearly all miss", size, inside, peers, "far", 3)
+        self.exact_path("translation", size, inside, "translation", filtered)
+        self.command_line(size, solid, peers)
+        if size == self.sizes[0]:
+            self.degenerate(inside, "translation")
+            self.threads(solid)
+        inside.ask("motion", self.path("rotation.json"))
+        filtered = self.against_count("rotation, degree 4, against its chord", "rotation", size, inside, peers,
+                                      "rotation", 5)
+        self.exact_path("rotation", size, inside, "rotation", filtered)
+        if size == self.sizes[0]:
+            self.degenerate(inside, "rotation")
+        inside.ask("motion", self.path("screw.json"))
+        self.union(size, inside, peers)
+        self.static(size, peers)
+        inside.close()
+        peers.close()
+
+    def run(self):
+        print(f"CPU microseconds a query; medians of {REPEATS}; peers by CGAL with EPICK"
+              f"{'; small counts' if self.options.quick else ''}. `{self.graze}`, {os.cpu_count()} cores")
+        self.prepare()
+        for size in self.sizes:
+            self.mesh(size)
+        self.table.head("Over all sizes")
+        self.grown()
+        self.table.row("random queries that reach the exact path, in 1,000",
+                       None if self.exact is None else 1000 * self.exact / self.asked, most=1, unit="")
+        self.long_numbers()
+        self.grid("integer box", scenes.BLOCK)
+        self.grid("L-shape", scenes.L_SHAPE)
+        self.table.end(self.options.json)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("--graze", default="build/graze")
+    parser.add_argument("--quick", action="store_true", help="small counts, up to 100,000 faces")
+    parser.add_argument("--largest", type=int, default=1000000, help="faces of the largest mesh")
+    parser.add_argument("--json", help="write the rows there too")
     options = parser.parse_args()
-    solids = [("cube, 12 facets", cube(), 20000), ("bumpy sphere, 1,012 facets", sphere(23, 23, 0.05), 5000),
-              ("bumpy sphere, 7,080 facets", sphere(60, 60, 0.05), 2500),
-              ("bumpy sphere, 100,352 facets", sphere(225, 224, 0.05), 1000)]
-    print(f"{'solid':32}{'motion':34}{'points a second':>16}")
     with tempfile.TemporaryDirectory() as folder:
-        for name, (vertices, facets), rows in solids:
-            solid = os.path.join(folder, "solid.off")
-            write_off(solid, vertices, facets)
-            for motion_name, text in MOTIONS.items():
-                motion = os.path.join(folder, "motion.json")
-                with open(motion, "w", encoding="ascii") as file:
-                    file.write(text)
-                print(f"{name:32}{motion_name:34}{rate(options.graze, solid, motion, rows, folder):16.0f}",
-                      flush=True)
+        Bench(options, folder).run()
 
 
 if __name__ == "__main__":
