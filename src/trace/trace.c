@@ -194,25 +194,38 @@ static graze_status trace_piece(tracer *r, size_t piece) {
     return r->detail == TRACE_WORD ? trace_findings(r, piece, found) : trace_all(r, piece, found);
 }
 
-/* Locate the gap between two contacts with times, or an end of the motion for NULL. */
-static graze_status locate_gap(graze_state *out, tracer *r, graze_time *before, graze_time *after) {
+static graze_status locate_between(graze_state *out, tracer *r, graze_time *before,
+                                   graze_time *after) {
     algebraic zero, one;
     fmpq_t sample;
     algebraic_init(&zero);
     algebraic_init(&one);
     fmpq_one(one.value);
     fmpq_init(sample);
-    size_t piece = before ? before->piece : 0;
-    algebraic *low = before ? &before->u : &zero;
+    size_t piece = before->piece;
+    algebraic *low = &before->u;
     if (algebraic_compare(low, &one) == 0) {
         piece++;
         low = &zero;
     }
-    algebraic_between(sample, low, after && after->piece == piece ? &after->u : &one);
+    algebraic_between(sample, low, after->piece == piece ? &after->u : &one);
     graze_status status = locate_at(out, r, piece, sample);
     algebraic_clear(&zero);
     algebraic_clear(&one);
     fmpq_clear(sample);
+    return status;
+}
+
+/* Locate the gap between two contacts with times, or an end of the motion for NULL: that end is
+ * itself off the boundary. */
+static graze_status locate_gap(graze_state *out, tracer *r, graze_time *before, graze_time *after) {
+    if (before && after)
+        return locate_between(out, r, before, after);
+    fmpq_t end;
+    fmpq_init(end);
+    fmpq_set_si(end, before ? 1 : 0, 1);
+    graze_status status = locate_at(out, r, before ? r->scene->motion->piece_count - 1 : 0, end);
+    fmpq_clear(end);
     return status;
 }
 
