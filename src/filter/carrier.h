@@ -9,7 +9,7 @@
 /** Polynomials of higher degree are left to the exact path. */
 enum { CARRIER_DEGREE = 32 };
 
-/** The filter's unit of rounding, 2^-53 (proofs/claims.md: the filter's arithmetic). */
+/** The filter's unit of rounding, 2^-53 (proofs/filter.md C32). */
 #define UNIT_ROUNDING 0x1p-53
 
 /** Larger numbers are left to the exact path, so that no product leaves the range of doubles. */

@@ -1,7 +1,7 @@
 /* Spans: coefficients by halving, errors by level, a thick chord as bound.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The bounds are derived in proofs/claims.md (the filter's arithmetic). Every operation rounds to
+ * The bounds are derived in proofs/filter.md (C32, C33). Every operation rounds to
  * nearest; U is the unit of rounding. SLACK covers the rounding of the error terms themselves.
  */
 #include "filter/curve.h"

@@ -4,10 +4,13 @@
 #ifndef GRAZE_FILTER_CURVE_H
 #define GRAZE_FILTER_CURVE_H
 
+#include <float.h>
 #include <stddef.h>
 #include <stdint.h>
 #include "filter/carrier.h"
 #include "solid/tree.h"
+
+_Static_assert(FLT_EVAL_METHOD == 0, "the filter's bounds are those of arithmetic in double alone");
 
 /** Windows of time are counted in units of 2^-WINDOW_LEVELS of a piece. */
 enum { WINDOW_LEVELS = 24 };
@@ -16,8 +19,7 @@ enum { WINDOW_LEVELS = 24 };
  * The piece [start, start + 2^(WINDOW_LEVELS - level)] of the curve, local parameter s in [0, 1].
  * Its Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
  * other. Where `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <=
- * thick_i }, and `inverse` is 1 / along, coordinate by coordinate (proofs/claims.md: the span's
- * bound).
+ * thick_i }, and `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34).
  */
 typedef struct span {
     uint32_t start;
@@ -28,8 +30,7 @@ typedef struct span {
     double bend;     /* how far it strays from the chord; 0 where that is hardly more than rounding:
                         cutting     would not make it thinner */
     double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
-    /* With D = X - v W for any corner v, coefficient by coordinate (proofs/claims.md: the filter's
-     * forms): */
+    /* With D = X - v W for any corner v, coefficient by coordinate (proofs/filter.md C35): */
     double shift_error; /* of a computed D */
     double shift_size;  /* |D| is at most this */
     double speed;       /* |dD/ds| is at most this */

@@ -2,7 +2,7 @@
  * in which windows of time the exact path must be asked. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * It may leave out a simplex, report one certain crossing, or ask; it never decides a tangency, an
- * edge, a vertex or an end (proofs/claims.md: the filter).
+ * edge, a vertex or an end (proofs/filter.md C36, C37).
  */
 #ifndef GRAZE_FILTER_FILTER_H
 #define GRAZE_FILTER_FILTER_H

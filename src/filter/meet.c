@@ -3,7 +3,7 @@
  *
  * The pullback of the simplex's plane in Bernstein form tells by its signs; the simplex's sides are
  * asked only at the window of a root, or of the whole span. The error bounds are those of
- * proofs/claims.md (the filter's forms). A comparison that is false for NaN never decides.
+ * proofs/filter.md (C35). A comparison that is false for NaN never decides.
  */
 #include "filter/meet.h"
 
@@ -234,11 +234,11 @@ typedef struct signs {
     int first, last; /* of the coefficients 0 and n; 0: not certain */
     int one;         /* all have the sign `first` */
     int zero;        /* none is certain */
-    int single;      /* they change once, whatever the uncertain ones are */
+    int single;      /* they change once, whatever the one that may be uncertain is */
 } signs;
 
 static signs read_signs(const meeter *m) {
-    int n = m->c->degree, changed = 0;
+    int n = m->c->degree, left = 0, uncertain = 0;
     signs s = {sign_beyond(m->plane.at[0], m->plane.error),
                sign_beyond(m->plane.at[n], m->plane.error), 1, 1, 0};
     s.one = s.first != 0;
@@ -247,8 +247,9 @@ static signs read_signs(const meeter *m) {
         int sign = sign_beyond(m->plane.at[k], m->plane.error);
         s.one = s.one && sign == s.first;
         s.zero = s.zero && sign == 0;
-        changed = changed || sign == s.last;
-        s.single = s.single && !(changed && sign == s.first);
+        uncertain += sign == 0;
+        left = left || sign != s.first;
+        s.single = s.single && uncertain <= 1 && !(left && sign == s.first);
     }
     return s;
 }

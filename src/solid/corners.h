@@ -18,8 +18,7 @@ typedef struct corners {
     double error, reach;
 } corners;
 
-/** Beyond it products of coordinates might leave the range of doubles (proofs/claims.md: the
- * filter's range). */
+/** Beyond it products of coordinates might leave the range of doubles (proofs/filter.md C32). */
 #define CORNER_REACH 0x1p200
 
 graze_status corners_make(corners *out, graze_context *context, const soup *s,
