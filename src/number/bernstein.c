@@ -163,17 +163,13 @@ static void pull_to_unit(wide_vector *out, const fmpz_poly_t p, const dyadic_int
         for (slong level = 0; level < degree; level++)
             for (slong i = degree - 1; i >= level; i--)
                 wide_addmul(out, i, i + 1, interval->low);
-    fmpz_t width, power;
+    fmpz_t width;
     fmpz_init(width);
     fmpz_sub(width, interval->high, interval->low);
-    if (!fmpz_is_one(width)) {
-        fmpz_init_set(power, width);
-        for (slong i = 1; i <= degree; i++) {
-            wide_mul(out, i, power);
-            fmpz_mul(power, power, width);
-        }
-        fmpz_clear(power);
-    }
+    if (!fmpz_is_one(width))
+        for (slong level = 1; level <= degree; level++)
+            for (slong i = level; i <= degree; i++)
+                wide_mul(out, i, width);
     fmpz_clear(width);
 }
 

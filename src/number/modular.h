@@ -17,7 +17,7 @@ enum { MODULAR_DEGREE = 127 };
 int polynomials_certainly_coprime(const fmpz_poly_t p, const fmpz_poly_t q);
 
 /**
- * Greatest common divisor of p and q, up to a constant factor.
+ * Greatest common divisor of p and q, neither zero, up to a constant factor.
  * @param[out] g initialised; neither p nor q
  * @return its degree; at 0, g may be any constant
  */
