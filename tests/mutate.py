@@ -20,10 +20,12 @@ FILES = [
     "src/verdict/verdict.c", "src/trace/trace.c", "src/trace/contact.c", "src/trace/touch.c",
     "src/trace/time.c", "src/trace/trajectory.c", "src/trace/search.c", "src/solid/locate.c",
     "src/solid/solid.c", "src/solid/forms.c", "src/solid/tree.c", "src/number/algebraic.c",
-    "src/number/isolate.c", "src/number/bernstein.c",
+    "src/number/isolate.c", "src/number/bernstein.c", "src/number/modular.c",
+    "src/number/refine.c", "src/number/wide.c",
 ]
+UNITS = [f"{{b}}/tests/unit/test_{name}" for name in ("algebraic", "modular", "bernstein", "refine")]
 SUITES = [
-    ["{b}/tests/unit/test_algebraic"],
+    *([unit] for unit in UNITS),
     [sys.executable, "tests/examples/examples.py", "--graze", "{b}/graze"],
     [sys.executable, "tests/agree/near.py", "--graze", "{b}/graze"],
     [sys.executable, "tests/cases/cases.py", "--graze", "{b}/graze"],
@@ -78,7 +80,7 @@ def bound_memory():
 
 
 def is_killed(copy, build, log, limit):
-    make = ["make", "-s", f"B={build}", f"{build}/graze", f"{build}/tests/unit/test_algebraic",
+    make = ["make", "-s", f"B={build}", f"{build}/graze", *(unit.format(b=build) for unit in UNITS),
             "WARN=-w"]
     if subprocess.run(make, cwd=copy, stdout=log, stderr=log).returncode != 0:
         return "does not compile"

@@ -3,15 +3,17 @@
  */
 #include "number/algebraic.h"
 
-#include <flint/fmpz_vec.h>
+#include "number/modular.h"
 
-/* Halvings tried before a gcd is asked whether refinement would ever end. */
-enum { CHEAP_HALVINGS = 4 };
+/* Halvings tried before a gcd is asked whether refinement would ever end; digits of an interval's
+ * ends up to which Bernstein coefficients are cheap; digits that a secant is first asked for. */
+enum { CHEAP_HALVINGS = 4, COARSE = 63, FIRST_GAIN = 4 };
 
 void algebraic_init(algebraic *x) {
     fmpq_init(x->value);
     fmpz_poly_init(x->poly);
     dyadic_interval_init(&x->where);
+    x->low_sign = 0;
 }
 
 void algebraic_clear(algebraic *x) {
@@ -24,6 +26,7 @@ void algebraic_set(algebraic *x, const algebraic *y) {
     fmpq_set(x->value, y->value);
     fmpz_poly_set(x->poly, y->poly);
     dyadic_interval_set(&x->where, &y->where);
+    x->low_sign = y->low_sign;
 }
 
 void algebraic_set_rational(algebraic *x, const fmpq_t value) {
@@ -40,24 +43,6 @@ void algebraic_set_dyadic(algebraic *x, const fmpz_t numerator, ulong exponent) 
     fmpz_poly_zero(x->poly);
 }
 
-void algebraic_refine(algebraic *x) {
-    if (algebraic_is_rational(x))
-        return;
-    dyadic_interval left, right;
-    dyadic_interval_init(&left);
-    dyadic_interval_init(&right);
-    dyadic_interval_halves(&left, &right, &x->where);
-    int middle = dyadic_sign(x->poly, left.high, left.exponent);
-    if (middle == 0)
-        algebraic_set_dyadic(x, left.high, left.exponent);
-    else if (middle == dyadic_sign(x->poly, left.low, left.exponent))
-        dyadic_interval_swap(&x->where, &right);
-    else
-        dyadic_interval_swap(&x->where, &left);
-    dyadic_interval_clear(&left);
-    dyadic_interval_clear(&right);
-}
-
 /* Bring two dyadic intervals to one exponent, so that their ends compare as integers. */
 static void align(dyadic_interval *a, dyadic_interval *b) {
     if (a->exponent > b->exponent) {
@@ -70,62 +55,51 @@ static void align(dyadic_interval *a, dyadic_interval *b) {
     a->exponent = b->exponent;
 }
 
-/* Whether g, which divides the polynomial of a number isolated in an interval whose ends are no
- * roots of g, vanishes at the number: it has at most that one root there, and a simple one. */
-static int vanishes_within(const fmpz_poly_t g, const dyadic_interval *interval) {
-    return fmpz_poly_degree(g) > 0 && dyadic_sign(g, interval->low, interval->exponent) !=
-                                          dyadic_sign(g, interval->high, interval->exponent);
+/* The sign at the lower end of an interval of a polynomial g that divides that of a number isolated
+ * there, if g vanishes at the number, else 0. The ends are no roots of g, and it has at most that
+ * one root there, and a simple one. */
+static int sign_before_root(const fmpz_poly_t g, const dyadic_interval *interval) {
+    if (fmpz_poly_degree(g) <= 0)
+        return 0;
+    int low = dyadic_sign(g, interval->low, interval->exponent);
+    return low != dyadic_sign(g, interval->high, interval->exponent) ? low : 0;
 }
 
 static int compare_with_rational(algebraic *x, const fmpq_t r) {
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
-    algebraic_bounds(low, high, x);
-    int result;
-    if (fmpq_cmp(r, low) <= 0) {
-        result = 1;
-    } else if (fmpq_cmp(r, high) >= 0) {
-        result = -1;
-    } else {
-        fmpq_t at;
-        fmpq_init(at);
-        fmpz_poly_evaluate_fmpq(at, x->poly, r);
-        int sign = fmpq_sgn(at);
-        result = sign == 0                                                       ? 0
-                 : sign == dyadic_sign(x->poly, x->where.low, x->where.exponent) ? 1
-                                                                                 : -1;
-        if (sign == 0)
-            algebraic_set_rational(x, r);
-        fmpq_clear(at);
-    }
-    fmpq_clear(low);
-    fmpq_clear(high);
-    return result;
+    if (dyadic_compare(x->where.low, x->where.exponent, r) >= 0)
+        return 1;
+    if (dyadic_compare(x->where.high, x->where.exponent, r) <= 0)
+        return -1;
+    int sign = rational_sign(x->poly, r);
+    if (sign == 0)
+        algebraic_set_rational(x, r);
+    return sign == 0 ? 0 : sign == x->low_sign ? 1 : -1;
 }
 
-/* If the two irrational numbers, isolated in overlapping intervals, are equal, let them share their
- * common factor and the overlap. */
+/* If the two irrational numbers, isolated in overlapping intervals of one exponent, are equal, let
+ * them share their common factor and the overlap. */
 static int unite_if_equal(algebraic *x, algebraic *y) {
     fmpz_poly_t g;
-    dyadic_interval overlap;
     fmpz_poly_init(g);
-    dyadic_interval_init(&overlap);
-    fmpz_poly_gcd(g, x->poly, y->poly);
-    align(&x->where, &y->where);
-    overlap.exponent = x->where.exponent;
-    fmpz_set(overlap.low, fmpz_cmp(x->where.low, y->where.low) > 0 ? x->where.low : y->where.low);
-    fmpz_set(overlap.high,
-             fmpz_cmp(x->where.high, y->where.high) < 0 ? x->where.high : y->where.high);
-    int equal = vanishes_within(g, &overlap);
-    if (equal) {
-        fmpz_poly_set(x->poly, g);
-        fmpz_poly_swap(y->poly, g);
-        dyadic_interval_set(&x->where, &overlap);
-        dyadic_interval_swap(&y->where, &overlap);
+    int equal = 0;
+    if (common_factor(g, x->poly, y->poly) > 0) {
+        const dyadic_interval *a = &x->where, *b = &y->where;
+        dyadic_interval overlap;
+        dyadic_interval_init(&overlap);
+        overlap.exponent = a->exponent;
+        fmpz_set(overlap.low, fmpz_cmp(a->low, b->low) > 0 ? a->low : b->low);
+        fmpz_set(overlap.high, fmpz_cmp(a->high, b->high) < 0 ? a->high : b->high);
+        int low_sign = sign_before_root(g, &overlap);
+        equal = low_sign != 0;
+        if (equal) {
+            fmpz_poly_swap(x->poly, g);
+            dyadic_interval_swap(&x->where, &overlap);
+            x->low_sign = low_sign;
+            algebraic_set(y, x);
+        }
+        dyadic_interval_clear(&overlap);
     }
     fmpz_poly_clear(g);
-    dyadic_interval_clear(&overlap);
     return equal;
 }
 
@@ -136,6 +110,7 @@ static int is_same(const algebraic *x, const algebraic *y) {
 }
 
 int algebraic_compare(algebraic *x, algebraic *y) {
+    ulong gain[] = {FIRST_GAIN, FIRST_GAIN};
     for (int halvings = 0;; halvings++) {
         if (algebraic_is_rational(x) && algebraic_is_rational(y))
             return fmpq_cmp(x->value, y->value) > 0 ? 1 : -(fmpq_cmp(x->value, y->value) < 0);
@@ -150,18 +125,52 @@ int algebraic_compare(algebraic *x, algebraic *y) {
             return 1;
         if (is_same(x, y) || (halvings == CHEAP_HALVINGS && unite_if_equal(x, y)))
             return 0;
-        algebraic_refine(x);
-        algebraic_refine(y);
+        if (halvings < CHEAP_HALVINGS) {
+            algebraic_refine(x);
+            algebraic_refine(y);
+        } else {
+            algebraic_refine_quadratically(x, &gain[0]);
+            algebraic_refine_quadratically(y, &gain[1]);
+        }
     }
 }
 
-/* Sign of q at an irrational x if its Bernstein coefficients on the interval tell, else 0. */
-static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
+/* Sign of q on the interval if its value at the lower end is more than q can change by on the way
+ * to the upper one, else 0 (proofs/claims.md C31). */
+static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
     slong degree = fmpz_poly_degree(q);
-    fmpz *c = _fmpz_vec_init(degree + 1);
-    bernstein_from_poly(c, q, degree, &x->where);
-    int sign = bernstein_one_sign(c, degree);
-    _fmpz_vec_clear(c, degree + 1);
+    ulong reach = FLINT_MAX(fmpz_bits(where->low), fmpz_bits(where->high));
+    reach = reach > where->exponent ? reach - where->exponent : 0;
+    fmpz_t value, change, term;
+    fmpz_init(value);
+    fmpz_init(change);
+    fmpz_init(term);
+    for (slong i = 1; i <= degree; i++) {
+        fmpz_mul_ui(term, q->coeffs + i, (ulong)i);
+        fmpz_abs(term, term);
+        fmpz_mul_2exp(term, term, reach * (ulong)(i - 1));
+        fmpz_add(change, change, term);
+    }
+    fmpz_sub(term, where->high, where->low);
+    fmpz_mul(change, change, term);
+    if (degree > 0)
+        fmpz_mul_2exp(change, change, where->exponent * (ulong)(degree - 1));
+    dyadic_evaluate(value, q, where->low, where->exponent);
+    int sign = fmpz_cmpabs(value, change) > 0 ? fmpz_sgn(value) : 0;
+    fmpz_clear(value);
+    fmpz_clear(change);
+    fmpz_clear(term);
+    return sign;
+}
+
+/* Sign of q at an irrational x if the interval tells, else 0. */
+static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
+    if (x->where.exponent > COARSE)
+        return sign_by_slope(q, &x->where);
+    bernstein_form form;
+    bernstein_form_init(&form, q, fmpz_poly_degree(q), &x->where);
+    int sign = bernstein_one_sign(&form);
+    bernstein_form_clear(&form);
     return sign;
 }
 
@@ -169,31 +178,32 @@ static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
 static int vanishes_at(const fmpz_poly_t q, algebraic *x) {
     fmpz_poly_t g;
     fmpz_poly_init(g);
-    fmpz_poly_gcd(g, x->poly, q);
-    int zero = vanishes_within(g, &x->where);
-    if (zero)
+    common_factor(g, x->poly, q);
+    int low_sign = sign_before_root(g, &x->where);
+    if (low_sign != 0) {
         fmpz_poly_swap(x->poly, g);
+        x->low_sign = low_sign;
+    }
     fmpz_poly_clear(g);
-    return zero;
+    return low_sign != 0;
 }
 
 int algebraic_sign_at(const fmpz_poly_t q, algebraic *x) {
-    if (fmpz_poly_is_zero(q))
-        return 0;
+    if (fmpz_poly_degree(q) <= 0)
+        return fmpz_poly_is_zero(q) ? 0 : fmpz_sgn(q->coeffs);
+    ulong gain = FIRST_GAIN;
     for (int halvings = 0; !algebraic_is_rational(x); halvings++) {
         int sign = sign_on_interval(q, x);
         if (sign != 0)
             return sign;
         if (halvings == CHEAP_HALVINGS && vanishes_at(q, x))
             return 0;
-        algebraic_refine(x);
+        if (halvings < CHEAP_HALVINGS)
+            algebraic_refine(x);
+        else
+            algebraic_refine_quadratically(x, &gain);
     }
-    fmpq_t at;
-    fmpq_init(at);
-    fmpz_poly_evaluate_fmpq(at, q, x->value);
-    int sign = fmpq_sgn(at);
-    fmpq_clear(at);
-    return sign;
+    return rational_sign(q, x->value);
 }
 
 void algebraic_bounds(fmpq_t low, fmpq_t high, const algebraic *x) {
@@ -232,13 +242,14 @@ void algebraic_between(fmpq_t out, algebraic *x, algebraic *y) {
     fmpq_init(below);
     fmpq_init(above);
     fmpq_init(high);
+    ulong gain[] = {1, 1};
     for (;;) {
         algebraic_bounds(low, below, x);
         algebraic_bounds(above, high, y);
         if (fmpq_cmp(below, above) < 0)
             break;
-        algebraic_refine(x);
-        algebraic_refine(y);
+        algebraic_refine_quadratically(x, &gain[0]);
+        algebraic_refine_quadratically(y, &gain[1]);
     }
     simplest_dyadic(out, below, above);
     fmpq_clear(low);

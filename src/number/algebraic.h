@@ -10,14 +10,16 @@
 
 /**
  * A real number. Invariant: if `poly` is zero the number is `value`. Otherwise it is the one root
- * of `poly` in the closed interval `where`, a simple root, and no end of the interval is a root of
- * `poly`. Functions that take a number without const may narrow the interval, replace `poly` by a
- * factor, or find the number rational; its value never changes.
+ * of `poly` in the closed interval `where`, a simple root, no end of the interval is a root of
+ * `poly`, and `low_sign` is the sign of `poly` at the lower end. Functions that take a number
+ * without const may narrow the interval, replace `poly` by a factor, or find the number rational;
+ * its value never changes.
  */
 typedef struct algebraic {
     fmpq_t value;
     fmpz_poly_t poly;
     dyadic_interval where;
+    int low_sign;
 } algebraic;
 
 /** Zero. */
@@ -33,6 +35,14 @@ int algebraic_is_rational(const algebraic *x);
 
 /** Halve the interval. */
 void algebraic_refine(algebraic *x);
+
+/**
+ * Narrow the interval by the secant through its ends (proofs/claims.md C30): by 2^*gain where the
+ * secant points close enough to the root, and then *gain is doubled; else halve the interval, and
+ * *gain is halved. Repeated, it doubles the number of known digits each time in the end.
+ * @param[in,out] gain at least 1; 4 to start with
+ */
+void algebraic_refine_quadratically(algebraic *x, ulong *gain);
 
 /** Sign of x - y: -1, 0, 1 (theory K3, K4). Equal numbers share interval and polynomial afterwards.
  */

@@ -4,6 +4,7 @@
 #include "number/bernstein.h"
 
 #include <flint/fmpz_vec.h>
+#include <string.h>
 
 void dyadic_interval_init(dyadic_interval *interval) {
     fmpz_init(interval->low);
@@ -64,10 +65,12 @@ void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent) {
 }
 
 /* Horner's scheme on sum p_i n^i 2^(e (degree - i)), which has the sign of p(n / 2^e). */
-int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
+void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
     slong degree = fmpz_poly_degree(p);
-    if (degree < 0)
-        return 0;
+    if (degree < 0) {
+        fmpz_zero(out);
+        return;
+    }
     fmpz_t value, term;
     fmpz_init_set(value, p->coeffs + degree);
     fmpz_init(term);
@@ -76,62 +79,153 @@ int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
         fmpz_mul_2exp(term, p->coeffs + i, exponent * (ulong)(degree - i));
         fmpz_add(value, value, term);
     }
-    int sign = fmpz_sgn(value);
+    fmpz_swap(out, value);
     fmpz_clear(value);
     fmpz_clear(term);
+}
+
+int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
+    if (fmpz_is_zero(numerator))
+        return fmpz_poly_is_zero(p) ? 0 : fmpz_sgn(p->coeffs);
+    fmpz_t value;
+    fmpz_init(value);
+    dyadic_evaluate(value, p, numerator, exponent);
+    int sign = fmpz_sgn(value);
+    fmpz_clear(value);
     return sign;
 }
 
-/* Coefficients 0 ... n of 2^(e n) p((low + (high - low) v) / 2^e) in powers of v. */
-static void pull_to_unit(fmpz_poly_t out, const fmpz_poly_t p, slong n,
-                         const dyadic_interval *interval) {
-    fmpz_poly_set(out, p);
-    if (interval->exponent)
-        for (slong i = 0; i < fmpz_poly_length(out); i++)
-            fmpz_mul_2exp(out->coeffs + i, out->coeffs + i, interval->exponent * (ulong)(n - i));
+/* Horner's scheme on sum p_i n^i d^(degree - i), without a division. */
+int rational_sign(const fmpz_poly_t p, const fmpq_t x) {
+    const fmpz *denominator = fmpq_denref(x);
+    ulong exponent = fmpz_val2(denominator);
+    if (fmpz_bits(denominator) == exponent + 1)
+        return dyadic_sign(p, fmpq_numref(x), exponent);
+    slong degree = fmpz_poly_degree(p);
+    fmpz_t value, power;
+    fmpz_init(value);
+    fmpz_init_set_ui(power, 1);
+    for (slong i = degree; i >= 0; i--) {
+        fmpz_mul(value, value, fmpq_numref(x));
+        fmpz_addmul(value, p->coeffs + i, power);
+        if (i > 0)
+            fmpz_mul(power, power, denominator);
+    }
+    int sign = fmpz_sgn(value);
+    fmpz_clear(value);
+    fmpz_clear(power);
+    return sign;
+}
+
+int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x) {
+    fmpz_t a, b;
+    fmpz_init(a);
+    fmpz_init(b);
+    fmpz_mul(a, numerator, fmpq_denref(x));
+    fmpz_mul_2exp(b, fmpq_numref(x), exponent);
+    int order = fmpz_cmp(a, b);
+    fmpz_clear(a);
+    fmpz_clear(b);
+    return order > 0 ? 1 : -(order < 0);
+}
+
+/* The least common multiple of the binomials C(n, 0) ... C(n, n) for the usual n. */
+static const ulong COMMON_BINOMIAL[] = {
+    1,        1,        2,        3,        12,        10,        60,        105,    280,
+    252,      2520,     2310,     27720,    25740,     24024,     45045,     720720, 680680,
+    12252240, 11639628, 11085360, 10581480, 232792560, 223092870, 1070845776};
+
+static void common_binomial(fmpz_t out, slong n) {
+    fmpz_t binomial;
+    if (n < (slong)(sizeof COMMON_BINOMIAL / sizeof *COMMON_BINOMIAL)) {
+        fmpz_set_ui(out, COMMON_BINOMIAL[n]);
+        return;
+    }
+    fmpz_init(binomial);
+    fmpz_one(out);
+    for (slong i = 1; 2 * i <= n; i++) {
+        fmpz_bin_uiui(binomial, (ulong)n, (ulong)i);
+        fmpz_lcm(out, out, binomial);
+    }
+    fmpz_clear(binomial);
+}
+
+/* Entries 0 ... n become the coefficients of 2^(e n) p((low + (high - low) v) / 2^e) in powers of
+ * v. */
+static void pull_to_unit(wide_vector *out, const fmpz_poly_t p, const dyadic_interval *interval) {
+    slong n = out->count - 1, degree = fmpz_poly_degree(p);
+    for (slong i = 0; i <= degree; i++) {
+        wide_set_fmpz(out, i, p->coeffs + i);
+        if (interval->exponent)
+            wide_shift(out, i, i, interval->exponent * (ulong)(n - i));
+    }
     if (!fmpz_is_zero(interval->low))
-        fmpz_poly_taylor_shift(out, out, interval->low);
-    fmpz_t width, power;
+        for (slong level = 0; level < degree; level++)
+            for (slong i = degree - 1; i >= level; i--)
+                wide_addmul(out, i, i + 1, interval->low);
+    fmpz_t width;
     fmpz_init(width);
     fmpz_sub(width, interval->high, interval->low);
-    if (!fmpz_is_one(width)) {
-        fmpz_init_set(power, width);
-        for (slong i = 1; i < fmpz_poly_length(out); i++) {
-            fmpz_mul(out->coeffs + i, out->coeffs + i, power);
-            fmpz_mul(power, power, width);
-        }
-        fmpz_clear(power);
-    }
+    if (!fmpz_is_one(width))
+        for (slong level = 1; level <= degree; level++)
+            for (slong i = level; i <= degree; i++)
+                wide_mul(out, i, width);
     fmpz_clear(width);
+}
+
+/* The least k with |x| <= 2^k. */
+static ulong ceil_log(const fmpz_t x) {
+    ulong bits = fmpz_bits(x);
+    return bits > 0 && fmpz_val2(x) + 1 == bits ? bits - 1 : bits;
+}
+
+/* By C22 (b) a coefficient is a value of the polar form at the interval's ends: at most sum |p_i|
+ * r^i in size, r the larger of 1 and the ends' sizes; and then 2^(e n) and the binomials' multiple.
+ */
+static ulong coefficient_bits(const fmpz_poly_t p, slong n, const dyadic_interval *interval,
+                              const fmpz_t common) {
+    ulong low = ceil_log(interval->low), high = ceil_log(interval->high);
+    ulong reach = FLINT_MAX(FLINT_MAX(low, high), interval->exponent);
+    return (ulong)FLINT_ABS(fmpz_poly_max_bits(p)) + FLINT_BIT_COUNT(n + 1) + (ulong)n * reach +
+           fmpz_bits(common);
 }
 
 /* b_j = sum_{i <= j} C(j, i) a_i / C(n, i): divide by the binomials under a common multiple of
  * theirs, then add up Pascal's triangle. */
-void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong n, const dyadic_interval *interval) {
-    fmpz_poly_t unit;
-    fmpz_poly_init2(unit, n + 1);
-    pull_to_unit(unit, p, n, interval);
+void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong n,
+                         const dyadic_interval *interval) {
     fmpz_t common, binomial, factor;
-    fmpz_init_set_ui(common, 1);
-    fmpz_init(binomial);
+    fmpz_init(common);
+    fmpz_init_set_ui(binomial, 1);
     fmpz_init(factor);
-    for (slong i = 1; 2 * i <= n; i++) {
-        fmpz_bin_uiui(binomial, (ulong)n, (ulong)i);
-        fmpz_lcm(common, common, binomial);
-    }
-    _fmpz_vec_zero(out, n + 1);
-    for (slong i = 0; i < fmpz_poly_length(unit); i++) {
-        fmpz_bin_uiui(binomial, (ulong)n, (ulong)i);
+    common_binomial(common, n);
+    out->bits = coefficient_bits(p, n, interval, common);
+    wide_init(&out->c, n + 1, out->bits);
+    pull_to_unit(&out->c, p, interval);
+    for (slong i = 0; i < fmpz_poly_length(p); i++) {
         fmpz_divexact(factor, common, binomial);
-        fmpz_mul(out + i, unit->coeffs + i, factor);
+        wide_mul(&out->c, i, factor);
+        fmpz_mul_ui(binomial, binomial, (ulong)(n - i));
+        fmpz_divexact_ui(binomial, binomial, (ulong)(i + 1));
     }
     for (slong level = 1; level <= n; level++)
         for (slong i = n; i >= level; i--)
-            fmpz_add(out + i, out + i, out + i - 1);
+            wide_add(&out->c, i, i - 1);
     fmpz_clear(common);
     fmpz_clear(binomial);
     fmpz_clear(factor);
-    fmpz_poly_clear(unit);
+}
+
+void bernstein_form_clear(bernstein_form *form) {
+    wide_clear(&form->c);
+}
+
+void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong n, const dyadic_interval *interval) {
+    bernstein_form form;
+    bernstein_form_init(&form, p, n, interval);
+    for (slong i = 0; i <= n; i++)
+        wide_get_fmpz(out + i, &form.c, i);
+    bernstein_form_clear(&form);
 }
 
 /* Without the halvings of de Casteljau's averages: entry i of level k is 2^k times too large, so
@@ -148,11 +242,33 @@ void bernstein_split(fmpz *left, fmpz *right, const fmpz *c, slong degree) {
         fmpz_mul_2exp(right + i, right + i, (ulong)i);
 }
 
-slong bernstein_variations(const fmpz *c, slong degree) {
+/* The same scheme on entries of one width. The coefficients of either half are means of those of
+ * the whole (C25), so the factor 2^n is all that they can grow by. */
+void bernstein_form_split(bernstein_form *form, bernstein_form *right) {
+    slong n = form->c.count - 1;
+    wide_vector left;
+    right->bits = form->bits + (ulong)n;
+    wide_init_wider(&right->c, &form->c, right->bits);
+    wide_init(&left, n + 1, right->bits);
+    for (slong i = 0; i <= n; i++) {
+        memcpy(wide_entry(&left, i), wide_entry(&right->c, 0),
+               (size_t)left.limbs * sizeof *left.limb);
+        wide_shift(&left, i, i, (ulong)(n - i));
+        for (slong k = 0; k < n - i; k++)
+            wide_add(&right->c, k, k + 1);
+    }
+    for (slong i = 0; i <= n; i++)
+        wide_shift(&right->c, i, i, (ulong)i);
+    wide_clear(&form->c);
+    form->c = left;
+    form->bits = right->bits;
+}
+
+slong bernstein_variations(const bernstein_form *form) {
     slong variations = 0;
     int last = 0;
-    for (slong i = 0; i <= degree; i++) {
-        int sign = fmpz_sgn(c + i);
+    for (slong i = 0; i < form->c.count; i++) {
+        int sign = wide_sign(&form->c, i);
         if (sign == 0)
             continue;
         if (last != 0 && sign != last)
@@ -162,10 +278,10 @@ slong bernstein_variations(const fmpz *c, slong degree) {
     return variations;
 }
 
-int bernstein_one_sign(const fmpz *c, slong degree) {
+int bernstein_one_sign(const bernstein_form *form) {
     int one = 0;
-    for (slong i = 0; i <= degree; i++) {
-        int sign = fmpz_sgn(c + i);
+    for (slong i = 0; i < form->c.count; i++) {
+        int sign = wide_sign(&form->c, i);
         if (sign == 0)
             continue;
         if (one != 0 && sign != one)

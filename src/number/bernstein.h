@@ -6,6 +6,7 @@
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_poly.h>
+#include "number/wide.h"
 
 /** A closed interval [low / 2^exponent, high / 2^exponent], low <= high. */
 typedef struct dyadic_interval {
@@ -26,8 +27,17 @@ void dyadic_interval_halves(dyadic_interval *left, dyadic_interval *right,
 /** The rational numerator / 2^exponent in lowest terms. */
 void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent);
 
+/** p(numerator / 2^exponent) 2^(exponent degree(p)), an integer; 0 if p is zero. */
+void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ulong exponent);
+
 /** Sign of p at numerator / 2^exponent. */
 int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent);
+
+/** Sign of p at a rational. */
+int rational_sign(const fmpz_poly_t p, const fmpq_t x);
+
+/** Sign of numerator / 2^exponent - x. */
+int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x);
 
 /**
  * Bernstein coefficients of p on an interval, all multiplied by one positive integer that depends
@@ -38,6 +48,21 @@ int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent);
 void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong degree,
                          const dyadic_interval *interval);
 
+/** Bernstein coefficients that share a width; every one is less than 2^bits in size. */
+typedef struct bernstein_form {
+    wide_vector c;
+    ulong bits;
+} bernstein_form;
+
+/** What bernstein_from_poly makes, in a new form. */
+void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong degree,
+                         const dyadic_interval *interval);
+void bernstein_form_clear(bernstein_form *form);
+
+/** The form becomes that of the left half, `right` a new one for the right half, both multiplied by
+ * one positive integer. */
+void bernstein_form_split(bernstein_form *form, bernstein_form *right);
+
 /**
  * Bernstein coefficients on the halves of the interval, multiplied by one positive integer, by de
  * Casteljau's scheme. `left` may be `c`; `right` may not.
@@ -45,10 +70,10 @@ void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong degree,
 void bernstein_split(fmpz *left, fmpz *right, const fmpz *c, slong degree);
 
 /** Sign changes in the sequence, zeros left out. */
-slong bernstein_variations(const fmpz *c, slong degree);
+slong bernstein_variations(const bernstein_form *form);
 
 /** The one sign that p has on the open interval if no coefficient contradicts it, else 0. p not
  * zero. */
-int bernstein_one_sign(const fmpz *c, slong degree);
+int bernstein_one_sign(const bernstein_form *form);
 
 #endif

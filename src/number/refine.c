@@ -1,0 +1,97 @@
+/* Narrowing the interval of a real algebraic number: by halves, and by secants once the polynomial
+ * is nearly straight on it (proofs/claims.md C30). SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "number/algebraic.h"
+
+void algebraic_refine(algebraic *x) {
+    if (algebraic_is_rational(x))
+        return;
+    fmpz_t middle;
+    fmpz_init(middle);
+    dyadic_interval *where = &x->where;
+    fmpz_add(middle, where->low, where->high);
+    where->exponent++;
+    int sign = dyadic_sign(x->poly, middle, where->exponent);
+    if (sign == 0) {
+        algebraic_set_dyadic(x, middle, where->exponent);
+    } else if (sign == x->low_sign) {
+        fmpz_swap(where->low, middle);
+        fmpz_mul_2exp(where->high, where->high, 1);
+    } else {
+        fmpz_mul_2exp(where->low, where->low, 1);
+        fmpz_swap(where->high, middle);
+    }
+    fmpz_clear(middle);
+}
+
+/* The place of the secant's root among 2^gain equal parts of the interval: the nearest of the
+ * points 0 ... 2^gain of division. It is a guess, so the values are cut to the digits that matter.
+ */
+static void secant_point(fmpz_t out, const algebraic *x, ulong gain) {
+    fmpz_t low, sum;
+    fmpz_init(low);
+    fmpz_init(sum);
+    dyadic_evaluate(low, x->poly, x->where.low, x->where.exponent);
+    dyadic_evaluate(sum, x->poly, x->where.high, x->where.exponent);
+    fmpz_sub(sum, low, sum);
+    fmpz_abs(low, low);
+    fmpz_abs(sum, sum);
+    ulong bits = fmpz_bits(sum), kept = gain + 8;
+    if (bits > kept) {
+        fmpz_fdiv_q_2exp(low, low, bits - kept);
+        fmpz_fdiv_q_2exp(sum, sum, bits - kept);
+    }
+    fmpz_mul_2exp(low, low, gain + 1);
+    fmpz_add(low, low, sum);
+    fmpz_mul_2exp(sum, sum, 1);
+    fmpz_fdiv_q(out, low, sum);
+    fmpz_clear(low);
+    fmpz_clear(sum);
+}
+
+/* Whether the root is met at the point nearest to the secant's root or lies in a part beside it; if
+ * so, that part is the new interval. Where the sign at the point is that at the lower end, the
+ * point is not the upper end, so there is a part to its right; and the other way round. */
+static int follow_secant(algebraic *x, ulong gain) {
+    dyadic_interval part;
+    fmpz_t point, width;
+    dyadic_interval_init(&part);
+    fmpz_init(point);
+    fmpz_init(width);
+    part.exponent = x->where.exponent + gain;
+    secant_point(point, x, gain);
+    fmpz_sub(width, x->where.high, x->where.low);
+    fmpz_mul(point, point, width);
+    fmpz_mul_2exp(part.low, x->where.low, gain);
+    fmpz_add(part.low, part.low, point);
+    fmpz_set(part.high, part.low);
+    int sign = dyadic_sign(x->poly, part.low, part.exponent), beyond = 0;
+    fmpz *end = sign == x->low_sign ? part.high : part.low;
+    if (sign != 0) {
+        if (sign == x->low_sign)
+            fmpz_add(end, end, width);
+        else
+            fmpz_sub(end, end, width);
+        beyond = dyadic_sign(x->poly, end, part.exponent);
+    }
+    int found = sign == 0 || beyond != sign;
+    if (sign == 0 || beyond == 0)
+        algebraic_set_dyadic(x, end, part.exponent);
+    else if (found)
+        dyadic_interval_swap(&x->where, &part);
+    dyadic_interval_clear(&part);
+    fmpz_clear(point);
+    fmpz_clear(width);
+    return found;
+}
+
+void algebraic_refine_quadratically(algebraic *x, ulong *gain) {
+    if (algebraic_is_rational(x))
+        return;
+    if (follow_secant(x, *gain)) {
+        *gain *= 2;
+        return;
+    }
+    algebraic_refine(x);
+    *gain = *gain > 1 ? *gain / 2 : 1;
+}
