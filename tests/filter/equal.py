@@ -6,7 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 The scenes are those of cases/ and of adversaries.py, the points those of the cases, of `graze
 generate` and of queries.py. Exact arithmetic alone (`--no-filter`) is the second method; that it is
 right is what the suites under tests/agree and tests/cases are for. The filtered side runs with two
-threads. A scale of 40 makes 10^6 points; a scene's points are new in every round.
+threads. A scale of 50 makes 10^6 points; a scene's points are new in every round.
 """
 import os
 import sys
@@ -23,8 +23,7 @@ from sides import Sides, ways  # noqa: E402
 
 POINTS = 320
 CASE_POINTS = 40
-# Exact polynomials of degree 18 and more take milliseconds a point.
-HEAVY, HEAVY_POINTS = ("degree 18", "nine turns"), 60
+HEAVY_POINTS = 40
 
 
 def check_cases(sides, first, rounds, seed):
@@ -55,8 +54,7 @@ def main():
         rounds = min(4, args.scale - k)
         check_cases(sides, k == 0, rounds, args.seed + k)
         for scene in everything:
-            heavy = any(word in scene.name for word in HEAVY)
-            count = (HEAVY_POINTS if heavy else POINTS) * rounds
+            count = (HEAVY_POINTS if scene.heavy else POINTS) * rounds
             sides.scene(scene, args.random, count, args.seed + k)
     sides.summary()
     checks.equal(sides.hard * 10 >= sides.judged * 8, True, "four of five points are hard ones")

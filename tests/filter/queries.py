@@ -85,6 +85,14 @@ class Maker:
             return F(self.rng.randint(int(2 * a) - 1, int(2 * b) + 1), 2)
         return [tuple(map(one, self.low, self.high)) for _ in range(count)]
 
+    def grid(self):
+        """Flags of a grid on whole numbers or halves, about a hundred points; how many it has."""
+        size = 11 if self.scene.d == 2 else 5
+        low = [int(x) - self.rng.choice((F(1), F(1, 2))) for x in self.low]
+        high = [x + size - 1 for x in low]
+        box = ",".join(str(x) for x in low + high)
+        return ["--grid", ",".join([str(size)] * self.scene.d), "--box", box], size ** self.scene.d
+
     def doubles(self, count):
         return [tuple(F(self.rng.uniform(float(a) - 1, float(b) + 1))
                       for a, b in zip(self.low, self.high)) for _ in range(count)]

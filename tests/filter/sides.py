@@ -73,8 +73,9 @@ class Sides:
                 print(f"  {way.name}: {row.decode()[:2000]}")
 
     def table(self, name, solid, motion, points, flags, count):
-        """CSV of a file of points: whole, and the same."""
-        text = self.same(name, "classify", solid, motion, points, *flags)
+        """CSV of a file of points, or of a grid: whole, and the same."""
+        points = [points] if isinstance(points, str) else points
+        text = self.same(name, "classify", solid, motion, *points, *flags)
         if text is None:
             return
         whole = text.endswith(f"\n# complete {count}\n")
@@ -99,18 +100,23 @@ class Sides:
             self.hard += special or kind in NEAR
 
     def scene(self, scene, rng, count, seed):
-        """A scene with points of its own and generated ones; files, tables, records, two
-        explanations."""
+        """A scene with points of its own, generated ones, and a grid."""
         tag = scene.name.replace(", ", "_").replace(" ", "-")
         solid, motion = scene.texts()
         solid = self.graze.write(tag + scene.solid.suffix, solid)
         motion = self.graze.write(tag + ".json", motion)
         made = self.generated(scene.name, solid, motion, scene.flags, scene.d, count * 2 // 5, seed)
-        points = Maker(scene, rng).points(count - len(made)) + made
+        maker = Maker(scene, rng)
+        points = maker.points(count - len(made)) + made
         rng.shuffle(points)
         self.points(tag, scene, solid, motion, points)
+        if scene.ordinary and not scene.heavy:
+            grid, size = maker.grid()
+            self.table(scene.name, solid, motion, grid, scene.flags, size)
+            self.kinds["grid"] += size
 
     def points(self, tag, scene, solid, motion, points):
+        """A table of all, JSON Lines of some, two explanations."""
         every = self.graze.write(tag + ".csv", written(scene.d, points))
         self.table(scene.name, solid, motion, every, scene.flags, len(points))
         self.kinds.update(kind for kind, _ in points)
