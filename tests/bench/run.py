@@ -281,7 +281,8 @@ class Bench:
         for size in self.sizes:
             self.mesh(size)
         self.table.head("Over all sizes")
-        self.grown()
+        if len(self.sizes) > 1:
+            self.grown()
         self.table.row("random queries that reach the exact path, in 1,000",
                        None if self.exact is None else 1000 * self.exact / self.asked, most=1, unit="")
         self.long_numbers()
