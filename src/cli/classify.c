@@ -70,35 +70,25 @@ static int put_header(run_state *s, const options *o) {
     return complain_of(status, s->l.context);
 }
 
-/* The exit status of the first row without an answer. */
-static int row_status(const row *r, unsigned long number) {
-    const char *message = r->message ? r->message : "out of memory";
-    switch (r->status) {
-    case GRAZE_OK:
-    case GRAZE_ECANCELED:
-        return EXIT_SIGNAL;
-    case GRAZE_ELIMIT:
-        return complain(EXIT_LIMIT, "row %lu: %s", number, message);
-    case GRAZE_ESYSTEM:
-        return complain(EXIT_IO, "row %lu: %s", number, message);
-    default:
-        return complain(EXIT_FAULT, "row %lu: %s", number, message);
-    }
-}
-
+/* Write the rows that have answers, up to the first that has none. */
 static int put_rows(run_state *s) {
-    for (size_t r = 0; r < s->block->count; r++) {
-        const row *line = &s->block->rows[r];
-        if (!line->text)
-            return row_status(line, s->rows + 1);
-        output_put(&s->out, line->text);
-        s->rows++;
+    size_t r = 0;
+    int status = EXIT_DONE;
+    while (r < s->block->count && !status) {
+        const row_run *one = &s->block->runs[r];
+        output_bytes(&s->out, one->text, one->length);
+        s->rows += one->done;
+        if (one->taken == 0)
+            status = EXIT_SIGNAL;
+        else if (one->done < one->taken)
+            status = fault_tell(&one->fault);
+        r += one->taken;
     }
     output_flush(&s->out);
-    return EXIT_DONE;
+    return status;
 }
 
-/* Answer and write the block at hand; a failure in reading it comes after its rows. */
+/* Answer and write the block at hand; a failure in filling it comes after its rows. */
 static int do_block(run_state *s, const options *o, int read_status) {
     int status = EXIT_DONE;
     int columns_known = read_status == EXIT_DONE || (s->points && csv_started(s->points));
@@ -109,7 +99,9 @@ static int do_block(run_state *s, const options *o, int read_status) {
         return status;
     jobs_answer(s->jobs, s->block);
     status = put_rows(s);
-    return status ? status : read_status;
+    if (!status && read_status)
+        status = read_status == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(s->points));
+    return status;
 }
 
 static int do_blocks(run_state *s, const options *o) {
@@ -150,7 +142,7 @@ static int prepare(run_state *s, const options *o) {
     if (!status && !(s->block = block_create()))
         status = complain(EXIT_IO, "out of memory");
     if (!status)
-        status = jobs_start(&s->jobs, o, s->l.scene, threads);
+        status = jobs_start(&s->jobs, o, s->l.scene, (row_source){s->points, s->grid}, threads);
     if (!status)
         status = output_open(&s->out, o->output);
     s->opened = !status;
