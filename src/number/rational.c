@@ -132,17 +132,15 @@ static int append_digits(uint64_t *value, const char *digits, size_t count) {
 }
 
 /* value 10^shift in lowest terms: the denominator's only primes are 2 and 5. 0 where the integers
- * are too long for this way. */
+ * are too long for this way. `out` is 0 before. */
 static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
     enum { FIVES = 27, TENS = 19 }; /* 5^27 and 10^19 fit in 64 bits */
     if (shift > TENS || value == 0) {
-        fmpq_zero(out);
         return value == 0;
     }
-    fmpz_set_ui(fmpq_numref(out), value);
     if (shift >= 0) {
+        fmpz_set_ui(fmpq_numref(out), value);
         fmpz_mul_ui(fmpq_numref(out), fmpq_numref(out), n_pow(10, (ulong)shift));
-        fmpz_one(fmpq_denref(out));
         return 1;
     }
     long twos = -shift, fives = -shift;
@@ -153,7 +151,6 @@ static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
         value /= 2;
     }
     if (fives > FIVES) {
-        fmpq_zero(out);
         return 0;
     }
     fmpz_set_ui(fmpq_numref(out), value);
@@ -211,11 +208,10 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
         return context_at(context, status, "'%.*s%s'", shown, text, more);
     }
     graze_status status = GRAZE_OK;
-    if (set_short(out, &s)) {
-        status = GRAZE_OK;
-    } else if (s.denominator != NULL) {
+    int done = set_short(out, &s);
+    if (!done && s.denominator != NULL) {
         status = set_ratio(out, context, &s);
-    } else if (!set_decimal(out, &s)) {
+    } else if (!done && !set_decimal(out, &s)) {
         status = context_fail(context, GRAZE_ESYSTEM, "no memory for a number");
     }
     if (status == GRAZE_OK && s.negative) {
