@@ -51,20 +51,21 @@ int block_add(block *b, field text, unsigned long number) {
     return 1;
 }
 
-void block_reset(block *b) {
+void block_reset(block *b, unsigned long before) {
     for (size_t r = 0; r < b->count; r++) {
         graze_free(b->runs[r].text);
         fault_clear(&b->runs[r].fault);
         memset(&b->runs[r], 0, sizeof b->runs[r]);
     }
-    b->before += b->count;
-    b->count = b->used = 0;
+    b->before = before;
+    b->count = b->used = b->next = b->busy = 0;
+    b->after = NULL;
 }
 
 void block_destroy(block *b) {
     if (!b)
         return;
-    block_reset(b);
+    block_reset(b, 0);
     free(b->bytes);
     free(b);
 }

@@ -22,6 +22,7 @@ struct csv {
     char *buffer;
     size_t capacity, from, to; /* bytes from..to are read and not yet used */
     unsigned long line;
+    int status; /* of the last read */
     fault fault;
     size_t columns;  /* 0 until the first row is seen */
     size_t where[3]; /* the columns of x, y, z */
@@ -104,23 +105,17 @@ static int make_room(csv *c) {
     return EXIT_DONE;
 }
 
-static int read_more(csv *c) {
-    int status = make_room(c);
-    if (status)
-        return status;
-    for (;;) {
-        interrupt_wait(c->fd);
-        if (interrupt_signal())
-            return EXIT_SIGNAL;
-        ssize_t n = read(c->fd, c->buffer + c->to, c->capacity - c->to);
-        if (n >= 0) {
-            c->ended = n == 0;
-            c->to += (size_t)n;
-            return EXIT_DONE;
-        }
-        if (errno != EINTR && errno != EAGAIN)
-            return fault_set(&c->fault, EXIT_IO, "%s: reading failed: %s", c->name,
-                             strerror(errno));
+static void read_once(csv *c) {
+    c->status = make_room(c);
+    if (c->status)
+        return;
+    ssize_t n = read(c->fd, c->buffer + c->to, c->capacity - c->to);
+    if (n >= 0) {
+        c->ended = n == 0;
+        c->to += (size_t)n;
+    } else if (errno != EINTR && errno != EAGAIN) {
+        c->status =
+            fault_set(&c->fault, EXIT_IO, "%s: reading failed: %s", c->name, strerror(errno));
     }
 }
 
@@ -132,11 +127,16 @@ static int next_line(csv *c, field *out) {
     while (!end && !c->ended) {
         end = memchr(c->buffer + c->from + seen, '\n', c->to - c->from - seen);
         seen = c->to - c->from;
-        if (!end) {
-            int status = read_more(c);
-            if (status)
-                return status;
-        }
+        if (end)
+            break;
+        if (!c->status)
+            interrupt_wait(c->fd);
+        if (interrupt_signal())
+            return EXIT_SIGNAL;
+        if (!c->status)
+            read_once(c);
+        if (c->status)
+            return c->status;
     }
     if (!end && c->from == c->to)
         return EXIT_DONE;
@@ -265,16 +265,20 @@ static int take_line(csv *c, block *b, field text) {
     return status;
 }
 
-/* A block is also done when a pipe has no further line ready, so that its reader is not kept
- * waiting. */
-static int line_ready(const csv *c) {
-    return memchr(c->buffer + c->from, '\n', c->to - c->from) != NULL;
+int csv_ready(csv *c) {
+    while (!c->ended && !c->status && !memchr(c->buffer + c->from, '\n', c->to - c->from)) {
+        if (!interrupt_ready(c->fd))
+            return 0;
+        read_once(c);
+    }
+    return 1;
 }
 
+/* A block is also done when no further line is ready, so that who reads its rows does not wait. */
 int csv_fill(csv *c, block *b) {
     int status = EXIT_DONE;
     while (!status && b->count < BLOCK_ROWS && b->used < BLOCK_BYTES &&
-           (b->count == 0 || c->ended || line_ready(c))) {
+           (b->count == 0 || csv_ready(c))) {
         field text;
         status = next_line(c, &text);
         if (!status && !text.start)

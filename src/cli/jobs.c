@@ -1,9 +1,9 @@
-/* Threads that answer the rows of a block.
+/* Threads that answer the rows of blocks.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Each thread has a context of its own and takes the next rows that nobody has: many at first, few
- * towards the block's end, so that all threads end at about the same time. Answers stand at the
- * places of their rows, so what is written does not depend on the number of threads.
+ * towards the end of what is handed over, so that all threads end at about the same time. Answers
+ * stand at the places of their rows, so what is written does not depend on the number of threads.
  */
 #include <pthread.h>
 #include <signal.h>
@@ -30,18 +30,16 @@ struct jobs {
     graze_format format;
     pthread_mutex_t lock;
     pthread_cond_t work, done;
-    block *block; /* the block at hand; NULL between blocks */
-    size_t next;  /* first row that nobody has taken */
-    size_t busy;  /* runs taken and not yet answered */
+    block *first, *last; /* blocks with rows that nobody has taken, in order */
+    size_t left;         /* the number of those rows */
     int stop;
     int count;
     worker workers[];
 };
 
 /* Make the points of a run's rows; returns how many before a fault. */
-static size_t read_run(worker *w, row_run *r, size_t first) {
+static size_t read_run(worker *w, row_run *r, const block *b, size_t first) {
     const row_source *from = &w->shared->source;
-    const block *b = w->shared->block;
     size_t d = (size_t)graze_scene_dimension(w->shared->scene), n = 0;
     if (from->grid) {
         grid_points(w->points, from->grid, b->before + first, r->taken);
@@ -62,9 +60,11 @@ static int exit_of(graze_status status) {
     return status == GRAZE_ELIMIT ? EXIT_LIMIT : status == GRAZE_ESYSTEM ? EXIT_IO : EXIT_FAULT;
 }
 
-static void answer(worker *w, row_run *r, size_t first) {
+/* Answer the run that begins at row `first` of a block. */
+static void answer(worker *w, block *b, size_t first) {
     const jobs *j = w->shared;
-    size_t n = read_run(w, r, first);
+    row_run *r = &b->runs[first];
+    size_t n = read_run(w, r, b, first);
     int has_rest = j->source.points && csv_columns(j->source.points);
     graze_status status =
         graze_report_points(&r->text, &r->length, &r->done, w->context, j->scene,
@@ -74,17 +74,24 @@ static void answer(worker *w, row_run *r, size_t first) {
     if (status == GRAZE_ECANCELED)
         r->fault.status = EXIT_SIGNAL;
     else if (status)
-        fault_set(&r->fault, exit_of(status), "row %lu: %s", j->block->before + first + r->done + 1,
+        fault_set(&r->fault, exit_of(status), "row %lu: %s", b->before + first + r->done + 1,
                   graze_context_message(w->context));
 }
 
-/* The next rows that nobody has taken. */
-static row_run *take(jobs *j) {
-    size_t share = (j->block->count - j->next) / (4 * (size_t)j->count);
-    row_run *r = &j->block->runs[j->next];
-    r->taken = share < 1 ? 1 : share < RUN_ROWS ? share : RUN_ROWS;
-    j->next += r->taken;
-    return r;
+/* Take the next rows that nobody has; *b is their block. Returns the first of them. */
+static size_t take(block **b, jobs *j) {
+    size_t share = j->left / (4 * (size_t)j->count);
+    *b = j->first;
+    size_t first = (*b)->next, in_block = (*b)->count - first;
+    share = share < 1 ? 1 : share < RUN_ROWS ? share : RUN_ROWS;
+    share = share < in_block ? share : in_block;
+    (*b)->runs[first].taken = share;
+    (*b)->next += share;
+    (*b)->busy++;
+    j->left -= share;
+    if (share == in_block)
+        j->first = (*b)->after;
+    return first;
 }
 
 static void *serve(void *data) {
@@ -92,34 +99,42 @@ static void *serve(void *data) {
     jobs *j = w->shared;
     pthread_mutex_lock(&j->lock);
     for (;;) {
-        while (!j->stop && (!j->block || j->next == j->block->count || interrupt_signal())) {
-            if (!j->busy)
-                pthread_cond_signal(&j->done);
+        while (!j->stop && (!j->first || interrupt_signal())) {
+            pthread_cond_signal(&j->done);
             pthread_cond_wait(&j->work, &j->lock);
         }
         if (j->stop)
             break;
-        size_t first = j->next;
-        row_run *r = take(j);
-        j->busy++;
+        block *b;
+        size_t first = take(&b, j);
         pthread_mutex_unlock(&j->lock);
-        answer(w, r, first);
+        answer(w, b, first);
         pthread_mutex_lock(&j->lock);
-        j->busy--;
+        b->busy--;
+        if (!b->busy && b->next == b->count)
+            pthread_cond_signal(&j->done);
     }
     pthread_mutex_unlock(&j->lock);
     graze_thread_finish();
     return NULL;
 }
 
-void jobs_answer(jobs *j, block *b) {
+void jobs_submit(jobs *j, block *b) {
     pthread_mutex_lock(&j->lock);
-    j->block = b;
-    j->next = 0;
+    if (j->first)
+        j->last->after = b;
+    else
+        j->first = b;
+    j->last = b;
+    j->left += b->count;
     pthread_cond_broadcast(&j->work);
-    while (j->busy || (j->next < b->count && !interrupt_signal()))
+    pthread_mutex_unlock(&j->lock);
+}
+
+void jobs_wait(jobs *j, const block *b) {
+    pthread_mutex_lock(&j->lock);
+    while (b->busy || (b->next < b->count && !interrupt_signal()))
         pthread_cond_wait(&j->done, &j->lock);
-    j->block = NULL;
     pthread_mutex_unlock(&j->lock);
 }
 

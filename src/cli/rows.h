@@ -48,12 +48,15 @@ typedef struct block {
     size_t used, capacity;
     line lines[BLOCK_ROWS];
     row_run runs[BLOCK_ROWS];
+    size_t next;         /* jobs: the first row that no thread has taken */
+    size_t busy;         /* jobs: runs taken and not yet answered */
+    struct block *after; /* jobs: the block handed over next */
 } block;
 
 block *block_create(void);
 void block_destroy(block *b);
-/** Take the answers away and empty the block; its rows count as rows before the next ones. */
-void block_reset(block *b);
+/** Take the answers away and empty the block, whose rows will come after `before` others. */
+void block_reset(block *b, unsigned long before);
 /** Add a line of a file; 0 when memory is short. */
 int block_add(block *b, field text, unsigned long number);
 
@@ -79,6 +82,8 @@ void csv_close(csv *c);
  * has the message, the rows before it are in the block. EXIT_SIGNAL when a signal came first.
  */
 int csv_fill(csv *c, block *b);
+/** 1 if csv_fill would return without waiting for its input. May read. */
+int csv_ready(csv *c);
 /** The error csv_fill met. */
 const fault *csv_fault(const csv *c);
 /**
@@ -123,8 +128,11 @@ typedef struct jobs jobs;
 /** Start `count` threads, each with a context of its own. On failure says why. */
 int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source,
                int count);
-/** Answer all rows of a block, or those a signal leaves time for. */
-void jobs_answer(jobs *j, block *b);
+/** Hand a block over; it is answered after those before it and must stay until jobs_wait. */
+void jobs_submit(jobs *j, block *b);
+/** Wait until all rows of a block are answered, or those a signal leaves time for. */
+void jobs_wait(jobs *j, const block *b);
+/** End all threads, after the runs they are at. NULL is harmless. */
 void jobs_stop(jobs *j);
 
 #endif
