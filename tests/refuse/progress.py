@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # suite
 """The progress line of graze classify: on standard error where it is a terminal, and nowhere else.
+And a row that comes through a pipe is answered before the next one is asked for.
 
 The rows come slower than one a second, so that the line must appear before the end; the counts it
 shows are those of the rows sent so far. SPDX-License-Identifier: GPL-3.0-or-later
@@ -10,6 +11,7 @@ import os
 import pathlib
 import pty
 import re
+import select
 import subprocess
 import time
 
@@ -31,10 +33,15 @@ def read_all(handle):
         parts.append(part)
 
 
+def start(graze, stderr):
+    """graze classify, reading rows from a pipe."""
+    words = [graze, "classify", COMMON / "cube.off", COMMON / "move3.json", "-"]
+    return subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=stderr)
+
+
 def classify(graze, stderr):
     """Send the rows one after another; (exit status, standard output, standard error's bytes)."""
-    words = [graze, "classify", COMMON / "cube.off", COMMON / "move3.json", "-"]
-    child = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=stderr)
+    child = start(graze, stderr)
     for k in range(ROWS):
         time.sleep(PAUSE if k else 0)
         child.stdin.write(b"%d,0,0\n" % k)
@@ -42,6 +49,19 @@ def classify(graze, stderr):
     time.sleep(PAUSE)
     out, err = child.communicate(timeout=SECONDS)
     return child.returncode, out, err
+
+
+def answer_of_half(graze):
+    """What is written after one row and a half of the next, and what after the rest of it."""
+    child = start(graze, subprocess.PIPE)
+    child.stdin.write(b"70,80,90\n71,8")
+    child.stdin.flush()
+    early, end = b"", time.monotonic() + SECONDS
+    while b"70,80,90" not in early and time.monotonic() < end:
+        if select.select([child.stdout], [], [], 1)[0]:
+            early += os.read(child.stdout.fileno(), 65536)
+    late, _ = child.communicate(b"1,91", timeout=SECONDS)
+    return early, late
 
 
 def on_terminal(graze):
@@ -69,6 +89,9 @@ def checks(graze):
     yield "a run without a terminal ends well", plain_status == 0, plain_status
     yield "without a terminal nothing is shown", plain_shown == b"", plain_shown
     yield "the table is the same", plain_table == table and b"# complete" in table, plain_table
+    early, late = answer_of_half(graze)
+    yield "a row is answered before more is read", b"\n70,80,90,out," in early, early
+    yield "half a row waits for its rest", b"71," not in early and late.startswith(b"71,81,91,out,"), late
 
 
 def main():
