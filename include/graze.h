@@ -475,6 +475,19 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_contex
                                                         const graze_scene *scene,
                                                         const mpq_t *point, graze_format format,
                                                         const char *rest);
+/**
+ * Trace n points and write their rows one after the other, as graze_report_point does for one.
+ * @param[out] out    the rows of the first *done points as one text for graze_free, also when a
+ * later one fails; NULL when *done is 0
+ * @param[out] length bytes of the text
+ * @param[out] done   points that have their rows: n, or on any status but GRAZE_OK the index of the
+ * point that failed
+ * @param points      n*d rationals in lowest terms, point after point; may be NULL when n is 0
+ * @param rest        the further columns of each point as they were, entries may be NULL; or NULL
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_report_points(
+    char **out, size_t *length, size_t *done, graze_context *context, const graze_scene *scene,
+    const mpq_t *points, size_t n, graze_format format, const char *const *rest);
 /** The whole reasoning for one point, for a person to read: where it is, the trajectory, the
  * contacts in order of time and why each counts as what it does, the counts, the definition and the
  * case. */

@@ -35,7 +35,7 @@ graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value)
     if (too_long(mpq_numref(value), digits) || too_long(mpq_denref(value), digits))
         return context_limit(context, GRAZE_LIMIT_DIGITS, "a rational");
     fmpq_set_mpq(out, value);
-    if (!fmpq_is_canonical(out))
+    if (!rational_is_canonical(out))
         return context_fail(context, GRAZE_EUSE,
                             "a rational must be in lowest terms (mpq_canonicalize)");
     return GRAZE_OK;
@@ -69,8 +69,7 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
                                 size_t length) {
     if (!context || !text)
         return api_misuse(context, "graze_number_parse", "context and text must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq_t value;
+    fmpq_t value; /* made by integer arithmetic alone, which no floating-point mode disturbs */
     fmpq_init(value);
     graze_status status = rational_parse(value, context, text, length);
     if (!status)

@@ -150,6 +150,21 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
     return report_header(out, context, scene, notes, columns);
 }
 
+static void put_row(text *out, const graze_scene *scene, const fmpq *point,
+                    const graze_trace *trace, graze_format format, const char *rest) {
+    if (format == GRAZE_FORMAT_CSV)
+        report_csv(out, scene, point, trace, rest);
+    else
+        report_json(out, scene, point, trace);
+}
+
+static graze_status check_format(graze_context *context, const char *function,
+                                 graze_format format) {
+    if (format == GRAZE_FORMAT_CSV || format == GRAZE_FORMAT_JSONL)
+        return GRAZE_OK;
+    return api_misuse(context, function, "the format is unknown");
+}
+
 graze_status graze_report_row(char **out, graze_context *context, const graze_scene *scene,
                               const mpq_t *point, const graze_trace *trace, graze_format format,
                               const char *rest) {
@@ -158,32 +173,70 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     if (!out || !context || !scene || !point || !trace)
         return api_misuse(context, "graze_report_row",
                           "out, context, scene, point and trace must not be NULL");
-    if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
-        return api_misuse(context, "graze_report_row", "the format is unknown");
+    graze_status status = check_format(context, "graze_report_row", format);
+    if (status)
+        return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *p;
+    status = take_point(&p, context, scene, point);
+    if (status)
+        return status;
+    text t;
+    text_init(&t);
+    put_row(&t, scene, p, trace, format, rest);
+    _fmpq_vec_clear(p, scene->motion->dimension);
+    return text_finish(out, context, &t);
+}
+
+/* Trace one point and add its row. */
+static graze_status put_point(text *out, graze_context *context, const graze_scene *scene,
+                              const mpq_t *point, graze_format format, const char *rest) {
+    fmpq *p;
+    graze_trace trace;
+    trace_scene through = api_trace_scene(scene);
     graze_status status = take_point(&p, context, scene, point);
     if (status)
         return status;
-    status = format == GRAZE_FORMAT_CSV ? report_csv(out, context, scene, p, trace, rest)
-                                        : report_json(out, context, scene, p, trace);
+    status = trace_point(&trace, context, &through, (query_point){.rational = p},
+                         format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
+    if (!status) {
+        verdict_decide(&trace, &scene->options);
+        put_row(out, scene, p, &trace, format, rest);
+        trace_clear(&trace);
+    }
     _fmpq_vec_clear(p, scene->motion->dimension);
-    return status;
+    return !status && out->failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : status;
 }
 
-/* Trace a point and write its row. */
-static graze_status write_row(char **out, graze_context *context, const graze_scene *scene,
-                              const fmpq *point, graze_format format, const char *rest) {
-    graze_trace trace;
-    trace_scene through = api_trace_scene(scene);
-    graze_status status = trace_point(&trace, context, &through, (query_point){.rational = point},
-                                      format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
+graze_status graze_report_points(char **out, size_t *length, size_t *done, graze_context *context,
+                                 const graze_scene *scene, const mpq_t *points, size_t n,
+                                 graze_format format, const char *const *rest) {
+    if (out)
+        *out = NULL;
+    if (!out || !length || !done || !context || !scene || (n && !points))
+        return api_misuse(context, "graze_report_points",
+                          "out, length, done, context and scene, and with n > 0 also points, must "
+                          "not be NULL");
+    *length = *done = 0;
+    graze_status status = check_format(context, "graze_report_points", format);
     if (status)
         return status;
-    verdict_decide(&trace, &scene->options);
-    status = format == GRAZE_FORMAT_CSV ? report_csv(out, context, scene, point, &trace, rest)
-                                        : report_json(out, context, scene, point, &trace);
-    trace_clear(&trace);
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    size_t d = (size_t)scene->motion->dimension, whole = 0;
+    text t;
+    text_init(&t);
+    for (size_t k = 0; k < n && !status; k++) {
+        status = put_point(&t, context, scene, points + k * d, format, rest ? rest[k] : NULL);
+        whole = status ? whole : t.length;
+        *done += !status;
+    }
+    if (*done) {
+        t.data[whole] = '\0';
+        *length = whole;
+        *out = t.data;
+    } else {
+        text_clear(&t);
+    }
     return status;
 }
 
@@ -194,16 +247,8 @@ graze_status graze_report_point(char **out, graze_context *context, const graze_
     if (!out || !context || !scene || !point)
         return api_misuse(context, "graze_report_point",
                           "out, context, scene and point must not be NULL");
-    if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
-        return api_misuse(context, "graze_report_point", "the format is unknown");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *p;
-    graze_status status = take_point(&p, context, scene, point);
-    if (status)
-        return status;
-    status = write_row(out, context, scene, p, format, rest);
-    _fmpq_vec_clear(p, scene->motion->dimension);
-    return status;
+    size_t length, done;
+    return graze_report_points(out, &length, &done, context, scene, point, 1, format, &rest);
 }
 
 graze_status graze_report_explain(char **out, graze_context *context, const graze_scene *scene,

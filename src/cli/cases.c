@@ -61,11 +61,13 @@ static int list_one(const char *folder, const char *name) {
     return result;
 }
 
-static int list(const char *folder) {
+/* `named` is 0 for the folder that is looked for where none is named. */
+static int list(const char *folder, int named) {
     struct dirent **entries;
     int n = scandir(folder, &entries, NULL, by_name), cases = 0, failed = 0;
     if (n < 0)
-        return complain(EXIT_IO, "%s: cannot be listed: %s", folder, strerror(errno));
+        return complain(EXIT_IO, "%s: cannot be listed: %s%s", folder, strerror(errno),
+                        named ? "" : "; say where the cases are with --folder FOLDER");
     for (int k = 0; k < n; k++) {
         int hidden = entries[k]->d_name[0] == '.';
         int one = failed || hidden ? 0 : list_one(folder, entries[k]->d_name);
@@ -92,7 +94,7 @@ static int run(const options *o) {
     int status = output_open(&out, NULL);
     if (status)
         return status;
-    status = list(o->folder ? o->folder : "cases");
+    status = list(o->folder ? o->folder : "cases", o->folder != NULL);
     int closed = output_close(&out);
     return status ? status : closed;
 }

@@ -1,8 +1,8 @@
 /* graze classify: the table.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Points come in blocks, threads answer a block, its rows are written in order. A failure leaves
- * the whole rows before it and no `# complete` line.
+ * Points come in blocks, which threads answer while the next ones are read and the last ones
+ * written, in order. A failure leaves the whole rows before it and no `# complete` line.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,15 +36,21 @@ static const char help[] =
     "\n"
     "Example: graze classify cube.off move.json points.csv > table.csv\n";
 
+/* Blocks at hand: enough to keep the threads busy while one is written. */
+enum { RING = 4 };
+
 typedef struct run_state {
     loaded l;
     csv *points;
     grid *grid;
     jobs *jobs;
-    block *block;
+    block *ring[RING];
+    unsigned long filled, written; /* blocks */
+    unsigned long taken, rows;     /* rows of them */
+    int ended;                     /* all points are taken, or none can be for `read_status` */
+    int read_status;
     output out;
     int opened, headed;
-    unsigned long rows;
     progress progress;
 } run_state;
 
@@ -70,66 +76,76 @@ static int put_header(run_state *s, const options *o) {
     return complain_of(status, s->l.context);
 }
 
-/* The exit status of the first row without an answer. */
-static int row_status(const row *r, unsigned long number) {
-    const char *message = r->message ? r->message : "out of memory";
-    switch (r->status) {
-    case GRAZE_OK:
-    case GRAZE_ECANCELED:
-        return EXIT_SIGNAL;
-    case GRAZE_ELIMIT:
-        return complain(EXIT_LIMIT, "row %lu: %s", number, message);
-    case GRAZE_ESYSTEM:
-        return complain(EXIT_IO, "row %lu: %s", number, message);
-    default:
-        return complain(EXIT_FAULT, "row %lu: %s", number, message);
-    }
-}
-
-static int put_rows(run_state *s) {
-    for (size_t r = 0; r < s->block->count; r++) {
-        const row *line = &s->block->rows[r];
-        if (!line->text)
-            return row_status(line, s->rows + 1);
-        output_put(&s->out, line->text);
-        s->rows++;
+/* Write the rows of a block that have answers, up to the first that has none. */
+static int put_rows(run_state *s, const block *b) {
+    size_t r = 0;
+    int status = EXIT_DONE;
+    while (r < b->count && !status) {
+        const row_run *one = &b->runs[r];
+        output_bytes(&s->out, one->text, one->length);
+        s->rows += one->done;
+        if (one->taken == 0)
+            status = EXIT_SIGNAL;
+        else if (one->done < one->taken)
+            status = fault_tell(&one->fault);
+        r += one->taken;
     }
     output_flush(&s->out);
-    return EXIT_DONE;
+    return status;
 }
 
-/* Answer and write the block at hand; a failure in reading it comes after its rows. */
-static int do_block(run_state *s, const options *o, int read_status) {
+/* Fill the next block and hand it over; before the first, write the head of the table. */
+static int fill(run_state *s, const options *o) {
+    block *b = s->ring[s->filled % RING];
     int status = EXIT_DONE;
-    int columns_known = read_status == EXIT_DONE || (s->points && csv_started(s->points));
+    block_reset(b, s->taken);
+    if (s->points)
+        s->read_status = csv_fill(s->points, b);
+    else
+        grid_fill(s->grid, b);
+    s->ended = s->read_status || b->count == 0;
+    int columns_known = !s->read_status || (s->points && csv_started(s->points));
     if (!s->headed && columns_known && o->format == GRAZE_FORMAT_CSV)
         status = put_header(s, o);
     s->headed |= columns_known;
-    if (status)
+    if (status || b->count == 0)
         return status;
-    jobs_answer(s->jobs, s->block);
-    status = put_rows(s);
-    return status ? status : read_status;
+    s->taken += b->count;
+    s->filled++;
+    jobs_submit(s->jobs, b);
+    return EXIT_DONE;
+}
+
+/* Room for a block, and points that need not be waited for while rows are to be written. */
+static int can_fill(run_state *s) {
+    unsigned long at_hand = s->filled - s->written;
+    return !s->ended && at_hand < RING && (at_hand == 0 || s->grid || csv_ready(s->points));
+}
+
+static int write_next(run_state *s) {
+    const block *b = s->ring[s->written % RING];
+    jobs_wait(s->jobs, b);
+    int status = put_rows(s, b);
+    s->written++;
+    progress_show(&s->progress, s->rows);
+    if (!status && interrupt_signal())
+        status = EXIT_SIGNAL;
+    return s->out.error ? EXIT_IO : status;
 }
 
 static int do_blocks(run_state *s, const options *o) {
-    int status = EXIT_DONE, more = 1;
+    int status = EXIT_DONE;
     progress_start(&s->progress);
-    while (!status && more) {
-        block_reset(s->block);
-        if (s->points)
-            status = csv_fill(s->points, s->block);
-        else
-            grid_fill(s->grid, s->block);
-        more = s->block->count > 0;
-        status = do_block(s, o, status);
-        progress_show(&s->progress, s->rows);
-        if (!status && interrupt_signal())
-            status = EXIT_SIGNAL;
-        if (s->out.error)
-            status = EXIT_IO;
+    while (!status) {
+        while (!status && can_fill(s))
+            status = fill(s, o);
+        if (status || s->filled == s->written)
+            break;
+        status = write_next(s);
     }
     progress_end(&s->progress, s->rows);
+    if (!status && s->read_status)
+        status = s->read_status == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(s->points));
     return status;
 }
 
@@ -147,10 +163,11 @@ static int prepare(run_state *s, const options *o) {
     if (!status && s->points && o->output && csv_same_file(s->points, o->output))
         status =
             complain(EXIT_USAGE, "--output %s: is the file the points are read from", o->output);
-    if (!status && !(s->block = block_create()))
-        status = complain(EXIT_IO, "out of memory");
+    for (int k = 0; k < RING && !status; k++)
+        if (!(s->ring[k] = block_create()))
+            status = complain(EXIT_IO, "out of memory");
     if (!status)
-        status = jobs_start(&s->jobs, o, s->l.scene, threads);
+        status = jobs_start(&s->jobs, o, s->l.scene, (row_source){s->points, s->grid}, threads);
     if (!status)
         status = output_open(&s->out, o->output);
     s->opened = !status;
@@ -159,7 +176,8 @@ static int prepare(run_state *s, const options *o) {
 
 static void finish(run_state *s) {
     jobs_stop(s->jobs);
-    block_destroy(s->block);
+    for (int k = 0; k < RING; k++)
+        block_destroy(s->ring[k]);
     csv_close(s->points);
     grid_close(s->grid);
     unload(&s->l);

@@ -3,7 +3,7 @@
  *
  * The first line that is neither blank nor a comment fixes the columns. It is a header if it has a
  * field x, y or (in E^3) z. Further columns are handed on as the bytes they were. Only one buffer's
- * worth of the file is in memory.
+ * worth of the file and one block are in memory.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -15,11 +15,6 @@
 #include "cli/interrupt.h"
 #include "cli/rows.h"
 
-typedef struct field {
-    const char *start;
-    size_t length;
-} field;
-
 struct csv {
     int fd, dimension, ended;
     const char *name;
@@ -27,8 +22,8 @@ struct csv {
     char *buffer;
     size_t capacity, from, to; /* bytes from..to are read and not yet used */
     unsigned long line;
-    field *fields; /* of the line at hand */
-    size_t field_count, field_capacity;
+    int status; /* of the last read */
+    fault fault;
     size_t columns;  /* 0 until the first row is seen */
     size_t where[3]; /* the columns of x, y, z */
     char *others;    /* names of the further columns */
@@ -62,9 +57,13 @@ void csv_close(csv *c) {
     if (c->fd > STDIN_FILENO)
         close(c->fd);
     free(c->buffer);
-    free(c->fields);
+    fault_clear(&c->fault);
     free(c->others);
     free(c);
+}
+
+const fault *csv_fault(const csv *c) {
+    return &c->fault;
 }
 
 int csv_started(const csv *c) {
@@ -81,13 +80,13 @@ int csv_same_file(const csv *c, const char *path) {
            mine.st_dev == other.st_dev && mine.st_ino == other.st_ino;
 }
 
-static int check_length(const csv *c, size_t length, unsigned long line) {
+static int check_length(csv *c, size_t length, unsigned long line) {
     unsigned long limit = graze_context_limit(c->context, GRAZE_LIMIT_LINE);
     if (length <= limit)
         return EXIT_DONE;
-    return complain(EXIT_LIMIT,
-                    "%s:%lu: the line has more than %lu bytes; raise it with --limit line=V",
-                    c->name, line, limit);
+    return fault_set(&c->fault, EXIT_LIMIT,
+                     "%s:%lu: the line has more than %lu bytes; raise it with --limit line=V",
+                     c->name, line, limit);
 }
 
 /* Make room behind the unused bytes, which are part of one line. */
@@ -100,28 +99,23 @@ static int make_room(csv *c) {
         return status;
     char *grown = realloc(c->buffer, 2 * c->capacity);
     if (!grown)
-        return complain(EXIT_IO, "out of memory");
+        return fault_set(&c->fault, EXIT_IO, "out of memory");
     c->buffer = grown;
     c->capacity *= 2;
     return EXIT_DONE;
 }
 
-static int read_more(csv *c) {
-    int status = make_room(c);
-    if (status)
-        return status;
-    for (;;) {
-        interrupt_wait(c->fd);
-        if (interrupt_signal())
-            return EXIT_SIGNAL;
-        ssize_t n = read(c->fd, c->buffer + c->to, c->capacity - c->to);
-        if (n >= 0) {
-            c->ended = n == 0;
-            c->to += (size_t)n;
-            return EXIT_DONE;
-        }
-        if (errno != EINTR && errno != EAGAIN)
-            return complain(EXIT_IO, "%s: reading failed: %s", c->name, strerror(errno));
+static void read_once(csv *c) {
+    c->status = make_room(c);
+    if (c->status)
+        return;
+    ssize_t n = read(c->fd, c->buffer + c->to, c->capacity - c->to);
+    if (n >= 0) {
+        c->ended = n == 0;
+        c->to += (size_t)n;
+    } else if (errno != EINTR && errno != EAGAIN) {
+        c->status =
+            fault_set(&c->fault, EXIT_IO, "%s: reading failed: %s", c->name, strerror(errno));
     }
 }
 
@@ -133,11 +127,16 @@ static int next_line(csv *c, field *out) {
     while (!end && !c->ended) {
         end = memchr(c->buffer + c->from + seen, '\n', c->to - c->from - seen);
         seen = c->to - c->from;
-        if (!end) {
-            int status = read_more(c);
-            if (status)
-                return status;
-        }
+        if (end)
+            break;
+        if (!c->status)
+            interrupt_wait(c->fd);
+        if (interrupt_signal())
+            return EXIT_SIGNAL;
+        if (!c->status)
+            read_once(c);
+        if (c->status)
+            return c->status;
     }
     if (!end && c->from == c->to)
         return EXIT_DONE;
@@ -154,85 +153,26 @@ static int next_line(csv *c, field *out) {
     return check_length(c, out->length, c->line);
 }
 
-static int is_blank(char byte) {
-    return byte == ' ' || byte == '\t';
-}
-
-static field trimmed(field f) {
-    for (; f.length && is_blank(*f.start); f.start++)
-        f.length--;
-    while (f.length && is_blank(f.start[f.length - 1]))
-        f.length--;
-    return f;
-}
-
-/* What a field says: without blanks around it and the quotes around what is left. */
-static field content(field f) {
-    f = trimmed(f);
-    if (f.length >= 2 && *f.start == '"') {
-        f.start++;
-        f.length -= 2;
-    }
-    return f;
-}
-
-static int add_field(csv *c, field f) {
-    if (c->field_count == c->field_capacity) {
-        size_t capacity = 2 * c->field_capacity + 16;
-        field *grown = realloc(c->fields, capacity * sizeof *grown);
-        if (!grown)
-            return complain(EXIT_IO, "out of memory");
-        c->fields = grown;
-        c->field_capacity = capacity;
-    }
-    c->fields[c->field_count++] = f;
-    return EXIT_DONE;
-}
-
-/* Where a field that begins at `at` ends; NULL if a quote in it is not closed or followed by more.
- */
-static const char *field_end(const char *at, const char *end) {
-    while (at < end && is_blank(*at))
-        at++;
-    if (at == end || *at != '"') {
-        while (at < end && *at != ',')
-            at++;
-        return at;
-    }
-    for (at++; at < end; at++) {
-        if (*at != '"')
-            continue;
-        if (at + 1 == end || at[1] != '"')
-            break;
-        at++;
-    }
-    if (at == end)
-        return NULL;
-    for (at++; at < end && is_blank(*at);)
-        at++;
-    return at == end || *at == ',' ? at : NULL;
-}
-
-static int split(csv *c, field line) {
-    const char *at = line.start, *end = at + line.length;
-    c->field_count = 0;
-    for (;;) {
-        const char *stop = field_end(at, end);
-        if (!stop)
-            return complain(EXIT_INPUT,
-                            "%s:%lu: a quoted field must end on its line, before a "
-                            "comma or the line's end",
-                            c->name, c->line);
-        int status = add_field(c, (field){at, (size_t)(stop - at)});
-        if (status || stop == end)
-            return status;
-        at = stop + 1;
+/* Cut a line into fields, or say what is wrong with it. */
+static int cut(fields *out, fault *f, const csv *c, field text, unsigned long number) {
+    if (memchr(text.start, '\0', text.length))
+        return fault_set(f, EXIT_INPUT, "%s:%lu: a byte 0 in a text file", c->name, number);
+    switch (fields_cut(out, text)) {
+    case FIELDS_CUT:
+        return EXIT_DONE;
+    case FIELDS_OPEN_QUOTE:
+        return fault_set(f, EXIT_INPUT,
+                         "%s:%lu: a quoted field must end on its line, before a comma or the "
+                         "line's end",
+                         c->name, number);
+    default:
+        return fault_set(f, EXIT_IO, "out of memory");
     }
 }
 
 /* 0, 1, 2 for x, y, z; -1 for any other name. */
 static int axis_of(field f, int dimension) {
-    f = content(f);
+    f = field_content(f);
     if (f.length != 1 || *f.start < 'x' || *f.start >= 'x' + dimension)
         return -1;
     return *f.start - 'x';
@@ -245,114 +185,157 @@ static int is_coordinate(const csv *c, size_t column) {
     return 0;
 }
 
-/* The fields that are no coordinates, or their names where there is no header, comma-joined. */
-static int join_others(char **out, const csv *c, int numbered) {
+/* Names for the fields that are no coordinates, comma-joined; numbers where there is no header. */
+static int name_others(csv *c, const fields *first, int numbered) {
     size_t room = 1;
-    *out = NULL;
-    if (c->field_count <= (size_t)c->dimension)
+    if (first->count <= (size_t)c->dimension)
         return EXIT_DONE;
-    for (size_t k = 0; k < c->field_count; k++)
-        room += (numbered ? 28 : c->fields[k].length) + 1;
-    char *text = malloc(room), *at = text;
-    int first = 1;
-    if (!text)
-        return complain(EXIT_IO, "out of memory");
-    for (size_t k = 0; k < c->field_count; k++) {
+    for (size_t k = 0; k < first->count; k++)
+        room += (numbered ? 28 : first->item[k].length) + 1;
+    char *at = c->others = malloc(room);
+    int some = 0;
+    if (!at)
+        return fault_set(&c->fault, EXIT_IO, "out of memory");
+    for (size_t k = 0; k < first->count; k++) {
         if (is_coordinate(c, k))
             continue;
-        if (!first)
+        if (some)
             *at++ = ',';
-        first = 0;
+        some = 1;
         if (numbered) {
             at += sprintf(at, "column%zu", k + 1);
         } else {
-            memcpy(at, c->fields[k].start, c->fields[k].length);
-            at += c->fields[k].length;
+            memcpy(at, first->item[k].start, first->item[k].length);
+            at += first->item[k].length;
         }
     }
     *at = '\0';
-    *out = text;
     return EXIT_DONE;
 }
 
 /* Fix the columns by the first line; *header says whether it names them. */
-static int fix_columns(csv *c, int *header) {
-    int found[3] = {0, 0, 0}, any = 0;
+static int fix_columns(int *header, csv *c, const fields *first) {
+    int found[3] = {0, 0, 0};
+    fault *f = &c->fault;
+    *header = 0;
     for (int k = 0; k < 3; k++)
         c->where[k] = (size_t)k;
-    for (size_t k = 0; k < c->field_count; k++) {
-        int axis = axis_of(c->fields[k], c->dimension);
+    for (size_t k = 0; k < first->count; k++) {
+        int axis = axis_of(first->item[k], c->dimension);
         if (axis < 0)
             continue;
         if (found[axis]++)
-            return complain(EXIT_INPUT, "%s:%lu: the header names %c twice", c->name, c->line,
-                            'x' + axis);
+            return fault_set(f, EXIT_INPUT, "%s:%lu: the header names %c twice", c->name, c->line,
+                             'x' + axis);
         c->where[axis] = k;
-        any = 1;
+        *header = 1;
     }
-    for (int k = 0; any && k < c->dimension; k++)
+    for (int k = 0; *header && k < c->dimension; k++)
         if (!found[k])
-            return complain(EXIT_INPUT, "%s:%lu: the header names no column %c", c->name, c->line,
-                            'x' + k);
-    if (c->field_count < (size_t)c->dimension)
-        return complain(EXIT_INPUT,
-                        "%s:%lu: %zu columns; right are at least %d, or a header "
-                        "naming x, y%s",
-                        c->name, c->line, c->field_count, c->dimension,
-                        c->dimension == 3 ? ", z" : "");
-    c->columns = c->field_count;
-    *header = any;
-    return join_others(&c->others, c, !any);
+            return fault_set(f, EXIT_INPUT, "%s:%lu: the header names no column %c", c->name,
+                             c->line, 'x' + k);
+    if (first->count < (size_t)c->dimension)
+        return fault_set(
+            f, EXIT_INPUT, "%s:%lu: %zu columns; right are at least %d, or a header naming x, y%s",
+            c->name, c->line, first->count, c->dimension, c->dimension == 3 ? ", z" : "");
+    c->columns = first->count;
+    return name_others(c, first, !*header);
 }
 
-static int read_row(csv *c, row *out) {
-    for (int k = 0; k < c->dimension; k++) {
-        field f = content(c->fields[c->where[k]]);
-        graze_status status = graze_number_parse(out->point[k], c->context, f.start, f.length);
-        if (status)
-            return complain(status == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_INPUT, "%s:%lu: %c: %s",
-                            c->name, c->line, 'x' + k, graze_context_message(c->context));
-    }
-    return join_others(&out->rest, c, 0);
+/* The first line fixes the columns; *header says whether it is no row. */
+static int take_first(int *header, csv *c, field text) {
+    fields first = {NULL, 0, 0};
+    int status = cut(&first, &c->fault, c, text, c->line);
+    if (!status)
+        status = fix_columns(header, c, &first);
+    fields_clear(&first);
+    return status;
 }
 
-static int skipped(field line) {
-    return (line.length && *line.start == '#') || trimmed(line).length == 0;
+static int skipped(field text) {
+    return (text.length && *text.start == '#') || field_trimmed(text).length == 0;
 }
 
 /* One line into the block. */
-static int take_line(csv *c, block *b, field line) {
+static int take_line(csv *c, block *b, field text) {
     int header = 0;
-    if (memchr(line.start, '\0', line.length))
-        return complain(EXIT_INPUT, "%s:%lu: a byte 0 in a text file", c->name, c->line);
-    int status = split(c, line);
-    if (!status && !c->columns)
-        status = fix_columns(c, &header);
-    if (status || header)
-        return status;
-    if (c->field_count != c->columns)
-        return complain(EXIT_INPUT, "%s:%lu: %zu columns; right are %zu, as on the first line",
-                        c->name, c->line, c->field_count, c->columns);
-    status = read_row(c, &b->rows[b->count]);
-    b->count += status == EXIT_DONE;
+    int status = c->columns ? EXIT_DONE : take_first(&header, c, text);
+    if (!status && !header && !block_add(b, text, c->line))
+        status = fault_set(&c->fault, EXIT_IO, "out of memory");
     return status;
 }
 
-/* A block is also done when a pipe has no further line ready, so that its reader is not kept
- * waiting. */
-static int line_ready(const csv *c) {
-    return memchr(c->buffer + c->from, '\n', c->to - c->from) != NULL;
+int csv_ready(csv *c) {
+    while (!c->ended && !c->status && !memchr(c->buffer + c->from, '\n', c->to - c->from)) {
+        if (!interrupt_ready(c->fd))
+            return 0;
+        read_once(c);
+    }
+    return 1;
 }
 
+/* A block is also done when no further line is ready, so that who reads its rows does not wait. */
 int csv_fill(csv *c, block *b) {
     int status = EXIT_DONE;
-    while (!status && b->count < BLOCK_ROWS && (b->count == 0 || c->ended || line_ready(c))) {
-        field line;
-        status = next_line(c, &line);
-        if (!status && !line.start)
+    while (!status && b->count < BLOCK_ROWS && b->used < BLOCK_BYTES &&
+           (b->count == 0 || csv_ready(c))) {
+        field text;
+        status = next_line(c, &text);
+        if (!status && !text.start)
             break;
-        if (!status && !skipped(line))
-            status = take_line(c, b, line);
+        if (!status && !skipped(text))
+            status = take_line(c, b, text);
     }
     return status;
+}
+
+/* Add the fields that are no coordinates to `rest` as they were. They are shorter than the line. */
+static int keep_others(reader *r, const csv *c, size_t length) {
+    if (r->rest_capacity - r->rest_length <= length) {
+        size_t capacity = 2 * (r->rest_length + length) + 64;
+        char *grown = realloc(r->rest, capacity);
+        if (!grown)
+            return 0;
+        r->rest = grown;
+        r->rest_capacity = capacity;
+    }
+    char *at = r->rest + r->rest_length;
+    int some = 0;
+    for (size_t k = 0; k < r->cut.count; k++) {
+        if (is_coordinate(c, k))
+            continue;
+        if (some)
+            *at++ = ',';
+        some = 1;
+        memcpy(at, r->cut.item[k].start, r->cut.item[k].length);
+        at += r->cut.item[k].length;
+    }
+    *at++ = '\0';
+    r->rest_length = (size_t)(at - r->rest);
+    return 1;
+}
+
+int csv_row(mpq_t *point, fault *f, const csv *c, reader *r, const block *b, size_t index) {
+    const line *l = &b->lines[index];
+    int status = cut(&r->cut, f, c, (field){b->bytes + l->start, l->length}, l->number);
+    if (status)
+        return status;
+    if (r->cut.count != c->columns)
+        return fault_set(f, EXIT_INPUT, "%s:%lu: %zu columns; right are %zu, as on the first line",
+                         c->name, l->number, r->cut.count, c->columns);
+    for (int k = 0; k < c->dimension; k++) {
+        field token = field_content(r->cut.item[c->where[k]]);
+        graze_status read = graze_number_parse(point[k], r->context, token.start, token.length);
+        if (read)
+            return fault_set(f, read == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_INPUT, "%s:%lu: %c: %s",
+                             c->name, l->number, 'x' + k, graze_context_message(r->context));
+    }
+    return c->others && !keep_others(r, c, l->length) ? fault_set(f, EXIT_IO, "out of memory")
+                                                      : EXIT_DONE;
+}
+
+void reader_clear(reader *r) {
+    fields_clear(&r->cut);
+    free(r->rest);
+    *r = (reader){NULL, {NULL, 0, 0}, NULL, 0, 0};
 }

@@ -7,6 +7,14 @@
 #include <string.h>
 #include "cli/rows.h"
 
+/* Coordinate i of axis k is (start + i step) / unit, from low to high. */
+struct grid {
+    int dimension;
+    unsigned long size[3], count;
+    mpq_t low[3], high[3];
+    mpz_t start[3], step[3], unit[3];
+};
+
 /* Cut a text at its commas into at most `most` words; returns how many words it has. */
 static int words(const char **start, size_t *length, int most, const char *text) {
     int count = 0;
@@ -69,6 +77,23 @@ static int read_box(grid *g, const char *text, graze_context *context) {
     return EXIT_DONE;
 }
 
+/* With q the common denominator of low and high and n points: the unit is q (n - 1). */
+static void set_steps(grid *g) {
+    mpz_t common;
+    mpz_init(common);
+    for (int k = 0; k < g->dimension; k++) {
+        mpz_lcm(common, mpq_denref(g->low[k]), mpq_denref(g->high[k]));
+        mpz_divexact(g->start[k], common, mpq_denref(g->low[k]));
+        mpz_mul(g->start[k], g->start[k], mpq_numref(g->low[k]));
+        mpz_divexact(g->step[k], common, mpq_denref(g->high[k]));
+        mpz_mul(g->step[k], g->step[k], mpq_numref(g->high[k]));
+        mpz_sub(g->step[k], g->step[k], g->start[k]);
+        mpz_mul_ui(g->start[k], g->start[k], g->size[k] - 1);
+        mpz_mul_ui(g->unit[k], common, g->size[k] - 1);
+    }
+    mpz_clear(common);
+}
+
 int grid_open(grid **out, const options *o, graze_context *context, const graze_scene *scene) {
     grid *g = calloc(1, sizeof *g);
     *out = g;
@@ -76,42 +101,54 @@ int grid_open(grid **out, const options *o, graze_context *context, const graze_
         return complain(EXIT_IO, "out of memory");
     g->dimension = graze_scene_dimension(scene);
     for (int k = 0; k < 3; k++) {
-        mpq_init(g->low[k]);
-        mpq_init(g->high[k]);
+        mpq_inits(g->low[k], g->high[k], NULL);
+        mpz_inits(g->start[k], g->step[k], g->unit[k], NULL);
     }
     int status = read_sizes(g, o->grid, graze_context_limit(context, GRAZE_LIMIT_GRID));
-    if (status)
-        return status;
-    return o->box ? read_box(g, o->box, context)
-                  : complain_of(graze_scene_box(g->low, g->high, context, scene), context);
+    if (!status)
+        status = o->box ? read_box(g, o->box, context)
+                        : complain_of(graze_scene_box(g->low, g->high, context, scene), context);
+    if (!status)
+        set_steps(g);
+    return status;
 }
 
 void grid_close(grid *g) {
     if (!g)
         return;
     for (int k = 0; k < 3; k++) {
-        mpq_clear(g->low[k]);
-        mpq_clear(g->high[k]);
+        mpq_clears(g->low[k], g->high[k], NULL);
+        mpz_clears(g->start[k], g->step[k], g->unit[k], NULL);
     }
     free(g);
 }
 
-void grid_fill(grid *g, block *b) {
-    mpq_t share;
-    mpq_init(share);
-    for (; b->count < BLOCK_ROWS && g->next < g->count; g->next++, b->count++) {
-        unsigned long index = g->next;
-        for (int k = 0; k < g->dimension; k++) {
-            mpq_t *x = &b->rows[b->count].point[k];
-            mpq_set_ui(share, index % g->size[k], g->size[k] - 1);
-            mpq_canonicalize(share);
-            mpq_sub(*x, g->high[k], g->low[k]);
-            mpq_mul(*x, *x, share);
-            mpq_add(*x, *x, g->low[k]);
+void grid_fill(const grid *g, block *b) {
+    unsigned long left = g->count - b->before;
+    b->count = left < BLOCK_ROWS ? left : BLOCK_ROWS;
+}
+
+static void set_coordinate(mpq_t out, const grid *g, int k, unsigned long i) {
+    mpz_mul_ui(mpq_numref(out), g->step[k], i);
+    mpz_add(mpq_numref(out), mpq_numref(out), g->start[k]);
+    mpz_set(mpq_denref(out), g->unit[k]);
+    mpq_canonicalize(out);
+}
+
+void grid_points(mpq_t *points, const grid *g, unsigned long first, size_t count) {
+    unsigned long last[3] = {0, 0, 0};
+    for (size_t r = 0; r < count; r++) {
+        unsigned long index = first + r;
+        for (int k = 0; k < g->dimension; k++, points++) {
+            unsigned long i = index % g->size[k];
             index /= g->size[k];
+            if (r > 0 && i == last[k])
+                mpq_set(*points, *(points - g->dimension));
+            else
+                set_coordinate(*points, g, k, i);
+            last[k] = i;
         }
     }
-    mpq_clear(share);
 }
 
 /* Room for a rational as text with its comma. */

@@ -50,6 +50,11 @@ void interrupt_wait(int fd) {
     poll(both, 2, -1);
 }
 
+int interrupt_ready(int fd) {
+    struct pollfd one = {fd, POLLIN, 0};
+    return poll(&one, 1, 0) > 0;
+}
+
 void interrupt_die(void) {
     int signal_number = interrupt_signal();
     signal(signal_number, SIG_DFL);

@@ -13,6 +13,9 @@ int interrupt_signal(void);
 /** Wait until `fd` can be read or a signal has come. */
 void interrupt_wait(int fd);
 
+/** 1 if `fd` can be read without waiting. */
+int interrupt_ready(int fd);
+
 /** Die of the signal that came, so that the shell sees it. */
 void interrupt_die(void);
 

@@ -1,42 +1,97 @@
-/* Threads that answer the rows of a block.
+/* Threads that answer the rows of blocks.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Each thread has a context of its own and takes the next row that nobody has; answers stand in
- * their rows, so what is written does not depend on the number of threads.
+ * Each thread has a context of its own and takes the next rows that nobody has: many at first, few
+ * towards the end of what is handed over, so that all threads end at about the same time. Answers
+ * stand at the places of their rows, so what is written does not depend on the number of threads.
  */
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
-#include <string.h>
 #include "cli/interrupt.h"
 #include "cli/rows.h"
+
+enum { RUN_ROWS = 64 };
 
 typedef struct worker {
     jobs *shared;
     graze_context *context;
+    reader reader;
+    mpq_t points[3 * RUN_ROWS];
+    size_t rest_at[RUN_ROWS];
+    const char *rest[RUN_ROWS];
     pthread_t thread;
     int started;
 } worker;
 
 struct jobs {
     const graze_scene *scene;
+    row_source source;
     graze_format format;
     pthread_mutex_t lock;
     pthread_cond_t work, done;
-    block *block; /* the block at hand; NULL between blocks */
-    size_t next;  /* first row that nobody has taken */
-    size_t busy;  /* rows taken and not yet answered */
+    block *first, *last; /* blocks with rows that nobody has taken, in order */
+    size_t left;         /* the number of those rows */
     int stop;
     int count;
     worker workers[];
 };
 
-static void answer(worker *w, row *r) {
-    jobs *j = w->shared;
-    r->status = graze_report_point(&r->text, w->context, j->scene, (const mpq_t *)r->point,
-                                   j->format, r->rest);
-    if (r->status)
-        r->message = strdup(graze_context_message(w->context));
+/* Make the points of a run's rows; returns how many before a fault. */
+static size_t read_run(worker *w, row_run *r, const block *b, size_t first) {
+    const row_source *from = &w->shared->source;
+    size_t d = (size_t)graze_scene_dimension(w->shared->scene), n = 0;
+    if (from->grid) {
+        grid_points(w->points, from->grid, b->before + first, r->taken);
+        return r->taken;
+    }
+    w->reader.rest_length = 0;
+    for (; n < r->taken; n++) {
+        w->rest_at[n] = w->reader.rest_length;
+        if (csv_row(w->points + n * d, &r->fault, from->points, &w->reader, b, first + n))
+            break;
+    }
+    for (size_t k = 0; k < n; k++)
+        w->rest[k] = w->reader.rest + w->rest_at[k];
+    return n;
+}
+
+static int exit_of(graze_status status) {
+    return status == GRAZE_ELIMIT ? EXIT_LIMIT : status == GRAZE_ESYSTEM ? EXIT_IO : EXIT_FAULT;
+}
+
+/* Answer the run that begins at row `first` of a block. */
+static void answer(worker *w, block *b, size_t first) {
+    const jobs *j = w->shared;
+    row_run *r = &b->runs[first];
+    size_t n = read_run(w, r, b, first);
+    int has_rest = j->source.points && csv_columns(j->source.points);
+    graze_status status =
+        graze_report_points(&r->text, &r->length, &r->done, w->context, j->scene,
+                            (const mpq_t *)w->points, n, j->format, has_rest ? w->rest : NULL);
+    if (status)
+        fault_clear(&r->fault);
+    if (status == GRAZE_ECANCELED)
+        r->fault.status = EXIT_SIGNAL;
+    else if (status)
+        fault_set(&r->fault, exit_of(status), "row %lu: %s", b->before + first + r->done + 1,
+                  graze_context_message(w->context));
+}
+
+/* Take the next rows that nobody has; *b is their block. Returns the first of them. */
+static size_t take(block **b, jobs *j) {
+    size_t share = j->left / (4 * (size_t)j->count);
+    *b = j->first;
+    size_t first = (*b)->next, in_block = (*b)->count - first;
+    share = share < 1 ? 1 : share < RUN_ROWS ? share : RUN_ROWS;
+    share = share < in_block ? share : in_block;
+    (*b)->runs[first].taken = share;
+    (*b)->next += share;
+    (*b)->busy++;
+    j->left -= share;
+    if (share == in_block)
+        j->first = (*b)->after;
+    return first;
 }
 
 static void *serve(void *data) {
@@ -44,33 +99,42 @@ static void *serve(void *data) {
     jobs *j = w->shared;
     pthread_mutex_lock(&j->lock);
     for (;;) {
-        while (!j->stop && (!j->block || j->next == j->block->count || interrupt_signal())) {
-            if (!j->busy)
-                pthread_cond_signal(&j->done);
+        while (!j->stop && (!j->first || interrupt_signal())) {
+            pthread_cond_signal(&j->done);
             pthread_cond_wait(&j->work, &j->lock);
         }
         if (j->stop)
             break;
-        row *r = &j->block->rows[j->next++];
-        j->busy++;
+        block *b;
+        size_t first = take(&b, j);
         pthread_mutex_unlock(&j->lock);
-        answer(w, r);
+        answer(w, b, first);
         pthread_mutex_lock(&j->lock);
-        j->busy--;
+        b->busy--;
+        if (!b->busy && b->next == b->count)
+            pthread_cond_signal(&j->done);
     }
     pthread_mutex_unlock(&j->lock);
     graze_thread_finish();
     return NULL;
 }
 
-void jobs_answer(jobs *j, block *b) {
+void jobs_submit(jobs *j, block *b) {
     pthread_mutex_lock(&j->lock);
-    j->block = b;
-    j->next = 0;
+    if (j->first)
+        j->last->after = b;
+    else
+        j->first = b;
+    j->last = b;
+    j->left += b->count;
     pthread_cond_broadcast(&j->work);
-    while (j->busy || (j->next < b->count && !interrupt_signal()))
+    pthread_mutex_unlock(&j->lock);
+}
+
+void jobs_wait(jobs *j, const block *b) {
+    pthread_mutex_lock(&j->lock);
+    while (b->busy || (b->next < b->count && !interrupt_signal()))
         pthread_cond_wait(&j->done, &j->lock);
-    j->block = NULL;
     pthread_mutex_unlock(&j->lock);
 }
 
@@ -84,12 +148,14 @@ static int start_thread(worker *w) {
     return w->started;
 }
 
-int jobs_start(jobs **out, const options *o, const graze_scene *scene, int count) {
+int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source,
+               int count) {
     jobs *j = calloc(1, sizeof *j + (size_t)count * sizeof(worker));
     *out = j;
     if (!j)
         return complain(EXIT_IO, "out of memory");
     j->scene = scene;
+    j->source = source;
     j->format = o->format;
     pthread_mutex_init(&j->lock, NULL);
     pthread_cond_init(&j->work, NULL);
@@ -97,9 +163,12 @@ int jobs_start(jobs **out, const options *o, const graze_scene *scene, int count
     for (int k = 0; k < count; k++) {
         worker *w = &j->workers[k];
         w->shared = j;
+        for (size_t p = 0; p < 3 * RUN_ROWS; p++)
+            mpq_init(w->points[p]);
         j->count = k + 1;
         if (context_for(&w->context, o) != GRAZE_OK)
             return complain(EXIT_IO, "out of memory");
+        w->reader.context = w->context;
         if (!start_thread(w))
             return complain(EXIT_IO, "thread %d of %d cannot be started; right is a smaller --jobs",
                             k + 1, count);
@@ -115,9 +184,13 @@ void jobs_stop(jobs *j) {
     pthread_cond_broadcast(&j->work);
     pthread_mutex_unlock(&j->lock);
     for (int k = 0; k < j->count; k++) {
-        if (j->workers[k].started)
-            pthread_join(j->workers[k].thread, NULL);
-        graze_context_destroy(j->workers[k].context);
+        worker *w = &j->workers[k];
+        if (w->started)
+            pthread_join(w->thread, NULL);
+        for (size_t p = 0; p < 3 * RUN_ROWS; p++)
+            mpq_clear(w->points[p]);
+        reader_clear(&w->reader);
+        graze_context_destroy(w->context);
     }
     pthread_cond_destroy(&j->work);
     pthread_cond_destroy(&j->done);

@@ -9,6 +9,7 @@
 static const command *const commands[] = {&command_check,    &command_classify, &command_explain,
                                           &command_generate, &command_cases,    &command_compare,
                                           &command_validate};
+enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
     "graze: exact classification of points against a solid swept by a motion\n"
@@ -36,6 +37,18 @@ static int show(const char *text) {
     return status ? status : output_close(&page);
 }
 
+/* The names of the commands, as in `a, b or c`. */
+static const char *command_names(void) {
+    static char names[256];
+    size_t used = 0;
+    for (size_t k = 0; k < COMMANDS; k++) {
+        const char *between = k == 0 ? "" : k + 1 < COMMANDS ? ", " : " or ";
+        used +=
+            (size_t)snprintf(names + used, sizeof names - used, "%s%s", between, commands[k]->name);
+    }
+    return names;
+}
+
 static int run(const command *c, int argc, char **argv) {
     options o;
     int help, status = options_read(&o, &help, c, argc, argv);
@@ -50,14 +63,12 @@ int main(int argc, char **argv) {
     if (interrupt_watch() != 0)
         return complain(EXIT_IO, "signals cannot be watched");
     if (argc < 2)
-        return complain(EXIT_USAGE,
-                        "a command is missing: check, classify, explain or generate; see graze "
-                        "--help");
+        return complain(EXIT_USAGE, "a command is missing: %s; see graze --help", command_names());
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
         return show(overview);
     if (strcmp(argv[1], "--version") == 0)
         return show(graze_version());
-    for (size_t k = 0; k < sizeof commands / sizeof *commands; k++) {
+    for (size_t k = 0; k < COMMANDS; k++) {
         if (strcmp(argv[1], commands[k]->name) != 0)
             continue;
         int status = run(commands[k], argc - 1, argv + 1);
@@ -65,8 +76,6 @@ int main(int argc, char **argv) {
             interrupt_die();
         return status;
     }
-    return complain(EXIT_USAGE,
-                    "%s: there is no such command; right is check, classify, explain or "
-                    "generate",
-                    argv[1]);
+    return complain(EXIT_USAGE, "%s: there is no such command; right is %s", argv[1],
+                    command_names());
 }

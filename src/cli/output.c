@@ -35,8 +35,7 @@ void output_flush(output *out) {
     out->used = 0;
 }
 
-void output_put(output *out, const char *text) {
-    size_t length = strlen(text);
+void output_bytes(output *out, const char *text, size_t length) {
     while (length && !out->error) {
         size_t room = sizeof out->buffer - out->used;
         size_t part = length < room ? length : room;
@@ -47,6 +46,10 @@ void output_put(output *out, const char *text) {
         if (out->used == sizeof out->buffer)
             output_flush(out);
     }
+}
+
+void output_put(output *out, const char *text) {
+    output_bytes(out, text, strlen(text));
 }
 
 int output_close(output *out) {

@@ -19,6 +19,7 @@ typedef struct output {
  * status and says what is wrong. */
 int output_open(output *out, const char *path);
 void output_put(output *out, const char *text);
+void output_bytes(output *out, const char *text, size_t length);
 void output_flush(output *out);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);

@@ -120,6 +120,65 @@ static int set_decimal(fmpq_t out, const shape *s) {
     return 1;
 }
 
+/* Append a run of digits to `value`; 0 where the number no longer fits. */
+static int append_digits(uint64_t *value, const char *digits, size_t count) {
+    for (size_t k = 0; k < count; k++) {
+        if (*value > (UINT64_MAX - 9) / 10) {
+            return 0;
+        }
+        *value = 10 * *value + (uint64_t)(digits[k] - '0');
+    }
+    return 1;
+}
+
+/* value 10^shift in lowest terms: the denominator's only primes are 2 and 5. 0 where the integers
+ * are too long for this way. `out` is 0 before. */
+static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
+    enum { FIVES = 27, TENS = 19 }; /* 5^27 and 10^19 fit in 64 bits */
+    if (shift > TENS || value == 0) {
+        return value == 0;
+    }
+    if (shift >= 0) {
+        fmpz_set_ui(fmpq_numref(out), value);
+        fmpz_mul_ui(fmpq_numref(out), fmpq_numref(out), n_pow(10, (ulong)shift));
+        return 1;
+    }
+    long twos = -shift, fives = -shift;
+    for (; fives > 0 && value % 5 == 0; fives--) {
+        value /= 5;
+    }
+    for (; twos > 0 && value % 2 == 0; twos--) {
+        value /= 2;
+    }
+    if (fives > FIVES) {
+        return 0;
+    }
+    fmpz_set_ui(fmpq_numref(out), value);
+    fmpz_set_ui(fmpq_denref(out), n_pow(5, (ulong)fives));
+    fmpz_mul_2exp(fmpq_denref(out), fmpq_denref(out), (ulong)twos);
+    return 1;
+}
+
+/* The short tokens, which almost all are, by machine words; 0 where words are too short, and for
+ * the denominator 0. `out` is 0 before. */
+static int set_short(fmpq_t out, const shape *s) {
+    uint64_t value = 0, denominator = 0;
+    if (!append_digits(&value, s->whole, s->whole_count)) {
+        return 0;
+    }
+    if (s->denominator == NULL) {
+        return append_digits(&value, s->fraction, s->fraction_count) &&
+               set_scaled_word(out, value, s->exponent - (long)s->fraction_count);
+    }
+    if (!append_digits(&denominator, s->denominator, s->denominator_count) || denominator == 0) {
+        return 0;
+    }
+    uint64_t common = n_gcd(value, denominator);
+    fmpz_set_ui(fmpq_numref(out), value / common);
+    fmpz_set_ui(fmpq_denref(out), denominator / common);
+    return 1;
+}
+
 static graze_status set_ratio(fmpq_t out, graze_context *context, const shape *s) {
     if (!set_digits(fmpq_numref(out), s->whole, s->whole_count, NULL, 0) ||
         !set_digits(fmpq_denref(out), s->denominator, s->denominator_count, NULL, 0)) {
@@ -149,9 +208,10 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
         return context_at(context, status, "'%.*s%s'", shown, text, more);
     }
     graze_status status = GRAZE_OK;
-    if (s.denominator != NULL) {
+    int done = set_short(out, &s);
+    if (!done && s.denominator != NULL) {
         status = set_ratio(out, context, &s);
-    } else if (!set_decimal(out, &s)) {
+    } else if (!done && !set_decimal(out, &s)) {
         status = context_fail(context, GRAZE_ESYSTEM, "no memory for a number");
     }
     if (status == GRAZE_OK && s.negative) {
@@ -258,11 +318,79 @@ graze_status rational_from_double(fmpq_t out, graze_context *context, double val
     return GRAZE_OK;
 }
 
+/* |value| as a word, which it fits. */
+static uint64_t magnitude(const fmpz_t value) {
+    if (fmpz_sgn(value) >= 0) {
+        return fmpz_get_ui(value);
+    }
+    fmpz_t positive;
+    fmpz_init(positive);
+    fmpz_neg(positive, value);
+    uint64_t word = fmpz_get_ui(positive);
+    fmpz_clear(positive);
+    return word;
+}
+
+int rational_is_canonical(const fmpq_t value) {
+    const uint64_t fives = UINT64_C(7450580596923828125); /* 5^27, the largest in 64 bits */
+    if (fmpz_sgn(fmpq_denref(value)) <= 0 || !fmpz_abs_fits_ui(fmpq_numref(value)) ||
+        !fmpz_abs_fits_ui(fmpq_denref(value))) {
+        return fmpq_is_canonical(value);
+    }
+    uint64_t numerator = magnitude(fmpq_numref(value));
+    uint64_t denominator = magnitude(fmpq_denref(value));
+    uint64_t odd = denominator / (denominator & -denominator);
+    if (fives % odd != 0) {
+        return n_gcd(numerator, denominator) == 1;
+    }
+    return (odd == denominator || numerator % 2 != 0) && (odd == 1 || numerator % 5 != 0);
+}
+
+/* The digits of a word, its last one before `end`; where they begin. */
+static char *word_digits(char *end, uint64_t value) {
+    do {
+        *--end = (char)('0' + value % 10);
+        value /= 10;
+    } while (value > 0);
+    return end;
+}
+
+/* An integer at `at`, NUL behind it; where it ends. */
+static char *put_integer(char *at, const fmpz_t value) {
+    if (!fmpz_abs_fits_ui(value)) {
+        fmpz_get_str(at, 10, value);
+        return at + strlen(at);
+    }
+    char digits[20];
+    const char *start = word_digits(digits + sizeof digits, magnitude(value));
+    size_t count = (size_t)(digits + sizeof digits - start);
+    *at = '-';
+    at += fmpz_sgn(value) < 0;
+    memcpy(at, start, count);
+    at[count] = '\0';
+    return at + count;
+}
+
+/* A digit is more than 3 bits; a first digit each, a sign, a slash and a NUL come on top. */
+size_t rational_room(const fmpq_t value) {
+    return (fmpz_bits(fmpq_numref(value)) + fmpz_bits(fmpq_denref(value))) / 3 + 5;
+}
+
+size_t rational_write(char *text, const fmpq_t value) {
+    char *end = put_integer(text, fmpq_numref(value));
+    if (!fmpz_is_one(fmpq_denref(value))) {
+        *end = '/';
+        end = put_integer(end + 1, fmpq_denref(value));
+    }
+    return (size_t)(end - text);
+}
+
 char *rational_text(const fmpq_t value) {
-    size_t size =
-        fmpz_sizeinbase(fmpq_numref(value), 10) + fmpz_sizeinbase(fmpq_denref(value), 10) + 3;
-    char *text = malloc(size);
-    return text == NULL ? NULL : fmpq_get_str(text, 10, value);
+    char *text = malloc(rational_room(value));
+    if (text != NULL) {
+        rational_write(text, value);
+    }
+    return text;
 }
 
 void rational_bounds(double *low, double *high, const fmpq_t value) {

@@ -25,8 +25,17 @@ graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding
 /** The dyadic rational a finite double is; NaN and infinities are GRAZE_EINPUT. */
 graze_status rational_from_double(fmpq_t out, graze_context *context, double value);
 
+/** 1 if numerator and denominator have no common factor and the denominator is positive: the same
+ * as fmpq_is_canonical, without a gcd where the denominator has no prime but 2 and 5. */
+int rational_is_canonical(const fmpq_t value);
+
 /** Integer or ratio in lowest terms, malloc'ed; NULL when out of memory. */
 char *rational_text(const fmpq_t value);
+
+/** Bytes that rational_write may need for a value. */
+size_t rational_room(const fmpq_t value);
+/** Write the same text, with a NUL, where there is room for it. Returns its length. */
+size_t rational_write(char *text, const fmpq_t value);
 
 /**
  * Bounds in doubles: *low <= value <= *high, whatever the rounding mode, FTZ and DAZ are; past the

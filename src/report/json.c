@@ -144,23 +144,19 @@ static void put_row(writer *w, const graze_scene *scene, const fmpq *point,
     check(w, yajl_gen_map_close(w->gen));
 }
 
-graze_status report_json(char **out, graze_context *context, const graze_scene *scene,
-                         const fmpq *point, const graze_trace *trace) {
-    text t;
-    text_init(&t);
+void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace) {
     writer w = {yajl_gen_alloc(NULL), 0};
     if (!w.gen) {
-        t.failed = 1;
-        return text_finish(out, context, &t);
+        out->failed = 1;
+        return;
     }
     put_row(&w, scene, point, trace);
     const unsigned char *line = NULL;
     size_t length = 0;
     check(&w, yajl_gen_get_buf(w.gen, &line, &length));
-    t.failed = w.failed;
+    out->failed |= w.failed;
     if (!w.failed)
-        text_bytes(&t, (const char *)line, length);
-    text_put(&t, "\n");
+        text_bytes(out, (const char *)line, length);
+    text_put(out, "\n");
     yajl_gen_free(w.gen);
-    return text_finish(out, context, &t);
 }

@@ -1,8 +1,8 @@
 /* What Graze writes for one scene and its points (formats: Results; commands: explain).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Every function hands over a malloc'ed text; nothing depends on the locale or on the order of
- * calls, so the same scene and point give the same bytes.
+ * A whole report is handed over as a malloc'ed text, a row is added to one; nothing depends on the
+ * locale or on the order of calls, so the same scene and point give the same bytes.
  */
 #ifndef GRAZE_REPORT_REPORT_H
 #define GRAZE_REPORT_REPORT_H
@@ -15,13 +15,12 @@
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
                            const char *notes, const char *columns);
 
-/** One row of the table. `rest`: further columns as they were, or NULL. */
-graze_status report_csv(char **out, graze_context *context, const graze_scene *scene,
-                        const fmpq *point, const graze_trace *trace, const char *rest);
+/** Add one row of the table. `rest`: further columns as they were, or NULL. */
+void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
+                const char *rest);
 
-/** One line of JSON. */
-graze_status report_json(char **out, graze_context *context, const graze_scene *scene,
-                         const fmpq *point, const graze_trace *trace);
+/** Add one line of JSON. */
+void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace);
 
 /** The whole reasoning, for a person. */
 graze_status report_explain(char **out, graze_context *context, const graze_scene *scene,

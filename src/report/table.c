@@ -49,30 +49,37 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
     return text_finish(out, context, &t);
 }
 
-graze_status report_csv(char **out, graze_context *context, const graze_scene *scene,
-                        const fmpq *point, const graze_trace *trace, const char *rest) {
-    const graze_verdict *v = &trace->verdict;
-    text t;
-    text_init(&t);
+/* class, definition, case, i, t */
+static void put_verdict(text *t, const graze_verdict *v) {
+    text_put(t, graze_class_name(v->class_));
+    text_put(t, ",");
+    if (v->definition)
+        text_count(t, (unsigned long)v->definition);
+    else
+        text_put(t, "ext");
+    text_put(t, ",");
+    text_count(t, (unsigned long)v->case_);
+    text_put(t, ",");
+    text_count(t, v->i);
+    text_put(t, ",");
+    text_count(t, v->t);
+    text_put(t, ",");
+}
+
+void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
+                const char *rest) {
     for (int k = 0; k < scene->motion->dimension; k++) {
-        text_rational(&t, point + k);
-        text_put(&t, ",");
+        text_rational(out, point + k);
+        text_put(out, ",");
     }
-    text_put(&t, graze_pmc_name(v->pmc));
-    if (scene->options.operation == GRAZE_SWEEP) {
-        text_format(&t, ",%s,", graze_class_name(v->class_));
-        if (v->definition)
-            text_format(&t, "%d", v->definition);
-        else
-            text_put(&t, "ext");
-        text_format(&t, ",%d,%lu,%lu", v->case_, v->i, v->t);
-    }
-    text_put(&t, ",");
-    text_put(&t, trace->word);
+    text_put(out, graze_pmc_name(trace->verdict.pmc));
+    text_put(out, ",");
+    if (scene->options.operation == GRAZE_SWEEP)
+        put_verdict(out, &trace->verdict);
+    text_put(out, trace->word);
     if (rest) {
-        text_put(&t, ",");
-        text_put(&t, rest);
+        text_put(out, ",");
+        text_put(out, rest);
     }
-    text_put(&t, "\n");
-    return text_finish(out, context, &t);
+    text_put(out, "\n");
 }

@@ -17,19 +17,23 @@ void text_clear(text *t) {
     text_init(t);
 }
 
-void text_bytes(text *t, const char *bytes, size_t length) {
-    if (t->failed)
-        return;
-    if (t->capacity - t->length <= length) {
+/* Room for `length` more bytes and a NUL; 0 where there is none. */
+static int reserve(text *t, size_t length) {
+    if (!t->failed && t->capacity - t->length <= length) {
         size_t capacity = 2 * (t->length + length) + 64;
         char *data = realloc(t->data, capacity);
-        if (!data) {
-            t->failed = 1;
-            return;
+        t->failed = !data;
+        if (data) {
+            t->data = data;
+            t->capacity = capacity;
         }
-        t->data = data;
-        t->capacity = capacity;
     }
+    return !t->failed;
+}
+
+void text_bytes(text *t, const char *bytes, size_t length) {
+    if (!reserve(t, length))
+        return;
     memcpy(t->data + t->length, bytes, length);
     t->length += length;
     t->data[t->length] = '\0';
@@ -59,8 +63,18 @@ void text_owned(text *t, char *string) {
     free(string);
 }
 
+void text_count(text *t, unsigned long value) {
+    char digits[3 * sizeof value], *at = digits + sizeof digits;
+    do {
+        *--at = (char)('0' + value % 10);
+        value /= 10;
+    } while (value);
+    text_bytes(t, at, (size_t)(digits + sizeof digits - at));
+}
+
 void text_rational(text *t, const fmpq_t value) {
-    text_owned(t, rational_text(value));
+    if (reserve(t, rational_room(value)))
+        t->length += rational_write(t->data + t->length, value);
 }
 
 graze_status text_finish(char **out, graze_context *context, text *t) {

@@ -18,6 +18,8 @@ void text_clear(text *t);
 void text_bytes(text *t, const char *bytes, size_t length);
 void text_put(text *t, const char *string);
 void text_format(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/** A count in decimal digits. */
+void text_count(text *t, unsigned long value);
 /** An integer or a ratio in lowest terms. */
 void text_rational(text *t, const fmpq_t value);
 /** Add a malloc'ed string and free it; NULL stands for memory that ran short. */

@@ -281,6 +281,127 @@ static void bounds_enclose(void **state) {
     }
 }
 
+/* Digits of an integer at the corners of 64 bits: around 2^62, 2^63 and 2^64 (FLINT's and our
+ * words end there), products of 2 and 5, some zeros before and behind, or any digits. */
+static void corner_digits(char *out, unsigned *seed) {
+    fmpz_t value;
+    fmpz_init(value);
+    out[0] = '\0';
+    switch (rand_r(seed) % 4) {
+    case 0:
+        fmpz_set_ui(value, 1);
+        fmpz_mul_2exp(value, value, 62 + rand_r(seed) % 3);
+        fmpz_add_si(value, value, (slong)(rand_r(seed) % 5) - 2);
+        break;
+    case 1:
+        fmpz_set_ui(value, 5);
+        fmpz_pow_ui(value, value, rand_r(seed) % 30);
+        fmpz_mul_2exp(value, value, rand_r(seed) % 70);
+        break;
+    case 2:
+        fmpz_set_ui(value, rand_r(seed) % 1000);
+        break;
+    default:
+        for (unsigned k = 1 + rand_r(seed) % 24; k > 0; k--) {
+            fmpz_mul_ui(value, value, 10);
+            fmpz_add_ui(value, value, rand_r(seed) % 10);
+        }
+    }
+    for (unsigned k = rand_r(seed) % 3 ? 0 : rand_r(seed) % 25; k > 0; k--) {
+        strcat(out, "0");
+    }
+    fmpz_get_str(out + strlen(out), 10, value);
+    for (unsigned k = rand_r(seed) % 3 ? 0 : rand_r(seed) % 25; k > 0; k--) {
+        strcat(out, "0");
+    }
+    fmpz_clear(value);
+}
+
+/* Read, written and found canonical as FLINT's own functions have it. */
+static void check_against(const char *token, fmpq_t expected) {
+    fmpq_t value;
+    fmpq_init(value);
+    fmpq_canonicalise(expected);
+    if (parse(value, token) != GRAZE_OK || !fmpq_equal(value, expected) ||
+        !rational_is_canonical(value)) {
+        fail_msg("'%s' is read wrongly", token);
+    }
+    char *text = rational_text(value), *wanted = fmpq_get_str(NULL, 10, expected);
+    if (strcmp(text, wanted) != 0 || strlen(wanted) >= rational_room(value)) {
+        fail_msg("'%s' is written as %s, not %s, or has no room", token, text, wanted);
+    }
+    flint_free(wanted);
+    free(text);
+    fmpq_clear(value);
+}
+
+static void tokens_agree_with_long_arithmetic(void **state) {
+    (void)state;
+    unsigned seed = 23;
+    char digits[120], more[120], token[300];
+    fmpq_t expected;
+    fmpz_t power;
+    fmpq_init(expected);
+    fmpz_init(power);
+    for (int round = 0; round < 40000; round++) {
+        corner_digits(digits, &seed);
+        const char *sign = rand_r(&seed) % 3 ? "" : rand_r(&seed) % 2 ? "-" : "+";
+        fmpz_set_str(fmpq_numref(expected), digits, 10);
+        if (rand_r(&seed) % 4 == 0) {
+            do {
+                corner_digits(more, &seed);
+                fmpz_set_str(fmpq_denref(expected), more, 10);
+            } while (fmpz_is_zero(fmpq_denref(expected)));
+            snprintf(token, sizeof token, "%s%s/%s", sign, digits, more);
+        } else {
+            size_t behind = rand_r(&seed) % (strlen(digits) + 1);
+            long exponent = rand_r(&seed) % 2 ? 0 : (long)(rand_r(&seed) % 80) - 40;
+            snprintf(token, sizeof token, "%s%.*s.%se%ld", sign, (int)(strlen(digits) - behind),
+                     digits, digits + strlen(digits) - behind, exponent);
+            long shift = exponent - (long)behind;
+            fmpz_set_ui(power, 10);
+            fmpz_pow_ui(power, power, (ulong)labs(shift));
+            fmpz_one(fmpq_denref(expected));
+            fmpz_mul(shift < 0 ? fmpq_denref(expected) : fmpq_numref(expected),
+                     shift < 0 ? fmpq_denref(expected) : fmpq_numref(expected), power);
+        }
+        if (*sign == '-') {
+            fmpz_neg(fmpq_numref(expected), fmpq_numref(expected));
+        }
+        check_against(token, expected);
+    }
+    fmpz_clear(power);
+    fmpq_clear(expected);
+}
+
+/* Any two integers, the second also 0 and negative: what FLINT's gcd says. */
+static void canonical_is_what_the_gcd_says(void **state) {
+    (void)state;
+    unsigned seed = 29;
+    char numerator[120], denominator[120];
+    fmpq_t value;
+    fmpq_init(value);
+    int found = 0;
+    for (int round = 0; round < 40000; round++) {
+        corner_digits(numerator, &seed);
+        corner_digits(denominator, &seed);
+        fmpz_set_str(fmpq_numref(value), numerator, 10);
+        fmpz_set_str(fmpq_denref(value), denominator, 10);
+        if (rand_r(&seed) % 2) {
+            fmpz_neg(fmpq_numref(value), fmpq_numref(value));
+        }
+        if (rand_r(&seed) % 8 == 0) {
+            fmpz_neg(fmpq_denref(value), fmpq_denref(value));
+        }
+        if (rational_is_canonical(value) != fmpq_is_canonical(value)) {
+            fail_msg("%s/%s: canonical or not", numerator, denominator);
+        }
+        found += fmpq_is_canonical(value);
+    }
+    assert_true(found > 1000 && found < 39000);
+    fmpq_clear(value);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(tokens_are_exact, set_up, tear_down),
@@ -290,6 +411,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(rounding_agrees_with_strtod, set_up, tear_down),
         cmocka_unit_test_setup_teardown(rounding_at_the_corners, set_up, tear_down),
         cmocka_unit_test_setup_teardown(doubles_are_exact, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(tokens_agree_with_long_arithmetic, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(canonical_is_what_the_gcd_says, set_up, tear_down),
         cmocka_unit_test_setup_teardown(bounds_enclose, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

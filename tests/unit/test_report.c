@@ -290,20 +290,32 @@ static void close_fixture(fixture *f) {
     clear_motion(&f->piece);
 }
 
+static char *csv_row(fixture *f, const char *rest) {
+    char *out;
+    text row;
+    text_init(&row);
+    report_csv(&row, &f->scene, f->point, &f->trace, rest);
+    assert_int_equal(text_finish(&out, f->context, &row), GRAZE_OK);
+    return out;
+}
+
 static void rows(void **state) {
     (void)state;
     fixture f;
     char *out;
     open_fixture(&f);
-    assert_int_equal(report_csv(&out, f.context, &f.scene, f.point, &f.trace, "a,\"b\""), GRAZE_OK);
+    out = csv_row(&f, "a,\"b\"");
     assert_string_equal(out, "1/2,-3,in,regular,5,2,2,0,OBIB,a,\"b\"\n");
     free(out);
     f.trace.verdict.definition = 0;
     f.trace.verdict.case_ = 8;
-    assert_int_equal(report_csv(&out, f.context, &f.scene, f.point, &f.trace, NULL), GRAZE_OK);
+    out = csv_row(&f, NULL);
     assert_string_equal(out, "1/2,-3,in,regular,ext,8,2,0,OBIB\n");
     free(out);
-    assert_int_equal(report_json(&out, f.context, &f.scene, f.point, &f.trace), GRAZE_OK);
+    text line;
+    text_init(&line);
+    report_json(&line, &f.scene, f.point, &f.trace);
+    assert_int_equal(text_finish(&out, f.context, &line), GRAZE_OK);
     /* 1 + sqrt(2) = 2.41421356237309504880...; t^2 - 2t - 1 has its other root at -0.414, so (2, 3)
      * is the widest dyadic interval that isolates it. */
     assert_string_equal(
@@ -318,7 +330,7 @@ static void rows(void **state) {
         "\"features\":[{\"edge\":[1,2]},{\"vertex\":7}]}]}\n");
     free(out);
     f.scene.options.operation = GRAZE_UNSWEEP;
-    assert_int_equal(report_csv(&out, f.context, &f.scene, f.point, &f.trace, NULL), GRAZE_OK);
+    out = csv_row(&f, NULL);
     assert_string_equal(out, "1/2,-3,in,OBIB\n");
     free(out);
     close_fixture(&f);

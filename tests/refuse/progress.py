@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# suite
+"""The progress line of graze classify: on standard error where it is a terminal, and nowhere else.
+And a row that comes through a pipe is answered before the next one is asked for.
+
+The rows come slower than one a second, so that the line must appear before the end; the counts it
+shows are those of the rows sent so far. SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import os
+import pathlib
+import pty
+import re
+import select
+import subprocess
+import time
+
+COMMON = pathlib.Path(__file__).resolve().parent / "common"
+ROWS, PAUSE, SECONDS = 3, 1.3, 60
+LINE = re.compile(rb"\r(\d+) rows, (\d+) rows/s   ")
+
+
+def read_all(handle):
+    """What is written to a terminal until its last writer is gone."""
+    parts = []
+    while True:
+        try:
+            part = os.read(handle, 4096)
+        except OSError:  # how Linux says that nobody holds the other end
+            part = b""
+        if not part:
+            return b"".join(parts)
+        parts.append(part)
+
+
+def start(graze, stderr):
+    """graze classify, reading rows from a pipe."""
+    words = [graze, "classify", COMMON / "cube.off", COMMON / "move3.json", "-"]
+    return subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=stderr)
+
+
+def classify(graze, stderr):
+    """Send the rows one after another; (exit status, standard output, standard error's bytes)."""
+    child = start(graze, stderr)
+    for k in range(ROWS):
+        time.sleep(PAUSE if k else 0)
+        child.stdin.write(b"%d,0,0\n" % k)
+        child.stdin.flush()
+    time.sleep(PAUSE)
+    out, err = child.communicate(timeout=SECONDS)
+    return child.returncode, out, err
+
+
+def answer_of_half(graze):
+    """What is written after one row and a half of the next, and what after the rest of it."""
+    child = start(graze, subprocess.PIPE)
+    child.stdin.write(b"70,80,90\n71,8")
+    child.stdin.flush()
+    early, end = b"", time.monotonic() + SECONDS
+    while b"70,80,90" not in early and time.monotonic() < end:
+        if select.select([child.stdout], [], [], 1)[0]:
+            early += os.read(child.stdout.fileno(), 65536)
+    late, _ = child.communicate(b"1,91", timeout=SECONDS)
+    return early, late
+
+
+def on_terminal(graze):
+    """The same with a pseudo-terminal as standard error."""
+    master, slave = pty.openpty()
+    try:
+        status, out, _ = classify(graze, slave)
+    finally:
+        os.close(slave)
+    shown = read_all(master)
+    os.close(master)
+    return status, out, shown
+
+
+def checks(graze):
+    """(what must hold, whether it does, what was seen)."""
+    status, table, shown = on_terminal(graze)
+    counts = [int(m[1]) for m in LINE.finditer(shown)]
+    yield "a run on a terminal ends well", status == 0, status
+    yield "nothing but progress is shown", LINE.sub(b"", shown) == b"\r\n", shown
+    yield "progress appears before the end", len(counts) >= 3, shown
+    yield "counts grow to the number of rows", counts == sorted(counts) and counts[-1:] == [ROWS], counts
+    yield "a count is what had been sent", set(counts) <= set(range(ROWS + 1)), counts
+    plain_status, plain_table, plain_shown = classify(graze, subprocess.PIPE)
+    yield "a run without a terminal ends well", plain_status == 0, plain_status
+    yield "without a terminal nothing is shown", plain_shown == b"", plain_shown
+    yield "the table is the same", plain_table == table and b"# complete" in table, plain_table
+    early, late = answer_of_half(graze)
+    yield "a row is answered before more is read", b"\n70,80,90,out," in early, early
+    yield "half a row waits for its rest", b"71," not in early and late.startswith(b"71,81,91,out,"), late
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--graze", default="build/graze")
+    parser.add_argument("--scale", type=int, default=1, help="taken and not used: nothing is random")
+    parser.add_argument("--seed", type=int, default=1, help="taken and not used")
+    parser.add_argument("--sanitizers", action="store_true", help="taken and not used")
+    words = parser.parse_args()
+    passed = failed = 0
+    for what, holds, seen in checks(os.path.abspath(words.graze)):
+        passed, failed = passed + bool(holds), failed + (not holds)
+        if not holds:
+            print(f"FAILED {what}: {seen!r}")
+    print(f"{passed} passed, {failed} failed")
+    return failed > 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
