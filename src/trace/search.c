@@ -97,8 +97,7 @@ static void record(searcher *s, uint32_t simplex, const span *when) {
         out->capacity = capacity;
     }
     uint32_t length = UINT32_C(1) << (SEARCH_LEVELS - when->level);
-    out->item[out->count++] =
-        (candidate){s->solid->plane_of[simplex], simplex, when->start, when->start + length};
+    out->item[out->count++] = (candidate){simplex, when->start, when->start + length};
 }
 
 static void descend(searcher *s, size_t node_index, size_t span_index) {
@@ -123,8 +122,6 @@ static void descend(searcher *s, size_t node_index, size_t span_index) {
 
 static int compare_candidates(const void *left, const void *right) {
     const candidate *a = left, *b = right;
-    if (a->plane != b->plane)
-        return a->plane < b->plane ? -1 : 1;
     if (a->simplex != b->simplex)
         return a->simplex < b->simplex ? -1 : 1;
     return a->from < b->from ? -1 : a->from > b->from;

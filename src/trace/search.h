@@ -14,7 +14,7 @@ enum { SEARCH_LEVELS = 24 };
 /** The trajectory may meet the simplex within the closed window, and meets it in no time outside
  * its windows. */
 typedef struct candidate {
-    uint32_t plane, simplex;
+    uint32_t simplex;
     uint32_t from, to;
 } candidate;
 
@@ -24,7 +24,7 @@ typedef struct candidates {
 } candidates;
 
 /**
- * All candidates, ordered by plane, simplex and time; windows of one simplex do not touch each
+ * All candidates, ordered by simplex and time; windows of one simplex do not touch each
  * other.
  * @param[out] out initialised to zero, or used before; freed by the caller
  */
