@@ -13,11 +13,10 @@
 enum { ROOM_LEAST = 16, POLL_MASK = 0xffff };
 
 static size_t room(size_t count) {
-    size_t size = ROOM_LEAST;
-    while (size < count) {
-        size *= 2;
+    if (count <= ROOM_LEAST) {
+        return count == 0 ? 0 : ROOM_LEAST;
     }
-    return count == 0 ? 0 : size;
+    return (size_t)1 << FLINT_BIT_COUNT(count - 1);
 }
 
 /* Make room for `more` entries behind the `count` there are. */
