@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
 #include <stdlib.h>
+#include "solid/planes.h"
 
 /* Planes times pieces looked at, and special instants kept. */
 enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512, FACTORED_DEGREE = 40 };
@@ -103,7 +104,7 @@ static graze_status append_roots(specials *out, graze_context *context, const gr
 }
 
 static graze_status look_at(specials *out, graze_context *context, const graze_scene *scene,
-                            size_t piece, size_t simplex) {
+                            size_t piece, size_t simplex, const fmpz *plane) {
     const graze_solid *solid = scene->solid;
     int d = solid->input.dimension;
     fmpz_poly_t common, velocity;
@@ -113,7 +114,7 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     fmpq_init(half);
     fmpq_set_si(half, 1, 2);
     for (int k = 0; k < d; k++) {
-        normal_velocity(velocity, scene, piece, solid_plane(solid, simplex),
+        normal_velocity(velocity, scene, piece, plane,
                         solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
         fmpz_poly_gcd(common, common, velocity);
     }
@@ -128,26 +129,41 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     return status;
 }
 
-graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene) {
-    const graze_solid *solid = scene->solid;
-    size_t pieces = scene->motion->piece_count;
-    size_t pairs = solid->plane_count * pieces, stride = pairs / MOST_PAIRS + 1, seen = 0;
-    *out = (specials){.count = 0};
-    unsigned char *done = calloc(solid->plane_count, 1);
-    graze_status status = done ? GRAZE_OK
-                               : context_fail(context, GRAZE_ESYSTEM,
-                                              "out of memory for %zu planes", solid->plane_count);
-    for (size_t s = 0; s < solid->cut.count && !status; s++) {
-        if (done[solid->plane_of[s]])
+/* Of every plane the first simplex in it, in the order of the simplices. */
+static graze_status look_at_planes(specials *out, graze_context *context, const graze_scene *scene,
+                                   const plane_list *planes, uint32_t *plane_from) {
+    size_t pieces = scene->motion->piece_count, seen = 0;
+    size_t stride = planes->count * pieces / MOST_PAIRS + 1;
+    size_t width = (size_t)planes->dimension + 1;
+    graze_status status = GRAZE_OK;
+    for (size_t p = 0; p < planes->count; p++)
+        plane_from[planes->order[planes->start[p]]] = (uint32_t)p + 1;
+    for (size_t s = 0; s < planes->simplex_count && !status; s++) {
+        if (!plane_from[s])
             continue;
-        done[solid->plane_of[s]] = 1;
+        const fmpz *form = planes->form + (plane_from[s] - 1) * width;
         for (size_t piece = 0; piece < pieces && !status && out->count < MOST_SPECIALS; piece++)
             if (seen++ % stride == 0)
-                status = look_at(out, context, scene, piece, s);
+                status = look_at(out, context, scene, piece, s, form);
         if (!status)
             status = context_poll(context);
     }
-    free(done);
+    return status;
+}
+
+graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene) {
+    const graze_solid *solid = scene->solid;
+    plane_list planes;
+    *out = (specials){.count = 0};
+    uint32_t *plane_from = calloc(solid->cut.count, sizeof *plane_from);
+    if (!plane_from || planes_find(&planes, solid, NULL, solid->cut.count)) {
+        free(plane_from);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of %zu simplices",
+                            solid->cut.count);
+    }
+    graze_status status = look_at_planes(out, context, scene, &planes, plane_from);
+    planes_clear(&planes);
+    free(plane_from);
     if (status)
         specials_clear(out);
     return status;

@@ -4,6 +4,7 @@
 #include "generate/generate.h"
 
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include "trace/trajectory.h"
 
 /* Weights of points are multiples of 1/256, displacements of random points multiples of 1/2^20 of
@@ -77,19 +78,29 @@ static int draw_on_cell(touchpoint *p, const struct graze_generator *g, random_s
     return 1;
 }
 
+/* The plane form of the touched simplex, d + 1 integers to be cleared by the caller, and whether it
+ * is positive (+1) or negative (-1) outside. */
+static fmpz *touched_plane(int *facing, const touchpoint *p, const struct graze_generator *g) {
+    fmpz *plane = _fmpz_vec_init(p->when->dimension + 1);
+    *facing = solid_plane(plane, g->scene->solid, p->simplex);
+    return plane;
+}
+
 /* Derivative of order k of the plane's pullback for the body point at each corner: affine over the
  * simplex. */
 static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_generator *g,
                              int k) {
-    int d = p->when->dimension;
+    int d = p->when->dimension, facing;
+    fmpz *plane = touched_plane(&facing, p, g);
     fmpq *world = _fmpq_vec_init(3);
     fmpq_t value;
     fmpq_init(value);
     for (int c = 0; c < d; c++) {
         instant_move(world, p->when, corner(g, p->simplex, c));
-        instant_pullback(value, p->when, solid_plane(g->scene->solid, p->simplex), world, k);
+        instant_pullback(value, p->when, plane, world, k);
         fmpq_set(out + c, value);
     }
+    _fmpz_vec_clear(plane, d + 1);
     _fmpq_vec_clear(world, 3);
     fmpq_clear(value);
 }
@@ -160,12 +171,13 @@ static int order_at(const struct graze_generator *g, const touchpoint *p, const 
     trajectory c;
     fmpz_poly_t f;
     fmpq_t value;
-    int order = 0;
+    int order = 0, facing;
+    fmpz *plane = touched_plane(&facing, p, g);
     trajectory_init(&c, p->when->dimension);
     fmpz_poly_init(f);
     fmpq_init(value);
     trajectory_set(&c, instant_tracing(g->scene, p->when->piece), world);
-    trajectory_pullback(f, &c, solid_plane(g->scene->solid, p->simplex));
+    trajectory_pullback(f, &c, plane);
     if (fmpz_poly_is_zero(f)) {
         order = GRAZE_ORDER_SLIDE;
     } else {
@@ -175,6 +187,7 @@ static int order_at(const struct graze_generator *g, const touchpoint *p, const 
             fmpz_poly_evaluate_fmpq(value, f, p->when->u);
         }
     }
+    _fmpz_vec_clear(plane, p->when->dimension + 1);
     trajectory_clear(&c);
     fmpz_poly_clear(f);
     fmpq_clear(value);
@@ -289,12 +302,13 @@ static int is_kept(const sample *s, const struct graze_generator *g) {
  * the axis of that coordinate. */
 static void displace(sample *s, const struct graze_generator *g, const touchpoint *p, int outward,
                      int k) {
-    int d = g->scene->motion->dimension, widest = 0;
+    int d = g->scene->motion->dimension, widest = 0, facing;
+    fmpz *plane = touched_plane(&facing, p, g);
     fmpq *normal = _fmpq_vec_init(3);
     fmpq_t length, size;
     fmpq_init(length);
     fmpq_init(size);
-    instant_normal(normal, p->when, solid_plane(g->scene->solid, p->simplex));
+    instant_normal(normal, p->when, plane);
     for (int i = 0; i < d; i++) {
         fmpq_abs(size, normal + i);
         if (fmpq_cmp(size, length) > 0) {
@@ -302,7 +316,7 @@ static void displace(sample *s, const struct graze_generator *g, const touchpoin
             widest = i;
         }
     }
-    int sign = outward ? g->scene->solid->facing[p->simplex] : -g->scene->solid->facing[p->simplex];
+    int sign = outward ? facing : -facing;
     for (int i = 0; i < d; i++) {
         if (g->representable && i != widest)
             continue;
@@ -313,6 +327,7 @@ static void displace(sample *s, const struct graze_generator *g, const touchpoin
         else
             fmpq_sub(s->point + i, s->point + i, size);
     }
+    _fmpz_vec_clear(plane, d + 1);
     _fmpq_vec_clear(normal, 3);
     fmpq_clear(length);
     fmpq_clear(size);

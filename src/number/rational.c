@@ -223,17 +223,47 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
     return status == GRAZE_OK ? status : context_at(context, status, "'%.*s%s'", shown, text, more);
 }
 
+/* scale_down for one-word integers where the shift is negative; 0 where that does not fit. */
+static int scale_words(fmpz_t quotient, slong *shift, int *twice, int *exact, const fmpq_t value,
+                       slong bits, slong s) {
+    if (COEFF_IS_MPZ(*fmpq_numref(value)) || COEFF_IS_MPZ(*fmpq_denref(value))) {
+        return 0;
+    }
+    uint64_t numerator = (uint64_t)labs(*fmpq_numref(value));
+    uint64_t denominator = (uint64_t)*fmpq_denref(value);
+    if (s > 0 || (slong)fmpz_bits(fmpq_numref(value)) - s > 126) {
+        return 0;
+    }
+    unsigned __int128 whole = (unsigned __int128)numerator << -s;
+    if (whole / denominator >> bits != 0) {
+        if (s++ == 0) {
+            return 0;
+        }
+        whole = (unsigned __int128)numerator << -s;
+    }
+    uint64_t rest = (uint64_t)(whole % denominator);
+    fmpz_set_ui(quotient, (uint64_t)(whole / denominator));
+    *exact = rest == 0;
+    *twice = (2 * rest > denominator) - (2 * rest < denominator);
+    *shift = s;
+    return 1;
+}
+
 /* |value| = (quotient + rest) 2^*shift with 0 <= rest < 1 and quotient of `bits` bits, or fewer
  * where the shift is held at `least`. `*twice` compares rest with 1/2 as -1, 0, 1; returns whether
  * rest is 0. value is not zero. */
 static int scale_down(fmpz_t quotient, slong *shift, int *twice, const fmpq_t value, slong bits,
                       slong least) {
+    slong s = (slong)fmpz_bits(fmpq_numref(value)) - (slong)fmpz_bits(fmpq_denref(value)) - bits;
+    s = s < least ? least : s;
+    int exact;
+    if (scale_words(quotient, shift, twice, &exact, value, bits, s)) {
+        return exact;
+    }
     fmpz_t numerator, denominator, rest;
     fmpz_init(numerator);
     fmpz_init(denominator);
     fmpz_init(rest);
-    slong s = (slong)fmpz_bits(fmpq_numref(value)) - (slong)fmpz_bits(fmpq_denref(value)) - bits;
-    s = s < least ? least : s;
     for (;;) {
         fmpz_abs(numerator, fmpq_numref(value));
         fmpz_set(denominator, fmpq_denref(value));
@@ -248,7 +278,7 @@ static int scale_down(fmpz_t quotient, slong *shift, int *twice, const fmpq_t va
         }
         s++;
     }
-    int exact = fmpz_is_zero(rest);
+    exact = fmpz_is_zero(rest);
     fmpz_mul_2exp(rest, rest, 1);
     int order = fmpz_cmp(rest, denominator);
     *twice = (order > 0) - (order < 0);

@@ -5,11 +5,13 @@
  */
 #include "scene/scene.h"
 
+#include <flint/fmpz_vec.h>
 #include <sha256.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "number/rational.h"
+#include "solid/forms.h"
 
 typedef struct hasher {
     SHA2_CTX sha;
@@ -62,30 +64,39 @@ static void put_facet(hasher *h, const soup *s, size_t facet) {
     put(h, "\n");
 }
 
-/* For each facet of E^3 whether its triangles lie in more than one plane; 0 when out of memory. */
-static int find_fanned(char *fanned, const graze_solid *solid) {
-    size_t none = solid->plane_count;
-    size_t *plane = malloc((solid->input.facet_count + 1) * sizeof *plane);
-    if (!plane)
-        return 0;
-    for (size_t f = 0; f < solid->input.facet_count; f++)
-        plane[f] = none;
-    for (size_t s = 0; s < solid->cut.count; s++) {
-        uint32_t facet = solid->cut.item[s].facet;
-        if (plane[facet] == none)
-            plane[facet] = solid->plane_of[s];
-        fanned[facet] |= plane[facet] != solid->plane_of[s];
+/* Do these simplices lie in more than one plane? */
+static int in_planes(const graze_solid *solid, size_t first, size_t count) {
+    int differ = 0, d = solid->input.dimension;
+    fmpz *plane = _fmpz_vec_init(2 * (d + 1));
+    for (size_t s = first; s < first + count && !differ; s++) {
+        solid_plane(s == first ? plane : plane + d + 1, solid, s);
+        differ = s > first && form_compare(plane, plane + d + 1, d) != 0;
     }
-    free(plane);
-    return 1;
+    _fmpz_vec_clear(plane, 2 * (d + 1));
+    return differ;
 }
 
-static graze_status put_solid(hasher *h, graze_context *context, const graze_solid *solid) {
+/* The triangles of the facets that were fanned. */
+static void put_fans(hasher *h, const graze_solid *solid) {
+    const simplices *cut = &solid->cut;
+    for (size_t first = 0, next; first < cut->count; first = next) {
+        for (next = first + 1; next < cut->count; next++)
+            if (cut->item[next].facet != cut->item[first].facet)
+                break;
+        if (next - first == 1 || !in_planes(solid, first, next - first))
+            continue;
+        for (size_t s = first; s < next; s++) {
+            put(h, "t");
+            for (int k = 0; k < 3; k++)
+                put_index(h, cut->item[s].vertex[k]);
+            put(h, "\n");
+        }
+    }
+}
+
+static void put_solid(hasher *h, const graze_solid *solid) {
     const soup *s = &solid->input;
     size_t d = (size_t)s->dimension;
-    char *fanned = calloc(s->facet_count + 1, 1);
-    if (!fanned)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     put(h, d == 2 ? "d 2\n" : "d 3\n");
     for (size_t v = 0; v < s->vertex_count; v++) {
         put(h, "v");
@@ -95,19 +106,8 @@ static graze_status put_solid(hasher *h, graze_context *context, const graze_sol
     }
     for (size_t f = 0; f < s->facet_count; f++)
         put_facet(h, s, f);
-    if (d == 3 && !find_fanned(fanned, solid))
-        h->failed = 1;
-    for (size_t i = 0; d == 3 && i < solid->cut.count; i++) {
-        const simplex *t = &solid->cut.item[i];
-        if (!fanned[t->facet])
-            continue;
-        put(h, "t");
-        for (int k = 0; k < 3; k++)
-            put_index(h, t->vertex[k]);
-        put(h, "\n");
-    }
-    free(fanned);
-    return GRAZE_OK;
+    if (d == 3)
+        put_fans(h, solid);
 }
 
 static void put_motion(hasher *h, const graze_motion *motion) {
@@ -129,10 +129,8 @@ graze_status scene_hash(unsigned char out[32], graze_context *context, const gra
     hasher h;
     h.failed = 0;
     SHA256Init(&h.sha);
-    graze_status status = put_solid(&h, context, solid);
+    put_solid(&h, solid);
     put_motion(&h, motion);
     SHA256Final(out, &h.sha);
-    if (!status && h.failed)
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    return status;
+    return h.failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
 }

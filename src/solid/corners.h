@@ -21,8 +21,9 @@ typedef struct corners {
 /** Beyond it products of coordinates might leave the range of doubles (proofs/filter.md C32). */
 #define CORNER_REACH 0x1p200
 
-graze_status corners_make(corners *out, graze_context *context, const soup *s,
-                          const simplices *cut);
+/** @param low, high bounds of all coordinates of the soup's vertices */
+graze_status corners_make(corners *out, graze_context *context, const soup *s, const simplices *cut,
+                          const double *low, const double *high);
 void corners_clear(corners *c);
 
 #endif

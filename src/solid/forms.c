@@ -1,87 +1,154 @@
 /* Plane and side forms from rational vertices.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The vertices are multiplied by one common denominator w, so that all products are of integers;
+ * a form c . X + m W through the scaled point w p becomes (w c) . X + m W for the point itself.
  */
 #include "solid/forms.h"
 
-#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 
-/* Make coprime integers of d + 1 rationals, keeping the sign. */
-static void to_integers(fmpz *out, const fmpq *c, int dimension) {
-    fmpz_t common, content;
-    fmpz_init_set_ui(common, 1);
-    fmpz_init(content);
-    for (int i = 0; i <= dimension; i++)
-        fmpz_lcm(common, common, fmpq_denref(c + i));
-    for (int i = 0; i <= dimension; i++) {
-        fmpz_divexact(out + i, common, fmpq_denref(c + i));
-        fmpz_mul(out + i, out + i, fmpq_numref(c + i));
-    }
-    _fmpz_vec_content(content, out, dimension + 1);
-    if (!fmpz_is_zero(content))
-        _fmpz_vec_scalar_divexact_fmpz(out, out, dimension + 1, content);
-    fmpz_clear(common);
-    fmpz_clear(content);
+/* The vertices of a simplex times a common denominator, which is positive. */
+typedef struct scaled_simplex {
+    int dimension;
+    fmpz_t common;
+    fmpz at[9]; /* coordinate i of vertex k at k * dimension + i */
+} scaled_simplex;
+
+static void find_common(fmpz_t common, const fmpq *const *vertex, int dimension, int dropped) {
+    fmpz_one(common);
+    for (int k = 0; k < dimension; k++)
+        for (int i = 0; i < dimension; i++) {
+            const fmpz *w = fmpq_denref(vertex[k] + i);
+            if (i != dropped && !fmpz_equal(common, w))
+                fmpz_lcm(common, common, w);
+        }
+}
+
+/* Coordinate `dropped` is left out; -1 for none. */
+static void scale(scaled_simplex *s, const fmpq *const *vertex, int dimension, int dropped) {
+    s->dimension = dimension;
+    fmpz_init(s->common);
+    find_common(s->common, vertex, dimension, dropped);
+    for (int k = 0; k < dimension; k++)
+        for (int i = 0; i < dimension; i++) {
+            fmpz *x = s->at + k * dimension + i;
+            fmpz_init(x);
+            if (i == dropped)
+                continue;
+            const fmpz *w = fmpq_denref(vertex[k] + i);
+            if (fmpz_equal(s->common, w)) {
+                fmpz_set(x, fmpq_numref(vertex[k] + i));
+            } else {
+                fmpz_divexact(x, s->common, w);
+                fmpz_mul(x, x, fmpq_numref(vertex[k] + i));
+            }
+        }
+}
+
+static void scaled_clear(scaled_simplex *s) {
+    fmpz_clear(s->common);
+    for (int k = 0; k < s->dimension * s->dimension; k++)
+        fmpz_clear(s->at + k);
 }
 
 /* out = (q_i - p_i)(r_j - p_j) - (q_j - p_j)(r_i - p_i). */
-static void cross(fmpq_t out, const fmpq *p, const fmpq *q, const fmpq *r, int i, int j) {
-    fmpq_t a, b;
-    fmpq_init(a);
-    fmpq_init(b);
-    fmpq_sub(a, q + i, p + i);
-    fmpq_sub(b, r + j, p + j);
-    fmpq_mul(out, a, b);
-    fmpq_sub(a, q + j, p + j);
-    fmpq_sub(b, r + i, p + i);
-    fmpq_submul(out, a, b);
-    fmpq_clear(a);
-    fmpq_clear(b);
+static void cross(fmpz_t out, const fmpz *p, const fmpz *q, const fmpz *r, int i, int j) {
+    fmpz_t a, b;
+    fmpz_init(a);
+    fmpz_init(b);
+    fmpz_sub(a, q + i, p + i);
+    fmpz_sub(b, r + j, p + j);
+    fmpz_mul(out, a, b);
+    fmpz_sub(a, q + j, p + j);
+    fmpz_sub(b, r + i, p + i);
+    fmpz_submul(out, a, b);
+    fmpz_clear(a);
+    fmpz_clear(b);
 }
 
-/* c[d] = -(c[0] p_0 + ...), so that the form vanishes at p. */
-static void pass_through(fmpq *c, const fmpq *p, int dimension) {
-    fmpq_zero(c + dimension);
-    for (int i = 0; i < dimension; i++)
-        fmpq_submul(c + dimension, c + i, p + i);
+/* Complete coefficients c of the scaled coordinates to coprime integers of a form that vanishes at
+ * the vertex p. Once c is coprime, all that the form can have in common divides `common`. */
+static void finish(fmpz *c, const scaled_simplex *s, const fmpz *p) {
+    int d = s->dimension;
+    fmpz_t g;
+    fmpz_init(g);
+    _fmpz_vec_content(g, c, d);
+    if (!fmpz_is_one(g))
+        _fmpz_vec_scalar_divexact_fmpz(c, c, d, g);
+    _fmpz_vec_dot(c + d, c, p, d);
+    fmpz_neg(c + d, c + d);
+    if (!fmpz_is_one(s->common)) {
+        fmpz_gcd(g, s->common, c + d);
+        fmpz_divexact(c + d, c + d, g);
+        fmpz_divexact(g, s->common, g);
+        _fmpz_vec_scalar_mul_fmpz(c, c, d, g);
+    }
+    fmpz_clear(g);
 }
 
-void form_of_plane(fmpz *out, const fmpq *const *vertex, int dimension) {
-    fmpq *c = _fmpq_vec_init(4);
+static int first_nonzero(const fmpz *form) {
+    int i = 0;
+    while (fmpz_is_zero(form + i))
+        i++;
+    return i;
+}
+
+int form_of_plane(fmpz *out, const fmpq *const *vertex, int dimension) {
+    scaled_simplex s;
+    scale(&s, vertex, dimension, -1);
+    const fmpz *p = s.at, *q = p + dimension, *r = q + dimension;
     if (dimension == 3) {
         for (int i = 0; i < 3; i++)
-            cross(c + i, vertex[0], vertex[1], vertex[2], (i + 1) % 3, (i + 2) % 3);
+            cross(out + i, p, q, r, (i + 1) % 3, (i + 2) % 3);
     } else {
-        fmpq_sub(c, vertex[1] + 1, vertex[0] + 1);
-        fmpq_sub(c + 1, vertex[0], vertex[1]);
+        fmpz_sub(out, q + 1, p + 1);
+        fmpz_sub(out + 1, p, q);
     }
-    pass_through(c, vertex[0], dimension);
-    to_integers(out, c, dimension);
-    _fmpq_vec_clear(c, 4);
+    int facing = fmpz_sgn(out + first_nonzero(out));
+    if (facing < 0)
+        _fmpz_vec_neg(out, out, dimension);
+    finish(out, &s, p);
+    scaled_clear(&s);
+    return facing;
 }
 
 void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k, int dimension) {
-    int dropped = 0;
-    while (fmpz_is_zero(plane + dropped))
-        dropped++;
-    fmpq *c = _fmpq_vec_init(4);
-    const fmpq *p = vertex[k], *q = vertex[(k + 1) % dimension];
+    scaled_simplex s;
+    int dropped = first_nonzero(plane);
     int i = (dropped + 1) % dimension, j = (dropped + 2) % dimension;
+    scale(&s, vertex, dimension, dropped);
+    const fmpz *p = s.at + k * dimension, *q = s.at + (k + 1) % dimension * dimension;
+    fmpz_zero(out + dropped);
     if (dimension == 3) {
-        fmpq_sub(c + i, p + j, q + j);
-        fmpq_sub(c + j, q + i, p + i);
-        fmpq_t opposite;
-        fmpq_init(opposite);
-        cross(opposite, p, q, vertex[(k + 2) % 3], i, j);
-        if (fmpq_sgn(opposite) < 0) {
-            fmpq_neg(c + i, c + i);
-            fmpq_neg(c + j, c + j);
-        }
-        fmpq_clear(opposite);
+        fmpz_t opposite;
+        fmpz_init(opposite);
+        cross(opposite, p, q, s.at + (k + 2) % 3 * 3, i, j);
+        int left = fmpz_sgn(opposite) > 0;
+        fmpz_sub(out + i, left ? p + j : q + j, left ? q + j : p + j);
+        fmpz_sub(out + j, left ? q + i : p + i, left ? p + i : q + i);
+        fmpz_clear(opposite);
     } else {
-        fmpq_sub(c + i, q + i, p + i);
+        fmpz_sub(out + i, q + i, p + i);
     }
-    pass_through(c, p, dimension);
-    to_integers(out, c, dimension);
-    _fmpq_vec_clear(c, 4);
+    finish(out, &s, p);
+    scaled_clear(&s);
+}
+
+int form_sign(const fmpz *form, const fmpz *x, int dimension) {
+    fmpz_t value;
+    fmpz_init(value);
+    _fmpz_vec_dot(value, form, x, dimension + 1);
+    int sign = fmpz_sgn(value);
+    fmpz_clear(value);
+    return sign;
+}
+
+int form_compare(const fmpz *a, const fmpz *b, int dimension) {
+    for (int i = 0; i <= dimension; i++) {
+        int c = fmpz_cmp(a + i, b + i);
+        if (c != 0)
+            return c;
+    }
+    return 0;
 }

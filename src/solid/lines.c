@@ -10,7 +10,20 @@
 
 enum { DETAIL_SIZE = 1024 };
 
+static void find_stops(lines *l) {
+    memset(l->stops, 0, sizeof l->stops);
+    for (const char *c = "\n \t\r\v\f"; *c != '\0'; c++) {
+        l->stops[(unsigned char)*c] = 1;
+    }
+    for (const char *c = l->marks; *c != '\0'; c++) {
+        l->stops[(unsigned char)*c] = 1;
+    }
+    l->stops[(unsigned char)l->comment] = 1; /* a NUL, where there is none, is in no text */
+    l->stops['\\'] = l->continued != 0;
+}
+
 graze_status lines_start(lines *l, const char *text, size_t length) {
+    find_stops(l);
     l->end = text + length;
     l->line = l->where = 1;
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
@@ -83,10 +96,11 @@ int lines_token(lines *l, token *out) {
     if (is_mark(l, *l->at)) {
         l->at++;
     } else {
-        while (l->at < l->end && *l->at != '\n' && !is_blank(*l->at) && !is_mark(l, *l->at) &&
-               !(l->comment != '\0' && *l->at == l->comment) && joined(l, l->at) == 0) {
-            l->at++;
+        const char *p = l->at;
+        while (p < l->end && (!l->stops[(unsigned char)*p] || (*p == '\\' && joined(l, p) == 0))) {
+            p++;
         }
+        l->at = p;
     }
     out->length = (size_t)(l->at - out->text);
     return 1;

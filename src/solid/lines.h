@@ -23,8 +23,9 @@ typedef struct lines {
     int continued;     /* a backslash before the line's end joins the next line */
     const char *at;    /* what is not yet read */
     const char *end;
-    size_t line;  /* of `at`, from 1 */
-    size_t where; /* line of the last token read, for messages */
+    size_t line;              /* of `at`, from 1 */
+    size_t where;             /* line of the last token read, for messages */
+    unsigned char stops[256]; /* bytes that end a token, a backslash only before a line's end */
 } lines;
 
 /**

@@ -63,7 +63,7 @@ static graze_status read_position(wkt *w) {
 
 /* The sum of x_i y_(i+1) - x_(i+1) y_i over part of a ring, by halves: so denominators meet late,
  * and long rings cost little more than reading them. */
-static void area_sum(fmpq_t out, const soup *s, const size_t *ring, size_t n, size_t lo,
+static void area_sum(fmpq_t out, const soup *s, const uint32_t *ring, size_t n, size_t lo,
                      size_t hi) {
     fmpq_t half;
     fmpq_init(half);
@@ -84,7 +84,7 @@ static void area_sum(fmpq_t out, const soup *s, const size_t *ring, size_t n, si
 /* Turn the last cycle: ring 0 counter-clockwise, the others clockwise. */
 static graze_status turn_ring(wkt *w) {
     soup *s = w->s;
-    size_t *ring = s->index + s->cycle_start[s->cycle_count - 1];
+    uint32_t *ring = s->index + s->cycle_start[s->cycle_count - 1];
     size_t n = s->index_count - s->cycle_start[s->cycle_count - 1];
     fmpq_t area;
     fmpq_init(area);
@@ -97,7 +97,7 @@ static graze_status turn_ring(wkt *w) {
     }
     if ((sign > 0) != (w->ring == 0)) {
         for (size_t a = 1, b = n - 1; a < b; a++, b--) {
-            size_t keep = ring[a];
+            uint32_t keep = ring[a];
             ring[a] = ring[b];
             ring[b] = keep;
         }

@@ -1,10 +1,9 @@
 /* A validated solid as the rest of Graze sees it: immutable arrays of exact numbers and a search
  * tree. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The boundary is cut into simplices (validate.h). Each lies in a plane (E^2: a line), kept once
- * for all simplices in it, and is cut out of it by its d side forms. A form is d + 1 coprime
- * integers c; its value at the homogeneous point (X, W), W > 0, is c[0] X_0 + ... + c[d-1] X_(d-1)
- * + c[d] W.
+ * The boundary is cut into simplices (validate.h). Each lies in a plane (E^2: a line) and is cut
+ * out of it by its d side forms (forms.h). Large boundaries are asked about few of their simplices,
+ * so forms are made when asked for and not kept.
  */
 #ifndef GRAZE_SOLID_SOLID_H
 #define GRAZE_SOLID_SOLID_H
@@ -17,26 +16,32 @@
 struct graze_solid {
     soup input;
     simplices cut;
-    size_t plane_count;
-    fmpz *plane; /* plane_count * (d + 1); the first non-zero normal coordinate is positive */
-    uint32_t *plane_of;  /* simplex -> plane */
-    signed char *facing; /* simplex -> +1 if its plane form is positive outside, -1 if inside */
-    fmpz *side;          /* cut.count * d * (d + 1): side form k of a simplex, >= 0 on its side; the
-                            coordinate of the first non-zero normal coordinate does not occur in it */
-    tree boxes;
+    /* vertex_count * d bounds of the coordinates: low[i] <= coordinates[i] <= high[i]. They are
+     * equal where a coordinate is a double, subnormal ones left out, and at most few ulps apart;
+     * infinite past the range of doubles. */
+    double *low, *high;
+    tree boxes; /* of the simplices */
     corners corners;
 };
 
-/** Make a solid of a soup, which it takes over (also on failure): validation, planes, tree, side
- * tests. */
+/** Make a solid of a soup, which it takes over (also on failure): validation, bounds,
+ * tree, side tests. */
 graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags);
 
-/** Plane form of a simplex, and its side form k < d. */
-const fmpz *solid_plane(const graze_solid *solid, size_t simplex);
-const fmpz *solid_side(const graze_solid *solid, size_t simplex, int k);
+/**
+ * Plane form of a simplex: the first non-zero normal coordinate is positive, so that simplices of
+ * one plane have one form.
+ * @param[out] out d + 1 initialised integers
+ * @return +1 if the form is positive on the simplex's outer side, -1 if on its inner one
+ */
+int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex);
 
-/** Sign of a form at a homogeneous point. */
-int form_sign(const fmpz *form, const fmpz *x, int dimension);
+/**
+ * Side form k < d of a simplex: not negative where the simplex is; the coordinate of the plane's
+ * first non-zero normal coordinate does not occur in it.
+ * @param plane the simplex's plane form
+ */
+void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k);
 
 /**
  * Where a point lies: I, B or O. Counts the signed crossings of one ray, made generic by an

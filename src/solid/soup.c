@@ -13,18 +13,20 @@
 enum { ROOM_LEAST = 16, POLL_MASK = 0xffff };
 
 static size_t room(size_t count) {
-    size_t size = ROOM_LEAST;
-    while (size < count) {
-        size *= 2;
+    if (count <= ROOM_LEAST) {
+        return count == 0 ? 0 : ROOM_LEAST;
     }
-    return count == 0 ? 0 : size;
+    return (size_t)1 << FLINT_BIT_COUNT(count - 1);
 }
 
 /* Make room for `more` entries behind the `count` there are. */
 static graze_status grow(graze_context *context, void **array, size_t count, size_t more,
                          size_t entry) {
-    if (count + more < count || count + more > SIZE_MAX / 2 / entry) {
-        return context_fail(context, GRAZE_ESYSTEM, "no memory for %zu more entries", more);
+    if (count + more > UINT32_MAX) {
+        return context_fail(context, GRAZE_ELIMIT,
+                            "the solid has more vertices, corners or facets than the %lu that can "
+                            "be numbered",
+                            (unsigned long)UINT32_MAX);
     }
     size_t size = room(count + more);
     if (size == room(count)) {
@@ -41,7 +43,7 @@ static graze_status grow(graze_context *context, void **array, size_t count, siz
 
 /* One more part behind `count` parts of which `start` has the offsets; it begins and ends at
  * `end`. */
-static graze_status add_part(graze_context *context, size_t **start, size_t *count, size_t end) {
+static graze_status add_part(graze_context *context, uint32_t **start, size_t *count, size_t end) {
     size_t stored = *count == 0 ? 0 : *count + 1;
     void *array = *start;
     graze_status status = grow(context, &array, stored, *count + 2 - stored, sizeof **start);
@@ -49,9 +51,9 @@ static graze_status add_part(graze_context *context, size_t **start, size_t *cou
     if (status != GRAZE_OK) {
         return status;
     }
-    (*start)[*count] = end;
+    (*start)[*count] = (uint32_t)end;
     (*count)++;
-    (*start)[*count] = end;
+    (*start)[*count] = (uint32_t)end;
     return GRAZE_OK;
 }
 
@@ -109,7 +111,7 @@ graze_status soup_add_facet(soup *s, graze_context *context) {
 graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count) {
     graze_status status = add_part(context, &s->cycle_start, &s->cycle_count, s->index_count);
     if (status == GRAZE_OK) {
-        s->facet_start[s->facet_count] = s->cycle_count;
+        s->facet_start[s->facet_count] = (uint32_t)s->cycle_count;
     }
     for (size_t k = 0; k < count && status == GRAZE_OK; k++) {
         status = soup_add_index(s, context, vertex[k]);
@@ -122,8 +124,8 @@ graze_status soup_add_index(soup *s, graze_context *context, size_t vertex) {
     graze_status status = grow(context, &array, s->index_count, 1, sizeof *s->index);
     s->index = array;
     if (status == GRAZE_OK) {
-        s->index[s->index_count++] = vertex;
-        s->cycle_start[s->cycle_count] = s->index_count;
+        s->index[s->index_count++] = (uint32_t)vertex;
+        s->cycle_start[s->cycle_count] = (uint32_t)s->index_count;
     }
     return status;
 }

@@ -10,6 +10,7 @@
 #define GRAZE_SOLID_SOUP_H
 
 #include <flint/fmpq.h>
+#include <stdint.h>
 #include "context/context.h"
 
 #ifdef __cplusplus
@@ -21,15 +22,16 @@ typedef struct soup {
     size_t vertex_count;
     fmpq *coordinates; /* vertex_count * dimension, canonical */
     size_t index_count;
-    size_t *index; /* vertex numbers of all cycles */
+    uint32_t *index; /* vertex numbers of all cycles */
     size_t cycle_count;
-    size_t *cycle_start; /* cycle_count + 1 offsets into index */
+    uint32_t *cycle_start; /* cycle_count + 1 offsets into index */
     size_t facet_count;
-    size_t *facet_start;      /* facet_count + 1 offsets into cycles */
+    uint32_t *facet_start;    /* facet_count + 1 offsets into cycles */
     unsigned char sha256[32]; /* of the file's bytes; zero for arrays */
 } soup;
 
-/** An empty soup; grows by the functions below. */
+/** An empty soup; grows by the functions below, which obey the cells limit and end with
+ * GRAZE_ELIMIT past what 32 bits can number. */
 void soup_init(soup *s, int dimension);
 void soup_clear(soup *s);
 /** Append a vertex; `coordinates` are `dimension` canonical rationals, copied. Obeys the cells

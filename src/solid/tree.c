@@ -5,9 +5,15 @@
 
 #include <stdlib.h>
 
+/* What the splits look at, together in memory. */
+typedef struct entry {
+    double centre[3];
+    uint32_t simplex;
+} entry;
+
 typedef struct builder {
     const box *boxes;
-    uint32_t *order;
+    entry *entry;
     tree *out;
 } builder;
 
@@ -27,17 +33,13 @@ static void box_extend(box *a, const box *b) {
     }
 }
 
-static double centre(const box *b, int axis) {
-    return b->low[axis] / 2 + b->high[axis] / 2;
-}
-
-static int widest_axis(const builder *b, size_t first, size_t count) {
+static int widest_axis(const entry *first, size_t count) {
     int widest = 0;
     double width = -1;
     for (int axis = 0; axis < 3; axis++) {
-        double low = centre(&b->boxes[b->order[first]], axis), high = low;
-        for (size_t k = first + 1; k < first + count; k++) {
-            double c = centre(&b->boxes[b->order[k]], axis);
+        double low = first->centre[axis], high = low;
+        for (size_t k = 1; k < count; k++) {
+            double c = first[k].centre[axis];
             low = c < low ? c : low;
             high = c > high ? c : high;
         }
@@ -49,21 +51,21 @@ static int widest_axis(const builder *b, size_t first, size_t count) {
     return widest;
 }
 
-/* Quickselect: afterwards order[nth] is what sorting by centre would put there. */
-static void select_nth(const builder *b, int axis, size_t first, size_t last, size_t nth) {
+/* Quickselect: afterwards entry[nth] is what sorting by centre would put there. */
+static void select_nth(entry *list, int axis, size_t first, size_t last, size_t nth) {
     while (first < last) {
-        double pivot = centre(&b->boxes[b->order[first + (last - first) / 2]], axis);
+        double pivot = list[first + (last - first) / 2].centre[axis];
         size_t i = first, j = last;
         for (;;) {
-            while (centre(&b->boxes[b->order[i]], axis) < pivot)
+            while (list[i].centre[axis] < pivot)
                 i++;
-            while (centre(&b->boxes[b->order[j]], axis) > pivot)
+            while (list[j].centre[axis] > pivot)
                 j--;
             if (i >= j)
                 break;
-            uint32_t swap = b->order[i];
-            b->order[i++] = b->order[j];
-            b->order[j--] = swap;
+            entry swap = list[i];
+            list[i++] = list[j];
+            list[j--] = swap;
         }
         if (nth <= j)
             last = j;
@@ -74,35 +76,40 @@ static void select_nth(const builder *b, int axis, size_t first, size_t last, si
 
 static void build(builder *b, size_t node, size_t first, size_t count) {
     tree_node *here = &b->out->node[node];
-    here->box = b->boxes[b->order[first]];
-    for (size_t k = first + 1; k < first + count; k++)
-        box_extend(&here->box, &b->boxes[b->order[k]]);
-    here->simplex = b->order[first];
+    here->simplex = b->entry[first].simplex;
     here->child = 0;
-    if (count == 1)
+    if (count == 1) {
+        here->box = b->boxes[here->simplex];
         return;
+    }
     size_t half = count / 2;
-    select_nth(b, widest_axis(b, first, count), first, first + count - 1, first + half);
+    int axis = widest_axis(b->entry + first, count);
+    select_nth(b->entry + first, axis, 0, count - 1, half);
     here->child = (uint32_t)b->out->node_count;
     b->out->node_count += 2;
     build(b, here->child, first, half);
     build(b, here->child + 1, first + half, count - half);
+    here->box = b->out->node[here->child].box;
+    box_extend(&here->box, &b->out->node[here->child + 1].box);
 }
 
 int tree_build(tree *out, const box *boxes, size_t n) {
-    builder b = {boxes, malloc(n * sizeof *b.order), out};
+    builder b = {boxes, malloc(n * sizeof *b.entry), out};
     out->node = malloc((2 * n - 1) * sizeof *out->node);
     out->node_count = 1;
-    if (!b.order || !out->node) {
-        free(b.order);
+    if (!b.entry || !out->node) {
+        free(b.entry);
         free(out->node);
         out->node = NULL;
         return -1;
     }
-    for (size_t k = 0; k < n; k++)
-        b.order[k] = (uint32_t)k;
+    for (size_t k = 0; k < n; k++) {
+        b.entry[k].simplex = (uint32_t)k;
+        for (int i = 0; i < 3; i++)
+            b.entry[k].centre[i] = boxes[k].low[i] / 2 + boxes[k].high[i] / 2;
+    }
     build(&b, 0, 0, n);
-    free(b.order);
+    free(b.entry);
     return 0;
 }
 

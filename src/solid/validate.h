@@ -26,7 +26,7 @@ typedef struct simplex {
 
 typedef struct simplices {
     size_t count;
-    simplex *item; /* malloc'ed */
+    simplex *item; /* malloc'ed; those of one facet stand together */
     size_t component_count;
 } simplices;
 

@@ -20,7 +20,7 @@ cycle vertices_of(const soup &s, std::size_t facet) {
 }
 
 void check_cycle(graze_context *context, const points &at, std::size_t facet,
-                 const std::size_t *index, std::size_t count) {
+                 const std::uint32_t *index, std::size_t count) {
     std::vector<std::uint32_t> different;
     for (std::size_t k = 0; k < count; k++) {
         const std::size_t u = index[k], v = index[(k + 1) % count];

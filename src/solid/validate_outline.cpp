@@ -11,7 +11,7 @@ namespace {
 /* A ring within its polygon: 0 is the outer one. */
 struct ring {
     std::size_t polygon, number;
-    const std::size_t *index;
+    const std::uint32_t *index;
     std::size_t count;
     std::uint32_t first_edge;
 };
@@ -30,13 +30,11 @@ std::vector<ring> rings_of(const soup &s) {
 
 /* A ring of fewer than three positions, or on one line, has edges on one another. */
 void check_ring(graze_context *context, const points &at, const ring &r) {
-    const auto position = [&](std::size_t k) {
-        return at.position(static_cast<std::uint32_t>(r.index[k % r.count]));
-    };
+    const auto position = [&](std::size_t k) { return at.position(r.index[k % r.count]); };
     for (std::size_t k = 0; k < r.count; k++)
         if (position(k) == position(k + 1))
             refuse(context,
-                   "polygon %zu, ring %zu: vertices %zu and %zu follow one another at the same "
+                   "polygon %zu, ring %zu: vertices %u and %u follow one another at the same "
                    "position; an edge needs a length",
                    r.polygon, r.number, r.index[k], r.index[(k + 1) % r.count]);
 }
@@ -265,7 +263,7 @@ std::vector<piece> cut_rings(graze_context *context, const points &at, const sou
         for (std::size_t k = 0; k < r.count; k++) {
             piece e = {};
             for (std::size_t m = 0; m < 2; m++) {
-                e.cell.vertex[m] = static_cast<std::uint32_t>(r.index[(k + m) % r.count]);
+                e.cell.vertex[m] = r.index[(k + m) % r.count];
                 e.at[m] = at.position(e.cell.vertex[m]);
             }
             e.cell.facet = static_cast<std::uint32_t>(out.size());

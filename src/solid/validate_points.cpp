@@ -1,4 +1,4 @@
-/* Exact points: scaling, order, positions and signs (validate_points.hpp).
+/* Exact points: order, positions and signs (validate_points.hpp).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Signs are filtered. Each axis is divided by a power of two that brings it into [-1, 1]; the
@@ -18,8 +18,6 @@
 
 namespace {
 
-/* Longer common denominators than this many bits are not worth having. */
-constexpr flint_bitcnt_t COMMON_BITS = 4096;
 constexpr double DELTA = 0x1p-48;
 
 int sign_of(double value) {
@@ -51,42 +49,10 @@ integers::~integers() {
 }
 
 points::points(int dimension, std::size_t count, const fmpq *coordinates)
-    : dimension_(dimension), count_(count), numerator_(count * dimension), weight_(count),
+    : dimension_(dimension), count_(count), coordinates_(coordinates),
       approximation_(count * dimension), rank_(count * dimension), position_(count), scratch_(12) {
-    scale(coordinates);
     approximate();
     order();
-}
-
-bool points::common_denominators(const fmpq *coordinates, integers &common) const {
-    for (int j = 0; j < dimension_; j++) {
-        fmpz_one(common[j]);
-        for (std::size_t v = 0; v < count_; v++) {
-            const fmpz *denominator = fmpq_denref(coordinates + v * dimension_ + j);
-            if (fmpz_bits(denominator) > COMMON_BITS)
-                return false;
-            if (!fmpz_divisible(common[j], denominator))
-                fmpz_lcm(common[j], common[j], denominator);
-            if (fmpz_bits(common[j]) > COMMON_BITS)
-                return false;
-        }
-    }
-    return true;
-}
-
-void points::scale(const fmpq *coordinates) {
-    integers common(3), factor(1);
-    weighted_ = !common_denominators(coordinates, common);
-    for (std::size_t v = 0; v < count_; v++) {
-        const fmpq *x = coordinates + v * dimension_;
-        fmpz_one(weight_[v]);
-        for (int j = 0; weighted_ && j < dimension_; j++)
-            fmpz_lcm(weight_[v], weight_[v], fmpq_denref(x + j));
-        for (int j = 0; j < dimension_; j++) {
-            fmpz_divexact(factor[0], weighted_ ? weight_[v] : common[j], fmpq_denref(x + j));
-            fmpz_mul(numerator_[v * dimension_ + j], factor[0], fmpq_numref(x + j));
-        }
-    }
 }
 
 void points::approximate() {
@@ -95,11 +61,10 @@ void points::approximate() {
         slong top = 0;
         bool any = false;
         for (std::size_t v = 0; v < count_; v++) {
-            const fmpz *x = numerator_[v * dimension_ + j];
+            const fmpz *x = fmpq_numref(coordinates_ + v * dimension_ + j);
             slong over = 0, under = 0;
             double quotient = fmpz_get_d_2exp(&over, x);
-            if (weighted_)
-                quotient /= fmpz_get_d_2exp(&under, weight_[v]);
+            quotient /= fmpz_get_d_2exp(&under, fmpq_denref(coordinates_ + v * dimension_ + j));
             approximation_[v * dimension_ + j] = quotient / 2;
             exponent[v] = over - under + 1;
             if (!fmpz_is_zero(x) && (!any || exponent[v] > top)) {
@@ -116,13 +81,7 @@ void points::approximate() {
 
 int points::compare(std::uint32_t u, std::uint32_t v, int axis) const {
     const double apart = approximation(u, axis) - approximation(v, axis);
-    if (std::fabs(apart) > DELTA)
-        return sign_of(apart);
-    if (!weighted_)
-        return fmpz_cmp(numerator_[u * std::size_t(dimension_) + axis],
-                        numerator_[v * std::size_t(dimension_) + axis]);
-    difference(scratch_[0], u, v, axis);
-    return fmpz_sgn(scratch_[0]);
+    return std::fabs(apart) > DELTA ? sign_of(apart) : fmpq_cmp(exact(u, axis), exact(v, axis));
 }
 
 void points::order() {
@@ -159,24 +118,30 @@ int points::axis_between(std::uint32_t a, std::uint32_t b) const {
 }
 
 mpq_class points::coordinate(std::uint32_t v, int axis) const {
-    mpz_class over, under;
-    fmpz_get_mpz(over.get_mpz_t(), numerator_[v * std::size_t(dimension_) + axis]);
-    fmpz_get_mpz(under.get_mpz_t(), weight_[v]);
-    mpq_class value(over, under);
-    value.canonicalize();
+    mpq_class value;
+    fmpq_get_mpq(value.get_mpq_t(), exact(v, axis));
     return value;
 }
 
-/* x_u - x_v times the product of the two weights, which are positive. */
-void points::difference(fmpz *out, std::uint32_t u, std::uint32_t v, int axis) const {
-    const fmpz *x = numerator_[u * std::size_t(dimension_) + axis];
-    const fmpz *y = numerator_[v * std::size_t(dimension_) + axis];
-    if (!weighted_) {
-        fmpz_sub(out, x, y);
-        return;
+/* The coordinates of the others less that of a, all times one positive integer: scratch numbers
+ * first, first + step, ... Numbers 10 and 11 are used on the way. */
+void points::differences(int first, int step, std::uint32_t a, const std::uint32_t *others,
+                         int count, int axis) const {
+    fmpz *common = scratch_[10], *start = scratch_[11];
+    fmpz_set(common, fmpq_denref(exact(a, axis)));
+    for (int k = 0; k < count; k++)
+        if (!fmpz_equal(common, fmpq_denref(exact(others[k], axis))))
+            fmpz_lcm(common, common, fmpq_denref(exact(others[k], axis)));
+    const auto scaled = [&](fmpz *out, std::uint32_t v) {
+        fmpz_divexact(out, common, fmpq_denref(exact(v, axis)));
+        fmpz_mul(out, out, fmpq_numref(exact(v, axis)));
+    };
+    scaled(start, a);
+    for (int k = 0; k < count; k++) {
+        fmpz *out = scratch_[first + k * step];
+        scaled(out, others[k]);
+        fmpz_sub(out, out, start);
     }
-    fmpz_mul(out, x, weight_[v]);
-    fmpz_submul(out, y, weight_[u]);
 }
 
 int points::turn(int drop, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
@@ -193,11 +158,10 @@ int points::turn(int drop, std::uint32_t a, std::uint32_t b, std::uint32_t c) co
 }
 
 int points::exact_turn(int i, int j, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const std::uint32_t row[2] = {b, c};
     integers &m = scratch_;
-    difference(m[0], b, a, i);
-    difference(m[1], b, a, j);
-    difference(m[2], c, a, i);
-    difference(m[3], c, a, j);
+    differences(0, 2, a, row, 2, i);
+    differences(1, 2, a, row, 2, j);
     fmpz_mul(m[4], m[0], m[3]);
     fmpz_submul(m[4], m[1], m[2]);
     return fmpz_sgn(m[4]);
@@ -222,9 +186,8 @@ int points::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_
 int points::exact_side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     const std::uint32_t row[3] = {b, c, d};
     integers &m = scratch_;
-    for (int k = 0; k < 3; k++)
-        for (int j = 0; j < 3; j++)
-            difference(m[3 * k + j], row[k], a, j);
+    for (int j = 0; j < 3; j++)
+        differences(j, 3, a, row, 3, j);
     fmpz_zero(m[9]);
     for (int j = 0; j < 3; j++) {
         const int i = (j + 1) % 3, k = (j + 2) % 3;

@@ -1,10 +1,8 @@
-/* Exact points for the validation: coordinates brought to integers, order along the axes, equality
- * of positions, and the two orientation signs every test is made of.
+/* Exact points for the validation: order along the axes, equality of positions, and the two
+ * orientation signs every test is made of.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Every axis is scaled by the common denominator of its coordinates: a positive affine map, which
- * changes no sign, no order and no incidence. Where that denominator would be too long, each point
- * keeps a weight of its own instead and its coordinates are X / weight.
+ * The rationals stay where they are; what is kept are ranks and doubles that settle most signs.
  */
 #ifndef GRAZE_SOLID_VALIDATE_POINTS_HPP
 #define GRAZE_SOLID_VALIDATE_POINTS_HPP
@@ -39,7 +37,7 @@ class integers {
  */
 class points {
   public:
-    /** `coordinates` are count * dimension canonical rationals, borrowed during the call. */
+    /** `coordinates` are count * dimension canonical rationals, borrowed as long as this lives. */
     points(int dimension, std::size_t count, const fmpq *coordinates);
 
     int dimension() const {
@@ -58,7 +56,6 @@ class points {
     }
     /** An axis along which two different positions differ. */
     int axis_between(std::uint32_t a, std::uint32_t b) const;
-    /** The coordinate, scaled as the head of this file says. */
     mpq_class coordinate(std::uint32_t v, int axis) const;
 
     /**
@@ -70,23 +67,23 @@ class points {
     int side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
 
   private:
-    void scale(const fmpq *coordinates);
-    bool common_denominators(const fmpq *coordinates, integers &common) const;
     void approximate();
     void order();
     int compare(std::uint32_t u, std::uint32_t v, int axis) const;
-    void difference(fmpz *out, std::uint32_t u, std::uint32_t v, int axis) const;
+    void differences(int first, int step, std::uint32_t a, const std::uint32_t *others, int count,
+                     int axis) const;
     int exact_turn(int i, int j, std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
     int exact_side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
+    const fmpq *exact(std::uint32_t v, int axis) const {
+        return coordinates_ + v * static_cast<std::size_t>(dimension_) + axis;
+    }
     double approximation(std::uint32_t v, int axis) const {
         return approximation_[v * static_cast<std::size_t>(dimension_) + axis];
     }
 
     int dimension_;
     std::size_t count_;
-    integers numerator_;
-    integers weight_; /* one per point; none when every weight is 1 */
-    bool weighted_ = false;
+    const fmpq *coordinates_;
     std::vector<double> approximation_;
     std::vector<std::uint32_t> rank_, position_;
     mutable integers scratch_;

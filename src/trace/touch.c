@@ -5,12 +5,16 @@
 #include "trace/touch.h"
 
 #include <stdlib.h>
+#include "solid/planes.h"
 
 typedef struct finder {
     touches *out;
     const graze_solid *solid;
     const trajectory *c;
-    fmpz_poly_t pullback; /* of the plane, then of one side at a time */
+    const fmpz *plane;        /* of the candidates at hand */
+    uint32_t simplex;         /* whose sides are at hand: */
+    int known;                /* the pullbacks of as many of them, */
+    fmpz_poly_struct side[3]; /* made when first asked for */
     int out_of_memory;
 } finder;
 
@@ -45,13 +49,29 @@ static size_t add_time(finder *f, const algebraic *time) {
     return f->out->time.count - 1;
 }
 
+/* The pullback of side k of a simplex in the plane at hand. */
+static const fmpz_poly_struct *side_pullback(finder *f, uint32_t simplex, int k) {
+    if (f->simplex != simplex)
+        f->known = 0;
+    f->simplex = simplex;
+    fmpz form[4];
+    for (int i = 0; i < 4; i++)
+        fmpz_init(form + i);
+    for (; f->known <= k; f->known++) {
+        solid_side(form, f->solid, simplex, f->plane, f->known);
+        trajectory_pullback(&f->side[f->known], f->c, form);
+    }
+    for (int i = 0; i < 4; i++)
+        fmpz_clear(form + i);
+    return &f->side[k];
+}
+
 /* Whether the trajectory, in the simplex's plane at `time`, is in the closed simplex; then `zero`
  * tells which side forms vanish. */
-static int inside_at(unsigned *zero, finder *f, size_t simplex, algebraic *time) {
+static int inside_at(unsigned *zero, finder *f, uint32_t simplex, algebraic *time) {
     *zero = 0;
     for (int k = 0; k < f->c->dimension; k++) {
-        trajectory_pullback(f->pullback, f->c, solid_side(f->solid, simplex, k));
-        int sign = algebraic_sign_at(f->pullback, time);
+        int sign = algebraic_sign_at(side_pullback(f, simplex, k), time);
         if (sign < 0)
             return 0;
         if (sign == 0)
@@ -137,9 +157,9 @@ static void cut_slide(algebraic_list *cuts, finder *f, const candidate *slide) {
     algebraic_set_dyadic(algebraic_list_append(cuts), window.low, window.exponent);
     algebraic_set_dyadic(algebraic_list_append(cuts), window.high, window.exponent);
     for (int k = 0; k < f->c->dimension; k++) {
-        trajectory_pullback(f->pullback, f->c, solid_side(f->solid, slide->simplex, k));
-        if (!fmpz_poly_is_zero(f->pullback))
-            algebraic_roots(cuts, f->pullback, &window);
+        const fmpz_poly_struct *side = side_pullback(f, slide->simplex, k);
+        if (!fmpz_poly_is_zero(side))
+            algebraic_roots(cuts, side, &window);
     }
     dyadic_interval_clear(&window);
 }
@@ -187,38 +207,55 @@ static void touch_slide(finder *f, const candidate *slide) {
     algebraic_list_clear(&cuts);
 }
 
-static __thread const graze_solid *hack;
-static int by_plane(const void *l, const void *r) {
-    const candidate *a = l, *b = r;
-    uint32_t x = hack->plane_of[a->simplex], y = hack->plane_of[b->simplex];
-    if (x != y)
-        return x < y ? -1 : 1;
-    return a->simplex < b->simplex ? -1 : a->simplex > b->simplex;
+/* The candidates in one plane. */
+static void touch_candidates(finder *f, candidate *first, size_t count) {
+    fmpz_poly_t pullback;
+    fmpz_poly_init(pullback);
+    trajectory_pullback(pullback, f->c, f->plane);
+    f->known = 0;
+    if (!fmpz_poly_is_zero(pullback))
+        touch_plane(f, pullback, first, count);
+    else
+        for (size_t k = 0; k < count; k++)
+            touch_slide(f, &first[k]);
+    fmpz_poly_clear(pullback);
+}
+
+/* Bring the candidates of each plane together, so that its roots are isolated once. `simplex` and
+ * `sorted` have room for all of them. */
+static void touch_planes(finder *f, const candidates *list, uint32_t *simplex, candidate *sorted) {
+    plane_list planes;
+    for (size_t k = 0; k < list->count; k++)
+        simplex[k] = list->item[k].simplex;
+    if (planes_find(&planes, f->solid, simplex, list->count)) {
+        f->out_of_memory = 1;
+        return;
+    }
+    for (size_t k = 0; k < list->count; k++)
+        sorted[k] = list->item[planes.order[k]];
+    for (size_t p = 0; p < planes.count; p++) {
+        f->plane = planes.form + p * (size_t)(planes.dimension + 1);
+        touch_candidates(f, sorted + planes.start[p], planes.start[p + 1] - planes.start[p]);
+    }
+    planes_clear(&planes);
 }
 
 graze_status touches_find(touches *t, graze_context *context, const graze_solid *solid,
-                          const trajectory *c, candidates *list) {
+                          const trajectory *c, const candidates *list) {
+    if (list->count == 0)
+        return GRAZE_OK;
     finder f = {.out = t, .solid = solid, .c = c};
-    fmpz_poly_t plane;
-    fmpz_poly_init(plane);
-    fmpz_poly_init(f.pullback);
-    hack = solid;
-    if (list->count)
-        qsort(list->item, list->count, sizeof *list->item, by_plane);
-    for (size_t first = 0, next; first < list->count; first = next) {
-        for (next = first; next < list->count; next++)
-            if (solid->plane_of[list->item[next].simplex] !=
-                solid->plane_of[list->item[first].simplex])
-                break;
-        trajectory_pullback(plane, c, solid_plane(solid, list->item[first].simplex));
-        if (!fmpz_poly_is_zero(plane))
-            touch_plane(&f, plane, &list->item[first], next - first);
-        else
-            for (size_t k = first; k < next; k++)
-                touch_slide(&f, &list->item[k]);
-    }
-    fmpz_poly_clear(plane);
-    fmpz_poly_clear(f.pullback);
+    uint32_t *simplex = malloc(list->count * sizeof *simplex);
+    candidate *sorted = malloc(list->count * sizeof *sorted);
+    f.out_of_memory = !simplex || !sorted;
+    for (int k = 0; k < 3; k++)
+        fmpz_poly_init(&f.side[k]);
+    if (!f.out_of_memory)
+        touch_planes(&f, list, simplex, sorted);
+    for (int k = 0; k < 3; k++)
+        fmpz_poly_clear(&f.side[k]);
+    free(simplex);
+    free(sorted);
     if (f.out_of_memory)
         return context_fail(context, GRAZE_ESYSTEM,
                             "out of memory for the touches of a trajectory");

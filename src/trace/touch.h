@@ -34,10 +34,10 @@ void touches_clear(touches *t);
 /**
  * Find every touch of the candidates (theory, section 0; proofs/claims.md: the events of a
  * simplex). The union of the closed intervals [from, to] is exactly the set of times at which the
- * trajectory is on the boundary. The candidates of one plane are reordered.
+ * trajectory is on the boundary.
  */
 graze_status touches_find(touches *t, graze_context *context, const graze_solid *solid,
-                          const trajectory *c, candidates *list);
+                          const trajectory *c, const candidates *list);
 
 /** Order the times exactly, then the touches by the rank of `from`. */
 graze_status touches_order(touches *t, graze_context *context);

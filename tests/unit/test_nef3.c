@@ -54,7 +54,7 @@ static void sixfold_volume(fmpq_t out, const soup *s) {
     fmpq_init(part);
     fmpq_zero(out);
     for (size_t c = 0; c < s->cycle_count; c++) {
-        const size_t *v = s->index + s->cycle_start[c];
+        const uint32_t *v = s->index + s->cycle_start[c];
         for (size_t k = 1; k + 1 < s->cycle_start[c + 1] - s->cycle_start[c]; k++) {
             const fmpq *row[3] = {s->coordinates + 3 * v[0], s->coordinates + 3 * v[k],
                                   s->coordinates + 3 * v[k + 1]};
@@ -136,7 +136,8 @@ static void test_nef_outer_cycle_first(void **state) {
     read_copy(&swapped, exchanged);
     assert_int_equal(swapped.index_count, s.index_count);
     assert_memory_equal(swapped.index, s.index, s.index_count * sizeof *s.index);
-    assert_memory_equal(swapped.cycle_start, s.cycle_start, (s.cycle_count + 1) * sizeof(size_t));
+    assert_memory_equal(swapped.cycle_start, s.cycle_start,
+                        (s.cycle_count + 1) * sizeof *s.cycle_start);
     assert_int_equal(s.facet_start[1], 2);
     soup_clear(&s);
     soup_clear(&swapped);

@@ -62,7 +62,7 @@ static void assert_coordinate(const soup *s, size_t v, int k, const char *expect
     free(text);
 }
 
-static void assert_cycle(const soup *s, size_t c, size_t count, const size_t *expected) {
+static void assert_cycle(const soup *s, size_t c, size_t count, const uint32_t *expected) {
     assert_int_equal(s->cycle_start[c + 1] - s->cycle_start[c], count);
     assert_memory_equal(s->index + s->cycle_start[c], expected, count * sizeof *expected);
 }
@@ -77,9 +77,11 @@ static void assert_same(const soup *a, const soup *b) {
     assert_int_equal(a->facet_count, b->facet_count);
     assert_int_equal(a->cycle_count, b->cycle_count);
     assert_int_equal(a->index_count, b->index_count);
-    assert_memory_equal(a->facet_start, b->facet_start, (a->facet_count + 1) * sizeof(size_t));
-    assert_memory_equal(a->cycle_start, b->cycle_start, (a->cycle_count + 1) * sizeof(size_t));
-    assert_memory_equal(a->index, b->index, a->index_count * sizeof(size_t));
+    assert_memory_equal(a->facet_start, b->facet_start,
+                        (a->facet_count + 1) * sizeof *a->facet_start);
+    assert_memory_equal(a->cycle_start, b->cycle_start,
+                        (a->cycle_count + 1) * sizeof *a->cycle_start);
+    assert_memory_equal(a->index, b->index, a->index_count * sizeof *a->index);
 }
 
 /* Vertex k of the cube [0, 2]^3 has its x, y, z from bits 0, 1, 2 of k. */
@@ -238,7 +240,7 @@ static void test_ply_passes_over(void **state) {
         "1 8 2 0 -0.25 1\n2 5 5 -128 0 1e3 0\n",
         head);
     must_read(&s, ".ply", text);
-    assert_cycle(&s, 0, 3, (const size_t[]){2, 0, 1});
+    assert_cycle(&s, 0, 3, (const uint32_t[]){2, 0, 1});
     assert_coordinate(&s, 0, 0, "4000000000");
     assert_coordinate(&s, 0, 1, "1/2");
     assert_coordinate(&s, 0, 2, "-1");
@@ -353,8 +355,8 @@ static void test_stl_merges_equal_positions(void **state) {
               "\nvertex 1.0 -0.0 0\nvertex 10/2 0 0\nvertex 0 0 3e0\nendloop\nendfacet\nendsolid");
     assert_int_equal(s.vertex_count, 4);
     assert_int_equal(s.facet_count, 2);
-    assert_cycle(&s, 0, 3, (const size_t[]){0, 1, 2});
-    assert_cycle(&s, 1, 3, (const size_t[]){1, 0, 3});
+    assert_cycle(&s, 0, 3, (const uint32_t[]){0, 1, 2});
+    assert_cycle(&s, 1, 3, (const uint32_t[]){1, 0, 3});
     put_stl(corners, 2);
     assert_int_equal(read_bytes(&binary, ".stl", text, text_size), GRAZE_OK);
     assert_same(&binary, &s);
@@ -377,7 +379,7 @@ static void test_stl_merges_many(void **state) {
     put_stl(corners, 1200);
     assert_int_equal(read_bytes(&s, ".stl", text, text_size), GRAZE_OK);
     assert_int_equal(s.vertex_count, 1202);
-    assert_cycle(&s, 1199, 3, (const size_t[]){1199, 1200, 1201});
+    assert_cycle(&s, 1199, 3, (const uint32_t[]){1199, 1200, 1201});
     soup_clear(&s);
 }
 
@@ -389,9 +391,9 @@ static void test_obj_indices(void **state) {
               "vt 0 0\nf -3//9 -2//-1 \\\n -1\nv 0 0 1\nv 3 3 3\nf -1 -5/7 3\nusemtl x\n");
     assert_int_equal(s.vertex_count, 5);
     assert_int_equal(s.facet_count, 3);
-    assert_cycle(&s, 0, 3, (const size_t[]){4, 1, 0});
-    assert_cycle(&s, 1, 3, (const size_t[]){0, 1, 2});
-    assert_cycle(&s, 2, 3, (const size_t[]){4, 0, 2});
+    assert_cycle(&s, 0, 3, (const uint32_t[]){4, 1, 0});
+    assert_cycle(&s, 1, 3, (const uint32_t[]){0, 1, 2});
+    assert_cycle(&s, 2, 3, (const uint32_t[]){4, 0, 2});
     soup_clear(&s);
 }
 
@@ -402,7 +404,7 @@ static void test_off_colours_and_blanks(void **state) {
               "# first\n\nOFF 3 4 0 # counts\n\n 0 0\t0\n1 0 0 #\n0 1 0\n\n3 0 1 2\n3 0 1 2 7\n"
               "3 0 1 2 0.5 0.5 0.5\n3 2 1 0 1 2 3 4 # end\n\n");
     assert_int_equal(s.facet_count, 4);
-    assert_cycle(&s, 3, 3, (const size_t[]){2, 1, 0});
+    assert_cycle(&s, 3, 3, (const uint32_t[]){2, 1, 0});
     soup_clear(&s);
 }
 
@@ -418,10 +420,10 @@ static void test_wkt_turns_rings(void **state) {
     assert_int_equal(s.vertex_count, 13);
     assert_int_equal(s.facet_count, 2);
     assert_int_equal(s.facet_start[1], 3);
-    assert_cycle(&s, 0, 4, (const size_t[]){0, 3, 2, 1});
-    assert_cycle(&s, 1, 3, (const size_t[]){4, 6, 5});
-    assert_cycle(&s, 2, 3, (const size_t[]){7, 8, 9});
-    assert_cycle(&s, 3, 3, (const size_t[]){10, 11, 12});
+    assert_cycle(&s, 0, 4, (const uint32_t[]){0, 3, 2, 1});
+    assert_cycle(&s, 1, 3, (const uint32_t[]){4, 6, 5});
+    assert_cycle(&s, 2, 3, (const uint32_t[]){7, 8, 9});
+    assert_cycle(&s, 3, 3, (const uint32_t[]){10, 11, 12});
     assert_coordinate(&s, 4, 0, "1");
     assert_coordinate(&s, 12, 1, "10");
     soup_clear(&s);
