@@ -39,6 +39,7 @@ static void null_is_wrong_use(void **state) {
     graze_scene *made = s.scene;
     graze_trace *trace = (graze_trace *)&s;
     char *text = (char *)&s;
+    size_t length;
     mpq_t x[2];
     mpq_init(x[0]);
     mpq_init(x[1]);
@@ -60,6 +61,11 @@ static void null_is_wrong_use(void **state) {
     assert_int_equal(
         graze_report_row(&text, s.context, s.scene, (const mpq_t *)x, NULL, GRAZE_FORMAT_CSV, NULL),
         GRAZE_EUSE);
+    assert_int_equal(graze_report_point(&text, s.context, s.scene, NULL, GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_report_points(&text, &length, NULL, s.context, s.scene, (const mpq_t *)x,
+                                         1, GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
     assert_int_equal(graze_report_explain(&text, s.context, s.scene, (const mpq_t *)x, NULL),
                      GRAZE_EUSE);
     assert_int_equal(graze_time_decimal(&text, s.context, NULL, 5), GRAZE_EUSE);

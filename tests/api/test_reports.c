@@ -116,11 +116,65 @@ static void rows_and_explanation(void **state) {
     scene_close(&s);
 }
 
+/* (5, 1) is inside for 3 < 8t < 5; (16/3, 2) slides along the upper edge; (-1, -1) is below. */
+static void rows_of_many_points(void **state) {
+    (void)state;
+    static const char inside[] = "5,1,in,regular,5,1,2,0,OBIBO,a\n";
+    static const char all[] = "5,1,in,regular,5,1,2,0,OBIBO,a\n16/3,2,on,boundary,8,1,0,1,OBO\n"
+                              "-1,-1,out,exterior,9,1,0,0,O,\n";
+    static const char *const rest[] = {"a", NULL, ""};
+    scene s;
+    mpq_t p[6];
+    char *text;
+    size_t length, done;
+    scene_open(&s, slide, NULL);
+    for (int k = 0; k < 6; k++)
+        mpq_init(p[k]);
+    mpq_set_ui(p[0], 5, 1);
+    mpq_set_ui(p[1], 1, 1);
+    mpq_set_ui(p[2], 16, 3);
+    mpq_set_ui(p[3], 2, 1);
+    mpq_set_si(p[4], -1, 1);
+    mpq_set_si(p[5], -1, 1);
+    assert_int_equal(graze_report_points(&text, &length, &done, s.context, s.scene,
+                                         (const mpq_t *)p, 3, GRAZE_FORMAT_CSV, rest),
+                     GRAZE_OK);
+    assert_string_equal(text, all);
+    assert_int_equal(length, strlen(all));
+    assert_int_equal(done, 3);
+    graze_free(text);
+    assert_int_equal(
+        graze_report_point(&text, s.context, s.scene, (const mpq_t *)p, GRAZE_FORMAT_CSV, "a"),
+        GRAZE_OK);
+    assert_string_equal(text, inside);
+    graze_free(text);
+    assert_int_equal(graze_report_points(&text, &length, &done, s.context, s.scene, NULL, 0,
+                                         GRAZE_FORMAT_JSONL, NULL),
+                     GRAZE_OK);
+    assert_null(text);
+    assert_int_equal(length + done, 0);
+    mpz_set_ui(mpq_numref(p[2]), 15); /* 15/3 is not in lowest terms */
+    assert_int_equal(graze_report_points(&text, &length, &done, s.context, s.scene,
+                                         (const mpq_t *)p, 3, GRAZE_FORMAT_CSV, rest),
+                     GRAZE_EUSE);
+    assert_string_equal(text, inside);
+    assert_int_equal(done, 1);
+    graze_free(text);
+    assert_int_equal(graze_report_points(&text, &length, &done, s.context, s.scene,
+                                         (const mpq_t *)p, 3, (graze_format)5, rest),
+                     GRAZE_EUSE);
+    assert_null(text);
+    for (int k = 0; k < 6; k++)
+        mpq_clear(p[k]);
+    scene_close(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hash_of_the_canonical_text),
         cmocka_unit_test(hash_of_a_fanned_solid),
         cmocka_unit_test(rows_and_explanation),
+        cmocka_unit_test(rows_of_many_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
