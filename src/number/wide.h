@@ -1,7 +1,7 @@
 /* Vectors of integers that all have the same number of limbs: signed integers modulo 2^(64 limbs)
  * in two's complement. Sums, products and left shifts are right modulo that number whatever is lost
- * on the way, so only a result whose sign or value is read must fit. SPDX-License-Identifier:
- * GPL-3.0-or-later
+ * on the way, so only a result whose sign or value is read must fit.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_NUMBER_WIDE_H
 #define GRAZE_NUMBER_WIDE_H

@@ -36,6 +36,8 @@ UNREACHED = {
     "unexpected fault in the geometry": "a fault of Graze itself",
     "this processor does not round as it is told": "needs an emulator such as valgrind",
     "a contact ends between two pieces": "a fault of Graze itself",
+    "one after the other, disagree on the state": "a fault of Graze itself",
+    "an exact location disagree on a state": "a fault of Graze itself",
     "between two contacts of a trace is neither": "a fault of Graze itself",
 }
 
