@@ -22,14 +22,17 @@ static void find_stops(lines *l) {
     l->stops['\\'] = l->continued != 0;
 }
 
-graze_status lines_start(lines *l, const char *text, size_t length) {
+void lines_begin(lines *l, const char *text, size_t length) {
+    int marked = length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0;
     find_stops(l);
-    l->end = text + length;
     l->line = l->where = 1;
-    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
-        text += 3;
-    }
-    l->at = text;
+    l->at = text + (marked ? 3 : 0);
+    l->end = text + length;
+}
+
+graze_status lines_start(lines *l, const char *text, size_t length) {
+    lines_begin(l, text, length);
+    text = l->at;
     while (text < l->end) {
         const char *newline = memchr(text, '\n', (size_t)(l->end - text));
         size_t size = (size_t)((newline == NULL ? l->end : newline) - text);

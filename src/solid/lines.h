@@ -28,8 +28,11 @@ typedef struct lines {
     unsigned char stops[256]; /* bytes that end a token, a backslash only before a line's end */
 } lines;
 
+/** Begin a text whose first five fields are set; a byte order mark is skipped. */
+void lines_begin(lines *l, const char *text, size_t length);
+
 /**
- * Begin a text whose first five fields are set; a byte order mark is skipped.
+ * Begin a text, and look through it first.
  * @return GRAZE_ELIMIT a line is too long; GRAZE_EINPUT a NUL byte or a lone carriage return
  */
 graze_status lines_start(lines *l, const char *text, size_t length);

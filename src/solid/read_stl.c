@@ -203,11 +203,9 @@ static graze_status read_text(merger *m, const char *path, const char *text, siz
 }
 
 static int begins_as_text(const char *text, size_t length) {
-    lines l = {.marks = "", .at = text, .end = text + length};
-    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
-        l.at += 3;
-    }
+    lines l = {.marks = ""};
     token t;
+    lines_begin(&l, text, length);
     return lines_any(&l, &t) && token_is(t, "solid");
 }
 

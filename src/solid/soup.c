@@ -24,8 +24,8 @@ static graze_status grow(graze_context *context, void **array, size_t count, siz
                          size_t entry) {
     if (count + more > UINT32_MAX) {
         return context_fail(context, GRAZE_ELIMIT,
-                            "the solid has more vertices, corners or facets than the %lu that can "
-                            "be numbered",
+                            "the solid has more than %lu vertices, corners or facets, which is as "
+                            "many as can be numbered",
                             (unsigned long)UINT32_MAX);
     }
     size_t size = room(count + more);

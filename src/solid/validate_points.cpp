@@ -18,6 +18,8 @@
 
 namespace {
 
+/* Longer common denominators than this many bits are not worth having. */
+constexpr flint_bitcnt_t COMMON_BITS = 4096;
 constexpr double DELTA = 0x1p-48;
 
 int sign_of(double value) {
@@ -49,10 +51,27 @@ integers::~integers() {
 }
 
 points::points(int dimension, std::size_t count, const fmpq *coordinates)
-    : dimension_(dimension), count_(count), coordinates_(coordinates),
+    : dimension_(dimension), count_(count), coordinates_(coordinates), common_(3),
       approximation_(count * dimension), rank_(count * dimension), position_(count), scratch_(12) {
+    find_common();
     approximate();
     order();
+}
+
+void points::find_common() {
+    for (int j = 0; j < 3; j++)
+        fmpz_one(common_[j]);
+    for (std::size_t k = 0; k < count_ * dimension_; k++) {
+        fmpz *common = common_[k % dimension_];
+        const fmpz *denominator = fmpq_denref(coordinates_ + k);
+        if (fmpz_bits(denominator) <= COMMON_BITS && !fmpz_divisible(common, denominator))
+            fmpz_lcm(common, common, denominator);
+        if (fmpz_bits(denominator) > COMMON_BITS || fmpz_bits(common) > COMMON_BITS) {
+            for (int j = 0; j < 3; j++)
+                fmpz_one(common_[j]);
+            return;
+        }
+    }
 }
 
 void points::approximate() {
@@ -119,8 +138,10 @@ int points::axis_between(std::uint32_t a, std::uint32_t b) const {
 
 mpq_class points::coordinate(std::uint32_t v, int axis) const {
     mpq_class value;
+    mpz_class common;
     fmpq_get_mpq(value.get_mpq_t(), exact(v, axis));
-    return value;
+    fmpz_get_mpz(common.get_mpz_t(), common_[axis]);
+    return value * common;
 }
 
 /* The coordinates of the others less that of a, all times one positive integer: scratch numbers

@@ -56,6 +56,8 @@ class points {
     }
     /** An axis along which two different positions differ. */
     int axis_between(std::uint32_t a, std::uint32_t b) const;
+    /** The coordinate times the common denominator of its axis, hence an integer; where a common
+     * denominator would be too long, no axis is multiplied. */
     mpq_class coordinate(std::uint32_t v, int axis) const;
 
     /**
@@ -67,6 +69,7 @@ class points {
     int side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
 
   private:
+    void find_common();
     void approximate();
     void order();
     int compare(std::uint32_t u, std::uint32_t v, int axis) const;
@@ -84,6 +87,7 @@ class points {
     int dimension_;
     std::size_t count_;
     const fmpq *coordinates_;
+    integers common_; /* one per axis */
     std::vector<double> approximation_;
     std::vector<std::uint32_t> rank_, position_;
     mutable integers scratch_;
