@@ -14,6 +14,9 @@
 /* More than all that underflow and numbers too small to convert can add to a coefficient. */
 #define FLOOR 0x1p-780
 
+/* A curve that needs more is left to the exact path. */
+enum { MOST_SPANS = 8192 };
+
 void curve_init(curve *c) {
     *c = (curve){.dimension = 0};
 }
@@ -65,10 +68,10 @@ static void bound_shift(span *piece, const curve *c) {
             size = fmax(size, c->size[i]);
             steepest = fmax(steepest, step + 2 * piece->error[i]);
         } else {
-            error += (c->reach + c->corner_error) * piece->error[d] +
-                     (c->corner_error + 4 * U * c->reach) * c->size[d];
-            size += c->reach * c->size[d];
-            steepest += c->reach * (step + 2 * piece->error[d]);
+            error += (c->corners->reach + c->corners->error) * piece->error[d] +
+                     (c->corners->error + 4 * U * c->corners->reach) * c->size[d];
+            size += c->corners->reach * c->size[d];
+            steepest += c->corners->reach * (step + 2 * piece->error[d]);
         }
     }
     piece->shift_error = SLACK * error;
@@ -99,8 +102,10 @@ static void bound_space(span *piece, const curve *c) {
         piece->along[i] = along;
         piece->thick[i] =
             SLACK * (off + 2 * (piece->error[i] + most * piece->error[d]) / least + 16 * U * most);
-        piece->bend = off > 0x1p-44 * most ? fmax(piece->bend, off) : piece->bend;
-        piece->thick[i] += 16 * U * (c->reach + most + piece->thick[i]);
+        piece->thick[i] += 16 * U * (c->corners->axis_reach[i] + most + piece->thick[i]);
+        /* Less than that is rounding, which no cut makes smaller. */
+        if (off > 0.5 * piece->thick[i])
+            piece->bend = fmax(piece->bend, off);
     }
     for (int i = 0; i < 3; i++)
         piece->inverse[i] = 1 / piece->along[i];
@@ -134,21 +139,19 @@ static int finish_curve(curve *c, const double *error) {
     return largest <= 0x1p410;
 }
 
-static int begin(curve *c, int dimension, int degree, double reach, double corner_error) {
+static int begin(curve *c, int dimension, int degree, const corners *corners) {
     c->dimension = dimension;
     c->degree = degree;
-    c->reach = reach;
-    c->corner_error = corner_error;
+    c->corners = corners;
     c->stride = (size_t)(dimension + 1) * (size_t)(degree + 1);
     c->count = 0;
     return reserve(c);
 }
 
-int curve_set(curve *c, const carrier *map, const filter_point *point, double reach,
-              double corner_error) {
+int curve_set(curve *c, const carrier *map, const filter_point *point, const corners *corners) {
     int d = map->dimension, n = map->degree;
     double error[4];
-    if (!map->usable || !begin(c, d, n, reach, corner_error))
+    if (!map->usable || !begin(c, d, n, corners))
         return 0;
     for (int j = 0; j < d; j++)
         if (!(fabs(point->at[j]) <= CARRIER_REACH))
@@ -175,9 +178,9 @@ int curve_set(curve *c, const carrier *map, const filter_point *point, double re
 }
 
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
-                      const double *direction, double reach, double corner_error) {
+                      const double *direction, const corners *corners) {
     double e[4];
-    if (!begin(c, dimension, 1, reach, corner_error))
+    if (!begin(c, dimension, 1, corners))
         return 0;
     for (int i = 0; i <= dimension; i++) {
         double *x = c->coefficients + 2 * i;
@@ -204,7 +207,7 @@ static void halve(double *left, double *right, const double *x, int n) {
 int curve_cut(curve *c, uint32_t index) {
     if (c->spans[index].child)
         return 1;
-    if (!reserve(c))
+    if (c->count > MOST_SPANS || !reserve(c))
         return 0;
     int d = c->dimension, n = c->degree;
     double error[4];

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "filter/carrier.h"
+#include "solid/corners.h"
 #include "solid/tree.h"
 
 _Static_assert(FLT_EVAL_METHOD == 0, "the filter's bounds are those of arithmetic in double alone");
@@ -40,8 +41,8 @@ typedef struct span {
  */
 typedef struct curve {
     int dimension, degree;
-    double size[4]; /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole */
-    double reach, corner_error; /* of the solid's corners */
+    double size[4];         /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole */
+    const corners *corners; /* borrowed */
     size_t stride, count, capacity, room;
     span *spans;
     double *coefficients;
@@ -58,20 +59,20 @@ void curve_clear(curve *c);
 
 /**
  * Set the curve that a carrier gives a point.
- * @param reach, corner_error the solid's (corners.h)
+ * @param corners the solid's, kept
  * @return 0 if the numbers are beyond the filter, or without memory
  */
-int curve_set(curve *c, const carrier *map, const filter_point *point, double reach,
-              double corner_error);
+int curve_set(curve *c, const carrier *map, const filter_point *point, const corners *corners);
 
 /**
  * Set the segment from a point to a point + direction, as a curve of degree 1.
  * @param at   d + 1 homogeneous coordinates, at[d] > 0, each within error[i] of the exact one
  */
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
-                      const double *direction, double reach, double corner_error);
+                      const double *direction, const corners *corners);
 
-/** Cut a span in halves, if that was not done yet; 0 without memory. Pointers to spans end here. */
+/** Cut a span in halves, if that was not done yet; 0 if there are too many, or without memory.
+ * Pointers to spans end here. */
 int curve_cut(curve *c, uint32_t index);
 
 /**

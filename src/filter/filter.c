@@ -145,8 +145,7 @@ int filter_set(filter_workspace *w, const filter *f, size_t piece, const filter_
     if (w->piece == piece)
         return 1;
     w->piece = SIZE_MAX;
-    if (!corners->at ||
-        !curve_set(&w->curve, &f->piece[piece], point, corners->reach, corners->error))
+    if (!corners->at || !curve_set(&w->curve, &f->piece[piece], point, corners))
         return 0;
     w->piece = piece;
     return 1;

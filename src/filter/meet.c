@@ -233,20 +233,18 @@ static meeting judge_window(meet_window *out, const meeter *m) {
 typedef struct signs {
     int first, last; /* of the coefficients 0 and n; 0: not certain */
     int one;         /* all have the sign `first` */
-    int zero;        /* none is certain */
     int single;      /* they change once, whatever the one that may be uncertain is */
 } signs;
 
 static signs read_signs(const meeter *m) {
     int n = m->c->degree, left = 0, uncertain = 0;
     signs s = {sign_beyond(m->plane.at[0], m->plane.error),
-               sign_beyond(m->plane.at[n], m->plane.error), 1, 1, 0};
+               sign_beyond(m->plane.at[n], m->plane.error), 1, 0};
     s.one = s.first != 0;
     s.single = s.first * s.last < 0;
     for (int k = 0; k <= n; k++) {
         int sign = sign_beyond(m->plane.at[k], m->plane.error);
         s.one = s.one && sign == s.first;
-        s.zero = s.zero && sign == 0;
         uncertain += sign == 0;
         left = left || sign != s.first;
         s.single = s.single && uncertain <= 1 && !(left && sign == s.first);
@@ -273,5 +271,6 @@ meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const 
     int drop = dropped_axis(&m);
     if (flip(FLIP_BESIDE, drop >= 0 && is_beside(&m, drop)))
         return MEET_NONE;
-    return s.zero ? MEET_ASK : MEET_CUT;
+    /* Where errors are not far below the values, halves would be as uncertain. */
+    return m.plane.size > 0x1p20 * m.plane.error ? MEET_CUT : MEET_ASK;
 }

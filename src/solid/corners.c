@@ -12,7 +12,9 @@ graze_status corners_make(corners *out, graze_context *context, const soup *s, c
     *out = (corners){.at = NULL};
     for (size_t k = 0; k < s->vertex_count * d; k++) {
         out->error = fmax(out->error, high[k] - low[k]);
-        out->reach = fmax(out->reach, fmax(fabs(low[k]), fabs(high[k])));
+        double *reach = &out->axis_reach[k % d];
+        *reach = fmax(*reach, fmax(fabs(low[k]), fabs(high[k])));
+        out->reach = fmax(out->reach, *reach);
     }
     if (!(out->reach <= CORNER_REACH))
         return GRAZE_OK;

@@ -16,6 +16,7 @@
 typedef struct corners {
     double *at;
     double error, reach;
+    double axis_reach[3]; /* the same for each coordinate alone */
 } corners;
 
 /** Beyond it products of coordinates might leave the range of doubles (proofs/filter.md C32). */

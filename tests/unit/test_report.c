@@ -154,6 +154,7 @@ static void make_time(graze_time *time, const graze_motion *motion, const char *
         /* 2u^2 - 1 = 0 in (0, 1), that is t = 1 + sqrt(2), a root of t^2 - 2t - 1. */
         fmpz_poly_set_str(time->u.poly, "3  -1 0 2");
         dyadic_interval_set_si(&time->u.where, 0, 1);
+        time->u.low_sign = -1;
     }
 }
 
