@@ -208,8 +208,16 @@ static graze_status locate_between(graze_state *out, tracer *r, graze_time *befo
         piece++;
         low = &zero;
     }
-    algebraic_between(sample, low, after->piece == piece ? &after->u : &one);
-    graze_status status = locate_at(out, r, piece, sample);
+    algebraic *high = after->piece == piece ? &after->u : &one;
+    graze_status status;
+    /* Windows that were not apart would give one time twice, between which there is none. */
+    if (after->piece >= piece && algebraic_compare(low, high) < 0) {
+        algebraic_between(sample, low, high);
+        status = locate_at(out, r, piece, sample);
+    } else {
+        status = context_fail(r->context, GRAZE_EINTERNAL,
+                              "two contacts, one after the other, are not in order of time");
+    }
     algebraic_clear(&zero);
     algebraic_clear(&one);
     fmpq_clear(sample);
