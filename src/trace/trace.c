@@ -123,7 +123,7 @@ static graze_status check_end(tracer *r, size_t piece, uint32_t end, const cross
     fmpq_t u;
     fmpq_init(u);
     fmpq_set_ui(u, end, UINT32_C(1) << WINDOW_LEVELS);
-    graze_state state;
+    graze_state state = GRAZE_STATE_ABSENT;
     graze_status status = locate_at(&state, r, piece, u);
     fmpq_clear(u);
     if (status == GRAZE_OK && state != expected)
@@ -265,7 +265,7 @@ static graze_status read_word(tracer *r) {
         return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for the word of a trace");
     for (size_t k = 0; k <= n; k++) {
         if (!(k == 0 && starts_on) && !(k == n && ends_on)) {
-            graze_state state;
+            graze_state state = GRAZE_STATE_ABSENT;
             graze_status status = gap_state(&state, r, k);
             if (status != GRAZE_OK)
                 return status;
