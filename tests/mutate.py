@@ -36,13 +36,14 @@ FILES = [
 ]
 EXACT = "--no-filter"
 SUITES = [Suite(f"tests/{name}.py", EXACT) for name in (
-    "examples/examples", "agree/near", "agree/second_tracer", "words/words", "agree/laws",
+    "examples/examples", "agree/near", "cases/cases", "agree/second_tracer", "words/words", "agree/laws",
     "unsweep/properties")]
 FILTERED = Suite("tests/filter/equal.py", "")
 REFUSE = "tests/refuse/run.py"
 UNITS = ["tests/unit/test_algebraic", "tests/unit/test_modular", "tests/unit/test_refine",
-         "tests/unit/test_forms", "tests/unit/test_bernstein"]
-LATE_UNITS = ["tests/api/test_classify", "tests/api/test_handles", "tests/api/test_reports"]
+         "tests/unit/test_forms"]
+LATE_UNITS = ["tests/unit/test_bernstein", "tests/api/test_classify", "tests/api/test_memory",
+              "tests/api/test_handles", "tests/api/test_reports"]
 UNIT_SECONDS = 30
 CFLAGS = ["-std=c11", "-D_GNU_SOURCE", "-O1", "-w", "-pthread", "-Iinclude", "-Isrc"]
 SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]

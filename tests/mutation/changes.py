@@ -1,7 +1,8 @@
-"""The changes a mutation test makes to a source file, one at a time, and those known to change no answer.
+"""The changes a mutation test makes to a source file, one at a time, and those known to be equivalent.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import collections
 import re
 
 # A token and what it becomes. Two variants for an order: its negation, and its boundary moved.
@@ -16,14 +17,18 @@ TOKEN = re.compile(r'/\*.*?\*/|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|#[^\n]*|->
 
 
 class Mutant:
-    """One change: where it stands, what it is, and the whole changed source."""
+    """One change: where it stands, what it is, and the whole changed source. `seen` counts equal
+    changes of equal lines of the file, which are numbered from the second on."""
 
-    def __init__(self, path, text, match, old, new):
+    def __init__(self, path, text, match, old, new, seen):
         start = text.rfind("\n", 0, match.start()) + 1
         self.path = path
         self.line = text.count("\n", 0, start) + 1
         self.text = text[start:text.find("\n", start)].strip()
         self.what = f"{old.strip()} -> {new.strip()} at {match.start() - start}"
+        seen[self.key()] += 1
+        if seen[self.key()] > 1:
+            self.what += f", {seen[self.key()]}"
         self.source = text[:match.start()] + new + text[match.end():]
 
     def key(self):
@@ -32,14 +37,15 @@ class Mutant:
 
 def mutants(path):
     """Every change of a file."""
+    seen = collections.Counter()
     with open(path, encoding="utf-8") as file:
         text = file.read()
     for match in TOKEN.finditer(text):
         old = match.group()
         if old.endswith("neg("):
-            yield Mutant(path, text, match, old, old.replace("neg(", "set("))
+            yield Mutant(path, text, match, old, old.replace("neg(", "set("), seen)
         for new in SWAPS.get(old, []):
-            yield Mutant(path, text, match, old, new)
+            yield Mutant(path, text, match, old, new, seen)
 
 
 def known_equivalents(path):
