@@ -16,6 +16,7 @@
 #include <yajl/yajl_version.h>
 #include "number/rational.h"
 #include "scene/scene.h"
+#include "solid/validate.h"
 #include "trace/trace.h"
 #include "verdict/verdict.h"
 
@@ -49,9 +50,9 @@ static char version_text[256];
 
 static void make_version(void) {
     snprintf(version_text, sizeof version_text,
-             "graze " GRAZE_VERSION "\nGMP %s\nMPFR %s\nFLINT %s\nyajl %d.%d.%d\n", gmp_version,
-             mpfr_get_version(), flint_version, yajl_version() / 10000, yajl_version() / 100 % 100,
-             yajl_version() % 100);
+             "graze " GRAZE_VERSION "\nGMP %s\nMPFR %s\nFLINT %s\nyajl %d.%d.%d\nCGAL %s\n",
+             gmp_version, mpfr_get_version(), flint_version, yajl_version() / 10000,
+             yajl_version() / 100 % 100, yajl_version() % 100, validate_cgal_version());
 }
 
 const char *graze_version(void) {

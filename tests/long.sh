@@ -23,6 +23,7 @@ stage "lint" tests/lint.sh
 stage "address and undefined behaviour" under_sanitizers build-asan "-fsanitize=address,undefined -fno-sanitize-recover=all"
 stage "threads" bash -c 'make -s B=build-tsan CC=clang CXX=clang++ OPT="-O1 -fsanitize=thread" programs && python3 tests/run.py --build build-tsan --only tests/api'
 stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 4 --limit 1500
+stage "the Debian package in a new system" python3 tests/install/chroot.py
 stage "mutants of the rules" python3 tests/mutate.py --only src/verdict
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -24,7 +24,7 @@ static const char help[] =
     "                       edge, vertex, crossing, start, end, break, slide, miss\n"
     "  --representable binary64     keep to points whose coordinates a double holds\n"
     "  --output FILE        write there instead of to standard output\n"
-    "  --round, --triangulate, --operation, --limit   as in graze classify\n"
+    "  --round, --triangulate, --overlap, --operation, --limit   as in graze classify\n"
     "\n"
     "Strata that the scene cannot have are named in the head of the table; their weight goes to "
     "the\n"

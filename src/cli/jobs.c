@@ -51,7 +51,8 @@ static size_t read_run(worker *w, row_run *r, const block *b, size_t first) {
         if (csv_row(w->points + n * d, &r->fault, from->points, &w->reader, b, first + n))
             break;
     }
-    for (size_t k = 0; k < n; k++)
+    /* Without other columns there is no text of them, and NULL has no places. */
+    for (size_t k = 0; w->reader.rest && k < n; k++)
         w->rest[k] = w->reader.rest + w->rest_at[k];
     return n;
 }

@@ -237,17 +237,20 @@ typedef struct signs {
 } signs;
 
 static signs read_signs(const meeter *m) {
-    int n = m->c->degree, left = 0, uncertain = 0;
+    int n = m->c->degree;
+    enum { FIRST_RUN, UNCERTAIN, LAST_RUN };
+    int before = FIRST_RUN;
     signs s = {sign_beyond(m->plane.at[0], m->plane.error),
                sign_beyond(m->plane.at[n], m->plane.error), 1, 0};
     s.one = s.first != 0;
     s.single = s.first * s.last < 0;
     for (int k = 0; k <= n; k++) {
         int sign = sign_beyond(m->plane.at[k], m->plane.error);
+        int here = sign == 0 ? UNCERTAIN : sign == s.first ? FIRST_RUN : LAST_RUN;
         s.one = s.one && sign == s.first;
-        uncertain += sign == 0;
-        left = left || sign != s.first;
-        s.single = s.single && uncertain <= 1 && !(left && sign == s.first);
+        /* An uncertain coefficient among those of one sign could be of the other: three changes. */
+        s.single = s.single && here >= before && !(here == UNCERTAIN && before == UNCERTAIN);
+        before = here;
     }
     return s;
 }

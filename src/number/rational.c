@@ -4,6 +4,7 @@
  * A token is first read for its shape, the limit then acts on the counted digits, and only then is
  * a number made. Bounds in doubles are made from integers, so that no floating-point mode matters.
  */
+#include <flint/ulong_extras.h>
 #include <float.h>
 #include <math.h>
 #include <stdint.h>

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include "solid/cgal.h"
+#include <CGAL/version.h>
 #include "solid/validate_stages.hpp"
 
 std::size_t assign_components(std::vector<piece> &pieces, disjoint_sets &sets) {
@@ -63,4 +64,8 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
 
 graze_status validate_probe(graze_context *context) {
     return guard(context, [] { CGAL_precondition_msg(false, "failed on purpose"); });
+}
+
+const char *validate_cgal_version(void) {
+    return CGAL_VERSION_STR;
 }

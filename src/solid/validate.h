@@ -54,6 +54,9 @@ graze_status boundaries_meet(int *out, graze_context *context, const soup *s, co
  */
 graze_status validate_probe(graze_context *context);
 
+/** The version of CGAL that was compiled in, such as "5.5.1"; static. */
+const char *validate_cgal_version(void);
+
 #ifdef __cplusplus
 }
 #endif

@@ -206,6 +206,7 @@ static void version_names_libraries(void **state) {
     assert_non_null(strstr(graze_version(), "graze " GRAZE_VERSION "\n"));
     assert_non_null(strstr(graze_version(), "GMP "));
     assert_non_null(strstr(graze_version(), "FLINT "));
+    assert_non_null(strstr(graze_version(), "CGAL "));
 }
 
 int main(void) {
