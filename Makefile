@@ -22,7 +22,7 @@ LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 
 # What a bare Debian 12 lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
-PACKAGES_TEST  := $(PACKAGES_BUILD) libcmocka-dev python3 pari-gp locales
+PACKAGES_TEST  := $(PACKAGES_BUILD) libcmocka-dev python3 pari-gp locales parallel
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck
 
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/%,$(wildcard src/*/*.c))

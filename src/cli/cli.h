@@ -4,6 +4,7 @@
 #ifndef GRAZE_CLI_CLI_H
 #define GRAZE_CLI_CLI_H
 
+#include "cli/shard.h"
 #include "graze.h"
 
 /** Exit status (formats: Commands). */
@@ -30,7 +31,12 @@ typedef struct options {
     unsigned long count;     /* -n */
     unsigned long long seed; /* --seed */
     int seeded, representable;
-    int exact_only; /* --no-filter */
+    int exact_only;      /* --no-filter */
+    int quiet;           /* no progress */
+    int sharded;         /* --shard was given */
+    shard part;          /* the whole run unless it was */
+    const char *resume;  /* the table to continue */
+    const char *receipt; /* check writes it, classify trusts it */
     graze_compare_options compare;
     graze_comparison_format report;
     const char *candidate, *points, *keep; /* validate */
@@ -48,7 +54,7 @@ typedef struct command {
 } command;
 
 extern const command command_check, command_classify, command_explain, command_generate,
-    command_cases, command_compare, command_validate;
+    command_cases, command_compare, command_validate, command_merge;
 
 /**
  * Read the options of a command; `argv[0]` is the command's name. Says on standard error what is
