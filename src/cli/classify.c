@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include "cli/interrupt.h"
 #include "cli/rows.h"
+#include "cli/receipt.h"
 #include "cli/results.h"
 
 static const char help[] =
@@ -186,7 +187,7 @@ static int check_files(const run_state *s, const options *o) {
 }
 
 static int prepare(run_state *s, const options *o) {
-    int status = load(&s->l, o, EXIT_INPUT);
+    int status = o->receipt ? receipt_load(&s->l, o) : load(&s->l, o, EXIT_INPUT, NULL);
     if (status)
         return status;
     long cores = sysconf(_SC_NPROCESSORS_ONLN);

@@ -83,8 +83,9 @@ typedef struct loaded {
 } loaded;
 
 /** Read operands 0 and 1. On failure says why and returns the exit status; `illegal` is the one for
- * readable but illegal. `out` is freed by unload in either case. */
-int load(loaded *out, const options *o, int illegal);
+ * readable but illegal. `out` is freed by unload in either case. `trusted` is the SHA-256 of a
+ * solid's file that was validated before (graze_solid_read_trusted), or NULL. */
+int load(loaded *out, const options *o, int illegal, const unsigned char *trusted);
 void unload(loaded *l);
 
 #endif

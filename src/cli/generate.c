@@ -169,7 +169,7 @@ static int put_rows(maker *m, const options *o) {
 }
 
 static int make(maker *m, const options *o) {
-    int status = load(&m->l, o, EXIT_INPUT);
+    int status = load(&m->l, o, EXIT_INPUT, NULL);
     if (status)
         return status;
     graze_status made =

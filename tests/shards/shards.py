@@ -313,6 +313,38 @@ def check_progress(bench):
     bench.check((status, shown) == (0, b""), "--quiet shows nothing", status, shown)
 
 
+def check_receipts(bench):
+    """A receipt changes no byte of a table, and serves for nothing but what it was written for."""
+    receipt, cube, move = bench.folder / "receipt.txt", COMMON / "cube.off", COMMON / "move3.json"
+    for solid, motion, options in ((cube, move, []), (COMMON / "square.wkt", COMMON / "move2.json", []),
+                                   (cube, move, ["--round", "binary32"]), (cube, move, ["--triangulate"])):
+        bench.good("check", "--receipt", receipt, solid, motion, *options)
+        words = ["classify", solid, motion, *options, "--grid", "5,5,5" if solid == cube else "5,5"]
+        bench.check(bench.good(*words, "--receipt", receipt) == bench.good(*words), f"a receipt changes nothing: {options}")
+    bench.good("check", "--receipt", receipt, cube, move)
+    content = receipt.read_bytes()
+    turned = bench.file("turned.off", cube.read_bytes() + b"\n")
+    slower = bench.file("slower.json", move.read_bytes() + b"\n")
+
+    def refused(what, says, solid=cube, motion=move, *more):
+        status, out, err = bench.run("classify", solid, motion, "--grid", "5,5,5", "--receipt", receipt, *more)
+        bench.check(status == 3 and out == b"" and says in err, f"the receipt is refused: {what}", status, err)
+
+    refused("another solid", b"turned.off: is not the file that was validated", turned)
+    refused("another motion", b"this run has `motion-sha256", cube, slower)
+    refused("another rounding", b"this run has `round binary64`", cube, move, "--round", "binary64")
+    refused("another way to cut facets", b"this run has `triangulate yes`", cube, move, "--triangulate")
+    for k in bench.random.sample(range(len(content)), 40):
+        receipt.write_bytes(content[:k] + bytes([content[k] ^ 1]) + content[k + 1:])
+        refused(f"byte {k} is another", b"is no receipt of graze check")
+    receipt.write_bytes(content[:-9])
+    refused("it is cut", b"is no receipt of graze check")
+    receipt.unlink()
+    crossed = bench.file("crossed.off", cube.read_bytes().replace(b"2 2 2", b"2 2 -1"))
+    status, _, _ = bench.run("check", "--receipt", receipt, crossed, move)
+    bench.check(status == 1 and not receipt.exists(), "there is no receipt for an illegal solid", status)
+
+
 def check_parallel(bench):
     """The recipe for GNU parallel."""
     if not shutil.which("parallel"):
@@ -330,7 +362,8 @@ def check_parallel(bench):
 
 
 CHECKS = [check_shards, check_many_parts, check_damage, check_resume, check_resume_refusals, check_lock,
-          check_signals, check_progress, check_parallel]
+          check_signals, check_progress, check_receipts,
+          check_parallel]
 
 
 def main():
