@@ -27,7 +27,7 @@ LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 # What a bare Debian 12 lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
-PACKAGES_TEST  := $(PACKAGES_DEB) libcmocka-dev python3 python3-numpy pari-gp locales pkgconf cmake groff-base
+PACKAGES_TEST  := $(PACKAGES_DEB) libcmocka-dev python3 python3-numpy pari-gp locales parallel pkgconf cmake groff-base
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck debootstrap
 
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/%,$(wildcard src/*/*.c))

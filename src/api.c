@@ -125,6 +125,17 @@ graze_options graze_scene_options(const graze_scene *scene) {
     return scene ? scene->options : none;
 }
 
+graze_hashes graze_scene_hashes(const graze_scene *scene) {
+    graze_hashes hashes;
+    memset(&hashes, 0, sizeof hashes);
+    if (scene) {
+        memcpy(hashes.solid, scene->solid->input.sha256, sizeof hashes.solid);
+        memcpy(hashes.motion, scene->motion->sha256, sizeof hashes.motion);
+        memcpy(hashes.scene, scene->sha256, sizeof hashes.scene);
+    }
+    return hashes;
+}
+
 graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
                              const graze_scene *scene) {
     if (!low || !high || !context || !scene)

@@ -9,9 +9,9 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli/interrupt.h"
-#include "cli/output.h"
-#include "cli/progress.h"
 #include "cli/rows.h"
+#include "cli/receipt.h"
+#include "cli/results.h"
 
 static const char help[] =
     "graze classify SOLID MOTION POINTS: in, on, out and the class of each point, exactly\n"
@@ -31,6 +31,10 @@ static const char help[] =
     "  --jobs N             threads (default: all cores); the output is the same for any N\n"
     "  --no-filter          the exact path alone: the same answers, slower\n"
     "  --output FILE        write there instead of to standard output\n"
+    "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
+    "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
+    "  --receipt FILE       spare the validation of a solid that graze check --receipt has done\n"
+    "  --quiet              no progress on the terminal\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10,\n"
     "                       line 10^7, cells 10^8, bytes 4*10^9\n"
     "\n"
@@ -46,34 +50,39 @@ typedef struct run_state {
     jobs *jobs;
     block *ring[RING];
     unsigned long filled, written; /* blocks */
-    unsigned long taken, rows;     /* rows of them */
+    unsigned long taken;           /* rows of them, and those that need not be made */
     int ended;                     /* all points are taken, or none can be for `read_status` */
     int read_status;
-    output out;
-    int opened, headed;
+    results table;
+    int headed;
     progress progress;
 } run_state;
 
-static int put_header(run_state *s, const options *o) {
+/* The lines of the head that the scene does not know of: malloc'ed, NULL when out of memory. */
+static char *make_notes(const run_state *s, const options *o) {
+    char shard[64] = "";
     char *grid = s->grid ? grid_notes(s->grid) : strdup("");
     const char *cut =
         o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n" : "# triangulate no\n";
-    char *notes = grid ? malloc(strlen(cut) + strlen(grid) + 1) : NULL;
-    char *text = NULL;
-    if (!notes) {
-        free(grid);
+    if (o->sharded)
+        snprintf(shard, sizeof shard, SHARD_LINE "%lu/%lu\n", o->part.index + 1, o->part.count);
+    char *notes = grid ? malloc(strlen(cut) + strlen(grid) + strlen(shard) + 1) : NULL;
+    if (notes)
+        strcat(strcat(strcpy(notes, cut), grid), shard);
+    free(grid);
+    return notes;
+}
+
+static int put_header(run_state *s, const options *o) {
+    char *notes = make_notes(s, o), *text = NULL;
+    if (!notes)
         return complain(EXIT_IO, "out of memory");
-    }
-    strcpy(notes, cut);
-    strcat(notes, grid);
-    graze_status status = graze_report_header(&text, s->l.context, s->l.scene, notes,
-                                              s->points ? csv_columns(s->points) : NULL);
-    if (!status)
-        output_put(&s->out, text);
+    graze_status made = graze_report_header(&text, s->l.context, s->l.scene, notes,
+                                            s->points ? csv_columns(s->points)->others : NULL);
+    int status = made ? complain_of(made, s->l.context) : results_begin(&s->table, text);
     graze_free(text);
     free(notes);
-    free(grid);
-    return complain_of(status, s->l.context);
+    return status;
 }
 
 /* Write the rows of a block that have answers, up to the first that has none. */
@@ -82,15 +91,14 @@ static int put_rows(run_state *s, const block *b) {
     int status = EXIT_DONE;
     while (r < b->count && !status) {
         const row_run *one = &b->runs[r];
-        output_bytes(&s->out, one->text, one->length);
-        s->rows += one->done;
-        if (one->taken == 0)
+        status = results_add(&s->table, one->text, one->length, one->done);
+        if (!status && one->taken == 0)
             status = EXIT_SIGNAL;
-        else if (one->done < one->taken)
+        else if (!status && one->done < one->taken)
             status = fault_tell(&one->fault);
         r += one->taken;
     }
-    output_flush(&s->out);
+    output_flush(&s->table.out);
     return status;
 }
 
@@ -102,9 +110,9 @@ static int fill(run_state *s, const options *o) {
     if (s->points)
         s->read_status = csv_fill(s->points, b);
     else
-        grid_fill(s->grid, b);
+        grid_fill(s->grid, o->part, b);
     s->ended = s->read_status || b->count == 0;
-    int columns_known = !s->read_status || (s->points && csv_started(s->points));
+    int columns_known = !s->read_status || (s->points && csv_columns(s->points)->count);
     if (!s->headed && columns_known && o->format == GRAZE_FORMAT_CSV)
         status = put_header(s, o);
     s->headed |= columns_known;
@@ -122,35 +130,64 @@ static int can_fill(run_state *s) {
     return !s->ended && at_hand < RING && (at_hand == 0 || s->grid || csv_ready(s->points));
 }
 
-static int write_next(run_state *s) {
+/* A grid's rows are known; of a file, how much of it is read. */
+static portion reached(const run_state *s, const options *o) {
+    if (s->points)
+        return csv_portion(s->points);
+    return (portion){s->table.rows, shard_rows(o->part, grid_count(s->grid))};
+}
+
+static int write_next(run_state *s, const options *o) {
     const block *b = s->ring[s->written % RING];
     jobs_wait(s->jobs, b);
     int status = put_rows(s, b);
     s->written++;
-    progress_show(&s->progress, s->rows);
+    progress_show(&s->progress, s->table.rows, reached(s, o));
     if (!status && interrupt_signal())
         status = EXIT_SIGNAL;
-    return s->out.error ? EXIT_IO : status;
+    return s->table.out.error ? EXIT_IO : status;
 }
 
 static int do_blocks(run_state *s, const options *o) {
     int status = EXIT_DONE;
-    progress_start(&s->progress);
+    progress_start(&s->progress, o->quiet, s->table.rows, reached(s, o));
     while (!status) {
         while (!status && can_fill(s))
             status = fill(s, o);
         if (status || s->filled == s->written)
             break;
-        status = write_next(s);
+        status = write_next(s, o);
     }
-    progress_end(&s->progress, s->rows);
+    progress_end(&s->progress, s->table.rows, reached(s, o));
     if (!status && s->read_status)
         status = s->read_status == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(s->points));
-    return status;
+    return status ? status : results_end(&s->table);
+}
+
+/* The last lines: a shard's say what the whole run was, so that its parts are known to match. */
+static void put_end(run_state *s, const options *o) {
+    char text[160];
+    if (o->sharded) {
+        snprintf(text, sizeof text, SHARD_ROWS "%lu\n" SHARD_POINTS "%016llx\n",
+                 s->grid ? grid_count(s->grid) : csv_rows(s->points),
+                 s->grid ? 0 : csv_checksum(s->points));
+        output_put(&s->table.out, text);
+    }
+    snprintf(text, sizeof text, "# complete %lu\n", s->table.rows);
+    output_put(&s->table.out, text);
+}
+
+/* The file is read from and written to at once. */
+static int check_files(const run_state *s, const options *o) {
+    const char *option = o->resume ? "--resume" : "--output";
+    const char *path = o->resume ? o->resume : o->output;
+    if (s->points && path && csv_same_file(s->points, path))
+        return complain(EXIT_USAGE, "%s %s: is the file the points are read from", option, path);
+    return EXIT_DONE;
 }
 
 static int prepare(run_state *s, const options *o) {
-    int status = load(&s->l, o, EXIT_INPUT);
+    int status = o->receipt ? receipt_load(&s->l, o) : load(&s->l, o, EXIT_INPUT, NULL);
     if (status)
         return status;
     long cores = sysconf(_SC_NPROCESSORS_ONLN);
@@ -158,19 +195,21 @@ static int prepare(run_state *s, const options *o) {
     if (o->grid)
         status = grid_open(&s->grid, o, s->l.context, s->l.scene);
     else
-        status =
-            csv_open(&s->points, o->operands[2], graze_scene_dimension(s->l.scene), s->l.context);
-    if (!status && s->points && o->output && csv_same_file(s->points, o->output))
-        status =
-            complain(EXIT_USAGE, "--output %s: is the file the points are read from", o->output);
+        status = csv_open(&s->points, o->operands[2], graze_scene_dimension(s->l.scene), o->part,
+                          s->l.context);
+    if (!status)
+        status = check_files(s, o);
     for (int k = 0; k < RING && !status; k++)
         if (!(s->ring[k] = block_create()))
             status = complain(EXIT_IO, "out of memory");
+    row_source source = {s->points ? csv_columns(s->points) : NULL, s->grid, o->part};
     if (!status)
-        status = jobs_start(&s->jobs, o, s->l.scene, (row_source){s->points, s->grid}, threads);
+        status = jobs_start(&s->jobs, o, s->l.scene, source, threads);
     if (!status)
-        status = output_open(&s->out, o->output);
-    s->opened = !status;
+        status = results_open(&s->table, o->output, o->resume);
+    s->taken = results_skip(&s->table);
+    if (s->points)
+        csv_skip(s->points, s->taken);
     return status;
 }
 
@@ -193,6 +232,12 @@ static int check_usage(const options *o) {
                         "classify takes SOLID, MOTION and %s, %d operands given; see graze "
                         "classify --help",
                         o->grid ? "with --grid no POINTS" : "POINTS or --grid", o->operand_count);
+    if (o->resume && o->output)
+        return complain(EXIT_USAGE,
+                        "--resume FILE writes to FILE; --output has no place beside it");
+    if ((o->resume || o->sharded) && o->format != GRAZE_FORMAT_CSV)
+        return complain(EXIT_USAGE, "%s takes the head of a table; right is --format csv",
+                        o->resume ? "--resume" : "--shard");
     return EXIT_DONE;
 }
 
@@ -206,17 +251,11 @@ static int run(const options *o) {
     status = prepare(s, o);
     if (!status)
         status = do_blocks(s, o);
-    if (!status && o->format == GRAZE_FORMAT_CSV) {
-        char line[40];
-        snprintf(line, sizeof line, "# complete %lu\n", s->rows);
-        output_put(&s->out, line);
-    }
-    if (s->opened) {
-        int closed = output_close(&s->out);
-        status = closed ? closed : status;
-    }
+    if (!status && o->format == GRAZE_FORMAT_CSV)
+        put_end(s, o);
+    status = results_close(&s->table, status);
     finish(s);
     return status;
 }
 
-const command command_classify = {"classify", "rltvfpmgbjox", help, run};
+const command command_classify = {"classify", "rltvfpmgbjoxQRNY", help, run};

@@ -4,6 +4,7 @@
 #ifndef GRAZE_CLI_CLI_H
 #define GRAZE_CLI_CLI_H
 
+#include "cli/shard.h"
 #include "graze.h"
 
 /** Exit status (formats: Commands). */
@@ -30,7 +31,12 @@ typedef struct options {
     unsigned long count;     /* -n */
     unsigned long long seed; /* --seed */
     int seeded, representable;
-    int exact_only; /* --no-filter */
+    int exact_only;      /* --no-filter */
+    int quiet;           /* no progress */
+    int sharded;         /* --shard was given */
+    shard part;          /* the whole run unless it was */
+    const char *resume;  /* the table to continue */
+    const char *receipt; /* check writes it, classify trusts it */
     graze_compare_options compare;
     graze_comparison_format report;
     const char *candidate, *points, *keep; /* validate */
@@ -48,7 +54,7 @@ typedef struct command {
 } command;
 
 extern const command command_check, command_classify, command_explain, command_generate,
-    command_cases, command_compare, command_validate;
+    command_cases, command_compare, command_validate, command_merge;
 
 /**
  * Read the options of a command; `argv[0]` is the command's name. Says on standard error what is
@@ -77,8 +83,9 @@ typedef struct loaded {
 } loaded;
 
 /** Read operands 0 and 1. On failure says why and returns the exit status; `illegal` is the one for
- * readable but illegal. `out` is freed by unload in either case. */
-int load(loaded *out, const options *o, int illegal);
+ * readable but illegal. `out` is freed by unload in either case. `trusted` is the SHA-256 of a
+ * solid's file that was validated before (graze_solid_read_trusted), or NULL. */
+int load(loaded *out, const options *o, int illegal, const unsigned char *trusted);
 void unload(loaded *l);
 
 #endif

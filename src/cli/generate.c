@@ -24,7 +24,7 @@ static const char help[] =
     "                       edge, vertex, crossing, start, end, break, slide, miss\n"
     "  --representable binary64     keep to points whose coordinates a double holds\n"
     "  --output FILE        write there instead of to standard output\n"
-    "  --round, --triangulate, --overlap, --operation, --limit   as in graze classify\n"
+    "  --round, --triangulate, --overlap, --operation, --limit, --quiet   as in graze classify\n"
     "\n"
     "Strata that the scene cannot have are named in the head of the table; their weight goes to "
     "the\n"
@@ -157,19 +157,19 @@ static int put_row(maker *m, unsigned long row) {
 static int put_rows(maker *m, const options *o) {
     int status = EXIT_DONE;
     progress line;
-    progress_start(&line);
+    progress_start(&line, o->quiet, 0, (portion){0, o->count});
     unsigned long row = 0;
     for (; row < o->count && !status && !m->out.error; row++) {
         status = interrupt_signal() ? EXIT_SIGNAL : put_row(m, row);
         if (row % 1024 == 0)
-            progress_show(&line, row);
+            progress_show(&line, row, (portion){row, o->count});
     }
-    progress_end(&line, row);
+    progress_end(&line, row, (portion){row, o->count});
     return status;
 }
 
 static int make(maker *m, const options *o) {
-    int status = load(&m->l, o, EXIT_INPUT);
+    int status = load(&m->l, o, EXIT_INPUT, NULL);
     if (status)
         return status;
     graze_status made =
@@ -209,4 +209,4 @@ static int run(const options *o) {
     return status;
 }
 
-const command command_generate = {"generate", "rltpnsaeov", help, run};
+const command command_generate = {"generate", "rltpnsaeovQ", help, run};

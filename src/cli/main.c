@@ -6,9 +6,9 @@
 #include "cli/interrupt.h"
 #include "cli/output.h"
 
-static const command *const commands[] = {&command_check,    &command_classify, &command_explain,
-                                          &command_generate, &command_cases,    &command_compare,
-                                          &command_validate};
+static const command *const commands[] = {&command_check,   &command_classify, &command_merge,
+                                          &command_explain, &command_generate, &command_cases,
+                                          &command_compare, &command_validate};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -16,6 +16,7 @@ static const char overview[] =
     "\n"
     "  graze check SOLID MOTION             is the pair legal, and why not\n"
     "  graze classify SOLID MOTION POINTS   a table: in, on, out and class of each point\n"
+    "  graze merge PART...                  one table of the parts that shards have written\n"
     "  graze explain SOLID MOTION X Y [Z]   the whole reasoning for one point\n"
     "  graze generate SOLID MOTION -n N --seed K   query points, most of them degenerate\n"
     "  graze compare GOLDEN CANDIDATE       a candidate's answers against a golden table\n"

@@ -40,6 +40,10 @@ static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
                                              {"keep", required_argument, NULL, 'K'},
                                              {"timeout", required_argument, NULL, 'T'},
                                              {"no-filter", no_argument, NULL, 'x'},
+                                             {"quiet", no_argument, NULL, 'Q'},
+                                             {"resume", required_argument, NULL, 'R'},
+                                             {"shard", required_argument, NULL, 'N'},
+                                             {"receipt", required_argument, NULL, 'Y'},
                                              {NULL, 0, NULL, 0}};
 
 /* A value out of two or three words. */
@@ -173,6 +177,21 @@ static int read_option(options *o, int letter, const char *value) {
     case 'x':
         o->exact_only = 1;
         return EXIT_DONE;
+    case 'Q':
+        o->quiet = 1;
+        return EXIT_DONE;
+    case 'R':
+        o->resume = value;
+        return EXIT_DONE;
+    case 'N':
+        o->sharded = 1;
+        if (!shard_read(&o->part, value))
+            return complain(EXIT_USAGE, "--shard %s: right is i/n, 1 <= i <= n <= %d", value,
+                            SHARDS_MOST);
+        return EXIT_DONE;
+    case 'Y':
+        o->receipt = value;
+        return EXIT_DONE;
     case 'g':
         o->grid = value;
         return EXIT_DONE;
@@ -252,6 +271,7 @@ static int complain_of_word(const command *c, int letter, int code, char **argv)
 int options_read(options *out, int *help, const command *c, int argc, char **argv) {
     memset(out, 0, sizeof *out);
     out->compare.show = 10;
+    out->part.count = 1;
     *help = 0;
     out->operands = calloc((size_t)argc + 1, sizeof *out->operands);
     if (!out->operands)

@@ -56,7 +56,7 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
             components = check_outline(context, pieces, at, *s);
         } else {
             pieces = cut_facets(context, at, *s, (flags & GRAZE_SOLID_TRIANGULATE) != 0);
-            components = check_surface(context, pieces, at);
+            components = check_surface(context, pieces, at, (flags & VALIDATE_TRUST_CONTACTS) != 0);
         }
         hand_over(out, pieces, components);
     });
