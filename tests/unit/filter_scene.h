@@ -30,6 +30,7 @@ typedef fmpq forms[4][MOST_DEGREE + 1];
 typedef struct scene {
     ulong seed;
     int d, n;
+    int steep; /* large numbers that all but cancel, near the middle of the simplex */
     fmpq corner[9], point[3];
     double near[9]; /* the corners */
     corners bounds;
@@ -99,14 +100,14 @@ static void random_corners(scene *s) {
 
 /* Control points in the simplex's plane, about a place in or near the simplex. */
 static void random_controls(scene *s) {
-    int d = s->d, weights = (int)below(s, 3);
-    double spread = ldexp(1, -(int)below(s, 4) * 12), centre[3];
+    int d = s->d, weights = s->steep ? 0 : (int)below(s, 3);
+    double spread = ldexp(1, -12 * (s->steep + (int)below(s, 4))), centre[3];
     fmpq_t share, rest, term;
     fmpq_init(share);
     fmpq_init(rest);
     fmpq_init(term);
     for (int v = 1; v < d; v++)
-        centre[v] = below(s, 4) ? 0.3 : 0;
+        centre[v] = s->steep || below(s, 4) ? 0.3 : 0;
     for (int k = 0; k <= s->n; k++) {
         for (int i = 0; i < d; i++)
             fmpq_zero(&s->control[i][k]);
@@ -128,12 +129,13 @@ static void random_controls(scene *s) {
     fmpq_clear(term);
 }
 
-static void scene_init(scene *s, ulong seed, int degree) {
-    *s = (scene){.seed = seed};
+/* Any scene; or, if `steep`, a cubic with large errors. */
+static void scene_init(scene *s, ulong seed, int steep) {
+    *s = (scene){.seed = seed, .steep = steep};
     flint_randinit(s->random);
     flint_randseed(s->random, seed, 1);
     s->d = 2 + (int)below(s, 2);
-    s->n = degree ? degree : 1 + (int)below(s, MOST_DEGREE);
+    s->n = steep ? 3 : 1 + (int)below(s, MOST_DEGREE);
     for (int k = 0; k < 9; k++)
         fmpq_init(&s->corner[k]);
     forms_init(s->control);
@@ -141,16 +143,17 @@ static void scene_init(scene *s, ulong seed, int degree) {
     curve_init(&s->curve);
     random_corners(s);
     random_controls(s);
-    int kind = (int)below(s, 4);
+    int kind = s->steep ? 1 : (int)below(s, 4);
     for (int j = 0; j < 3; j++) {
         fmpq_init(&s->point[j]);
         random_number(&s->point[j], s, kind);
     }
-    kind = (int)below(s, 4);
+    kind = s->steep ? 2 : (int)below(s, 4);
     for (int e = 0; e < 9; e++)
         for (int k = 0; k <= MOST_DEGREE; k++) {
             fmpq_init(&s->linear[e][k]);
             random_number(&s->linear[e][k], s, kind);
+            fmpq_mul_2exp(&s->linear[e][k], &s->linear[e][k], s->steep ? 10 : 0);
         }
 }
 
