@@ -201,7 +201,8 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 uninstall:
 	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
 	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION)) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
-	@while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$(DESTDIR)$(DATADIR)/graze/pages
+	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
+	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list
 	@rm -rf $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze)
 	$(REFRESH)
 

@@ -102,7 +102,9 @@ def check_pkg_config(root, stage, folder, version):
 def check_cmake(root, folder, version):
     wanted = ".".join(version.split(".")[:2])
     output(["cmake", "-S", HERE, "-B", folder, f"-DCMAKE_PREFIX_PATH={root}", f"-DWANTED={wanted}"])
-    output(["cmake", "--build", folder])
+    complaint, status = run(["cmake", "--build", folder])[1:]
+    if not check(status == 0, f"cmake: {complaint}"):
+        return
     for name, want, shared in (("consumer_c", C_OUTPUT, True), ("consumer_cpp", CXX_OUTPUT, True),
                                ("consumer_static", C_OUTPUT, False)):
         same(output([os.path.join(folder, name)]), want, f"{name} by CMake")
