@@ -143,6 +143,8 @@ MANDIR     ?= $(DATADIR)/man
 DOCDIR     ?= $(DATADIR)/doc/graze
 COMPLETION := $(DATADIR)/bash-completion/completions
 CMAKEDIR   := $(LIBDIR)/cmake/graze
+# The Python module; it looks for the shared library in the folder that holds this one.
+PYTHONDIR  ?= $(PREFIX)/lib/python3/dist-packages
 PAGES      := $B/install/pages
 TO_INCLUDE  = $(shell realpath -m --relative-to='$(CMAKEDIR)' '$(INCLUDEDIR)')
 CMAKE_LIBS := $(subst $() ,;,$(patsubst -l%,%,$(LIBS)))
@@ -176,7 +178,7 @@ REFRESH = @if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ]; then ldconfig; fi
 install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	$(if $(filter /%,$(PREFIX)),,$(error PREFIX=$(PREFIX): right is a path that begins with /))
 	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR) $(LIBDIR)/pkgconfig $(CMAKEDIR) \
-	  $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze)
+	  $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
 	@install -s $B/graze $(DESTDIR)$(BINDIR)
 	@install -m 644 include/graze.h $(DESTDIR)$(INCLUDEDIR)
 	@install -m 644 $B/install/libgraze.a $(DESTDIR)$(LIBDIR)
@@ -188,6 +190,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 $(PAGES)/*.1 $(DESTDIR)$(MANDIR)/man1
 	@install -m 644 $(PAGES)/*.3 $(DESTDIR)$(MANDIR)/man3
 	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
+	@install -m 644 src/python/graze/*.py src/python/graze/py.typed $(DESTDIR)$(PYTHONDIR)/graze
 	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE $(DESTDIR)$(DOCDIR)
 	@rm -rf $(DESTDIR)$(DATADIR)/graze/cases
 	@cp -R cases $(DESTDIR)$(DATADIR)/graze
@@ -201,8 +204,9 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 uninstall:
 	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
 	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION)) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
-	@while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$(DESTDIR)$(DATADIR)/graze/pages
-	@rm -rf $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze)
+	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
+	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list
+	@rm -rf $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
 	$(REFRESH)
 
 .PHONY: deb

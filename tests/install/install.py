@@ -38,7 +38,7 @@ def files_under(folder):
 
 
 def check_tree(root, version):
-    files = {name for name in files_under(root) if not name.startswith(("share/graze/", "share/man/"))}
+    files = {name for name in files_under(root) if not name.startswith(("share/graze/", "share/man/", "lib/python3/dist-packages/graze/"))}
     same(files, {"bin/graze", "include/graze.h", "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
                  f"lib/libgraze.so.{version}", "lib/pkgconfig/graze.pc", "lib/cmake/graze/grazeConfig.cmake",
                  "lib/cmake/graze/grazeConfigVersion.cmake", "share/bash-completion/completions/graze",
@@ -69,6 +69,19 @@ def check_symbols(root, build):
           "context_fail, which consumer.c has too, is one of Graze's inner functions")
     dynamic = output(["objdump", "-p", f"{root}/lib/libgraze.so"])
     same(re.findall(r"SONAME +(\S+)", dynamic), ["libgraze.so.0"], "soname")
+
+
+def check_python(root):
+    """The module is whole and takes the library installed beside it."""
+    module = f"{root}/lib/python3/dist-packages"
+    same(files_under(f"{module}/graze"), {name for name in os.listdir(os.path.join(ROOT, "src", "python", "graze"))
+                                         if name != "__pycache__"}, "files of the Python module")
+    # The second row of cases/bracket, and the library that is loaded.
+    code = ("import graze, re; c = 'share/graze/cases/bracket/'; s = graze.Scene(c + 'solid.off', c + 'motion.json'); "
+            "print(s.trace(['3/5', '29/5', '3/2']).word); "
+            "print(*sorted(set(re.findall(r'/\\S*/libgraze\\S*', open('/proc/self/maps').read()))))")
+    got = output([sys.executable, "-c", code], root, PYTHONPATH=module, PYTHONDONTWRITEBYTECODE="1")
+    same(got, f"OBO\n{os.path.realpath(root)}/lib/libgraze.so.{version_of_header()}\n", "the Python module")
 
 
 def needs_graze(program):
@@ -102,7 +115,9 @@ def check_pkg_config(root, stage, folder, version):
 def check_cmake(root, folder, version):
     wanted = ".".join(version.split(".")[:2])
     output(["cmake", "-S", HERE, "-B", folder, f"-DCMAKE_PREFIX_PATH={root}", f"-DWANTED={wanted}"])
-    output(["cmake", "--build", folder])
+    complaint, status = run(["cmake", "--build", folder])[1:]
+    if not check(status == 0, f"cmake: {complaint}"):
+        return
     for name, want, shared in (("consumer_c", C_OUTPUT, True), ("consumer_cpp", CXX_OUTPUT, True),
                                ("consumer_static", C_OUTPUT, False)):
         same(output([os.path.join(folder, name)]), want, f"{name} by CMake")
@@ -186,6 +201,7 @@ def main():
         if not options.sanitizers:
             check_symbols(root, os.path.join(ROOT, build))
             check_pkg_config(root, stage, f"{folder}/work", version)
+            check_python(root)
             check_cmake(root, f"{folder}/cmake", version)
             check_deb(make, f"{folder}/deb", version)
         check_uninstall(make, stage, root)
