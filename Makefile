@@ -27,19 +27,22 @@ LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 # What a bare Debian 12 lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
-PACKAGES_TEST  := $(PACKAGES_DEB) libcmocka-dev python3 python3-numpy pari-gp locales parallel pkgconf cmake groff-base
+PACKAGES_TEST  := $(PACKAGES_DEB) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck debootstrap
 
-LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/%,$(wildcard src/*/*.c))
+LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
 CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c))
+# graze-mpi is the command line with other hands to answer rows; it is built where Open MPI is.
+MPI     := $(if $(shell command -v mpicc),$B/graze-mpi)
+MPI_O   := $(filter-out %/main.o %/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/mpi/*.c))
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef
 BENCH   := $B/tests/bench/inside $B/tests/bench/peers
 
 .PHONY: all
-all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so
+all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so $(MPI)
 
 .PHONY: help
 help:
@@ -93,6 +96,10 @@ $B/%.o: %.cpp | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
+$B/src/mpi/%.o: src/mpi/%.c | $B/.packages-build
+	@mkdir -p $(@D)
+	@echo "  CC   $<"
+	@OMPI_CC="$(CC)" mpicc $(ALL_CFLAGS) -c -o $@ $<
 $B/libgraze.a: $(LIB_O)
 	@rm -f $@
 	@echo "  AR   $@"
@@ -104,6 +111,9 @@ $B/libgraze.so: $(LIB_O) src/install/graze.map
 $B/graze: $(CLI_O) $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+$B/graze-mpi: $(MPI_O) $B/libgraze.a
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $$(mpicc --showme:link) $(LIBS)
 $B/tests/unit/%: $B/tests/unit/%.o $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
@@ -220,6 +230,7 @@ demo: all
 
 .PHONY: test
 test: $B/.packages-test all $(UNIT) $(ORACLES) build/tests/locale/de_DE.UTF-8
+	@! command -v mpicc >/dev/null || $(MAKE) -s B=$B $B/graze-mpi # perhaps just installed
 	@python3 tests/run.py --build $B
 
 # The programs of the tests in another build folder, for the sanitizers.

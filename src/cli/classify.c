@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "cli/interrupt.h"
 #include "cli/rows.h"
 #include "cli/receipt.h"
@@ -40,15 +39,18 @@ static const char help[] =
     "\n"
     "Example: graze classify cube.off move.json points.csv > table.csv\n";
 
-/* Blocks at hand: enough to keep the threads busy while one is written. */
-enum { RING = 4 };
+/* Blocks at hand keep the threads busy while one is written: a few, and some rows for each. */
+static size_t ring_size(const options *o) {
+    return 4 + (size_t)jobs_width(o) * 4 * RUN_ROWS / BLOCK_ROWS;
+}
 
 typedef struct run_state {
     loaded l;
     csv *points;
     grid *grid;
     jobs *jobs;
-    block *ring[RING];
+    block **ring; /* a block's place is its number modulo the ring's size */
+    size_t ring_size;
     unsigned long filled, written; /* blocks */
     unsigned long taken;           /* rows of them, and those that need not be made */
     int ended;                     /* all points are taken, or none can be for `read_status` */
@@ -104,7 +106,7 @@ static int put_rows(run_state *s, const block *b) {
 
 /* Fill the next block and hand it over; before the first, write the head of the table. */
 static int fill(run_state *s, const options *o) {
-    block *b = s->ring[s->filled % RING];
+    block *b = s->ring[s->filled % s->ring_size];
     int status = EXIT_DONE;
     block_reset(b, s->taken);
     if (s->points)
@@ -127,7 +129,7 @@ static int fill(run_state *s, const options *o) {
 /* Room for a block, and points that need not be waited for while rows are to be written. */
 static int can_fill(run_state *s) {
     unsigned long at_hand = s->filled - s->written;
-    return !s->ended && at_hand < RING && (at_hand == 0 || s->grid || csv_ready(s->points));
+    return !s->ended && at_hand < s->ring_size && (at_hand == 0 || s->grid || csv_ready(s->points));
 }
 
 /* A grid's rows are known; of a file, how much of it is read. */
@@ -138,7 +140,7 @@ static portion reached(const run_state *s, const options *o) {
 }
 
 static int write_next(run_state *s, const options *o) {
-    const block *b = s->ring[s->written % RING];
+    const block *b = s->ring[s->written % s->ring_size];
     jobs_wait(s->jobs, b);
     int status = put_rows(s, b);
     s->written++;
@@ -186,12 +188,19 @@ static int check_files(const run_state *s, const options *o) {
     return EXIT_DONE;
 }
 
+static int make_ring(run_state *s, size_t size) {
+    s->ring = calloc(size, sizeof *s->ring);
+    s->ring_size = size;
+    for (size_t k = 0; s->ring && k < size; k++)
+        if (!(s->ring[k] = block_create()))
+            return complain(EXIT_IO, "out of memory");
+    return s->ring ? EXIT_DONE : complain(EXIT_IO, "out of memory");
+}
+
 static int prepare(run_state *s, const options *o) {
     int status = o->receipt ? receipt_load(&s->l, o) : load(&s->l, o, EXIT_INPUT, NULL);
     if (status)
         return status;
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    int threads = (int)(o->jobs ? o->jobs : cores > 0 ? cores : 1);
     if (o->grid)
         status = grid_open(&s->grid, o, s->l.context, s->l.scene);
     else
@@ -199,12 +208,11 @@ static int prepare(run_state *s, const options *o) {
                           s->l.context);
     if (!status)
         status = check_files(s, o);
-    for (int k = 0; k < RING && !status; k++)
-        if (!(s->ring[k] = block_create()))
-            status = complain(EXIT_IO, "out of memory");
+    if (!status)
+        status = make_ring(s, ring_size(o));
     row_source source = {s->points ? csv_columns(s->points) : NULL, s->grid, o->part};
     if (!status)
-        status = jobs_start(&s->jobs, o, s->l.scene, source, threads);
+        status = jobs_start(&s->jobs, o, s->l.scene, source);
     if (!status)
         status = results_open(&s->table, o->output, o->resume);
     s->taken = results_skip(&s->table);
@@ -215,8 +223,9 @@ static int prepare(run_state *s, const options *o) {
 
 static void finish(run_state *s) {
     jobs_stop(s->jobs);
-    for (int k = 0; k < RING; k++)
+    for (size_t k = 0; s->ring && k < s->ring_size; k++)
         block_destroy(s->ring[k]);
+    free(s->ring);
     csv_close(s->points);
     grid_close(s->grid);
     unload(&s->l);

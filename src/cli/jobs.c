@@ -8,6 +8,7 @@
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <unistd.h>
 #include "cli/interrupt.h"
 #include "cli/rows.h"
 
@@ -98,8 +99,13 @@ static int start_thread(worker *w) {
     return w->started;
 }
 
-int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source,
-               int count) {
+int jobs_width(const options *o) {
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    return (int)(o->jobs ? o->jobs : cores > 0 ? cores : 1);
+}
+
+int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source) {
+    int count = jobs_width(o);
     jobs *j = calloc(1, sizeof *j + (size_t)count * sizeof(worker));
     *out = j;
     if (!j)

@@ -91,9 +91,10 @@ void answer(answerer *a, block *b, size_t first);
 
 typedef struct jobs jobs;
 
-/** Start `count` threads, each with a context of its own. On failure says why. */
-int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source,
-               int count);
+/** How many answer rows at one time. */
+int jobs_width(const options *o);
+/** Start the threads, each with a context of its own. On failure says why. */
+int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source);
 /** Hand a block over; it is answered after those before it and must stay until jobs_wait. */
 void jobs_submit(jobs *j, block *b);
 /** Wait until all rows of a block are answered, or those a signal leaves time for. */

@@ -33,6 +33,8 @@ UNREACHED = {
     "another run is writing it": "needs two runs at once; tests/shards reaches it",
     "is not what this run makes of its point": "needs a table of this version; tests/shards reaches it",
     "rows already, more than there are points": "needs a table of this version; tests/shards reaches it",
+    "a rank cannot begin": "needs a machine that lacks a file which another one has",
+    "MPI cannot begin": "the system refuses a pipe",
     "the crossings of a ray with the solid do not add up": "a fault of Graze itself",
     "the motion's end maps are singular": "a fault of Graze itself",
     "inside the geometry library failed": "a fault of Graze itself",

@@ -38,7 +38,7 @@ class Bench:
 
     def skip(self, name, reason):
         self.skipped += 1
-        print(f"SKIP ({name}): {reason}")
+        print(f"SKIP {name}: {reason}")
 
     def run(self, *words, stdin=None, limit=None):
         """(exit status, standard output, standard error) of graze."""
