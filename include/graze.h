@@ -113,7 +113,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_context_set_rounding(graze_context *c
  * filter (1, the default) or by the exact path alone (0). The answers are the same; the second is
  * slower and is there to check the first. */
 GRAZE_API void graze_context_set_filter(graze_context *context, int on);
-/** How many points asked for with this context needed the exact path: the filter alone answered the others. */
+/** How many points asked for with this context needed the exact path: the filter alone answered the
+ * others. */
 GRAZE_API unsigned long graze_context_exact_count(const graze_context *context);
 /** NULL takes the callback away. It is called in the thread of the call it may end. */
 GRAZE_API void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data);
