@@ -39,6 +39,7 @@ MPI     := $(if $(shell command -v mpicc),$B/graze-mpi)
 MPI_O   := $(filter-out %/main.o %/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/mpi/*.c))
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef
+FLIP_O  := $(patsubst src/filter/%.c,$B/tests/flip/%.o,$(wildcard src/filter/*.c))
 BENCH   := $B/tests/bench/inside $B/tests/bench/peers
 
 .PHONY: all
@@ -130,6 +131,14 @@ $B/tests/to_nef: tests/agree/to_nef.cpp tests/agree/shells.h | $B/.packages-buil
 	@echo "  CXX  $<"
 	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
 $B/tests/bench/inside: $B/tests/bench/inside.o $B/libgraze.a
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+# The program with a filter whose decisions can be falsified (src/filter/flip.h).
+$B/tests/flip/%.o: src/filter/%.c | $B/.packages-build
+	@mkdir -p $(@D)
+	@echo "  CC   $< (flips)"
+	@$(CC) $(ALL_CFLAGS) -DGRAZE_FLIP_SITES -c -o $@ $<
+$B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/filter/%,$(LIB_O))
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The peers as their users build them: optimised, without assertions.

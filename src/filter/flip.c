@@ -23,6 +23,8 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_DIRECTION] = "direction",
     [FLIP_APART] = "apart",
     [FLIP_FAR] = "far",
+    [FLIP_FIRST] = "first",
+    [FLIP_WEIGHT] = "weight",
 };
 
 static atomic_ulong calls;

@@ -8,6 +8,7 @@
 #include "filter/meet.h"
 
 #include <math.h>
+#include <string.h>
 #include "filter/flip.h"
 
 #define U UNIT_ROUNDING
@@ -156,8 +157,7 @@ static int is_beside(const meeter *m, int drop) {
 static int plane_sign(const meeter *m, double s, double *value) {
     int n = m->c->degree;
     double row[CARRIER_DEGREE + 1];
-    for (int k = 0; k <= n; k++)
-        row[k] = m->plane.at[k];
+    memcpy(row, m->plane.at, (size_t)(n + 1) * sizeof *row);
     for (int level = 1; level <= n; level++)
         for (int k = 0; k <= n - level; k++)
             row[k] += s * (row[k + 1] - row[k]);
