@@ -4,6 +4,7 @@
 #ifndef GRAZE_CLI_OUTPUT_H
 #define GRAZE_CLI_OUTPUT_H
 
+#include <gmp.h>
 #include <stddef.h>
 
 /** Once a write has failed `error` holds its errno and nothing more is written. */
@@ -20,6 +21,8 @@ typedef struct output {
 int output_open(output *out, const char *path);
 void output_put(output *out, const char *text);
 void output_bytes(output *out, const char *text, size_t length);
+/** An integer, or a ratio in lowest terms. */
+void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);
