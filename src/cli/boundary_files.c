@@ -29,11 +29,25 @@ int boundary_check_names(const char *surface, const char *cells, const char *poi
     return EXIT_DONE;
 }
 
-/* A format's numbers: at most four. */
-static void put(const char *format, unsigned long a, unsigned long b, unsigned long c) {
-    char text[160];
-    snprintf(text, sizeof text, format, a, b, c);
-    output_put(&out, text);
+/* Counts between two texts, with blanks in between. */
+static void put(const char *before, const size_t *count, int counts, const char *behind) {
+    char text[32];
+    output_put(&out, before);
+    for (int k = 0; k < counts; k++) {
+        snprintf(text, sizeof text, k ? " %zu" : "%zu", count[k]);
+        output_put(&out, text);
+    }
+    output_put(&out, behind);
+}
+
+static void put_one(const char *before, size_t count, const char *behind) {
+    put(before, &count, 1, behind);
+}
+
+/* A line of two counts after a word. */
+static void put_sizes(const char *word, size_t items, size_t numbers) {
+    size_t count[2] = {items, numbers};
+    put(word, count, 2, "\n");
 }
 
 static void put_coordinates(mpq_t *point, int dimension) {
@@ -69,17 +83,14 @@ static void put_vtk(const graze_boundary *b, int dimension, const char *dataset,
     output_put(&out, "# vtk DataFile Version 3.0\ngraze " GRAZE_VERSION " boundary; " MISSES "\n"
                      "ASCII\nDATASET ");
     output_put(&out, dataset);
-    put("\nPOINTS %lu double\n", count, 0, 0);
+    put_one("\nPOINTS ", count, " double\n");
     put_all_coordinates(b, dimension, which, count);
 }
 
 static void put_faces(const graze_boundary *b, int dimension, size_t count) {
     for (size_t i = 0; i < count; i++) {
         const size_t *face = graze_boundary_face(b, i);
-        if (dimension == 3)
-            put("3 %lu %lu %lu\n", face[0], face[1], face[2]);
-        else
-            put("2 %lu %lu\n", face[0], face[1], 0);
+        put(dimension == 3 ? "3 " : "2 ", face, dimension, "\n");
     }
 }
 
@@ -90,24 +101,21 @@ int boundary_write_surface(const char *path, const graze_boundary *b, int dimens
         return status;
     if (ends_in(path, ".vtk")) {
         put_vtk(b, dimension, "POLYDATA", OF_VERTICES, s.vertices);
-        put(dimension == 3 ? "POLYGONS %lu %lu\n" : "LINES %lu %lu\n", s.faces,
-            s.faces * (size_t)(dimension + 1), 0);
+        put_sizes(dimension == 3 ? "POLYGONS " : "LINES ", s.faces,
+                  s.faces * (size_t)(dimension + 1));
         put_faces(b, dimension, s.faces);
         return output_close(&out);
     }
     output_put(&out, "ply\nformat ascii 1.0\ncomment graze " GRAZE_VERSION " boundary\n"
                      "comment " MISSES "\n");
-    put("element vertex %lu\nproperty double x\nproperty double y\nproperty double z\n", s.vertices,
-        0, 0);
-    put(dimension == 3
-            ? "element face %lu\nproperty list uchar int vertex_indices\nend_header\n"
-            : "element edge %lu\nproperty int vertex1\nproperty int vertex2\nend_header\n",
-        s.faces, 0, 0);
+    put_one("element vertex ", s.vertices,
+            "\nproperty double x\nproperty double y\nproperty double z\n");
+    put_one(dimension == 3 ? "element face " : "element edge ", s.faces,
+            dimension == 3 ? "\nproperty list uchar int vertex_indices\nend_header\n"
+                           : "\nproperty int vertex1\nproperty int vertex2\nend_header\n");
     put_all_coordinates(b, dimension, OF_VERTICES, s.vertices);
-    for (size_t i = 0; i < s.faces && dimension == 2; i++) {
-        const size_t *edge = graze_boundary_face(b, i);
-        put("%lu %lu\n", edge[0], edge[1], 0);
-    }
+    for (size_t i = 0; i < s.faces && dimension == 2; i++)
+        put("", graze_boundary_face(b, i), 2, "\n");
     if (dimension == 3)
         put_faces(b, 3, s.faces);
     return output_close(&out);
@@ -120,8 +128,8 @@ static void put_column(const graze_boundary *b, size_t count, const char *name, 
     output_put(&out, " int 1\nLOOKUP_TABLE default\n");
     for (size_t i = 0; i < count; i++) {
         graze_boundary_cell c = graze_boundary_cell_at(b, i);
-        unsigned long value[3] = {c.level, (unsigned long)c.pmc, (unsigned long)c.contact};
-        put("%lu\n", value[which], 0, 0);
+        size_t value[3] = {c.level, (size_t)c.pmc, (size_t)c.contact};
+        put_one("", value[which], "\n");
     }
 }
 
@@ -133,18 +141,15 @@ int boundary_write_cells(const char *path, const graze_boundary *b, int dimensio
     if (status)
         return status;
     put_vtk(b, dimension, "UNSTRUCTURED_GRID", OF_POINTS, s.points);
-    put("CELLS %lu %lu\n", s.cells, s.cells * (corners + 1), 0);
+    put_sizes("CELLS ", s.cells, s.cells * (corners + 1));
     for (size_t i = 0; i < s.cells; i++) {
         graze_boundary_cell c = graze_boundary_cell_at(b, i);
-        put("%lu", corners, 0, 0);
-        for (unsigned k = 0; k < corners; k++)
-            put(" %lu", c.corners[k], 0, 0);
-        output_put(&out, "\n");
+        put(dimension == 2 ? "4 " : "8 ", c.corners, (int)corners, "\n");
     }
-    put("CELL_TYPES %lu\n", s.cells, 0, 0);
+    put_one("CELL_TYPES ", s.cells, "\n");
     for (size_t i = 0; i < s.cells; i++)
         output_put(&out, dimension == 2 ? "8\n" : "11\n");
-    put("CELL_DATA %lu\n", s.cells, 0, 0);
+    put_one("CELL_DATA ", s.cells, "\n");
     put_column(b, s.cells, "level", 0);
     put_column(b, s.cells, "pmc", 1);
     put_column(b, s.cells, "contact", 2);
@@ -180,15 +185,15 @@ int boundary_write_points(const char *path, const graze_boundary *b, int dimensi
         return output_close(&out);
     }
     put_vtk(b, dimension, "POLYDATA", OF_POINTS, s.points);
-    put("VERTICES %lu %lu\n", s.points, 2 * s.points, 0);
+    put_sizes("VERTICES ", s.points, 2 * s.points);
     for (size_t i = 0; i < s.points; i++)
-        put("1 %lu\n", i, 0, 0);
-    put("POINT_DATA %lu\nSCALARS pmc int 1\nLOOKUP_TABLE default\n", s.points, 0, 0);
+        put_one("1 ", i, "\n");
+    put_one("POINT_DATA ", s.points, "\nSCALARS pmc int 1\nLOOKUP_TABLE default\n");
     mpq_t point[3];
     for (int k = 0; k < 3; k++)
         mpq_init(point[k]);
     for (size_t i = 0; i < s.points; i++)
-        put("%lu\n", (unsigned long)graze_boundary_point(point, b, i), 0, 0);
+        put_one("", (size_t)graze_boundary_point(point, b, i), "\n");
     for (int k = 0; k < 3; k++)
         mpq_clear(point[k]);
     return output_close(&out);

@@ -200,5 +200,5 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
     fmpz_clear(whole);
     fmpq_clear(square);
     fmpq_clear(rest);
-    return status;
+    return GRAZE_OK;
 }

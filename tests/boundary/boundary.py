@@ -14,7 +14,7 @@ import subprocess
 import tempfile
 from fractions import Fraction as F
 
-from files import read_points, read_ply, read_vtk
+from files import read_points, read_ply, read_polydata, read_vtk
 from second import Convex, box_set, cells_of
 
 COMMON = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "refuse", "common")
@@ -180,6 +180,25 @@ def test_default_box(graze, folder):
     check(run.number(r"points: (\d+)") > 0 and "budget: enough" in run.says, run.says)
 
 
+def test_vtk(graze, folder):
+    """The surface and the points say the same as VTK."""
+    for solid, motion, depth in (("cube.off", move(3, "4*t", "0", "0"), "3"),
+                                 ("square.wkt", move(2, "4*t", "2*t"), "5")):
+        solid = os.path.join(COMMON, solid)
+        run = Run(graze, folder, solid, motion, "--depth", depth)
+        names = [os.path.join(folder, name) for name in ("s.vtk", "p.vtk")]
+        subprocess.run([graze, "boundary", solid, os.path.join(folder, "motion.json"), "--depth",
+                        depth, "--surface", names[0], "--points", names[1]], check=True,
+                       stdout=subprocess.DEVNULL)
+        d = len(run.vertices[0])
+        vertices, faces, _ = read_polydata(names[0], d)
+        check((vertices, faces) == (run.vertices, run.faces), "surface as VTK")
+        points, alone, pmc = read_polydata(names[1], d)
+        words = {1: "in", 2: "on", 3: "out"}
+        check({p: words[k] for p, k in zip(points, pmc)} == run.points, "points as VTK")
+        check(alone == [(k,) for k in range(len(points))], "vertices of VTK")
+
+
 def test_budget(graze, folder):
     """Spent in the midst of a level: the surface is that of a level before, and still closed."""
     square = os.path.join(COMMON, "square.wkt")
@@ -237,6 +256,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         test_scenes(graze, folder)
         test_default_box(graze, folder)
+        test_vtk(graze, folder)
         test_budget(graze, folder)
         test_thin(graze, folder)
         test_border(graze, folder)

@@ -62,3 +62,20 @@ def read_vtk(path):
     if kinds == {"8"}:
         points = [p[:2] for p in points]
     return points, list(zip(corners, columns["level"], columns["pmc"], columns["contact"]))
+
+
+def read_polydata(path, d):
+    """(points, cells, data of the points) of a legacy VTK file."""
+    with open(path, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    if lines[3] != "DATASET POLYDATA":
+        raise ValueError(path)
+    count = int(lines[4].split()[1])
+    points = [tuple(F(x) for x in line.split())[:d] for line in lines[5:5 + count]]
+    at = 5 + count
+    _, cells, numbers = lines[at].split()
+    rows = [tuple(map(int, line.split())) for line in lines[at + 1:at + 1 + int(cells)]]
+    if sum(map(len, rows)) != int(numbers) or any(row[0] + 1 != len(row) for row in rows):
+        raise ValueError(path)
+    data = [int(x) for x in lines[at + 1 + int(cells) + 3:]]
+    return points, [row[1:] for row in rows], data
