@@ -19,6 +19,9 @@ enum {
     EXIT_SIGNAL = 128 /* the caller dies of the signal that came */
 };
 
+/** The options of its own that a command may have. */
+enum { OWN_OPTIONS = 16 };
+
 /** The command line, read. Strings are borrowed from argv. */
 typedef struct options {
     graze_options scene;
@@ -41,11 +44,14 @@ typedef struct options {
     graze_comparison_format report;
     const char *candidate, *points, *keep; /* validate */
     unsigned long timeout;                 /* seconds; 0: as the command has it */
+    const char *own[OWN_OPTIONS];          /* the command's own, in its order; NULL: not given */
     int operand_count;
     char **operands; /* malloc'ed array of what is no option, options anywhere between */
 } options;
 
-/** A command: its name, its options (a set of letters, cli/options.c), its help, what it does. */
+/** A command: its name, its options, its help, what it does. The options are a set of letters
+ * (cli/options.c) and then, each after a blank, the names of those of its own; one that ends in `=`
+ * takes a value, and without one `own` holds "". */
 typedef struct command {
     const char *name;
     const char *allowed;
@@ -54,7 +60,8 @@ typedef struct command {
 } command;
 
 extern const command command_check, command_classify, command_explain, command_generate,
-    command_cases, command_compare, command_validate, command_merge;
+    command_cases, command_compare, command_validate, command_merge, command_motion,
+    command_boundary;
 
 /**
  * Read the options of a command; `argv[0]` is the command's name. Says on standard error what is

@@ -76,14 +76,6 @@ static int read_strata(unsigned long *weights, const char *list) {
     return status;
 }
 
-static void put_number(output *out, const mpq_t value) {
-    char *text = mpq_get_str(NULL, 10, value);
-    output_put(out, text);
-    void (*release)(void *, size_t);
-    mp_get_memory_functions(NULL, NULL, &release);
-    release(text, strlen(text) + 1);
-}
-
 static void put_box(maker *m) {
     int d = graze_scene_dimension(m->l.scene);
     mpq_t high[3];
@@ -93,7 +85,7 @@ static void put_box(maker *m) {
     output_put(&m->out, "# box");
     for (int i = 0; i < 2 * d; i++) {
         output_put(&m->out, i == 0 ? " " : ",");
-        put_number(&m->out, i < d ? m->point[i] : high[i - d]);
+        output_number(&m->out, i < d ? m->point[i] : high[i - d]);
     }
     output_put(&m->out, "\n");
     for (int i = 0; i < 3; i++)
@@ -135,7 +127,7 @@ static int put_row(maker *m, unsigned long row) {
     if (status)
         return complain_of(status, m->l.context);
     for (int i = 0; i < graze_scene_dimension(m->l.scene); i++) {
-        put_number(&m->out, m->point[i]);
+        output_number(&m->out, m->point[i]);
         output_put(&m->out, ",");
     }
     char text[48];
@@ -148,7 +140,7 @@ static int put_row(maker *m, unsigned long row) {
     output_put(&m->out, text);
     put_cell(&m->out, &made.cell);
     output_put(&m->out, ",");
-    put_number(&m->out, m->time);
+    output_number(&m->out, m->time);
     snprintf(text, sizeof text, made.k ? ",%d,%s\n" : ",,\n", made.k, made.outward ? "out" : "in");
     output_put(&m->out, text);
     return EXIT_DONE;

@@ -82,6 +82,14 @@ void output_put(output *out, const char *text) {
     output_bytes(out, text, strlen(text));
 }
 
+void output_number(output *out, const mpq_t value) {
+    char *text = mpq_get_str(NULL, 10, value);
+    output_put(out, text);
+    void (*release)(void *, size_t);
+    mp_get_memory_functions(NULL, NULL, &release);
+    release(text, strlen(text) + 1);
+}
+
 int output_close(output *out) {
     output_flush(out);
     if (close(out->fd) != 0 && !out->error)

@@ -4,6 +4,7 @@
 #ifndef GRAZE_CLI_OUTPUT_H
 #define GRAZE_CLI_OUTPUT_H
 
+#include <gmp.h>
 #include <stddef.h>
 
 /** Once a write has failed `error` holds its errno and nothing more is written. */
@@ -28,6 +29,8 @@ int output_lock(output *out);
 void output_from(output *out, long long byte);
 void output_put(output *out, const char *text);
 void output_bytes(output *out, const char *text, size_t length);
+/** An integer, or a ratio in lowest terms. */
+void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);
