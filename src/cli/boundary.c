@@ -124,7 +124,7 @@ static int run(const options *o) {
     for (int k = 0; k < 6; k++)
         mpq_init(box[k]);
     loaded l;
-    status = load(&l, o, EXIT_INPUT);
+    status = load(&l, o, EXIT_INPUT, NULL);
     if (!status)
         status = sample(&l, o, box);
     unload(&l);
