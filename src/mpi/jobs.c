@@ -132,16 +132,16 @@ static void give_up(void) {
 
 static void take_answer(jobs *j) {
     int kind, rank = receive(&j->message, MPI_ANY_SOURCE, &kind);
-    if (rank < 0) {
+    if (rank < 1) {
         give_up();
-        return;
+    } else {
+        errand *e = &j->errands[rank - 1];
+        row_run *r = &e->block->runs[e->first];
+        if (!message_get_answer(&j->message, r))
+            fault_set(&r->fault, EXIT_IO, "out of memory");
+        e->block->busy--;
+        e->block = NULL;
     }
-    errand *e = &j->errands[rank - 1];
-    row_run *r = &e->block->runs[e->first];
-    if (!message_get_answer(&j->message, r))
-        fault_set(&r->fault, EXIT_IO, "out of memory");
-    e->block->busy--;
-    e->block = NULL;
 }
 
 void jobs_wait(jobs *j, const block *b) {
