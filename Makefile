@@ -22,7 +22,8 @@ LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 
 # What a bare Debian 12 lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
-PACKAGES_TEST  := $(PACKAGES_BUILD) libcmocka-dev python3 pari-gp locales
+PACKAGES_PNG   := libcairo2 fonts-dejavu-core
+PACKAGES_TEST  := $(PACKAGES_BUILD) $(PACKAGES_PNG) libcmocka-dev python3 pari-gp locales
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck
 
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/%,$(wildcard src/*/*.c))
@@ -43,6 +44,7 @@ help:
 	@echo "make test       install what is missing, build, run every test (a few minutes)"
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
+	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
 	@echo "make format     clang-format on all sources"
 	@echo "make clean      remove build/"
@@ -72,6 +74,8 @@ $B/.packages-build: Makefile
 	$(call install_packages,$(PACKAGES_BUILD))
 $B/.packages-test: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_TEST))
+$B/.packages-pictures: Makefile | $B/.packages-build
+	$(call install_packages,$(PACKAGES_PNG))
 $B/.packages-all: Makefile | $B/.packages-test
 	$(call install_packages,$(PACKAGES_ALL))
 
@@ -148,6 +152,10 @@ test-all: $B/.packages-all test
 .PHONY: bench
 bench: all $(BENCH)
 	@python3 tests/bench/run.py --graze $B/graze $(BENCH_FLAGS)
+
+.PHONY: pictures
+pictures: $B/.packages-pictures all
+	@cases/pictures.sh $B/graze $B/pictures
 
 .PHONY: lint
 lint: $B/.packages-all

@@ -26,6 +26,7 @@ static const char help[] =
     "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with its contacts\n"
+    "  --format vtk|npy     the table as a legacy VTK file or a structured numpy array\n"
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
     "  --triangulate        fan facets that are not planar from their first vertex\n"
     "  --jobs N             threads (default: all cores); the output is the same for any N\n"
@@ -171,6 +172,8 @@ static int prepare(run_state *s, const options *o) {
     if (!status)
         status = output_open(&s->out, o->output);
     s->opened = !status;
+    if (s->opened && o->exported)
+        output_keep(&s->out);
     return status;
 }
 
@@ -182,6 +185,21 @@ static void finish(run_state *s) {
     grid_close(s->grid);
     unload(&s->l);
     free(s);
+}
+
+/* Write the table, which was kept, in the form that was asked for. */
+static int export_table(run_state *s, const options *o) {
+    size_t length, bytes_length;
+    char *table = output_release(&s->out, &length), *bytes = NULL;
+    if (!table || s->out.error)
+        return EXIT_IO;
+    graze_status status =
+        graze_report_export(&bytes, &bytes_length, s->l.context, table, length, o->exported);
+    if (!status)
+        output_bytes(&s->out, bytes, bytes_length);
+    free(table);
+    graze_free(bytes);
+    return complain_of(status, s->l.context);
 }
 
 static int check_usage(const options *o) {
@@ -211,6 +229,8 @@ static int run(const options *o) {
         snprintf(line, sizeof line, "# complete %lu\n", s->rows);
         output_put(&s->out, line);
     }
+    if (!status && o->exported)
+        status = export_table(s, o);
     if (s->opened) {
         int closed = output_close(&s->out);
         status = closed ? closed : status;

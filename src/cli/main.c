@@ -8,7 +8,7 @@
 
 static const command *const commands[] = {&command_check,    &command_classify, &command_explain,
                                           &command_generate, &command_cases,    &command_compare,
-                                          &command_validate};
+                                          &command_validate, &command_draw};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -20,6 +20,7 @@ static const char overview[] =
     "  graze generate SOLID MOTION -n N --seed K   query points, most of them degenerate\n"
     "  graze compare GOLDEN CANDIDATE       a candidate's answers against a golden table\n"
     "  graze validate SOLID MOTION --candidate CMD   run a candidate and judge it\n"
+    "  graze draw SOLID MOTION [POINTS] -o FILE.svg   a picture: classes, positions, trajectories\n"
     "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 options and an example\n"
     "  graze --version                      versions of graze and its libraries\n"

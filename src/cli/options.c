@@ -40,7 +40,14 @@ static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
                                              {"keep", required_argument, NULL, 'K'},
                                              {"timeout", required_argument, NULL, 'T'},
                                              {"no-filter", no_argument, NULL, 'x'},
+                                             {"title", required_argument, NULL, 'I'},
+                                             {"times", required_argument, NULL, 'N'},
+                                             {"plane", required_argument, NULL, 'L'},
+                                             {"view", required_argument, NULL, 'V'},
                                              {NULL, 0, NULL, 0}};
+
+/* -p, whose letter is taken by a long option. */
+enum { SHORT_POINT = '@' };
 
 /* A value out of two or three words. */
 static int choose(int *out, const char *option, const char *value, const char *const *names,
@@ -99,7 +106,7 @@ static int read_choice(options *o, int letter, const char *value) {
     static const char *const overlap[] = {"extend", "reject"};
     static const char *const folds[] = {"separate", "combined"};
     static const char *const operation[] = {"sweep", "unsweep"};
-    static const char *const format[] = {"csv", "jsonl"};
+    static const char *const format[] = {"csv", "jsonl", "vtk", "npy"};
     int chosen = 0, status;
     switch (letter) {
     case 'r':
@@ -119,8 +126,11 @@ static int read_choice(options *o, int letter, const char *value) {
         o->scene.operation = (graze_operation)chosen;
         return status;
     default:
-        status = choose(&chosen, "format", value, format, 2);
-        o->format = (graze_format)chosen;
+        status = choose(&chosen, "format", value, format, 4);
+        o->exported = chosen == 2   ? GRAZE_EXPORT_VTK
+                      : chosen == 3 ? GRAZE_EXPORT_NPY
+                                    : GRAZE_EXPORT_NONE;
+        o->format = chosen == 1 ? GRAZE_FORMAT_JSONL : GRAZE_FORMAT_CSV;
         return status;
     }
 }
@@ -224,6 +234,22 @@ static int read_option(options *o, int letter, const char *value) {
     case 'K':
         o->keep = value;
         return EXIT_DONE;
+    case 'I':
+        o->title = value;
+        return EXIT_DONE;
+    case 'L':
+        o->plane = value;
+        return EXIT_DONE;
+    case 'V':
+        o->view = value;
+        return EXIT_DONE;
+    case 'N':
+        if (!read_count(&o->times, value, 2) || o->times > 64)
+            return complain(EXIT_USAGE, "--times %s: right is a whole number from 2 to 64", value);
+        return EXIT_DONE;
+    case SHORT_POINT:
+        o->marks[o->mark_count++] = value;
+        return EXIT_DONE;
     default:
         return strchr("qAHFST", letter) ? read_comparison(o, letter, value)
                                         : read_choice(o, letter, value);
@@ -254,7 +280,8 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
     out->compare.show = 10;
     *help = 0;
     out->operands = calloc((size_t)argc + 1, sizeof *out->operands);
-    if (!out->operands)
+    out->marks = calloc((size_t)argc + 1, sizeof *out->marks);
+    if (!out->operands || !out->marks)
         return complain(EXIT_IO, "out of memory");
     opterr = 0;
     optind = 1;
@@ -263,7 +290,10 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
             out->operands[out->operand_count++] = argv[optind++];
             continue;
         }
-        int index = -1, letter = getopt_long(argc, argv, "-:hn:", long_options, &index);
+        int index = -1, letter = getopt_long(argc, argv, "-:hn:o:p:", long_options, &index);
+        const char short_name[] = {(char)letter, 0};
+        if (letter == 'p' && index < 0)
+            letter = SHORT_POINT;
         if (letter == -1) {
             while (optind < argc)
                 out->operands[out->operand_count++] = argv[optind++];
@@ -276,8 +306,8 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
             return complain_of_word(c, optopt, letter, argv);
         } else if (!strchr(c->allowed, letter)) {
             return complain(EXIT_USAGE, "%s has no option %s%s; see graze %s --help", c->name,
-                            index < 0 ? "-" : "--", index < 0 ? "n" : long_options[index].name,
-                            c->name);
+                            index < 0 ? "-" : "--",
+                            index < 0 ? short_name : long_options[index].name, c->name);
         } else {
             int reports = letter == 'm' && strchr(c->allowed, 'F');
             int status = read_option(out, reports ? 'F' : letter, optarg);
@@ -290,5 +320,7 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
 
 void options_clear(options *o) {
     free(o->operands);
+    free(o->marks);
     o->operands = NULL;
+    o->marks = NULL;
 }

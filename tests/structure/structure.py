@@ -8,7 +8,8 @@ import re
 import subprocess
 import sys
 
-ORDER = ["context", "number", "motion solid", "filter", "scene trace", "verdict generate", "report compare", "api",
+ORDER = ["context", "number", "motion solid", "filter", "scene trace", "verdict generate", "report compare", "draw",
+         "api",
          "cli"]
 RANK = {stage: rank for rank, stages in enumerate(ORDER) for stage in stages.split()}
 TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".ci", "LICENSE",

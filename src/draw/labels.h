@@ -1,0 +1,34 @@
+/* Names of points, placed so that none covers another or a marker.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_DRAW_LABELS_H
+#define GRAZE_DRAW_LABELS_H
+
+#include "draw/panel.h"
+
+/** A rectangle of pixels that names keep off. */
+typedef struct obstacle {
+    double x, y, width, height;
+} obstacle;
+
+/** The obstacles of one panel. Once memory has run short `failed` is set. */
+typedef struct labels {
+    obstacle *item;
+    size_t count, capacity;
+    unsigned left_out; /* names for which there was no room, counted by the caller */
+    int failed;
+} labels;
+
+void labels_clear(labels *l);
+/** Keep off a disk, such as a marker. */
+void labels_avoid(labels *l, double x, double y, double radius);
+/** Keep off a line through pixels. */
+void labels_avoid_path(labels *l, const path *p);
+/** Write a name beside a pixel of the panel, at the first place that is free, with a thin line to
+ * the pixel if that is not next to it. The name is an obstacle from then on. Returns 0 where no
+ * place is free. */
+int labels_place(labels *l, canvas *c, const panel *p, double x, double y, const char *name);
+/** Say over the panel's right corner how many names were left out, if any were. */
+void labels_tell(const labels *l, canvas *c, const panel *p);
+
+#endif
