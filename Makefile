@@ -16,26 +16,35 @@ GCC_ONLY := $(if $(findstring clang,$(CC)),,-Wno-stringop-overread -Wno-stringop
 WARN := -Wall -Wextra -Werror
 COMMON = $(OPT) -g $(WARN) -fPIC -fvisibility=hidden -pthread -Iinclude -Isrc -MMD -MP
 ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON) $(GCC_ONLY) $(CFLAGS)
-# CGAL's interval arithmetic changes the rounding mode, which the compiler must respect.
-ALL_CXXFLAGS = -std=c++17 -frounding-math $(COMMON) $(CXXFLAGS)
+# CGAL's interval arithmetic changes the rounding mode, which the compiler must respect. A unique symbol
+# would be shared with a program that uses CGAL too, and CGAL's settings with it.
+NOT_UNIQUE := $(if $(findstring clang,$(CXX)),,-fno-gnu-unique)
+ALL_CXXFLAGS = -std=c++17 -frounding-math $(NOT_UNIQUE) $(COMMON) $(CXXFLAGS)
+VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze.h)
+SONAME := libgraze.so.0
 LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 
 # What a bare Debian 12 lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_PNG   := libcairo2 fonts-dejavu-core
-PACKAGES_TEST  := $(PACKAGES_BUILD) $(PACKAGES_PNG) libcmocka-dev python3 pari-gp locales
-PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck
+PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
+PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
+PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck debootstrap
 
-LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/%,$(wildcard src/*/*.c))
+LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
 CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c))
+# graze-mpi is the command line with other hands to answer rows; it is built where Open MPI is.
+MPI     := $(if $(shell command -v mpicc),$B/graze-mpi)
+MPI_O   := $(filter-out %/main.o %/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/mpi/*.c))
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef
+FLIP_O  := $(patsubst src/filter/%.c,$B/tests/flip/%.o,$(wildcard src/filter/*.c))
 BENCH   := $B/tests/bench/inside $B/tests/bench/peers
 
 .PHONY: all
-all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so
+all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so $(MPI)
 
 .PHONY: help
 help:
@@ -46,6 +55,8 @@ help:
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
+	@echo "make install    under PREFIX=/usr/local, below DESTDIR= if given; make uninstall takes it away"
+	@echo "make deb        a Debian package, build/graze_VERSION_ARCHITECTURE.deb"
 	@echo "make format     clang-format on all sources"
 	@echo "make clean      remove build/"
 
@@ -72,6 +83,8 @@ define install_packages
 endef
 $B/.packages-build: Makefile
 	$(call install_packages,$(PACKAGES_BUILD))
+$B/.packages-deb: Makefile | $B/.packages-build
+	$(call install_packages,$(PACKAGES_DEB))
 $B/.packages-test: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_TEST))
 $B/.packages-pictures: Makefile | $B/.packages-build
@@ -88,17 +101,24 @@ $B/%.o: %.cpp | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
+$B/src/mpi/%.o: src/mpi/%.c | $B/.packages-build
+	@mkdir -p $(@D)
+	@echo "  CC   $<"
+	@OMPI_CC="$(CC)" mpicc $(ALL_CFLAGS) -c -o $@ $<
 $B/libgraze.a: $(LIB_O)
 	@rm -f $@
 	@echo "  AR   $@"
 	@ar rcs $@ $^
-$B/libgraze.so: $(LIB_O)
+$B/libgraze.so: $(LIB_O) src/install/graze.map
 	@echo "  LINK $@"
-	@$(CXX) -shared -Wl,-soname,libgraze.so.0 $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
-	@ln -sf $(@F) $@.0
+	@$(CXX) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=src/install/graze.map $(OPT) $(LDFLAGS) -o $@ $(LIB_O) $(LIBS)
+	@ln -sf $(@F) $B/$(SONAME)
 $B/graze: $(CLI_O) $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+$B/graze-mpi: $(MPI_O) $B/libgraze.a
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $$(mpicc --showme:link) $(LIBS)
 $B/tests/unit/%: $B/tests/unit/%.o $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
@@ -117,6 +137,14 @@ $B/tests/to_nef: tests/agree/to_nef.cpp tests/agree/shells.h | $B/.packages-buil
 $B/tests/bench/inside: $B/tests/bench/inside.o $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+# The program with a filter whose decisions can be falsified (src/filter/flip.h).
+$B/tests/flip/%.o: src/filter/%.c | $B/.packages-build
+	@mkdir -p $(@D)
+	@echo "  CC   $< (flips)"
+	@$(CC) $(ALL_CFLAGS) -DGRAZE_FLIP_SITES -c -o $@ $<
+$B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/filter/%,$(LIB_O))
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The peers as their users build them: optimised, without assertions.
 $B/tests/bench/peers: tests/bench/peers.cpp | $B/.packages-build
 	@mkdir -p $(@D)
@@ -128,6 +156,86 @@ build/tests/locale/de_DE.UTF-8: | $B/.packages-test
 	localedef -i de_DE -f UTF-8 $@
 .SECONDARY:
 
+# ---------------------------------------------------------------- installing
+PREFIX     ?= /usr/local
+BINDIR     ?= $(PREFIX)/bin
+INCLUDEDIR ?= $(PREFIX)/include
+LIBDIR     ?= $(PREFIX)/lib
+DATADIR    ?= $(PREFIX)/share
+MANDIR     ?= $(DATADIR)/man
+DOCDIR     ?= $(DATADIR)/doc/graze
+COMPLETION := $(DATADIR)/bash-completion/completions
+CMAKEDIR   := $(LIBDIR)/cmake/graze
+# The Python module; it looks for the shared library in the folder that holds this one.
+PYTHONDIR  ?= $(PREFIX)/lib/python3/dist-packages
+PAGES      := $B/install/pages
+TO_INCLUDE  = $(shell realpath -m --relative-to='$(CMAKEDIR)' '$(INCLUDEDIR)')
+CMAKE_LIBS := $(subst $() ,;,$(patsubst -l%,%,$(LIBS)))
+
+# In the archive that others link with, all but the public functions is local: an internal function could
+# meet one of theirs of the same name.
+$B/install/libgraze.a: $(LIB_O)
+	@mkdir -p $(@D)
+	@rm -f $@
+	@echo "  AR   $@"
+	@$(CXX) -r -nostdlib -Wl,--force-group-allocation -o $B/install/graze.o $^
+	@objcopy --strip-debug --wildcard --keep-global-symbol='graze_*' $B/install/graze.o
+	@ar rcs $@ $B/install/graze.o
+# The pages say what --help and graze.h say.
+$(PAGES): $B/graze include/graze.h $(wildcard src/install/*.awk)
+	@echo "  MAN  $@"
+	@src/install/pages.sh $@.new $B/graze $(VERSION)
+	@rm -rf $@ && mv $@.new $@
+$B/install/%: src/install/%.in FORCE
+	@mkdir -p $(@D)
+	@sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(VERSION)|' \
+	  -e 's|@SONAME@|$(SONAME)|; s|@LIBS@|$(LIBS)|; s|@CMAKE_LIBS@|$(CMAKE_LIBS)|; s|@TO_INCLUDE@|$(TO_INCLUDE)|' $< >$@
+.PHONY: FORCE
+FORCE:
+
+CONFIGURED := $(addprefix $B/install/,graze.pc grazeConfig.cmake grazeConfigVersion.cmake)
+# Run ldconfig where the installed library is for this machine at once.
+REFRESH = @if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ]; then ldconfig; fi
+
+.PHONY: install
+install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
+	$(if $(filter /%,$(PREFIX)),,$(error PREFIX=$(PREFIX): right is a path that begins with /))
+	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR) $(LIBDIR)/pkgconfig $(CMAKEDIR) \
+	  $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
+	@install -s $B/graze $(DESTDIR)$(BINDIR)
+	@install -m 644 include/graze.h $(DESTDIR)$(INCLUDEDIR)
+	@install -m 644 $B/install/libgraze.a $(DESTDIR)$(LIBDIR)
+	@install -s -m 644 $B/libgraze.so $(DESTDIR)$(LIBDIR)/libgraze.so.$(VERSION)
+	@ln -sf libgraze.so.$(VERSION) $(DESTDIR)$(LIBDIR)/$(SONAME)
+	@ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/libgraze.so
+	@install -m 644 $B/install/graze.pc $(DESTDIR)$(LIBDIR)/pkgconfig
+	@install -m 644 $B/install/*.cmake $(DESTDIR)$(CMAKEDIR)
+	@install -m 644 $(PAGES)/*.1 $(DESTDIR)$(MANDIR)/man1
+	@install -m 644 $(PAGES)/*.3 $(DESTDIR)$(MANDIR)/man3
+	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
+	@install -m 644 src/python/graze/*.py src/python/graze/py.typed $(DESTDIR)$(PYTHONDIR)/graze
+	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE $(DESTDIR)$(DOCDIR)
+	@rm -rf $(DESTDIR)$(DATADIR)/graze/cases
+	@cp -R cases $(DESTDIR)$(DATADIR)/graze
+	@find $(DESTDIR)$(DATADIR)/graze -name __pycache__ -prune -exec rm -r {} +
+	@chmod -R u=rwX,go=rX $(DESTDIR)$(DATADIR)/graze
+	@ls $(PAGES) >$(DESTDIR)$(DATADIR)/graze/pages
+	$(REFRESH)
+	@echo "graze $(VERSION) is under $(DESTDIR)$(PREFIX)"
+
+.PHONY: uninstall
+uninstall:
+	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
+	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION)) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
+	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
+	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list
+	@rm -rf $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
+	$(REFRESH)
+
+.PHONY: deb
+deb: $B/.packages-deb all
+	+@src/install/deb.sh $B $(VERSION)
+
 # ---------------------------------------------------------------- running
 .PHONY: demo
 demo: all
@@ -135,6 +243,7 @@ demo: all
 
 .PHONY: test
 test: $B/.packages-test all $(UNIT) $(ORACLES) build/tests/locale/de_DE.UTF-8
+	@! command -v mpicc >/dev/null || $(MAKE) -s B=$B $B/graze-mpi # perhaps just installed
 	@python3 tests/run.py --build $B
 
 # The programs of the tests in another build folder, for the sanitizers.

@@ -113,14 +113,15 @@ GRAZE_API GRAZE_CHECKED graze_status graze_context_set_rounding(graze_context *c
  * filter (1, the default) or by the exact path alone (0). The answers are the same; the second is
  * slower and is there to check the first. */
 GRAZE_API void graze_context_set_filter(graze_context *context, int on);
-/** How many points asked for with this context needed the exact path: the filter alone answered the others. */
+/** How many points asked for with this context needed the exact path: the filter alone answered the
+ * others. */
 GRAZE_API unsigned long graze_context_exact_count(const graze_context *context);
 /** NULL takes the callback away. It is called in the thread of the call it may end. */
 GRAZE_API void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data);
 /** Free a string that a function handed out through a char **; NULL is harmless. */
 GRAZE_API void graze_free(void *memory);
-/** Versions of Graze and of the libraries it runs with, one line each; static. Any thread may ask.
- */
+/** Versions of Graze, of the libraries it runs with and of CGAL, which is compiled in, one line
+ * each; static. Any thread may ask. */
 GRAZE_API const char *graze_version(void);
 /** Give back what the arithmetic keeps for the calling thread. A thread that has used Graze calls
  * this before it ends; whoever does not loses some memory and nothing else. Exact numbers held by
@@ -153,6 +154,17 @@ GRAZE_API GRAZE_CHECKED graze_status graze_number_parse(mpq_t out, graze_context
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_read(graze_solid **out, graze_context *context,
                                                       const char *path, unsigned flags);
 /**
+ * Read a solid that was found legal before, from a file of the same bytes, with the same flags and
+ * under the same rounding. In E^3 the search for facets that meet, about a fifth of the work, is
+ * spared; everything else is checked again. Of a solid that is not legal the answers mean nothing.
+ * @param sha256 32 bytes: the hash of the file that was found legal (graze_scene_hashes)
+ * @return as graze_solid_read; GRAZE_EINPUT also if the file has another hash
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_solid_read_trusted(graze_solid **out,
+                                                              graze_context *context,
+                                                              const char *path, unsigned flags,
+                                                              const unsigned char *sha256);
+/**
  * Make a solid from arrays. In E^3 a facet is one outward oriented cycle of vertices; in E^2 a
  * "facet" is one ring, of which outer rings and holes may come in either orientation.
  * @param dimension   2 or 3
@@ -182,7 +194,8 @@ GRAZE_API size_t graze_solid_vertex_count(const graze_solid *solid);
 /** Facets (E^2: edges) as the input numbers them; 0 for NULL. */
 GRAZE_API size_t graze_solid_facet_count(const graze_solid *solid);
 /** Components of the boundary, connected through edges (E^2: through vertices); 0 for NULL. A
- * cavity is one of its own. */
+ * cavity is one of its own. Parts in contact along a segment inside a facet count as one, unless
+ * the search for such contacts was spared. */
 GRAZE_API size_t graze_solid_component_count(const graze_solid *solid);
 
 /* -------------------------------------------------------------------------------------- motion */
@@ -240,6 +253,13 @@ GRAZE_API void graze_scene_destroy(graze_scene *scene);
 GRAZE_API int graze_scene_dimension(const graze_scene *scene);
 /** 1 if S^0 and S^1 have a point in common, 0 if not (also for NULL). */
 GRAZE_API int graze_scene_ends_meet(const graze_scene *scene);
+/** SHA-256 of the solid's and the motion's file, zero for what came from memory, and of the scene
+ * as it is after rounding and triangulation: the three a table's head has. */
+typedef struct graze_hashes {
+    unsigned char solid[32], motion[32], scene[32];
+} graze_hashes;
+/** The hashes of a scene; zeroed for NULL. */
+GRAZE_API graze_hashes graze_scene_hashes(const graze_scene *scene);
 /** The options in force; zeroed for NULL. */
 GRAZE_API graze_options graze_scene_options(const graze_scene *scene);
 /**
@@ -619,6 +639,136 @@ GRAZE_API graze_comparison_counts graze_comparison_count(const graze_comparison 
 GRAZE_API GRAZE_CHECKED graze_status graze_comparison_report(char **out, graze_context *context,
                                                              const graze_comparison *comparison,
                                                              graze_comparison_format format);
+
+/* ------------------------------------------------------------------------------ writing motions */
+
+/** How a joint moves; uniformly as t goes from 0 to 1. */
+typedef enum graze_joint_kind { GRAZE_JOINT_TURN = 0, GRAZE_JOINT_SLIDE = 1 } graze_joint_kind;
+
+/** One joint of a chain, where it stands at t = 0. All numbers are canonical and borrowed. */
+typedef struct graze_joint {
+    graze_joint_kind kind;
+    mpq_srcptr degrees;  /**< of a turn, counter-clockwise, of any size */
+    mpq_srcptr pitch;    /**< of a turn in E^3: how far it moves along the axis with every 360
+                              degrees; NULL: not at all */
+    const mpq_t *axis;   /**< of a turn in E^3, of any length but 0; of a slide: its whole way, d
+                              rationals */
+    const mpq_t *center; /**< of a turn: a point on the axis, d rationals; NULL: the origin */
+} graze_joint;
+
+/**
+ * Make a motion file of one turn: t runs from 0 to 1, and every position on the way is exactly one
+ * of the turn asked for; the tangents of half angles are rational, so the turn ends at an angle
+ * near the one asked for, and its speed is not uniform. Quarter turns are exact.
+ * @param[out] json      the text of the file, checked to be a legal motion; for graze_free
+ * @param[out] report    what was approximated, with proved bounds, for a person; for graze_free;
+ * may be NULL
+ * @param dimension      2 or 3
+ * @param turn           one joint, a turn without pitch
+ * @param tolerance      positive: at the end, no point is off by more than this
+ * @param radius         not negative, for the points at most that far from the origin at t = 0
+ * @return GRAZE_EUSE wrong use, an axis of length 0, or a tolerance too fine for the radius;
+ * GRAZE_ELIMIT
+ */
+GRAZE_API GRAZE_CHECKED graze_status
+graze_motion_write_rotation(char **json, char **report, graze_context *context, int dimension,
+                            const graze_joint *turn, mpq_srcptr tolerance, mpq_srcptr radius);
+/**
+ * Make a motion file of joints that all move uniformly for t from 0 to 1, the first applied first
+ * (the product of exponentials; a screw of constant pitch is one such joint). Such a motion is
+ * transcendental; it is cut into 2^m times as many pieces as the largest turn has quarters, and m
+ * is the least with which no point is off by more than the tolerance at any time. Arguments as
+ * above, and
+ * @param joints `count` joints, at least one
+ * @return as above; GRAZE_ELIMIT also more pieces than the limit; GRAZE_ECANCELED
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_joints(
+    char **json, char **report, graze_context *context, int dimension, const graze_joint *joints,
+    size_t count, mpq_srcptr tolerance, mpq_srcptr radius);
+
+/** Take the matrices as affine maps and interpolate every entry linearly. */
+#define GRAZE_POSES_AFFINE 1u
+
+/**
+ * Make a motion file in E^3 through poses from a CSV file with a line of names: columns qw, qx, qy,
+ * qz with or without x, y, z; or m00 to m23, with or without m30 to m33. With a column t, or the
+ * times are 0, 1, 2, ... Numbers are rounded as the context says. Quaternions keep their signs;
+ * matrices become the nearest rotation's quaternion in binary64, of the sign nearest to the one
+ * before. Position and quaternion are interpolated linearly.
+ * @param flags     0 or GRAZE_POSES_AFFINE
+ * @param tolerance not negative: no entry of a matrix may be changed by more than this
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is no such list, or a matrix is no
+ * rotation; GRAZE_EILLEGAL no legal motion goes through the poses so; GRAZE_ELIMIT
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_poses(char **json, char **report,
+                                                              graze_context *context,
+                                                              const char *path, unsigned flags,
+                                                              mpq_srcptr tolerance);
+
+/* ------------------------------------------------------------------------- boundary by sampling */
+
+typedef struct graze_boundary graze_boundary;
+
+/** How to sample. */
+typedef struct graze_boundary_options {
+    unsigned coarse;         /**< every cell is cut down to this level: 2^coarse along each axis */
+    unsigned depth;          /**< no cell is cut further than this level, 0 to 19 */
+    unsigned long budget;    /**< points that may be classified, contact points included */
+    unsigned long contacts;  /**< contact points to make; cells with one that is `on` are cut */
+    unsigned long long seed; /**< for the contact points */
+    const mpq_t *low, *high; /**< a box, d canonical rationals each, or NULL: a little more than
+                                  graze_scene_box */
+} graze_boundary_options;
+
+/** What came of it. */
+typedef struct graze_boundary_summary {
+    size_t points, cells, vertices, faces;
+    unsigned long in, on, out; /**< of the points */
+    unsigned long contacts;    /**< contact points made, */
+    unsigned long contacts_on; /**< and those of them that are `on` and in the box */
+    unsigned long missed; /**< cells of the surface's level that hold one but no part of the
+                               surface */
+    unsigned level;       /**< of the cells that the surface goes through */
+    int complete;         /**< 0: the budget was spent before the depth was reached */
+    int closed;           /**< 0: the surface ends at the border of the box */
+} graze_boundary_summary;
+
+/** A cell that was not cut: a box whose corners are points of the sample. */
+typedef struct graze_boundary_cell {
+    unsigned level;
+    graze_pmc pmc; /**< of all corners, GRAZE_PMC_NONE if they differ */
+    int contact;   /**< it holds a contact point that is `on` */
+    size_t corners[8]; /**< 2^d points; bit k of the place is the side along axis k */
+} graze_boundary_cell;
+
+/**
+ * Sample the sweep (unsweep) of a scene ([EI] section 5, [IS] section 4.2). Cells are cut while
+ * their corners and centre differ in pmc, or they hold a contact point that is `on`; every point is
+ * classified exactly. The surface separates the points that are `out` from the rest at one level:
+ * each of its vertices is within half the diagonal of a cell of a point of the boundary. What it
+ * can miss: parts, holes and gaps that hold no point of the sample, and any detail smaller than a
+ * cell.
+ * @param scene borrowed; it must outlive the boundary
+ * @return GRAZE_EUSE a NULL, a depth, an empty box, or a budget too small for the coarse level;
+ * GRAZE_ECANCELED, GRAZE_ELIMIT, GRAZE_EINTERNAL
+ */
+GRAZE_API GRAZE_CHECKED graze_status
+graze_boundary_create(graze_boundary **out, graze_context *context, const graze_scene *scene,
+                      const graze_boundary_options *options);
+/** Free a boundary; the scene stays. NULL is harmless. */
+GRAZE_API void graze_boundary_destroy(graze_boundary *boundary);
+/** Counts; zeroed for NULL. */
+GRAZE_API graze_boundary_summary graze_boundary_summarize(const graze_boundary *boundary);
+/** Point `index` and its pmc. `point` has d initialised rationals. */
+GRAZE_API graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *boundary,
+                                         size_t index);
+/** Cell `index` of those that were not cut; zeroed past the end. */
+GRAZE_API graze_boundary_cell graze_boundary_cell_at(const graze_boundary *boundary, size_t index);
+/** Vertex `index` of the surface. `point` has d initialised rationals. */
+GRAZE_API void graze_boundary_vertex(mpq_t *point, const graze_boundary *boundary, size_t index);
+/** Face `index`: d vertices, `out` where the normal points (E^2: on the right); borrowed; NULL past
+ * the end. */
+GRAZE_API const size_t *graze_boundary_face(const graze_boundary *boundary, size_t index);
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,7 @@
 #include <yajl/yajl_version.h>
 #include "number/rational.h"
 #include "scene/scene.h"
+#include "solid/validate.h"
 #include "trace/trace.h"
 #include "verdict/verdict.h"
 
@@ -49,9 +50,9 @@ static char version_text[256];
 
 static void make_version(void) {
     snprintf(version_text, sizeof version_text,
-             "graze " GRAZE_VERSION "\nGMP %s\nMPFR %s\nFLINT %s\nyajl %d.%d.%d\n", gmp_version,
-             mpfr_get_version(), flint_version, yajl_version() / 10000, yajl_version() / 100 % 100,
-             yajl_version() % 100);
+             "graze " GRAZE_VERSION "\nGMP %s\nMPFR %s\nFLINT %s\nyajl %d.%d.%d\nCGAL %s\n",
+             gmp_version, mpfr_get_version(), flint_version, yajl_version() / 10000,
+             yajl_version() / 100 % 100, yajl_version() % 100, validate_cgal_version());
 }
 
 const char *graze_version(void) {
@@ -122,6 +123,17 @@ int graze_scene_ends_meet(const graze_scene *scene) {
 graze_options graze_scene_options(const graze_scene *scene) {
     graze_options none = {GRAZE_SWEEP, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
     return scene ? scene->options : none;
+}
+
+graze_hashes graze_scene_hashes(const graze_scene *scene) {
+    graze_hashes hashes;
+    memset(&hashes, 0, sizeof hashes);
+    if (scene) {
+        memcpy(hashes.solid, scene->solid->input.sha256, sizeof hashes.solid);
+        memcpy(hashes.motion, scene->motion->sha256, sizeof hashes.motion);
+        memcpy(hashes.scene, scene->sha256, sizeof hashes.scene);
+    }
+    return hashes;
 }
 
 graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,

@@ -3,11 +3,29 @@
  */
 #include <flint/fmpq_vec.h>
 #include <stdint.h>
+#include <string.h>
 #include "api.h"
 #include "context/environment.h"
 #include "number/rational.h"
 #include "solid/nesting.h"
 #include "solid/solid.h"
+
+/* `sha256` is that of a file validated before, or NULL. */
+static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,
+                               unsigned flags, const unsigned char *sha256) {
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    soup input;
+    graze_status status = soup_read(&input, context, path);
+    if (status)
+        return status;
+    if (sha256 && memcmp(sha256, input.sha256, sizeof input.sha256) != 0) {
+        soup_clear(&input);
+        return context_fail(context, GRAZE_EINPUT,
+                            "%s: is not the file that was validated: its SHA-256 is another", path);
+    }
+    status = solid_create(out, context, &input, sha256 ? flags | VALIDATE_TRUST_CONTACTS : flags);
+    return status ? context_at(context, status, "%s", path) : GRAZE_OK;
+}
 
 graze_status graze_solid_read(graze_solid **out, graze_context *context, const char *path,
                               unsigned flags) {
@@ -17,13 +35,19 @@ graze_status graze_solid_read(graze_solid **out, graze_context *context, const c
         return api_misuse(context, "graze_solid_read", "out, context and path must not be NULL");
     if (flags & ~GRAZE_SOLID_TRIANGULATE)
         return api_misuse(context, "graze_solid_read", "an unknown flag is set");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    soup input;
-    graze_status status = soup_read(&input, context, path);
-    if (status)
-        return status;
-    status = solid_create(out, context, &input, flags);
-    return status ? context_at(context, status, "%s", path) : GRAZE_OK;
+    return read_solid(out, context, path, flags, NULL);
+}
+
+graze_status graze_solid_read_trusted(graze_solid **out, graze_context *context, const char *path,
+                                      unsigned flags, const unsigned char *sha256) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !path || !sha256)
+        return api_misuse(context, "graze_solid_read_trusted",
+                          "out, context, path and sha256 must not be NULL");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, "graze_solid_read_trusted", "an unknown flag is set");
+    return read_solid(out, context, path, flags, sha256);
 }
 
 /* A caller's arrays; exactly one of `rationals` and `doubles` is given. */

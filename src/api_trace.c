@@ -6,7 +6,7 @@
 #include <string.h>
 #include "api.h"
 #include "context/environment.h"
-#include "report/columns.h"
+#include "report/cut_table.h"
 #include "report/decimal.h"
 #include "report/report.h"
 #include "verdict/verdict.h"
@@ -262,13 +262,13 @@ graze_status graze_report_export(char **out, size_t *length, graze_context *cont
     if (form != GRAZE_EXPORT_VTK && form != GRAZE_EXPORT_NPY)
         return api_misuse(context, "graze_report_export", "there is no such form");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    columns cut;
+    cut_table cut;
     text bytes;
     text_init(&bytes);
-    graze_status status = columns_read(&cut, context, table, table_length);
+    graze_status status = cut_table_read(&cut, context, table, table_length);
     if (!status)
         status = (form == GRAZE_EXPORT_VTK ? export_vtk : export_npy)(&bytes, context, &cut);
-    columns_clear(&cut);
+    cut_table_clear(&cut);
     *length = bytes.length;
     if (!status)
         return text_finish(out, context, &bytes);

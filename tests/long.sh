@@ -1,6 +1,7 @@
 #!/bin/bash
-# The tests that take long: lint, both sanitizer builds, long agreement runs, and the mutants of the
-# rules (tests/mutate.py without --only runs those of the whole kernel, which takes hours).
+# The tests that take long: lint, both sanitizer builds, long agreement runs, 300,000 points with
+# the filter and without it (10^6 with --scale 50), the filter's decisions falsified, and the mutants of the rules
+# (tests/mutate.py without --only runs those of the whole kernel, which takes hours).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 failed=0
@@ -19,10 +20,33 @@ under_sanitizers() { # folder, flags
         ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1 \
             python3 tests/run.py --build "$1" --limit 2400 --sanitizers
 }
+# The program itself with four threads: the bytes of one thread, and no race.
+threads_of_classify() {
+    local folder=build-tsan/classify case=cases/bracket
+    mkdir -p "$folder"
+    build/graze generate "$case/solid.off" "$case/motion.json" -n 5000 --seed 4 >"$folder/points.csv" || return 1
+    for query in "$folder/points.csv" "--grid 16,16,16" "--format jsonl $folder/points.csv"; do
+        # shellcheck disable=SC2086 # several words
+        build/graze classify --jobs 1 "$case/solid.off" "$case/motion.json" $query >"$folder/expected" &&
+            TSAN_OPTIONS=halt_on_error=1 build-tsan/graze classify --jobs 4 \
+                "$case/solid.off" "$case/motion.json" $query >"$folder/found" &&
+            cmp "$folder/expected" "$folder/found" || return 1
+    done
+}
+threads() {
+    make -s B=build-tsan CC=clang CXX=clang++ OPT="-O1 -fsanitize=thread" build-tsan/graze programs &&
+        TSAN_OPTIONS=halt_on_error=1 python3 tests/run.py --build build-tsan --only tests/api &&
+        threads_of_classify
+}
+flips() {
+    make -s build/tests/graze-flips && python3 tests/filter/flip.py --graze build/tests/graze-flips
+}
 stage "lint" tests/lint.sh
 stage "address and undefined behaviour" under_sanitizers build-asan "-fsanitize=address,undefined -fno-sanitize-recover=all"
-stage "threads" bash -c 'make -s B=build-tsan CC=clang CXX=clang++ OPT="-O1 -fsanitize=thread" programs && python3 tests/run.py --build build-tsan --only tests/api'
+stage "threads" threads
 stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 4 --limit 1500
+stage "with and without the filter" python3 tests/run.py --build build --only tests/filter/equal --scale 15 --limit 3000
+stage "falsified decisions" flips
 stage "mutants of the rules" python3 tests/mutate.py --only src/verdict
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -1,151 +1,249 @@
 #!/usr/bin/env python3
 """Mutation test of the code that decides contacts, counts and classes.
 
-Every comparison, logical connective and sign in the files below is changed, one at a time, in a copy of the tree; the copy
-is rebuilt and the suites below are run until one goes red. A mutant that no suite notices is an error unless
-tests/mutants.txt lists it with the reason why it is equivalent. `--sample K/N` takes every N-th mutant from K on.
+Every comparison, logical connective and sign in the files below is changed, one at a time. Each mutant is put to the tables
+of the cases, the unit tests and the suites below until one notices it. The exact path is asked (--no-filter), and for
+src/trace also what lies between it and the filter. A mutant that no suite notices is an error unless tests/mutants.txt lists
+it with the reason why it is equivalent. `--sample K/N` takes every N-th mutant from K on. Wants a finished `make test`.
+
+SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
+import collections
+import concurrent.futures
 import os
+import queue
 import re
 import resource
-import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 import time
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutation"))
+
+import corpus  # noqa: E402
+from changes import known_equivalents, mutants  # noqa: E402
+from corpus import Suite  # noqa: E402
+
 FILES = [
     "src/verdict/verdict.c", "src/trace/trace.c", "src/trace/contact.c", "src/trace/touch.c",
     "src/trace/time.c", "src/trace/trajectory.c", "src/trace/search.c", "src/solid/locate.c",
-    "src/solid/solid.c", "src/solid/forms.c", "src/solid/tree.c", "src/number/algebraic.c",
-    "src/number/isolate.c", "src/number/bernstein.c", "src/number/modular.c",
-    "src/number/refine.c", "src/number/wide.c",
+    "src/solid/solid.c", "src/solid/forms.c", "src/solid/planes.c", "src/solid/tree.c",
+    "src/number/algebraic.c", "src/number/isolate.c", "src/number/bernstein.c",
+    "src/number/modular.c", "src/number/refine.c", "src/number/wide.c",
 ]
-UNITS = [f"{{b}}/tests/unit/test_{name}" for name in ("algebraic", "modular", "bernstein", "refine")]
-SUITES = [
-    *([unit] for unit in UNITS),
-    [sys.executable, "tests/examples/examples.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/agree/near.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/cases/cases.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/agree/second_tracer.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/agree/laws.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/refuse/run.py", "--graze", "{b}/graze"],
-    [sys.executable, "tests/words/words.py", "--graze", "{b}/graze"],
-]
-# A token and what it becomes. Two variants for an order: its negation, and its boundary moved.
-SWAPS = {
-    "<": [">=", "<="], "<=": [">", "<"], ">": ["<=", ">="], ">=": ["<", ">"], "==": ["!="],
-    "!=": ["=="], "&&": ["||"], "||": ["&&"], " + ": [" - "], " - ": [" + "],
-    "fmpz_sgn(": ["-fmpz_sgn("], "fmpq_sgn(": ["-fmpq_sgn("], "-1": ["1"], "_neg(": ["_set("],
-}
-TOKEN = re.compile(r'/\*.*?\*/|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|#[^\n]*|->|<<|>>|\+\+|--|'
-                   r'fmpz_sgn\(|fmpq_sgn\(|fmp[zq]_(?:poly_)?neg\(|'
-                   r'<=|>=|==|!=|&&|\|\||<|>| \+ | - |(?<=[ (])-1(?![0-9a-zA-Z.])', re.S)
+EXACT = "--no-filter"
+SUITES = [Suite(f"tests/{name}.py", EXACT) for name in (
+    "examples/examples", "agree/near", "cases/cases", "agree/second_tracer", "words/words", "agree/laws",
+    "unsweep/properties")]
+FILTERED = Suite("tests/filter/equal.py", "")
+REFUSE = "tests/refuse/run.py"
+UNITS = ["tests/unit/test_algebraic", "tests/unit/test_modular", "tests/unit/test_refine",
+         "tests/unit/test_forms"]
+LATE_UNITS = ["tests/unit/test_bernstein", "tests/api/test_classify", "tests/api/test_memory",
+              "tests/api/test_handles", "tests/api/test_reports"]
+UNIT_SECONDS = 30
+CFLAGS = ["-std=c11", "-D_GNU_SOURCE", "-O1", "-w", "-pthread", "-Iinclude", "-Isrc"]
+SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+LIBS = ["-lyajl", "-lmd", "-lflint", "-lmpfr", "-lgmp", "-lm", "-lstdc++", "-pthread"]
 
 
-def mutants(path):
-    """(line number, line text, what, mutated source) for every change in a file."""
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    for match in TOKEN.finditer(text):
-        token = match.group()
-        key = "_neg(" if token.endswith("neg(") else token
-        for new in SWAPS.get(key, []):
-            changed = token.replace("neg(", "set(") if key == "_neg(" else new
-            line = text.count("\n", 0, match.start()) + 1
-            start = text.rfind("\n", 0, match.start()) + 1
-            source_line = text[start:text.find("\n", start)].strip()
-            column = match.start() - start
-            yield (line, source_line, f"{token.strip()} -> {changed.strip()} at {column}",
-                   text[:match.start()] + changed + text[match.end():])
+def compile_c(out, source, *more):
+    return subprocess.run(["gcc", *CFLAGS, *more, "-c", "-o", out, source],
+                          stderr=subprocess.DEVNULL).returncode == 0
 
 
-def known_equivalents():
-    """{(path, line text, what)} of tests/mutants.txt: three lines a mutant, then its reason."""
-    known = set()
-    with open("tests/mutants.txt", encoding="utf-8") as file:
-        blocks = file.read().split("\n\n")
-    for block in blocks:
-        lines = [l for l in block.splitlines() if not l.startswith("#")]
-        if len(lines) >= 4:
-            known.add((lines[0], lines[1].strip(), lines[2]))
-    return known
+def link(out, *objects):
+    subprocess.run(["g++", "-fuse-ld=gold", "-o", out, *objects, *LIBS], check=True)
 
 
-def bound_memory():
-    """Some mutants never stop asking for memory. The suites themselves hold the program to 4 GiB."""
+def bound():
+    """Some mutants never end, or never stop asking for memory."""
     resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+    resource.setrlimit(resource.RLIMIT_CPU, (UNIT_SECONDS, UNIT_SECONDS + 1))
 
 
-def is_killed(copy, build, log, limit):
-    make = ["make", "-s", f"B={build}", f"{build}/graze", *(unit.format(b=build) for unit in UNITS),
-            "WARN=-w"]
-    if subprocess.run(make, cwd=copy, stdout=log, stderr=log).returncode != 0:
-        return "does not compile"
-    for parts in SUITES:
-        command = [part.format(b=build) for part in parts]
-        suite = subprocess.Popen(command, cwd=copy, stdout=log, stderr=log,
-                                 stdin=subprocess.DEVNULL, preexec_fn=bound_memory,
-                                 start_new_session=True)
+def is_red(command, limit, before=None):
+    """Whether a program fails or does not end in time; whatever it started ends with it."""
+    started = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               stdin=subprocess.DEVNULL, preexec_fn=before, start_new_session=True)
+    try:
+        return started.wait(limit) != 0
+    except subprocess.TimeoutExpired:
+        os.killpg(started.pid, signal.SIGKILL)
+        started.wait()
+        return True
+
+
+class Parts:
+    """What all mutants share: the program's objects without debugging data, and its unit tests."""
+
+    def __init__(self, build, folder):
+        self.archive = os.path.join(folder, "libgraze.a")
+        subprocess.run(["strip", "-g", "-o", self.archive, f"{build}/libgraze.a"], check=True)
+        main, replay = os.path.join(folder, "main.o"), os.path.join(folder, "replay.o")
+        compile_c(main, "src/cli/main.c", "-Dmain=graze_main")
+        compile_c(replay, "tests/mutation/replay.c")
+        cli = f"{build}/src/cli"
+        self.program = [main, replay] + [os.path.join(cli, name) for name in os.listdir(cli)
+                                         if name.endswith(".o") and name != "main.o"]
+        self.build, self.folder = build, folder
+
+    def bench(self, name):
+        """A folder that stands in for the build folder, with the other programs of the tests."""
+        path = os.path.join(self.folder, name)
+        os.makedirs(path)
+        os.symlink(os.path.abspath(os.path.join(self.build, "tests")), os.path.join(path, "tests"))
+        return path
+
+
+class Worker:
+    """One mutant at a time, in a folder of its own."""
+
+    def __init__(self, parts, name, suites, cases):
+        self.parts, self.suites, self.cases = parts, suites, cases
+        self.folder, self.plain = parts.bench(name), {}
+        self.graze = os.path.join(self.folder, "graze")
+        self.object = os.path.join(self.folder, "mutant.o")
+        self.wrappers = {flag: corpus.executable(
+            os.path.join(self.folder, "graze-wrapped" + flag),
+            corpus.WRAPPER.format(graze=self.graze, flag=flag, seconds=corpus.CPU_SECONDS))
+            for flag in ("", EXACT)}
+
+    def unit(self, name):
+        program = os.path.join(self.folder, "unit")
+        link(program, f"{self.parts.build}/{name}.o", self.object, self.parts.archive, "-lcmocka")
+        return is_red([program], 10 * UNIT_SECONDS, bound)
+
+    def suite(self, script, flag, seconds):
+        command = [sys.executable, script, "--graze", self.wrappers[flag]]
+        return is_red(command, 30 + 5 * seconds)
+
+    def killer(self, path):
+        """Which suite notices the program as it is linked now; None if none does."""
+        if corpus.replay(self.graze, self.cases):
+            return "tests/cases/cases.py"
+        for name in UNITS if not path.startswith("src/trace") else []:
+            if self.unit(name):
+                return name
+        for suite in self.suites:
+            found = corpus.replay(self.graze, suite.list)
+            if found and (found[0] == "S" or self.suite(suite.script, suite.flag, suite.seconds)):
+                return suite.name
+        for name in LATE_UNITS:
+            if self.unit(name):
+                return name
+        if self.suite(REFUSE, EXACT, 60):
+            return REFUSE
+        return "address sanitizer" if self.is_unsafe() else None
+
+    def is_unsafe(self):
+        """Whether the mutant reads or writes where it must not, in a run of the cases or the
+        examples. Called last: the object is compiled once more."""
+        compile_c(self.object, os.path.join(self.folder, "mutant.c"), *SANITIZE)
+        link(self.graze, *self.parts.program, self.object, self.parts.archive, SANITIZE[0])
+        return any(corpus.replay(self.graze, runs, 0)
+                   for runs in (self.cases, self.suites[0].list))
+
+    def compiled(self, text):
+        """The object code of a source, which stays as self.object; None if it does not compile."""
+        source = os.path.join(self.folder, "mutant.c")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write(text)
+        if not compile_c(self.object, source):
+            return None
+        with open(self.object, "rb") as file:
+            return file.read()
+
+    def judge(self, mutant):
+        """What becomes of a mutant: `void`, `same code`, the suite that notices it, or None."""
+        with open(mutant.path, encoding="utf-8") as file:
+            plain = file.read()
+        if mutant.path not in self.plain:
+            self.plain[mutant.path] = self.compiled(plain)
+        code = self.compiled(mutant.source)
+        if code in (None, self.plain[mutant.path]):
+            return "same code" if code else "void"
+        link(self.graze, *self.parts.program, self.object, self.parts.archive)
+        return self.killer(mutant.path)
+
+
+def prepare(parts, folder, suites):
+    """Record the suites on the unchanged program; the list of the cases, or None if one is red."""
+    bench = parts.bench("unchanged")
+    graze = os.path.join(bench, "graze")
+    link(graze, *parts.program, parts.archive)
+    cases = corpus.cases_list(os.path.join(parts.folder, "cases"), EXACT)
+    if corpus.replay(graze, cases):
+        print("the cases are red without any mutant")
+        return None
+    for suite in suites:
+        if not corpus.record(folder, suite, graze):
+            print(f"{suite.name} is red without any mutant")
+            return None
+    return cases
+
+
+def run(parts, folder, options, chosen):
+    """(mutant, its fate) for each mutant, in the order of their ends."""
+    suites = SUITES + ([FILTERED] if any("src/trace" in m.path for m in chosen) else [])
+    cases = prepare(parts, folder, suites)
+    if cases is None:
+        return
+    idle = queue.Queue()
+    for k in range(options.jobs):
+        idle.put(Worker(parts, f"worker-{k}", suites, cases))
+
+    def one(mutant):
+        worker = idle.get()
         try:
-            status = suite.wait(limit)
-        except subprocess.TimeoutExpired:
-            # A mutant may loop for ever: end it with the suite that started it.
-            os.killpg(suite.pid, signal.SIGKILL)
-            suite.wait()
-            return f"too slow: {command[1] if len(command) > 1 else command[0]}"
-        if status != 0:
-            return command[1] if len(command) > 1 else command[0]
-    return None
+            return mutant, worker.judge(mutant)
+        finally:
+            idle.put(worker)
+
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for done in concurrent.futures.as_completed(pool.submit(one, m) for m in chosen):
+            yield done.result()
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", default="build")
     parser.add_argument("--sample", default="0/1", help="K/N: every N-th mutant from K on")
-    parser.add_argument("--only", default="", help="only files whose path holds this")
-    parser.add_argument("--limit", type=float, default=120, help="seconds for one suite")
+    parser.add_argument("--only", default="", help="only where this pattern meets PATH:LINE:")
+    parser.add_argument("--jobs", type=int, default=1, help="mutants at a time")
+    parser.add_argument("--corpus", help="folder that keeps the recorded runs from call to call")
+    parser.add_argument("--verbose", action="store_true", help="tell of each mutant")
     options = parser.parse_args()
     first, step = (int(n) for n in options.sample.split("/"))
-    known = known_equivalents()
-    everything = [(path, *m) for path in FILES if options.only in path for m in mutants(path)]
+    known = known_equivalents("tests/mutants.txt")
+    everything = [m for path in FILES for m in mutants(path)
+                  if re.search(options.only, f"{m.path}:{m.line}:")]
     chosen = everything[first::step]
-    passed = failed = skipped = 0
-    with tempfile.TemporaryDirectory() as folder, open(os.devnull, "w") as log:
-        copy = os.path.join(folder, "graze")
-        shutil.copytree(".", copy, ignore=shutil.ignore_patterns("build-*", ".git"))
-        build = "build"
-        red = is_killed(copy, build, log, options.limit)
-        if red:
-            print(f"{red} is red without any mutant")
-            print("0 passed, 1 failed")
-            sys.exit(1)
-        start = time.time()
-        for number, (path, line, text, what, source) in enumerate(chosen, 1):
-            if (path, text, what) in known:
-                skipped += 1
-                continue
-            target = os.path.join(copy, path)
-            with open(target, encoding="utf-8") as file:
-                original = file.read()
-            with open(target, "w", encoding="utf-8") as file:
-                file.write(source)
-            killer = is_killed(copy, build, log, options.limit)
-            with open(target, "w", encoding="utf-8") as file:
-                file.write(original)
-            if killer:
-                passed += 1
-            else:
-                failed += 1
-                print(f"SURVIVED {path}:{line}\n{path}\n{text}\n{what}\n", flush=True)
-            if sys.stderr.isatty() or number % 50 == 0:
-                print(f"{number} of {len(chosen)} mutants, {failed} survived, "
-                      f"{time.time() - start:.0f} s", file=sys.stderr, flush=True)
-    print(f"{len(chosen)} mutants of {len(everything)}: {passed} noticed, {failed} survived, "
-          f"{skipped} known to be equivalent")
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+    fates, start = collections.Counter(), time.time()
+    fates["equivalent"] = sum(m.key() in known for m in chosen)
+    with tempfile.TemporaryDirectory() as folder:
+        parts = Parts(options.build, folder)
+        wanted = [m for m in chosen if m.key() not in known]
+        for mutant, fate in run(parts, options.corpus or folder, options, wanted):
+            fates[fate] += 1
+            if fate is None:
+                print(f"SURVIVED {mutant.path}:{mutant.line}\n" + "\n".join(mutant.key()) + "\n",
+                      flush=True)
+            elif options.verbose:
+                print(f"{time.time() - start:.0f} s {mutant.path}:{mutant.line} {mutant.what}: "
+                      f"{fate}", flush=True)
+    survived, nothing = fates[None], fates["equivalent"] + fates["same code"] + fates["void"]
+    noticed = sum(fates.values()) - survived - nothing
+    unfinished = len(chosen) - sum(fates.values())
+    print(f"{len(chosen)} mutants of {len(everything)}, {time.time() - start:.0f} s: "
+          f"{noticed} noticed, {survived} survived")
+    for fate, count in fates.most_common():
+        print(f"{count:6d} {fate or 'survived'}")
+    print(f"{noticed} passed, {survived + unfinished} failed")
+    sys.exit(1 if survived or unfinished or not chosen else 0)
 
 
 if __name__ == "__main__":

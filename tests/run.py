@@ -23,7 +23,8 @@ CMOCKA_SKIPPED = re.compile(r"\[  SKIPPED \] (\d+) test")
 # Suites that hold the program to a limit of memory, and how to tell them not to: sanitizers need address space.
 NO_LIMIT = {"refuse": ["--sanitizers"], "agree": ["--memory", "0"], "words": ["--memory", "0"],
             "examples": ["--memory", "0"], "unsweep": ["--memory", "0"],
-            "compare": ["--sanitizers"], "filter": ["--memory", "0"]}
+            "compare": ["--sanitizers"], "filter": ["--memory", "0"],
+            "install": ["--sanitizers"]}
 
 
 def suites(build, scale, sanitizers):

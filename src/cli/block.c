@@ -1,10 +1,11 @@
 /* Blocks of rows, and faults.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli/block.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/rows.h"
 
 int fault_set(fault *f, int status, const char *format, ...) {
     va_list arguments;

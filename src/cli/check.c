@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include "cli/cli.h"
 #include "cli/output.h"
+#include "cli/receipt.h"
 
 static const char help[] =
     "graze check SOLID MOTION: is the pair legal, and why not\n"
@@ -15,6 +16,7 @@ static const char help[] =
     "  --overlap reject     they may not, as [EI] assumes\n"
     "  --operation sweep|unsweep   in an unsweep S^0 and S^1 may always meet\n"
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
+    "  --receipt FILE       write a receipt there if they are legal, for graze classify --receipt\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, line 10^7,\n"
     "                       cells 10^8, bytes 4*10^9\n"
     "\n"
@@ -53,11 +55,13 @@ static int run(const options *o) {
                         "check takes SOLID and MOTION, %d given; see graze check --help",
                         o->operand_count);
     loaded l;
-    int status = load(&l, o, EXIT_NO);
+    int status = load(&l, o, EXIT_NO, NULL);
+    if (!status && o->receipt)
+        status = receipt_write(&l, o);
     if (!status)
         status = report(&l);
     unload(&l);
     return status;
 }
 
-const command command_check = {"check", "rltvp", help, run};
+const command command_check = {"check", "rltvpY", help, run};

@@ -4,6 +4,7 @@
 #ifndef GRAZE_CLI_CLI_H
 #define GRAZE_CLI_CLI_H
 
+#include "cli/shard.h"
 #include "graze.h"
 
 /** Exit status (formats: Commands). */
@@ -18,6 +19,9 @@ enum {
     EXIT_SIGNAL = 128 /* the caller dies of the signal that came */
 };
 
+/** The options of its own that a command may have. */
+enum { OWN_OPTIONS = 16 };
+
 /** The command line, read. Strings are borrowed from argv. */
 typedef struct options {
     graze_options scene;
@@ -31,20 +35,26 @@ typedef struct options {
     unsigned long count;     /* -n */
     unsigned long long seed; /* --seed */
     int seeded, representable;
-    int exact_only; /* --no-filter */
+    int exact_only;      /* --no-filter */
+    int quiet;           /* no progress */
+    int sharded;         /* --shard was given */
+    shard part;          /* the whole run unless it was */
+    const char *resume;  /* the table to continue */
+    const char *receipt; /* check writes it, classify trusts it */
     graze_compare_options compare;
     graze_comparison_format report;
     const char *candidate, *points, *keep; /* validate */
     unsigned long timeout;                 /* seconds; 0: as the command has it */
-    const char *title, *plane, *view;      /* draw */
-    unsigned long times;                   /* 0: as the command has it */
     int mark_count;
-    const char **marks; /* -p X,Y[,Z], malloc'ed like the operands */
+    const char **marks;           /* draw: -p X,Y[,Z], malloc'ed like the operands */
+    const char *own[OWN_OPTIONS]; /* the command's own, in its order; NULL: not given */
     int operand_count;
     char **operands; /* malloc'ed array of what is no option, options anywhere between */
 } options;
 
-/** A command: its name, its options (a set of letters, cli/options.c), its help, what it does. */
+/** A command: its name, its options, its help, what it does. The options are a set of letters
+ * (cli/options.c) and then, each after a blank, the names of those of its own; one that ends in `=`
+ * takes a value, and without one `own` holds "". */
 typedef struct command {
     const char *name;
     const char *allowed;
@@ -53,7 +63,8 @@ typedef struct command {
 } command;
 
 extern const command command_check, command_classify, command_explain, command_generate,
-    command_cases, command_compare, command_validate, command_draw;
+    command_cases, command_compare, command_validate, command_merge, command_motion,
+    command_boundary, command_draw;
 
 /**
  * Read the options of a command; `argv[0]` is the command's name. Says on standard error what is
@@ -82,8 +93,9 @@ typedef struct loaded {
 } loaded;
 
 /** Read operands 0 and 1. On failure says why and returns the exit status; `illegal` is the one for
- * readable but illegal. `out` is freed by unload in either case. */
-int load(loaded *out, const options *o, int illegal);
+ * readable but illegal. `out` is freed by unload in either case. `trusted` is the SHA-256 of a
+ * solid's file that was validated before (graze_solid_read_trusted), or NULL. */
+int load(loaded *out, const options *o, int illegal, const unsigned char *trusted);
 void unload(loaded *l);
 
 #endif

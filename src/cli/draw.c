@@ -4,7 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "cli/numbers.h"
 #include "cli/rows.h"
+
+/* Options of its own. */
+enum { TITLE, TIMES, PLANE, VIEW };
 
 static const char help[] =
     "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
@@ -108,13 +112,14 @@ static char *row_name(const char *rest, long id, size_t number) {
 static int read_block(marks *m, csv *points, const block *b, graze_context *context) {
     fault f = {EXIT_DONE, NULL};
     reader r = {.context = context};
-    long id = id_column(csv_columns(points));
+    long id = id_column(csv_columns(points)->others);
     int status = EXIT_DONE;
     for (size_t k = 0; k < b->count && !status; k++) {
         r.rest_length = 0;
         if (!marks_grow(m))
             status = complain(EXIT_IO, "out of memory");
-        else if (csv_row(m->value + m->count * (size_t)m->dimension, &f, points, &r, b, k))
+        else if (columns_row(m->value + m->count * (size_t)m->dimension, &f, csv_columns(points),
+                             &r, b, k))
             status = fault_tell(&f);
         else
             status = marks_take(m, row_name(r.rest, id, m->count + 1));
@@ -127,8 +132,8 @@ static int read_block(marks *m, csv *points, const block *b, graze_context *cont
 static int read_file(marks *m, const char *path, graze_context *context) {
     csv *points = NULL;
     block *b = block_create();
-    int status =
-        b ? csv_open(&points, path, m->dimension, context) : complain(EXIT_IO, "out of memory");
+    int status = b ? csv_open(&points, path, m->dimension, (shard){0, 1}, context)
+                   : complain(EXIT_IO, "out of memory");
     for (int more = 1; more && !status;) {
         block_reset(b, 0);
         int read = csv_fill(points, b);
@@ -142,30 +147,13 @@ static int read_file(marks *m, const char *path, graze_context *context) {
     return status;
 }
 
-/* Cut `text` at its commas into `count` number tokens, which go to `out`. */
-static int read_numbers(mpq_t *out, int count, const char *option, const char *text,
-                        const char *right, graze_context *context) {
-    const char *at = text;
-    for (int k = 0; k < count; k++, at++) {
-        size_t length = strcspn(at, ",");
-        if (at[length] != (k + 1 < count ? ',' : '\0'))
-            return complain(EXIT_USAGE, "%s %s: right is %s", option, text, right);
-        graze_status status = graze_number_parse(out[k], context, at, length);
-        if (status)
-            return complain(status == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_USAGE, "%s %s: %s", option,
-                            text, graze_context_message(context));
-        at += length;
-    }
-    return EXIT_DONE;
-}
-
 static int read_marks(marks *m, const options *o, graze_context *context) {
     int status = o->operand_count > 2 ? read_file(m, o->operands[2], context) : EXIT_DONE;
     for (int k = 0; k < o->mark_count && !status; k++) {
         if (!marks_grow(m))
             return complain(EXIT_IO, "out of memory");
-        status = read_numbers(m->value + m->count * (size_t)m->dimension, m->dimension, "-p",
-                              o->marks[k], m->dimension == 2 ? "X,Y" : "X,Y,Z", context);
+        status = numbers_read(m->value + m->count * (size_t)m->dimension, context, "-p",
+                              o->marks[k], strlen(o->marks[k]), m->dimension);
         if (!status)
             status =
                 marks_take(m, o->mark_count > 1 ? number_name("P", (size_t)k + 1) : strdup("P"));
@@ -181,53 +169,58 @@ typedef struct frame {
 static int read_frame(graze_draw_options *out, frame *f, const options *o, int d,
                       graze_context *context) {
     int status = EXIT_DONE;
-    if (d == 2 && (o->plane || o->view))
+    if (d == 2 && (o->own[PLANE] || o->own[VIEW]))
         return complain(EXIT_USAGE, "--%s goes with a solid of dimension 3",
-                        o->plane ? "plane" : "view");
+                        o->own[PLANE] ? "plane" : "view");
     if (o->box) {
         status = box_read(f->low, f->high, o->box, d, context);
         out->low = (const mpq_t *)f->low;
         out->high = (const mpq_t *)f->high;
     }
-    if (o->plane && !status) {
-        char axis = o->plane[0];
-        if (axis < 'x' || axis > 'z' || o->plane[1] != '=')
-            return complain(EXIT_USAGE, "--plane %s: right is x=, y= or z= and a number", o->plane);
+    if (o->own[PLANE] && !status) {
+        char axis = o->own[PLANE][0];
+        if (axis < 'x' || axis > 'z' || o->own[PLANE][1] != '=')
+            return complain(EXIT_USAGE, "--plane %s: right is x=, y= or z= and a number",
+                            o->own[PLANE]);
         out->plane_axis = axis - 'x';
         out->plane = (const mpq_t *)&f->plane;
-        status = read_numbers(&f->plane, 1, "--plane", o->plane + 2, "x=, y= or z= and a number",
-                              context);
+        status = numbers_read(&f->plane, context, "--plane", o->own[PLANE] + 2,
+                              strlen(o->own[PLANE] + 2), 1);
     }
-    if (o->view && !status) {
-        status = read_numbers(f->view, 3, "--view", o->view, "X,Y,Z", context);
+    if (o->own[VIEW] && !status) {
+        status = numbers_read(f->view, context, "--view", o->own[VIEW], strlen(o->own[VIEW]), 3);
         for (int k = 0; k < 3; k++)
             out->view[k] = mpq_get_d(f->view[k]);
         if (!status && !mpq_sgn(f->view[0]) && !mpq_sgn(f->view[1]) && !mpq_sgn(f->view[2]))
-            status =
-                complain(EXIT_USAGE, "--view %s: right is a direction that is not zero", o->view);
+            status = complain(EXIT_USAGE, "--view %s: right is a direction that is not zero",
+                              o->own[VIEW]);
     }
     return status;
 }
 
-static int read_grid(graze_draw_options *out, const char *text) {
+/* A whole number from 2 to `most`; nothing where there is no text. */
+static int read_size(unsigned long *out, const char *option, const char *text, unsigned long most) {
     char *end = NULL;
     if (!text)
         return EXIT_DONE;
-    out->grid = isdigit((unsigned char)*text) ? strtoul(text, &end, 10) : 0;
-    if (!end || *end || out->grid < 2 || out->grid > 10000)
-        return complain(EXIT_USAGE, "--grid %s: right is a whole number from 2 to 10000", text);
+    *out = isdigit((unsigned char)*text) ? strtoul(text, &end, 10) : 0;
+    if (!end || *end || *out < 2 || *out > most)
+        return complain(EXIT_USAGE, "%s %s: right is a whole number from 2 to %lu", option, text,
+                        most);
     return EXIT_DONE;
 }
 
 static int draw(const loaded *l, const options *o, marks *m, frame *f) {
-    graze_draw_options what = {.title = o->title, .times = o->times};
+    graze_draw_options what = {.title = o->own[TITLE]};
     char title[512];
     const char *solid = strrchr(o->operands[0], '/'), *motion = strrchr(o->operands[1], '/');
     snprintf(title, sizeof title, "%s, %s", solid ? solid + 1 : o->operands[0],
              motion ? motion + 1 : o->operands[1]);
-    if (!o->title)
+    if (!o->own[TITLE])
         what.title = title;
-    int status = read_grid(&what, o->grid);
+    int status = read_size(&what.grid, "--grid", o->grid, 10000);
+    if (!status)
+        status = read_size(&what.times, "--times", o->own[TIMES], 64);
     if (!status)
         status = read_frame(&what, f, o, m->dimension, l->context);
     if (!status)
@@ -255,7 +248,7 @@ static int run(const options *o) {
     frame f;
     mpq_inits(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.plane, f.view[0],
               f.view[1], f.view[2], NULL);
-    int status = load(&l, o, EXIT_INPUT);
+    int status = load(&l, o, EXIT_INPUT, NULL);
     marks m = {.dimension = graze_scene_dimension(l.scene)};
     if (!status)
         status = draw(&l, o, &m, &f);
@@ -266,4 +259,4 @@ static int run(const options *o) {
     return status;
 }
 
-const command command_draw = {"draw", "rltvfpgboxINLV@", help, run};
+const command command_draw = {"draw", "rltvfpgbox@ title= times= plane= view=", help, run};

@@ -67,7 +67,7 @@ static int run(const options *o) {
     mpq_t point[3];
     for (int k = 0; k < 3; k++)
         mpq_init(point[k]);
-    int status = load(&l, o, EXIT_INPUT);
+    int status = load(&l, o, EXIT_INPUT, NULL);
     if (!status)
         status = read_point(point, &l, o);
     if (!status)

@@ -24,7 +24,7 @@ static const char help[] =
     "                       edge, vertex, crossing, start, end, break, slide, miss\n"
     "  --representable binary64     keep to points whose coordinates a double holds\n"
     "  --output FILE        write there instead of to standard output\n"
-    "  --round, --triangulate, --operation, --limit   as in graze classify\n"
+    "  --round, --triangulate, --overlap, --operation, --limit, --quiet   as in graze classify\n"
     "\n"
     "Strata that the scene cannot have are named in the head of the table; their weight goes to "
     "the\n"
@@ -76,14 +76,6 @@ static int read_strata(unsigned long *weights, const char *list) {
     return status;
 }
 
-static void put_number(output *out, const mpq_t value) {
-    char *text = mpq_get_str(NULL, 10, value);
-    output_put(out, text);
-    void (*release)(void *, size_t);
-    mp_get_memory_functions(NULL, NULL, &release);
-    release(text, strlen(text) + 1);
-}
-
 static void put_box(maker *m) {
     int d = graze_scene_dimension(m->l.scene);
     mpq_t high[3];
@@ -93,7 +85,7 @@ static void put_box(maker *m) {
     output_put(&m->out, "# box");
     for (int i = 0; i < 2 * d; i++) {
         output_put(&m->out, i == 0 ? " " : ",");
-        put_number(&m->out, i < d ? m->point[i] : high[i - d]);
+        output_number(&m->out, i < d ? m->point[i] : high[i - d]);
     }
     output_put(&m->out, "\n");
     for (int i = 0; i < 3; i++)
@@ -135,7 +127,7 @@ static int put_row(maker *m, unsigned long row) {
     if (status)
         return complain_of(status, m->l.context);
     for (int i = 0; i < graze_scene_dimension(m->l.scene); i++) {
-        put_number(&m->out, m->point[i]);
+        output_number(&m->out, m->point[i]);
         output_put(&m->out, ",");
     }
     char text[48];
@@ -148,7 +140,7 @@ static int put_row(maker *m, unsigned long row) {
     output_put(&m->out, text);
     put_cell(&m->out, &made.cell);
     output_put(&m->out, ",");
-    put_number(&m->out, m->time);
+    output_number(&m->out, m->time);
     snprintf(text, sizeof text, made.k ? ",%d,%s\n" : ",,\n", made.k, made.outward ? "out" : "in");
     output_put(&m->out, text);
     return EXIT_DONE;
@@ -157,19 +149,19 @@ static int put_row(maker *m, unsigned long row) {
 static int put_rows(maker *m, const options *o) {
     int status = EXIT_DONE;
     progress line;
-    progress_start(&line);
+    progress_start(&line, o->quiet, 0, (portion){0, o->count});
     unsigned long row = 0;
     for (; row < o->count && !status && !m->out.error; row++) {
         status = interrupt_signal() ? EXIT_SIGNAL : put_row(m, row);
         if (row % 1024 == 0)
-            progress_show(&line, row);
+            progress_show(&line, row, (portion){row, o->count});
     }
-    progress_end(&line, row);
+    progress_end(&line, row, (portion){row, o->count});
     return status;
 }
 
 static int make(maker *m, const options *o) {
-    int status = load(&m->l, o, EXIT_INPUT);
+    int status = load(&m->l, o, EXIT_INPUT, NULL);
     if (status)
         return status;
     graze_status made =
@@ -209,4 +201,4 @@ static int run(const options *o) {
     return status;
 }
 
-const command command_generate = {"generate", "rltpnsaeov", help, run};
+const command command_generate = {"generate", "rltpnsaeovQ", help, run};

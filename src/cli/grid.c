@@ -122,8 +122,12 @@ void grid_close(grid *g) {
     free(g);
 }
 
-void grid_fill(const grid *g, block *b) {
-    unsigned long left = g->count - b->before;
+unsigned long grid_count(const grid *g) {
+    return g->count;
+}
+
+void grid_fill(const grid *g, shard part, block *b) {
+    unsigned long left = shard_rows(part, g->count) - b->before;
     b->count = left < BLOCK_ROWS ? left : BLOCK_ROWS;
 }
 
@@ -134,10 +138,10 @@ static void set_coordinate(mpq_t out, const grid *g, int k, unsigned long i) {
     mpq_canonicalize(out);
 }
 
-void grid_points(mpq_t *points, const grid *g, unsigned long first, size_t count) {
+void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count) {
     unsigned long last[3] = {0, 0, 0};
     for (size_t r = 0; r < count; r++) {
-        unsigned long index = first + r;
+        unsigned long index = shard_place(part, first + r);
         for (int k = 0; k < g->dimension; k++, points++) {
             unsigned long i = index % g->size[k];
             index /= g->size[k];

@@ -8,26 +8,18 @@
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <unistd.h>
 #include "cli/interrupt.h"
 #include "cli/rows.h"
 
-enum { RUN_ROWS = 64 };
-
 typedef struct worker {
     jobs *shared;
-    graze_context *context;
-    reader reader;
-    mpq_t points[3 * RUN_ROWS];
-    size_t rest_at[RUN_ROWS];
-    const char *rest[RUN_ROWS];
+    answerer answerer;
     pthread_t thread;
     int started;
 } worker;
 
 struct jobs {
-    const graze_scene *scene;
-    row_source source;
-    graze_format format;
     pthread_mutex_t lock;
     pthread_cond_t work, done;
     block *first, *last; /* blocks with rows that nobody has taken, in order */
@@ -36,47 +28,6 @@ struct jobs {
     int count;
     worker workers[];
 };
-
-/* Make the points of a run's rows; returns how many before a fault. */
-static size_t read_run(worker *w, row_run *r, const block *b, size_t first) {
-    const row_source *from = &w->shared->source;
-    size_t d = (size_t)graze_scene_dimension(w->shared->scene), n = 0;
-    if (from->grid) {
-        grid_points(w->points, from->grid, b->before + first, r->taken);
-        return r->taken;
-    }
-    w->reader.rest_length = 0;
-    for (; n < r->taken; n++) {
-        w->rest_at[n] = w->reader.rest_length;
-        if (csv_row(w->points + n * d, &r->fault, from->points, &w->reader, b, first + n))
-            break;
-    }
-    for (size_t k = 0; k < n; k++)
-        w->rest[k] = w->reader.rest + w->rest_at[k];
-    return n;
-}
-
-static int exit_of(graze_status status) {
-    return status == GRAZE_ELIMIT ? EXIT_LIMIT : status == GRAZE_ESYSTEM ? EXIT_IO : EXIT_FAULT;
-}
-
-/* Answer the run that begins at row `first` of a block. */
-static void answer(worker *w, block *b, size_t first) {
-    const jobs *j = w->shared;
-    row_run *r = &b->runs[first];
-    size_t n = read_run(w, r, b, first);
-    int has_rest = j->source.points && csv_columns(j->source.points);
-    graze_status status =
-        graze_report_points(&r->text, &r->length, &r->done, w->context, j->scene,
-                            (const mpq_t *)w->points, n, j->format, has_rest ? w->rest : NULL);
-    if (status)
-        fault_clear(&r->fault);
-    if (status == GRAZE_ECANCELED)
-        r->fault.status = EXIT_SIGNAL;
-    else if (status)
-        fault_set(&r->fault, exit_of(status), "row %lu: %s", b->before + first + r->done + 1,
-                  graze_context_message(w->context));
-}
 
 /* Take the next rows that nobody has; *b is their block. Returns the first of them. */
 static size_t take(block **b, jobs *j) {
@@ -108,7 +59,7 @@ static void *serve(void *data) {
         block *b;
         size_t first = take(&b, j);
         pthread_mutex_unlock(&j->lock);
-        answer(w, b, first);
+        answer(&w->answerer, b, first);
         pthread_mutex_lock(&j->lock);
         b->busy--;
         if (!b->busy && b->next == b->count)
@@ -148,27 +99,27 @@ static int start_thread(worker *w) {
     return w->started;
 }
 
-int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source,
-               int count) {
+int jobs_width(const options *o) {
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    return (int)(o->jobs ? o->jobs : cores > 0 ? cores : 1);
+}
+
+int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source) {
+    int count = jobs_width(o);
     jobs *j = calloc(1, sizeof *j + (size_t)count * sizeof(worker));
     *out = j;
     if (!j)
         return complain(EXIT_IO, "out of memory");
-    j->scene = scene;
-    j->source = source;
-    j->format = o->format;
     pthread_mutex_init(&j->lock, NULL);
     pthread_cond_init(&j->work, NULL);
     pthread_cond_init(&j->done, NULL);
     for (int k = 0; k < count; k++) {
         worker *w = &j->workers[k];
         w->shared = j;
-        for (size_t p = 0; p < 3 * RUN_ROWS; p++)
-            mpq_init(w->points[p]);
         j->count = k + 1;
-        if (context_for(&w->context, o) != GRAZE_OK)
-            return complain(EXIT_IO, "out of memory");
-        w->reader.context = w->context;
+        int status = answerer_init(&w->answerer, o, scene, source);
+        if (status)
+            return status;
         if (!start_thread(w))
             return complain(EXIT_IO, "thread %d of %d cannot be started; right is a smaller --jobs",
                             k + 1, count);
@@ -187,10 +138,7 @@ void jobs_stop(jobs *j) {
         worker *w = &j->workers[k];
         if (w->started)
             pthread_join(w->thread, NULL);
-        for (size_t p = 0; p < 3 * RUN_ROWS; p++)
-            mpq_clear(w->points[p]);
-        reader_clear(&w->reader);
-        graze_context_destroy(w->context);
+        answerer_clear(&w->answerer);
     }
     pthread_cond_destroy(&j->work);
     pthread_cond_destroy(&j->done);

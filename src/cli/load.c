@@ -60,14 +60,17 @@ graze_status context_for(graze_context **out, const options *o) {
     return status;
 }
 
-int load(loaded *out, const options *o, int illegal) {
+int load(loaded *out, const options *o, int illegal, const unsigned char *trusted) {
     memset(out, 0, sizeof *out);
     graze_status status = context_for(&out->context, o);
     if (!out->context)
         return complain(EXIT_IO, "out of memory");
     if (status)
         return complain(EXIT_USAGE, "%s", graze_context_message(out->context));
-    status = graze_solid_read(&out->solid, out->context, o->operands[0], o->solid_flags);
+    const char *path = o->operands[0];
+    status =
+        trusted ? graze_solid_read_trusted(&out->solid, out->context, path, o->solid_flags, trusted)
+                : graze_solid_read(&out->solid, out->context, path, o->solid_flags);
     if (!status)
         status = graze_motion_read(&out->motion, out->context, o->operands[1]);
     if (!status)

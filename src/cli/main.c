@@ -6,9 +6,10 @@
 #include "cli/interrupt.h"
 #include "cli/output.h"
 
-static const command *const commands[] = {&command_check,    &command_classify, &command_explain,
-                                          &command_generate, &command_cases,    &command_compare,
-                                          &command_validate, &command_draw};
+static const command *const commands[] = {&command_check,    &command_classify, &command_merge,
+                                          &command_explain,  &command_generate, &command_cases,
+                                          &command_compare,  &command_validate, &command_motion,
+                                          &command_boundary, &command_draw};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -16,11 +17,14 @@ static const char overview[] =
     "\n"
     "  graze check SOLID MOTION             is the pair legal, and why not\n"
     "  graze classify SOLID MOTION POINTS   a table: in, on, out and class of each point\n"
+    "  graze merge PART...                  one table of the parts that shards have written\n"
     "  graze explain SOLID MOTION X Y [Z]   the whole reasoning for one point\n"
     "  graze generate SOLID MOTION -n N --seed K   query points, most of them degenerate\n"
     "  graze compare GOLDEN CANDIDATE       a candidate's answers against a golden table\n"
     "  graze validate SOLID MOTION --candidate CMD   run a candidate and judge it\n"
     "  graze draw SOLID MOTION [POINTS] -o FILE.svg   a picture: classes, positions, trajectories\n"
+    "  graze motion KIND ...                exact motion files from angles, screws, joints, poses\n"
+    "  graze boundary SOLID MOTION --depth N   the boundary by adaptive sampling\n"
     "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 options and an example\n"
     "  graze --version                      versions of graze and its libraries\n"

@@ -5,12 +5,12 @@
  * `explain SOLID MOTION -1 2` needs no `--`.
  */
 #include <ctype.h>
-#include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "cli/cli.h"
+#include "cli/numbers.h"
 
 /* The letter is the option's name in `allowed` and getopt_long's value. */
 static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
@@ -40,14 +40,40 @@ static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
                                              {"keep", required_argument, NULL, 'K'},
                                              {"timeout", required_argument, NULL, 'T'},
                                              {"no-filter", no_argument, NULL, 'x'},
-                                             {"title", required_argument, NULL, 'I'},
-                                             {"times", required_argument, NULL, 'N'},
-                                             {"plane", required_argument, NULL, 'L'},
-                                             {"view", required_argument, NULL, 'V'},
+                                             {"quiet", no_argument, NULL, 'Q'},
+                                             {"resume", required_argument, NULL, 'R'},
+                                             {"shard", required_argument, NULL, 'N'},
+                                             {"receipt", required_argument, NULL, 'Y'},
                                              {NULL, 0, NULL, 0}};
 
 /* -p, whose letter is taken by a long option. */
 enum { SHORT_POINT = '@' };
+
+enum { SHARED = sizeof long_options / sizeof *long_options - 1, OWN_FIRST = 256, NAME = 32 };
+
+/* What getopt_long is given: the shared options and the command's own. */
+typedef struct option_table {
+    struct option entries[SHARED + OWN_OPTIONS + 1];
+    char names[OWN_OPTIONS][NAME];
+} option_table;
+
+static void table_make(option_table *t, const char *allowed) {
+    memset(t, 0, sizeof *t);
+    memcpy(t->entries, long_options, SHARED * sizeof *long_options);
+    const char *at = strchr(allowed, ' ');
+    for (int k = 0; at && k < OWN_OPTIONS; k++) {
+        size_t length = strcspn(++at, " ");
+        int valued = at[length - 1] == '=';
+        snprintf(t->names[k], NAME, "%.*s", (int)length - valued, at);
+        t->entries[SHARED + k] = (struct option){
+            t->names[k], valued ? required_argument : no_argument, NULL, OWN_FIRST + k};
+        at = at[length] ? at + length : NULL;
+    }
+}
+
+static int allows(const command *c, int letter) {
+    return letter >= OWN_FIRST || memchr(c->allowed, letter, strcspn(c->allowed, " ")) != NULL;
+}
 
 /* A value out of two or three words. */
 static int choose(int *out, const char *option, const char *value, const char *const *names,
@@ -63,16 +89,6 @@ static int choose(int *out, const char *option, const char *value, const char *c
         strcat(list, names[k]);
     }
     return complain(EXIT_USAGE, "--%s %s: right is %s", option, value, list);
-}
-
-/* A whole number from `low` up; digits only. */
-static int read_count(unsigned long *out, const char *text, unsigned long low) {
-    char *end;
-    if (!isdigit((unsigned char)*text))
-        return 0;
-    errno = 0;
-    *out = strtoul(text, &end, 10);
-    return !*end && !errno && *out >= low;
 }
 
 static int limit_names_complain(const char *value) {
@@ -93,7 +109,7 @@ static int read_limit(options *o, const char *value) {
         size_t length = strlen(name);
         if (length != (size_t)(equals - value) || memcmp(name, value, length) != 0)
             continue;
-        if (!read_count(&o->limits[k], equals + 1, 1))
+        if (!numbers_count(&o->limits[k], equals + 1, 1))
             return complain(EXIT_USAGE, "--limit %s: the value must be a whole number from 1 up",
                             value);
         return EXIT_DONE;
@@ -161,12 +177,12 @@ static int read_comparison(options *o, int letter, const char *value) {
         o->report = (graze_comparison_format)chosen;
         return status;
     case 'S':
-        if (!read_count(&count, value, 0) || count > 1000000)
+        if (!numbers_count(&count, value, 0) || count > 1000000)
             return complain(EXIT_USAGE, "--show %s: right is a whole number up to 1000000", value);
         o->compare.show = count;
         return EXIT_DONE;
     default:
-        if (!read_count(&o->timeout, value, 1))
+        if (!numbers_count(&o->timeout, value, 1))
             return complain(EXIT_USAGE, "--timeout %s: right are whole seconds from 1 up", value);
         return EXIT_DONE;
     }
@@ -182,6 +198,21 @@ static int read_option(options *o, int letter, const char *value) {
         return EXIT_DONE;
     case 'x':
         o->exact_only = 1;
+        return EXIT_DONE;
+    case 'Q':
+        o->quiet = 1;
+        return EXIT_DONE;
+    case 'R':
+        o->resume = value;
+        return EXIT_DONE;
+    case 'N':
+        o->sharded = 1;
+        if (!shard_read(&o->part, value))
+            return complain(EXIT_USAGE, "--shard %s: right is i/n, 1 <= i <= n <= %d", value,
+                            SHARDS_MOST);
+        return EXIT_DONE;
+    case 'Y':
+        o->receipt = value;
         return EXIT_DONE;
     case 'g':
         o->grid = value;
@@ -199,11 +230,11 @@ static int read_option(options *o, int letter, const char *value) {
         o->strata = value;
         return EXIT_DONE;
     case 'n':
-        if (!read_count(&o->count, value, 1))
+        if (!numbers_count(&o->count, value, 1))
             return complain(EXIT_USAGE, "-n %s: right is a whole number from 1 up", value);
         return EXIT_DONE;
     case 's':
-        if (!read_count(&seed, value, 0))
+        if (!numbers_count(&seed, value, 0))
             return complain(EXIT_USAGE, "--seed %s: right is a whole number from 0 to 2^64 - 1",
                             value);
         o->seed = seed;
@@ -215,7 +246,7 @@ static int read_option(options *o, int letter, const char *value) {
         o->representable = 1;
         return EXIT_DONE;
     case 'j':
-        if (!read_count(&jobs, value, 1) || jobs > 1024)
+        if (!numbers_count(&jobs, value, 1) || jobs > 1024)
             return complain(EXIT_USAGE, "--jobs %s: right is a whole number from 1 to 1024", value);
         o->jobs = (long)jobs;
         return EXIT_DONE;
@@ -233,19 +264,6 @@ static int read_option(options *o, int letter, const char *value) {
         return EXIT_DONE;
     case 'K':
         o->keep = value;
-        return EXIT_DONE;
-    case 'I':
-        o->title = value;
-        return EXIT_DONE;
-    case 'L':
-        o->plane = value;
-        return EXIT_DONE;
-    case 'V':
-        o->view = value;
-        return EXIT_DONE;
-    case 'N':
-        if (!read_count(&o->times, value, 2) || o->times > 64)
-            return complain(EXIT_USAGE, "--times %s: right is a whole number from 2 to 64", value);
         return EXIT_DONE;
     case SHORT_POINT:
         o->marks[o->mark_count++] = value;
@@ -278,7 +296,10 @@ static int complain_of_word(const command *c, int letter, int code, char **argv)
 int options_read(options *out, int *help, const command *c, int argc, char **argv) {
     memset(out, 0, sizeof *out);
     out->compare.show = 10;
+    out->part.count = 1;
     *help = 0;
+    option_table table;
+    table_make(&table, c->allowed);
     out->operands = calloc((size_t)argc + 1, sizeof *out->operands);
     out->marks = calloc((size_t)argc + 1, sizeof *out->marks);
     if (!out->operands || !out->marks)
@@ -290,7 +311,7 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
             out->operands[out->operand_count++] = argv[optind++];
             continue;
         }
-        int index = -1, letter = getopt_long(argc, argv, "-:hn:o:p:", long_options, &index);
+        int index = -1, letter = getopt_long(argc, argv, "-:hn:o:p:", table.entries, &index);
         const char short_name[] = {(char)letter, 0};
         if (letter == 'p' && index < 0)
             letter = SHORT_POINT;
@@ -304,12 +325,14 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
             return EXIT_DONE;
         } else if (letter == '?' || letter == ':') {
             return complain_of_word(c, optopt, letter, argv);
-        } else if (!strchr(c->allowed, letter)) {
+        } else if (!allows(c, letter)) {
             return complain(EXIT_USAGE, "%s has no option %s%s; see graze %s --help", c->name,
                             index < 0 ? "-" : "--",
                             index < 0 ? short_name : long_options[index].name, c->name);
+        } else if (letter >= OWN_FIRST) {
+            out->own[letter - OWN_FIRST] = optarg ? optarg : "";
         } else {
-            int reports = letter == 'm' && strchr(c->allowed, 'F');
+            int reports = letter == 'm' && allows(c, 'F');
             int status = read_option(out, reports ? 'F' : letter, optarg);
             if (status)
                 return status;

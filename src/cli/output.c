@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "cli/cli.h"
 
@@ -40,6 +41,35 @@ static void keep(output *out) {
     }
     memcpy(out->kept + out->kept_length, out->buffer, out->used);
     out->kept_length += out->used;
+}
+
+/* A file system without locks is no reason to refuse. */
+int output_lock(output *out) {
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    if (fcntl(out->fd, F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN))
+        return EXIT_DONE;
+    return complain(EXIT_IO, "%s: another run is writing it", out->name);
+}
+
+int output_continue(output *out, const char *path) {
+    struct stat about;
+    out->name = path;
+    out->error = 0;
+    out->used = 0;
+    out->fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (out->fd < 0)
+        return complain(EXIT_IO, "%s: cannot be opened for writing: %s", path, strerror(errno));
+    if (fstat(out->fd, &about) == 0 && S_ISREG(about.st_mode))
+        return EXIT_DONE;
+    close(out->fd);
+    return complain(EXIT_USAGE, "%s: is no plain file, and only such a one can be continued", path);
+}
+
+void output_from(output *out, long long byte) {
+    output_flush(out);
+    if (!out->error &&
+        (lseek(out->fd, (off_t)byte, SEEK_SET) < 0 || ftruncate(out->fd, (off_t)byte) != 0))
+        out->error = errno;
 }
 
 void output_flush(output *out) {
@@ -88,6 +118,14 @@ char *output_release(output *out, size_t *length) {
     out->kept = NULL;
     out->keeps = 0;
     return kept;
+}
+
+void output_number(output *out, const mpq_t value) {
+    char *text = mpq_get_str(NULL, 10, value);
+    output_put(out, text);
+    void (*release)(void *, size_t);
+    mp_get_memory_functions(NULL, NULL, &release);
+    release(text, strlen(text) + 1);
 }
 
 int output_close(output *out) {

@@ -4,6 +4,7 @@
 #ifndef GRAZE_CLI_OUTPUT_H
 #define GRAZE_CLI_OUTPUT_H
 
+#include <gmp.h>
 #include <stddef.h>
 
 /** Once a write has failed `error` holds its errno and nothing more is written. */
@@ -21,8 +22,18 @@ typedef struct output {
 /** Open `path`, or standard output where it is NULL; an existing file is emptied. Returns an exit
  * status and says what is wrong. */
 int output_open(output *out, const char *path);
+/** Open a file without changing it, to go on from a place in it; it is made if it is not there.
+ * Returns an exit status and says what is wrong. */
+int output_continue(output *out, const char *path);
+/** Hold the file against others who ask for this too, until it or any other descriptor of it is
+ * closed. EXIT_IO: another holds it. */
+int output_lock(output *out);
+/** Go on from that byte of the file and cut off what stands there. */
+void output_from(output *out, long long byte);
 void output_put(output *out, const char *text);
 void output_bytes(output *out, const char *text, size_t length);
+/** An integer, or a ratio in lowest terms. */
+void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
 /** From now on keep in memory what is put, instead of writing it. */
 void output_keep(output *out);

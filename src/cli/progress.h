@@ -1,4 +1,5 @@
-/* A line that grows on standard error, where it is a terminal.
+/* A line that grows on standard error, where it is a terminal: rows, rate and, where the end is
+ * known, per cent and the time left.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_PROGRESS_H
@@ -6,14 +7,23 @@
 
 #include <time.h>
 
+/** How far the work is: `done` of `whole`, in whatever unit; `whole` is 0 where nobody knows. */
+typedef struct portion {
+    unsigned long done, whole;
+} portion;
+
 typedef struct progress {
+    int silent;
     time_t start, shown;
+    unsigned long rows;   /* that were there at the start */
+    unsigned long before; /* and what was done by then */
 } progress;
 
-void progress_start(progress *p);
-/** Show how many rows are done, at most once a second. */
-void progress_show(progress *p, unsigned long rows);
+/** Begin, where `rows` rows are there already; `quiet` shows nothing. */
+void progress_start(progress *p, int quiet, unsigned long rows, portion reached);
+/** Show how many rows are there now, at most once a second. */
+void progress_show(progress *p, unsigned long rows, portion reached);
 /** Show the end and close the line. */
-void progress_end(progress *p, unsigned long rows);
+void progress_end(progress *p, unsigned long rows, portion reached);
 
 #endif

@@ -8,6 +8,8 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+#include "filter/flip.h"
 
 #define U UNIT_ROUNDING
 #define SLACK (1 + 0x1p-20)
@@ -86,7 +88,7 @@ static void bound_space(span *piece, const curve *c) {
     double least = w[0];
     for (int k = 1; k <= n; k++)
         least = fmin(least, w[k]);
-    piece->bounded = least > 2 * piece->error[d];
+    piece->bounded = flip(FLIP_WEIGHT, least > 2 * piece->error[d]);
     piece->bend = 0;
     for (int i = 0; i < 3; i++)
         piece->from[i] = piece->along[i] = piece->thick[i] = piece->inverse[i] = 0;
@@ -235,8 +237,7 @@ void curve_at(double *at, double *error, const curve *c, const span *piece, doub
     for (int i = 0; i <= c->dimension; i++) {
         const double *x = curve_coefficients(c, piece, i);
         double row[CARRIER_DEGREE + 1];
-        for (int k = 0; k <= n; k++)
-            row[k] = x[k];
+        memcpy(row, x, (size_t)(n + 1) * sizeof *row);
         for (int level = 1; level <= n; level++)
             for (int k = 0; k <= n - level; k++)
                 row[k] += s * (row[k + 1] - row[k]);

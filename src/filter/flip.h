@@ -4,7 +4,12 @@
 #ifndef GRAZE_FILTER_FLIP_H
 #define GRAZE_FILTER_FLIP_H
 
-/** Every place at which the filter says "certain". */
+/**
+ * Every place at which the filter says "certain" and an answer hangs on it. Three certainties have
+ * no number, because a falsified one does not show: that a window holds the one root (the guess in
+ * its middle is near the root all the same), that a simplex's normal is not zero (the signs of its
+ * sides have errors of their own and ask), that a ray ends outside (no scene makes that doubtful).
+ */
 typedef enum flip_site {
     FLIP_BOX,          /* a span misses a box */
     FLIP_ONE_SIGN,     /* a plane's pullback has one sign on a span */
@@ -15,6 +20,8 @@ typedef enum flip_site {
     FLIP_DIRECTION,    /* a crossing enters */
     FLIP_APART,        /* two windows of time have no point in common */
     FLIP_FAR,          /* a place is outside the solid's box */
+    FLIP_FIRST,        /* a crossing is the first of a ray, or the ray has none */
+    FLIP_WEIGHT,       /* a span's weights are positive */
     FLIP_SITE_COUNT
 } flip_site;
 

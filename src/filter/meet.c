@@ -8,6 +8,7 @@
 #include "filter/meet.h"
 
 #include <math.h>
+#include <string.h>
 #include "filter/flip.h"
 
 #define U UNIT_ROUNDING
@@ -156,8 +157,7 @@ static int is_beside(const meeter *m, int drop) {
 static int plane_sign(const meeter *m, double s, double *value) {
     int n = m->c->degree;
     double row[CARRIER_DEGREE + 1];
-    for (int k = 0; k <= n; k++)
-        row[k] = m->plane.at[k];
+    memcpy(row, m->plane.at, (size_t)(n + 1) * sizeof *row);
     for (int level = 1; level <= n; level++)
         for (int k = 0; k <= n - level; k++)
             row[k] += s * (row[k + 1] - row[k]);
@@ -237,17 +237,20 @@ typedef struct signs {
 } signs;
 
 static signs read_signs(const meeter *m) {
-    int n = m->c->degree, left = 0, uncertain = 0;
+    int n = m->c->degree;
+    enum { FIRST_RUN, UNCERTAIN, LAST_RUN };
+    int before = FIRST_RUN;
     signs s = {sign_beyond(m->plane.at[0], m->plane.error),
                sign_beyond(m->plane.at[n], m->plane.error), 1, 0};
     s.one = s.first != 0;
     s.single = s.first * s.last < 0;
     for (int k = 0; k <= n; k++) {
         int sign = sign_beyond(m->plane.at[k], m->plane.error);
+        int here = sign == 0 ? UNCERTAIN : sign == s.first ? FIRST_RUN : LAST_RUN;
         s.one = s.one && sign == s.first;
-        uncertain += sign == 0;
-        left = left || sign != s.first;
-        s.single = s.single && uncertain <= 1 && !(left && sign == s.first);
+        /* An uncertain coefficient among those of one sign could be of the other: three changes. */
+        s.single = s.single && here >= before && !(here == UNCERTAIN && before == UNCERTAIN);
+        before = here;
     }
     return s;
 }

@@ -45,10 +45,22 @@ static void choose_direction(double *direction, const filter *f, const double *a
 
 /* Whether the ray's far end is certainly outside. It is exact but for the weight. */
 static int ends_far(const curve *ray, const filter *f, const double *error, int d) {
-    double end[4];
+    double end[4] = {0};
     for (int i = 0; i <= d; i++)
         end[i] = ray->coefficients[2 * i + 1];
     return is_far(f, end, error, d);
+}
+
+/* Whether nothing else that was found can come before the end of the window of `first`, or, for
+ * NULL, whether nothing was found. */
+static int comes_first(const findings *found, const crossing *first) {
+    for (size_t k = 0; k < found->crossing_count; k++)
+        if (&found->crossing[k] != first && found->crossing[k].from <= first->to)
+            return 0;
+    for (size_t k = 0; k < found->asked.count; k++)
+        if (!first || ldexp(found->asked.item[k].from, -WINDOW_LEVELS) <= first->to)
+            return 0;
+    return 1;
 }
 
 /* The state before the first crossing of the ray, if that is certain. */
@@ -57,12 +69,8 @@ static graze_state read_ray(const findings *found) {
     for (size_t k = 0; k < found->crossing_count; k++)
         if (!first || found->crossing[k].from < first->from)
             first = &found->crossing[k];
-    for (size_t k = 0; k < found->crossing_count; k++)
-        if (&found->crossing[k] != first && found->crossing[k].from <= first->to)
-            return GRAZE_STATE_ABSENT;
-    for (size_t k = 0; k < found->asked.count; k++)
-        if (!first || ldexp(found->asked.item[k].from, -WINDOW_LEVELS) <= first->to)
-            return GRAZE_STATE_ABSENT;
+    if (!flip(FLIP_FIRST, comes_first(found, first)))
+        return GRAZE_STATE_ABSENT;
     return !first || first->enters ? GRAZE_STATE_O : GRAZE_STATE_I;
 }
 

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "motion/quotient.h"
+#include <stdlib.h>
 #include "number/algebraic.h"
 
 enum { ROOT_REFINEMENTS = 12 }; /* narrow enough to be told in a message */

@@ -3,6 +3,7 @@
  */
 #include "number/modular.h"
 
+#include <flint/fmpz.h>
 #include <stdint.h>
 
 __extension__ typedef unsigned __int128 uint128;

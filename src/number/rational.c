@@ -4,6 +4,7 @@
  * A token is first read for its shape, the limit then acts on the counted digits, and only then is
  * a number made. Bounds in doubles are made from integers, so that no floating-point mode matters.
  */
+#include <flint/ulong_extras.h>
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -143,7 +144,7 @@ static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
         fmpz_mul_ui(fmpq_numref(out), fmpq_numref(out), n_pow(10, (ulong)shift));
         return 1;
     }
-    long twos = -shift, fives = -shift;
+    long twos = -shift, fives = twos;
     for (; fives > 0 && value % 5 == 0; fives--) {
         value /= 5;
     }

@@ -6,7 +6,7 @@
  */
 #include <stdint.h>
 #include <string.h>
-#include "report/columns.h"
+#include "report/cut_table.h"
 
 /* Little-endian. */
 static void put_bytes(text *t, uint64_t value, int count) {
@@ -40,7 +40,7 @@ static int same_name(const token *a, const token *b) {
 }
 
 /* A name as Python writes it between quotes. Names that occurred are told apart by `_2`. */
-static void put_name(text *t, const columns *c, size_t index) {
+static void put_name(text *t, const cut_table *c, size_t index) {
     const token *name = &c->column[index].name;
     size_t same = 1;
     for (size_t k = 0; k < name->length; k++) {
@@ -57,7 +57,7 @@ static void put_name(text *t, const columns *c, size_t index) {
 }
 
 /* The dictionary that describes the array. */
-static void put_description(text *t, const columns *c) {
+static void put_description(text *t, const cut_table *c) {
     text_put(t, "{'descr': [");
     for (size_t k = 0; k < c->column_count; k++) {
         const column *from = &c->column[k];
@@ -74,7 +74,7 @@ static void put_description(text *t, const columns *c) {
 }
 
 /* Version 3 has a length of four bytes and UTF-8; head and description fill whole 64 bytes. */
-static void put_head(text *t, const columns *c) {
+static void put_head(text *t, const cut_table *c) {
     text description;
     text_init(&description);
     put_description(&description, c);
@@ -89,16 +89,16 @@ static void put_head(text *t, const columns *c) {
     text_clear(&description);
 }
 
-graze_status export_npy(text *out, graze_context *context, const columns *c) {
+graze_status export_npy(text *out, graze_context *context, const cut_table *c) {
     put_head(out, c);
     for (size_t r = 0; r < c->row_count; r++)
         for (size_t k = 0; k < c->column_count; k++) {
             const column *to = &c->column[k];
-            token field = columns_field(c, r, k);
+            token field = cut_table_field(c, r, k);
             if (is_number(to->kind))
-                put_double(out, columns_number(context, field));
+                put_double(out, cut_table_number(context, field));
             else if (!is_text(to->kind))
-                put_bytes(out, columns_code(to->kind, field), 4);
+                put_bytes(out, cut_table_code(to->kind, field), 4);
             else {
                 text_bytes(out, field.start, field.length);
                 for (size_t pad = field.length; pad < width_of(to); pad++)

@@ -11,7 +11,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "report/columns.h"
+#include "report/cut_table.h"
 #include "report/decimal.h"
 
 /* Big-endian, as the format wants it. */
@@ -34,7 +34,7 @@ static void put_decimal(text *t, const fmpq_t value) {
     text_owned(t, decimal_of_rational(NULL, value, 17));
 }
 
-static void put_grid(text *t, const columns *c) {
+static void put_grid(text *t, const cut_table *c) {
     fmpq_t step;
     fmpz_t parts;
     fmpq_init(step);
@@ -58,13 +58,14 @@ static void put_grid(text *t, const columns *c) {
     fmpz_clear(parts);
 }
 
-static void put_vertices(text *t, graze_context *context, const columns *c) {
+static void put_vertices(text *t, graze_context *context, const cut_table *c) {
     size_t n = c->row_count;
     text_format(t, "DATASET UNSTRUCTURED_GRID\nPOINTS %zu double\n", n);
     for (size_t r = 0; r < n; r++)
         for (size_t k = 0; k < 3; k++)
-            put_double(t, k < (size_t)c->dimension ? columns_number(context, columns_field(c, r, k))
-                                                   : 0);
+            put_double(t, k < (size_t)c->dimension
+                              ? cut_table_number(context, cut_table_field(c, r, k))
+                              : 0);
     text_format(t, "\nCELLS %zu %zu\n", n, 2 * n);
     for (size_t r = 0; r < n; r++) {
         put_int(t, 1);
@@ -100,14 +101,14 @@ static int compare_rows(const void *a, const void *b) {
 
 /* Equal texts stand together once sorted, the first of them by row in front; back in the order of
  * rows each first one gets the next number, and the others that of their first. */
-static void put_texts(text *t, const columns *c, size_t index) {
+static void put_texts(text *t, const cut_table *c, size_t index) {
     numbered *all = malloc((c->row_count + 1) * sizeof *all);
     if (!all) {
         t->failed = 1;
         return;
     }
     for (size_t r = 0; r < c->row_count; r++)
-        all[r] = (numbered){columns_field(c, r, index), r, r};
+        all[r] = (numbered){cut_table_field(c, r, index), r, r};
     qsort(all, c->row_count, sizeof *all, compare_texts);
     for (size_t k = 1; k < c->row_count; k++) {
         const token *a = &all[k - 1].field, *b = &all[k].field;
@@ -124,7 +125,7 @@ static void put_texts(text *t, const columns *c, size_t index) {
 }
 
 /* A name without blanks, which the format cuts lines at; `_2` and so on after a name that was. */
-static void put_name(text *t, const columns *c, size_t index) {
+static void put_name(text *t, const cut_table *c, size_t index) {
     const token *name = &c->column[index].name;
     size_t same = 1;
     for (size_t k = 0; k < name->length; k++) {
@@ -140,7 +141,7 @@ static void put_name(text *t, const columns *c, size_t index) {
         text_format(t, "_%zu", same);
 }
 
-static void put_column(text *t, graze_context *context, const columns *c, size_t index) {
+static void put_column(text *t, graze_context *context, const cut_table *c, size_t index) {
     const column *from = &c->column[index];
     int number = from->kind == COLUMN_NUMBER;
     text_put(t, "SCALARS ");
@@ -150,16 +151,16 @@ static void put_column(text *t, graze_context *context, const columns *c, size_t
         put_texts(t, c, index);
     else
         for (size_t r = 0; r < c->row_count; r++) {
-            token field = columns_field(c, r, index);
+            token field = cut_table_field(c, r, index);
             if (number)
-                put_double(t, columns_number(context, field));
+                put_double(t, cut_table_number(context, field));
             else
-                put_int(t, (uint32_t)columns_code(from->kind, field));
+                put_int(t, (uint32_t)cut_table_code(from->kind, field));
         }
     text_put(t, "\n");
 }
 
-graze_status export_vtk(text *out, graze_context *context, const columns *c) {
+graze_status export_vtk(text *out, graze_context *context, const cut_table *c) {
     if (c->row_count > INT32_MAX)
         return context_fail(context, GRAZE_ELIMIT,
                             "a VTK file numbers its points with 32 bits; right are at most "

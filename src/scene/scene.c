@@ -12,6 +12,7 @@
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include "solid/cgal.h"
+#include <CGAL/version.h>
 #include "solid/validate_stages.hpp"
 
 std::size_t assign_components(std::vector<piece> &pieces, disjoint_sets &sets) {
@@ -55,7 +56,7 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
             components = check_outline(context, pieces, at, *s);
         } else {
             pieces = cut_facets(context, at, *s, (flags & GRAZE_SOLID_TRIANGULATE) != 0);
-            components = check_surface(context, pieces, at);
+            components = check_surface(context, pieces, at, (flags & VALIDATE_TRUST_CONTACTS) != 0);
         }
         hand_over(out, pieces, components);
     });
@@ -63,4 +64,8 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
 
 graze_status validate_probe(graze_context *context) {
     return guard(context, [] { CGAL_precondition_msg(false, "failed on purpose"); });
+}
+
+const char *validate_cgal_version(void) {
+    return CGAL_VERSION_STR;
 }

@@ -30,12 +30,16 @@ typedef struct simplices {
     size_t component_count;
 } simplices;
 
+/** A flag beside GRAZE_SOLID_TRIANGULATE: this soup has passed before, so the search for facets that
+ * meet is spared in E^3, and contacts inside facets join no components. */
+#define VALIDATE_TRUST_CONTACTS (1u << 31)
+
 /**
  * Check everything about a soup that is local, and cut its facets. Checked: facets not degenerate,
  * planar and simple; edges run through as often one way as the other (by position); relative
  * interiors of facets disjoint; around every segment (E^2: point) where more than two facet sides
  * meet, in and out alternate. What is left to the caller is one side test per component.
- * @param flags GRAZE_SOLID_TRIANGULATE
+ * @param flags GRAZE_SOLID_TRIANGULATE, VALIDATE_TRUST_CONTACTS
  * @return GRAZE_EILLEGAL naming facets, edges, vertices; GRAZE_ELIMIT; GRAZE_EINTERNAL
  */
 graze_status validate_soup(simplices *out, graze_context *context, const soup *s, unsigned flags);
@@ -53,6 +57,9 @@ graze_status boundaries_meet(int *out, graze_context *context, const soup *s, co
  * @return GRAZE_EINTERNAL, if all is well
  */
 graze_status validate_probe(graze_context *context);
+
+/** The version of CGAL that was compiled in, such as "5.5.1"; static. */
+const char *validate_cgal_version(void);
 
 #ifdef __cplusplus
 }

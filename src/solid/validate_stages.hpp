@@ -62,9 +62,12 @@ std::vector<piece> cut_facets(graze_context *context, const points &at, const so
 void cut_planar_facet(graze_context *context, std::vector<piece> &out, const points &at,
                       const soup &s, std::size_t facet, const piece &plane);
 
-/** Check how the triangles of a boundary come together, and number their components.
+/** Check how the triangles of a boundary come together, and number their components. With
+ * `trust_contacts` only the balance of edges is looked at: (1) and (3) are known, and components
+ * are joined by common edges alone, which makes them no larger, so the theorem holds for them too.
  * @return the number of components */
-std::size_t check_surface(graze_context *context, std::vector<piece> &pieces, const points &at);
+std::size_t check_surface(graze_context *context, std::vector<piece> &pieces, const points &at,
+                          bool trust_contacts);
 
 /** The edges of a soup in E^2, each ring checked by itself. */
 std::vector<piece> cut_rings(graze_context *context, const points &at, const soup &s);

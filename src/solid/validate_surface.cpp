@@ -37,7 +37,7 @@ class surface {
     surface(graze_context *context, std::vector<piece> &pieces, const points &at)
         : context_(context), pieces_(pieces), at_(at), sets_(pieces.size()) {
     }
-    std::size_t check();
+    std::size_t check(bool trust_contacts);
 
   private:
     typedef std::vector<half_edge>::const_iterator place;
@@ -71,11 +71,13 @@ class surface {
     std::tuple<std::uint32_t, std::uint32_t, triangles> worst_;
 };
 
-std::size_t surface::check() {
+std::size_t surface::check(bool trust_contacts) {
     collect_edges();
     check_balance();
-    check_pairs();
-    check_edges();
+    if (!trust_contacts) {
+        check_pairs();
+        check_edges();
+    }
     return assign_components(pieces_, sets_);
 }
 
@@ -335,6 +337,7 @@ void surface::check_part(const half_edge &e, const std::vector<std::uint32_t> &a
 
 } // namespace
 
-std::size_t check_surface(graze_context *context, std::vector<piece> &pieces, const points &at) {
-    return surface(context, pieces, at).check();
+std::size_t check_surface(graze_context *context, std::vector<piece> &pieces, const points &at,
+                          bool trust_contacts) {
+    return surface(context, pieces, at).check(trust_contacts);
 }

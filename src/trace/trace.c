@@ -123,7 +123,7 @@ static graze_status check_end(tracer *r, size_t piece, uint32_t end, const cross
     fmpq_t u;
     fmpq_init(u);
     fmpq_set_ui(u, end, UINT32_C(1) << WINDOW_LEVELS);
-    graze_state state;
+    graze_state state = GRAZE_STATE_ABSENT;
     graze_status status = locate_at(&state, r, piece, u);
     fmpq_clear(u);
     if (status == GRAZE_OK && state != expected)
@@ -208,8 +208,16 @@ static graze_status locate_between(graze_state *out, tracer *r, graze_time *befo
         piece++;
         low = &zero;
     }
-    algebraic_between(sample, low, after->piece == piece ? &after->u : &one);
-    graze_status status = locate_at(out, r, piece, sample);
+    algebraic *high = after->piece == piece ? &after->u : &one;
+    graze_status status;
+    /* Windows that were not apart would give one time twice, between which there is none. */
+    if (after->piece >= piece && algebraic_compare(low, high) < 0) {
+        algebraic_between(sample, low, high);
+        status = locate_at(out, r, piece, sample);
+    } else {
+        status = context_fail(r->context, GRAZE_EINTERNAL,
+                              "two contacts, one after the other, are not in order of time");
+    }
     algebraic_clear(&zero);
     algebraic_clear(&one);
     fmpq_clear(sample);
@@ -257,7 +265,7 @@ static graze_status read_word(tracer *r) {
         return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for the word of a trace");
     for (size_t k = 0; k <= n; k++) {
         if (!(k == 0 && starts_on) && !(k == n && ends_on)) {
-            graze_state state;
+            graze_state state = GRAZE_STATE_ABSENT;
             graze_status status = gap_state(&state, r, k);
             if (status != GRAZE_OK)
                 return status;

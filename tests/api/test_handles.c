@@ -18,6 +18,7 @@ static void null_is_harmless(void **state) {
     assert_int_equal(graze_scene_dimension(NULL), 0);
     assert_int_equal(graze_scene_ends_meet(NULL), 0);
     assert_int_equal(graze_scene_options(NULL).folds, GRAZE_FOLDS_SEPARATE);
+    assert_int_equal(graze_scene_hashes(NULL).scene[0], 0);
     assert_string_equal(graze_trace_word(NULL), "");
     assert_int_equal(graze_trace_verdict(NULL).pmc, GRAZE_PMC_NONE);
     assert_int_equal(graze_trace_contact_count(NULL), 0);
@@ -201,19 +202,60 @@ static void wrong_arrays(void **state) {
     scene_close(&s);
 }
 
+/* A file is trusted by its hash: with the right one the scene is the same, to its own hash. */
+static void trusted_by_hash(void **state) {
+    (void)state;
+    const char *path = "cases/bracket/solid.off";
+    graze_context *context;
+    graze_motion *motion;
+    graze_hashes hashes[2];
+    graze_solid *solid;
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    assert_int_equal(graze_motion_read(&motion, context, "cases/bracket/motion.json"), GRAZE_OK);
+    for (int trusted = 0; trusted < 2; trusted++) {
+        graze_scene *scene;
+        graze_status read =
+            trusted ? graze_solid_read_trusted(&solid, context, path, 0, hashes[0].solid)
+                    : graze_solid_read(&solid, context, path, 0);
+        assert_int_equal(read, GRAZE_OK);
+        assert_int_equal(graze_solid_component_count(solid), 1);
+        assert_int_equal(graze_scene_create(&scene, context, solid, motion, NULL), GRAZE_OK);
+        hashes[trusted] = graze_scene_hashes(scene);
+        graze_scene_destroy(scene);
+        graze_solid_destroy(solid);
+    }
+    assert_memory_equal(&hashes[0], &hashes[1], sizeof hashes[0]);
+    hashes[1].solid[31] ^= 1;
+    assert_int_equal(graze_solid_read_trusted(&solid, context, path, 0, hashes[1].solid),
+                     GRAZE_EINPUT);
+    assert_null(solid);
+    assert_non_null(strstr(graze_context_message(context), path));
+    assert_int_equal(graze_solid_read_trusted(&solid, context, path, 0, NULL), GRAZE_EUSE);
+    assert_int_equal(graze_solid_read_trusted(&solid, context, path, 2, hashes[0].solid),
+                     GRAZE_EUSE);
+    graze_motion_destroy(motion);
+    graze_context_destroy(context);
+}
+
 static void version_names_libraries(void **state) {
     (void)state;
     assert_non_null(strstr(graze_version(), "graze " GRAZE_VERSION "\n"));
     assert_non_null(strstr(graze_version(), "GMP "));
     assert_non_null(strstr(graze_version(), "FLINT "));
+    assert_non_null(strstr(graze_version(), "CGAL "));
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(null_is_harmless),     cmocka_unit_test(null_is_wrong_use),
-        cmocka_unit_test(null_motion),          cmocka_unit_test(null_context),
-        cmocka_unit_test(limits_and_roundings), cmocka_unit_test(rings_nest),
-        cmocka_unit_test(wrong_arrays),         cmocka_unit_test(version_names_libraries),
+        cmocka_unit_test(null_is_harmless),
+        cmocka_unit_test(null_is_wrong_use),
+        cmocka_unit_test(null_motion),
+        cmocka_unit_test(null_context),
+        cmocka_unit_test(limits_and_roundings),
+        cmocka_unit_test(rings_nest),
+        cmocka_unit_test(trusted_by_hash),
+        cmocka_unit_test(wrong_arrays),
+        cmocka_unit_test(version_names_libraries),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

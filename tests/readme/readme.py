@@ -117,6 +117,10 @@ def examples(text, folder, build):
     return commands, programs
 
 
+# Options of GNU parallel and Slurm in the recipes.
+OF_OTHERS = {"--sshloginfile", "--workdir", "--array", "--cpus-per-task", "--requeue"}
+
+
 def names(text, graze):
     """Everything the README names exists, and every command is described."""
     for target in re.findall(r"\]\(([^)#:]+)\)", text):
@@ -131,7 +135,7 @@ def names(text, graze):
     described = set(re.findall(r"^\| `graze ([a-z]+)", text, re.M))
     check(described == set(commands), f"commands: {sorted(commands)}, described: {sorted(described)}")
     helps = overview + "".join(run(f"'{graze}' {c} --help", ROOT)[0] for c in commands)
-    known = set(re.findall(r"--[a-z][a-z-]*", helps)) | {"--help"}
+    known = set(re.findall(r"--[a-z][a-z-]*", helps)) | {"--help"} | OF_OTHERS
     for option in sorted(set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))):
         check(option in known, f"{option} is in no --help")
 

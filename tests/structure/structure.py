@@ -8,9 +8,8 @@ import re
 import subprocess
 import sys
 
-ORDER = ["context", "number", "motion solid", "filter", "scene trace", "verdict generate", "report compare", "draw",
-         "api",
-         "cli"]
+ORDER = ["context", "number", "motion solid", "filter", "scene trace", "verdict generate", "report compare", "convert boundary draw", "api",
+         "cli", "mpi"]
 RANK = {stage: rank for rank, stages in enumerate(ORDER) for stage in stages.split()}
 TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".ci", "LICENSE",
        "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", ".clang-format", ".gitignore"}
@@ -47,8 +46,8 @@ def main():
             target = stage_of("src/" + included) if "/" in included else stage
             below = target == stage or RANK.get(target, 99) < RANK.get(stage, -1)
             check(below, f"{path} ({stage}) includes {included} ({target})")
-            if stage == "cli":
-                check(target == "cli", f"{path}: the command line includes {included}")
+            if stage in ("cli", "mpi"):
+                check(target in ("cli", "mpi"), f"{path}: the command line includes {included}")
         touches_cgal = re.search(r"#include <CGAL/", text) is not None
         check(not touches_cgal or stage == "solid", f"{path} touches CGAL")
         check(len(text.splitlines()) <= 500, f"{path} has more than 500 lines")

@@ -1,7 +1,7 @@
 /* Cuts a finished table into columns and says what each holds.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "report/columns.h"
+#include "report/cut_table.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -69,7 +69,7 @@ static graze_status broken(graze_context *context, const char *why) {
                         "%s; right is a whole table as graze classify writes it", why);
 }
 
-static graze_status read_note(columns *c, graze_context *context, token line) {
+static graze_status read_note(cut_table *c, graze_context *context, token line) {
     token value;
     graze_status status = GRAZE_OK;
     if (value_of(&value, line, "# dimension "))
@@ -102,7 +102,7 @@ static column_kind kind_of(token name) {
 }
 
 /* The columns up to `word` are Graze's; what the points bring may have any name. */
-static graze_status name_columns(columns *c, graze_context *context, token line) {
+static graze_status name_columns(cut_table *c, graze_context *context, token line) {
     size_t count = 1;
     for (size_t k = 0; k < line.length; k++)
         count += line.start[k] == ',';
@@ -119,7 +119,7 @@ static graze_status name_columns(columns *c, graze_context *context, token line)
     return c->own ? GRAZE_OK : broken(context, "the table has no column word");
 }
 
-static void look_at_row(columns *c, token row) {
+static void look_at_row(cut_table *c, token row) {
     for (size_t k = 0; k < c->column_count; k++) {
         column *to = &c->column[k];
         token field = take_field(&row);
@@ -131,7 +131,7 @@ static void look_at_row(columns *c, token row) {
 }
 
 /* Rows until the line that says how many there were. */
-static graze_status read_rows(columns *c, graze_context *context, token rest, size_t lines) {
+static graze_status read_rows(cut_table *c, graze_context *context, token rest, size_t lines) {
     c->row = calloc(lines + 1, sizeof *c->row);
     if (!c->row)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a table");
@@ -147,7 +147,8 @@ static graze_status read_rows(columns *c, graze_context *context, token rest, si
     return broken(context, "the table has no line # complete");
 }
 
-graze_status columns_read(columns *out, graze_context *context, const char *table, size_t length) {
+graze_status cut_table_read(cut_table *out, graze_context *context, const char *table,
+                            size_t length) {
     memset(out, 0, sizeof *out);
     for (int k = 0; k < 3; k++) {
         fmpq_init(out->low + k);
@@ -175,7 +176,7 @@ graze_status columns_read(columns *out, graze_context *context, const char *tabl
     return status;
 }
 
-void columns_clear(columns *c) {
+void cut_table_clear(cut_table *c) {
     for (int k = 0; k < 3; k++) {
         fmpq_clear(c->low + k);
         fmpq_clear(c->high + k);
@@ -184,14 +185,14 @@ void columns_clear(columns *c) {
     free(c->row);
 }
 
-token columns_field(const columns *c, size_t row, size_t index) {
+token cut_table_field(const cut_table *c, size_t row, size_t index) {
     token rest = c->row[row], field = take_field(&rest);
     while (index--)
         field = take_field(&rest);
     return field;
 }
 
-double columns_number(graze_context *context, token field) {
+double cut_table_number(graze_context *context, token field) {
     fmpq_t value;
     fmpq_init(value);
     double out = 0;
@@ -206,7 +207,7 @@ double columns_number(graze_context *context, token field) {
     return out;
 }
 
-unsigned long columns_code(column_kind kind, token field) {
+unsigned long cut_table_code(column_kind kind, token field) {
     for (int k = 1; k <= 3 && kind == COLUMN_PMC; k++)
         if (is(field, graze_pmc_name((graze_pmc)k)))
             return (unsigned long)k;

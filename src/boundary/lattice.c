@@ -1,0 +1,75 @@
+/* Lattice points and cells, and the exact answers at points.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include "boundary/boundary.h"
+
+graze_status boundary_grow(void **array, size_t *capacity, size_t count, size_t size,
+                           graze_context *context) {
+    if (count <= *capacity)
+        return GRAZE_OK;
+    size_t more = *capacity ? 2 * *capacity : 256;
+    more = more < count ? count : more;
+    void *grown = realloc(*array, more * size);
+    if (!grown)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a boundary");
+    *array = grown;
+    *capacity = more;
+    return GRAZE_OK;
+}
+
+uint64_t lattice_key(const uint32_t at[3]) {
+    return (uint64_t)at[0] | (uint64_t)at[1] << 21 | (uint64_t)at[2] << 42;
+}
+
+void lattice_point(mpq_t *out, const struct graze_boundary *b, uint64_t key) {
+    for (int k = 0; k < b->dimension; k++) {
+        mpq_set_ui(out[k], (key >> 21 * k) & ((1u << 21) - 1), 1);
+        mpq_div_2exp(out[k], out[k], b->depth + 1);
+        mpq_mul(out[k], out[k], b->side[k]);
+        mpq_add(out[k], out[k], b->low[k]);
+    }
+}
+
+uint64_t cell_corner(const struct graze_boundary *b, const cell *c, unsigned index) {
+    uint32_t at[3] = {0, 0, 0};
+    for (int k = 0; k < b->dimension; k++)
+        at[k] = (c->at[k] + (index >> k & 1)) << (b->depth + 1 - c->level);
+    return lattice_key(at);
+}
+
+graze_pmc lattice_known(const struct graze_boundary *b, uint64_t key) {
+    size_t index = table_find(&b->points, key);
+    return index < b->points.count ? (graze_pmc)b->points.value[index] : GRAZE_PMC_NONE;
+}
+
+graze_status lattice_classify(graze_pmc *out, graze_context *context, struct graze_boundary *b,
+                              uint64_t key) {
+    *out = lattice_known(b, key);
+    if (*out)
+        return GRAZE_OK;
+    if (b->points.count + b->asked >= b->budget) {
+        b->complete = 0;
+        return GRAZE_OK;
+    }
+    graze_verdict verdict;
+    lattice_point(b->point, b, key);
+    graze_status status = graze_classify(&verdict, context, b->scene, (const mpq_t *)b->point, 1);
+    if (status)
+        return status;
+    *out = verdict.pmc;
+    b->known[verdict.pmc]++;
+    return table_add(&b->points, key, (unsigned char)verdict.pmc)
+               ? GRAZE_OK
+               : context_fail(context, GRAZE_ESYSTEM, "out of memory for the points of a boundary");
+}
+
+int cell_mixed(const struct graze_boundary *b, const cell *c) {
+    int out = 0, rest = 0;
+    for (unsigned k = 0; k < 1u << b->dimension; k++) {
+        graze_pmc pmc = lattice_known(b, cell_corner(b, c, k));
+        out |= pmc == GRAZE_OUT;
+        rest |= pmc != GRAZE_OUT;
+    }
+    return out && rest;
+}

@@ -1,0 +1,57 @@
+/* Open addressing with linear steps.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "boundary/table.h"
+
+#include <stdlib.h>
+
+void table_clear(table *t) {
+    free(t->key);
+    free(t->value);
+    free(t->slot);
+}
+
+/* The slot that holds a key, or the empty one where it would go. */
+static size_t slot_of(const table *t, uint64_t key) {
+    uint64_t mixed = (key ^ (key >> 31)) * 0x9e3779b97f4a7c15u;
+    size_t at = (size_t)(mixed >> 20) & (t->slots - 1);
+    while (t->slot[at] && t->key[t->slot[at] - 1] != key)
+        at = (at + 1) & (t->slots - 1);
+    return at;
+}
+
+size_t table_find(const table *t, uint64_t key) {
+    if (!t->slots)
+        return t->count;
+    size_t index = t->slot[slot_of(t, key)];
+    return index ? index - 1 : t->count;
+}
+
+static int grow(table *t) {
+    size_t capacity = t->capacity ? 2 * t->capacity : 1024;
+    uint64_t *key = realloc(t->key, capacity * sizeof *key);
+    t->key = key ? key : t->key;
+    unsigned char *value = key ? realloc(t->value, capacity) : NULL;
+    t->value = value ? value : t->value;
+    size_t *slot = value ? calloc(2 * capacity, sizeof *slot) : NULL;
+    if (!slot)
+        return 0;
+    free(t->slot);
+    t->slot = slot;
+    t->slots = 2 * capacity;
+    t->capacity = capacity;
+    for (size_t i = 0; i < t->count; i++)
+        t->slot[slot_of(t, t->key[i])] = i + 1;
+    return 1;
+}
+
+int table_add(table *t, uint64_t key, unsigned char value) {
+    if (t->count == t->capacity && !grow(t))
+        return 0;
+    t->key[t->count] = key;
+    t->value[t->count] = value;
+    size_t at = slot_of(t, key);
+    t->slot[at] = t->count + 1;
+    t->count++;
+    return 1;
+}

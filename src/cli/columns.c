@@ -1,0 +1,164 @@
+/* Fixes the columns of a file of points and reads its rows (formats: Points).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The first line is a header if it has a field x, y or (in E^3) z; else the first d columns are the
+ * coordinates. Further columns are handed on as the bytes they were.
+ */
+#include "cli/columns.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Cut a line into fields, or say what is wrong with it. */
+static int cut(fields *out, fault *f, const columns *c, field text, unsigned long number) {
+    if (memchr(text.start, '\0', text.length))
+        return fault_set(f, EXIT_INPUT, "%s:%lu: a byte 0 in a text file", c->name, number);
+    switch (fields_cut(out, text)) {
+    case FIELDS_CUT:
+        return EXIT_DONE;
+    case FIELDS_OPEN_QUOTE:
+        return fault_set(f, EXIT_INPUT,
+                         "%s:%lu: a quoted field must end on its line, before a comma or the "
+                         "line's end",
+                         c->name, number);
+    default:
+        return fault_set(f, EXIT_IO, "out of memory");
+    }
+}
+
+/* 0, 1, 2 for x, y, z; -1 for any other name. */
+static int axis_of(field f, int dimension) {
+    f = field_content(f);
+    if (f.length != 1 || *f.start < 'x' || *f.start >= 'x' + dimension)
+        return -1;
+    return *f.start - 'x';
+}
+
+static int is_coordinate(const columns *c, size_t column) {
+    for (int k = 0; k < c->dimension; k++)
+        if (c->where[k] == column)
+            return 1;
+    return 0;
+}
+
+/* Names for the fields that are no coordinates, comma-joined; numbers where there is no header. */
+static int name_others(fault *f, columns *c, const fields *first, int numbered) {
+    size_t room = 1;
+    if (first->count <= (size_t)c->dimension)
+        return EXIT_DONE;
+    for (size_t k = 0; k < first->count; k++)
+        room += (numbered ? 28 : first->item[k].length) + 1;
+    char *at = c->others = malloc(room);
+    int some = 0;
+    if (!at)
+        return fault_set(f, EXIT_IO, "out of memory");
+    for (size_t k = 0; k < first->count; k++) {
+        if (is_coordinate(c, k))
+            continue;
+        if (some)
+            *at++ = ',';
+        some = 1;
+        if (numbered) {
+            at += sprintf(at, "column%zu", k + 1);
+        } else {
+            memcpy(at, first->item[k].start, first->item[k].length);
+            at += first->item[k].length;
+        }
+    }
+    *at = '\0';
+    return EXIT_DONE;
+}
+
+/* Fix the columns by the first line; *header says whether it names them. */
+static int fix(int *header, fault *f, columns *c, const fields *first, unsigned long number) {
+    int found[3] = {0, 0, 0};
+    *header = 0;
+    for (int k = 0; k < 3; k++)
+        c->where[k] = (size_t)k;
+    for (size_t k = 0; k < first->count; k++) {
+        int axis = axis_of(first->item[k], c->dimension);
+        if (axis < 0)
+            continue;
+        if (found[axis]++)
+            return fault_set(f, EXIT_INPUT, "%s:%lu: the header names %c twice", c->name, number,
+                             'x' + axis);
+        c->where[axis] = k;
+        *header = 1;
+    }
+    for (int k = 0; *header && k < c->dimension; k++)
+        if (!found[k])
+            return fault_set(f, EXIT_INPUT, "%s:%lu: the header names no column %c", c->name,
+                             number, 'x' + k);
+    if (first->count < (size_t)c->dimension)
+        return fault_set(
+            f, EXIT_INPUT, "%s:%lu: %zu columns; right are at least %d, or a header naming x, y%s",
+            c->name, number, first->count, c->dimension, c->dimension == 3 ? ", z" : "");
+    c->count = first->count;
+    return name_others(f, c, first, !*header);
+}
+
+int columns_fix(int *header, fault *f, columns *c, field text, unsigned long number) {
+    fields first = {NULL, 0, 0};
+    int status = cut(&first, f, c, text, number);
+    if (!status)
+        status = fix(header, f, c, &first, number);
+    fields_clear(&first);
+    return status;
+}
+
+/* Add the fields that are no coordinates to `rest` as they were. They are shorter than the line. */
+static int keep_others(reader *r, const columns *c, size_t length) {
+    if (r->rest_capacity - r->rest_length <= length) {
+        size_t capacity = 2 * (r->rest_length + length) + 64;
+        char *grown = realloc(r->rest, capacity);
+        if (!grown)
+            return 0;
+        r->rest = grown;
+        r->rest_capacity = capacity;
+    }
+    char *at = r->rest + r->rest_length;
+    int some = 0;
+    for (size_t k = 0; k < r->cut.count; k++) {
+        if (is_coordinate(c, k))
+            continue;
+        if (some)
+            *at++ = ',';
+        some = 1;
+        memcpy(at, r->cut.item[k].start, r->cut.item[k].length);
+        at += r->cut.item[k].length;
+    }
+    *at++ = '\0';
+    r->rest_length = (size_t)(at - r->rest);
+    return 1;
+}
+
+int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index) {
+    const line *l = &b->lines[index];
+    int status = cut(&r->cut, f, c, (field){b->bytes + l->start, l->length}, l->number);
+    if (status)
+        return status;
+    if (r->cut.count != c->count)
+        return fault_set(f, EXIT_INPUT, "%s:%lu: %zu columns; right are %zu, as on the first line",
+                         c->name, l->number, r->cut.count, c->count);
+    for (int k = 0; k < c->dimension; k++) {
+        field token = field_content(r->cut.item[c->where[k]]);
+        graze_status read = graze_number_parse(point[k], r->context, token.start, token.length);
+        if (read)
+            return fault_set(f, read == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_INPUT, "%s:%lu: %c: %s",
+                             c->name, l->number, 'x' + k, graze_context_message(r->context));
+    }
+    return c->others && !keep_others(r, c, l->length) ? fault_set(f, EXIT_IO, "out of memory")
+                                                      : EXIT_DONE;
+}
+
+void reader_clear(reader *r) {
+    fields_clear(&r->cut);
+    free(r->rest);
+    *r = (reader){NULL, {NULL, 0, 0}, NULL, 0, 0};
+}
+
+void columns_clear(columns *c) {
+    free(c->others);
+    c->others = NULL;
+}

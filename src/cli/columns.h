@@ -1,0 +1,44 @@
+/* The columns of a file of points: which hold the coordinates, and what the others are called.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CLI_COLUMNS_H
+#define GRAZE_CLI_COLUMNS_H
+
+#include "cli/block.h"
+
+/** `count` is 0 until the first line has fixed them; nothing changes afterwards. */
+typedef struct columns {
+    const char *name; /* of the file, for messages; borrowed */
+    int dimension;
+    size_t count;
+    size_t where[3]; /* the columns of x, y, z */
+    char *others;    /* names of the further columns, comma-joined; NULL if none */
+} columns;
+
+/** What a thread reads rows with. The context is borrowed, the rest is freed by reader_clear. */
+typedef struct reader {
+    graze_context *context;
+    fields cut;
+    char *rest; /* further columns of the rows of a run, each with a NUL */
+    size_t rest_length, rest_capacity;
+} reader;
+
+void reader_clear(reader *r);
+void columns_clear(columns *c);
+
+/**
+ * Fix the columns by the first line of a file that is neither blank nor a comment.
+ * @param[out] header 1 if the line names the columns, 0 if it is a row
+ * @return EXIT_DONE, or the status of the fault, which names file and line
+ */
+int columns_fix(int *header, fault *f, columns *c, field text, unsigned long number);
+
+/**
+ * Read a line of a block. Any thread may ask, once the columns are fixed.
+ * @param[out] point as many initialised rationals as the points have coordinates
+ * @param r          the further columns are added to `rest` where there are any
+ * @return EXIT_DONE, or the status of the fault, which names file and line
+ */
+int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index);
+
+#endif

@@ -1,0 +1,158 @@
+/* graze merge: the parts of a table put together, byte for byte what one run would have written.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Rows were dealt to the shards in turn (shard.h) and are taken from the parts in turn. All that
+ * heads and last lines tell is checked before the first byte is written.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "cli/cli.h"
+#include "cli/interrupt.h"
+#include "cli/part.h"
+#include "cli/progress.h"
+
+static const char help[] =
+    "graze merge PART...: one table of the tables of graze classify --shard\n"
+    "\n"
+    "The parts may come in any order. All n of them must be there, each once, whole, and of one\n"
+    "run: the same scene, options and points. The table is what the run without --shard writes.\n"
+    "\n"
+    "  --output FILE        write there instead of to standard output\n"
+    "  --quiet              no progress on the terminal\n"
+    "\n"
+    "Example: for i in 1 2 3; do\n"
+    "           graze classify cube.off move.json points.csv --shard $i/3 --output part-$i.csv\n"
+    "         done\n"
+    "         graze merge part-*.csv > table.csv\n";
+
+typedef struct merger {
+    part *parts; /* part i is that of shard i */
+    size_t count;
+    output out;
+    int opened;
+} merger;
+
+/* Where two parts of one run cannot differ. */
+static int compare(const part *a, const part *b) {
+    const char *x = a->head, *y = b->head;
+    if (a->shard.count != b->shard.count)
+        return complain(EXIT_INPUT, "%s is a shard of %lu and %s one of %lu: of different runs",
+                        a->path, a->shard.count, b->path, b->shard.count);
+    while (*x || *y) {
+        size_t n = strcspn(x, "\n"), m = strcspn(y, "\n");
+        if (n != m || memcmp(x, y, n) != 0)
+            return complain(
+                EXIT_INPUT, "%s says `%.*s` and %s says `%.*s`: they are of different runs",
+                a->path, (int)(n < 200 ? n : 200), x, b->path, (int)(m < 200 ? m : 200), y);
+        x += n + (x[n] == '\n');
+        y += m + (y[m] == '\n');
+    }
+    if (a->rows_of_all != b->rows_of_all || strcmp(a->checksum, b->checksum) != 0)
+        return complain(EXIT_INPUT, "%s and %s were made from different points", a->path, b->path);
+    return EXIT_DONE;
+}
+
+/* Open the parts in the order given, and put them into that of the shards. */
+static int open_parts(merger *m, const options *o) {
+    m->parts = calloc((size_t)o->operand_count, sizeof *m->parts);
+    if (!m->parts)
+        return complain(EXIT_IO, "out of memory");
+    for (int k = 0; k < o->operand_count; k++) {
+        int status = part_open(&m->parts[m->count++], o->operands[k]);
+        if (!status && k > 0)
+            status = compare(&m->parts[0], &m->parts[k]);
+        if (status)
+            return status;
+    }
+    return EXIT_DONE;
+}
+
+static int by_shard(const void *a, const void *b) {
+    unsigned long i = ((const part *)a)->shard.index, j = ((const part *)b)->shard.index;
+    return (i > j) - (i < j);
+}
+
+/* Each shard once. */
+static int check_parts(merger *m) {
+    unsigned long count = m->parts[0].shard.count;
+    qsort(m->parts, m->count, sizeof *m->parts, by_shard);
+    for (size_t k = 1; k < m->count; k++)
+        if (m->parts[k].shard.index == m->parts[k - 1].shard.index)
+            return complain(EXIT_INPUT, "%s and %s are both shard %lu/%lu", m->parts[k - 1].path,
+                            m->parts[k].path, m->parts[k].shard.index + 1, count);
+    for (size_t k = 0; k < count; k++)
+        if (k >= m->count || m->parts[k].shard.index != k)
+            return complain(EXIT_INPUT, "shard %zu/%lu is missing; %zu of %lu parts are given",
+                            k + 1, count, m->count, count);
+    return EXIT_DONE;
+}
+
+/* The output must not empty a part. */
+static int check_output(const merger *m, const char *path) {
+    struct stat out, in;
+    if (!path || stat(path, &out) != 0)
+        return EXIT_DONE;
+    for (size_t k = 0; k < m->count; k++)
+        if (stat(m->parts[k].path, &in) == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+            return complain(EXIT_USAGE, "--output %s: is a part", path);
+    return EXIT_DONE;
+}
+
+static int put_rows(merger *m, const options *o) {
+    unsigned long rows = m->parts[0].rows_of_all, row = 0;
+    int status = EXIT_DONE;
+    progress line;
+    progress_start(&line, o->quiet, 0, (portion){0, rows});
+    for (; row < rows && !status && !m->out.error; row++) {
+        status =
+            interrupt_signal() ? EXIT_SIGNAL : part_copy_row(&m->parts[row % m->count], &m->out);
+        if (row % 4096 == 0)
+            progress_show(&line, row, (portion){row, rows});
+    }
+    progress_end(&line, row, (portion){row, rows});
+    for (size_t k = 0; k < m->count && !status && !m->out.error; k++)
+        status = part_end(&m->parts[k]);
+    return status;
+}
+
+static int merge(merger *m, const options *o) {
+    int status = open_parts(m, o);
+    if (!status)
+        status = check_parts(m);
+    if (!status)
+        status = check_output(m, o->output);
+    if (!status)
+        status = output_open(&m->out, o->output);
+    m->opened = !status;
+    if (status)
+        return status;
+    output_put(&m->out, m->parts[0].head);
+    status = put_rows(m, o);
+    char text[40];
+    snprintf(text, sizeof text, "# complete %lu\n", m->parts[0].rows_of_all);
+    if (!status)
+        output_put(&m->out, text);
+    return status;
+}
+
+static int run(const options *o) {
+    if (o->operand_count < 1)
+        return complain(EXIT_USAGE, "merge takes the parts of a table; see graze merge --help");
+    merger *m = calloc(1, sizeof *m);
+    if (!m)
+        return complain(EXIT_IO, "out of memory");
+    int status = merge(m, o);
+    if (m->opened) {
+        int closed = output_close(&m->out);
+        status = closed ? closed : status;
+    }
+    for (size_t k = 0; k < m->count; k++)
+        part_close(&m->parts[k]);
+    free(m->parts);
+    free(m);
+    return status;
+}
+
+const command command_merge = {"merge", "oQ", help, run};

@@ -1,0 +1,37 @@
+/* A part: the table of one shard, as graze merge reads it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A part is a plain file that is open only while it is read from, so that there is no limit to how
+ * many there are. What its head and its last lines say is known before its rows are read, and the
+ * rows are held to it.
+ */
+#ifndef GRAZE_CLI_PART_H
+#define GRAZE_CLI_PART_H
+
+#include "cli/output.h"
+#include "cli/shard.h"
+
+typedef struct part {
+    const char *path;
+    shard shard;
+    char *head; /* without its `# shard` line; malloc'ed */
+    size_t head_length;
+    unsigned long rows, rows_of_all;
+    char checksum[32];  /* of the points, as text */
+    long long at, size; /* the next byte to read; all bytes */
+    char *buffer;       /* malloc'ed */
+    size_t from, to;    /* bytes of it that are read and not yet used */
+} part;
+
+/** Read head and last lines, and see that they fit together. Returns an exit status and says what
+ * is wrong: EXIT_INPUT it is no part, or not a whole one. part_close frees it in any case. */
+int part_open(part *p, const char *path);
+void part_close(part *p);
+
+/** Copy the next row. EXIT_INPUT: there is none. */
+int part_copy_row(part *p, output *out);
+
+/** All rows are copied. EXIT_INPUT: there are more. */
+int part_end(part *p);
+
+#endif

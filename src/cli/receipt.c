@@ -1,0 +1,153 @@
+/* Writes receipts, and loads scenes by them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "cli/receipt.h"
+
+#include <errno.h>
+#include <sha256.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cli/output.h"
+
+/* A receipt has fewer bytes than that. */
+enum { RECEIPT = 1024, HASH = 32 };
+
+static const char first_line[] = "graze receipt 1\n";
+static const char solid_key[] = "\nsolid-sha256 ";
+static const char checksum_key[] = "\nchecksum ";
+
+static void put(char *text, const char *more) {
+    strncat(text, more, RECEIPT - strlen(text) - 1);
+}
+
+static void put_hex(char *text, const char *key, const unsigned char hash[HASH]) {
+    char hex[2 * HASH + 1];
+    for (size_t k = 0; k < HASH; k++)
+        snprintf(hex + 2 * k, 3, "%02x", hash[k]);
+    put(text, key);
+    put(text, hex);
+}
+
+/* The checksum is of everything before its line. */
+static void put_checksum(char *text) {
+    SHA2_CTX sha;
+    unsigned char hash[HASH];
+    SHA256Init(&sha);
+    SHA256Update(&sha, (const uint8_t *)text, strlen(text));
+    SHA256Final(hash, &sha);
+    put_hex(text, checksum_key, hash);
+    put(text, "\n");
+}
+
+static void make(char text[RECEIPT], const graze_scene *scene, const options *o) {
+    static const char *const rounding[] = {"none", "binary64", "binary32"};
+    graze_hashes hashes = graze_scene_hashes(scene);
+    *text = '\0';
+    put(text, first_line);
+    put(text, "version " GRAZE_VERSION);
+    put_hex(text, solid_key, hashes.solid);
+    put_hex(text, "\nmotion-sha256 ", hashes.motion);
+    put_hex(text, "\nscene-sha256 ", hashes.scene);
+    put(text, o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "\ntriangulate yes" : "\ntriangulate no");
+    put(text, "\nround ");
+    put(text, rounding[o->rounding]);
+    put_checksum(text);
+}
+
+int receipt_write(const loaded *l, const options *o) {
+    char text[RECEIPT];
+    output *out = malloc(sizeof *out);
+    if (!out)
+        return complain(EXIT_IO, "out of memory");
+    make(text, l->scene, o);
+    int status = output_open(out, o->receipt);
+    if (!status) {
+        output_put(out, text);
+        status = output_close(out);
+    }
+    free(out);
+    return status;
+}
+
+/* Does the text end with the checksum of what is before it? */
+static int is_intact(const char *text) {
+    char again[RECEIPT];
+    const char *end = strstr(text, checksum_key);
+    if (strncmp(text, first_line, strlen(first_line)) != 0 || !end)
+        return 0;
+    snprintf(again, sizeof again, "%.*s", (int)(end - text), text);
+    put_checksum(again);
+    return strcmp(text, again) == 0;
+}
+
+static int read_text(char text[RECEIPT], const char *path) {
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return complain(EXIT_IO, "%s: cannot be opened: %s", path, strerror(errno));
+    size_t length = fread(text, 1, RECEIPT - 1, file);
+    text[length] = '\0';
+    int failed = ferror(file);
+    if (failed)
+        complain(EXIT_IO, "%s: reading failed: %s", path, strerror(errno));
+    fclose(file);
+    if (failed)
+        return EXIT_IO;
+    if (strlen(text) != length || !is_intact(text))
+        return complain(EXIT_INPUT,
+                        "%s: is no receipt of graze check --receipt, or not as that wrote it",
+                        path);
+    return EXIT_DONE;
+}
+
+/* The value of 64 hexadecimal digits behind the key; 0 if there are none. */
+static int read_hash(unsigned char hash[HASH], const char *text, const char *key) {
+    const char *at = strstr(text, key);
+    for (size_t k = 0; k < HASH; k++) {
+        unsigned value;
+        if (!at || sscanf(at + strlen(key) + 2 * k, "%2x", &value) != 1)
+            return 0;
+        hash[k] = (unsigned char)value;
+    }
+    return 1;
+}
+
+static int is_known(const char *line) {
+    return strncmp(line, "version", 7) == 0 || strncmp(line, "triangulate", 11) == 0 ||
+           strncmp(line, "round", 5) == 0;
+}
+
+/* Name the line at which a receipt is not that of this run; without a scene only the lines that are
+ * known before it is read. */
+static int compare(const char *path, const char *there, const graze_scene *scene,
+                   const options *o) {
+    char mine[RECEIPT];
+    const char *here = mine;
+    make(mine, scene, o);
+    while (*there || *here) {
+        size_t n = strcspn(there, "\n"), m = strcspn(here, "\n");
+        if ((scene || is_known(here)) && (n != m || memcmp(there, here, n) != 0))
+            return complain(
+                EXIT_INPUT,
+                "%s: is a receipt for `%.*s`, and this run has `%.*s`; right is one for "
+                "this solid, motion and these options",
+                path, (int)n, there, (int)m, here);
+        there += n + (there[n] == '\n');
+        here += m + (here[m] == '\n');
+    }
+    return EXIT_DONE;
+}
+
+int receipt_load(loaded *out, const options *o) {
+    char text[RECEIPT];
+    unsigned char solid[HASH];
+    memset(out, 0, sizeof *out);
+    int status = read_text(text, o->receipt);
+    if (!status && !read_hash(solid, text, solid_key))
+        status = complain(EXIT_INPUT, "%s: names no solid", o->receipt);
+    if (!status)
+        status = compare(o->receipt, text, NULL, o);
+    if (!status)
+        status = load(out, o, EXIT_INPUT, solid);
+    return status ? status : compare(o->receipt, text, out->scene, o);
+}

@@ -1,0 +1,45 @@
+/* The table that classify writes: begun anew, or continued where an earlier run was interrupted.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A table that is continued has the head this run would write, to the byte, and its last whole row
+ * is the one this run makes of the same point. Until both are known nothing in the file changes.
+ */
+#ifndef GRAZE_CLI_RESULTS_H
+#define GRAZE_CLI_RESULTS_H
+
+#include "cli/output.h"
+
+typedef struct results {
+    output out;
+    int opened;
+    const char *resumed; /* the file that is continued, or NULL */
+    unsigned long rows;  /* rows written, or taken over from an earlier run */
+    char *head;          /* what the file had of a head; malloc'ed */
+    size_t head_length;
+    int head_whole;       /* it ends with the column line */
+    char *last;           /* the last whole row there was, until it is made again; malloc'ed */
+    size_t last_length;   /* with its newline */
+    long long last_start; /* byte of the file */
+} results;
+
+/** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
+ * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is no table, or it is
+ * whole already. `t` is zeroed before; results_close ends it in any case. */
+int results_open(results *t, const char *path, const char *resumed);
+
+/** The rows that need not be made again. The last one there is made again, as a check. */
+unsigned long results_skip(const results *t);
+
+/** Write the head, or see that it is the one there. EXIT_INPUT: it is not. */
+int results_begin(results *t, const char *head);
+
+/** Add whole rows. EXIT_INPUT: the first one is not the last one there. */
+int results_add(results *t, const char *text, size_t length, unsigned long rows);
+
+/** Nothing will be added. EXIT_INPUT: there were rows for which this run has no points. */
+int results_end(results *t);
+
+/** Flush and close. Returns `status`, or why the writing failed. */
+int results_close(results *t, int status);
+
+#endif

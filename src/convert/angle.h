@@ -1,0 +1,53 @@
+/* Half angles as exact pairs (w, c), and proved bounds on how far they are from what was asked for.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A rotation about the axis v of length L by the angle a has the quaternion (w, c v) for every pair
+ * with w + i c L a positive multiple of exp(i a/2). Angles are asked for as exact fractions f of a
+ * whole turn of the half angle: a/2 = 2 pi f. MPFR's results carry at most half a unit in the last
+ * of ANGLE_BITS bits; a chain of at most eight operations on numbers up to 8 in size is off by less
+ * than ANGLE_SLACK = 2^-300, which is added to every bound; all further steps round up.
+ */
+#ifndef GRAZE_CONVERT_ANGLE_H
+#define GRAZE_CONVERT_ANGLE_H
+
+#include <flint/fmpq.h>
+#include <mpfr.h>
+
+enum { ANGLE_BITS = 320, ANGLE_SLACK = 300, ANGLE_FINEST = 256 };
+
+/** The pair (w, c). With it goes `square`, the exact square of the axis's length L > 0. */
+typedef struct half_angle {
+    fmpq_t w, c;
+} half_angle;
+
+void half_angle_init(half_angle *h);
+void half_angle_clear(half_angle *h);
+
+/** The pair on the dyadic grid: w + i c L is within 2^-bits of exp(2 pi i f). bits <= ANGLE_FINEST.
+ */
+void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slong bits);
+
+/**
+ * w = 1 and c a convergent of the continued fraction of tan(2 pi f) / L, the first of them whose
+ * angle is within `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <= 1/8.
+ */
+void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
+                           const fmpq_t tolerance);
+
+/** An upper bound of |2 arg(w + i c L) - 4 pi f| modulo whole turns of the half angle, radians. */
+void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square);
+
+/**
+ * An upper bound, radians, of how far the angle 2 arg((1 - s) z0 + s z1), s in [0, 1], strays from
+ * the uniform 2 ((1 - s) arg z0 + s arg z1), where z = w + i c L and z0, z1 are at most 90 degrees
+ * apart (proof in angle.c).
+ */
+void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to, const fmpq_t square);
+
+/** The multiple of 2^-bits nearest to a number, ties to even. */
+void round_to_grid(fmpq_t out, const mpfr_t value, slong bits);
+
+/** An upper bound of the root of a number that is not negative. */
+void root_above(mpfr_t out, const fmpq_t square);
+
+#endif

@@ -1,0 +1,215 @@
+/* Reads lists of poses.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "context/file.h"
+#include "convert/poses.h"
+#include "number/rational.h"
+
+enum { TIME = 0, POSITION = 1, QUATERNION = 4, MATRIX = 8, COLUMNS = 24 };
+static const char *const names[COLUMNS] = {"t",   "x",   "y",   "z",   "qw",  "qx",  "qy",  "qz",
+                                           "m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13",
+                                           "m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"};
+
+/* Bytes of a file between two places. */
+typedef struct slice {
+    const char *start, *end;
+} slice;
+
+typedef struct reading {
+    graze_context *context;
+    pose_list *list;
+    size_t capacity;
+    unsigned long line;
+    int place[COLUMNS]; /* of each known column in the file, or -1 */
+} reading;
+
+static slice trimmed(slice s) {
+    while (s.start < s.end && strchr(" \t\r", *s.start))
+        s.start++;
+    while (s.start < s.end && strchr(" \t\r", s.end[-1]))
+        s.end--;
+    return s;
+}
+
+/* The next field of a line, or line, up to `stop`; `rest` goes past it. */
+static slice next(slice *rest, char stop) {
+    size_t length = (size_t)(rest->end - rest->start);
+    const char *end = length ? memchr(rest->start, stop, length) : NULL;
+    slice out = {rest->start, end ? end : rest->end};
+    rest->start = end ? end + 1 : NULL;
+    return trimmed(out);
+}
+
+static graze_status misses(const reading *r, const char *what) {
+    return context_fail(r->context, GRAZE_EINPUT,
+                        "%s:%lu: the column %s is missing; right are "
+                        "qw,qx,qy,qz with or without x,y,z, or m00 to m23",
+                        r->list->source, r->line, what);
+}
+
+/* All or none of the columns from `first` on. */
+static graze_status whole(const reading *r, int first, int count, int *some) {
+    int missing = -1, found = 0;
+    for (int k = first; k < first + count; k++) {
+        found += r->place[k] >= 0;
+        missing = r->place[k] < 0 ? k : missing;
+    }
+    *some = found == count;
+    return found && found < count ? misses(r, names[missing]) : GRAZE_OK;
+}
+
+static graze_status read_names(reading *r, slice line) {
+    for (int k = 0; k < COLUMNS; k++)
+        r->place[k] = -1;
+    for (int place = 0; line.start; place++) {
+        slice name = next(&line, ',');
+        size_t length = (size_t)(name.end - name.start);
+        for (int k = 0; k < COLUMNS; k++) {
+            if (strlen(names[k]) != length || memcmp(names[k], name.start, length) != 0)
+                continue;
+            if (r->place[k] >= 0)
+                return context_fail(r->context, GRAZE_EINPUT,
+                                    "%s:%lu: the column %s stands there twice; right is once",
+                                    r->list->source, r->line, names[k]);
+            r->place[k] = place;
+        }
+    }
+    int positions = 0, quaternions = 0, matrices = 0, bottom = 0;
+    graze_status status = whole(r, POSITION, 3, &positions);
+    if (!status)
+        status = whole(r, QUATERNION, 4, &quaternions);
+    if (!status)
+        status = whole(r, MATRIX, 12, &matrices);
+    if (!status)
+        status = whole(r, MATRIX + 12, 4, &bottom);
+    if (!status && !quaternions && !matrices)
+        status = misses(r, names[QUATERNION]);
+    if (!status && matrices && (quaternions || positions))
+        status = context_fail(r->context, GRAZE_EINPUT,
+                              "%s:%lu: there are matrices and other poses; right is one of them",
+                              r->list->source, r->line);
+    r->list->has_matrices = matrices;
+    return status;
+}
+
+static pose *append(reading *r) {
+    pose_list *list = r->list;
+    if (list->count == r->capacity) {
+        size_t capacity = r->capacity ? 2 * r->capacity : 64;
+        pose *item = realloc(list->item, capacity * sizeof *item);
+        if (!item)
+            return NULL;
+        list->item = item;
+        r->capacity = capacity;
+    }
+    pose *p = list->item + list->count++;
+    fmpq_init(p->time);
+    for (int k = 0; k < 12; k++)
+        fmpq_init(p->matrix + k);
+    for (int k = 0; k < 4; k++)
+        fmpq_init(p->quaternion + k);
+    fmpq_set_ui(p->time, list->count - 1, 1);
+    p->line = r->line;
+    return p;
+}
+
+/* Where the value of a known column goes; the last row of a matrix goes nowhere. */
+static fmpq *target_of(pose *p, int column) {
+    if (column == TIME)
+        return p->time;
+    if (column < QUATERNION)
+        return p->matrix + 4 * (column - POSITION) + 3;
+    if (column < MATRIX)
+        return p->quaternion + (column - QUATERNION);
+    return column < MATRIX + 12 ? p->matrix + (column - MATRIX) : NULL;
+}
+
+static graze_status read_value(const reading *r, pose *p, int column, slice field) {
+    fmpq_t value;
+    fmpq_init(value);
+    graze_status status =
+        rational_parse(value, r->context, field.start, (size_t)(field.end - field.start));
+    fmpq *to = target_of(p, column);
+    if (status)
+        status =
+            context_at(r->context, status, "%s:%lu: %s", r->list->source, r->line, names[column]);
+    else if (to)
+        fmpq_set(to, value);
+    else if (column == COLUMNS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
+        status = context_fail(r->context, GRAZE_EINPUT,
+                              "%s:%lu: %s: the last row of a matrix must be 0, 0, 0, 1",
+                              r->list->source, r->line, names[column]);
+    fmpq_clear(value);
+    return status;
+}
+
+static graze_status read_pose(reading *r, slice line) {
+    if (r->list->count >= r->context->limits[GRAZE_LIMIT_PIECES])
+        return context_limit(r->context, GRAZE_LIMIT_PIECES, "a list of poses");
+    pose *p = append(r);
+    if (!p)
+        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
+    graze_status status = GRAZE_OK;
+    int needed = 0;
+    for (int k = 0; k < COLUMNS; k++)
+        needed = r->place[k] > needed ? r->place[k] : needed;
+    int place = 0;
+    for (; line.start && !status; place++) {
+        slice field = next(&line, ',');
+        for (int k = 0; k < COLUMNS && !status; k++)
+            if (r->place[k] == place)
+                status = read_value(r, p, k, field);
+    }
+    if (!status && place <= needed)
+        status = context_fail(r->context, GRAZE_EINPUT,
+                              "%s:%lu: the row has %d fields; right are as many as there are names",
+                              r->list->source, r->line, place);
+    if (!status && r->list->count > 1 && fmpq_cmp(p[-1].time, p->time) >= 0)
+        status = context_fail(r->context, GRAZE_EINPUT,
+                              "%s:%lu: the time is not after that of line %lu; right are "
+                              "increasing times",
+                              r->list->source, r->line, p[-1].line);
+    return status;
+}
+
+graze_status poses_read(pose_list *out, graze_context *context, const char *path) {
+    memset(out, 0, sizeof *out);
+    out->source = path;
+    char *text = NULL;
+    size_t length;
+    unsigned char sha256[32];
+    graze_status status = file_read(&text, &length, sha256, context, path);
+    reading r = {.context = context, .list = out};
+    int named = 0;
+    size_t mark = !status && length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    slice rest = {status ? NULL : text + mark, status ? NULL : text + length};
+    while (rest.start && !status) {
+        r.line++;
+        slice line = next(&rest, '\n');
+        if (line.start == line.end || *line.start == '#')
+            continue;
+        status = named ? read_pose(&r, line) : read_names(&r, line);
+        named = 1;
+    }
+    if (!status && out->count < 2)
+        status =
+            context_fail(context, GRAZE_EINPUT,
+                         "%s: there are %zu poses; right are at least 2, under a line of names",
+                         path, out->count);
+    free(text);
+    return status;
+}
+
+void poses_clear(pose_list *list) {
+    for (size_t i = 0; i < list->count; i++) {
+        pose *p = list->item + i;
+        fmpq_clear(p->time);
+        for (int k = 0; k < 12; k++)
+            fmpq_clear(p->matrix + k);
+        for (int k = 0; k < 4; k++)
+            fmpq_clear(p->quaternion + k);
+    }
+    free(list->item);
+}

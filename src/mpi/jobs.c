@@ -1,0 +1,227 @@
+/* The jobs of rows.h, done by the other ranks; and what such a rank does.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Of rank 0 and another one at most one sends to the other at any time: a rank that has no run
+ * waits for one, and one that has sends nothing but its answer. So no two wait for each other.
+ * With one rank alone it answers by itself.
+ */
+#include <mpi.h>
+#include <stdlib.h>
+#include "cli/interrupt.h"
+#include "cli/receipt.h"
+#include "mpi/message.h"
+#include "mpi/ranks.h"
+
+/* What a rank is at: a run of a block, or nothing. */
+typedef struct errand {
+    block *block;
+    size_t first;
+} errand;
+
+struct jobs {
+    answerer alone; /* where there is no other rank */
+    const columns *columns;
+    block *first, *last; /* blocks with rows that nobody has, in order */
+    size_t left;         /* the number of those rows */
+    int ranks;           /* other than this one */
+    int serving;         /* they wait for runs */
+    int failed;          /* memory ran short */
+    message message;
+    errand errands[]; /* of rank k at k - 1 */
+};
+
+static int told;
+
+void ranks_release(int status) {
+    if (!told)
+        MPI_Bcast(&status, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    told = 1;
+}
+
+static int rank_count(void) {
+    int size;
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+    return size;
+}
+
+int jobs_width(const options *o) {
+    (void)o;
+    return rank_count();
+}
+
+int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source) {
+    int others = rank_count() - 1, mine = EXIT_DONE, worst;
+    jobs *j = calloc(1, sizeof *j + (size_t)others * sizeof(errand));
+    *out = j;
+    if (!j)
+        return complain(EXIT_IO, "out of memory");
+    j->ranks = others;
+    j->columns = source.columns;
+    int status = answerer_init(&j->alone, o, scene, source);
+    ranks_release(status);
+    if (status)
+        return status;
+    MPI_Allreduce(&mine, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    j->serving = !worst;
+    return worst ? complain(worst, "a rank cannot begin; its message says why") : EXIT_DONE;
+}
+
+void jobs_submit(jobs *j, block *b) {
+    if (j->first)
+        j->last->after = b;
+    else
+        j->first = b;
+    j->last = b;
+    j->left += b->count;
+}
+
+/* Take the next rows that nobody has: many at first, few towards the end. */
+static errand take(jobs *j) {
+    block *b = j->first;
+    size_t share = j->left / (4 * (size_t)(j->ranks ? j->ranks : 1)), in_block = b->count - b->next;
+    errand mine = {b, b->next};
+    share = share < 1 ? 1 : share < RUN_ROWS ? share : RUN_ROWS;
+    share = share < in_block ? share : in_block;
+    b->runs[b->next].taken = share;
+    b->next += share;
+    b->busy++;
+    j->left -= share;
+    if (share == in_block)
+        j->first = b->after;
+    return mine;
+}
+
+static void hand_out(jobs *j) {
+    for (int k = 0; k < j->ranks && j->first && !interrupt_signal() && !j->failed; k++) {
+        errand *e = &j->errands[k];
+        if (e->block)
+            continue;
+        *e = take(j);
+        if (message_put_run(&j->message, e->block, e->first, j->columns)) {
+            MPI_Send(j->message.bytes, (int)j->message.length, MPI_BYTE, k + 1, MESSAGE_RUN,
+                     MPI_COMM_WORLD);
+            continue;
+        }
+        j->failed = 1;
+        fault_set(&e->block->runs[e->first].fault, EXIT_IO, "out of memory");
+        e->block->busy--;
+        e->block = NULL;
+    }
+}
+
+/* Receive a message from anyone or from one rank; its sender, or -1 when memory is short. */
+static int receive(message *m, int from, int *kind) {
+    MPI_Status about;
+    int length;
+    MPI_Probe(from, MPI_ANY_TAG, MPI_COMM_WORLD, &about);
+    MPI_Get_count(&about, MPI_BYTE, &length);
+    if (!message_reserve(m, (size_t)length))
+        return -1;
+    m->length = (size_t)length;
+    MPI_Recv(m->bytes, length, MPI_BYTE, about.MPI_SOURCE, about.MPI_TAG, MPI_COMM_WORLD,
+             MPI_STATUS_IGNORE);
+    *kind = about.MPI_TAG;
+    return about.MPI_SOURCE;
+}
+
+/* Out of memory between two ranks leaves neither a way to say so. */
+static void give_up(void) {
+    complain(EXIT_IO, "out of memory");
+    MPI_Abort(MPI_COMM_WORLD, EXIT_IO);
+}
+
+static void take_answer(jobs *j) {
+    int kind, rank = receive(&j->message, MPI_ANY_SOURCE, &kind);
+    if (rank < 0) {
+        give_up();
+        return;
+    }
+    errand *e = &j->errands[rank - 1];
+    row_run *r = &e->block->runs[e->first];
+    if (!message_get_answer(&j->message, r))
+        fault_set(&r->fault, EXIT_IO, "out of memory");
+    e->block->busy--;
+    e->block = NULL;
+}
+
+void jobs_wait(jobs *j, const block *b) {
+    while (b->busy || (b->next < b->count && !interrupt_signal() && !j->failed)) {
+        if (j->ranks) {
+            hand_out(j);
+            if (b->busy)
+                take_answer(j);
+        } else {
+            errand mine = take(j);
+            answer(&j->alone, mine.block, mine.first);
+            mine.block->busy--;
+        }
+    }
+}
+
+void jobs_stop(jobs *j) {
+    if (!j)
+        return;
+    for (int k = 0; k < j->ranks; k++)
+        while (j->errands[k].block)
+            take_answer(j);
+    for (int k = 0; j->serving && k < j->ranks; k++)
+        MPI_Send(NULL, 0, MPI_BYTE, k + 1, MESSAGE_STOP, MPI_COMM_WORLD);
+    answerer_clear(&j->alone);
+    message_clear(&j->message);
+    free(j);
+}
+
+/* Answer the run at hand; 0 when memory is short. */
+static int serve_run(answerer *a, columns *c, block *b, message *m) {
+    if (!message_get_run(m, b, c))
+        return 0;
+    answer(a, b, 0);
+    if (!message_put_answer(m, &b->runs[0]))
+        return 0;
+    MPI_Send(m->bytes, (int)m->length, MPI_BYTE, 0, MESSAGE_ANSWER, MPI_COMM_WORLD);
+    return 1;
+}
+
+/* Answer one run after another until rank 0 says that it was the last. */
+static void serve(answerer *a, columns *c) {
+    message m = {NULL, 0, 0};
+    block *b = block_create();
+    int kind = MESSAGE_RUN, good = b != NULL;
+    while (good && kind != MESSAGE_STOP) {
+        good = receive(&m, 0, &kind) == 0;
+        if (good && kind == MESSAGE_RUN)
+            good = serve_run(a, c, b, &m);
+    }
+    if (!good)
+        give_up();
+    block_destroy(b);
+    message_clear(&m);
+}
+
+int ranks_serve(const options *o) {
+    int first, worst;
+    MPI_Bcast(&first, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    if (first)
+        return EXIT_DONE;
+    loaded l;
+    grid *g = NULL;
+    answerer a;
+    columns c = {o->grid ? "" : o->operands[2], 0, 0, {0, 0, 0}, NULL};
+    int status = o->receipt ? receipt_load(&l, o) : load(&l, o, EXIT_INPUT, NULL);
+    int ready = 0;
+    if (!status && o->grid)
+        status = grid_open(&g, o, l.context, l.scene);
+    if (!status) {
+        c.dimension = graze_scene_dimension(l.scene);
+        status = answerer_init(&a, o, l.scene, (row_source){o->grid ? NULL : &c, g, o->part});
+        ready = 1;
+    }
+    MPI_Allreduce(&status, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    if (!worst)
+        serve(&a, &c);
+    if (ready)
+        answerer_clear(&a);
+    grid_close(g);
+    unload(&l);
+    return status;
+}

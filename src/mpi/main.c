@@ -1,0 +1,62 @@
+/* graze-mpi: graze classify with the rows answered by many ranks.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <fcntl.h>
+#include <mpi.h>
+#include <stdio.h>
+#include <unistd.h>
+#include "cli/interrupt.h"
+#include "cli/output.h"
+#include "mpi/ranks.h"
+
+static const char help[] =
+    "mpirun -n N graze-mpi SOLID MOTION POINTS: graze classify on N ranks\n"
+    "\n"
+    "Rank 0 reads the points and writes the table; the other ranks answer rows, a few at a time,\n"
+    "so that none waits for a slower one. So N is the number of cores and one. The table is what\n"
+    "graze classify writes, to the byte; its options hold here too, but for --jobs.\n"
+    "SOLID and MOTION are read by every rank, POINTS and - by rank 0.\n"
+    "\n"
+    "Example: mpirun -n 17 graze-mpi cube.off move.json points.csv --output table.csv\n";
+
+/* All ranks have the same options, of whose faults the first one tells. */
+static int read_options(options *o, int *show_help, int rank, int argc, char **argv) {
+    int kept = rank ? dup(STDERR_FILENO) : -1, none = rank ? open("/dev/null", O_WRONLY) : -1;
+    if (kept >= 0 && none >= 0)
+        dup2(none, STDERR_FILENO);
+    int status = options_read(o, show_help, &command_classify, argc, argv);
+    if (kept >= 0 && none >= 0)
+        dup2(kept, STDERR_FILENO);
+    if (kept >= 0)
+        close(kept);
+    if (none >= 0)
+        close(none);
+    return status;
+}
+
+/* The first rank tells the others how it went if it never came to ask them for rows. */
+static int run(const options *o, int rank) {
+    int status = rank ? ranks_serve(o) : command_classify.run(o);
+    if (!rank)
+        ranks_release(status ? status : EXIT_FAULT);
+    return status;
+}
+
+int main(int argc, char **argv) {
+    int rank, show_help, status;
+    options o;
+    output_guard_standard();
+    if (MPI_Init(&argc, &argv) != MPI_SUCCESS || interrupt_watch() != 0)
+        return complain(EXIT_IO, "MPI cannot begin");
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    status = read_options(&o, &show_help, rank, argc, argv);
+    if (!status && show_help && rank == 0)
+        fputs(help, stdout);
+    if (!status && !show_help)
+        status = run(&o, rank);
+    options_clear(&o);
+    MPI_Finalize();
+    if (status == EXIT_SIGNAL && rank == 0)
+        interrupt_die();
+    return status == EXIT_SIGNAL ? EXIT_DONE : status;
+}

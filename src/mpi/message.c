@@ -1,0 +1,116 @@
+/* Packs runs of rows and answers (message.h). All ranks run the same program on the same kind of
+ * machine, so numbers travel as they are in memory.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "mpi/message.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void message_clear(message *m) {
+    free(m->bytes);
+    *m = (message){NULL, 0, 0};
+}
+
+int message_reserve(message *m, size_t length) {
+    if (m->capacity >= length)
+        return 1;
+    char *grown = realloc(m->bytes, 2 * length);
+    if (!grown)
+        return 0;
+    m->bytes = grown;
+    m->capacity = 2 * length;
+    return 1;
+}
+
+/* Nothing is added to a message of which a part could not be: `good` stays 0. */
+static void put(message *m, int *good, const void *from, size_t length) {
+    *good = *good && message_reserve(m, m->length + length);
+    if (!*good || !length)
+        return;
+    memcpy(m->bytes + m->length, from, length);
+    m->length += length;
+}
+
+static void get(const message *m, size_t *at, void *out, size_t length) {
+    memcpy(out, m->bytes + *at, length);
+    *at += length;
+}
+
+/* The head of a run; the lines follow, each with its length and number. */
+typedef struct run_head {
+    unsigned long before; /* the shard's rows before the run */
+    size_t taken, columns, where[3];
+    int has_others;
+} run_head;
+
+int message_put_run(message *m, const block *b, size_t first, const columns *c) {
+    int good = 1;
+    run_head head = {b->before + first, b->runs[first].taken, 0, {0, 0, 0}, 0};
+    m->length = 0;
+    if (c) {
+        head.columns = c->count;
+        head.has_others = c->others != NULL;
+        memcpy(head.where, c->where, sizeof head.where);
+    }
+    put(m, &good, &head, sizeof head);
+    for (size_t k = first; c && k < first + head.taken; k++) {
+        put(m, &good, &b->lines[k], sizeof b->lines[k]);
+        put(m, &good, b->bytes + b->lines[k].start, b->lines[k].length);
+    }
+    return good;
+}
+
+int message_get_run(const message *m, block *b, columns *c) {
+    static char some[] = "";
+    run_head head;
+    size_t at = 0;
+    get(m, &at, &head, sizeof head);
+    block_reset(b, head.before);
+    b->runs[0].taken = head.taken;
+    c->count = head.columns;
+    c->others = head.has_others ? some : NULL;
+    memcpy(c->where, head.where, sizeof head.where);
+    for (size_t k = 0; head.columns && k < head.taken; k++) {
+        line one;
+        get(m, &at, &one, sizeof one);
+        if (!block_add(b, (field){m->bytes + at, one.length}, one.number))
+            return 0;
+        at += one.length;
+    }
+    b->count = head.taken;
+    return 1;
+}
+
+/* The head of an answer; the text and the fault's message follow. */
+typedef struct answer_head {
+    size_t done, length, message;
+    int status;
+} answer_head;
+
+int message_put_answer(message *m, const row_run *r) {
+    const char *why = r->fault.message;
+    answer_head head = {r->done, r->length, why ? strlen(why) + 1 : 0, r->fault.status};
+    int good = 1;
+    m->length = 0;
+    put(m, &good, &head, sizeof head);
+    put(m, &good, r->text, r->length);
+    put(m, &good, why, head.message);
+    return good;
+}
+
+int message_get_answer(const message *m, row_run *r) {
+    answer_head head;
+    size_t at = 0;
+    get(m, &at, &head, sizeof head);
+    r->text = head.length ? malloc(head.length) : NULL;
+    if (head.length && !r->text)
+        return 0;
+    if (head.length)
+        get(m, &at, r->text, head.length);
+    r->length = head.length;
+    r->done = head.done;
+    if (head.status)
+        fault_set(&r->fault, head.status, "%s", head.message ? m->bytes + at : "");
+    return 1;
+}

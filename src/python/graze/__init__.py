@@ -1,0 +1,40 @@
+"""Graze: exact classification of points against the set that a moving solid sweeps.
+
+    >>> import graze
+    >>> scene = graze.Scene("cases/bracket/solid.off", "cases/bracket/motion.json")
+    >>> trace = scene.trace(["3/5", "29/5", 3])
+    >>> trace.word, trace.verdict.class_.name, [float(contact.start) for contact in trace.contacts]
+    ('OBOBIBOB', 'FOLD_BOUNDARY', [0.5, 1.1, 1.225, 1.859375])
+
+`Scene.classify` takes many points, arrays of numpy the fastest; `Scene.trace` and `Scene.explain`
+say why for one. Nothing is rounded: floats are the dyadic numbers they are, times of contact are
+Fractions or `AlgebraicNumber`s. The module is pure Python, 3.9 or later, on top of the shared
+library libgraze, which is looked for at $GRAZE_LIBRARY, beside the package, in the lib folder it is
+installed in, in the build folder of a checkout, and where the dynamic linker looks. numpy and
+pandas are used where they are installed.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+from ._library import VERSION as __version__
+from ._library import library as _load
+from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
+                     LibraryError, LimitError, MachineError, UseError)
+from .inputs import Motion, Solid
+from .results import (CLASS_NAMES, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact, Pmc, Sample,
+                      Trace, Verdict, class_names, columns, definition_names, pmc_names,
+                      to_dataframe)
+from .scene import Scene
+from .times import AlgebraicNumber, Time, decimal
+
+__all__ = [
+    "AlgebraicNumber", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Contact", "GrazeError",
+    "IllegalError", "InputError", "InternalError", "LibraryError", "LimitError", "MachineError",
+    "Motion", "PMC_NAMES", "Pmc", "Sample", "Scene", "Solid", "Time", "Trace", "UseError",
+    "VERDICT_DTYPE", "Verdict", "__version__", "class_names", "columns", "decimal",
+    "definition_names", "pmc_names", "to_dataframe", "version"]
+
+
+def version() -> str:
+    """Versions of Graze and of the libraries it runs with, one a line."""
+    return _load().graze_version().decode()

@@ -1,0 +1,93 @@
+"""A context of the library: options, limits and the last message, for one thread at a time.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+import threading
+from typing import Any, Dict, Mapping, NamedTuple, Tuple
+
+from ._library import Handle, library
+from .errors import BY_STATUS, InternalError, UseError
+
+ROUNDINGS = ("none", "binary64", "binary32")
+
+
+def choice(name: str, value: str, allowed: Tuple[str, ...]) -> int:
+    """The place of a word among those allowed, which is its number in graze.h."""
+    if value not in allowed:
+        raise UseError(f"{name} is {value!r}; right is one of {', '.join(allowed)}")
+    return allowed.index(value)
+
+
+class Settings(NamedTuple):
+    """What a context is made with."""
+
+    rounding: int
+    limits: Tuple[Tuple[int, int], ...]
+    use_filter: bool
+
+
+def settings(rounding: str, limits: "Mapping[str, int] | None", use_filter: bool) -> Settings:
+    """Settings from the words of `Scene`. Raises UseError for a word that is none."""
+    names: Dict[str, int] = {}
+    while True:
+        name = library().graze_limit_name(len(names))
+        if name is None:
+            break
+        names[name.decode()] = len(names)
+    chosen = []
+    for key, value in (limits or {}).items():
+        if key not in names or not 0 < value < 1 << 64:
+            raise UseError(f"limit {key!r} = {value}; right is a positive number for one of "
+                           + ", ".join(names))
+        chosen.append((names[key], value))
+    return Settings(choice("round", rounding, ROUNDINGS), tuple(chosen), use_filter)
+
+
+class Context:
+    """One context of the library. It belongs to the thread that made it."""
+
+    def __init__(self, chosen: Settings) -> None:
+        pointer = ctypes.c_void_p()
+        status = library().graze_context_create(ctypes.byref(pointer))
+        if status:
+            raise BY_STATUS.get(status, InternalError)("out of memory for a context")
+        self.handle = Handle(pointer, _end_context)
+        self.pointer = pointer
+        self.rounding = chosen.rounding
+        self.check(library().graze_context_set_rounding(pointer, chosen.rounding))
+        library().graze_context_set_filter(pointer, int(chosen.use_filter))
+        for limit, value in chosen.limits:
+            self.check(library().graze_context_set_limit(pointer, limit, value))
+
+    def check(self, status: int, place: str = "") -> None:
+        """Raise the error of a status, its message after `place`, unless it is GRAZE_OK."""
+        if status:
+            message = library().graze_context_message(self.pointer).decode("utf-8", "replace")
+            raise BY_STATUS.get(status, InternalError)(place + message)
+
+
+def _end_context(pointer: ctypes.c_void_p) -> None:
+    library().graze_context_destroy(pointer)
+    # A thread's context goes with the thread; what the arithmetic keeps for it should too.
+    library().graze_thread_finish()
+
+
+class Contexts(threading.local):
+    """A context for each thread that asks, made when it first does."""
+
+    def __init__(self, chosen: Settings) -> None:
+        super().__init__()
+        self.chosen = chosen
+        self._mine: "Context | None" = None
+
+    def mine(self) -> Context:
+        """The calling thread's context."""
+        if self._mine is None:
+            self._mine = Context(self.chosen)
+        return self._mine
+
+    def __reduce__(self) -> Any:
+        raise TypeError("contexts of libgraze cannot be pickled")

@@ -1,0 +1,221 @@
+"""libgraze through ctypes: where it is found, and the declarations of graze.h used here.
+
+The structures here have the layout of those in graze.h and gmp.h. GMP's own functions are looked up
+through libgraze, so that both sides use the same GMP. ctypes releases the interpreter's lock during
+every call.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+import ctypes.util
+import functools
+import os
+import weakref
+from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t, c_uint, c_ulong, c_ulonglong
+from ctypes import c_void_p
+from typing import Any, Callable, Iterator
+
+from .errors import LibraryError
+
+VERSION = "0.1.0"
+
+
+class CMpz(ctypes.Structure):
+    """mpz_t of gmp.h."""
+
+    _fields_ = [("alloc", c_int), ("size", c_int), ("limbs", c_void_p)]
+
+
+class CMpq(ctypes.Structure):
+    """mpq_t of gmp.h; the numerator comes first, so its address is the numerator's too."""
+
+    _fields_ = [("numerator", CMpz), ("denominator", CMpz)]
+
+
+class COptions(ctypes.Structure):
+    """graze_options."""
+
+    _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int)]
+
+
+class CVerdict(ctypes.Structure):
+    """graze_verdict."""
+
+    _fields_ = [("pmc", c_int), ("class_", c_int), ("definition", c_int), ("case", c_int),
+                ("i", c_ulong), ("t", c_ulong)]
+
+
+class CCell(ctypes.Structure):
+    """graze_cell."""
+
+    _fields_ = [("kind", c_int), ("a", c_size_t), ("b", c_size_t)]
+
+
+class CContact(ctypes.Structure):
+    """graze_contact."""
+
+    _fields_ = [("kind", c_int), ("left", c_int), ("right", c_int), ("start", c_void_p),
+                ("end", c_void_p), ("cells", POINTER(CCell)), ("cell_count", c_size_t)]
+
+
+class CSample(ctypes.Structure):
+    """graze_sample."""
+
+    _fields_ = [("stratum", c_int), ("order", c_int), ("cell", CCell), ("k", c_int),
+                ("outward", c_int)]
+
+
+# Handles, rationals and arrays are passed as addresses; _OUT is for a handle or text given out.
+_OUT = POINTER(c_void_p)
+_SIZE_OUT = POINTER(c_size_t)
+_FUNCTIONS = {
+    "graze_version": (c_char_p, []),
+    "graze_free": (None, [c_void_p]),
+    "graze_thread_finish": (None, []),
+    "graze_context_create": (c_int, [_OUT]),
+    "graze_context_destroy": (None, [c_void_p]),
+    "graze_context_message": (c_char_p, [c_void_p]),
+    "graze_context_set_limit": (c_int, [c_void_p, c_int, c_ulong]),
+    "graze_context_set_rounding": (c_int, [c_void_p, c_int]),
+    "graze_context_set_filter": (None, [c_void_p, c_int]),
+    "graze_limit_name": (c_char_p, [c_int]),
+    "graze_number_parse": (c_int, [c_void_p, c_void_p, c_char_p, c_size_t]),
+    "graze_solid_read": (c_int, [_OUT, c_void_p, c_char_p, c_uint]),
+    "graze_solid_from_arrays": (c_int, [_OUT, c_void_p, c_int, c_void_p, c_size_t, c_void_p,
+                                        c_size_t, c_void_p, c_uint]),
+    "graze_solid_from_doubles": (c_int, [_OUT, c_void_p, c_int, c_void_p, c_size_t, c_void_p,
+                                         c_size_t, c_void_p, c_uint]),
+    "graze_solid_destroy": (None, [c_void_p]),
+    "graze_solid_dimension": (c_int, [c_void_p]),
+    "graze_solid_vertex_count": (c_size_t, [c_void_p]),
+    "graze_solid_facet_count": (c_size_t, [c_void_p]),
+    "graze_solid_component_count": (c_size_t, [c_void_p]),
+    "graze_motion_read": (c_int, [_OUT, c_void_p, c_char_p]),
+    "graze_motion_from_json": (c_int, [_OUT, c_void_p, c_char_p, c_size_t]),
+    "graze_motion_destroy": (None, [c_void_p]),
+    "graze_motion_dimension": (c_int, [c_void_p]),
+    "graze_motion_piece_count": (c_size_t, [c_void_p]),
+    "graze_scene_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, POINTER(COptions)]),
+    "graze_scene_destroy": (None, [c_void_p]),
+    "graze_scene_dimension": (c_int, [c_void_p]),
+    "graze_scene_ends_meet": (c_int, [c_void_p]),
+    "graze_scene_box": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p]),
+    "graze_classify": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t]),
+    "graze_classify_doubles": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t]),
+    "graze_trace_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p]),
+    "graze_trace_destroy": (None, [c_void_p]),
+    "graze_trace_word": (c_char_p, [c_void_p]),
+    "graze_trace_verdict": (CVerdict, [c_void_p]),
+    "graze_trace_contact_count": (c_size_t, [c_void_p]),
+    "graze_trace_contact": (CContact, [c_void_p, c_size_t]),
+    "graze_time_rational": (c_int, [c_void_p, c_void_p]),
+    "graze_time_degree": (c_int, [c_void_p]),
+    "graze_time_coefficient": (None, [c_void_p, c_void_p, c_int]),
+    "graze_time_interval": (None, [c_void_p, c_void_p, c_void_p]),
+    "graze_generator_create": (c_int, [_OUT, c_void_p, c_void_p, c_ulonglong, POINTER(c_ulong),
+                                       c_uint]),
+    "graze_generator_destroy": (None, [c_void_p]),
+    "graze_generator_point": (c_int, [c_void_p, c_void_p, POINTER(CSample), c_void_p, c_void_p,
+                                      c_ulonglong]),
+    "graze_stratum_name": (c_char_p, [c_int]),
+    "graze_stratum_default_weight": (c_ulong, [c_int]),
+    "graze_report_header": (c_int, [_OUT, c_void_p, c_void_p, c_char_p, c_char_p]),
+    "graze_report_points": (c_int, [_OUT, _SIZE_OUT, _SIZE_OUT, c_void_p, c_void_p, c_void_p,
+                                    c_size_t, c_int, c_void_p]),
+    "graze_report_explain": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
+    "mpq_init": (None, [c_void_p]),
+    "mpq_clear": (None, [c_void_p]),
+    "mpq_set_d": (None, [c_void_p, c_double]),
+    "mpq_set_str": (c_int, [c_void_p, c_char_p, c_int]),
+    "mpq_get_str": (c_void_p, [c_char_p, c_int, c_void_p]),
+    "mpz_sizeinbase": (c_size_t, [c_void_p, c_int]),
+}
+
+
+def _places() -> Iterator[str]:
+    """Names to try, the first that loads is taken: $GRAZE_LIBRARY alone if it is set; beside the
+    package; the lib folder that an installed package stands in; the build folder of a checkout;
+    what the dynamic linker finds."""
+    named = os.environ.get("GRAZE_LIBRARY")
+    if named:
+        yield named
+        return
+    here = os.path.dirname(os.path.abspath(__file__))
+    above = os.path.normpath(os.path.join(here, "..", "..", ".."))
+    folders = [here, above]
+    if os.path.exists(os.path.join(above, "include", "graze.h")):
+        folders.append(os.path.join(above, "build"))
+    for folder in folders:
+        for name in ("libgraze.so.0", "libgraze.so"):
+            if os.path.exists(os.path.join(folder, name)):
+                yield os.path.join(folder, name)
+    yield "libgraze.so.0"
+    found = ctypes.util.find_library("graze")
+    if found:
+        yield found
+
+
+def _open() -> ctypes.CDLL:
+    problems = []
+    for name in _places():
+        try:
+            return ctypes.CDLL(name)
+        except OSError as problem:
+            problems.append(f"{name}: {problem}")
+    raise LibraryError("libgraze cannot be loaded; right is `make` in a checkout, an installed "
+                       "Graze, or its path in the variable GRAZE_LIBRARY ("
+                       + "; ".join(problems) + ")")
+
+
+@functools.lru_cache(maxsize=None)
+def library() -> Any:
+    """libgraze with its functions declared; loaded by the first call.
+
+    Raises:
+        LibraryError: it is not found, lacks a function, or is not of this module's version.
+    """
+    opened = _open()
+    for name, (result, arguments) in _FUNCTIONS.items():
+        try:
+            # gmp.h gives its functions other names in the library.
+            function = opened["__g" + name if name.startswith("mp") else name]
+        except AttributeError:
+            raise LibraryError(f"{opened._name} lacks {name}; right is version {VERSION}") from None
+        function.restype, function.argtypes = result, arguments
+        setattr(opened, name, function)
+    version = opened.graze_version().decode().split()[1]
+    if version != VERSION:
+        raise LibraryError(f"{opened._name} is version {version}; this module needs {VERSION}")
+    return opened
+
+
+def take_text(pointer: c_void_p, length: int = -1) -> str:
+    """The text of a `char *` that was given out, which is freed."""
+    try:
+        return ctypes.string_at(pointer, length).decode("utf-8")
+    finally:
+        library().graze_free(pointer)
+
+
+class Handle:
+    """Owns one handle of the library and destroys it with itself; `keep` outlives it."""
+
+    def __init__(self, pointer: c_void_p, destroy: Callable[[c_void_p], None], *keep: Any) -> None:
+        self.pointer = pointer
+        self._end = weakref.finalize(self, _destroy, destroy, pointer, keep)
+        # At the end of the process a thread that nobody waited for may still be at work with it.
+        self._end.atexit = False
+
+    def __enter__(self) -> c_void_p:
+        return self.pointer
+
+    def __exit__(self, *failure: Any) -> None:
+        self._end()
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a handle of libgraze cannot be pickled or copied")
+
+
+def _destroy(destroy: Callable[[c_void_p], None], pointer: c_void_p, _keep: Any) -> None:
+    destroy(pointer)

@@ -1,0 +1,72 @@
+"""Work on n things in pieces, in one thread or several, each with a context of its own.
+
+Pieces are short, so that a signal or another thread's failure ends the work soon.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import os
+import threading
+from typing import Callable, List, Optional
+
+from ._context import Context, Contexts
+from .errors import UseError
+
+PIECE = 512
+
+
+def run(count: int, jobs: Optional[int], contexts: Contexts,
+        work: Callable[[Context, int, int], None]) -> None:
+    """Call work(context, first, n) for pieces that together are 0 ... count - 1.
+
+    Raises:
+        UseError: `jobs` is not positive.
+        BaseException: what `work` raised, the first if several did; other pieces may be left out.
+    """
+    jobs = os.cpu_count() or 1 if jobs is None else jobs
+    if jobs < 1:
+        raise UseError(f"jobs is {jobs}; right is at least 1, or None for all cores")
+    starts = iter(range(0, count, PIECE))
+    if jobs == 1 or count <= PIECE:
+        for first in starts:
+            work(contexts.mine(), first, min(PIECE, count - first))
+        return
+    _run_threads(min(jobs, -(-count // PIECE)), count, contexts, work)
+
+
+def _run_threads(jobs: int, count: int, contexts: Contexts,
+                 work: Callable[[Context, int, int], None]) -> None:
+    lock, stop = threading.Lock(), threading.Event()
+    starts = iter(range(0, count, PIECE))
+    failures: List[BaseException] = []
+
+    def take_pieces(ended: threading.Event) -> None:
+        try:
+            while not stop.is_set():
+                with lock:
+                    first = next(starts, None)
+                if first is None:
+                    return
+                work(contexts.mine(), first, min(PIECE, count - first))
+        except BaseException as failure:
+            failures.append(failure)
+            stop.set()
+        finally:
+            ended.set()
+
+    ends = [threading.Event() for _ in range(jobs)]
+    threads = [threading.Thread(target=take_pieces, args=(end,), daemon=True) for end in ends]
+    try:
+        for thread in threads:
+            thread.start()
+        # An interrupted join may take its thread for ended (Python before 3.13); an event does not.
+        for end in ends:
+            end.wait()
+    finally:
+        stop.set()
+        for thread, end in zip(threads, ends):
+            if thread.ident is not None:
+                end.wait()
+                thread.join()
+    if failures:
+        raise failures[0]

@@ -1,0 +1,65 @@
+"""Generated query points.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Iterator, List, Mapping, Optional
+
+from ._context import Context
+from ._library import CSample, Handle, library
+from ._numbers import Rationals
+from ._traces import cell_of
+from .errors import UseError
+from .results import Sample
+
+_REPRESENTABLE = 1
+
+
+def strata() -> List[str]:
+    """The names of all strata."""
+    names: List[str] = []
+    while True:
+        name = library().graze_stratum_name(len(names))
+        if name is None:
+            return names
+        names.append(name.decode())
+
+
+def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: int,
+            weights: Optional[Mapping[str, int]], representable: bool) -> Iterator[Sample]:
+    """The samples of these rows, one after the other. Raises UseError before the first."""
+    names = strata()
+    for key in weights or {}:
+        if key not in names:
+            raise UseError(f"there is no stratum {key!r}; right is one of {', '.join(names)}")
+    chosen = None
+    if weights is not None:
+        given = [_within(weights.get(name, 0), 64) for name in names]
+        chosen = (ctypes.c_ulong * len(names))(*given)
+    pointer = ctypes.c_void_p()
+    context.check(library().graze_generator_create(
+        ctypes.byref(pointer), context.pointer, scene.pointer, _within(seed, 64), chosen,
+        _REPRESENTABLE if representable else 0))
+    generator = Handle(pointer, library().graze_generator_destroy, scene)
+    return _each(context, generator, dimension, rows, names)
+
+
+def _within(value: Any, bits: int) -> int:
+    if not 0 <= value < 1 << bits:
+        raise UseError(f"{value} is out of range; right is 0 to 2^{bits} - 1")
+    return int(value)
+
+
+def _each(context: Context, generator: Handle, dimension: int, rows: range,
+          names: List[str]) -> Iterator[Sample]:
+    numbers, made = Rationals(dimension + 1), CSample()
+    for row in rows:
+        context.check(library().graze_generator_point(
+            numbers.address, numbers.at(dimension), ctypes.byref(made), context.pointer,
+            generator.pointer, row))
+        cell = cell_of(made.cell)
+        yield Sample(tuple(numbers[k] for k in range(dimension)), names[made.stratum],
+                     numbers[dimension] if cell else None, cell, made.order, made.k,
+                     bool(made.outward))

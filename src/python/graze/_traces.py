@@ -1,0 +1,57 @@
+"""Traces of the library as objects of Python.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+from fractions import Fraction
+from typing import Optional, Tuple
+
+from ._library import CCell, CVerdict, library
+from ._numbers import Rationals
+from .results import Cell, Class, Contact, Pmc, Trace, Verdict
+from .times import AlgebraicNumber, Time
+
+_KINDS = {1: "intersection", 2: "tangency"}
+_CELLS = {1: "face", 2: "edge", 3: "vertex"}
+
+
+def verdict_of(made: CVerdict) -> Verdict:
+    """A verdict as a tuple."""
+    return Verdict(Pmc(made.pmc), Class(made.class_), made.definition, made.case, made.i, made.t)
+
+
+def cell_of(made: CCell) -> Optional[Cell]:
+    """A cell; None if its kind is 0."""
+    if not made.kind:
+        return None
+    kind = _CELLS[made.kind]
+    return Cell(kind, (made.a, made.b) if kind == "edge" else (made.a,))
+
+
+def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
+    """Everything that a trace holds; the handle stays the caller's."""
+    contacts = []
+    for index in range(library().graze_trace_contact_count(trace)):
+        made = library().graze_trace_contact(trace, index)
+        start = _time_of(made.start)
+        end = start if made.end == made.start else _time_of(made.end)
+        cells = tuple(cell for cell in map(cell_of, made.cells[:made.cell_count]) if cell)
+        contacts.append(Contact(_KINDS[made.kind], chr(made.left) if made.left else None,
+                                chr(made.right) if made.right else None, start, end, cells))
+    return Trace(point, library().graze_trace_word(trace).decode(),
+                 verdict_of(library().graze_trace_verdict(trace)), tuple(contacts))
+
+
+def _time_of(time: int) -> Time:
+    ends = Rationals(2)
+    if library().graze_time_rational(ends.at(0), time):
+        return ends[0]
+    library().graze_time_interval(ends.at(0), ends.at(1), time)
+    # A coefficient becomes the numerator of a rational whose denominator is 1.
+    scratch, coefficients = Rationals(1), []
+    for k in range(library().graze_time_degree(time) + 1):
+        library().graze_time_coefficient(scratch.address, time, k)
+        coefficients.append(scratch[0].numerator)
+    return AlgebraicNumber(coefficients, ends[0], ends[1])

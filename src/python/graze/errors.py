@@ -1,0 +1,76 @@
+"""What can go wrong, as exceptions: a class for each status of graze.h, with its message.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+from typing import Any, Dict, Type
+
+
+class GrazeError(Exception):
+    """The base of all errors of this module; `str` of it is the message.
+
+    Attributes:
+        status: the `graze_status` of graze.h; 0 where the library was not reached.
+        partial: verdicts given before the failure, in the form `Scene.classify` returns them; those
+            that are not `NONE` are exact. None where there are none.
+    """
+
+    status: int = 0
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message)
+        self.partial: Any = None
+
+
+class LibraryError(GrazeError):
+    """libgraze was not found, could not be loaded, or is of another version."""
+
+
+class UseError(GrazeError, ValueError):
+    """Wrong use: an argument that no input could make right (GRAZE_EUSE)."""
+
+    status = 1
+
+
+class InputError(GrazeError, ValueError):
+    """Bad input: it cannot be read as what it should be (GRAZE_EINPUT)."""
+
+    status = 2
+
+
+class IllegalError(GrazeError, ValueError):
+    """Readable, but not a legal solid, motion or pair of them (GRAZE_EILLEGAL)."""
+
+    status = 3
+
+
+class LimitError(GrazeError):
+    """A limit was met; `limits=` of the scene raises it (GRAZE_ELIMIT)."""
+
+    status = 4
+
+
+class MachineError(GrazeError):
+    """The machine: a file, memory, a thread (GRAZE_ESYSTEM)."""
+
+    status = 5
+
+
+class CanceledError(GrazeError):
+    """The call was asked to stop (GRAZE_ECANCELED)."""
+
+    status = 6
+
+
+class InternalError(GrazeError):
+    """A fault of Graze itself; no answer is given (GRAZE_EINTERNAL)."""
+
+    status = 7
+
+
+BY_STATUS: Dict[int, Type[GrazeError]] = {
+    kind.status: kind
+    for kind in (UseError, InputError, IllegalError, LimitError, MachineError, CanceledError,
+                 InternalError)
+}

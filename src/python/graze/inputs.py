@@ -1,0 +1,196 @@
+"""Solids and motions: from files, arrays, JSON text or dicts, validated exactly when made.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+from fractions import Fraction
+from typing import Any, Iterable, Mapping, Tuple
+
+from ._context import Context, Settings, settings
+from ._library import Handle, library
+from ._numbers import numpy, read_points
+from .errors import InputError, UseError
+
+_TRIANGULATE = 1
+
+
+class Solid:
+    """A legal solid. Immutable; scenes and threads may share it.
+
+    Attributes:
+        triangulate: whether facets that are not planar were fanned.
+    """
+
+    def __init__(self, source: Any, *, triangulate: bool = False, round: str = "none",
+                 limits: "Mapping[str, int] | None" = None) -> None:
+        """Read and validate a solid.
+
+        Args:
+            source: the path of a file (.off .obj .ply .stl .nef3 .wkt), or (vertices, facets):
+                rows of 2 or 3 numbers, and for each facet (in the plane: ring) its vertices from 0.
+                Both may be arrays of numpy.
+            triangulate: take facets that are not planar, fanned from their first vertex.
+            round: `none`, `binary64` or `binary32`: round every coordinate first.
+            limits: limits by name, as of `graze --limit`.
+        Raises:
+            MachineError: the file cannot be read.
+            InputError: it is not of its format, or an index is out of range.
+            IllegalError: it is not a solid.
+            LimitError: a limit was met.
+        """
+        self._settings = settings(round, limits, True)
+        self.triangulate = triangulate
+        context = Context(self._settings)
+        pointer = ctypes.c_void_p()
+        flags = _TRIANGULATE if triangulate else 0
+        if isinstance(source, (str, bytes, os.PathLike)):
+            context.check(library().graze_solid_read(
+                ctypes.byref(pointer), context.pointer, _path(source), flags))
+        else:
+            try:
+                vertices, facets = source
+            except (TypeError, ValueError):
+                raise TypeError("a solid is a path or a pair (vertices, facets)") from None
+            _from_arrays(pointer, context, vertices, facets, flags)
+        self._handle = Handle(pointer, library().graze_solid_destroy)
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return library().graze_solid_dimension(self._handle.pointer)
+
+    @property
+    def vertex_count(self) -> int:
+        """Vertices as the input numbers them."""
+        return library().graze_solid_vertex_count(self._handle.pointer)
+
+    @property
+    def facet_count(self) -> int:
+        """Facets (in the plane: edges) as the input numbers them."""
+        return library().graze_solid_facet_count(self._handle.pointer)
+
+    @property
+    def component_count(self) -> int:
+        """Components of the boundary."""
+        return library().graze_solid_component_count(self._handle.pointer)
+
+
+class Motion:
+    """A legal motion. Immutable; scenes and threads may share it."""
+
+    def __init__(self, source: Any, *, round: str = "none",
+                 limits: "Mapping[str, int] | None" = None) -> None:
+        """Read and check a motion.
+
+        Args:
+            source: the path of a JSON file; JSON text, which begins with `{`; or the same as a
+                dict, in which a float is the dyadic number it is and a Fraction its ratio.
+            round, limits: as for `Solid`.
+        Raises:
+            MachineError, InputError, IllegalError, LimitError: as for `Solid`.
+            TypeError: the dict holds what JSON cannot.
+        """
+        self._settings = settings(round, limits, True)
+        context = Context(self._settings)
+        pointer = ctypes.c_void_p()
+        if isinstance(source, Mapping):
+            source = json.dumps(_plain(source))
+        if isinstance(source, str) and source.lstrip().startswith("{"):
+            text = source.encode("utf-8")
+            status = library().graze_motion_from_json(ctypes.byref(pointer), context.pointer, text,
+                                                      len(text))
+        else:
+            status = library().graze_motion_read(ctypes.byref(pointer), context.pointer,
+                                                 _path(source))
+        context.check(status)
+        self._handle = Handle(pointer, library().graze_motion_destroy)
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return library().graze_motion_dimension(self._handle.pointer)
+
+    @property
+    def piece_count(self) -> int:
+        """Pieces after all cuts."""
+        return library().graze_motion_piece_count(self._handle.pointer)
+
+
+def input_settings(made: "Solid | Motion") -> Settings:
+    """What a solid or motion was read with."""
+    return made._settings
+
+
+def input_handle(made: "Solid | Motion") -> Handle:
+    """The library's handle of a solid or motion."""
+    return made._handle
+
+
+def _path(source: Any) -> bytes:
+    path = os.fsencode(source)
+    if b"\0" in path:
+        raise UseError(f"{source!r} holds a NUL, which no path does")
+    return path
+
+
+def _plain(value: Any) -> Any:
+    """A motion's value as JSON has it, floats and Fractions as exact ratios."""
+    if numpy is not None and isinstance(value, (numpy.ndarray, numpy.generic)):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return {key: _plain(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(entry) for entry in value]
+    if isinstance(value, (float, Fraction)):
+        try:
+            return str(Fraction(value))
+        except (ValueError, OverflowError):
+            raise InputError(f"{value} is not a number; right is a finite one") from None
+    return value
+
+
+def _from_arrays(out: ctypes.c_void_p, context: Context, vertices: Any, facets: Any,
+                 flags: int) -> None:
+    points = read_points(vertices, 0, context, "vertex")
+    sizes, indices, keep = _facet_arrays(facets)
+    make = (library().graze_solid_from_doubles if points.are_doubles
+            else library().graze_solid_from_arrays)
+    context.check(make(ctypes.byref(out), context.pointer, points.dimension, points.address(0),
+                       points.count, sizes, len(keep[0]), indices, flags))
+
+
+def _facet_arrays(facets: Any) -> Tuple[Any, Any, Tuple[Any, ...]]:
+    """Addresses of the sizes and the indices of all facets, and what must be kept meanwhile."""
+    if numpy is not None and isinstance(facets, numpy.ndarray) and facets.ndim == 2 and facets.size:
+        if facets.dtype.kind not in "iu":
+            raise TypeError(f"facets are an array of {facets.dtype}; right is one of integers")
+        if facets.min() < 0:
+            raise InputError("a facet names a vertex below 0; right is from 0")
+        width = f"u{ctypes.sizeof(ctypes.c_size_t)}"
+        indices = numpy.ascontiguousarray(facets, dtype=width)
+        sizes = numpy.full(len(facets), facets.shape[1], dtype=width)
+        return sizes.ctypes.data, indices.ctypes.data, (sizes, indices)
+    lengths, flat = [], []
+    for k, facet in enumerate(facets):
+        if not isinstance(facet, Iterable) or isinstance(facet, (str, bytes)):
+            raise TypeError(f"facet {k} is a {type(facet).__name__}; right is a row of vertices")
+        row = [_index(k, vertex) for vertex in facet]
+        lengths.append(len(row))
+        flat.extend(row)
+    c_sizes = (ctypes.c_size_t * len(lengths))(*lengths)
+    c_indices = (ctypes.c_size_t * len(flat))(*flat)
+    return c_sizes, c_indices, (c_sizes, c_indices)
+
+
+def _index(facet: int, vertex: Any) -> int:
+    try:
+        index = vertex.__index__()
+    except AttributeError:
+        raise TypeError(f"facet {facet} names {vertex!r}; right is a vertex's number") from None
+    if not 0 <= index < 1 << 63:
+        raise InputError(f"facet {facet} names vertex {index}; right is from 0")
+    return index

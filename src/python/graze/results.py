@@ -1,0 +1,188 @@
+"""Answers: verdicts, and the contacts behind one of them.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+import enum
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+from ._numbers import numpy
+from .errors import GrazeError
+from .times import Time
+
+
+class Pmc(enum.IntEnum):
+    """Point membership; `NONE` is never a verdict."""
+
+    NONE = 0
+    IN = 1
+    ON = 2
+    OUT = 3
+
+
+class Class(enum.IntEnum):
+    """The class by Definitions 5 to 11; `NONE` for unsweep."""
+
+    NONE = 0
+    REGULAR = 1
+    FOLD = 2
+    FOLD_BOUNDARY = 3
+    BOUNDARY = 4
+    EXTERIOR = 5
+
+
+class Verdict(NamedTuple):
+    """What a point is.
+
+    `definition` is 5 to 11, or 0: for cases 5, 6, 8, 9, which tables call `ext`, and for unsweep.
+    `case` is the position case 1 to 9, 0 for unsweep. i and t count intersections and tangencies.
+    """
+
+    pmc: Pmc
+    class_: Class
+    definition: int
+    case: int
+    i: int
+    t: int
+
+
+PMC_NAMES: Tuple[str, ...] = tuple(pmc.name.lower() for pmc in Pmc)
+CLASS_NAMES: Tuple[str, ...] = tuple(class_.name.lower() for class_ in Class)
+#: The dtype of classify's arrays, whose layout is graze_verdict; None without numpy.
+VERDICT_DTYPE: Any = None
+if numpy is not None:
+    VERDICT_DTYPE = numpy.dtype({
+        "names": ["pmc", "class", "definition", "case", "i", "t"],
+        "formats": [ctypes.c_int] * 4 + [ctypes.c_ulong] * 2}, align=True)
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A boundary cell in the numbering of the input, from 0.
+
+    `kind` is `face`, `edge` or `vertex`; `indices` is (face,), (u, v) with u < v, or (vertex,).
+    """
+
+    kind: str
+    indices: Tuple[int, ...]
+
+    def __str__(self) -> str:
+        return f"{self.kind} {'-'.join(map(str, self.indices))}"
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A maximal interval of times, perhaps one instant, at which the trajectory is on the boundary.
+
+    `kind` is `intersection` or `tangency`. `left` and `right` are the states `I` or `O` beside it,
+    None at an end of the motion. `start` and `end` are exact and equal for an instant. `cells` are
+    the boundary cells met, sorted.
+    """
+
+    kind: str
+    left: Optional[str]
+    right: Optional[str]
+    start: Time
+    end: Time
+    cells: Tuple[Cell, ...]
+
+    @property
+    def is_instant(self) -> bool:
+        """Whether the contact is one instant and not a slide."""
+        return self.start is self.end or self.start == self.end
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A point, the word of its trajectory, its verdict and all contacts in order of time."""
+
+    point: Tuple[Fraction, ...]
+    word: str
+    verdict: Verdict
+    contacts: Tuple[Contact, ...]
+
+
+@dataclass(frozen=True)
+class Sample:
+    """A generated query point and how it was made.
+
+    Attributes:
+        point: its coordinates.
+        stratum: `random`, `near`, `face`, ... as `graze generate` names them.
+        time: the time of the contact it was made by; None without one.
+        cell: the boundary cell of that contact; None without one.
+        order: the order of contact with that cell's plane; -1 a slide in it, 0 without a contact.
+        k: the point was displaced by 2^-k along the normal; 0 if it was not.
+        outward: whether it was displaced to the outside.
+    """
+
+    point: Tuple[Fraction, ...]
+    stratum: str
+    time: Optional[Fraction]
+    cell: Optional[Cell]
+    order: int
+    k: int
+    outward: bool
+
+
+def _field(results: Any, name: str) -> List[int]:
+    if hasattr(results, "dtype"):
+        return results[name].tolist()
+    return [getattr(verdict, "class_" if name == "class" else name) for verdict in results]
+
+
+def pmc_names(results: Any) -> List[str]:
+    """`in`, `on` or `out` for each verdict of `Scene.classify`."""
+    return [PMC_NAMES[value] for value in _field(results, "pmc")]
+
+
+def class_names(results: Any) -> List[str]:
+    """`regular`, `fold`, `fold_boundary`, `boundary` or `exterior` for each verdict."""
+    return [CLASS_NAMES[value] for value in _field(results, "class")]
+
+
+def definition_names(results: Any) -> List[str]:
+    """`5` to `11`, or `ext` where no definition of the paper says it; empty for unsweep."""
+    return [str(definition) if definition else "ext" if case else ""
+            for definition, case in zip(_field(results, "definition"), _field(results, "case"))]
+
+
+def columns(results: Any, points: Any = None) -> Dict[str, Any]:
+    """The verdicts as columns in the words of the tables, after x, y, z of the points if given."""
+    out: Dict[str, Any] = {}
+    if points is not None:
+        is_array = numpy is not None and hasattr(points, "__array__")
+        rows = numpy.asarray(points) if is_array else list(points)
+        if len(rows) != len(results):
+            raise ValueError(f"{len(rows)} points for {len(results)} verdicts")
+        for k, name in enumerate("xyz"[:len(rows[0]) if len(rows) else 0]):
+            out[name] = rows[:, k] if is_array else [row[k] for row in rows]
+    out["pmc"] = pmc_names(results)
+    out["class"] = class_names(results)
+    out["definition"] = definition_names(results)
+    for name in ("case", "i", "t"):
+        out[name] = _field(results, name)
+    return out
+
+
+def to_dataframe(results: Any, points: Any = None) -> Any:
+    """The verdicts as a pandas DataFrame, pmc and class as categories; needs pandas.
+
+    Args:
+        results: what `Scene.classify` returned.
+        points: the points, whose coordinates become the columns x, y, z.
+    Raises:
+        GrazeError: pandas is not installed.
+    """
+    try:
+        import pandas
+    except ImportError:
+        raise GrazeError("to_dataframe needs pandas; `columns` gives the same as a dict") from None
+    out = columns(results, points)
+    out["pmc"] = pandas.Categorical(out["pmc"], categories=PMC_NAMES[1:])
+    out["class"] = pandas.Categorical(out["class"], categories=CLASS_NAMES[1:])
+    return pandas.DataFrame(out)

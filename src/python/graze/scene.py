@@ -1,0 +1,219 @@
+"""Scenes: a solid that moves, and every question about points.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+import os
+from fractions import Fraction
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+
+from . import _parallel
+from ._context import Context, Contexts, choice, settings
+from ._library import COptions, CVerdict, Handle, library, take_text
+from ._numbers import Points, Rationals, numpy, read_points
+from ._samples import samples
+from ._traces import read_trace, verdict_of
+from .errors import GrazeError, UseError
+from .inputs import Motion, Solid, input_handle, input_settings
+from .results import VERDICT_DTYPE, Sample, Trace, Verdict
+
+OPERATIONS = ("sweep", "unsweep")
+OVERLAPS = ("extend", "reject")
+FOLDS = ("separate", "combined")
+FORMATS = ("csv", "jsonl")
+
+Number = Union[int, float, str, Fraction]
+
+
+class Scene:
+    """A legal solid and a legal motion of it; points are classified against what it sweeps.
+
+    Immutable. Threads may share a scene: each works with a context of its own. Every number is
+    exact: a float is the dyadic rational it is, int, Fraction and Decimal are themselves, a str is
+    a number token such as `0.1` (one tenth) or `22/7`.
+
+    Points are given as an array of numpy of the shape (n, d), or n rows of d numbers.
+    """
+
+    def __init__(self, solid: "Solid | str | os.PathLike[str] | Tuple[Any, Any]",
+                 motion: "Motion | str | os.PathLike[str] | Mapping[str, Any]",
+                 operation: str = "sweep", overlap: str = "extend", folds: str = "separate",
+                 triangulate: bool = False, round: str = "none", *,
+                 limits: Optional[Mapping[str, int]] = None, use_filter: bool = True) -> None:
+        """Read, validate and put together; decide whether first and last position meet.
+
+        Args:
+            solid: a `Solid`, or what one is made of: a path, or (vertices, facets).
+            motion: a `Motion`, or what one is made of: a path, JSON text, or a dict.
+            operation: `sweep`, or `unsweep`: the points that stay in the solid all the time.
+            overlap: `reject` makes it an error that first and last position meet; else `extend`.
+            folds: `separate`: Definitions 6 and 7; `combined`: 10 and 11 in their place.
+            triangulate: take facets that are not planar, fanned from their first vertex.
+            round: `binary64` or `binary32` rounds every number of solid, motion and points first.
+            limits: limits by name, as of `graze --limit`: `digits`, `degree`, `pieces`, ...
+            use_filter: let the certified floating-point filter go first; answers are the same.
+        Raises:
+            UseError: a word that is none, or a solid or motion that was rounded otherwise.
+            MachineError, InputError, LimitError: see `Solid` and `Motion`.
+            IllegalError: not a legal solid, motion or pair of them.
+        """
+        chosen = settings(round, limits, use_filter)
+        options = COptions(choice("operation", operation, OPERATIONS),
+                           choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS))
+        if not isinstance(solid, Solid):
+            solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
+        if not isinstance(motion, Motion):
+            motion = Motion(motion, round=round, limits=limits)
+        for made in (solid, motion):
+            if input_settings(made).rounding != chosen.rounding:
+                raise UseError("solid, motion and points must be rounded alike")
+        self.solid, self.motion = solid, motion
+        self.operation, self.overlap, self.folds, self.round = operation, overlap, folds, round
+        self._contexts = Contexts(chosen)
+        context, pointer = self._contexts.mine(), ctypes.c_void_p()
+        parts = input_handle(solid), input_handle(motion)
+        context.check(library().graze_scene_create(
+            ctypes.byref(pointer), context.pointer, parts[0].pointer, parts[1].pointer,
+            ctypes.byref(options)))
+        self._handle = Handle(pointer, library().graze_scene_destroy, *parts)
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return library().graze_scene_dimension(self._handle.pointer)
+
+    @property
+    def ends_meet(self) -> bool:
+        """Whether the first and the last position have a point in common."""
+        return bool(library().graze_scene_ends_meet(self._handle.pointer))
+
+    def box(self) -> Tuple[Tuple[Fraction, ...], Tuple[Fraction, ...]]:
+        """The lowest and the highest corner of a dyadic box that holds the sweep (the unsweep)."""
+        low, high, context = Rationals(self.dimension), Rationals(self.dimension), self._context()
+        context.check(library().graze_scene_box(low.address, high.address, context.pointer,
+                                                self._handle.pointer))
+        return tuple(low[k] for k in range(low.count)), tuple(high[k] for k in range(high.count))
+
+    def classify(self, points: Any, jobs: Optional[int] = 1) -> Any:
+        """Classify points exactly.
+
+        Args:
+            points: an array or rows. Arrays of floats are the fast way; other threads of Python run
+                meanwhile.
+            jobs: threads; None takes all cores.
+        Returns:
+            With numpy a structured array with the fields pmc, class, definition, case, i, t (see
+            `Pmc`, `Class` and `Verdict`), without it a list of `Verdict`; one for each point.
+        Raises:
+            TypeError, UseError, InputError: of the points, named by row and coordinate.
+            LimitError, InternalError: `partial` of the exception holds the verdicts given; where
+                the message begins with `from point k`, it counts points from there.
+        """
+        given = self._points(points)
+        if numpy is not None:
+            out: Any = numpy.zeros(given.count, VERDICT_DTYPE)
+            address = int(out.ctypes.data)
+        else:
+            out = (CVerdict * given.count)()
+            address = ctypes.addressof(out)
+        function = (library().graze_classify_doubles if given.are_doubles
+                    else library().graze_classify)
+
+        def piece(context: Context, first: int, count: int) -> None:
+            status = function(address + first * ctypes.sizeof(CVerdict), context.pointer,
+                              self._handle.pointer, given.address(first), count)
+            context.check(status, f"from point {first}: " if first else "")
+
+        try:
+            _parallel.run(given.count, jobs, self._contexts, piece)
+        except GrazeError as failure:
+            failure.partial = _verdicts(out)
+            raise
+        return _verdicts(out)
+
+    def trace(self, point: Sequence[Number]) -> Trace:
+        """All contacts of one point's trajectory with the boundary, in order of exact times.
+
+        Raises:
+            TypeError, UseError, InputError, LimitError, InternalError: as `classify`.
+        """
+        rationals = self._point(point)
+        with self._trace(rationals) as pointer:
+            return read_trace(pointer, tuple(rationals[k] for k in range(self.dimension)))
+
+    def explain(self, point: Sequence[Number]) -> str:
+        """The whole reasoning for one point, for a person to read. Raises as `trace`."""
+        rationals, context, text = self._point(point), self._context(), ctypes.c_void_p()
+        with self._trace(rationals) as pointer:
+            context.check(library().graze_report_explain(
+                ctypes.byref(text), context.pointer, self._handle.pointer, rationals.address,
+                pointer))
+        return take_text(text)
+
+    def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1) -> List[str]:
+        """The rows of `graze classify`, without line ends: CSV, or with `jsonl` JSON Lines, which
+        hold every contact with its exact times. Raises as `classify`."""
+        given, kind = self._points(points), choice("format", format, FORMATS)
+        pieces: Dict[int, List[str]] = {}
+
+        def piece(context: Context, first: int, count: int) -> None:
+            rationals, start = given.exact(first, count)
+            text, length, done = ctypes.c_void_p(), ctypes.c_size_t(), ctypes.c_size_t()
+            status = library().graze_report_points(
+                ctypes.byref(text), ctypes.byref(length), ctypes.byref(done), context.pointer,
+                self._handle.pointer, rationals.at(start), count, kind, None)
+            rows = take_text(text, length.value).split("\n")[:-1] if text else []
+            context.check(status, f"point {first + done.value}: ")
+            pieces[first] = rows
+
+        _parallel.run(given.count, jobs, self._contexts, piece)
+        return [row for first in sorted(pieces) for row in pieces[first]]
+
+    def table(self, points: Any, jobs: Optional[int] = 1) -> str:
+        """The whole table of `graze classify`, a text to be written to a file as it is."""
+        context, head = self._context(), ctypes.c_void_p()
+        notes = f"# triangulate {'yes' if self.solid.triangulate else 'no'}\n".encode()
+        rows = self.rows(points, jobs=jobs)
+        context.check(library().graze_report_header(ctypes.byref(head), context.pointer,
+                                                    self._handle.pointer, notes, None))
+        return "".join([take_text(head), *(row + "\n" for row in rows),
+                        f"# complete {len(rows)}\n"])
+
+    def generate(self, count: int, seed: int = 1, strata: Optional[Mapping[str, int]] = None,
+                 representable: bool = False, first: int = 0) -> Iterator[Sample]:
+        """Query points, most of them degenerate by construction; the same for the same arguments.
+
+        Args:
+            count: how many.
+            seed: 0 to 2^64 - 1.
+            strata: weights by name (`random`, `near`, `face`, `edge`, ...), the others then 0.
+            representable: keep to points whose coordinates are floats.
+            first: the row to begin with.
+        Raises:
+            UseError: no such stratum, or none of those asked for can be made.
+        """
+        return samples(Context(self._contexts.chosen), self._handle, self.dimension,
+                       range(first, first + count), seed, strata, representable)
+
+    def _context(self) -> Context:
+        return self._contexts.mine()
+
+    def _points(self, points: Any) -> Points:
+        return read_points(points, self.dimension, self._context())
+
+    def _point(self, point: Sequence[Number]) -> Rationals:
+        return self._points([point]).exact(0, 1)[0]
+
+    def _trace(self, point: Rationals) -> Handle:
+        context, pointer = self._context(), ctypes.c_void_p()
+        context.check(library().graze_trace_create(ctypes.byref(pointer), context.pointer,
+                                                   self._handle.pointer, point.address))
+        return Handle(pointer, library().graze_trace_destroy, self._handle)
+
+
+def _verdicts(out: Any) -> Any:
+    if numpy is not None:
+        return out
+    return [verdict_of(made) for made in out]

@@ -1,0 +1,224 @@
+/* Memory that runs out: every allocation of ours fails once, and the call says so and gives
+ * nothing. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * malloc, calloc and realloc stand here in front of the C library's. They fail for callers within
+ * this program, which holds the library's own code; GMP and FLINT would abort, CGAL's C++ has its
+ * own way, and all of them are left alone. Sanitizers bring their own malloc, so nothing fails
+ * there. The names __libc_malloc and so on are those of the GNU C library.
+ */
+#include "walk.h"
+#include <stdlib.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SANITIZED 1
+#endif
+#endif
+#ifndef SANITIZED
+#define SANITIZED 0
+#endif
+
+enum { TEETH = 24, VERTICES = 2 * TEETH + 3, SPAN = 2 * TEETH + 2, MOST = 100000 };
+
+/* What is left until an allocation fails; below zero none does. */
+static long left = -1;
+
+#if !SANITIZED
+extern char __executable_start, etext;
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *memory, size_t size);
+
+static int fails_for(const void *caller) {
+    uintptr_t at = (uintptr_t)caller;
+    if (left < 0 || at < (uintptr_t)&__executable_start || at >= (uintptr_t)&etext)
+        return 0;
+    return left-- == 0;
+}
+
+void *malloc(size_t size) {
+    return fails_for(__builtin_return_address(0)) ? NULL : __libc_malloc(size);
+}
+
+void *calloc(size_t count, size_t size) {
+    return fails_for(__builtin_return_address(0)) ? NULL : __libc_calloc(count, size);
+}
+
+void *realloc(void *memory, size_t size) {
+    return fails_for(__builtin_return_address(0)) ? NULL : __libc_realloc(memory, size);
+}
+#endif
+
+/* The comb: a bar under TEETH triangles whose tips are at (2k + 1, 1), their feet at (2k, 0). */
+static graze_status make_comb(graze_solid **out, graze_context *context) {
+    double at[2 * VERTICES] = {0, -1, 2 * TEETH, -1, 2 * TEETH, 0};
+    size_t ring[VERTICES], size = VERTICES;
+    for (int k = 0; k < TEETH; k++) {
+        double *tip = at + 2 * (3 + 2 * (TEETH - 1 - k));
+        tip[0] = 2 * k + 1;
+        tip[1] = 1;
+        tip[2] = 2 * k;
+        tip[3] = 0;
+    }
+    for (size_t k = 0; k < VERTICES; k++)
+        ring[k] = k;
+    return graze_solid_from_doubles(out, context, 2, at, VERTICES, &size, 1, ring, 0);
+}
+
+/* The points (-1, y) run over the comb to (2 TEETH + 1, y), in two pieces of the motion. */
+static graze_status make_motion(graze_motion **out, graze_context *context) {
+    static const char text[] = "{\"dimension\": 2, \"pieces\": ["
+                               "{\"t\": [0, 5], \"transform\": {\"translate\": [\"-t\", 0]}},"
+                               "{\"t\": [5, 50], \"transform\": {\"translate\": [\"-t\", 0]}}]}";
+    assert_int_equal(SPAN, 50);
+    return graze_motion_from_json(out, context, text, strlen(text));
+}
+
+static void repeat(char *word, const char *part, int count) {
+    strcpy(word, "O");
+    while (count-- > 0)
+        strcat(word, part);
+}
+
+typedef struct question {
+    double y;
+    char word[4 * TEETH + 2];
+    graze_class class_;
+} question;
+
+/* At the tips it touches each; half way it crosses each tooth, k = TEETH; along the bar's lower
+ * side there is one long contact; within the bar it is inside once. */
+static void ask(question *q) {
+    q[0] = (question){.y = 1, .class_ = GRAZE_BOUNDARY};
+    repeat(q[0].word, "BO", TEETH);
+    q[1] = (question){.y = 0.5, .class_ = GRAZE_FOLD};
+    repeat(q[1].word, "BIBO", TEETH);
+    q[2] = (question){.y = -1, .class_ = GRAZE_BOUNDARY};
+    repeat(q[2].word, "BO", 1);
+    q[3] = (question){.y = -0.5, .class_ = GRAZE_REGULAR};
+    repeat(q[3].word, "BIBO", 1);
+}
+
+/* Whether the last call had all the memory it asked for. */
+static int had_enough(void) {
+    int enough = left >= 0;
+    left = -1;
+    return enough;
+}
+
+static void expect_failure(const scene *s, graze_status status, const void *out, long allowed) {
+    if (status != GRAZE_ESYSTEM || out)
+        print_message("status %d where allocation %ld fails\n", (int)status, allowed);
+    assert_int_equal(status, GRAZE_ESYSTEM);
+    assert_null(out);
+    assert_non_null(strstr(graze_context_message(s->context), "memory"));
+}
+
+static void open_comb(scene *s) {
+    assert_int_equal(graze_context_create(&s->context), GRAZE_OK);
+    assert_int_equal(make_comb(&s->solid, s->context), GRAZE_OK);
+    assert_int_equal(make_motion(&s->motion, s->context), GRAZE_OK);
+    assert_int_equal(graze_scene_create(&s->scene, s->context, s->solid, s->motion, NULL),
+                     GRAZE_OK);
+}
+
+/* The exact path: all or nothing. */
+static void traces(void **state) {
+    (void)state;
+    scene s;
+    question q[4];
+    mpq_t p[2];
+    open_comb(&s);
+    graze_context_set_filter(s.context, 0);
+    ask(q);
+    mpq_inits(p[0], p[1], NULL);
+    mpq_set_si(p[0], -1, 1);
+    for (int k = 0; k < 4; k++) {
+        int enough = 0;
+        long allowed;
+        mpq_set_d(p[1], q[k].y);
+        for (allowed = 0; !enough && allowed < MOST; allowed++) {
+            graze_trace *trace;
+            left = allowed;
+            graze_status status = graze_trace_create(&trace, s.context, s.scene, (const mpq_t *)p);
+            enough = had_enough();
+            if (!enough) {
+                expect_failure(&s, status, trace, allowed);
+                continue;
+            }
+            assert_int_equal(status, GRAZE_OK);
+            assert_string_equal(graze_trace_word(trace), q[k].word);
+            assert_int_equal(graze_trace_verdict(trace).class_, q[k].class_);
+            graze_trace_destroy(trace);
+        }
+        assert_true(enough && (allowed > 10 || SANITIZED));
+    }
+    mpq_clears(p[0], p[1], NULL);
+    scene_close(&s);
+}
+
+/* The filter may do without its own memory, but no verdict is ever a wrong one. */
+static void verdicts(void **state) {
+    (void)state;
+    scene s;
+    question q[4];
+    open_comb(&s);
+    ask(q);
+    for (int k = 0; k < 4; k++) {
+        double point[2] = {-1, q[k].y};
+        int enough = 0;
+        for (long allowed = 0; !enough && allowed < MOST; allowed++) {
+            graze_context *fresh;
+            graze_verdict verdict = {.class_ = GRAZE_CLASS_NONE};
+            assert_int_equal(graze_context_create(&fresh), GRAZE_OK);
+            left = allowed;
+            graze_status status = graze_classify_doubles(&verdict, fresh, s.scene, point, 1);
+            enough = had_enough();
+            assert_true(status == GRAZE_OK || (status == GRAZE_ESYSTEM && !enough));
+            assert_int_equal(verdict.class_, status == GRAZE_OK ? q[k].class_ : GRAZE_CLASS_NONE);
+            graze_context_destroy(fresh);
+        }
+        assert_true(enough);
+    }
+    scene_close(&s);
+}
+
+/* Making what a scene is made of. */
+static void makers(void **state) {
+    (void)state;
+    scene s;
+    open_comb(&s);
+    for (int kind = 0; kind < 3; kind++) {
+        int enough = 0;
+        for (long allowed = 0; !enough && allowed < MOST; allowed++) {
+            graze_solid *solid = NULL;
+            graze_motion *motion = NULL;
+            graze_scene *made = NULL;
+            left = allowed;
+            graze_status status =
+                kind == 0   ? make_comb(&solid, s.context)
+                : kind == 1 ? make_motion(&motion, s.context)
+                            : graze_scene_create(&made, s.context, s.solid, s.motion, NULL);
+            enough = had_enough();
+            const void *out = kind == 0 ? (void *)solid : kind == 1 ? (void *)motion : made;
+            /* Reading a motion writes numbers out for messages that it may not need. */
+            if (enough || (kind == 1 && status == GRAZE_OK))
+                assert_int_equal(status, GRAZE_OK);
+            else
+                expect_failure(&s, status, out, allowed);
+            graze_scene_destroy(made);
+            graze_motion_destroy(motion);
+            graze_solid_destroy(solid);
+        }
+        assert_true(enough);
+    }
+    scene_close(&s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(traces), cmocka_unit_test(verdicts),
+                                       cmocka_unit_test(makers)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,149 @@
+/* Tests of graze_motion_write_ and graze_boundary_: wrong use, and what a caller in C gets.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <string.h>
+#include "graze.h"
+
+static const char shift[] = "{\"dimension\": 3, \"pieces\": [{\"t\": [\"0\", \"1\"],"
+                            " \"transform\": {\"translate\": [\"4*t\", \"0\", \"0\"]}}]}";
+
+typedef struct numbers {
+    mpq_t axis[3], degrees, tolerance, radius;
+} numbers;
+
+static void numbers_init(numbers *n) {
+    mpq_inits(n->axis[0], n->axis[1], n->axis[2], n->degrees, n->tolerance, n->radius, NULL);
+    mpq_set_si(n->axis[2], 1, 1);
+    mpq_set_si(n->degrees, 90, 1);
+    mpq_set_si(n->tolerance, 1, 1000);
+    mpq_set_si(n->radius, 1, 1);
+}
+
+static void numbers_clear(numbers *n) {
+    mpq_clears(n->axis[0], n->axis[1], n->axis[2], n->degrees, n->tolerance, n->radius, NULL);
+}
+
+/* A quarter turn is written, can be read, and needs no report; wrong use leaves NULL behind. */
+static void test_motions(void **state) {
+    (void)state;
+    numbers n;
+    char *json = (char *)shift, *report = (char *)shift;
+    graze_context *context;
+    graze_motion *motion;
+    numbers_init(&n);
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    graze_joint turn = {GRAZE_JOINT_TURN, n.degrees, NULL, (const mpq_t *)n.axis, NULL};
+    graze_joint bare = {GRAZE_JOINT_TURN, NULL, NULL, (const mpq_t *)n.axis, NULL};
+    graze_joint slide = {GRAZE_JOINT_SLIDE, NULL, NULL, NULL, NULL};
+    assert_int_equal(
+        graze_motion_write_rotation(&json, NULL, context, 3, &turn, n.tolerance, n.radius),
+        GRAZE_OK);
+    assert_int_equal(graze_motion_from_json(&motion, context, json, strlen(json)), GRAZE_OK);
+    graze_motion_destroy(motion);
+    graze_free(json);
+    const graze_joint *wrong[] = {NULL, &bare, &slide};
+    for (int k = 0; k < 3; k++) {
+        json = report = (char *)shift;
+        assert_int_equal(graze_motion_write_rotation(&json, &report, context, 3, wrong[k],
+                                                     n.tolerance, n.radius),
+                         GRAZE_EUSE);
+        assert_null(json);
+        assert_null(report);
+        assert_int_equal(graze_motion_write_joints(&json, &report, context, 3, wrong[k], 1,
+                                                   n.tolerance, n.radius),
+                         GRAZE_EUSE);
+    }
+    assert_int_equal(
+        graze_motion_write_joints(&json, &report, context, 3, &turn, 0, n.tolerance, n.radius),
+        GRAZE_EUSE);
+    assert_int_equal(
+        graze_motion_write_joints(&json, &report, context, 4, &turn, 1, n.tolerance, n.radius),
+        GRAZE_EUSE);
+    mpz_set_si(mpq_denref(n.degrees), -1);
+    assert_int_equal(
+        graze_motion_write_joints(&json, &report, context, 3, &turn, 1, n.tolerance, n.radius),
+        GRAZE_EUSE);
+    mpz_set_si(mpq_denref(n.degrees), 1);
+    assert_int_equal(graze_motion_write_poses(&json, &report, context, NULL, 0, n.tolerance),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_motion_write_poses(&json, &report, context, "/nowhere", 0, n.tolerance),
+                     GRAZE_ESYSTEM);
+    assert_null(json);
+    graze_context_destroy(context);
+    numbers_clear(&n);
+}
+
+static int stop(void *data) {
+    return ++*(int *)data > 3;
+}
+
+static graze_status solid_of(graze_solid **out, graze_context *context) {
+    static const double corner[] = {0, 0, 0, 2, 0, 0, 0, 2, 0, 2, 2, 0,
+                                    0, 0, 2, 2, 0, 2, 0, 2, 2, 2, 2, 2};
+    static const size_t sizes[] = {4, 4, 4, 4, 4, 4};
+    static const size_t cycles[] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4,
+                                    2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+    return graze_solid_from_doubles(out, context, 3, corner, 8, sizes, 6, cycles, 0);
+}
+
+/* NULL, depths, half a box and a cancel are told apart; getters answer past the end. */
+static void test_boundary(void **state) {
+    (void)state;
+    graze_context *context;
+    graze_solid *solid;
+    graze_motion *motion;
+    graze_scene *scene;
+    graze_boundary *b = NULL;
+    int calls = 0;
+    mpq_t point[3];
+    graze_boundary_options how = {.coarse = 1, .depth = 3, .budget = 100000};
+    for (int k = 0; k < 3; k++)
+        mpq_init(point[k]);
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    assert_int_equal(solid_of(&solid, context), GRAZE_OK);
+    assert_int_equal(graze_motion_from_json(&motion, context, shift, strlen(shift)), GRAZE_OK);
+    assert_int_equal(graze_scene_create(&scene, context, solid, motion, NULL), GRAZE_OK);
+    assert_int_equal(graze_boundary_create(&b, context, scene, NULL), GRAZE_EUSE);
+    how.coarse = 4;
+    assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_EUSE);
+    how.coarse = 1;
+    how.low = (const mpq_t *)point;
+    assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_EUSE);
+    how.low = NULL;
+    how.depth = 20;
+    assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_EUSE);
+    how.depth = 3;
+    graze_context_set_cancel(context, stop, &calls);
+    assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_ECANCELED);
+    assert_null(b);
+    graze_context_set_cancel(context, NULL, NULL);
+    assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_OK);
+    graze_boundary_summary s = graze_boundary_summarize(b);
+    assert_true(s.complete && s.closed && s.level == 3 && s.faces > 0);
+    assert_int_equal(s.in + s.on + s.out, s.points);
+    assert_int_equal(graze_boundary_point(point, b, s.points), GRAZE_PMC_NONE);
+    assert_int_not_equal(graze_boundary_point(point, b, s.points - 1), GRAZE_PMC_NONE);
+    assert_null(graze_boundary_face(b, s.faces));
+    assert_int_equal(graze_boundary_cell_at(b, s.cells).level, 0);
+    assert_int_equal(graze_boundary_summarize(NULL).points, 0);
+    graze_boundary_destroy(b);
+    graze_boundary_destroy(NULL);
+    graze_scene_destroy(scene);
+    graze_motion_destroy(motion);
+    graze_solid_destroy(solid);
+    graze_context_destroy(context);
+    for (int k = 0; k < 3; k++)
+        mpq_clear(point[k]);
+    graze_thread_finish();
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_motions),
+                                       cmocka_unit_test(test_boundary)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,114 @@
+"""What the program says of itself, in --help, man pages and completion, is the same everywhere.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Which commands and options there are is asked in two ways: from the texts of --help, and from what the program
+accepts.
+"""
+import os
+import re
+
+from tally import check, output, read, run, same
+
+
+def commands_of(graze):
+    """The commands, from the complaint about one that is none."""
+    complaint = run([graze, "nothing"])[1]
+    return re.split(r", | or ", re.search(r"right is (.*)\n", complaint)[1])
+
+
+def accepted(graze, command, folder):
+    """{option: words it takes, or None} by the complaints about each option of the program."""
+    names = re.findall(r'\{"([a-z-]+)", (no|required)_argument', read("src", "cli", "options.c"))
+    check(len(names) > 20 and ("help", "no") in names, f"long options of the program: {names}")
+    found = {}
+    for name, argument in names:
+        complaint = run([graze, command, f"--{name}" + ("=zzz" if argument == "required" else "")], folder)[1]
+        if "has no option" in complaint or "there is no such option" in complaint:
+            continue
+        words = re.search(r"zzz: right is ([a-z0-9]+(?:(?:, | or )[a-z0-9]+)*)\n", complaint)
+        found["--" + name] = set(re.split(r", | or ", words[1])) if words else None
+    return found
+
+
+def check_help(graze, commands):
+    """Every help fits a screen and has an example."""
+    for command in [None] + commands:
+        text = output([graze, command, "--help"] if command else [graze, "--help"])
+        lines = text.splitlines()
+        check(len(lines) <= 40 and max(map(len, lines)) <= 100, f"help of {command}: {len(lines)} lines")
+        check(not command or f"\nExample: graze {command} " in text, f"help of {command} has no example")
+
+
+def check_completion(graze, script, commands, folder):
+    def complete(*words):
+        code = 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _graze; printf "%s\\n" "${COMPREPLY[@]}"'
+        return set(output(["bash", "--norc", "-c", code, "bash", script, *words], folder).split())
+
+    same(complete(graze, ""), set(commands) | {"--help", "--version"}, "completion of commands")
+    same(complete(graze, "cl"), {"classify"}, "completion of cl")
+    for command in commands:
+        options = accepted(graze, command, folder)
+        same(complete(graze, command, "--"), set(options), f"completion of options of {command}")
+        for option, words in options.items():
+            if words is not None:
+                offered = complete(graze, command, option, "")
+                check(offered and offered <= words, f"{command} {option}: {offered} of {words}")
+    check("-n" in complete(graze, "generate", "-"), "completion of -n")
+    same(complete(graze, "classify", "--overlap", ""), {"extend", "reject"}, "words of --overlap")
+    same(complete(graze, "validate", "--round", "="), {"none", "binary64", "binary32"}, "words of --round=")
+    same(complete(graze, "explain", "--round", "=", "bin"), {"binary64", "binary32"}, "words of --round=bin")
+    same(complete(graze, "classify", "--output", "x"), set(), "file names are left to the shell")
+    registered = output(["bash", "--norc", "-c", f"source '{script}'; complete -p graze"])
+    check("_graze" in registered and "default" in registered, f"registered as {registered}")
+
+
+def rendered(page):
+    """The page as plain text without hyphenation; the formatter must have nothing to say."""
+    text, complaint, status = run(["groff", "-ww", "-K", "utf8", "-man", "-Tascii", "-rHY=0", "-P-cbou", page])
+    check(status == 0 and complaint == "", f"{page}: {complaint}")
+    return text
+
+
+def check_pages(graze, folder, commands):
+    pages = {name for section in ("man1", "man3") for name in os.listdir(os.path.join(folder, section))}
+    same(pages, {"graze.1", "graze.3"} | {f"graze-{command}.1" for command in commands}, "man pages")
+    for command in [None] + commands:
+        page = rendered(os.path.join(folder, "man1", f"graze-{command}.1" if command else "graze.1"))
+        text = output([graze, command, "--help"] if command else [graze, "--help"])
+        words = set(page.split())
+        for heading in ("NAME", "SYNOPSIS", "EXIT STATUS", "SEE ALSO") + (("OPTIONS", "EXAMPLE") if command else ()):
+            check(re.search(f"^{heading}$", page, re.M), f"{command}: no {heading}")
+        for line in text.splitlines()[1:]:
+            line = re.sub("^(Example|Exit status):", "", line)
+            lost = [word for word in line.split() if word not in words]
+            check(not lost, f"man page of {command} lacks {lost}")
+    check_header(rendered(os.path.join(folder, "man3", "graze.3")))
+
+
+def check_header(page):
+    """graze(3) has every function, type and value of graze.h, and all words of its comments."""
+    header = read("include", "graze.h")
+    functions = public_functions()
+    check(len(functions) > 50, f"{len(functions)} functions in graze.h")
+    words = set(re.findall(r"\w+", page))
+    for name in functions | set(re.findall(r"\bGRAZE_[A-Z0-9_]+ =", header)):
+        check(name.split()[0] in words, f"graze(3) lacks {name}")
+    for comment in re.findall(r"/\*\*(?!<)(.*?)\*/", header, re.S):
+        lost = set(re.findall(r"\w+", re.sub(r"@(param(\[out\])?|return)", "", comment))) - words
+        check(not lost, f"graze(3) lacks {lost} of the comment {comment[:60]!r}")
+
+
+def public_functions():
+    """The functions that graze.h declares."""
+    header = re.sub(r"/\*.*?\*/", "", read("include", "graze.h"), flags=re.S)
+    return set(re.findall(r"^GRAZE_API[^;{]*?\b(graze_\w+)\(", header, re.M))
+
+
+def check_all(graze, root, folder):
+    """Everything here, of a program and of the pages and the completion installed under `root`."""
+    commands = commands_of(graze)
+    check(len(commands) >= 7, f"commands: {commands}")
+    check_help(graze, commands)
+    check_pages(graze, os.path.join(root, "share", "man"), commands)
+    check_completion(graze, os.path.join(root, "share", "bash-completion", "completions", "graze"), commands, folder)

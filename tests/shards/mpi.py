@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# suite
+"""graze-mpi on the ranks of one machine writes the bytes of graze classify, and ends as it does.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+
+from shards import COMMON, SECONDS, Bench, random_points
+
+# mpirun asks for these before it starts anything as root; leaks of the library are not ours.
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   ASAN_OPTIONS="detect_leaks=0")
+
+
+def command(bench, ranks, *words):
+    return ["mpirun", "-n", str(ranks), "--oversubscribe", bench.graze + "-mpi", *map(str, words)]
+
+
+def run(bench, ranks, *words, stdin=None):
+    """(exit status, standard output, standard error) of graze-mpi."""
+    done = subprocess.run(command(bench, ranks, *words), input=stdin if stdin is not None else b"", env=ENVIRONMENT,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS)
+    return done.returncode, done.stdout, done.stderr
+
+
+def check_tables(bench):
+    """The table of any number of ranks is that of one process."""
+    cube, square = (COMMON / "cube.off", COMMON / "move3.json"), (COMMON / "square.wkt", COMMON / "move2.json")
+    text = random_points(bench.random, 2500 * bench.scale, 3)
+    points = bench.file("points.csv", text)
+    for ranks, words, stdin in ((1, [*cube, points], None), (2, [*cube, points], None), (4, [*cube, points], None),
+                                (4, [*cube, "-"], text), (4, [*cube, "--grid", "17,9,23"], None),
+                                (4, [*square, "--grid", "9,9", "--operation", "unsweep"], None),
+                                (4, [*cube, points, "--format", "jsonl"], None),
+                                (4, [*cube, points, "--shard", "2/3"], None),
+                                (3, [*square, bench.file("none.csv", b"x,y\n")], None)):
+        whole = bench.good("classify", *words, stdin=stdin)
+        status, out, err = run(bench, ranks, *words, stdin=stdin)
+        bench.check(status == 0 and out == whole, f"{ranks} ranks: {words}", status, err, out[-200:])
+    path = bench.folder / "resumed.csv"
+    whole = bench.good("classify", *cube, points)
+    path.write_bytes(whole[:len(whole) * 2 // 3])
+    status, _, err = run(bench, 4, *cube, points, "--resume", path)
+    bench.check(status == 0 and path.read_bytes() == whole, "four ranks continue a table", status, err)
+    receipt = bench.folder / "receipt.txt"
+    bench.good("check", "--receipt", receipt, *cube)
+    status, out, err = run(bench, 4, *cube, points, "--receipt", receipt)
+    bench.check(status == 0 and out == whole, "four ranks take a receipt", status, err)
+
+
+def check_faults(bench):
+    """Faults are told once, with the exit status of graze, and the rows before them stay."""
+    cube = [COMMON / "cube.off", COMMON / "move3.json"]
+    lines = random_points(bench.random, 600, 3).splitlines(keepends=True)
+    bad = bench.file("bad.csv", b"".join(lines[:300] + [b"bad,1,2,x,y\n"] + lines[300:]))
+    for what, words in (("a bad row", [*cube, bad]), ("no motion", [cube[0], "none.json", bad]),
+                        ("an unknown option", [*cube, bad, "--tolerance"]), ("a missing operand", cube)):
+        status, out, err = bench.run("classify", *words)
+        seen, its_out, its_err = run(bench, 4, *words)
+        mine = [line for line in its_err.splitlines() if line.startswith(b"graze: ")]
+        bench.check((seen, its_out, mine) == (status, out, err.splitlines()), what, seen, its_err, its_out[-200:])
+
+
+def check_signal(bench):
+    """SIGTERM leaves whole rows, and they can be continued."""
+    words = [COMMON / "cube.off", COMMON / "move3.json", "--grid", "80,70,60"]
+    path = bench.folder / "killed.csv"
+    child = subprocess.Popen(command(bench, 3, *words, "--resume", path), env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end = time.monotonic() + SECONDS
+    while child.poll() is None and time.monotonic() < end and not (path.exists() and path.stat().st_size > 100000):
+        time.sleep(0.01)
+    child.send_signal(signal.SIGTERM)
+    status = child.wait(SECONDS)
+    whole = bench.good("classify", *words)
+    text = path.read_bytes()
+    bench.check(status != 0 and whole.startswith(text) and text.endswith(b"\n") and text != whole,
+                "SIGTERM leaves whole rows", status, text[-100:])
+    bench.good("classify", *words, "--resume", path)
+    bench.check(path.read_bytes() == whole, "what it left is continued")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--graze", default="build/graze")
+    parser.add_argument("--scale", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1)
+    words = parser.parse_args()
+    print(f"seed {words.seed}")
+    with tempfile.TemporaryDirectory(prefix="graze-mpi-") as folder:
+        bench = Bench(os.path.abspath(words.graze), folder, words.scale, words.seed)
+        if not shutil.which("mpirun") or not os.path.exists(bench.graze + "-mpi"):
+            bench.skip("mpi", "Open MPI is not installed")
+        else:
+            for check in (check_tables, check_faults, check_signal):
+                check(bench)
+        print(f"{bench.passed} passed, {bench.failed} failed, {bench.skipped} skipped")
+        return bench.failed > 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
