@@ -67,11 +67,12 @@ static graze_status make_comb(graze_solid **out, graze_context *context) {
     return graze_solid_from_doubles(out, context, 2, at, VERTICES, &size, 1, ring, 0);
 }
 
-/* The points (-1, y) run over the comb to (2 TEETH + 1, y), in two pieces of the motion. */
+/* The points (-1, y) run over the comb to (2 TEETH + 1, y), in two pieces of the motion that meet
+ * over a tip. */
 static graze_status make_motion(graze_motion **out, graze_context *context) {
     static const char text[] = "{\"dimension\": 2, \"pieces\": ["
-                               "{\"t\": [0, 5], \"transform\": {\"translate\": [\"-t\", 0]}},"
-                               "{\"t\": [5, 50], \"transform\": {\"translate\": [\"-t\", 0]}}]}";
+                               "{\"t\": [0, 6], \"transform\": {\"translate\": [\"-t\", 0]}},"
+                               "{\"t\": [6, 50], \"transform\": {\"translate\": [\"-t\", 0]}}]}";
     assert_int_equal(SPAN, 50);
     return graze_motion_from_json(out, context, text, strlen(text));
 }

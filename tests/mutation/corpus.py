@@ -7,6 +7,7 @@ suite sees nothing else. One that answers otherwise may: then the suite itself i
 need no recording, their tables are in the repository.
 """
 import os
+import resource
 import subprocess
 import sys
 import time
@@ -109,7 +110,7 @@ def record(folder, suite, graze):
             lines = sorted({with_options(line, suite.flag) for line in file})
         with open(suite.list, "w", encoding="utf-8") as file:
             file.writelines(lines)
-        subprocess.run([graze, "--write", suite.list, str(CPU_SECONDS), "4"], check=True)
+        subprocess.run([graze, "--write", suite.list, str(CPU_SECONDS)], check=True)
         with open(took, "w", encoding="utf-8") as file:
             file.write(f"{time.time() - start:.1f}\n")
     with open(took, encoding="utf-8") as file:
@@ -117,14 +118,17 @@ def record(folder, suite, graze):
     return True
 
 
-def replay(graze, path, gib=4):
-    """None if every run of a list gives what it should, else (how the first other one differs, its
-    exit status): S by its exit status, O by what it prints."""
-    done = subprocess.run([graze, "--replay", path, str(CPU_SECONDS), str(gib)],
-                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+def bound_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+
+
+def replay(graze, path, before=bound_memory):
+    """None if every run of a list gives what it should, else how the first other one differs: O by
+    what it prints, S by its exit status or by a signal."""
+    done = subprocess.run([graze, "--replay", path, str(CPU_SECONDS)], stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True, preexec_fn=before)
+    if done.returncode == 2:
+        raise RuntimeError(f"the replay of {path} failed")
     if done.returncode == 0:
         return None
-    if done.returncode != 1:
-        raise RuntimeError(f"the replay of {path} failed")
-    kind, _, status = done.stdout.split()
-    return kind, int(status)
+    return "O" if done.returncode == 1 and done.stdout.startswith("O") else "S"

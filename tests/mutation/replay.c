@@ -1,35 +1,30 @@
-/* The program under test with a second entry: many recorded runs in one process, each in a fork.
+/* The program under test with a second entry: many recorded runs, one after another in one process.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Starting the program costs more than most runs take; a fork of one that is started already costs
- * little. Linked with the program's own main, renamed to graze_main.
+ * Starting the program costs more than most runs take. Linked with the program's own main, renamed
+ * to graze_main.
  *
- *   replay --replay LIST SECONDS GIB   run the list until one run differs from what is expected
- *   replay --write LIST SECONDS GIB    write what each run gives to where it is expected
- *   replay ...                         the program itself
+ *   replay --replay LIST SECONDS   run the list until one run differs from what is expected; what
+ *                                  ends the process otherwise is the fault of the run at hand
+ *   replay --write LIST SECONDS    write what each run gives to where it is expected
+ *   replay ...                     the program itself
  *
  * A line of LIST is `KIND TAB FILE TAB ARGUMENT TAB ...`. With KIND `whole` FILE holds the exit
  * status on a line and standard output; with `rows` it holds the output without its lines of `#`,
- * and the exit status must be 0. A run that takes more than SECONDS of processor time is ended;
- * one that asks for more than GIB of memory, unless that is 0, is refused it.
+ * and the exit status must be 0. A run that takes more than SECONDS of processor time ends the
+ * process.
  */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 int graze_main(int argc, char **argv);
 
 enum { MOST_FIELDS = 60 };
-
-typedef struct bounds {
-    rlim_t seconds, gib;
-} bounds;
 
 typedef struct text {
     size_t length;
@@ -51,31 +46,23 @@ static text read_all(int file) {
     return out;
 }
 
-/* What one run prints and how it ends: its exit status, or 256 and more for a signal. */
-static int run(text *out, int argc, char **argv, bounds most) {
-    int file = open("/dev/shm", O_TMPFILE | O_RDWR, 0600);
-    if (file < 0)
-        die("/dev/shm");
-    pid_t child = fork();
-    if (child < 0)
-        die("fork");
-    if (child == 0) {
-        struct rlimit cpu = {most.seconds, most.seconds + 1};
-        struct rlimit space = {most.gib << 30, most.gib << 30};
-        int nowhere = open("/dev/null", O_RDWR);
-        dup2(nowhere, 0);
-        dup2(file, 1);
-        dup2(nowhere, 2);
-        if (setrlimit(RLIMIT_CPU, &cpu) != 0 || (most.gib && setrlimit(RLIMIT_AS, &space) != 0))
-            _exit(99);
-        exit(graze_main(argc, argv));
-    }
-    int status;
-    if (waitpid(child, &status, 0) != child)
-        die("waitpid");
-    *out = read_all(file);
-    close(file);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 256 + WTERMSIG(status);
+/* What one run prints, and its exit status. `paper` is an open file that stands in for standard
+ * output. */
+static int run(text *out, int paper, int argc, char **argv, long seconds) {
+    struct itimerval most = {.it_value = {.tv_sec = seconds}};
+    int console = dup(1);
+    fflush(stdout);
+    if (console < 0 || ftruncate(paper, 0) != 0 || lseek(paper, 0, SEEK_SET) != 0 ||
+        dup2(paper, 1) < 0 || setitimer(ITIMER_PROF, &most, NULL) != 0)
+        die("a run");
+    int status = graze_main(argc, argv);
+    fflush(stdout);
+    clearerr(stdout);
+    if (dup2(console, 1) < 0)
+        die("a run");
+    close(console);
+    *out = read_all(paper);
+    return status;
 }
 
 static void drop_comments(text *t) {
@@ -121,7 +108,7 @@ static int differs(const char *path, int rows_only, int status, text *got) {
 }
 
 /* One line of the list: 0, or the kind of difference. */
-static int replay_line(char *line, int number, int writes, bounds most) {
+static int replay_line(char *line, int number, int writes, int paper, long seconds) {
     char *field[MOST_FIELDS + 1];
     int count = 0;
     for (char *at = strtok(line, "\t"); at && count < MOST_FIELDS; at = strtok(NULL, "\t"))
@@ -134,7 +121,7 @@ static int replay_line(char *line, int number, int writes, bounds most) {
     const char *path = field[1];
     field[1] = "graze";
     text got;
-    int kind = 0, status = run(&got, count - 1, field + 1, most);
+    int kind = 0, status = run(&got, paper, count - 1, field + 1, seconds);
     if (writes)
         write_expected(path, status, &got);
     else
@@ -145,19 +132,21 @@ static int replay_line(char *line, int number, int writes, bounds most) {
     return kind;
 }
 
-/* The list is read before the first fork: parent and children share the places in open files. */
-static int replay(const char *list, int writes, bounds most) {
+static int replay(const char *list, int writes, long seconds) {
     int file = open(list, O_RDONLY), kind = 0, number = 0;
     if (file < 0)
         die(list);
     text lines = read_all(file);
     close(file);
+    int paper = open("/dev/shm", O_TMPFILE | O_RDWR, 0600);
+    if (paper < 0)
+        die("/dev/shm");
     lines.at[lines.length] = '\0';
     for (char *line = lines.at; *line && !kind;) {
         char *end = strchr(line, '\n');
         if (end)
             *end = '\0';
-        kind = replay_line(line, number++, writes, most);
+        kind = replay_line(line, number++, writes, paper, seconds);
         line = end ? end + 1 : "";
     }
     free(lines.at);
@@ -165,12 +154,9 @@ static int replay(const char *list, int writes, bounds most) {
 }
 
 int main(int argc, char **argv) {
-    if (argc == 5 && strncmp(argv[1], "--", 2) == 0) {
-        bounds most = {(rlim_t)atol(argv[3]), (rlim_t)atol(argv[4])};
-        if (strcmp(argv[1], "--replay") == 0)
-            return replay(argv[2], 0, most);
-        if (strcmp(argv[1], "--write") == 0)
-            return replay(argv[2], 1, most);
-    }
+    if (argc == 4 && strcmp(argv[1], "--replay") == 0)
+        return replay(argv[2], 0, atol(argv[3]));
+    if (argc == 4 && strcmp(argv[1], "--write") == 0)
+        return replay(argv[2], 1, atol(argv[3]));
     return graze_main(argc, argv);
 }

@@ -201,11 +201,46 @@ static void test_values(void **unused) {
     flint_randclear(state);
 }
 
+/* Coefficients as large as their number of bits allows: with all p_i = 2^b - 1 on [0, 1] the first
+ * one is a multiple of p(0), the last one the same multiple of p(1) = (n + 1) p(0). The widths are
+ * cut so close that a bit less would lose the sign (degree 32, b = 16 modulo 64). */
+static void test_widths(void **unused) {
+    (void)unused;
+    fmpz_poly_t p;
+    fmpz_t first, last;
+    dyadic_interval unit;
+    fmpz_poly_init(p);
+    fmpz_init(first);
+    fmpz_init(last);
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    for (slong n = 1; n <= 40; n++)
+        for (ulong b = 1; b <= 130; b++) {
+            bernstein_form form;
+            fmpz_one_2exp(first, b);
+            fmpz_sub_ui(first, first, 1);
+            for (slong i = 0; i <= n; i++)
+                fmpz_poly_set_coeff_fmpz(p, i, first);
+            bernstein_form_init(&form, p, n, &unit);
+            wide_get_fmpz(first, &form.c, 0);
+            wide_get_fmpz(last, &form.c, n);
+            assert_int_equal(fmpz_sgn(first), 1);
+            fmpz_mul_ui(first, first, (ulong)n + 1);
+            assert_true(fmpz_equal(first, last));
+            bernstein_form_clear(&form);
+        }
+    fmpz_poly_clear(p);
+    fmpz_clear(first);
+    fmpz_clear(last);
+    dyadic_interval_clear(&unit);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rebuilt),
         cmocka_unit_test(test_point),
         cmocka_unit_test(test_values),
+        cmocka_unit_test(test_widths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
