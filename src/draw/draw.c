@@ -106,9 +106,7 @@ static graze_status make_trails(picture *p, graze_context *context) {
         for (size_t i = 0; i < d; i++)
             p->points[3 * k + i] = fmpq_get_d(point + i);
         status = trail_make(&p->trails[k], context, p->scene, point, fineness);
-        if (status)
-            status = context_at(context, status, "point %zu", k);
-        else
+        if (!status)
             status = context_poll(context);
     }
     return status;

@@ -198,39 +198,6 @@ def check_text(graze, folder):
         check(want in texts, "the text", repr(want), "among", texts)
 
 
-def check_refusals(graze, folder):
-    solid, motion, points = files("figure4")
-    space = files("bracket")
-    out = os.path.join(folder, "never.svg")
-    cases = [
-        ([solid, motion], 2, "needs -o FILE"),
-        ([solid, motion, "-o", out[:-3] + "gif"], 2, "right is .svg or .png"),
-        ([solid, motion, "-o", out, "--times", "1"], 2, "from 2 to 64"),
-        ([solid, motion, "-o", out, "--times", "65"], 2, "from 2 to 64"),
-        ([solid, motion, "-o", out, "--grid", "1"], 2, "from 2 to 10000"),
-        ([solid, motion, "-o", out, "--grid", "3,4"], 2, "from 2 to 10000"),
-        ([solid, motion, "-o", out, "-p", "1"], 2, "right is X,Y"),
-        ([solid, motion, "-o", out, "-p", "1,2,3"], 2, "right is X,Y"),
-        ([solid, motion, "-o", out, "-p", "1,b"], 2, "-p 1,b"),
-        ([solid, motion, "-o", out, "--plane", "z=1"], 2, "dimension 3"),
-        ([solid, motion, "-o", out, "--view", "1,1,1"], 2, "dimension 3"),
-        ([*space[:2], "-o", out, "--plane", "z:1"], 2, "right is x=, y= or z="),
-        ([*space[:2], "-o", out, "--plane", "w=1"], 2, "right is x=, y= or z="),
-        ([*space[:2], "-o", out, "--view", "0,0,0"], 2, "not zero"),
-        ([solid, motion, "-o", out, "--box", "1,1,0,2"], 2, "x0 must be less than x1"),
-        ([solid, motion, "-o", out, "--limit", "grid=50"], 6, "--limit grid=V"),
-        ([solid, motion, points + ".not", "-o", out], 5, "cannot be opened"),
-        ([solid, motion, points, points, "-o", out], 2, "4 operands"),
-        ([solid, motion, "-o", os.path.join(folder, "no", "such.svg")], 5, "cannot be opened for writing"),
-        ([solid, motion, "-o", "/dev/full/x.svg"], 5, "cannot be opened for writing"),
-    ]
-    for arguments, status, says in cases:
-        done = run(graze, "draw", *arguments)
-        check(done.returncode == status and says in done.stderr.decode(), arguments[2:], done.returncode,
-              done.stderr.decode().strip(), "where", status, says, "was expected")
-    check(not os.path.exists(out), "a refused picture was written")
-
-
 def check_pictures(graze, folder):
     """What `make pictures` draws is well-formed, and the committed picture is among it."""
     out = os.path.join(folder, "pictures")
@@ -399,7 +366,6 @@ def main():
         check_cells(graze, folder, "unsweep-figure5", 30 * more, ["--operation", "unsweep"], unsweep=True)
         check_marks(graze, folder)
         check_text(graze, folder)
-        check_refusals(graze, folder)
         check_pictures(graze, folder)
     check_tables(graze)
     print(f"{passed} passed, {failed} failed")
