@@ -27,7 +27,7 @@ static void add(labels *l, obstacle o) {
 }
 
 void labels_avoid(labels *l, double x, double y, double radius) {
-    add(l, (obstacle){x - radius, y - radius, 2 * radius, 2 * radius});
+    add(l, (obstacle){x - radius, y - radius, 2 * radius, 2 * radius, 0});
 }
 
 /* Small squares along the line, so that a slanting one does not keep its whole box free. */
@@ -63,48 +63,76 @@ static double cost(const labels *l, const panel *p, const obstacle *o) {
 /* So many square pixels in common with others do not make a name illegible. */
 static const double FREE = 12;
 
-/* From the pixel to the middle of a name's nearer side. */
-static void draw_leader(canvas *c, double x, double y, const obstacle *o) {
-    const style thin = {.stroke = PAINT(0x555555), .width = .7};
-    path line = {NULL, 0, 0, 0};
-    path_to(&line, 'M', x, y);
-    path_to(&line, 'L', fmin(fmax(x, o->x), o->x + o->width),
-            fmin(fmax(y, o->y), o->y + o->height));
-    canvas_path(c, &line, &thin, NULL);
-    path_clear(&line);
+/* The line from a pixel to the nearest point of a name's box. */
+typedef struct leader {
+    double x, y, dx, dy;
+} leader;
+
+static leader leader_to(double x, double y, const obstacle *o) {
+    return (leader){x, y, fmin(fmax(x, o->x), o->x + o->width) - x,
+                    fmin(fmax(y, o->y), o->y + o->height) - y};
 }
 
-int labels_place(labels *l, canvas *c, const panel *p, double x, double y, const char *name) {
+/* Whether the line to a name's box runs over another name. */
+static int crosses_name(const labels *l, const leader *line) {
+    enum { PARTS = 24 };
+    for (size_t k = 0; k < l->count; k++) {
+        const obstacle *n = &l->item[k];
+        for (int j = 0; n->name && j <= PARTS; j++) {
+            double x = line->x + line->dx * j / PARTS, y = line->y + line->dy * j / PARTS;
+            if (x > n->x && x < n->x + n->width && y > n->y && y < n->y + n->height)
+                return 1;
+        }
+    }
+    return 0;
+}
+
+/* It begins outside the sign; where little of it is left, it is needless. */
+static void draw_leader(labels *l, canvas *c, const leader *line, double sign) {
+    const style thin = {.stroke = PAINT(0x555555), .width = .7};
+    const double beside = sign > 0 ? sign + 1 : 0, least = 6;
+    double length = sqrt(line->dx * line->dx + line->dy * line->dy);
+    if (length < beside + least)
+        return;
+    path drawn = {NULL, 0, 0, 0};
+    path_to(&drawn, 'M', line->x + line->dx * beside / length,
+            line->y + line->dy * beside / length);
+    path_to(&drawn, 'L', line->x + line->dx, line->y + line->dy);
+    canvas_path(c, &drawn, &thin, NULL);
+    labels_avoid_path(l, &drawn);
+    path_clear(&drawn);
+}
+
+/* A box in one of eight directions from a pixel, its nearest point so far away along both axes. */
+static obstacle box_beside(double x, double y, double away, const double direction[2], double width,
+                           double height) {
+    double share_x = direction[0] > .1 ? 0 : direction[0] < -.1 ? 1 : .5;
+    double share_y = direction[1] > .1 ? 0 : direction[1] < -.1 ? 1 : .5;
+    return (obstacle){x + away * direction[0] - share_x * width,
+                      y + away * direction[1] - share_y * height, width, height, 1};
+}
+
+int labels_place(labels *l, canvas *c, const panel *p, place at, const char *name) {
     static const double rings[] = {7, 14, 24, 36, 52, 72, 96, 124};
     static const double around[][2] = {{.7, -.7}, {.7, .7}, {-.7, -.7}, {-.7, .7},
                                        {0, -1},   {1, 0},   {0, 1},     {-1, 0}};
     const lettering letters = {.size = 12, .halo = 1};
     double width = canvas_text_width(name, letters.size), height = 13, least = INFINITY;
-    obstacle best = {x, y, width, height};
-    int ring = 0;
-    for (int r = 0; r < 8 && least > 0; r++)
+    obstacle best = {at.x, at.y, width, height, 1};
+    for (int r = 0; r < 8 && least > 0 && rings[r] <= at.reach; r++)
         for (int k = 0; k < 8 && least > 0; k++) {
-            double dx = around[k][0], dy = around[k][1];
-            obstacle o = {x + rings[r] * dx -
-                              (dx > .1    ? 0
-                               : dx < -.1 ? width
-                                          : width / 2),
-                          y + rings[r] * dy -
-                              (dy > .1    ? 0
-                               : dy < -.1 ? height
-                                          : height / 2),
-                          width, height};
-            double price = cost(l, p, &o);
+            obstacle o = box_beside(at.x, at.y, rings[r], around[k], width, height);
+            leader line = leader_to(at.x, at.y, &o);
+            double price = cost(l, p, &o) + (crosses_name(l, &line) ? 1e3 : 0);
             if (price < least) {
                 least = price;
                 best = o;
-                ring = r;
             }
         }
     if (least > FREE)
         return 0;
-    if (ring > 0)
-        draw_leader(c, x, y, &best);
+    leader line = leader_to(at.x, at.y, &best);
+    draw_leader(l, c, &line, at.sign);
     canvas_text(c, best.x, best.y + 10.5, &letters, name);
     add(l, best);
     c->failed |= l->failed;

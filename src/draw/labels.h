@@ -9,6 +9,7 @@
 /** A rectangle of pixels that names keep off. */
 typedef struct obstacle {
     double x, y, width, height;
+    int name; /* which no line may cross */
 } obstacle;
 
 /** The obstacles of one panel. Once memory has run short `failed` is set. */
@@ -24,10 +25,17 @@ void labels_clear(labels *l);
 void labels_avoid(labels *l, double x, double y, double radius);
 /** Keep off a line through pixels. */
 void labels_avoid_path(labels *l, const path *p);
-/** Write a name beside a pixel of the panel, at the first place that is free, with a thin line to
- * the pixel if that is not next to it. The name is an obstacle from then on. Returns 0 where no
- * place is free. */
-int labels_place(labels *l, canvas *c, const panel *p, double x, double y, const char *name);
+/** A place to be named. */
+typedef struct place {
+    double x, y;  /* a pixel of the panel */
+    double sign;  /* radius of the sign that stands there; 0: none */
+    double reach; /* how far away the name may stand */
+} place;
+enum { REACH_NEAR = 24, REACH_FAR = 124 };
+
+/** Write a name beside a place, where it is free, with a thin line to the place if the name is not
+ * next to it. The name is an obstacle from then on. Returns 0 where nothing is free. */
+int labels_place(labels *l, canvas *c, const panel *p, place at, const char *name);
 /** Say over the panel's right corner how many names were left out, if any were. */
 void labels_tell(const labels *l, canvas *c, const panel *p);
 

@@ -114,7 +114,8 @@ static void draw_points(canvas *c, const picture *p, const panel *at, int plane_
             if ((plane_only && !is_in_plane(p, k)) || !is_inside(at, x, y))
                 continue;
             if (pass) {
-                names.left_out += !labels_place(&names, c, at, x, y, p->request->names[k]);
+                place here = {x, y, MARK_RADIUS, REACH_FAR};
+                names.left_out += !labels_place(&names, c, at, here, p->request->names[k]);
             } else {
                 mark_point(c, x, y, MARK_RADIUS, p->trails[k].tone);
                 labels_avoid(&names, x, y, MARK_RADIUS);
@@ -303,16 +304,21 @@ static void draw_start(canvas *c, const panel *at, const trail *from, labels *na
     labels_avoid(names, x, y, MARK_LARGE);
 }
 
-/* A name where the trajectory comes into sight, or farther along it. */
+/* A name next to where the trajectory comes into sight or next to it farther along; else at a
+ * distance from one of these places. */
 static void name_trail(canvas *c, const panel *at, const trail *from, const char *name,
                        labels *names) {
-    static const double shares[] = {.12, .3, .7, .88};
+    static const double shares[] = {0, .12, .3, .7, .88};
+    static const double reaches[] = {REACH_NEAR, REACH_FAR};
     seen_part seen = see_trail(at, from, INFINITY);
-    int placed = !seen.any || labels_place(names, c, at, seen.start[0], seen.start[1], name);
-    for (int k = 0; k < 4 && !placed; k++) {
-        seen_part along = see_trail(at, from, shares[k] * seen.length);
-        placed =
-            seen.length > 0 && labels_place(names, c, at, along.place[0], along.place[1], name);
+    double x, y;
+    panel_map(&x, &y, at, from->at);
+    int placed = !seen.any, starts = is_inside(at, x, y);
+    for (int k = 0; k < 10 && !placed; k++) {
+        seen_part along = see_trail(at, from, shares[k % 5] * seen.length);
+        const double *spot = k % 5 ? along.place : seen.start;
+        place here = {spot[0], spot[1], starts && k % 5 == 0 ? MARK_LARGE : 0, reaches[k / 5]};
+        placed = (k % 5 == 0 || seen.length > 0) && labels_place(names, c, at, here, name);
     }
     names->left_out += !placed;
 }
