@@ -24,12 +24,14 @@ static const char help[] =
     "  --coarse N           the level all cells are cut to (4, in the plane 5)\n"
     "  --budget N           points to classify at most (1000000); if it is spent, the surface is\n"
     "                       that of the last level that was finished\n"
-    "  --contacts N         contact points to make and classify (1000), from --seed K (1)\n"
+    "  --contacts N         contact points to make and classify (1000)\n"
+    "  --seed K             their seed (1)\n"
     "  --box x0,y0[,z0],x1,y1[,z1]   the box (default: a little more than the sweep's)\n"
     "  --surface FILE       .ply or .vtk: triangles (segments)\n"
     "  --cells FILE         .vtk: the cells that were not cut: level, pmc (0: mixed), contact\n"
     "  --points FILE        .csv, exact, or .vtk: the points and pmc (1 in, 2 on, 3 out)\n"
-    "  --round, --triangulate, --operation, --limit   as in graze classify\n"
+    "  --round, --triangulate, --operation, --overlap, --limit,\n"
+    "  --no-filter          as in graze classify\n"
     "\n"
     "Example: graze boundary cube.off move.json --depth 6 --surface sweep.ply\n";
 

@@ -14,18 +14,17 @@
 #include "cli/progress.h"
 
 static const char help[] =
-    "graze merge PART...: one table of the tables of graze classify --shard\n"
+    "graze merge PART...: one table of the tables of all shards\n"
     "\n"
     "The parts may come in any order. All n of them must be there, each once, whole, and of one\n"
-    "run: the same scene, options and points. The table is what the run without --shard writes.\n"
+    "run: the same scene, options and points. The table is what one run would have written.\n"
     "\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --quiet              no progress on the terminal\n"
     "\n"
-    "Example: for i in 1 2 3; do\n"
-    "           graze classify cube.off move.json points.csv --shard $i/3 --output part-$i.csv\n"
-    "         done\n"
-    "         graze merge part-*.csv > table.csv\n";
+    "A shard is what graze classify writes when it is told its number.\n"
+    "\n"
+    "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
 
 typedef struct merger {
     part *parts; /* part i is that of shard i */

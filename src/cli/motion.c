@@ -27,7 +27,7 @@ static const char help[] =
     "  --affine             poses: take matrices as they are, interpolate their entries\n"
     "  --numbers binary64   poses: numbers are the doubles they were printed from (default)\n"
     "  --numbers written    poses: they are exactly what is written\n"
-    "  --dimension 2        no axis; CENTER and WAY have two coordinates\n"
+    "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates\n"
     "  --output FILE, --report FILE   the motion (standard output), the errors (standard error)\n"
     "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
     "\n"

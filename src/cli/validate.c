@@ -32,8 +32,8 @@ static const char help[] =
     "  --keep DIR           leave points.csv, golden.csv, candidate.csv there\n"
     "  --output NAME        write NAME.md and NAME.json instead of to standard output\n"
     "  --question, --on-as, --candidate-has, --round, --show, --format   as in graze compare\n"
-    "  --overlap, --folds, --operation, --triangulate, --jobs, --limit, --quiet   as in\n"
-    "                       graze classify\n"
+    "  --overlap, --folds, --operation, --triangulate, --jobs, --limit,\n"
+    "  --quiet   as in graze classify\n"
     "\n"
     "Example: graze validate cube.off move.json --representable binary64 \\\n"
     "             --candidate './mine {solid} {motion} {points} {out}'\n";

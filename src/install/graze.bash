@@ -10,7 +10,7 @@ _graze_help() {
 _graze_words() {
     local help words other
     help=$(_graze_help "$1" "$2")
-    words=$(grep -oE -- "(^  |, )$3 [a-z][a-z0-9]*(\|[a-z0-9]+)*( |,|$)" <<<"$help" |
+    words=$(grep -oE -- "(^  |[, [])$3 [a-z0-9]+(\|[a-z0-9]+)*( |,|$)" <<<"$help" |
         sed -e 's/.*--[a-z-]* //' -e 's/[ ,]*$//' | tr '|' '\n')
     if [ -z "$words" ]; then
         other=$(grep -E -- "(^  |, )$3[ ,]" <<<"$help" | sed -n 's/.*as in graze \([a-z]*\).*/\1/p')
@@ -34,9 +34,9 @@ _graze() {
         words=$(_graze_words "$program" "$command" "$before")
     fi
     if [ -z "$words" ] && [[ $word == -* ]]; then
-        # Of the first line, the usage, an option that is needed is part.
-        words="--help $(_graze_help "$program" "$command" | sed -e '1s/ -/\n  -/g' | grep '^  -' |
-            grep -oE -- '(^  |, )--?[a-z][a-z-]*' | tr -d ' ,')"
+        # Whatever the help names before its example, in brackets too.
+        words="--help $(_graze_help "$program" "$command" | sed '/^Example/,$d' |
+            grep -oE -- '(^|[ [])--?[a-z][a-z-]*' | tr -d ' [')"
     fi
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
 }

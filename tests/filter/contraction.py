@@ -56,7 +56,8 @@ def objects(build):
     replaced = {path[:-2] + ".o" for path in sources()}
     found = [os.path.relpath(path, build)
              for path in glob.glob(os.path.join(build, "src", "**", "*.o"), recursive=True)]
-    return [os.path.join(build, path) for path in found if path not in replaced]
+    return [os.path.join(build, path) for path in found
+            if path not in replaced and not path.startswith(os.path.join("src", "mpi"))]
 
 
 def built(compiler, build, folder):

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Which commands and options there are is asked in two ways: from the texts of --help, and from what the program
 accepts.
 """
+import glob
 import os
 import re
 
@@ -21,6 +22,12 @@ def accepted(graze, command, folder):
     """{option: words it takes, or None} by the complaints about each option of the program."""
     names = re.findall(r'\{"([a-z-]+)", (no|required)_argument', read("src", "cli", "options.c"))
     check(len(names) > 20 and ("help", "no") in names, f"long options of the program: {names}")
+    # Options of one command alone stand behind its letters, those that take a value with a sign of equality.
+    source = "".join(read("src", "cli", os.path.basename(path)) for path in sorted(glob.glob(os.path.join("src", "cli", "*.c"))))
+    own = re.search(rf'command_{command} =\s*\{{\s*"{command}",\s*((?:"[^"]*"\s*)+)', source)
+    check(own is not None, f"the table entry of {command}")
+    for word in "".join(re.findall(r'"([^"]*)"', own[1])).split()[1:] if own else []:
+        names.append((word.rstrip("="), "required" if word.endswith("=") else "no"))
     found = {}
     for name, argument in names:
         complaint = run([graze, command, f"--{name}" + ("=zzz" if argument == "required" else "")], folder)[1]

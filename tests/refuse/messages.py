@@ -46,6 +46,7 @@ UNREACHED = {
     "a contact ends between two pieces": "a fault of Graze itself",
     "one after the other, disagree on the state": "a fault of Graze itself",
     "an exact location disagree on a state": "a fault of Graze itself",
+    "one after the other, are not in order of time": "a fault of Graze itself",
     "between two contacts of a trace is neither": "a fault of Graze itself",
 }
 
