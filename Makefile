@@ -26,8 +26,9 @@ LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 
 # What a bare Debian 12 lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
+PACKAGES_PNG   := libcairo2 fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
-PACKAGES_TEST  := $(PACKAGES_DEB) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
+PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck debootstrap
 
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/%,$(wildcard src/*/*.c))
@@ -52,6 +53,7 @@ help:
 	@echo "make test       install what is missing, build, run every test (a few minutes)"
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
+	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
 	@echo "make install    under PREFIX=/usr/local, below DESTDIR= if given; make uninstall takes it away"
 	@echo "make deb        a Debian package, build/graze_VERSION_ARCHITECTURE.deb"
@@ -85,6 +87,8 @@ $B/.packages-deb: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_DEB))
 $B/.packages-test: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_TEST))
+$B/.packages-pictures: Makefile | $B/.packages-build
+	$(call install_packages,$(PACKAGES_PNG))
 $B/.packages-all: Makefile | $B/.packages-test
 	$(call install_packages,$(PACKAGES_ALL))
 
@@ -257,6 +261,10 @@ test-all: $B/.packages-all test
 .PHONY: bench
 bench: all $(BENCH)
 	@python3 tests/bench/run.py --graze $B/graze $(BENCH_FLAGS)
+
+.PHONY: pictures
+pictures: $B/.packages-pictures all
+	@cases/pictures.sh $B/graze $B/pictures
 
 .PHONY: lint
 lint: $B/.packages-all

@@ -508,6 +508,26 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_contex
 GRAZE_API GRAZE_CHECKED graze_status graze_report_points(
     char **out, size_t *length, size_t *done, graze_context *context, const graze_scene *scene,
     const mpq_t *points, size_t n, graze_format format, const char *const *rest);
+/** Binary forms of a whole table. */
+typedef enum graze_export {
+    GRAZE_EXPORT_NONE = 0,
+    GRAZE_EXPORT_VTK = 1, /**< legacy VTK, binary: a grid as structured points, else vertices; all
+                             columns as point data. pmc, class and definition (ext: 0) are numbers,
+                             texts are numbered by their first occurrence */
+    GRAZE_EXPORT_NPY = 2  /**< a structured numpy array: float64, uint32 (definition, case, i, t;
+                             ext: 0), and bytes */
+} graze_export;
+
+/**
+ * Turn a whole CSV table into another form. Coordinates and further columns of numbers become the
+ * nearest binary64.
+ * @param[out] out, length bytes for graze_free
+ * @param table            from its first `#` line to `# complete N`; it need not end in NUL
+ * @return GRAZE_EUSE no such form; GRAZE_EINPUT not a whole table; GRAZE_ELIMIT; GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_report_export(char **out, size_t *length,
+                                                         graze_context *context, const char *table,
+                                                         size_t table_length, graze_export form);
 /** The whole reasoning for one point, for a person to read: where it is, the trajectory, the
  * contacts in order of time and why each counts as what it does, the counts, the definition and the
  * case. */
@@ -515,6 +535,38 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_explain(char **out, graze_cont
                                                           const graze_scene *scene,
                                                           const mpq_t *point,
                                                           const graze_trace *trace);
+
+/* ------------------------------------------------------------------------------------ pictures */
+
+/** What a picture shows. Zeroed it holds the defaults; everything is borrowed. */
+typedef struct graze_draw_options {
+    const char *title;   /**< a line above the picture, or NULL */
+    unsigned long grid;  /**< cells along the longer side; 0: 240, or 360 of a wide box */
+    unsigned long times; /**< positions of S, 2 to 64, evenly spread over the motion; 0: 5 */
+    const mpq_t *low, *high;  /**< the box, d rationals each; both NULL: around the scene */
+    int plane_axis;           /**< E^3: the plane in which this coordinate, 0 to 2, ... */
+    const mpq_t *plane;       /**< ... is this rational; NULL: z in the middle of the box */
+    double view[3];           /**< E^3: seen from there; all 0: from (2, -3, 2) */
+    const mpq_t *points;      /**< point_count points, d canonical rationals each */
+    size_t point_count;       /**< of those whose trajectories are drawn */
+    const char *const *names; /**< a name for each of them, UTF-8 */
+} graze_draw_options;
+
+/**
+ * Draw a scene. A grid of square cells is coloured by the class of their centres, which are
+ * rationals and classified exactly, under outlines of S at some times of the motion; in E^3 in a
+ * plane, beside a view of the positions of S. Points are drawn where they are, and their
+ * (inverted) trajectories through the standing S with the contacts, marked by kind and cell. Of an
+ * unsweep the colours are those of pmc, the positions those of the inverse motion.
+ * @param file    the picture to write: .svg, or .png, for which libcairo.so.2 must be there
+ * @param options or NULL
+ * @return GRAZE_EUSE an option out of its range, or another extension; GRAZE_ELIMIT more cells than
+ * the limit `grid`; GRAZE_ESYSTEM the file, or no cairo; GRAZE_ECANCELED; GRAZE_EINTERNAL. Except
+ * when writing fails half-way, no file is made or changed then.
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_draw(graze_context *context, const graze_scene *scene,
+                                                const char *file,
+                                                const graze_draw_options *options);
 
 /* ---------------------------------------------------------------------------------- comparison */
 

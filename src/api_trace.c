@@ -6,6 +6,7 @@
 #include <string.h>
 #include "api.h"
 #include "context/environment.h"
+#include "report/cut_table.h"
 #include "report/decimal.h"
 #include "report/report.h"
 #include "verdict/verdict.h"
@@ -249,6 +250,30 @@ graze_status graze_report_point(char **out, graze_context *context, const graze_
                           "out, context, scene and point must not be NULL");
     size_t length, done;
     return graze_report_points(out, &length, &done, context, scene, point, 1, format, &rest);
+}
+
+graze_status graze_report_export(char **out, size_t *length, graze_context *context,
+                                 const char *table, size_t table_length, graze_export form) {
+    if (out)
+        *out = NULL;
+    if (!out || !length || !context || !table)
+        return api_misuse(context, "graze_report_export",
+                          "out, length, context and table must not be NULL");
+    if (form != GRAZE_EXPORT_VTK && form != GRAZE_EXPORT_NPY)
+        return api_misuse(context, "graze_report_export", "there is no such form");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    cut_table cut;
+    text bytes;
+    text_init(&bytes);
+    graze_status status = cut_table_read(&cut, context, table, table_length);
+    if (!status)
+        status = (form == GRAZE_EXPORT_VTK ? export_vtk : export_npy)(&bytes, context, &cut);
+    cut_table_clear(&cut);
+    *length = bytes.length;
+    if (!status)
+        return text_finish(out, context, &bytes);
+    text_clear(&bytes);
+    return status;
 }
 
 graze_status graze_report_explain(char **out, graze_context *context, const graze_scene *scene,

@@ -25,6 +25,7 @@ static const char help[] =
     "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with its contacts\n"
+    "  --format vtk|npy     the table as a legacy VTK file or a structured numpy array\n"
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
     "  --triangulate        fan facets that are not planar from their first vertex\n"
     "  --jobs N             threads (default: all cores); the output is the same for any N\n"
@@ -215,6 +216,8 @@ static int prepare(run_state *s, const options *o) {
         status = jobs_start(&s->jobs, o, s->l.scene, source);
     if (!status)
         status = results_open(&s->table, o->output, o->resume);
+    if (!status && o->exported)
+        output_keep(&s->table.out);
     s->taken = results_skip(&s->table);
     if (s->points)
         csv_skip(s->points, s->taken);
@@ -232,6 +235,21 @@ static void finish(run_state *s) {
     free(s);
 }
 
+/* Write the table, which was kept, in the form that was asked for. */
+static int export_table(run_state *s, const options *o) {
+    size_t length, bytes_length;
+    char *table = output_release(&s->table.out, &length), *bytes = NULL;
+    if (!table || s->table.out.error)
+        return EXIT_IO;
+    graze_status status =
+        graze_report_export(&bytes, &bytes_length, s->l.context, table, length, o->exported);
+    if (!status)
+        output_bytes(&s->table.out, bytes, bytes_length);
+    free(table);
+    graze_free(bytes);
+    return complain_of(status, s->l.context);
+}
+
 static int check_usage(const options *o) {
     int wanted = o->grid ? 2 : 3;
     if (o->box && !o->grid)
@@ -244,7 +262,7 @@ static int check_usage(const options *o) {
     if (o->resume && o->output)
         return complain(EXIT_USAGE,
                         "--resume FILE writes to FILE; --output has no place beside it");
-    if ((o->resume || o->sharded) && o->format != GRAZE_FORMAT_CSV)
+    if ((o->resume || o->sharded) && (o->format != GRAZE_FORMAT_CSV || o->exported))
         return complain(EXIT_USAGE, "%s takes the head of a table; right is --format csv",
                         o->resume ? "--resume" : "--shard");
     return EXIT_DONE;
@@ -262,6 +280,8 @@ static int run(const options *o) {
         status = do_blocks(s, o);
     if (!status && o->format == GRAZE_FORMAT_CSV)
         put_end(s, o);
+    if (!status && o->exported)
+        status = export_table(s, o);
     status = results_close(&s->table, status);
     finish(s);
     return status;

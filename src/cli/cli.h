@@ -28,6 +28,7 @@ typedef struct options {
     graze_rounding rounding;
     unsigned solid_flags;
     graze_format format;
+    graze_export exported; /* classify: what the table is turned into at the end */
     unsigned long limits[GRAZE_LIMIT_COUNT]; /* 0: as the context has it */
     const char *grid, *box, *output, *strata, *folder;
     long jobs;
@@ -44,7 +45,9 @@ typedef struct options {
     graze_comparison_format report;
     const char *candidate, *points, *keep; /* validate */
     unsigned long timeout;                 /* seconds; 0: as the command has it */
-    const char *own[OWN_OPTIONS];          /* the command's own, in its order; NULL: not given */
+    int mark_count;
+    const char **marks;           /* draw: -p X,Y[,Z], malloc'ed like the operands */
+    const char *own[OWN_OPTIONS]; /* the command's own, in its order; NULL: not given */
     int operand_count;
     char **operands; /* malloc'ed array of what is no option, options anywhere between */
 } options;
@@ -61,7 +64,7 @@ typedef struct command {
 
 extern const command command_check, command_classify, command_explain, command_generate,
     command_cases, command_compare, command_validate, command_merge, command_motion,
-    command_boundary;
+    command_boundary, command_draw;
 
 /**
  * Read the options of a command; `argv[0]` is the command's name. Says on standard error what is

@@ -56,22 +56,21 @@ static int read_sizes(grid *g, const char *text, unsigned long limit) {
     return EXIT_DONE;
 }
 
-static int read_box(grid *g, const char *text, graze_context *context) {
+int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *context) {
     const char *start[6];
     size_t length[6];
-    int d = g->dimension;
     if (words(start, length, 6, text) != 2 * d)
         return complain(EXIT_USAGE, "--box %s: the scene has dimension %d: right is %s", text, d,
                         d == 2 ? "x0,y0,x1,y1" : "x0,y0,z0,x1,y1,z1");
     for (int k = 0; k < 2 * d; k++) {
-        mpq_t *value = k < d ? &g->low[k] : &g->high[k - d];
+        mpq_t *value = k < d ? &low[k] : &high[k - d];
         graze_status status = graze_number_parse(*value, context, start[k], length[k]);
         if (status)
             return complain(status == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_USAGE, "--box: %s",
                             graze_context_message(context));
     }
     for (int k = 0; k < d; k++)
-        if (mpq_cmp(g->low[k], g->high[k]) >= 0)
+        if (mpq_cmp(low[k], high[k]) >= 0)
             return complain(EXIT_USAGE, "--box %s: %c0 must be less than %c1", text, 'x' + k,
                             'x' + k);
     return EXIT_DONE;
@@ -106,7 +105,7 @@ int grid_open(grid **out, const options *o, graze_context *context, const graze_
     }
     int status = read_sizes(g, o->grid, graze_context_limit(context, GRAZE_LIMIT_GRID));
     if (!status)
-        status = o->box ? read_box(g, o->box, context)
+        status = o->box ? box_read(g->low, g->high, o->box, g->dimension, context)
                         : complain_of(graze_scene_box(g->low, g->high, context, scene), context);
     if (!status)
         set_steps(g);

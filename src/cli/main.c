@@ -6,9 +6,10 @@
 #include "cli/interrupt.h"
 #include "cli/output.h"
 
-static const command *const commands[] = {
-    &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,
-    &command_cases, &command_compare,  &command_validate, &command_motion,  &command_boundary};
+static const command *const commands[] = {&command_check,    &command_classify, &command_merge,
+                                          &command_explain,  &command_generate, &command_cases,
+                                          &command_compare,  &command_validate, &command_motion,
+                                          &command_boundary, &command_draw};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -21,6 +22,7 @@ static const char overview[] =
     "  graze generate SOLID MOTION -n N --seed K   query points, most of them degenerate\n"
     "  graze compare GOLDEN CANDIDATE       a candidate's answers against a golden table\n"
     "  graze validate SOLID MOTION --candidate CMD   run a candidate and judge it\n"
+    "  graze draw SOLID MOTION [POINTS] -o FILE.svg   a picture: classes, positions, trajectories\n"
     "  graze motion KIND ...                exact motion files from angles, screws, joints, poses\n"
     "  graze boundary SOLID MOTION --depth N   the boundary by adaptive sampling\n"
     "  graze cases                          the golden cases and what they show\n"

@@ -46,6 +46,9 @@ static const struct option long_options[] = {{"help", no_argument, NULL, 'h'},
                                              {"receipt", required_argument, NULL, 'Y'},
                                              {NULL, 0, NULL, 0}};
 
+/* -p, whose letter is taken by a long option. */
+enum { SHORT_POINT = '@' };
+
 enum { SHARED = sizeof long_options / sizeof *long_options - 1, OWN_FIRST = 256, NAME = 32 };
 
 /* What getopt_long is given: the shared options and the command's own. */
@@ -119,7 +122,7 @@ static int read_choice(options *o, int letter, const char *value) {
     static const char *const overlap[] = {"extend", "reject"};
     static const char *const folds[] = {"separate", "combined"};
     static const char *const operation[] = {"sweep", "unsweep"};
-    static const char *const format[] = {"csv", "jsonl"};
+    static const char *const format[] = {"csv", "jsonl", "vtk", "npy"};
     int chosen = 0, status;
     switch (letter) {
     case 'r':
@@ -139,8 +142,11 @@ static int read_choice(options *o, int letter, const char *value) {
         o->scene.operation = (graze_operation)chosen;
         return status;
     default:
-        status = choose(&chosen, "format", value, format, 2);
-        o->format = (graze_format)chosen;
+        status = choose(&chosen, "format", value, format, 4);
+        o->exported = chosen == 2   ? GRAZE_EXPORT_VTK
+                      : chosen == 3 ? GRAZE_EXPORT_NPY
+                                    : GRAZE_EXPORT_NONE;
+        o->format = chosen == 1 ? GRAZE_FORMAT_JSONL : GRAZE_FORMAT_CSV;
         return status;
     }
 }
@@ -259,6 +265,9 @@ static int read_option(options *o, int letter, const char *value) {
     case 'K':
         o->keep = value;
         return EXIT_DONE;
+    case SHORT_POINT:
+        o->marks[o->mark_count++] = value;
+        return EXIT_DONE;
     default:
         return strchr("qAHFST", letter) ? read_comparison(o, letter, value)
                                         : read_choice(o, letter, value);
@@ -292,7 +301,8 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
     option_table table;
     table_make(&table, c->allowed);
     out->operands = calloc((size_t)argc + 1, sizeof *out->operands);
-    if (!out->operands)
+    out->marks = calloc((size_t)argc + 1, sizeof *out->marks);
+    if (!out->operands || !out->marks)
         return complain(EXIT_IO, "out of memory");
     opterr = 0;
     optind = 1;
@@ -301,7 +311,10 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
             out->operands[out->operand_count++] = argv[optind++];
             continue;
         }
-        int index = -1, letter = getopt_long(argc, argv, "-:hn:", table.entries, &index);
+        int index = -1, letter = getopt_long(argc, argv, "-:hn:o:p:", table.entries, &index);
+        const char short_name[] = {(char)letter, 0};
+        if (letter == 'p' && index < 0)
+            letter = SHORT_POINT;
         if (letter == -1) {
             while (optind < argc)
                 out->operands[out->operand_count++] = argv[optind++];
@@ -314,8 +327,8 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
             return complain_of_word(c, optopt, letter, argv);
         } else if (!allows(c, letter)) {
             return complain(EXIT_USAGE, "%s has no option %s%s; see graze %s --help", c->name,
-                            index < 0 ? "-" : "--", index < 0 ? "n" : long_options[index].name,
-                            c->name);
+                            index < 0 ? "-" : "--",
+                            index < 0 ? short_name : long_options[index].name, c->name);
         } else if (letter >= OWN_FIRST) {
             out->own[letter - OWN_FIRST] = optarg ? optarg : "";
         } else {
@@ -330,5 +343,7 @@ int options_read(options *out, int *help, const command *c, int argc, char **arg
 
 void options_clear(options *o) {
     free(o->operands);
+    free(o->marks);
     o->operands = NULL;
+    o->marks = NULL;
 }

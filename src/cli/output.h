@@ -12,6 +12,9 @@ typedef struct output {
     int fd;
     const char *name; /* for messages */
     int error;
+    char *kept; /* what output_keep holds back */
+    size_t kept_length, kept_capacity;
+    int keeps;
     size_t used;
     char buffer[1 << 16];
 } output;
@@ -32,6 +35,11 @@ void output_bytes(output *out, const char *text, size_t length);
 /** An integer, or a ratio in lowest terms. */
 void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
+/** From now on keep in memory what is put, instead of writing it. */
+void output_keep(output *out);
+/** Hand over what was kept, malloc'ed, and write again what is put from now on. NULL when memory ran
+ * short, or nothing was put. */
+char *output_release(output *out, size_t *length);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);
 

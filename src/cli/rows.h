@@ -43,6 +43,8 @@ unsigned long long csv_checksum(const csv *c);
 
 typedef struct grid grid;
 
+/** Read a value of --box into d initialised rationals each. On failure says why. */
+int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *context);
 /** Read --grid and --box, or ask for the scene's box. On failure says why. */
 int grid_open(grid **out, const options *o, graze_context *context, const graze_scene *scene);
 void grid_close(grid *g);

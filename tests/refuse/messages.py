@@ -35,6 +35,9 @@ UNREACHED = {
     "rows already, more than there are points": "needs a table of this version; tests/shards reaches it",
     "a rank cannot begin": "needs a machine that lacks a file which another one has",
     "MPI cannot begin": "the system refuses a pipe",
+    "PNG pictures need the library": "needs a machine without cairo",
+    "the library libcairo.so.2 here has no": "needs a cairo without PNG",
+    "a VTK file numbers its points": "needs 2^31 rows",
     "the crossings of a ray with the solid do not add up": "a fault of Graze itself",
     "the motion's end maps are singular": "a fault of Graze itself",
     "inside the geometry library failed": "a fault of Graze itself",
@@ -48,7 +51,8 @@ UNREACHED = {
 }
 
 # Files whose messages only callers of the library can meet; tests/api reaches them.
-LIBRARY = ("src/api.c", "src/api_convert.c", "src/api_solid.c", "src/api_trace.c", "src/solid/nesting.c")
+LIBRARY = ("src/api.c", "src/api_convert.c", "src/api_draw.c", "src/report/cut_table.c",
+           "src/api_solid.c", "src/api_trace.c", "src/solid/nesting.c")
 
 STRING = r'"(?:[^"\\]|\\.)*"'
 ATTRIBUTE = re.compile(r"(\w+)\s*\([^;{}]*?\)\s*(?:\n\s*)?__attribute__\s*\(\(\s*format\s*\(\s*printf", re.S)

@@ -1,0 +1,85 @@
+/* The public function of pictures: argument checks, defaults, one call.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include "api.h"
+#include "context/environment.h"
+#include "draw/draw.h"
+
+static const graze_draw_options defaults;
+
+/* What is wrong with the options, or NULL. */
+static const char *misused(const graze_draw_options *o, int d) {
+    if (o->times == 1 || o->times > 64)
+        return "times must be from 2 to 64";
+    if (!o->low != !o->high)
+        return "low and high must both be given or both be NULL";
+    if (d == 3 && o->plane && (o->plane_axis < 0 || o->plane_axis > 2))
+        return "plane_axis must be 0, 1 or 2";
+    if (d == 2 && o->plane)
+        return "a plane belongs to scenes of dimension 3";
+    if (o->point_count && (!o->points || !o->names))
+        return "points and names must not be NULL";
+    for (int k = 0; k < 3; k++)
+        if (!(fabs(o->view[k]) < 1e100))
+            return "view must be of finite numbers";
+    for (size_t k = 0; k < o->point_count; k++)
+        if (!o->names[k])
+            return "a name must not be NULL";
+    for (int k = 0; k < d && o->low; k++)
+        if (mpq_cmp(o->low[k], o->high[k]) >= 0)
+            return "low must be less than high in all coordinates";
+    return NULL;
+}
+
+/* The caller's rationals one after the other: low, high, plane, points. */
+static graze_status take_numbers(fmpq *out, graze_context *context, const graze_draw_options *o,
+                                 size_t d) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < d && o->low && !status; k++) {
+        status = api_rational(out + k, context, o->low[k]);
+        if (!status)
+            status = api_rational(out + d + k, context, o->high[k]);
+    }
+    if (o->plane && !status)
+        status = api_rational(out + 2 * d, context, *o->plane);
+    for (size_t k = 0; k < o->point_count * d && !status; k++) {
+        status = api_rational(out + 2 * d + 1 + k, context, o->points[k]);
+        if (status)
+            status = context_at(context, status, "point %zu, coordinate %zu", k / d, k % d);
+    }
+    return status;
+}
+
+graze_status graze_draw(graze_context *context, const graze_scene *scene, const char *file,
+                        const graze_draw_options *options) {
+    if (!context || !scene || !file)
+        return api_misuse(context, "graze_draw", "context, scene and file must not be NULL");
+    const graze_draw_options *o = options ? options : &defaults;
+    size_t d = (size_t)scene->motion->dimension, count = 2 * d + 1 + o->point_count * d;
+    const char *wrong = misused(o, (int)d);
+    if (wrong)
+        return api_misuse(context, "graze_draw", wrong);
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq *numbers = _fmpq_vec_init((slong)count);
+    graze_status status = take_numbers(numbers, context, o, d);
+    int seen = o->view[0] != 0 || o->view[1] != 0 || o->view[2] != 0;
+    const draw_request request = {
+        .title = o->title,
+        .grid = o->grid,
+        .times = o->times ? o->times : 5,
+        .low = o->low ? numbers : NULL,
+        .high = o->low ? numbers + d : NULL,
+        .plane_axis = o->plane ? o->plane_axis : 2,
+        .plane = o->plane ? numbers + 2 * d : NULL,
+        .view = {seen ? o->view[0] : 2, seen ? o->view[1] : -3, seen ? o->view[2] : 2},
+        .points = numbers + 2 * d + 1,
+        .point_count = o->point_count,
+        .names = o->names,
+    };
+    if (!status)
+        status = draw_picture(context, scene, file, &request);
+    _fmpq_vec_clear(numbers, (slong)count);
+    return status;
+}

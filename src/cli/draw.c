@@ -1,0 +1,262 @@
+/* graze draw: a picture of a scene.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cli/numbers.h"
+#include "cli/rows.h"
+
+/* Options of its own. */
+enum { TITLE, TIMES, PLANE, VIEW };
+
+static const char help[] =
+    "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
+    "\n"
+    "FILE is .svg or .png. Square cells are coloured by the class of their centres, classified\n"
+    "exactly, under outlines of S at some times; in 3D in a plane, beside a view of S. POINTS (a\n"
+    "CSV file or -) are drawn with their inverted trajectories through S and all contacts; a\n"
+    "column id names them.\n"
+    "\n"
+    "  -o, --output FILE     the picture\n"
+    "  -p X,Y[,Z]            one more point; may be given several times\n"
+    "  --grid N              cells along the longer side (240, or 360 of a wide box)\n"
+    "  --times K             positions of S, from 2 to 64 (5)\n"
+    "  --box x0,y0[,z0],x1,y1[,z1]   what of space to show; default: around the sweep\n"
+    "  --plane z=1/2         3D: the plane of the cells, x=, y= or z= (the middle of the box)\n"
+    "  --view X,Y,Z          3D: the direction to look from (2,-3,2)\n"
+    "  --title TEXT          the line above the picture (the names of the files)\n"
+    "  --operation sweep|unsweep, --folds, --overlap, --triangulate, --round, --limit NAME=V,\n"
+    "  --no-filter           as in graze classify\n"
+    "\n"
+    "Example: graze draw gear.wkt roll.json -p 1,2 -p 3,1/2 --times 9 -o gear.svg\n";
+
+/* The points of a picture with their names; both grow together. */
+typedef struct marks {
+    int dimension;
+    mpq_t *value;
+    char **name;
+    size_t count, capacity;
+} marks;
+
+static void marks_clear(marks *m) {
+    for (size_t k = 0; k < m->capacity * (size_t)m->dimension; k++)
+        mpq_clear(m->value[k]);
+    for (size_t k = 0; k < m->count; k++)
+        free(m->name[k]);
+    free(m->value);
+    free(m->name);
+}
+
+/* Room for one more point; 0 where there is none. */
+static int marks_grow(marks *m) {
+    size_t d = (size_t)m->dimension, capacity = 2 * m->capacity + 16;
+    if (m->count < m->capacity)
+        return 1;
+    char **name = realloc(m->name, capacity * sizeof *name);
+    if (name)
+        m->name = name;
+    mpq_t *value = realloc(m->value, capacity * d * sizeof *value);
+    if (value)
+        m->value = value;
+    if (!name || !value)
+        return 0;
+    for (size_t k = m->capacity * d; k < capacity * d; k++)
+        mpq_init(value[k]);
+    m->capacity = capacity;
+    return 1;
+}
+
+/* Take the point at the end of `value` over under a malloc'ed name. */
+static int marks_take(marks *m, char *name) {
+    if (!name)
+        return complain(EXIT_IO, "out of memory");
+    m->name[m->count++] = name;
+    return EXIT_DONE;
+}
+
+/* "3" for the third row. */
+static char *number_name(const char *before, size_t number) {
+    char text[32];
+    snprintf(text, sizeof text, "%s%zu", before, number);
+    return strdup(text);
+}
+
+/* Which of the further columns is `id`; -1 if none is. */
+static long id_column(const char *columns) {
+    fields cut = {NULL, 0, 0};
+    long found = -1;
+    if (columns && fields_cut(&cut, (field){columns, strlen(columns)}) == FIELDS_CUT)
+        for (size_t k = cut.count; k-- > 0;) {
+            field f = field_content(cut.item[k]);
+            if (f.length == 2 && memcmp(f.start, "id", 2) == 0)
+                found = (long)k;
+        }
+    fields_clear(&cut);
+    return found;
+}
+
+/* The name of a row: its id, or its number. */
+static char *row_name(const char *rest, long id, size_t number) {
+    fields cut = {NULL, 0, 0};
+    char *name = NULL;
+    if (id >= 0 && fields_cut(&cut, (field){rest, strlen(rest)}) == FIELDS_CUT &&
+        (size_t)id < cut.count) {
+        field f = field_content(cut.item[id]);
+        name = strndup(f.start, f.length);
+    }
+    fields_clear(&cut);
+    return name ? name : number_name("", number);
+}
+
+static int read_block(marks *m, csv *points, const block *b, graze_context *context) {
+    fault f = {EXIT_DONE, NULL};
+    reader r = {.context = context};
+    long id = id_column(csv_columns(points)->others);
+    int status = EXIT_DONE;
+    for (size_t k = 0; k < b->count && !status; k++) {
+        r.rest_length = 0;
+        if (!marks_grow(m))
+            status = complain(EXIT_IO, "out of memory");
+        else if (columns_row(m->value + m->count * (size_t)m->dimension, &f, csv_columns(points),
+                             &r, b, k))
+            status = fault_tell(&f);
+        else
+            status = marks_take(m, row_name(r.rest, id, m->count + 1));
+    }
+    reader_clear(&r);
+    fault_clear(&f);
+    return status;
+}
+
+static int read_file(marks *m, const char *path, graze_context *context) {
+    csv *points = NULL;
+    block *b = block_create();
+    int status = b ? csv_open(&points, path, m->dimension, (shard){0, 1}, context)
+                   : complain(EXIT_IO, "out of memory");
+    for (int more = 1; more && !status;) {
+        block_reset(b, 0);
+        int read = csv_fill(points, b);
+        more = b->count > 0;
+        status = read_block(m, points, b, context);
+        if (!status && read)
+            status = read == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(points));
+    }
+    csv_close(points);
+    block_destroy(b);
+    return status;
+}
+
+static int read_marks(marks *m, const options *o, graze_context *context) {
+    int status = o->operand_count > 2 ? read_file(m, o->operands[2], context) : EXIT_DONE;
+    for (int k = 0; k < o->mark_count && !status; k++) {
+        if (!marks_grow(m))
+            return complain(EXIT_IO, "out of memory");
+        status = numbers_read(m->value + m->count * (size_t)m->dimension, context, "-p",
+                              o->marks[k], strlen(o->marks[k]), m->dimension);
+        if (!status)
+            status =
+                marks_take(m, o->mark_count > 1 ? number_name("P", (size_t)k + 1) : strdup("P"));
+    }
+    return status;
+}
+
+/* What the options say in numbers; initialised by the caller. */
+typedef struct frame {
+    mpq_t low[3], high[3], plane, view[3];
+} frame;
+
+static int read_frame(graze_draw_options *out, frame *f, const options *o, int d,
+                      graze_context *context) {
+    int status = EXIT_DONE;
+    if (d == 2 && (o->own[PLANE] || o->own[VIEW]))
+        return complain(EXIT_USAGE, "--%s goes with a solid of dimension 3",
+                        o->own[PLANE] ? "plane" : "view");
+    if (o->box) {
+        status = box_read(f->low, f->high, o->box, d, context);
+        out->low = (const mpq_t *)f->low;
+        out->high = (const mpq_t *)f->high;
+    }
+    if (o->own[PLANE] && !status) {
+        char axis = o->own[PLANE][0];
+        if (axis < 'x' || axis > 'z' || o->own[PLANE][1] != '=')
+            return complain(EXIT_USAGE, "--plane %s: right is x=, y= or z= and a number",
+                            o->own[PLANE]);
+        out->plane_axis = axis - 'x';
+        out->plane = (const mpq_t *)&f->plane;
+        status = numbers_read(&f->plane, context, "--plane", o->own[PLANE] + 2,
+                              strlen(o->own[PLANE] + 2), 1);
+    }
+    if (o->own[VIEW] && !status) {
+        status = numbers_read(f->view, context, "--view", o->own[VIEW], strlen(o->own[VIEW]), 3);
+        for (int k = 0; k < 3; k++)
+            out->view[k] = mpq_get_d(f->view[k]);
+        if (!status && !mpq_sgn(f->view[0]) && !mpq_sgn(f->view[1]) && !mpq_sgn(f->view[2]))
+            status = complain(EXIT_USAGE, "--view %s: right is a direction that is not zero",
+                              o->own[VIEW]);
+    }
+    return status;
+}
+
+/* A whole number from 2 to `most`; nothing where there is no text. */
+static int read_size(unsigned long *out, const char *option, const char *text, unsigned long most) {
+    char *end = NULL;
+    if (!text)
+        return EXIT_DONE;
+    *out = isdigit((unsigned char)*text) ? strtoul(text, &end, 10) : 0;
+    if (!end || *end || *out < 2 || *out > most)
+        return complain(EXIT_USAGE, "%s %s: right is a whole number from 2 to %lu", option, text,
+                        most);
+    return EXIT_DONE;
+}
+
+static int draw(const loaded *l, const options *o, marks *m, frame *f) {
+    graze_draw_options what = {.title = o->own[TITLE]};
+    char title[512];
+    const char *solid = strrchr(o->operands[0], '/'), *motion = strrchr(o->operands[1], '/');
+    snprintf(title, sizeof title, "%s, %s", solid ? solid + 1 : o->operands[0],
+             motion ? motion + 1 : o->operands[1]);
+    if (!o->own[TITLE])
+        what.title = title;
+    int status = read_size(&what.grid, "--grid", o->grid, 10000);
+    if (!status)
+        status = read_size(&what.times, "--times", o->own[TIMES], 64);
+    if (!status)
+        status = read_frame(&what, f, o, m->dimension, l->context);
+    if (!status)
+        status = read_marks(m, o, l->context);
+    what.points = (const mpq_t *)m->value;
+    what.point_count = m->count;
+    what.names = (const char *const *)m->name;
+    if (status)
+        return status;
+    graze_status drawn = graze_draw(l->context, l->scene, o->output, &what);
+    return drawn == GRAZE_EUSE ? complain(EXIT_USAGE, "%s", graze_context_message(l->context))
+                               : complain_of(drawn, l->context);
+}
+
+static int run(const options *o) {
+    if (o->operand_count < 2 || o->operand_count > 3)
+        return complain(EXIT_USAGE,
+                        "draw takes SOLID, MOTION and perhaps POINTS, %d operands given; see graze "
+                        "draw --help",
+                        o->operand_count);
+    if (!o->output)
+        return complain(EXIT_USAGE, "draw needs -o FILE, a name in .svg or .png; see graze draw "
+                                    "--help");
+    loaded l;
+    frame f;
+    mpq_inits(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.plane, f.view[0],
+              f.view[1], f.view[2], NULL);
+    int status = load(&l, o, EXIT_INPUT, NULL);
+    marks m = {.dimension = graze_scene_dimension(l.scene)};
+    if (!status)
+        status = draw(&l, o, &m, &f);
+    marks_clear(&m);
+    unload(&l);
+    mpq_clears(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.plane, f.view[0],
+               f.view[1], f.view[2], NULL);
+    return status;
+}
+
+const command command_draw = {"draw", "rltvfpgbox@ title= times= plane= view=", help, run};

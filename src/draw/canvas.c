@@ -1,0 +1,167 @@
+/* What both kinds of canvas share: paths, texts, the file.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "draw/canvas.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "draw/cairo.h"
+
+void path_clear(path *p) {
+    free(p->node);
+    *p = (path){NULL, 0, 0, 0};
+}
+
+void path_to(path *p, char verb, double x, double y) {
+    if (p->count == p->capacity && !p->failed) {
+        size_t capacity = 2 * p->capacity + 64;
+        path_node *grown = realloc(p->node, capacity * sizeof *grown);
+        p->failed = !grown;
+        if (grown) {
+            p->node = grown;
+            p->capacity = capacity;
+        }
+    }
+    if (!p->failed)
+        p->node[p->count++] = (path_node){verb, x, y};
+}
+
+static int has_extension(const char *file, const char *extension) {
+    const char *dot = strrchr(file, '.');
+    if (!dot || strlen(dot + 1) != strlen(extension))
+        return 0;
+    for (size_t k = 0; extension[k]; k++)
+        if (tolower((unsigned char)dot[k + 1]) != extension[k])
+            return 0;
+    return 1;
+}
+
+graze_status canvas_check(graze_context *context, const char *file) {
+    cairo_functions found;
+    if (has_extension(file, "png"))
+        return cairo_find(&found, context);
+    if (has_extension(file, "svg"))
+        return GRAZE_OK;
+    return context_fail(context, GRAZE_EUSE,
+                        "%s: the extension tells the kind of picture; right is .svg or .png", file);
+}
+
+graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
+                           double height) {
+    *out = NULL;
+    graze_status status = canvas_check(context, file);
+    if (status)
+        return status;
+    return (has_extension(file, "png") ? canvas_create_png : canvas_create_svg)(out, context, width,
+                                                                                height);
+}
+
+static graze_status write_file(graze_context *context, const char *file, const text *bytes) {
+    FILE *stream = fopen(file, "wb");
+    if (!stream)
+        return context_fail(context, GRAZE_ESYSTEM, "%s: cannot be opened for writing: %s", file,
+                            strerror(errno));
+    int wrong = fwrite(bytes->data, 1, bytes->length, stream) != bytes->length ? errno : 0;
+    if (fclose(stream) != 0 && !wrong)
+        wrong = errno;
+    if (wrong)
+        return context_fail(context, GRAZE_ESYSTEM, "%s: writing failed: %s", file,
+                            strerror(wrong));
+    return GRAZE_OK;
+}
+
+graze_status canvas_finish(canvas *c, graze_context *context, const char *file, int write) {
+    if (!c)
+        return GRAZE_OK;
+    graze_status status = GRAZE_OK;
+    text bytes;
+    text_init(&bytes);
+    if (write) {
+        c->kind->finish(c, &bytes);
+        status = c->failed || bytes.failed
+                     ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture")
+                     : write_file(context, file, &bytes);
+    }
+    text_clear(&bytes);
+    c->kind->destroy(c);
+    return status;
+}
+
+void canvas_begin(canvas *c, const char *name, const char *attributes) {
+    c->kind->begin(c, name, attributes);
+}
+
+void canvas_end(canvas *c) {
+    c->kind->end(c);
+}
+
+void canvas_clip(canvas *c, double x, double y, double width, double height) {
+    c->kind->clip(c, x, y, width, height);
+}
+
+void canvas_unclip(canvas *c) {
+    c->kind->unclip(c);
+}
+
+void canvas_path(canvas *c, const path *p, const style *s, const char *name) {
+    c->failed |= p->failed;
+    if (p->count)
+        c->kind->path(c, p, s, name);
+}
+
+void canvas_circle(canvas *c, double x, double y, double radius, const style *s) {
+    c->kind->circle(c, x, y, radius, s);
+}
+
+/* Bytes of the UTF-8 character at `s`, or 0 if there is none that XML takes. */
+static size_t character_length(const unsigned char *s) {
+    if (*s < 0x80)
+        return *s >= 0x20 && *s != 0x7f;
+    size_t n = *s >= 0xf0 ? 4 : *s >= 0xe0 ? 3 : 2;
+    unsigned long code = *s & (0xffu >> (n + 1));
+    if (*s < 0xc2 || *s > 0xf4)
+        return 0;
+    for (size_t k = 1; k < n; k++) {
+        if ((s[k] & 0xc0) != 0x80)
+            return 0;
+        code = code << 6 | (s[k] & 0x3f);
+    }
+    int refused = (n == 3 && code < 0x800) || (n == 4 && (code < 0x10000 || code > 0x10ffff)) ||
+                  (code >= 0xd800 && code <= 0xdfff) || (code >= 0xfffe && code <= 0xffff) ||
+                  (code >= 0x80 && code < 0xa0);
+    return refused ? 0 : n;
+}
+
+void canvas_text(canvas *c, double x, double y, const lettering *l, const char *string) {
+    text clean;
+    text_init(&clean);
+    text_put(&clean, "");
+    while (*string) {
+        size_t n = character_length((const unsigned char *)string);
+        text_bytes(&clean, n ? string : "?", n ? n : 1);
+        string += n ? n : 1;
+    }
+    c->failed |= clean.failed;
+    if (!clean.failed)
+        c->kind->text(c, x, y, l, clean.data);
+    text_clear(&clean);
+}
+
+double canvas_text_width(const char *string, double size) {
+    double em = 0;
+    for (; *string; string++) {
+        unsigned char byte = (unsigned char)*string;
+        if ((byte & 0xc0) == 0x80)
+            continue;
+        if (strchr("ijlI.,:;|!'()[]- ", byte))
+            em += 0.4;
+        else if (strchr("mwMW@%", byte))
+            em += 1;
+        else
+            em += byte < 0x80 ? 0.65 : 0.85;
+    }
+    return em * size;
+}

@@ -1,0 +1,105 @@
+/* A surface to draw on, in pixels from the upper left corner; made of paths, circles and texts.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * There are two kinds, an SVG text and a PNG image. Drawing never fails half-way: what goes wrong
+ * is remembered and told by canvas_finish.
+ */
+#ifndef GRAZE_DRAW_CANVAS_H
+#define GRAZE_DRAW_CANVAS_H
+
+#include "report/text.h"
+
+/** A colour 0xRRGGBB as paint; 0 paints nothing. */
+#define PAINT(rgb) (0x1000000u | (rgb))
+
+/** How a path or circle is drawn. Zeroed it draws nothing. */
+typedef struct style {
+    unsigned fill, stroke; /* paints */
+    double width;          /* of the stroke */
+    double dash;           /* length of dashes and gaps; 0: none */
+    double faintness;      /* 0 opaque ... 1 invisible */
+    int crisp;             /* edges on whole pixels, no smoothing */
+} style;
+
+/** Begin a part at a point, go on with a line, or close the part. */
+typedef struct path_node {
+    char verb; /* M, L or z */
+    double x, y;
+} path_node;
+
+/** Grows by the functions below; once memory has run short `failed` is set. */
+typedef struct path {
+    path_node *node;
+    size_t count, capacity;
+    int failed;
+} path;
+
+void path_clear(path *p);
+void path_to(path *p, char verb, double x, double y);
+
+/** Where the text's anchor is: at its start, middle or end. */
+typedef enum anchor { ANCHOR_START, ANCHOR_MIDDLE, ANCHOR_END } anchor;
+
+/** How a text is set; its colour is dark. */
+typedef struct lettering {
+    double size;
+    anchor anchor;
+    int bold;
+    int halo; /* a light rim, to be legible on anything */
+} lettering;
+
+typedef struct canvas canvas;
+
+/** Whether canvas_create will know what to make, before anything long is done: GRAZE_EUSE an
+ * extension but .svg and .png, GRAZE_ESYSTEM no library for the latter. */
+graze_status canvas_check(graze_context *context, const char *file);
+/** The kind of a path's extension, .svg or .png; what canvas_check returns, or GRAZE_ESYSTEM. */
+graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
+                           double height);
+/** Write the file and free the canvas, or only free it where `write` is 0. NULL is harmless. */
+graze_status canvas_finish(canvas *c, graze_context *context, const char *file, int write);
+
+/** A part of the picture with a name and perhaps attributes, `key="value"` in SVG's form. */
+void canvas_begin(canvas *c, const char *name, const char *attributes);
+void canvas_end(canvas *c);
+/** Draw only inside a rectangle until canvas_unclip. */
+void canvas_clip(canvas *c, double x, double y, double width, double height);
+void canvas_unclip(canvas *c);
+/** Draw a path; even-odd. `name` is the class of the element, or NULL. */
+void canvas_path(canvas *c, const path *p, const style *s, const char *name);
+void canvas_circle(canvas *c, double x, double y, double radius, const style *s);
+/** A line of UTF-8 on its baseline. What is no character or a control comes as a question mark. */
+void canvas_text(canvas *c, double x, double y, const lettering *l, const char *string);
+
+/** What a text takes, for fonts as wide as DejaVu Sans. */
+double canvas_text_width(const char *string, double size);
+
+/* ---------------------------------------------------------------------------- the two kinds */
+
+typedef struct canvas_kind {
+    void (*begin)(canvas *c, const char *name, const char *attributes);
+    void (*end)(canvas *c);
+    void (*clip)(canvas *c, double x, double y, double width, double height);
+    void (*unclip)(canvas *c);
+    void (*path)(canvas *c, const path *p, const style *s, const char *name);
+    void (*circle)(canvas *c, double x, double y, double radius, const style *s);
+    void (*text)(canvas *c, double x, double y, const lettering *l, const char *string);
+    /* Hand the file's bytes over in `out`. */
+    void (*finish)(canvas *c, text *out);
+    void (*destroy)(canvas *c);
+} canvas_kind;
+
+/** Each kind's own struct begins with this. */
+struct canvas {
+    const canvas_kind *kind;
+    double width, height;
+    int failed; /* memory ran short */
+};
+
+graze_status canvas_create_svg(canvas **out, graze_context *context, double width, double height);
+graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height);
+
+/** Dark ink, used for texts. */
+#define INK 0x222222u
+
+#endif

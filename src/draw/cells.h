@@ -1,0 +1,67 @@
+/* A grid of square cells in the plane or in a plane of space, each classified at its centre.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The centres are rationals and the classification is exact; nothing is said about the rest of a
+ * cell.
+ */
+#ifndef GRAZE_DRAW_CELLS_H
+#define GRAZE_DRAW_CELLS_H
+
+#include "draw/panel.h"
+#include "scene/scene.h"
+
+/** A grid more than so many times as wide as high is drawn wide. */
+#define CELLS_WIDE 1.6
+
+/** What a point is, as a colour: the class of a sweep, the pmc of an unsweep. Zero is none. */
+typedef enum tone {
+    TONE_REGULAR = 1,
+    TONE_FOLD = 2,
+    TONE_FOLD_BOUNDARY = 3,
+    TONE_BOUNDARY = 4,
+    TONE_EXTERIOR = 5,
+    TONE_IN = 6,
+    TONE_ON = 7,
+    TONE_OUT = 8,
+    TONE_COUNT = 9
+} tone;
+
+/** The tone of a verdict. */
+tone tone_of(const graze_verdict *v);
+
+/** Cell (i, j) has its centre at low + (i + 1/2, j + 1/2) side. */
+typedef struct cells {
+    int axis[2]; /* the coordinates along which i and j run */
+    size_t count[2];
+    fmpq *low; /* a corner of d coordinates; off the two axes, the plane's place */
+    int dimension;
+    fmpq_t side;
+    unsigned char *tone; /* row by row, i running fastest */
+} cells;
+
+/**
+ * Lay the grid out: square cells, `longer` of them along the box's longer side, that cover the box
+ * evenly.
+ * @param[out] out    cleared by cells_clear, also on failure
+ * @param low, high   d rationals each, low < high on both axes; the two of another axis count not
+ * @param longer      0: as many as give each two pixels
+ * @param plane       the place on the axis that is left, in E^3
+ * @return GRAZE_ELIMIT more cells than the limit `grid`
+ */
+graze_status cells_layout(cells *out, graze_context *context, int dimension, const int axis[2],
+                          const fmpq *low, const fmpq *high, const fmpq_t plane,
+                          unsigned long longer);
+void cells_clear(cells *c);
+
+/** Classify all centres. */
+graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene);
+
+/** The rectangle of the plane that the cells cover. */
+extent cells_extent(const cells *c);
+/** Add the cells of a tone as rectangles, one for each run of them along a row. */
+void cells_path(path *out, const cells *c, const panel *p, tone t);
+
+/** Their layout as attributes of SVG: exact numbers, from which the centres follow. */
+void cells_attributes(text *out, const cells *c, const panel *p);
+
+#endif

@@ -1,0 +1,206 @@
+/* Windows, projections, frames and their numbers.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "draw/panel.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+projection projection_of_axes(int horizontal, int vertical) {
+    projection p;
+    memset(&p, 0, sizeof p);
+    p.row[0][horizontal] = 1;
+    p.row[1][vertical] = 1;
+    return p;
+}
+
+static void cross(double out[3], const double a[3], const double b[3]) {
+    for (int k = 0; k < 3; k++)
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static void normalise(double v[3]) {
+    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int k = 0; k < 3; k++)
+        v[k] /= length;
+}
+
+projection projection_from(const double from[3]) {
+    double up[3] = {0, 0, 1}, toward[3];
+    projection p;
+    memcpy(toward, from, sizeof toward);
+    normalise(toward);
+    if (toward[0] == 0 && toward[1] == 0) {
+        up[1] = 1;
+        up[2] = 0;
+    }
+    cross(p.row[0], up, toward);
+    normalise(p.row[0]);
+    cross(p.row[1], toward, p.row[0]);
+    return p;
+}
+
+double projection_at(const projection *p, int k, const double point[3]) {
+    return p->row[k][0] * point[0] + p->row[k][1] * point[1] + p->row[k][2] * point[2];
+}
+
+extent extent_empty(void) {
+    return (extent){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+}
+
+void extent_add(extent *e, double x, double y) {
+    e->low[0] = fmin(e->low[0], x);
+    e->low[1] = fmin(e->low[1], y);
+    e->high[0] = fmax(e->high[0], x);
+    e->high[1] = fmax(e->high[1], y);
+}
+
+void extent_grow(extent *e, double by) {
+    for (int k = 0; k < 2; k++) {
+        e->low[k] -= by;
+        e->high[k] += by;
+    }
+}
+
+panel panel_fit(const projection *look, const extent *window, double longest) {
+    panel p = {*look, *window, 0, 0, 0, 0, 0};
+    double size[2] = {window->high[0] - window->low[0], window->high[1] - window->low[1]};
+    double longer = fmax(size[0], size[1]);
+    p.scale = longest / longer;
+    for (int k = 0; k < 2; k++) {
+        double missing = longer / 4 - size[k];
+        if (missing > 0) {
+            p.window.low[k] -= missing / 2;
+            p.window.high[k] += missing / 2;
+        }
+    }
+    p.width = round((p.window.high[0] - p.window.low[0]) * p.scale);
+    p.height = round((p.window.high[1] - p.window.low[1]) * p.scale);
+    return p;
+}
+
+void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical) {
+    *x = p->x + (horizontal - p->window.low[0]) * p->scale;
+    *y = p->y + p->height - (vertical - p->window.low[1]) * p->scale;
+}
+
+void panel_map(double *x, double *y, const panel *p, const double point[3]) {
+    panel_map_plane(x, y, p, projection_at(&p->look, 0, point), projection_at(&p->look, 1, point));
+}
+
+void panel_frame(canvas *c, const panel *p, const char *title) {
+    const lettering heading = {.size = 13, .bold = 1};
+    const style line = {.stroke = PAINT(0x888888), .width = 1};
+    path frame = {NULL, 0, 0, 0};
+    path_to(&frame, 'M', p->x - .5, p->y - .5);
+    path_to(&frame, 'L', p->x + p->width + .5, p->y - .5);
+    path_to(&frame, 'L', p->x + p->width + .5, p->y + p->height + .5);
+    path_to(&frame, 'L', p->x - .5, p->y + p->height + .5);
+    path_to(&frame, 'z', 0, 0);
+    canvas_path(c, &frame, &line, NULL);
+    path_clear(&frame);
+    canvas_text(c, p->x, p->y - 9, &heading, title);
+}
+
+/* A tick's distance: mantissa 1, 2 or 5 times 10^exponent. */
+typedef struct tick_step {
+    int mantissa, exponent;
+    double size;
+} tick_step;
+
+/* The smallest such step that is at least `least`. */
+static tick_step step_for(double least) {
+    static const int mantissas[] = {1, 2, 5, 10};
+    int exponent = (int)floor(log10(least)), k = 0;
+    double power = pow(10, exponent);
+    while (k < 3 && mantissas[k] * power < least)
+        k++;
+    if (k == 3)
+        return (tick_step){1, exponent + 1, 10 * power};
+    return (tick_step){mantissas[k], exponent, mantissas[k] * power};
+}
+
+/* The number index * step, by its digits: no locale has a say in it. */
+static void tick_text(char *out, size_t room, long index, const tick_step *s) {
+    const char *sign = index < 0 ? "-" : "";
+    long value = (index < 0 ? -index : index) * s->mantissa;
+    if (value == 0)
+        snprintf(out, room, "0");
+    else if (s->exponent < -4 || s->exponent > 4)
+        snprintf(out, room, "%s%lde%d", sign, value, s->exponent);
+    else if (s->exponent >= 0)
+        snprintf(out, room, "%s%ld%.*s", sign, value, s->exponent, "0000");
+    else {
+        long unit = 1;
+        for (int k = s->exponent; k < 0; k++)
+            unit *= 10;
+        snprintf(out, room, "%s%ld.%0*ld", sign, value / unit, -s->exponent, value % unit);
+    }
+}
+
+static void draw_tick(canvas *c, const panel *p, int axis, long index, const tick_step *s) {
+    const style line = {.stroke = PAINT(0x888888), .width = 1};
+    const lettering below = {.size = 11, .anchor = ANCHOR_MIDDLE};
+    const lettering beside = {.size = 11, .anchor = ANCHOR_END};
+    path mark = {NULL, 0, 0, 0};
+    char number[48];
+    double x, y, at = (double)index * s->size;
+    tick_text(number, sizeof number, index, s);
+    panel_map_plane(&x, &y, p, axis ? p->window.low[0] : at, axis ? at : p->window.low[1]);
+    path_to(&mark, 'M', x, y);
+    path_to(&mark, 'L', axis ? x - 4 : x, axis ? y : y + 4);
+    canvas_path(c, &mark, &line, NULL);
+    path_clear(&mark);
+    canvas_text(c, axis ? x - 7 : x, axis ? y + 4 : y + 16, axis ? &beside : &below, number);
+}
+
+void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical) {
+    const lettering name = {.size = 12, .bold = 1, .anchor = ANCHOR_END};
+    for (int axis = 0; axis < 2; axis++) {
+        double low = p->window.low[axis], high = p->window.high[axis];
+        tick_step s = step_for((axis ? 36 : 60) / p->scale);
+        if (fmax(fabs(low), fabs(high)) / s.size > 1e9)
+            continue; /* far from the origin numbers would be long and alike */
+        /* The upper end of an axis is its name's place. */
+        double place = 20 / p->scale;
+        for (long k = (long)ceil(low / s.size); (double)k * s.size <= high - place; k++)
+            draw_tick(c, p, axis, k, &s);
+    }
+    const char names[2][2] = {{horizontal, 0}, {vertical, 0}};
+    canvas_text(c, p->x + p->width, p->y + p->height + 16, &name, names[0]);
+    canvas_text(c, p->x - 7, p->y + 9, &name, names[1]);
+}
+
+void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double size) {
+    const style solid = {.fill = PAINT(INK)};
+    double length = sqrt(dx * dx + dy * dy);
+    dx *= size / length;
+    dy *= size / length;
+    path head = {NULL, 0, 0, 0};
+    path_to(&head, 'M', x, y);
+    path_to(&head, 'L', x - dx + dy * .4, y - dy - dx * .4);
+    path_to(&head, 'L', x - dx - dy * .4, y - dy + dx * .4);
+    path_to(&head, 'z', 0, 0);
+    canvas_path(c, &head, &solid, NULL);
+    path_clear(&head);
+}
+
+void panel_triad(canvas *c, const panel *p) {
+    static const char names[3][2] = {"x", "y", "z"};
+    const style line = {.stroke = PAINT(INK), .width = 1};
+    const lettering letter = {.size = 11, .anchor = ANCHOR_MIDDLE, .halo = 1};
+    double x = p->x + 36, y = p->y + p->height - 36;
+    for (int k = 0; k < 3; k++) {
+        double dx = p->look.row[0][k], dy = -p->look.row[1][k];
+        if (dx * dx + dy * dy < .01)
+            continue; /* the axis points at the onlooker */
+        path axis = {NULL, 0, 0, 0};
+        path_to(&axis, 'M', x, y);
+        path_to(&axis, 'L', x + 20 * dx, y + 20 * dy);
+        canvas_path(c, &axis, &line, NULL);
+        path_clear(&axis);
+        draw_arrow_head(c, x + 22 * dx, y + 22 * dy, dx, dy, 5);
+        canvas_text(c, x + 30 * dx, y + 30 * dy + 4, &letter, names[k]);
+    }
+}

@@ -1,0 +1,216 @@
+/* Vertices at a time, outlines, slices, and faces painted from the back to the front.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "draw/shape.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Map all vertices by d rows of d + 1 numbers. */
+static graze_status place_vertices(shape *out, graze_context *context, const graze_solid *solid,
+                                   const double *map) {
+    const soup *s = &solid->input;
+    int d = s->dimension;
+    *out = (shape){solid, calloc(s->vertex_count, 3 * sizeof(double)), 0};
+    if (!out->at)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
+    for (size_t v = 0; v < s->vertex_count; v++)
+        for (int i = 0; i < d; i++) {
+            const double *row = map + i * (d + 1);
+            double sum = row[d];
+            for (int j = 0; j < d; j++)
+                sum += row[j] * solid->low[v * (size_t)d + (size_t)j];
+            out->at[3 * v + (size_t)i] = sum;
+        }
+    return GRAZE_OK;
+}
+
+graze_status shape_standing(shape *out, graze_context *context, const graze_solid *solid) {
+    static const double identity2[] = {1, 0, 0, 0, 1, 0};
+    static const double identity3[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    return place_vertices(out, context, solid, solid->input.dimension == 2 ? identity2 : identity3);
+}
+
+static double determinant(const double *m, int d) {
+    if (d == 2)
+        return m[0] * m[4] - m[1] * m[3];
+    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
+           m[2] * (m[4] * m[9] - m[5] * m[8]);
+}
+
+graze_status shape_moved(shape *out, graze_context *context, const graze_solid *solid,
+                         const graze_motion *motion, const fmpq_t t, int inverse) {
+    size_t k = 0;
+    int d = motion->dimension, entries = d * (d + 1);
+    while (k + 1 < motion->piece_count && fmpq_cmp(t, motion->piece[k].hi) > 0)
+        k++;
+    const motion_piece *piece = &motion->piece[k];
+    fmpq_t u, width;
+    fmpq_init(u);
+    fmpq_init(width);
+    fmpq_sub(u, t, piece->lo);
+    fmpq_sub(width, piece->hi, piece->lo);
+    fmpq_div(u, u, width);
+    fmpq *exact = _fmpq_vec_init(entries);
+    double map[12];
+    point_map_at(exact, inverse ? &piece->inverse : &piece->forward, u);
+    for (int e = 0; e < entries; e++)
+        map[e] = fmpq_get_d(exact + e);
+    _fmpq_vec_clear(exact, entries);
+    fmpq_clear(width);
+    fmpq_clear(u);
+    graze_status status = place_vertices(out, context, solid, map);
+    out->reflected = determinant(map, d) < 0;
+    return status;
+}
+
+void shape_clear(shape *s) {
+    free(s->at);
+    s->at = NULL;
+}
+
+void shape_extent(extent *out, const shape *s, const projection *look) {
+    for (size_t v = 0; v < s->solid->input.vertex_count; v++)
+        extent_add(out, projection_at(look, 0, s->at + 3 * v),
+                   projection_at(look, 1, s->at + 3 * v));
+}
+
+void shape_rings(path *out, const shape *s, const panel *p) {
+    const soup *input = &s->solid->input;
+    for (size_t c = 0; c < input->cycle_count; c++) {
+        for (size_t k = input->cycle_start[c]; k < input->cycle_start[c + 1]; k++) {
+            double x, y;
+            panel_map(&x, &y, p, s->at + 3 * (size_t)input->index[k]);
+            path_to(out, k == input->cycle_start[c] ? 'M' : 'L', x, y);
+        }
+        path_to(out, 'z', 0, 0);
+    }
+}
+
+/* The point in which the line through two vertices meets the plane, one being above it. */
+static void meet(double out[3], const double *a, const double *b, int axis, double place) {
+    double share = (place - a[axis]) / (b[axis] - a[axis]);
+    for (int k = 0; k < 3; k++)
+        out[k] = a[k] + share * (b[k] - a[k]);
+    out[axis] = place;
+}
+
+void shape_slice(path *out, const shape *s, const panel *p, int axis, double place) {
+    const simplices *cut = &s->solid->cut;
+    for (size_t f = 0; f < cut->count; f++) {
+        int ends = 0;
+        for (int k = 0; k < 3; k++) {
+            const double *a = s->at + 3 * (size_t)cut->item[f].vertex[k];
+            const double *b = s->at + 3 * (size_t)cut->item[f].vertex[(k + 1) % 3];
+            double end[3], x, y;
+            if ((a[axis] >= place) == (b[axis] >= place))
+                continue;
+            meet(end, a, b, axis, place);
+            panel_map(&x, &y, p, end);
+            path_to(out, ends++ ? 'L' : 'M', x, y);
+        }
+    }
+}
+
+/* A face turned towards the onlooker. */
+typedef struct face {
+    double depth;
+    size_t shape, simplex;
+    double light; /* 0 ... 1 */
+} face;
+
+static int nearer_later(const void *a, const void *b) {
+    const face *f = a, *g = b;
+    if (f->depth != g->depth)
+        return f->depth < g->depth ? -1 : 1;
+    if (f->shape != g->shape)
+        return f->shape < g->shape ? -1 : 1;
+    return f->simplex < g->simplex ? -1 : f->simplex > g->simplex;
+}
+
+static void toward_onlooker(double out[3], const projection *look) {
+    const double *a = look->row[0], *b = look->row[1];
+    for (int k = 0; k < 3; k++)
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+/* Look at a face; 0 if it is turned away. The light comes from the onlooker's left shoulder. */
+static int see(face *out, const shape *s, size_t simplex, const projection *look) {
+    double toward[3], side[2][3], normal[3], length = 0, facing = 0, lit = 0;
+    const uint32_t *vertex = s->solid->cut.item[simplex].vertex;
+    const double *at[3];
+    toward_onlooker(toward, look);
+    for (int k = 0; k < 3; k++)
+        at[k] = s->at + 3 * (size_t)vertex[k];
+    out->depth = 0;
+    for (int k = 0; k < 3; k++) {
+        side[0][k] = at[1][k] - at[0][k];
+        side[1][k] = at[2][k] - at[0][k];
+        out->depth += toward[k] * (at[0][k] + at[1][k] + at[2][k]);
+    }
+    for (int k = 0; k < 3; k++) {
+        int l = (k + 1) % 3, m = (k + 2) % 3;
+        normal[k] = side[0][l] * side[1][m] - side[0][m] * side[1][l];
+        normal[k] = s->reflected ? -normal[k] : normal[k];
+        length += normal[k] * normal[k];
+        facing += normal[k] * toward[k];
+        lit += normal[k] * (.75 * toward[k] - .35 * look->row[0][k] + .55 * look->row[1][k]);
+    }
+    out->light = fmax(lit / sqrt(length), 0);
+    return facing > 0;
+}
+
+static unsigned shade(unsigned colour, double light) {
+    double share = .62 + .38 * light;
+    unsigned out = 0;
+    for (int shift = 16; shift >= 0; shift -= 8)
+        out |= (unsigned)((colour >> shift & 255) * share) << shift;
+    return PAINT(out);
+}
+
+static void paint_face(canvas *c, const shape *s, const finish *how, const face *f,
+                       const panel *p) {
+    const simplex *from = &s->solid->cut.item[f->simplex];
+    path area = {NULL, 0, 0, 0}, edges = {NULL, 0, 0, 0};
+    double x[3], y[3];
+    for (int k = 0; k < 3; k++) {
+        panel_map(&x[k], &y[k], p, s->at + 3 * (size_t)from->vertex[k]);
+        path_to(&area, k ? 'L' : 'M', x[k], y[k]);
+    }
+    path_to(&area, 'z', 0, 0);
+    for (int k = 0; k < 3; k++)
+        if (!(from->diagonal >> k & 1)) {
+            path_to(&edges, 'M', x[k], y[k]);
+            path_to(&edges, 'L', x[(k + 1) % 3], y[(k + 1) % 3]);
+        }
+    unsigned paint = shade(how->colour, f->light);
+    const style plain = {.fill = paint, .faintness = how->faintness, .crisp = 1};
+    const style line = {
+        .stroke = shade(how->colour, -.6), .width = .6, .faintness = how->faintness};
+    canvas_path(c, &area, &plain, NULL);
+    if (how->edges)
+        canvas_path(c, &edges, &line, NULL);
+    path_clear(&area);
+    path_clear(&edges);
+}
+
+graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes,
+                          const finish *finishes, size_t count, const panel *p) {
+    size_t n = 0, per_shape = shapes[0].solid->cut.count;
+    face *faces = calloc(per_shape, count * sizeof *faces);
+    if (!faces)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
+    for (size_t s = 0; s < count; s++)
+        for (size_t f = 0; f < per_shape; f++) {
+            faces[n].shape = s;
+            faces[n].simplex = f;
+            n += (size_t)see(&faces[n], &shapes[s], f, &p->look);
+        }
+    qsort(faces, n, sizeof *faces, nearer_later);
+    for (size_t k = 0; k < n; k++)
+        paint_face(c, &shapes[faces[k].shape], &finishes[faces[k].shape], &faces[k], p);
+    free(faces);
+    return GRAZE_OK;
+}

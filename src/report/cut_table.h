@@ -1,0 +1,67 @@
+/* A finished CSV table of results, cut into columns for formats that are arrays.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The table is Graze's own (formats: Results): whole, with its `#` lines and one row a line. It is
+ * borrowed and not copied.
+ */
+#ifndef GRAZE_REPORT_CUT_TABLE_H
+#define GRAZE_REPORT_CUT_TABLE_H
+
+#include "report/text.h"
+
+/** Bytes within the table: what a field says, quotes and blanks around it left out. */
+typedef struct token {
+    const char *start;
+    size_t length;
+} token;
+
+typedef enum column_kind {
+    COLUMN_COORDINATE, /* x, y, z: rationals */
+    COLUMN_PMC,        /* in, on, out */
+    COLUMN_CLASS,
+    COLUMN_DEFINITION, /* a number, or ext */
+    COLUMN_COUNT,      /* case, i, t */
+    COLUMN_WORD,
+    COLUMN_NUMBER, /* a further column with a number in every row */
+    COLUMN_TEXT    /* any other further column */
+} column_kind;
+
+typedef struct column {
+    token name;
+    column_kind kind;
+    size_t widest; /* bytes of its longest field */
+} column;
+
+typedef struct cut_table {
+    const char *table, *end;
+    int dimension;
+    size_t grid[3];       /* points along each axis, 1 for an axis that is not; all 0: no grid */
+    fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
+    size_t row_count, column_count;
+    size_t own; /* the first so many columns are Graze's, the others the points' */
+    column *column;
+    token *row; /* each row without its line end */
+} cut_table;
+
+/**
+ * Cut a table. `out` is cleared by cut_table_clear, also on failure.
+ * @return GRAZE_EINPUT it is no whole table of results; GRAZE_ESYSTEM, GRAZE_ELIMIT
+ */
+graze_status cut_table_read(cut_table *out, graze_context *context, const char *table,
+                            size_t length);
+void cut_table_clear(cut_table *c);
+
+/** Field `index` of a row, which has it. */
+token cut_table_field(const cut_table *c, size_t row, size_t index);
+/** The double nearest to a field that is a number; infinite past the range of doubles. */
+double cut_table_number(graze_context *context, token field);
+/** The value of a field of Graze's own by which numbers stand for names: pmc and class as in
+ * graze.h, definition with 0 for ext, counts as they are. */
+unsigned long cut_table_code(column_kind kind, token field);
+
+/** The table as a legacy VTK file: a grid as structured points, else vertices. */
+graze_status export_vtk(text *out, graze_context *context, const cut_table *c);
+/** The table as a structured numpy array. */
+graze_status export_npy(text *out, graze_context *context, const cut_table *c);
+
+#endif

@@ -1,0 +1,78 @@
+/* Pictures and exported tables through the public functions: what they refuse.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdio.h>
+#include "walk.h"
+
+static const char picture[] = "never-written.svg";
+
+static void expect(graze_status status, graze_status wanted, const scene *s, const char *says) {
+    assert_int_equal(status, wanted);
+    if (!strstr(graze_context_message(s->context), says))
+        fail_msg("%s lacks %s", graze_context_message(s->context), says);
+    assert_null(fopen(picture, "r"));
+}
+
+static void pictures_refused(void **state) {
+    (void)state;
+    scene s;
+    scene_open(&s, slide, NULL);
+    mpq_t low[2], high[2];
+    mpq_inits(low[0], low[1], high[0], high[1], NULL);
+    mpq_set_si(high[0], 1, 1);
+    const mpq_t *from = (const mpq_t *)low, *to = (const mpq_t *)high;
+    const struct {
+        graze_draw_options options;
+        const char *says;
+    } wrong[] = {
+        {{.times = 1}, "times must be from 2 to 64"},
+        {{.times = 65}, "times must be from 2 to 64"},
+        {{.low = from}, "both be NULL"},
+        {{.low = from, .high = to}, "low must be less than high"}, /* equal in y */
+        {{.plane = from}, "dimension 3"},
+        {{.point_count = 1, .points = from}, "points and names"},
+        {{.view = {INFINITY, 0, 0}}, "finite"},
+    };
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
+        expect(graze_draw(s.context, s.scene, picture, &wrong[k].options), GRAZE_EUSE, &s,
+               wrong[k].says);
+    expect(graze_draw(s.context, s.scene, NULL, NULL), GRAZE_EUSE, &s, "must not be NULL");
+    expect(graze_draw(s.context, s.scene, "x.svg.txt", NULL), GRAZE_EUSE, &s, ".svg or .png");
+    mpq_clears(low[0], low[1], high[0], high[1], NULL);
+    scene_close(&s);
+}
+
+static void tables_refused(void **state) {
+    (void)state;
+    scene s;
+    scene_open(&s, slide, NULL);
+    static const struct {
+        const char *table, *says;
+    } wrong[] = {
+        {"", "dimension"},
+        {"# dimension 2\nx,y,pmc\n# complete 0\n", "no column word"},
+        {"# dimension 2\nx,y,pmc,word\n1,1,in,OBIBO\n", "# complete"},
+        {"# dimension 2\nx,y,pmc,word\n1,1,in,OBIBO\n# complete 2\n", "number of rows"},
+        {"# dimension 2\n# grid 2,2\n# box 0,0,1,1\nx,y,pmc,word\n# complete 0\n", "its grid"},
+    };
+    char *out;
+    size_t length;
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+        const char *table = wrong[k].table;
+        expect(
+            graze_report_export(&out, &length, s.context, table, strlen(table), GRAZE_EXPORT_NPY),
+            GRAZE_EINPUT, &s, wrong[k].says);
+        assert_null(out);
+    }
+    expect(graze_report_export(&out, &length, s.context, "", 0, GRAZE_EXPORT_NONE), GRAZE_EUSE, &s,
+           "no such form");
+    scene_close(&s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pictures_refused),
+        cmocka_unit_test(tables_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

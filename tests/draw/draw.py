@@ -1,0 +1,386 @@
+"""Pictures and binary tables against graze classify.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+# suite
+
+An SVG picture says where its cells are, in exact numbers. The centre of every cell is computed here and
+classified by `graze classify` on its own, and must have the colour of its class, in the PNG too. Marks are
+counted against the counts that [EI] prints. VTK and npy files are read by small readers of this file, and must
+hold what the CSV table holds. The committed picture must be what `make pictures` draws.
+"""
+import argparse
+import ast
+import csv
+import io
+import os
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+import zlib
+from fractions import Fraction as F
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+SVG = "{http://www.w3.org/2000/svg}"
+COLOURS = {"regular": "#56b4e9", "fold": "#e69f00", "fold_boundary": "#0072b2", "boundary": "#d55e00",
+           "exterior": "#ffffff", "in": "#56b4e9", "on": "#d55e00", "out": "#ffffff"}
+ENVIRONMENT = dict(os.environ)
+passed = failed = 0
+
+
+def excuse_fonts(folder):
+    """Under a sanitizer: what fontconfig, behind cairo, keeps until the end is no leak of ours."""
+    path = os.path.join(folder, "suppressions")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("leak:libfontconfig\n")
+    ENVIRONMENT["LSAN_OPTIONS"] = f"suppressions={path}:print_suppressions=0"
+
+
+def check(holds, *message):
+    global passed, failed
+    passed, failed = passed + bool(holds), failed + (not holds)
+    if not holds:
+        print("FAILED", *message)
+    return holds
+
+
+def run(graze, *arguments, text=None):
+    return subprocess.run([graze, *arguments], input=text, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          timeout=300, env=ENVIRONMENT)
+
+
+def files(name):
+    folder = os.path.join(ROOT, "cases", name)
+    solid = next(f for f in sorted(os.listdir(folder)) if f.startswith("solid."))
+    return [os.path.join(folder, f) for f in (solid, "motion.json", "points.csv")]
+
+
+def table(graze, *arguments, text=None):
+    """The rows of a table as dictionaries."""
+    done = run(graze, "classify", *arguments, text=text)
+    lines = [line for line in done.stdout.decode().splitlines() if not line.startswith("#")]
+    return list(csv.DictReader(lines))
+
+
+# ---------------------------------------------------------------------------------- pictures
+
+def group(root, name):
+    return next((g for g in root.iter(SVG + "g") if g.get("class") == name), None)
+
+
+class Cells:
+    """The layout an SVG picture states for its cells, and the rectangles it draws."""
+
+    def __init__(self, root):
+        g = group(root, "cells")
+        self.axes = ["xyz".index(a) for a in g.get("data-axes").split()]
+        self.count = [int(n) for n in g.get("data-count").split()]
+        self.low = [F(n) for n in g.get("data-low").split()]
+        self.side = F(g.get("data-side"))
+        self.frame = [int(n) for n in g.get("data-frame").split()]
+        self.colour = {}
+        for path in g.iter(SVG + "path"):
+            for run in re.findall(r"M([\d.]+) ([\d.]+)H([\d.]+)V([\d.]+)H\1z", path.get("d")):
+                self.fill([float(n) for n in run], path.get("fill"))
+
+    def centre(self, i, j):
+        point = list(self.low)
+        point[self.axes[0]] += (i + F(1, 2)) * self.side
+        point[self.axes[1]] += (j + F(1, 2)) * self.side
+        return point
+
+    def pixel(self, i, j):
+        """The middle of a cell on the picture."""
+        x, y, width, height = self.frame
+        return (x + (i + .5) * width / self.count[0], y + height - (j + .5) * height / self.count[1])
+
+    def fill(self, box, colour):
+        x0, y0, x1, y1 = box
+        for j in range(self.count[1]):
+            if not y0 < self.pixel(0, j)[1] < y1:
+                continue
+            for i in range(self.count[0]):
+                if x0 < self.pixel(i, j)[0] < x1:
+                    check((i, j) not in self.colour, "two colours on one cell", i, j)
+                    self.colour[i, j] = colour
+
+
+def read_png(path):
+    """(width, height, rows of RGB bytes) of an 8 bit RGB or RGBA image."""
+    with open(path, "rb") as file:
+        data = file.read()
+    at, packed = 8, b""
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + size]
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+        if kind == b"IDAT":
+            packed += body
+        at += 12 + size
+    step = {2: 3, 6: 4}[colour]
+    raw, rows, above = zlib.decompress(packed), [], bytes(width * step)
+    for y in range(height):
+        start = y * (width * step + 1)
+        kind, line = raw[start], bytearray(raw[start + 1:start + 1 + width * step])
+        for x in range(len(line)):
+            left, up = line[x - step] if x >= step else 0, above[x]
+            corner = above[x - step] if x >= step else 0
+            guess = left + up - corner
+            paeth = min((left, up, corner), key=lambda v: abs(guess - v))
+            line[x] = (line[x] + (0, left, up, (left + up) // 2, paeth)[kind]) & 255
+        rows.append(bytes(line))
+        above = line
+    return width, height, step, rows
+
+
+def check_png(path, cells, want, name):
+    width, height, step, rows = read_png(path)
+    alike = other = 0
+    palette = {bytes.fromhex(c[1:]) for c in COLOURS.values()}
+    for (i, j), colour in want.items():
+        x, y = (int(2 * v) for v in cells.pixel(i, j))
+        got = rows[y][step * x:step * x + 3]
+        alike += got == bytes.fromhex(colour[1:])
+        other += got != bytes.fromhex(colour[1:]) and got in palette
+    # Outlines, marks and names cover some cells; a mark may have the colour of a class.
+    check(alike > .8 * len(want), name, "cells of the PNG in their colour:", alike, "of", len(want))
+    check(other <= .02 * len(want), name, "cells of the PNG in another class's colour:", other)
+    return width, height
+
+
+def check_cells(graze, folder, name, grid, options, unsweep=False, png=False):
+    solid, motion, points = files(name)
+    drawn = {}
+    for kind in ("svg", "png"):
+        drawn[kind] = os.path.join(folder, f"{name}.{kind}")
+        # Reading a PNG here is slow; without points it is small.
+        operands = [solid, motion] if png else [solid, motion, points]
+        done = run(graze, "draw", *operands, "--grid", str(grid), *options, "-o", drawn[kind])
+        if not check(done.returncode == 0, name, kind, done.stderr.decode()):
+            return
+    root = ElementTree.parse(drawn["svg"]).getroot()
+    cells = Cells(root)
+    places = [(i, j) for j in range(cells.count[1]) for i in range(cells.count[0])]
+    text = "".join(",".join(map(str, cells.centre(i, j))) + "\n" for i, j in places)
+    scene_options = ["--operation", "unsweep"] if unsweep else []
+    rows = table(graze, solid, motion, "-", *scene_options, text=text.encode())
+    check(len(rows) == len(places), name, "rows", len(rows))
+    want = {p: COLOURS[row["pmc" if unsweep else "class"]] for p, row in zip(places, rows)}
+    check(len(set(want.values())) > 1, name, "cells of one colour only")
+    for place, colour in want.items():
+        got = cells.colour.get(place, "#ffffff")
+        check(got == colour, name, "cell", place, "centre", *map(str, cells.centre(*place)), got, "is not", colour)
+    if png:
+        size = check_png(drawn["png"], cells, want, name)
+        check(size == (2 * int(root.get("width")), 2 * int(root.get("height"))), name, "size of the PNG", size)
+
+
+def check_names(root, name):
+    """Names inside one panel keep off one another: no two on one place."""
+    for panel in ("classes", "trajectories"):
+        seen = [(t.get("x"), t.get("y")) for t in group(root, panel).iter(SVG + "text")]
+        check(len(seen) == len(set(seen)), name, panel, "two texts at one place")
+
+
+def check_marks(graze, folder):
+    """[EI] Figure 4: (2, 0), (8, 1), (2, 4), (6, 1), (2, 2); all contacts are in the frame."""
+    path = os.path.join(folder, "marks.svg")
+    run(graze, "draw", *files("figure4"), "--grid", "10", "-o", path)
+    marks = list(group(ElementTree.parse(path).getroot(), "trajectories"))
+    kinds = [(e.get("fill"), e.get("stroke")) for e in marks]
+    check(kinds.count(("#222222", "#ffffff")) == 2 + 8 + 2 + 6 + 2, "marks of intersections", kinds)
+    check(kinds.count(("#ffffff", "#d55e00")) == 0 + 1 + 4 + 1 + 2, "marks of tangencies", kinds)
+
+
+def check_text(graze, folder):
+    """What XML gives a meaning, and what is no character, in names and the title."""
+    solid, motion, _ = files("figure4")
+    path = os.path.join(folder, "text.svg")
+    rows = b"x,y,id\n1,1,\"<a&b>\"\n2,1,\xff\xc3\xa9\x01\n"
+    done = run(graze, "draw", solid, motion, "-", "--grid", "4", "--title", "a < b & \"c\"", "-o", path, text=rows)
+    check(done.returncode == 0, "names of all kinds", done.stderr)
+    texts = [t.text for t in ElementTree.parse(path).getroot().iter(SVG + "text")]
+    for want in ("a < b & \"c\"", "<a&b>", "?é?"):
+        check(want in texts, "the text", repr(want), "among", texts)
+
+
+def check_pictures(graze, folder):
+    """What `make pictures` draws is well-formed, and the committed picture is among it."""
+    out = os.path.join(folder, "pictures")
+    done = subprocess.run([os.path.join(ROOT, "cases", "pictures.sh"), graze, out], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, timeout=600, env=ENVIRONMENT)
+    check(done.returncode == 0, "pictures.sh", done.stderr.decode())
+    names = sorted(os.listdir(out))
+    for figure in ("3", "4", "5-regular", "7", "10", "12a", "12b"):
+        check(f"figure{figure}.svg" in names and f"figure{figure}.png" in names, "figure", figure)
+    for name in names:
+        if name.endswith(".svg"):
+            root = ElementTree.parse(os.path.join(out, name)).getroot()
+            check_names(root, name)
+            notes = [t.text for t in root.iter(SVG + "text") if t.text.startswith("no room")]
+            check(not notes, name, notes)
+    with open(os.path.join(ROOT, "cases", "figure3.svg"), "rb") as old, \
+            open(os.path.join(out, "figure3.svg"), "rb") as new:
+        check(old.read() == new.read(), "cases/figure3.svg is not what make pictures draws")
+
+
+# ------------------------------------------------------------------------------ binary tables
+
+def nearest(number):
+    return float(F(number))
+
+
+CODES = {"pmc": ["", "in", "on", "out"],
+         "class": ["", "regular", "fold", "fold_boundary", "boundary", "exterior"]}
+
+
+def code(column, value):
+    """The number a name has in a file."""
+    if column in CODES:
+        return CODES[column].index(value)
+    return 0 if value == "ext" else int(value)
+
+
+def first_occurrence(values):
+    order = {}
+    return [order.setdefault(v, len(order)) for v in values]
+
+
+class Vtk:
+    """A legacy VTK file, binary: head, geometry, columns."""
+
+    def __init__(self, data):
+        self.file = io.BytesIO(data)
+        self.head = [self.line() for _ in range(3)]
+        self.words, self.columns = {}, {}
+        rows, line = 0, self.line()
+        while line:
+            word, *rest = line.split()
+            if word == "POINTS":
+                self.points = self.numbers(3 * int(rest[0]), "d")
+            elif word == "CELLS":
+                self.cells = self.numbers(int(rest[1]), "i")
+            elif word == "CELL_TYPES":
+                self.types = self.numbers(int(rest[0]), "i")
+            elif word == "POINT_DATA":
+                rows = int(rest[0])
+            elif word == "SCALARS":
+                check(self.line() == "LOOKUP_TABLE default", "lookup table of", rest[0])
+                self.columns[rest[0]] = self.numbers(rows, rest[1][0])
+            else:
+                self.words[word] = rest
+            line = self.line()
+
+    def line(self):
+        return self.file.readline().decode().rstrip("\n")
+
+    def numbers(self, count, kind):
+        size = struct.calcsize(kind)
+        values = struct.unpack(f">{count}{kind}", self.file.read(size * count))
+        check(self.file.read(1) == b"\n", "a line end after numbers")
+        return list(values)
+
+
+def check_columns(name, rows, columns, texts):
+    """Columns of a file against the rows of the table; `texts` turns a text column into what is there."""
+    for column in rows[0]:
+        if column in "xyz":
+            continue
+        values = [row[column] for row in rows]
+        if column in CODES or column in ("definition", "case", "i", "t"):
+            want = [code(column, v) for v in values]
+        elif column != "word" and all(re.fullmatch(r"[-+]?[\d./]+(e-?\d+)?", v) for v in values):
+            want = [nearest(v) for v in values]
+        else:
+            want = texts(values)
+        check(columns.get(column) == want, name, "column", column, columns.get(column, [])[:5], want[:5])
+
+
+def check_vtk(graze, solid, motion, name, options, text=None):
+    rows = table(graze, solid, motion, *options, text=text)
+    done = run(graze, "classify", solid, motion, *options, "--format", "vtk", text=text)
+    vtk = Vtk(done.stdout)
+    dimension = 3 if "z" in rows[0] else 2
+    points = [[F(row[a]) for a in "xyz"[:dimension]] + [F(0)] * (3 - dimension) for row in rows]
+    check(vtk.head[0] == "# vtk DataFile Version 3.0" and vtk.head[2] == "BINARY", name, vtk.head)
+    if "--grid" in options:
+        check(vtk.words["DATASET"] == ["STRUCTURED_POINTS"], name, vtk.words)
+        size = [int(n) for n in vtk.words["DIMENSIONS"]]
+        origin, step = ([float(n) for n in vtk.words[w]] for w in ("ORIGIN", "SPACING"))
+        for r, point in enumerate(points):
+            place = (r % size[0], r // size[0] % size[1], r // size[0] // size[1])
+            got = [o + s * k for o, s, k in zip(origin, step, place)]
+            check(all(abs(g - p) < 1e-9 for g, p in zip(got, point)), name, "row", r, got, point)
+    else:
+        check(vtk.words["DATASET"] == ["UNSTRUCTURED_GRID"], name, vtk.words)
+        check(vtk.points == [float(v) for p in points for v in p], name, "points")
+        check(vtk.types == [1] * len(rows), name, "types")
+        check(vtk.cells == [v for r in range(len(rows)) for v in (1, r)], name, "cells")
+    check_columns(name, rows, vtk.columns, first_occurrence)
+
+
+def check_npy(graze, solid, motion, name, options, text=None):
+    rows = table(graze, solid, motion, *options, text=text)
+    data = run(graze, "classify", solid, motion, *options, "--format", "npy", text=text).stdout
+    check(data[:8] == b"\x93NUMPY\x03\x00", name, "magic", data[:8])
+    size, = struct.unpack("<I", data[8:12])
+    check((12 + size) % 64 == 0 and data[11 + size:12 + size] == b"\n", name, "length of the head", size)
+    head = ast.literal_eval(data[12:12 + size].decode())
+    check(head["shape"] == (len(rows),) and head["fortran_order"] is False, name, head)
+    form = "<" + "".join({"f8": "d", "u4": "I"}.get(d[1:], d[2:] + "s") for _, d in head["descr"])
+    check(len(data) == 12 + size + len(rows) * struct.calcsize(form), name, "length of the array")
+    columns = dict(zip((n for n, _ in head["descr"]), zip(*struct.iter_unpack(form, data[12 + size:]))))
+    got = {n: [v.rstrip(b"\0").decode() if isinstance(v, bytes) else v for v in c] for n, c in columns.items()}
+    for n in CODES:
+        got[n] = [code(n, v) for v in got[n]] if n in got else None
+    for axis in "xyz":
+        if axis in rows[0]:
+            check(got[axis] == [nearest(row[axis]) for row in rows], name, "column", axis)
+    check(list(columns) == list(rows[0]), name, "names", list(columns))
+    check_columns(name, rows, got, list)
+
+
+def check_tables(graze):
+    thirds = b"x,y,weight,note\n1/3,1,1.5e-3,\"a,b\"\n-1e40,2/7,22/7,\n23,4,-.5,a\n"
+    flat, moved, _ = files("figure4")
+    space = files("bracket")
+    for look in (check_vtk, check_npy):
+        look(graze, flat, moved, "further columns", ["-"], text=thirds)
+        look(graze, *space[:2], "bracket", [space[2]])
+        look(graze, *space[:2], "grid in space", ["--grid", "5,4,3"])
+        look(graze, flat, moved, "grid in the plane", ["--grid", "7,3", "--box", "0,0,1/3,5"])
+        look(graze, *files("unsweep-figure5")[:2], "unsweep",
+             [files("unsweep-figure5")[2], "--operation", "unsweep"])
+    done = run(graze, "classify", flat, moved, "-", "--format", "npy", text=b"1,1\n2,b\n")
+    check(done.returncode == 3 and done.stdout == b"", "a bad row leaves no half array", done.returncode)
+    empty = run(graze, "classify", flat, moved, "-", "--format", "npy", text=b"x,y\n").stdout
+    check(b"'shape': (0,)" in empty, "an array of no rows", empty[:200])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--graze", default="build/graze")
+    parser.add_argument("--scale", type=int, default=1, help="multiplies the grids' sides")
+    parser.add_argument("--seed", type=int, default=0, help="for the runner's sake; nothing is random")
+    options = parser.parse_args()
+    graze, more = os.path.abspath(options.graze), options.scale
+    with tempfile.TemporaryDirectory() as folder:
+        excuse_fonts(folder)
+        check_cells(graze, folder, "figures-5-7-8", 48 * more, [], png=True)
+        check_cells(graze, folder, "disk-offset", 40 * more, ["--box", "-2,-3/2,2,5/2", "--times", "9"])
+        check_cells(graze, folder, "bracket", 40 * more, ["--plane", "z=3/2", "--view", "0,0,1"])
+        check_cells(graze, folder, "cartridge", 24 * more, ["--plane", "y=1/7"])
+        check_cells(graze, folder, "unsweep-figure5", 30 * more, ["--operation", "unsweep"], unsweep=True)
+        check_marks(graze, folder)
+        check_text(graze, folder)
+        check_pictures(graze, folder)
+    check_tables(graze)
+    print(f"{passed} passed, {failed} failed")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
