@@ -540,9 +540,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_explain(char **out, graze_cont
 
 /** What a picture shows. Zeroed it holds the defaults; everything is borrowed. */
 typedef struct graze_draw_options {
-    const char *title;   /**< a line above the picture, or NULL */
-    unsigned long grid;  /**< cells along the longer side; 0: 240, or 360 of a wide box */
-    unsigned long times; /**< positions of S, 2 to 64, evenly spread over the motion; 0: 5 */
+    const char *title;        /**< a line above the picture, or NULL */
+    unsigned long grid;       /**< cells along the longer side; 0: 240, or 360 of a wide box */
+    unsigned long times;      /**< positions of S, 2 to 64, evenly spread over the motion; 0: 5 */
     const mpq_t *low, *high;  /**< the box, d rationals each; both NULL: around the scene */
     int plane_axis;           /**< E^3: the plane in which this coordinate, 0 to 2, ... */
     const mpq_t *plane;       /**< ... is this rational; NULL: z in the middle of the box */
@@ -726,18 +726,18 @@ typedef struct graze_boundary_summary {
     unsigned long in, on, out; /**< of the points */
     unsigned long contacts;    /**< contact points made, */
     unsigned long contacts_on; /**< and those of them that are `on` and in the box */
-    unsigned long missed; /**< cells of the surface's level that hold one but no part of the
-                               surface */
-    unsigned level;       /**< of the cells that the surface goes through */
-    int complete;         /**< 0: the budget was spent before the depth was reached */
-    int closed;           /**< 0: the surface ends at the border of the box */
+    unsigned long missed;      /**< cells of the surface's level that hold one but no part of the
+                                    surface */
+    unsigned level;            /**< of the cells that the surface goes through */
+    int complete;              /**< 0: the budget was spent before the depth was reached */
+    int closed;                /**< 0: the surface ends at the border of the box */
 } graze_boundary_summary;
 
 /** A cell that was not cut: a box whose corners are points of the sample. */
 typedef struct graze_boundary_cell {
     unsigned level;
-    graze_pmc pmc; /**< of all corners, GRAZE_PMC_NONE if they differ */
-    int contact;   /**< it holds a contact point that is `on` */
+    graze_pmc pmc;     /**< of all corners, GRAZE_PMC_NONE if they differ */
+    int contact;       /**< it holds a contact point that is `on` */
     size_t corners[8]; /**< 2^d points; bit k of the place is the side along axis k */
 } graze_boundary_cell;
 
@@ -752,9 +752,10 @@ typedef struct graze_boundary_cell {
  * @return GRAZE_EUSE a NULL, a depth, an empty box, or a budget too small for the coarse level;
  * GRAZE_ECANCELED, GRAZE_ELIMIT, GRAZE_EINTERNAL
  */
-GRAZE_API GRAZE_CHECKED graze_status
-graze_boundary_create(graze_boundary **out, graze_context *context, const graze_scene *scene,
-                      const graze_boundary_options *options);
+GRAZE_API GRAZE_CHECKED graze_status graze_boundary_create(graze_boundary **out,
+                                                           graze_context *context,
+                                                           const graze_scene *scene,
+                                                           const graze_boundary_options *options);
 /** Free a boundary; the scene stays. NULL is harmless. */
 GRAZE_API void graze_boundary_destroy(graze_boundary *boundary);
 /** Counts; zeroed for NULL. */

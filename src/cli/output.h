@@ -37,8 +37,8 @@ void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
 /** From now on keep in memory what is put, instead of writing it. */
 void output_keep(output *out);
-/** Hand over what was kept, malloc'ed, and write again what is put from now on. NULL when memory ran
- * short, or nothing was put. */
+/** Hand over what was kept, malloc'ed, and write again what is put from now on. NULL when memory
+ * ran short, or nothing was put. */
 char *output_release(output *out, size_t *length);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);

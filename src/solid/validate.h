@@ -30,8 +30,8 @@ typedef struct simplices {
     size_t component_count;
 } simplices;
 
-/** A flag beside GRAZE_SOLID_TRIANGULATE: this soup has passed before, so the search for facets that
- * meet is spared in E^3, and contacts inside facets join no components. */
+/** A flag beside GRAZE_SOLID_TRIANGULATE: this soup has passed before, so the search for facets
+ * that meet is spared in E^3, and contacts inside facets join no components. */
 #define VALIDATE_TRUST_CONTACTS (1u << 31)
 
 /**
