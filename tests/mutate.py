@@ -43,9 +43,10 @@ SUITES = [Suite(f"tests/{name}.py", EXACT) for name in (
 FILTERED = [Suite(suite.script, "") for suite in SUITES[:4]]
 REFUSE = "tests/refuse/run.py"
 UNITS = ["tests/unit/test_algebraic", "tests/unit/test_modular", "tests/unit/test_refine",
-         "tests/unit/test_forms"]
+         "tests/unit/test_forms", "tests/unit/test_locate"]
 LATE_UNITS = ["tests/unit/test_bernstein", "tests/api/test_classify", "tests/api/test_memory",
-              "tests/api/test_handles", "tests/api/test_reports"]
+              "tests/api/test_exact_count", "tests/api/test_handles",
+              "tests/api/test_reports"]
 UNIT_SECONDS = 30
 CFLAGS = ["-std=c11", "-D_GNU_SOURCE", "-O1", "-w", "-pthread", "-Iinclude", "-Isrc"]
 SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]

@@ -110,7 +110,8 @@ def record(folder, suite, graze):
             lines = sorted({with_options(line, suite.flag) for line in file})
         with open(suite.list, "w", encoding="utf-8") as file:
             file.writelines(lines)
-        subprocess.run([graze, "--write", suite.list, str(CPU_SECONDS)], check=True)
+        subprocess.run([graze, "--write", suite.list, str(CPU_SECONDS)], check=True,
+                       stderr=subprocess.DEVNULL)
         with open(took, "w", encoding="utf-8") as file:
             file.write(f"{time.time() - start:.1f}\n")
     with open(took, encoding="utf-8") as file:
