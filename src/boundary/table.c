@@ -30,10 +30,14 @@ size_t table_find(const table *t, uint64_t key) {
 static int grow(table *t) {
     size_t capacity = t->capacity ? 2 * t->capacity : 1024;
     uint64_t *key = realloc(t->key, capacity * sizeof *key);
-    t->key = key ? key : t->key;
-    unsigned char *value = key ? realloc(t->value, capacity) : NULL;
-    t->value = value ? value : t->value;
-    size_t *slot = value ? calloc(2 * capacity, sizeof *slot) : NULL;
+    if (!key)
+        return 0;
+    t->key = key;
+    unsigned char *value = realloc(t->value, capacity);
+    if (!value)
+        return 0;
+    t->value = value;
+    size_t *slot = calloc(2 * capacity, sizeof *slot);
     if (!slot)
         return 0;
     free(t->slot);

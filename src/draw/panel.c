@@ -28,7 +28,7 @@ static void normalise(double v[3]) {
 
 projection projection_from(const double from[3]) {
     double up[3] = {0, 0, 1}, toward[3];
-    projection p;
+    projection p = {0};
     memcpy(toward, from, sizeof toward);
     normalise(toward);
     if (toward[0] == 0 && toward[1] == 0) {
