@@ -9,7 +9,7 @@ on a line, and lines `site K NAME`; with GRAZE_FLIP_SITE=K it turns the answer o
 one call of 10^4, and says on standard error how many calls and flips there were. A flip is noticed
 when the output is another, or the program ends with status 4. The files of points are long, so
 that each site is called often enough, and cover single crossings, misses, coincidences, curved
-pieces, negative weights and coordinates that doubles hold badly; the last three are made for one
+pieces, negative weights and coordinates that doubles hold badly; the last five are made for one
 site each. A site that no file notices is a failure: it has no test, or it decides nothing. Not a
 suite: it takes a minute.
 """
@@ -64,10 +64,11 @@ class Query:
         return done.returncode, done.stdout, done.stderr
 
 
-def plane_query(graze, name, corners, transform, points):
-    """A polygon under one transform of t in [0, 1]."""
+def plane_query(graze, name, corners, transform, points, pieces=1):
+    """A polygon under one transform of t in [0, pieces]."""
     ring = ", ".join(f"{x} {y}" for x, y in corners + corners[:1])
-    motion = {"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": transform}]}
+    motion = {"dimension": 2, "pieces": [{"t": [str(k), str(k + 1)], "transform": transform}
+                                         for k in range(pieces)]}
     texts = (f"POLYGON(({ring}))\n", json.dumps(motion), "".join(f"{x},{y}\n" for x, y in points))
     paths = [graze.write(name.replace(" ", "_") + suffix, text)
              for suffix, text in zip((".wkt", ".json", ".csv"), texts)]
@@ -110,8 +111,24 @@ def weights(graze, rng, count):
                        {"rotate": {"tan_half": "4*t-2"}}, points)
 
 
+def over_the_break(graze, rng, count):
+    """A crossing on one side of a break point and a grazed tip, for the exact path, on the other.
+
+    Nothing else is met, so the states between the two are told by the crossing's direction alone:
+    one that is falsified is noticed by parity against an exact location, or not at all. Now and
+    then comes a point without a tip, so that no call is always at the same place in its period.
+    """
+    corners = [(-4, -2), (4, -2), (4, 0), (2, 0), (2, 4), (1, 4), (1, 0), (-1, 0), (-2, 1), (-3, 0),
+               (-4, 0)]
+    starts = [F(rng.randrange(1, 2 ** 20), 2 ** 20) for _ in range(count)]
+    for name, translate, first in (("crossing, break, tip", "2*t", F(11, 10)),
+                                   ("tip, break, crossing", "-2*t", F(-29, 10))):
+        points = [(first + F(8, 10) * s, 1 if k % 1000 else 3) for k, s in enumerate(starts)]
+        yield plane_query(graze, name, corners, {"translate": [translate, "0"]}, points, 2)
+
+
 def queries(graze, rng, scale):
-    """The files of FILES and the three made for one site, written."""
+    """The files of FILES and the five made for one site, written."""
     plane = plane_solids(), plane_adversaries()
     space = dict(space_solids(), ridges=terrain(20, random.Random(5))), space_adversaries()
     for k, (solid, motion, place, form, *counts) in enumerate(FILES):
@@ -130,6 +147,7 @@ def queries(graze, rng, scale):
     yield tip(graze, rng, 40000 * scale)
     yield corner_rays(graze, rng, 12000 * scale)
     yield weights(graze, rng, 12000 * scale)
+    yield from over_the_break(graze, rng, 24000 * scale)
 
 
 def sites(path, query):
@@ -180,6 +198,10 @@ def main():
         # an end by a signal or without end is noticed too, but it is no way to fail
         checks.true(how in ("status 4", "another answer"), f"site {site} {name}:",
                     how or "not noticed by any file")
+        if name == "direction":
+            for query in everything[-2:]:
+                how, calls = noticed(args.graze, query, site)
+                checks.equal(how, "status 4", f"site {site} {name} in {query.name}, {calls}:")
     checks.finish()
 
 

@@ -1,0 +1,106 @@
+/* The exact trajectories of a point, made when they are needed, and its state at a time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "trace/tracer.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "number/rational.h"
+
+static int dimension_of(const tracer *r) {
+    return r->scene->motion->dimension;
+}
+
+static void set_exactly(const tracer *r, trajectory *c, const point_map *map) {
+    if (r->point.rational) {
+        trajectory_set(c, map, r->point.rational);
+        return;
+    }
+    fmpq *p = _fmpq_vec_init(dimension_of(r));
+    for (int k = 0; k < dimension_of(r); k++)
+        (void)rational_from_double(p + k, r->context, r->point.value[k]); /* finite, by contract */
+    trajectory_set(c, map, p);
+    _fmpq_vec_clear(p, dimension_of(r));
+}
+
+const trajectory *tracer_exact(tracer *r, size_t piece) {
+    size_t n = r->scene->motion->piece_count;
+    if (!r->exact) {
+        r->exact = malloc(n * sizeof *r->exact);
+        r->is_exact = calloc(n, 1);
+        for (size_t k = 0; r->exact && k < n; k++)
+            trajectory_init(&r->exact[k], dimension_of(r));
+    }
+    if (!r->exact || !r->is_exact) {
+        (void)context_fail(r->context, GRAZE_ESYSTEM, "out of memory for %zu pieces of a motion",
+                           n);
+        return NULL;
+    }
+    if (!r->is_exact[piece]) {
+        const motion_piece *p = &r->scene->motion->piece[piece];
+        const point_map *map = r->scene->operation == GRAZE_UNSWEEP ? &p->forward : &p->inverse;
+        set_exactly(r, &r->exact[piece], map);
+        r->is_exact[piece] = 1;
+    }
+    return &r->exact[piece];
+}
+
+graze_status tracer_locate(graze_state *out, tracer *r, size_t piece, const fmpq_t u) {
+    *out = GRAZE_STATE_ABSENT;
+    if (r->workspace && fmpz_bits(fmpq_numref(u)) <= 53 && fmpz_bits(fmpq_denref(u)) <= 53) {
+        /* u is dyadic, and so a double. */
+        double at = fmpz_get_d(fmpq_numref(u)) / fmpz_get_d(fmpq_denref(u));
+        *out = filter_locate(r->workspace, r->scene->filter, piece, &r->near, at);
+    }
+    if (*out != GRAZE_STATE_ABSENT)
+        return GRAZE_OK;
+    const trajectory *c = tracer_exact(r, piece);
+    if (!c)
+        return GRAZE_ESYSTEM;
+    fmpz *x = _fmpz_vec_init(dimension_of(r) + 1);
+    trajectory_at(x, c, u);
+    *out = solid_locate(r->scene->solid, x);
+    _fmpz_vec_clear(x, dimension_of(r) + 1);
+    if (*out != GRAZE_STATE_I && *out != GRAZE_STATE_O)
+        return context_fail(
+            r->context, GRAZE_EINTERNAL,
+            "the point between two contacts of a trace is neither inside nor outside");
+    return GRAZE_OK;
+}
+
+/* The nearest doubles, or nearly so: conversion and division each lose less than 2^-51. Past the
+ * range of doubles they are infinite, which the filter refuses. */
+static void approximate(filter_point *out, query_point point, int dimension) {
+    for (int k = 0; k < dimension; k++) {
+        if (point.value) {
+            out->at[k] = point.value[k];
+            continue;
+        }
+        slong top, bottom;
+        double m = fmpz_get_d_2exp(&top, fmpq_numref(point.rational + k)) /
+                   fmpz_get_d_2exp(&bottom, fmpq_denref(point.rational + k));
+        slong e = top - bottom;
+        out->at[k] = e > 1000 ? INFINITY : e < -1000 ? 0 : ldexp(m, (int)e);
+    }
+}
+
+void tracer_begin(tracer *r) {
+    if (r->context->exact_only || !r->scene->filter)
+        return;
+    r->workspace = filter_workspace_of(r->context);
+    if (r->workspace) {
+        filter_begin(r->workspace);
+        approximate(&r->near, r->point, dimension_of(r));
+    }
+}
+
+void tracer_clear(tracer *r) {
+    for (size_t k = 0; r->exact && k < r->scene->motion->piece_count; k++)
+        trajectory_clear(&r->exact[k]);
+    r->context->exact_count += r->exact != NULL;
+    free(r->exact);
+    free(r->is_exact);
+    free(r->list.item);
+}

@@ -1,0 +1,44 @@
+/* What the tracing of one point works with: the scene, the point, its exact trajectories when they
+ * are needed, and the location of a time off the boundary.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TRACE_TRACER_H
+#define GRAZE_TRACE_TRACER_H
+
+#include "trace/trace.h"
+#include "trace/trajectory.h"
+
+/** What was found last, to which parity is held (tracer_saw_window, tracer_saw_crossing). */
+typedef struct last_seen {
+    int any;
+    size_t piece;
+    graze_state after; /* of a certain crossing; ABSENT for an exact window */
+    uint32_t to;       /* the end of an exact window, in 2^-WINDOW_LEVELS */
+} last_seen;
+
+typedef struct tracer {
+    graze_trace *out;
+    graze_context *context;
+    const trace_scene *scene;
+    query_point point;
+    trace_detail detail;
+    filter_workspace *workspace; /* NULL: no filter */
+    filter_point near;
+    trajectory *exact; /* one per piece, set for those of `exact_piece`; NULL until needed */
+    unsigned char *is_exact;
+    candidates list;
+    last_seen last;
+} tracer;
+
+/** Begin with a filter, unless the scene has none or the context wants none. `r` holds the scene,
+ * the context, the point and the trace to be filled, and zeros. */
+void tracer_begin(tracer *r);
+void tracer_clear(tracer *r);
+
+/** The exact trajectory of a piece, owned by `r`; NULL without memory, which is reported. */
+const trajectory *tracer_exact(tracer *r, size_t piece);
+
+/** The state at a rational time at which the trajectory is off the boundary. */
+graze_status tracer_locate(graze_state *out, tracer *r, size_t piece, const fmpq_t u);
+
+#endif
