@@ -138,13 +138,13 @@ typedef struct layout {
 enum { MARGIN = 18, HEAD = 52, WIDEST = 1130 };
 
 static void place_panel(layout *l, panel *p) {
-    double width = PANEL_LEFT + p->width, height = PANEL_ABOVE + p->height + PANEL_BELOW;
+    double width = p->left + panel_span(p), height = PANEL_ABOVE + p->height + PANEL_BELOW;
     if (l->x > MARGIN && l->x + width > WIDEST) {
         l->x = MARGIN;
         l->y += l->row;
         l->row = 0;
     }
-    p->x = l->x + PANEL_LEFT;
+    p->x = l->x + p->left;
     p->y = l->y + PANEL_ABOVE;
     l->x += width + MARGIN;
     l->row = fmax(l->row, height);
@@ -178,10 +178,14 @@ static graze_status draw_panels(canvas *c, graze_context *context, picture *p) {
 static graze_status draw_all(picture *p, graze_context *context, const char *file) {
     const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
     const char *title = p->request->title ? p->request->title : "";
-    char remark[160];
+    size_t outside = views_outside(p);
+    char missing[64] = "", remark[240];
+    if (outside)
+        snprintf(missing, sizeof missing, " · %zu of %zu points outside the picture", outside,
+                 p->request->point_count);
     snprintf(remark, sizeof remark,
-             "%zu × %zu cells, each in the exact class of its centre · graze " GRAZE_VERSION,
-             p->cells.count[0], p->cells.count[1]);
+             "%zu × %zu cells, each in the exact class of its centre%s · graze " GRAZE_VERSION,
+             p->cells.count[0], p->cells.count[1], missing);
     layout l = lay_out(p, title, remark);
     canvas *c;
     graze_status status = canvas_create(&c, context, file, l.width, l.height);

@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { TITLE_SIZE = 13, NUMBER_SIZE = 11 };
+
 projection projection_of_axes(int horizontal, int vertical) {
     projection p;
     memset(&p, 0, sizeof p);
@@ -64,7 +66,7 @@ void extent_grow(extent *e, double by) {
 }
 
 panel panel_fit(const projection *look, const extent *window, double longest) {
-    panel p = {*look, *window, 0, 0, 0, 0, 0};
+    panel p = {.look = *look, .window = *window};
     double size[2] = {window->high[0] - window->low[0], window->high[1] - window->low[1]};
     double longer = fmax(size[0], size[1]);
     p.scale = longest / longer;
@@ -89,8 +91,12 @@ void panel_map(double *x, double *y, const panel *p, const double point[3]) {
     panel_map_plane(x, y, p, projection_at(&p->look, 0, point), projection_at(&p->look, 1, point));
 }
 
-void panel_frame(canvas *c, const panel *p, const char *title) {
-    const lettering heading = {.size = 13, .bold = 1};
+double panel_span(const panel *p) {
+    return fmax(p->width, canvas_text_width(p->title, TITLE_SIZE + 1)); /* bold is wider */
+}
+
+void panel_frame(canvas *c, const panel *p) {
+    const lettering heading = {.size = TITLE_SIZE, .bold = 1};
     const style line = {.stroke = PAINT(0x888888), .width = 1};
     path frame = {NULL, 0, 0, 0};
     path_to(&frame, 'M', p->x - .5, p->y - .5);
@@ -100,7 +106,7 @@ void panel_frame(canvas *c, const panel *p, const char *title) {
     path_to(&frame, 'z', 0, 0);
     canvas_path(c, &frame, &line, NULL);
     path_clear(&frame);
-    canvas_text(c, p->x, p->y - 9, &heading, title);
+    canvas_text(c, p->x, p->y - 9, &heading, p->title);
 }
 
 /* A tick's distance: mantissa 1, 2 or 5 times 10^exponent. */
@@ -121,6 +127,16 @@ static tick_step step_for(double least) {
     return (tick_step){mantissas[k], exponent, mantissas[k] * power};
 }
 
+/* d.ddde-N for value * 10^exponent, without trailing zeros. */
+static void power_text(char *out, size_t room, const char *sign, long value, int exponent) {
+    char digits[24];
+    int n = snprintf(digits, sizeof digits, "%ld", value), last = n;
+    while (last > 1 && digits[last - 1] == '0')
+        last--;
+    snprintf(out, room, "%s%c%s%.*se%d", sign, digits[0], last > 1 ? "." : "", last - 1, digits + 1,
+             exponent + n - 1);
+}
+
 /* The number index * step, by its digits: no locale has a say in it. */
 static void tick_text(char *out, size_t room, long index, const tick_step *s) {
     const char *sign = index < 0 ? "-" : "";
@@ -128,7 +144,7 @@ static void tick_text(char *out, size_t room, long index, const tick_step *s) {
     if (value == 0)
         snprintf(out, room, "0");
     else if (s->exponent < -4 || s->exponent > 4)
-        snprintf(out, room, "%s%lde%d", sign, value, s->exponent);
+        power_text(out, room, sign, value, s->exponent);
     else if (s->exponent >= 0)
         snprintf(out, room, "%s%ld%.*s", sign, value, s->exponent, "0000");
     else {
@@ -139,10 +155,54 @@ static void tick_text(char *out, size_t room, long index, const tick_step *s) {
     }
 }
 
+/* The numbers along one side: first to last, times the step. */
+typedef struct tick_row {
+    tick_step step;
+    long first, last;
+    double widest; /* in pixels */
+} tick_row;
+
+/* None where they would be long and alike, far from the origin. */
+static tick_row ticks_of(const panel *p, int axis, double apart) {
+    double low = p->window.low[axis], high = p->window.high[axis];
+    tick_row t = {step_for(apart / p->scale), 0, -1, 0};
+    if (fmax(fabs(low), fabs(high)) / t.step.size > 1e9)
+        return t;
+    /* The upper end of an axis is its name's place. */
+    t.first = (long)ceil(low / t.step.size);
+    t.last = (long)floor((high - 20 / p->scale) / t.step.size);
+    for (long k = t.first; k <= t.last; k++) {
+        char number[48];
+        tick_text(number, sizeof number, k, &t.step);
+        t.widest = fmax(t.widest, canvas_text_width(number, NUMBER_SIZE));
+    }
+    return t;
+}
+
+/* Numbers stand below one another, or beside one another with a gap, off the axis's name. */
+static tick_row ticks_along(const panel *p, int axis) {
+    if (axis)
+        return ticks_of(p, 1, 36);
+    tick_row t = ticks_of(p, 0, 60);
+    for (double apart = 90; t.widest + 8 > t.step.size * p->scale; apart *= 1.5)
+        t = ticks_of(p, 0, apart);
+    double end = p->window.high[0] - (t.widest / 2 + 14) / p->scale;
+    while (t.last >= t.first && (double)t.last * t.step.size > end)
+        t.last--;
+    return t;
+}
+
+void panel_name(panel *p, const char *title, int numbered) {
+    snprintf(p->title, sizeof p->title, "%s", title);
+    p->left = 46;
+    if (numbered)
+        p->left = fmax(p->left, ceil(ticks_along(p, 1).widest + 10));
+}
+
 static void draw_tick(canvas *c, const panel *p, int axis, long index, const tick_step *s) {
     const style line = {.stroke = PAINT(0x888888), .width = 1};
-    const lettering below = {.size = 11, .anchor = ANCHOR_MIDDLE};
-    const lettering beside = {.size = 11, .anchor = ANCHOR_END};
+    const lettering below = {.size = NUMBER_SIZE, .anchor = ANCHOR_MIDDLE};
+    const lettering beside = {.size = NUMBER_SIZE, .anchor = ANCHOR_END};
     path mark = {NULL, 0, 0, 0};
     char number[48];
     double x, y, at = (double)index * s->size;
@@ -158,14 +218,9 @@ static void draw_tick(canvas *c, const panel *p, int axis, long index, const tic
 void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical) {
     const lettering name = {.size = 12, .bold = 1, .anchor = ANCHOR_END};
     for (int axis = 0; axis < 2; axis++) {
-        double low = p->window.low[axis], high = p->window.high[axis];
-        tick_step s = step_for((axis ? 36 : 60) / p->scale);
-        if (fmax(fabs(low), fabs(high)) / s.size > 1e9)
-            continue; /* far from the origin numbers would be long and alike */
-        /* The upper end of an axis is its name's place. */
-        double place = 20 / p->scale;
-        for (long k = (long)ceil(low / s.size); (double)k * s.size <= high - place; k++)
-            draw_tick(c, p, axis, k, &s);
+        tick_row t = ticks_along(p, axis);
+        for (long k = t.first; k <= t.last; k++)
+            draw_tick(c, p, axis, k, &t.step);
     }
     const char names[2][2] = {{horizontal, 0}, {vertical, 0}};
     canvas_text(c, p->x + p->width, p->y + p->height + 16, &name, names[0]);

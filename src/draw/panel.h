@@ -35,6 +35,8 @@ typedef struct panel {
     extent window;
     double scale;               /* pixels per unit */
     double x, y, width, height; /* of the frame, in pixels */
+    double left;                /* pixels for the numbers on its left */
+    char title[96];             /* over the frame */
 } panel;
 
 /** The largest panel of a window whose frame is no wider and no higher than `longest` and at least
@@ -45,11 +47,15 @@ void panel_map(double *x, double *y, const panel *p, const double point[3]);
 /** The pixel of a point of the plane. */
 void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical);
 
-/** What the frame takes beside it: title above, numbers on the left and below. */
-enum { PANEL_ABOVE = 26, PANEL_LEFT = 46, PANEL_BELOW = 24 };
+/** What the frame takes above and below it; on its left it takes `left`. */
+enum { PANEL_ABOVE = 26, PANEL_BELOW = 24 };
 
+/** Give a panel its title, and room on the left, where `numbered` for those of panel_ticks. */
+void panel_name(panel *p, const char *title, int numbered);
+/** The width of the frame or of its title, whichever is more. */
+double panel_span(const panel *p);
 /** The frame and the title over it. */
-void panel_frame(canvas *c, const panel *p, const char *title);
+void panel_frame(canvas *c, const panel *p);
 /** Numbers along the left and the lower side, and the names of the two axes. */
 void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical);
 /** Small arrows that show how the axes x, y, z lie. */

@@ -5,7 +5,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include "draw/labels.h"
+#include "report/decimal.h"
 
 static int is_plane(const picture *p) {
     return p->scene->motion->dimension == 2;
@@ -44,11 +47,35 @@ static void fit_trajectories(picture *p, const projection *look) {
         trail_extent(&all, &p->trails[k], look, &near);
     extent_grow(&all, .1 * size);
     p->trajectories = panel_fit(look, &all, 480);
+    panel_name(&p->trajectories,
+               is_unsweep(p) ? "Trajectories M(t)P through S"
+                             : "Inverted trajectories M(t)⁻¹P through S",
+               is_plane(p));
+}
+
+/* What the cells show: a long ratio as a decimal, marked where that is not the number itself. */
+static void name_classes(picture *p) {
+    enum { LONG = 16 };
+    const char *what = is_unsweep(p) ? "The unsweep" : "The sweep by class";
+    int axis = p->request->plane_axis, exact = 1;
+    char title[sizeof p->classes.title];
+    snprintf(title, sizeof title, "%s", what);
+    if (!is_plane(p)) {
+        char *ratio = fmpq_get_str(NULL, 10, p->cells.low + axis), *shorter = NULL;
+        if (strlen(ratio) > LONG)
+            shorter = decimal_of_rational(&exact, p->cells.low + axis, 10);
+        snprintf(title, sizeof title, "%s in the plane %c %s %s", what, "xyz"[axis],
+                 exact ? "=" : "≈", shorter ? shorter : ratio);
+        flint_free(ratio);
+        free(shorter);
+    }
+    panel_name(&p->classes, title, 1);
 }
 
 void views_fit(picture *p) {
     projection look = is_plane(p) ? projection_of_axes(0, 1) : projection_from(p->request->view);
     fit_classes(p);
+    name_classes(p);
     p->has_positions = !is_plane(p);
     if (p->has_positions) {
         extent all = extent_empty();
@@ -56,10 +83,24 @@ void views_fit(picture *p) {
             shape_extent(&all, &p->moved[k], &look);
         extent_grow(&all, .06 * longer_side(&all));
         p->positions = panel_fit(&look, &all, 480);
+        panel_name(&p->positions, "S at the start (yellow) to the end (pink)", 0);
     }
     p->has_trajectories = p->request->point_count > 0;
     if (p->has_trajectories)
         fit_trajectories(p, &look);
+}
+
+size_t views_outside(const picture *p) {
+    const panel *at = p->has_positions ? &p->positions : &p->classes;
+    size_t outside = 0;
+    for (size_t k = 0; k < p->request->point_count; k++) {
+        double place[2];
+        for (int i = 0; i < 2; i++)
+            place[i] = projection_at(&at->look, i, p->points + 3 * k);
+        outside += place[0] < at->window.low[0] || place[0] > at->window.high[0] ||
+                   place[1] < at->window.low[1] || place[1] > at->window.high[1];
+    }
+    return outside;
 }
 
 static double plane_place(const picture *p) {
@@ -128,19 +169,7 @@ static void draw_points(canvas *c, const picture *p, const panel *at, int plane_
 graze_status view_classes(canvas *c, const picture *p) {
     static const char axes[] = "xyz";
     const panel *at = &p->classes;
-    const char *what = is_unsweep(p) ? "The unsweep" : "The sweep by class";
     size_t last = p->request->times - 1;
-    char title[96];
-    if (is_plane(p))
-        snprintf(title, sizeof title, "%s", what);
-    else {
-        char place[40] = "";
-        char *exact = fmpq_get_str(NULL, 10, p->cells.low + p->request->plane_axis);
-        snprintf(place, sizeof place, "%s", exact);
-        flint_free(exact);
-        snprintf(title, sizeof title, "%s in the plane %c = %s", what, axes[p->request->plane_axis],
-                 place);
-    }
     canvas_begin(c, "classes", NULL);
     canvas_clip(c, at->x, at->y, at->width, at->height);
     draw_cells(c, p);
@@ -149,7 +178,7 @@ graze_status view_classes(canvas *c, const picture *p) {
     draw_outline(c, p, last, &outline_end);
     draw_outline(c, p, 0, &outline_start);
     canvas_unclip(c);
-    panel_frame(c, at, title);
+    panel_frame(c, at);
     panel_ticks(c, at, axes[p->cells.axis[0]], axes[p->cells.axis[1]]);
     draw_points(c, p, at, 1);
     canvas_end(c);
@@ -188,7 +217,7 @@ graze_status view_positions(canvas *c, graze_context *context, const picture *p)
     status = shapes_paint(c, context, p->moved, how, times, at);
     draw_plane(c, p);
     canvas_unclip(c);
-    panel_frame(c, at, "S at the start (yellow) to the end (pink)");
+    panel_frame(c, at);
     panel_triad(c, at);
     draw_points(c, p, at, 0);
     canvas_end(c);
@@ -349,9 +378,7 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
         draw_start(c, at, &p->trails[k], &names);
     for (size_t k = 0; k < n; k++)
         draw_contacts(c, at, &p->trails[k], &names);
-    panel_frame(c, at,
-                is_unsweep(p) ? "Trajectories M(t)P through S"
-                              : "Inverted trajectories M(t)⁻¹P through S");
+    panel_frame(c, at);
     if (is_plane(p))
         panel_ticks(c, at, 'x', 'y');
     else

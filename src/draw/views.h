@@ -25,6 +25,8 @@ typedef struct picture {
 
 /** Choose the windows and sizes of the panels, not yet their places. */
 void views_fit(picture *p);
+/** How many points lie outside the panel that shows points where they are; after views_fit. */
+size_t views_outside(const picture *p);
 /** The classes of the cells, with the positions of S and the points in their plane. */
 graze_status view_classes(canvas *c, const picture *p);
 /** The positions of S in space, seen from the onlooker. */

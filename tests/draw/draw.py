@@ -12,6 +12,7 @@ import argparse
 import ast
 import csv
 import io
+import json
 import os
 import re
 import struct
@@ -178,11 +179,66 @@ def check_cells(graze, folder, name, grid, options, unsweep=False, png=False):
         check(size == (2 * int(root.get("width")), 2 * int(root.get("height"))), name, "size of the PNG", size)
 
 
-def check_names(root, name):
-    """Names inside one panel keep off one another: no two on one place."""
-    for panel in ("classes", "trajectories"):
-        seen = [(t.get("x"), t.get("y")) for t in group(root, panel).iter(SVG + "text")]
-        check(len(seen) == len(set(seen)), name, panel, "two texts at one place")
+def text_box(text):
+    """What a text covers at least: x0, y0, x1, y1. Letters of the fonts in use are no narrower than this."""
+    size = float(text.get("font-size"))
+    width = sum(.6 if c.isdigit() else .25 if c in "ijlI.,:;|!'()[]- tfr" else .5 for c in text.text) * size
+    x, y = float(text.get("x")), float(text.get("y"))
+    x -= {"middle": width / 2, "end": width}.get(text.get("text-anchor"), 0)
+    return x, y - .6 * size, x + width, y
+
+
+def check_texts(root, name):
+    """No text covers another, none leaves the picture."""
+    texts = [t for t in root.iter(SVG + "text") if t.text]
+    boxes = [text_box(t) for t in texts]
+    check(len(texts) > 8, name, "texts", len(texts))
+    for k, (x0, y0, x1, y1) in enumerate(boxes):
+        inside = x0 >= 0 and y0 >= 0 and x1 <= float(root.get("width")) and y1 <= float(root.get("height"))
+        check(inside, name, repr(texts[k].text), "leaves the picture", boxes[k])
+        for m in range(k):
+            u0, v0, u1, v1 = boxes[m]
+            check(x1 <= u0 or u1 <= x0 or y1 <= v0 or v1 <= y0, name, repr(texts[k].text), "covers",
+                  repr(texts[m].text))
+
+
+BOX = """OFF
+8 6 0
+0 0 0\n{0} 0 0\n{0} {1} 0\n0 {1} 0\n0 0 {2}\n{0} 0 {2}\n{0} {1} {2}\n0 {1} {2}
+4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7
+"""
+
+
+def square(x, y, side):
+    corners = [(x, y), (x + side, y), (x + side, y + side), (x, y + side), (x, y)]
+    return "POLYGON((" + ",".join(f"{u} {v}" for u, v in corners) + "))"
+
+
+def check_layout(graze, folder):
+    """Texts keep apart where panels are narrow and numbers long; what is not shown is said."""
+    scenes = [("narrow.off", BOX.format(1, 9, 1), ["1/2*t", "0", "0"], ["--plane", "z=12345678901234567891/100000000000000000000"]),
+              ("flat.off", BOX.format(1, 1, 40), ["t", "0", "0"], []),
+              ("far.wkt", square(1000000, 5000000, 1), ["3*t", "0"], ["-p", "1000002,5000001/2"]),
+              ("tiny.wkt", square(0, 0, F(1, 10 ** 7)), ["3/10000000*t", "0"], ["-p", "1/5000000,0"]),
+              ("huge.wkt", square(0, 0, 10 ** 30), [f"{3 * 10 ** 30}*t", "0"], [])]
+    seen = {}
+    for name, solid, way, options in scenes:
+        path = os.path.join(folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(solid)
+        with open(path + ".json", "w", encoding="utf-8") as file:
+            json.dump({"dimension": len(way), "pieces": [{"t": ["0", "1"], "transform": {"translate": way}}]}, file)
+        done = run(graze, "draw", path, path + ".json", "--grid", "36", *options, "-o", path + ".svg")
+        if check(done.returncode == 0, name, done.stderr):
+            root = ElementTree.parse(path + ".svg").getroot()
+            check_texts(root, name)
+            seen[name] = [t.text for t in root.iter(SVG + "text")]
+    # 0.12345678901234567891 is cut after ten digits, and no equality is claimed of the rest.
+    check("The sweep by class in the plane z ≈ 0.1234567890" in seen["narrow.off"], "a long plane", seen["narrow.off"])
+    check("1e-7" in seen["tiny.wkt"] and "1.5e-7" in seen["tiny.wkt"], "powers of ten", seen["tiny.wkt"])
+    check("1e30" in seen["huge.wkt"], "powers of ten", seen["huge.wkt"])
+    # 5000001/2 is not within 10^6 of the square's ordinate.
+    check(any("1 of 1 points outside the picture" in t for t in seen["far.wkt"]), "a point outside", seen["far.wkt"])
 
 
 def check_marks(graze, folder):
@@ -219,7 +275,7 @@ def check_pictures(graze, folder):
     for name in names:
         if name.endswith(".svg"):
             root = ElementTree.parse(os.path.join(out, name)).getroot()
-            check_names(root, name)
+            check_texts(root, name)
             notes = [t.text for t in root.iter(SVG + "text") if t.text.startswith("no room")]
             check(not notes, name, notes)
     with open(os.path.join(ROOT, "cases", "figure3.svg"), "rb") as old, \
@@ -376,6 +432,7 @@ def main():
         check_cells(graze, folder, "unsweep-figure5", 30 * more, ["--operation", "unsweep"], unsweep=True)
         check_marks(graze, folder)
         check_text(graze, folder)
+        check_layout(graze, folder)
         check_pictures(graze, folder)
     check_tables(graze)
     print(f"{passed} passed, {failed} failed")
