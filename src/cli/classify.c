@@ -268,6 +268,14 @@ static int check_usage(const options *o) {
     return EXIT_DONE;
 }
 
+/* What an interrupted run leaves. */
+static void tell_rows(const run_state *s, const options *o) {
+    int is_table = o->format == GRAZE_FORMAT_CSV;
+    if (s->table.opened && !o->exported)
+        complain(EXIT_SIGNAL, "%s: has %lu whole rows%s", s->table.out.name, s->table.rows,
+                 is_table ? "; the same command with --resume FILE continues a table" : "");
+}
+
 static int run(const options *o) {
     int status = check_usage(o);
     if (status)
@@ -283,6 +291,8 @@ static int run(const options *o) {
     if (!status && o->exported)
         status = export_table(s, o);
     status = results_close(&s->table, status);
+    if (status == EXIT_SIGNAL)
+        tell_rows(s, o);
     finish(s);
     return status;
 }

@@ -1,4 +1,4 @@
-/* SIGINT and SIGTERM end a run after whole rows.
+/* SIGINT, SIGTERM and SIGHUP end a run after whole rows.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The handler writes a byte into a pipe: a signal that comes just before a blocking read is then
@@ -12,6 +12,13 @@
 #include <signal.h>
 #include <stdatomic.h>
 #include <unistd.h>
+#include "cli/cli.h"
+
+static const struct {
+    int number;
+    const char *name;
+} ending[] = {{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}};
+enum { ENDING = sizeof ending / sizeof *ending };
 
 static atomic_int arrived;
 static int wake[2] = {-1, -1};
@@ -34,10 +41,14 @@ int interrupt_watch(void) {
     }
     sigemptyset(&action.sa_mask);
     action.sa_handler = SIG_IGN;
-    int failed = sigaction(SIGPIPE, &action, NULL);
+    int failed = sigaction(SIGPIPE, &action, NULL) | sigaction(SIGXFSZ, &action, NULL);
     action.sa_handler = note;
-    failed |= sigaction(SIGINT, &action, NULL);
-    failed |= sigaction(SIGTERM, &action, NULL);
+    for (int k = 0; k < ENDING; k++) {
+        struct sigaction before;
+        failed |= sigaction(ending[k].number, NULL, &before);
+        if (before.sa_handler != SIG_IGN) /* else nohup, or a shell's background */
+            failed |= sigaction(ending[k].number, &action, NULL);
+    }
     return failed;
 }
 
@@ -57,6 +68,9 @@ int interrupt_ready(int fd) {
 
 void interrupt_die(void) {
     int signal_number = interrupt_signal();
+    for (int k = 0; k < ENDING; k++)
+        if (ending[k].number == signal_number)
+            complain(EXIT_SIGNAL, "ended by %s", ending[k].name);
     signal(signal_number, SIG_DFL);
     raise(signal_number);
 }

@@ -1,10 +1,11 @@
-/* SIGINT and SIGTERM as a flag that long work asks for.
+/* SIGINT, SIGTERM and SIGHUP as a flag that long work asks for.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_INTERRUPT_H
 #define GRAZE_CLI_INTERRUPT_H
 
-/** Catch SIGINT and SIGTERM, ignore SIGPIPE; 0 on success. */
+/** Catch these three, unless they are ignored already; ignore SIGPIPE and SIGXFSZ, so that a write
+ * fails instead. 0 on success. */
 int interrupt_watch(void);
 
 /** The signal that came, or 0. Any thread may ask. */
@@ -16,7 +17,7 @@ void interrupt_wait(int fd);
 /** 1 if `fd` can be read without waiting. */
 int interrupt_ready(int fd);
 
-/** Die of the signal that came, so that the shell sees it. */
+/** Name the signal that came and die of it, so that the shell sees it. */
 void interrupt_die(void);
 
 #endif

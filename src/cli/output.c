@@ -16,7 +16,7 @@ int output_open(output *out, const char *path) {
     out->fd = STDOUT_FILENO;
     out->name = path ? path : "standard output";
     out->error = 0;
-    out->used = 0;
+    out->used = out->open_line = 0;
     out->kept = NULL;
     out->kept_length = out->kept_capacity = 0;
     out->keeps = 0;
@@ -55,7 +55,7 @@ int output_continue(output *out, const char *path) {
     struct stat about;
     out->name = path;
     out->error = 0;
-    out->used = 0;
+    out->used = out->open_line = 0;
     out->fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (out->fd < 0)
         return complain(EXIT_IO, "%s: cannot be opened for writing: %s", path, strerror(errno));
@@ -70,6 +70,26 @@ void output_from(output *out, long long byte) {
     if (!out->error &&
         (lseek(out->fd, (off_t)byte, SEEK_SET) < 0 || ftruncate(out->fd, (off_t)byte) != 0))
         out->error = errno;
+    out->open_line = 0;
+}
+
+/* The first `done` bytes of the buffer are written. */
+static void note_line(output *out, size_t done) {
+    size_t k = done;
+    while (k > 0 && out->buffer[k - 1] != '\n')
+        k--;
+    out->open_line = k ? done - k : out->open_line + done;
+}
+
+/* Take back the line that a failed write left in its middle, where nothing stands behind it. */
+static void cut_line(const output *out) {
+    struct stat about;
+    off_t end = lseek(out->fd, 0, SEEK_CUR);
+    if (!out->open_line || fstat(out->fd, &about) != 0 || !S_ISREG(about.st_mode) ||
+        about.st_size != end)
+        return;
+    int ignored = ftruncate(out->fd, end - (off_t)out->open_line);
+    (void)ignored; /* the failed write is told anyway */
 }
 
 void output_flush(output *out) {
@@ -86,6 +106,9 @@ void output_flush(output *out) {
         else if (errno != EINTR)
             out->error = errno;
     }
+    note_line(out, done);
+    if (out->error && done < out->used)
+        cut_line(out);
     out->used = 0;
 }
 

@@ -7,7 +7,8 @@
 #include <gmp.h>
 #include <stddef.h>
 
-/** Once a write has failed `error` holds its errno and nothing more is written. */
+/** Once a write has failed `error` holds its errno and nothing more is written; a plain file is cut
+ * off after its last whole line then. */
 typedef struct output {
     int fd;
     const char *name; /* for messages */
@@ -15,6 +16,7 @@ typedef struct output {
     char *kept; /* what output_keep holds back */
     size_t kept_length, kept_capacity;
     int keeps;
+    size_t open_line; /* bytes of the line that what is written so far ends in */
     size_t used;
     char buffer[1 << 16];
 } output;

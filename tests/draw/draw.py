@@ -182,7 +182,7 @@ def check_cells(graze, folder, name, grid, options, unsweep=False, png=False):
 def text_box(text):
     """What a text covers at least: x0, y0, x1, y1. Letters of the fonts in use are no narrower than this."""
     size = float(text.get("font-size"))
-    width = sum(.6 if c.isdigit() else .25 if c in "ijlI.,:;|!'()[]- tfr" else .5 for c in text.text) * size
+    width = sum(.63 if c.isdigit() else .25 if c in "ijlI.,:;|!'()[]- tfr" else .5 for c in text.text) * size
     x, y = float(text.get("x")), float(text.get("y"))
     x -= {"middle": width / 2, "end": width}.get(text.get("text-anchor"), 0)
     return x, y - .6 * size, x + width, y
@@ -216,7 +216,8 @@ def square(x, y, side):
 
 def check_layout(graze, folder):
     """Texts keep apart where panels are narrow and numbers long; what is not shown is said."""
-    scenes = [("narrow.off", BOX.format(1, 9, 1), ["1/2*t", "0", "0"], ["--plane", "z=12345678901234567891/100000000000000000000"]),
+    long = "12345678901234567891/100000000000000000000"
+    scenes = [("narrow.off", BOX.format(1, 9, 1), ["1/2*t", "0", "0"], ["--plane", f"z={long}"]),
               ("flat.off", BOX.format(1, 1, 40), ["t", "0", "0"], []),
               ("far.wkt", square(1000000, 5000000, 1), ["3*t", "0"], ["-p", "1000002,5000001/2"]),
               ("tiny.wkt", square(0, 0, F(1, 10 ** 7)), ["3/10000000*t", "0"], ["-p", "1/5000000,0"]),

@@ -254,9 +254,9 @@ def check_signals(bench):
     words = ["classify", COMMON / "cube.off", COMMON / "move3.json", "--grid", "60,50,40", "--jobs", 2]
     whole = bench.good(*words)
     path = bench.folder / "killed.csv"
-    for which in (signal.SIGTERM, signal.SIGINT, signal.SIGKILL):
+    for which in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL):
         path.unlink(missing_ok=True)
-        ends = 0
+        ends = told = 0
         for _ in range(40):
             child = subprocess.Popen([bench.graze, *map(str, words), "--resume", path], stderr=subprocess.PIPE)
             end = time.monotonic() + bench.random.uniform(0.02, 0.2)
@@ -268,15 +268,65 @@ def check_signals(bench):
             if child.returncode == 0 or path.read_bytes() == whole:
                 break
             ends += 1
-            bench.check(child.returncode == -which and err == b"", f"{which.name} ends it as the shell sees it",
-                        child.returncode, err)
             text = path.read_bytes()
+            rows = sum(not line.startswith(b"#") for line in text.splitlines()) - 1
+            ended = b"" if which == signal.SIGKILL else b"graze: ended by %s\n" % which.name.encode()
+            has = (b"graze: %s: has %d whole rows; the same command with --resume FILE continues a table\n"
+                   % (os.fsencode(path), rows))
+            told += err == has + ended
+            bench.check(child.returncode == -which and err in (ended, has + ended),
+                        f"{which.name} ends it as the shell sees it, and it says so", child.returncode, err, rows)
             bench.check(which == signal.SIGKILL or text.endswith(b"\n"), f"{which.name} leaves whole rows", text[-80:])
             bench.check(whole.startswith(text), f"{which.name} leaves a beginning of the table")
         bench.check(ends > 0, f"{which.name} came before the end")
+        bench.check(told > 0 or which == signal.SIGKILL, f"{which.name}: how far it came is said")
         if path.read_bytes() != whole:
             bench.good(*words, "--resume", path)
         bench.check(path.read_bytes() == whole, f"after {which.name} the table is that of one run")
+
+
+def check_ignored(bench):
+    """A signal that is ignored, as under nohup, does not end a run."""
+    words = ["classify", COMMON / "cube.off", COMMON / "move3.json", "-", "--output", bench.folder / "nohup.csv"]
+    child = subprocess.Popen([bench.graze, *map(str, words)], stdin=subprocess.PIPE, stderr=subprocess.PIPE,
+                             preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+    child.stdin.write(b"1,1,1\n")
+    child.stdin.flush()
+    end = time.monotonic() + SECONDS
+    while not (words[-1].exists() and b"\n1,1,1," in words[-1].read_bytes()) and time.monotonic() < end:
+        time.sleep(0.01)
+    child.send_signal(signal.SIGHUP)
+    err = child.communicate(b"2,2,2\n", timeout=SECONDS)[1]
+    bench.check(child.returncode == 0 and words[-1].read_bytes().endswith(b"\n# complete 2\n"),
+                "nohup is heeded", child.returncode, err)
+
+
+def check_full(bench):
+    """Where no more can be written, whole rows stand and can be continued; a limit of the file's size, which is
+    met in the middle of a write, stands for the full disk."""
+    words = [bench.graze, "classify", str(COMMON / "cube.off"), str(COMMON / "move3.json"), "--grid", "30,20,20"]
+    for form in ("csv", "jsonl"):
+        whole = subprocess.run([*words, "--format", form], stdout=subprocess.PIPE, check=True).stdout
+        for size in (200, 1000, 65536, 65537, 65536 + 4001, len(whole) - 3):
+            for how in ("--output", "--resume", ">"):
+                if form == "jsonl" and how == "--resume":
+                    continue
+                path = bench.folder / f"full-{form}-{size}-{how.strip('-')}"
+                path.write_bytes(b"")
+                with open(path, "wb") as file:
+                    done = subprocess.run(
+                        [*words, "--format", form, *([] if how == ">" else [how, str(path)])], timeout=SECONDS,
+                        stdout=file, stderr=subprocess.PIPE,
+                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+                text = path.read_bytes()
+                row = max(map(len, whole.splitlines())) + 1
+                bench.check(done.returncode == 5 and b"writing failed: File too large" in done.stderr,
+                            "a write that fails is told", form, size, how, done.returncode, done.stderr)
+                bench.check(whole.startswith(text) and text[-1:] in (b"", b"\n") and size - len(text) <= row,
+                            "it leaves whole lines", form, size, how, len(text), text[-80:])
+                if how == "--resume":
+                    bench.good(*words[1:], "--resume", path)
+                    bench.check(path.read_bytes() == whole, "and is continued", size)
 
 
 def on_terminal(words):
@@ -362,7 +412,7 @@ def check_parallel(bench):
 
 
 CHECKS = [check_shards, check_many_parts, check_damage, check_resume, check_resume_refusals, check_lock,
-          check_signals, check_progress, check_receipts,
+          check_signals, check_ignored, check_full, check_progress, check_receipts,
           check_parallel]
 
 
