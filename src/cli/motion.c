@@ -27,7 +27,7 @@ static const char help[] =
     "  --affine             poses: take matrices as they are, interpolate their entries\n"
     "  --numbers binary64   poses: numbers are the doubles they were printed from (default)\n"
     "  --numbers written    poses: they are exactly what is written\n"
-    "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates\n"
+    "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; not for poses\n"
     "  --output FILE, --report FILE   the motion (standard output), the errors (standard error)\n"
     "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
     "\n"
@@ -208,20 +208,52 @@ static int poses(job *j) {
     return answer(j, set);
 }
 
+static int rotate(job *j) {
+    return turn(j, 0);
+}
+
+static int screw(job *j) {
+    return turn(j, 1);
+}
+
+enum {
+    TAKEN_BY_JOINTS = 1 << TOLERANCE | 1 << RADIUS | 1 << DIMENSION | 1 << REPORT,
+    TAKEN_BY_TURNS = TAKEN_BY_JOINTS | 1 << DEGREES | 1 << AXIS | 1 << CENTER | 1 << PITCH,
+    TAKEN_BY_POSES = 1 << TOLERANCE | 1 << AFFINE | 1 << NUMBERS | 1 << REPORT
+};
+
+/* The kinds, and which of their own options each has a use for. */
+static const struct {
+    const char *name;
+    int (*make)(job *);
+    unsigned taken;
+} kinds[] = {{"rotate", rotate, TAKEN_BY_TURNS},
+             {"screw", screw, TAKEN_BY_TURNS},
+             {"joints", joints, TAKEN_BY_JOINTS},
+             {"poses", poses, TAKEN_BY_POSES}};
+
+static int check_options(const options *o, const char *kind, unsigned taken) {
+    static const char *const names[] = {"degrees", "axis",   "center",  "pitch",     "tolerance",
+                                        "radius",  "affine", "numbers", "dimension", "report"};
+    for (int k = DEGREES; k <= REPORT; k++)
+        if (o->own[k] && !(taken >> k & 1))
+            return complain(EXIT_USAGE, "%s takes no --%s; see graze motion --help", kind,
+                            names[k]);
+    return EXIT_DONE;
+}
+
 static int convert(job *j) {
-    const char *kind = j->o->operand_count ? j->o->operands[0] : "";
+    const char *name = j->o->operand_count ? j->o->operands[0] : "";
     const char *dimension = j->o->own[DIMENSION];
     if (dimension && strcmp(dimension, "2") != 0 && strcmp(dimension, "3") != 0)
         return complain(EXIT_USAGE, "--dimension %s: right is 2 or 3", dimension);
     j->dimension = dimension && *dimension == '2' ? 2 : 3;
-    if (strcmp(kind, "rotate") == 0)
-        return turn(j, 0);
-    if (strcmp(kind, "screw") == 0)
-        return turn(j, 1);
-    if (strcmp(kind, "joints") == 0)
-        return joints(j);
-    if (strcmp(kind, "poses") == 0)
-        return poses(j);
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        if (strcmp(name, kinds[k].name) != 0)
+            continue;
+        int status = check_options(j->o, name, kinds[k].taken);
+        return status ? status : kinds[k].make(j);
+    }
     return complain(EXIT_USAGE, "motion takes rotate, screw, joints or poses; see graze motion "
                                 "--help");
 }

@@ -119,6 +119,10 @@ static void gap(mpfr_t out, const mpfr_t a, const mpfr_t b) {
 
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square) {
     mpfr_t asked, made;
+    if (fmpq_is_zero(f) && fmpq_is_zero(h->c) && fmpq_sgn(h->w) > 0) {
+        mpfr_set_zero(out, 1);
+        return;
+    }
     mpfr_inits2(ANGLE_BITS, asked, made, (mpfr_ptr)0);
     radians(asked, f);
     argument(made, h, square);

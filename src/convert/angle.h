@@ -34,7 +34,8 @@ void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slo
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance);
 
-/** An upper bound of |2 arg(w + i c L) - 4 pi f| modulo whole turns of the half angle, radians. */
+/** An upper bound of |2 arg(w + i c L) - 4 pi f| modulo whole turns of the half angle, radians;
+ * 0 where no angle is asked for and none is made. */
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square);
 
 /**

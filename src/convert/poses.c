@@ -62,6 +62,46 @@ static graze_status find_rotations(fmpq_t worst, graze_context *context, pose_li
     return status;
 }
 
+/* Whether b is a multiple of a, which is not zero, by a number below zero. */
+static int are_opposite(const fmpq *a, const fmpq *b) {
+    fmpq_t along, sine;
+    fmpq_init(along);
+    fmpq_init(sine);
+    int parallel = 1;
+    for (int k = 0; k < 4; k++) {
+        fmpq_addmul(along, a + k, b + k);
+        for (int j = 0; j < k; j++) {
+            fmpq_mul(sine, a + j, b + k);
+            fmpq_submul(sine, a + k, b + j);
+            parallel &= fmpq_is_zero(sine);
+        }
+    }
+    parallel &= fmpq_sgn(along) < 0;
+    fmpq_clear(along);
+    fmpq_clear(sine);
+    return parallel;
+}
+
+/* No quaternion may be zero, nor become zero between two poses. */
+static graze_status check_quaternions(graze_context *context, const pose_list *list) {
+    for (size_t i = 0; i < list->count; i++) {
+        const pose *p = list->item + i;
+        int zero = 1;
+        for (int k = 0; k < 4; k++)
+            zero &= fmpq_is_zero(p->quaternion + k);
+        if (zero)
+            return context_fail(context, GRAZE_EINPUT,
+                                "%s:%lu: the quaternion is zero; right is that of a rotation",
+                                list->source, p->line);
+        if (i && are_opposite(p[-1].quaternion, p->quaternion))
+            return context_fail(context, GRAZE_EINPUT,
+                                "%s:%lu: the quaternion is opposite to that of line %lu, and zero "
+                                "between them; right is the same rotation with the other signs",
+                                list->source, p->line, p[-1].line);
+    }
+    return GRAZE_OK;
+}
+
 static void put_keyframes(text *t, const pose_list *list) {
     text_put(t, "{\"dimension\": 3,\n\"keyframes\": [\n");
     for (size_t i = 0; i < list->count; i++) {
@@ -155,6 +195,8 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
                               "%s: the poses are quaternions; --affine is for matrices", path);
     if (!status && !affine && list.has_matrices)
         status = find_rotations(worst, context, &list, tolerance);
+    if (!status && !affine)
+        status = check_quaternions(context, &list);
     if (!status) {
         (affine ? put_matrices : put_keyframes)(&out->motion, &list);
         text_format(&out->report, "poses: %zu, each %s exactly as given at its time\n", list.count,
