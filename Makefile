@@ -197,12 +197,19 @@ CONFIGURED := $(addprefix $B/install/,graze.pc grazeConfig.cmake grazeConfigVers
 # Run ldconfig where the installed library is for this machine at once.
 REFRESH = @if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ]; then ldconfig; fi
 
+# A path with a blank would be two, of which uninstall would remove the first.
+define check_paths
+	$(if $(filter /%,$(PREFIX)),,$(error PREFIX=$(PREFIX): right is a path that begins with /))
+	$(foreach path,DESTDIR PREFIX BINDIR INCLUDEDIR LIBDIR DATADIR MANDIR DOCDIR PYTHONDIR,\
+	  $(if $(word 2,$($(path))),$(error $(path)=$($(path)): right is a path without blanks)))
+endef
+
 .PHONY: install
 install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
-	$(if $(filter /%,$(PREFIX)),,$(error PREFIX=$(PREFIX): right is a path that begins with /))
+	$(check_paths)
 	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR) $(LIBDIR)/pkgconfig $(CMAKEDIR) \
 	  $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
-	@install -s $B/graze $(DESTDIR)$(BINDIR)
+	@install -s $B/graze $(MPI) $(DESTDIR)$(BINDIR)
 	@install -m 644 include/graze.h $(DESTDIR)$(INCLUDEDIR)
 	@install -m 644 $B/install/libgraze.a $(DESTDIR)$(LIBDIR)
 	@install -s -m 644 $B/libgraze.so $(DESTDIR)$(LIBDIR)/libgraze.so.$(VERSION)
@@ -225,7 +232,8 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 
 .PHONY: uninstall
 uninstall:
-	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
+	$(check_paths)
+	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(BINDIR)/graze-mpi $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
 	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION)) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
 	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
 	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list

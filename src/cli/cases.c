@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <dirent.h>
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +17,7 @@ static const char help[] =
     "table that classify must print. Exit status 0: listed; 3: the folder holds no case; 5: it\n"
     "cannot be read.\n"
     "\n"
-    "  --folder FOLDER      where the cases are (cases)\n"
+    "  --folder FOLDER      where the cases are (the folder cases here, or else those installed)\n"
     "\n"
     "Example: graze cases --folder /usr/share/graze/cases\n";
 
@@ -86,6 +87,25 @@ static int list(const char *folder, int named) {
     return EXIT_DONE;
 }
 
+/* Where `make install` puts them, seen from the program: PREFIX/bin and PREFIX/share. NULL if it
+ * cannot be told or they are not there. */
+static const char *installed(void) {
+    static char path[PATH_MAX];
+    const char tail[] = "/share/graze/cases";
+    ssize_t length = readlink("/proc/self/exe", path, sizeof path - sizeof tail);
+    if (length <= 0)
+        return NULL;
+    path[length] = '\0';
+    for (int up = 0; up < 2; up++) {
+        char *slash = strrchr(path, '/');
+        if (!slash)
+            return NULL;
+        *slash = '\0';
+    }
+    memcpy(path + strlen(path), tail, sizeof tail);
+    return access(path, R_OK) == 0 ? path : NULL;
+}
+
 static int run(const options *o) {
     if (o->operand_count)
         return complain(EXIT_USAGE,
@@ -94,7 +114,10 @@ static int run(const options *o) {
     int status = output_open(&out, NULL);
     if (status)
         return status;
-    status = list(o->folder ? o->folder : "cases", o->folder != NULL);
+    const char *folder = o->folder;
+    if (!folder && access("cases", F_OK) != 0)
+        folder = installed();
+    status = list(folder ? folder : "cases", folder != NULL);
     int closed = output_close(&out);
     return status ? status : closed;
 }

@@ -15,6 +15,7 @@ rm -rf "$build/deb"
 mkdir -p "$root/DEBIAN" "$build/deb/debian"
 make -s -C "$here/../.." install B="${1}" PREFIX=/usr LIBDIR="$libdir" DESTDIR="$root" >/dev/null
 
+rm -f "$root/usr/bin/graze-mpi" # who has Open MPI builds it from the sources
 doc=$root/usr/share/doc/graze
 mv "$doc/CHANGELOG.md" "$doc/changelog"
 sed "s|@VERSION@|$version|" "$here/copyright.in" >"$doc/copyright"

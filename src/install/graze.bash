@@ -32,6 +32,9 @@ _graze() {
         words="--help "$("$program" --help 2>/dev/null | sed -n 's/^  graze \([a-z-]*\) .*/\1/p')
     elif [[ $before == --* ]]; then
         words=$(_graze_words "$program" "$command" "$before")
+    elif [ "$COMP_CWORD" = 2 ] && [[ $word != -* ]]; then
+        # The kinds of a command that has several.
+        words=$(_graze_help "$program" "$command" | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p')
     fi
     if [ -z "$words" ] && [[ $word == -* ]]; then
         # Whatever the help names before its example, in brackets too.

@@ -39,7 +39,8 @@ def files_under(folder):
 
 def check_tree(root, version):
     files = {name for name in files_under(root) if not name.startswith(("share/graze/", "share/man/", "lib/python3/dist-packages/graze/"))}
-    same(files, {"bin/graze", "include/graze.h", "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
+    mpi = {"bin/graze-mpi"} if shutil.which("mpicc") else set()
+    same(files, mpi | {"bin/graze", "include/graze.h", "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
                  f"lib/libgraze.so.{version}", "lib/pkgconfig/graze.pc", "lib/cmake/graze/grazeConfig.cmake",
                  "lib/cmake/graze/grazeConfigVersion.cmake", "share/bash-completion/completions/graze",
                  "share/doc/graze/README.md", "share/doc/graze/CHANGELOG.md", "share/doc/graze/CITATION.cff",
@@ -49,6 +50,7 @@ def check_tree(root, version):
     check(not any("__pycache__" in name for name in files_under(root)), "no compiled Python is installed")
     installed = output([f"{root}/bin/graze", "cases", "--folder", f"{root}/share/graze/cases"])
     same(installed, output([f"{root}/bin/graze", "cases", "--folder", "cases"]), "golden cases installed")
+    same(installed, output([f"{root}/bin/graze", "cases"], "/"), "the golden cases are found where they were installed")
     for name in ("graze.pc", "grazeConfig.cmake", "grazeConfigVersion.cmake"):
         folder = "pkgconfig" if name.endswith(".pc") else "cmake/graze"
         with open(f"{root}/lib/{folder}/{name}", encoding="utf-8") as file:
@@ -152,6 +154,18 @@ def check_uninstall(make, stage, root):
     same(left, [], "folders left")
 
 
+def check_blanks(make, stage):
+    """A path with a blank is refused, not taken for two of which the first is removed."""
+    kept = stage.split()[0]
+    os.mkdir(kept)
+    for goal in ("install", "uninstall"):
+        for words in ([f"DESTDIR={stage}"], [f"PREFIX={stage}"], [f"PREFIX={kept}", f"DATADIR={stage}"]):
+            complaint, status = run([*make, goal, *words])[1:]
+            check(status == 2 and "right is a path without blanks" in complaint, f"{goal} {words}: {status} {complaint}")
+    same(os.listdir(kept), [], "nothing is made beside it")
+    os.rmdir(kept)
+
+
 def check_deb(make, folder, version):
     package = os.path.join(ROOT, output([*make, "deb"]).splitlines()[-1])
     fields = dict(line.split(": ", 1) for line in output(["dpkg-deb", "-f", package]).splitlines()
@@ -206,6 +220,7 @@ def main():
             check_deb(make, f"{folder}/deb", version)
         check_uninstall(make, stage, root)
         same(run([*make, "install", f"DESTDIR={stage}", "PREFIX=here"])[2], 2, "a PREFIX that is no full path")
+        check_blanks(make, f"{folder}/two words")
         shutil.rmtree(stage)
     print(f"{tally.passed} passed, {tally.failed} failed")
     sys.exit(1 if tally.failed else 0)
