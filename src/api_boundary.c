@@ -52,10 +52,7 @@ static graze_status make(struct graze_boundary *b, graze_context *context,
                          const graze_boundary_options *o) {
     graze_status status = set_box(b, context, o);
     if (!status && o->contacts >= o->budget)
-        status = context_fail(context, GRAZE_EUSE,
-                              "a budget of %lu points is less than the coarse level %u and the "
-                              "contact points need",
-                              o->budget, o->coarse);
+        status = boundary_refuse_budget(context, b, o->contacts);
     if (!status)
         status = boundary_contacts(context, b, o->contacts, o->seed);
     if (!status)

@@ -75,6 +75,10 @@ graze_status boundary_contacts(graze_context *context, struct graze_boundary *b,
 /** 1 if the cell holds such a point. */
 int cell_has_contact(const struct graze_boundary *b, const cell *c);
 
+/** Refuse a budget that does not suffice for `contacts` points and all cells of the coarse level.
+ */
+graze_status boundary_refuse_budget(graze_context *context, const struct graze_boundary *b,
+                                    unsigned long contacts);
 /** Cut the box, level by level (refine.c). */
 graze_status boundary_refine(graze_context *context, struct graze_boundary *b);
 /** The surface between `out` and the rest at the level reached (surface.c). */

@@ -133,6 +133,16 @@ static graze_status work_to(graze_context *context, struct graze_boundary *b, un
     return status;
 }
 
+graze_status boundary_refuse_budget(graze_context *context, const struct graze_boundary *b,
+                                    unsigned long contacts) {
+    unsigned long long side = (1ULL << b->coarse) + 1, need = contacts;
+    need += b->dimension == 3 ? side * side * side : side * side;
+    return context_fail(context, GRAZE_EUSE,
+                        "a budget of %lu points is less than the coarse level %u and the contact "
+                        "points need; right is %llu or more",
+                        b->budget, b->coarse, need);
+}
+
 static graze_status start(graze_context *context, struct graze_boundary *b) {
     graze_status status =
         boundary_grow((void **)&b->cells, &b->cell_capacity, 1, sizeof *b->cells, context);
@@ -148,10 +158,7 @@ static graze_status start(graze_context *context, struct graze_boundary *b) {
     if (!status)
         status = work_to(context, b, b->coarse);
     if (!status && !b->complete)
-        status = context_fail(context, GRAZE_EUSE,
-                              "a budget of %lu points is less than the coarse "
-                              "level %u and the contact points need",
-                              b->budget, b->coarse);
+        status = boundary_refuse_budget(context, b, b->asked);
     return status;
 }
 

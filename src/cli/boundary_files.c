@@ -77,14 +77,21 @@ static void put_all_coordinates(const graze_boundary *b, int dimension, source w
         mpq_clear(point[k]);
 }
 
-/* The head of a legacy VTK file, up to its points. */
-static void put_vtk(const graze_boundary *b, int dimension, const char *dataset, source which,
-                    size_t count) {
+/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so all are this. */
+static void put_vtk(const graze_boundary *b, int dimension, source which, size_t count) {
     output_put(&out, "# vtk DataFile Version 3.0\ngraze " GRAZE_VERSION " boundary; " MISSES "\n"
-                     "ASCII\nDATASET ");
-    output_put(&out, dataset);
+                     "ASCII\nDATASET UNSTRUCTURED_GRID");
     put_one("\nPOINTS ", count, " double\n");
     put_all_coordinates(b, dimension, which, count);
+}
+
+/* Numbers that VTK has for kinds of cells. */
+enum { VTK_VERTEX = 1, VTK_LINE = 3, VTK_TRIANGLE = 5, VTK_QUAD = 9, VTK_HEXAHEDRON = 12 };
+
+static void put_types(size_t count, size_t type) {
+    put_one("CELL_TYPES ", count, "\n");
+    for (size_t i = 0; i < count; i++)
+        put_one("", type, "\n");
 }
 
 static void put_faces(const graze_boundary *b, int dimension, size_t count) {
@@ -100,10 +107,10 @@ int boundary_write_surface(const char *path, const graze_boundary *b, int dimens
     if (status)
         return status;
     if (ends_in(path, ".vtk")) {
-        put_vtk(b, dimension, "POLYDATA", OF_VERTICES, s.vertices);
-        put_sizes(dimension == 3 ? "POLYGONS " : "LINES ", s.faces,
-                  s.faces * (size_t)(dimension + 1));
+        put_vtk(b, dimension, OF_VERTICES, s.vertices);
+        put_sizes("CELLS ", s.faces, s.faces * (size_t)(dimension + 1));
         put_faces(b, dimension, s.faces);
+        put_types(s.faces, dimension == 3 ? VTK_TRIANGLE : VTK_LINE);
         return output_close(&out);
     }
     output_put(&out, "ply\nformat ascii 1.0\ncomment graze " GRAZE_VERSION " boundary\n"
@@ -133,22 +140,24 @@ static void put_column(const graze_boundary *b, size_t count, const char *name, 
     }
 }
 
-/* VTK_PIXEL and VTK_VOXEL number their corners as graze_boundary_cell does. */
+/* VTK goes round a quadrilateral, where graze_boundary_cell has bits for x, y and z. */
 int boundary_write_cells(const char *path, const graze_boundary *b, int dimension) {
     graze_boundary_summary s = graze_boundary_summarize(b);
+    static const unsigned round[8] = {0, 1, 3, 2, 4, 5, 7, 6};
     unsigned corners = 1u << dimension;
     int status = output_open(&out, path);
     if (status)
         return status;
-    put_vtk(b, dimension, "UNSTRUCTURED_GRID", OF_POINTS, s.points);
+    put_vtk(b, dimension, OF_POINTS, s.points);
     put_sizes("CELLS ", s.cells, s.cells * (corners + 1));
     for (size_t i = 0; i < s.cells; i++) {
         graze_boundary_cell c = graze_boundary_cell_at(b, i);
-        put(dimension == 2 ? "4 " : "8 ", c.corners, (int)corners, "\n");
+        size_t corner[8];
+        for (unsigned k = 0; k < corners; k++)
+            corner[k] = c.corners[round[k]];
+        put(dimension == 2 ? "4 " : "8 ", corner, (int)corners, "\n");
     }
-    put_one("CELL_TYPES ", s.cells, "\n");
-    for (size_t i = 0; i < s.cells; i++)
-        output_put(&out, dimension == 2 ? "8\n" : "11\n");
+    put_types(s.cells, dimension == 2 ? VTK_QUAD : VTK_HEXAHEDRON);
     put_one("CELL_DATA ", s.cells, "\n");
     put_column(b, s.cells, "level", 0);
     put_column(b, s.cells, "pmc", 1);
@@ -184,10 +193,11 @@ int boundary_write_points(const char *path, const graze_boundary *b, int dimensi
         put_exact_points(b, dimension, s.points);
         return output_close(&out);
     }
-    put_vtk(b, dimension, "POLYDATA", OF_POINTS, s.points);
-    put_sizes("VERTICES ", s.points, 2 * s.points);
+    put_vtk(b, dimension, OF_POINTS, s.points);
+    put_sizes("CELLS ", s.points, 2 * s.points);
     for (size_t i = 0; i < s.points; i++)
         put_one("1 ", i, "\n");
+    put_types(s.points, VTK_VERTEX);
     put_one("POINT_DATA ", s.points, "\nSCALARS pmc int 1\nLOOKUP_TABLE default\n");
     mpq_t point[3];
     for (int k = 0; k < 3; k++)

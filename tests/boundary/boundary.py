@@ -14,7 +14,7 @@ import subprocess
 import tempfile
 from fractions import Fraction as F
 
-from files import read_points, read_ply, read_polydata, read_vtk
+from files import read_faces, read_ply, read_points, read_vtk
 from second import Convex, box_set, cells_of
 
 COMMON = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "refuse", "common")
@@ -191,9 +191,9 @@ def test_vtk(graze, folder):
                         depth, "--surface", names[0], "--points", names[1]], check=True,
                        stdout=subprocess.DEVNULL)
         d = len(run.vertices[0])
-        vertices, faces, _ = read_polydata(names[0], d)
+        vertices, faces, _ = read_faces(names[0], d)
         check((vertices, faces) == (run.vertices, run.faces), "surface as VTK")
-        points, alone, pmc = read_polydata(names[1], d)
+        points, alone, pmc = read_faces(names[1], d)
         words = {1: "in", 2: "on", 3: "out"}
         check({p: words[k] for p, k in zip(points, pmc)} == run.points, "points as VTK")
         check(alone == [(k,) for k in range(len(points))], "vertices of VTK")

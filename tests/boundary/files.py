@@ -36,8 +36,13 @@ def read_ply(path):
     return vertices, [tuple(map(int, row[1:])) for row in rest]
 
 
-def read_vtk(path):
-    """(points, [(corners, level, pmc, contact)]) of a legacy VTK file of cells."""
+# By VTK's numbers: dimension, and the corners in the order of the bits of x, y, z.
+CELLS = {9: (2, (0, 1, 3, 2)), 12: (3, (0, 1, 3, 2, 4, 5, 7, 6))}
+FACES = {1: 1, 3: 2, 5: 3}
+
+
+def read_grid(path):
+    """(points, cells, types, data) of a legacy VTK file: data is {name: column}."""
     with open(path, encoding="utf-8") as file:
         lines = file.read().splitlines()
     if lines[0] != "# vtk DataFile Version 3.0" or lines[2:4] != ["ASCII",
@@ -45,37 +50,42 @@ def read_vtk(path):
         raise ValueError(path)
     count = int(lines[4].split()[1])
     points = [tuple(F(x) for x in line.split()) for line in lines[5:5 + count]]
-    at = 5 + count
-    cells = int(lines[at].split()[1])
-    corners = [tuple(map(int, line.split()))[1:] for line in lines[at + 1:at + 1 + cells]]
-    if sum(len(c) + 1 for c in corners) != int(lines[at].split()[2]):
+    word, cells, numbers = lines[5 + count].split()
+    at, cells = 6 + count, int(cells)
+    rows = [tuple(map(int, line.split())) for line in lines[at:at + cells]]
+    if word != "CELLS" or sum(map(len, rows)) != int(numbers) or any(row[0] + 1 != len(row) for row in rows):
         raise ValueError(path)
+    at += cells
+    if lines[at] != f"CELL_TYPES {cells}":
+        raise ValueError(path)
+    types = list(map(int, lines[at + 1:at + 1 + cells]))
     at += 1 + cells
-    kinds = set(lines[at + 1:at + 1 + cells])
-    if kinds != {"8"} and kinds != {"11"}:
-        raise ValueError(path)
-    at += 1 + cells + 1
-    columns = {}
+    columns, rows_of_data = {}, 0
     while at < len(lines):
-        columns[lines[at].split()[1]] = [int(x) for x in lines[at + 2:at + 2 + cells]]
-        at += 2 + cells
-    if kinds == {"8"}:
+        if lines[at].split()[0] in ("CELL_DATA", "POINT_DATA"):
+            rows_of_data = int(lines[at].split()[1])
+            at += 1
+        columns[lines[at].split()[1]] = [int(x) for x in lines[at + 2:at + 2 + rows_of_data]]
+        at += 2 + rows_of_data
+    return points, [row[1:] for row in rows], types, columns
+
+
+def read_vtk(path):
+    """(points, [(corners, level, pmc, contact)]) of a file of cells."""
+    points, cells, types, columns = read_grid(path)
+    kind, = set(types)
+    d, order = CELLS[kind]
+    corners = [tuple(cell[k] for k in order) for cell in cells]
+    if any(len(cell) != 2 ** d for cell in cells):
+        raise ValueError(path)
+    if d == 2:
         points = [p[:2] for p in points]
     return points, list(zip(corners, columns["level"], columns["pmc"], columns["contact"]))
 
 
-def read_polydata(path, d):
-    """(points, cells, data of the points) of a legacy VTK file."""
-    with open(path, encoding="utf-8") as file:
-        lines = file.read().splitlines()
-    if lines[3] != "DATASET POLYDATA":
+def read_faces(path, d):
+    """(points, cells, data of the points) of a file of a surface or of points."""
+    points, cells, types, columns = read_grid(path)
+    if any(FACES[kind] != len(cell) for kind, cell in zip(types, cells)):
         raise ValueError(path)
-    count = int(lines[4].split()[1])
-    points = [tuple(F(x) for x in line.split())[:d] for line in lines[5:5 + count]]
-    at = 5 + count
-    _, cells, numbers = lines[at].split()
-    rows = [tuple(map(int, line.split())) for line in lines[at + 1:at + 1 + int(cells)]]
-    if sum(map(len, rows)) != int(numbers) or any(row[0] + 1 != len(row) for row in rows):
-        raise ValueError(path)
-    data = [int(x) for x in lines[at + 1 + int(cells) + 3:]]
-    return points, [row[1:] for row in rows], data
+    return [p[:d] for p in points], cells, columns.get("pmc", [])
