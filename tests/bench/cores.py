@@ -19,7 +19,12 @@ class Cores:
     def __init__(self, graze, folder, solid, motion, lines, repeats):
         self.graze, self.folder, self.scene = graze, folder, [solid, motion]
         self.lines, self.repeats, self.files = lines, repeats, {}
-        self.empty = min(run_wall([self.command(1, 1)]) for _ in range(3))
+        self.empty = self.start(self.command(1, 1))
+
+    @staticmethod
+    def start(command):
+        """Seconds of a run that answers next to nothing."""
+        return min(run_wall([command]) for _ in range(3))
 
     def write(self, rows):
         if rows not in self.files:
@@ -36,9 +41,12 @@ class Cores:
         """How many rows take `target` seconds of one core."""
         return max(START, int(START * target / max(run_cpu(self.command(1, START))[0], 1e-3)))
 
-    def against(self, table, work, rows, one, other, least=None):
-        """Both command lists answer `rows` rows; the row is how much faster the first is."""
-        pairs = [[run_wall(commands) - self.empty for commands in (one, other)] for _ in range(self.repeats)]
+    def against(self, table, work, rows, one, other, least=None, start=None):
+        """Both command lists answer `rows` rows; the row is how much faster the first is, without loading and
+        the start of processes, which takes the first `start` seconds."""
+        starts = start or self.empty, self.empty
+        pairs = [[run_wall(commands) - spent for commands, spent in zip((one, other), starts)]
+                 for _ in range(self.repeats)]
         ours, peer = (statistics.median(p[k] for p in pairs) / rows for k in (0, 1))
         table.row(f"{work} ({rows:,} rows)", statistics.median(b / a for a, b in pairs), least=least,
                   graze=ours, peer=peer)
@@ -54,6 +62,7 @@ class Cores:
         self.against(table, "2 shards at a time against the whole", 2 * n, shards, [alone])
         if shutil.which("mpirun") and os.path.exists(self.graze + "-mpi"):
             os.environ.update(AS_ROOT)
-            ranks = ["mpirun", "-n", "3", "--oversubscribe", self.graze + "-mpi", *self.scene, self.write(2 * n)]
+            ranks = lambda rows: ["mpirun", "-n", "3", "--oversubscribe", self.graze + "-mpi", *self.scene,
+                                  self.write(rows)]
             self.against(table, "graze-mpi, one rank that reads and two that answer, against 1 process", 2 * n,
-                         [ranks], [alone])
+                         [ranks(2 * n)], [alone], start=self.start(ranks(1)))
