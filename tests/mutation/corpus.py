@@ -47,7 +47,7 @@ exec "{graze}" "$@" $flag
 WRAPPER = """#!/bin/sh
 ulimit -t {seconds}
 case $1 in
-classify|explain) exec "{graze}" "$@" {flag};;
+classify|explain) command=$1; shift; exec "{graze}" "$command" {flag} "$@";;
 esac
 exec "{graze}" "$@"
 """
