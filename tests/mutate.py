@@ -42,7 +42,7 @@ SUITES = [Suite(f"tests/{name}.py", EXACT) for name in (
     "unsweep/properties")]
 # What decides between the filter and the exact path is asked with the filter, too.
 FILTERED = [Suite(suite.script, "") for suite in SUITES[:4]]
-REFUSE = "tests/refuse/run.py"
+REFUSE, REFUSE_SECONDS = "tests/refuse/run.py", 60
 UNITS = ["tests/unit/test_algebraic", "tests/unit/test_modular", "tests/unit/test_refine",
          "tests/unit/test_forms", "tests/unit/test_locate"]
 LATE_UNITS = ["tests/unit/test_bernstein", "tests/api/test_classify", "tests/api/test_memory",
@@ -114,6 +114,16 @@ class Parts:
         return path
 
 
+def wrapper(folder, graze, flag):
+    """A program that is `graze` with an option and a bound on its time."""
+    return corpus.executable(os.path.join(folder, "graze-wrapped" + flag), corpus.WRAPPER.format(
+        graze=graze, flag=flag, seconds=corpus.CPU_SECONDS))
+
+
+def suite_is_red(script, program, seconds):
+    return is_red([sys.executable, script, "--graze", program], 30 + 5 * seconds)
+
+
 class Worker:
     """One mutant at a time, in a folder of its own."""
 
@@ -122,10 +132,7 @@ class Worker:
         self.folder, self.plain = parts.bench(name), {}
         self.graze = os.path.join(self.folder, "graze")
         self.object = os.path.join(self.folder, "mutant.o")
-        self.wrappers = {flag: corpus.executable(
-            os.path.join(self.folder, "graze-wrapped" + flag),
-            corpus.WRAPPER.format(graze=self.graze, flag=flag, seconds=corpus.CPU_SECONDS))
-            for flag in ("", EXACT)}
+        self.wrappers = {flag: wrapper(self.folder, self.graze, flag) for flag in ("", EXACT)}
 
     def unit(self, name):
         program = os.path.join(self.folder, "unit")
@@ -133,8 +140,7 @@ class Worker:
         return is_red([program], 10 * UNIT_SECONDS, bound)
 
     def suite(self, script, flag, seconds):
-        command = [sys.executable, script, "--graze", self.wrappers[flag]]
-        return is_red(command, 30 + 5 * seconds)
+        return suite_is_red(script, self.wrappers[flag], seconds)
 
     def killer(self, path):
         """Which suite notices the program as it is linked now; None if none does."""
@@ -150,7 +156,7 @@ class Worker:
         for name in LATE_UNITS:
             if self.unit(name):
                 return name
-        if self.suite(REFUSE, EXACT, 60):
+        if self.suite(REFUSE, EXACT, REFUSE_SECONDS):
             return REFUSE
         return "address sanitizer" if self.is_unsafe() else None
 
@@ -198,6 +204,9 @@ def prepare(parts, folder, suites):
         if not corpus.record(folder, suite, graze):
             print(f"{suite.name} is red without any mutant")
             return None
+    if suite_is_red(REFUSE, wrapper(bench, graze, EXACT), REFUSE_SECONDS):
+        print(f"{REFUSE} is red without any mutant")
+        return None
     return cases
 
 

@@ -1,22 +1,33 @@
 /* The jobs of rows.h, done by the other ranks; and what such a rank does.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Of rank 0 and another one at most one sends to the other at any time: a rank that has no run
- * waits for one, and one that has sends nothing but its answer. So no two wait for each other.
- * With one rank alone it answers by itself.
+ * A rank has a second run at hand when it has answered the first one. Nothing is sent by a call
+ * that waits for its receiver, so no two ranks wait for each other. With one rank alone it answers
+ * by itself.
  */
 #include <mpi.h>
 #include <stdlib.h>
+#include <time.h>
 #include "cli/interrupt.h"
 #include "cli/receipt.h"
 #include "mpi/message.h"
 #include "mpi/ranks.h"
 
-/* What a rank is at: a run of a block, or nothing. */
+enum { AHEAD = 2, LOOKS = 50 };
+
+/* A run of a block, and the message that takes it to a rank. */
 typedef struct errand {
     block *block;
     size_t first;
+    message message;
+    MPI_Request under_way;
 } errand;
+
+/* What a rank has been sent and has not answered: `count` from the oldest on, in a ring. */
+typedef struct errands {
+    errand item[AHEAD];
+    int oldest, count;
+} errands;
 
 struct jobs {
     answerer alone; /* where there is no other rank */
@@ -26,8 +37,8 @@ struct jobs {
     int ranks;           /* other than this one */
     int serving;         /* they wait for runs */
     int failed;          /* memory ran short */
-    message message;
-    errand errands[]; /* of rank k at k - 1 */
+    message message;     /* an answer */
+    errands sent[];      /* to rank k at k - 1 */
 };
 
 static int told;
@@ -51,7 +62,7 @@ int jobs_width(const options *o) {
 
 int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source) {
     int others = rank_count() - 1, mine = EXIT_DONE, worst;
-    jobs *j = calloc(1, sizeof *j + (size_t)others * sizeof(errand));
+    jobs *j = calloc(1, sizeof *j + (size_t)others * sizeof(errands));
     *out = j;
     if (!j)
         return complain(EXIT_IO, "out of memory");
@@ -75,37 +86,53 @@ void jobs_submit(jobs *j, block *b) {
     j->left += b->count;
 }
 
-/* Take the next rows that nobody has: many at first, few towards the end. */
-static errand take(jobs *j) {
-    block *b = j->first;
+/* Take the next rows that nobody has: many at first, few towards the end. The number of the first
+ * one in its block. */
+static size_t take(jobs *j, block **of) {
+    block *b = *of = j->first;
     size_t share = j->left / (4 * (size_t)(j->ranks ? j->ranks : 1)), in_block = b->count - b->next;
-    errand mine = {b, b->next};
+    size_t first = b->next;
     share = share < 1 ? 1 : share < RUN_ROWS ? share : RUN_ROWS;
     share = share < in_block ? share : in_block;
-    b->runs[b->next].taken = share;
+    b->runs[first].taken = share;
     b->next += share;
     b->busy++;
     j->left -= share;
     if (share == in_block)
         j->first = b->after;
-    return mine;
+    return first;
+}
+
+/* One run more for rank k + 1; 0 when memory is short. */
+static int send_run(jobs *j, int k) {
+    errands *of = &j->sent[k];
+    errand *e = &of->item[(of->oldest + of->count) % AHEAD];
+    e->first = take(j, &e->block);
+    if (!message_put_run(&e->message, e->block, e->first, j->columns)) {
+        fault_set(&e->block->runs[e->first].fault, EXIT_IO, "out of memory");
+        e->block->busy--;
+        return 0;
+    }
+    MPI_Isend(e->message.bytes, (int)e->message.length, MPI_BYTE, k + 1, MESSAGE_RUN,
+              MPI_COMM_WORLD, &e->under_way);
+    of->count++;
+    return 1;
 }
 
 static void hand_out(jobs *j) {
-    for (int k = 0; k < j->ranks && j->first && !interrupt_signal() && !j->failed; k++) {
-        errand *e = &j->errands[k];
-        if (e->block)
-            continue;
-        *e = take(j);
-        if (message_put_run(&j->message, e->block, e->first, j->columns)) {
-            MPI_Send(j->message.bytes, (int)j->message.length, MPI_BYTE, k + 1, MESSAGE_RUN,
-                     MPI_COMM_WORLD);
-            continue;
-        }
-        j->failed = 1;
-        fault_set(&e->block->runs[e->first].fault, EXIT_IO, "out of memory");
-        e->block->busy--;
-        e->block = NULL;
+    for (int ahead = 1; ahead <= AHEAD; ahead++)
+        for (int k = 0; k < j->ranks && j->first && !interrupt_signal() && !j->failed; k++)
+            if (j->sent[k].count < ahead)
+                j->failed = !send_run(j, k);
+}
+
+/* MPI's own waiting may keep a core busy, which another rank could use. */
+static void await(int from, MPI_Status *about) {
+    int there = 0;
+    for (int looks = 0; !there; looks++) {
+        if (looks > LOOKS)
+            nanosleep(&(struct timespec){0, 20000}, NULL);
+        MPI_Iprobe(from, MPI_ANY_TAG, MPI_COMM_WORLD, &there, about);
     }
 }
 
@@ -113,7 +140,7 @@ static void hand_out(jobs *j) {
 static int receive(message *m, int from, int *kind) {
     MPI_Status about;
     int length;
-    MPI_Probe(from, MPI_ANY_TAG, MPI_COMM_WORLD, &about);
+    await(from, &about);
     MPI_Get_count(&about, MPI_BYTE, &length);
     if (!message_reserve(m, (size_t)length))
         return -1;
@@ -135,12 +162,15 @@ static void take_answer(jobs *j) {
     if (rank < 1) {
         give_up();
     } else {
-        errand *e = &j->errands[rank - 1];
-        row_run *r = &e->block->runs[e->first];
+        errands *of = &j->sent[rank - 1];
+        errand *done = &of->item[of->oldest];
+        row_run *r = &done->block->runs[done->first];
         if (!message_get_answer(&j->message, r))
             fault_set(&r->fault, EXIT_IO, "out of memory");
-        e->block->busy--;
-        e->block = NULL;
+        MPI_Wait(&done->under_way, MPI_STATUS_IGNORE);
+        done->block->busy--;
+        of->oldest = (of->oldest + 1) % AHEAD;
+        of->count--;
     }
 }
 
@@ -151,9 +181,10 @@ void jobs_wait(jobs *j, const block *b) {
             if (b->busy)
                 take_answer(j);
         } else {
-            errand mine = take(j);
-            answer(&j->alone, mine.block, mine.first);
-            mine.block->busy--;
+            block *mine;
+            size_t first = take(j, &mine);
+            answer(&j->alone, mine, first);
+            mine->busy--;
         }
     }
 }
@@ -162,40 +193,48 @@ void jobs_stop(jobs *j) {
     if (!j)
         return;
     for (int k = 0; k < j->ranks; k++)
-        while (j->errands[k].block)
+        while (j->sent[k].count)
             take_answer(j);
     for (int k = 0; j->serving && k < j->ranks; k++)
         MPI_Send(NULL, 0, MPI_BYTE, k + 1, MESSAGE_STOP, MPI_COMM_WORLD);
+    for (int k = 0; k < AHEAD * j->ranks; k++)
+        message_clear(&j->sent[k / AHEAD].item[k % AHEAD].message);
     answerer_clear(&j->alone);
     message_clear(&j->message);
     free(j);
 }
 
-/* Answer the run at hand; 0 when memory is short. */
-static int serve_run(answerer *a, columns *c, block *b, message *m) {
-    if (!message_get_run(m, b, c))
+/* Answer the run at hand, which is sent while the next one comes; 0 when memory is short. */
+static int serve_run(answerer *a, columns *c, block *b, const message *run, message *reply,
+                     MPI_Request *under_way) {
+    if (!message_get_run(run, b, c))
         return 0;
     answer(a, b, 0);
-    if (!message_put_answer(m, &b->runs[0]))
+    MPI_Wait(under_way, MPI_STATUS_IGNORE);
+    if (!message_put_answer(reply, &b->runs[0]))
         return 0;
-    MPI_Send(m->bytes, (int)m->length, MPI_BYTE, 0, MESSAGE_ANSWER, MPI_COMM_WORLD);
+    MPI_Isend(reply->bytes, (int)reply->length, MPI_BYTE, 0, MESSAGE_ANSWER, MPI_COMM_WORLD,
+              under_way);
     return 1;
 }
 
 /* Answer one run after another until rank 0 says that it was the last. */
 static void serve(answerer *a, columns *c) {
-    message m = {NULL, 0, 0};
+    message run = {NULL, 0, 0}, reply = {NULL, 0, 0};
+    MPI_Request under_way = MPI_REQUEST_NULL;
     block *b = block_create();
     int kind = MESSAGE_RUN, good = b != NULL;
     while (good && kind != MESSAGE_STOP) {
-        good = receive(&m, 0, &kind) == 0;
+        good = receive(&run, 0, &kind) == 0;
         if (good && kind == MESSAGE_RUN)
-            good = serve_run(a, c, b, &m);
+            good = serve_run(a, c, b, &run, &reply, &under_way);
     }
     if (!good)
         give_up();
+    MPI_Wait(&under_way, MPI_STATUS_IGNORE);
     block_destroy(b);
-    message_clear(&m);
+    message_clear(&run);
+    message_clear(&reply);
 }
 
 int ranks_serve(const options *o) {

@@ -13,7 +13,8 @@ import statistics
 import tempfile
 
 import scenes
-from measure import Server, Stream, fitting, in_turns, run_cpu, run_wall, same_numbers
+from cores import Cores
+from measure import Server, Stream, fitting, in_turns, run_cpu, same_numbers
 from table import Table
 
 REPEATS = 5
@@ -193,33 +194,11 @@ class Bench:
             return self.points(inside, "made", counted=False)(0, n)
         return ask
 
-    def threads(self, solid):
-        """--jobs 2 against two processes, by the wall clock."""
+    def cores(self, solid):
         with open(self.path("translation.csv"), encoding="ascii") as file:
             lines = file.readlines()
-        files = {}
-        command = lambda jobs, rows: [self.graze, "classify", "--jobs", str(jobs), self.path(solid),
-                                      self.path("translation.json"), files[rows]]
-
-        def write(rows):
-            files[rows] = self.path(f"rows{rows}.csv")
-            with open(files[rows], "w", encoding="ascii") as file:
-                for r in range(0, rows, len(lines)):
-                    file.writelines(lines[:rows - r])
-        for rows in (1, 2000):
-            write(rows)
-        empty = min(run_wall([command(1, 1)]) for _ in range(3))
-        n = max(2000, int(2000 * 5 * self.target / max(run_cpu(command(1, 2000))[0], 1e-3)))
-        write(n)
-        write(2 * n)
-        ratios = []
-        for _ in range(REPEATS):
-            apart = run_wall([command(1, n), command(1, n)]) - empty
-            together = run_wall([command(2, 2 * n)]) - empty
-            ratios.append((apart / together, together / (2 * n), apart / (2 * n)))
-        ratio, together, apart = (statistics.median(r[k] for r in ratios) for k in range(3))
-        self.table.row(f"2 threads against two processes, wall clock ({2 * n:,} rows)", ratio, least=0.9,
-                       graze=together, peer=apart)
+        two = Cores(self.graze, self.folder, self.path(solid), self.path("translation.json"), lines, REPEATS)
+        two.measure(self.table, 5 * self.target)
 
     def grid(self, name, mesh):
         solid = name.replace(" ", "") + ".off"
@@ -261,7 +240,7 @@ class Bench:
         self.command_line(size, solid, peers)
         if size == self.sizes[0]:
             self.degenerate(inside, "translation")
-            self.threads(solid)
+            self.cores(solid)
         inside.ask("motion", self.path("rotation.json"))
         filtered = self.against_count("rotation, degree 4, against its chord", "rotation", size, inside, peers,
                                       "rotation", 5)

@@ -47,7 +47,7 @@ exec "{graze}" "$@" $flag
 WRAPPER = """#!/bin/sh
 ulimit -t {seconds}
 case $1 in
-classify|explain) exec "{graze}" "$@" {flag};;
+classify|explain) command=$1; shift; exec "{graze}" "$command" {flag} "$@";;
 esac
 exec "{graze}" "$@"
 """
@@ -76,7 +76,7 @@ def with_options(line, flag):
     if fields[2] == "classify" and "--jobs" not in fields:
         fields += ["--jobs", "1"]
     if flag and fields[2] != "check" and flag not in fields:
-        fields.append(flag)
+        fields.insert(3, flag)
     return "\t".join(fields) + "\n"
 
 

@@ -3,31 +3,14 @@
  * the definition of a box.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "solid/forms.h"
 #include "solid/planes.h"
-
-static graze_context *context;
-
-static int set_up(void **state) {
-    (void)state;
-    return graze_context_create(&context) != GRAZE_OK;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    graze_context_destroy(context);
-    return 0;
-}
+#include "fixture.h"
 
 static uint64_t seed = 20260721;
 

@@ -5,32 +5,14 @@
  * A matrix is written row by row, b last in each row. cos = 3/5, sin = 4/5 is the angle with the
  * tangent 1/2 of its half.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 #include "motion/motion.h"
 #include "number/rational.h"
+#include "fixture.h"
 
 enum { ENTRIES = 12, TEXT = 4000 };
-
-static graze_context *context;
-
-static int set_up(void **state) {
-    (void)state;
-    return graze_context_create(&context) != GRAZE_OK;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    graze_context_destroy(context);
-    flint_cleanup();
-    return 0;
-}
 
 static graze_motion *make(const char *text) {
     graze_motion *motion;

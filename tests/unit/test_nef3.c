@@ -3,32 +3,16 @@
  *
  * Run in the project's top folder; a file is written to a folder of the system's own.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include <cmocka.h>
 #include "context/file.h"
 #include "number/rational.h"
 #include "solid/soup.h"
+#include "fixture.h"
 
 #define NEF "tests/refuse/common/nef3/"
-
-static graze_context *context;
-
-static int set_up(void **state) {
-    (void)state;
-    return graze_context_create(&context) != GRAZE_OK;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    graze_context_destroy(context);
-    return 0;
-}
 
 /* Read a text as a .nef3 file of its own. */
 static void read_copy(soup *s, const char *text) {

@@ -2,27 +2,10 @@
  * a second method that shares nothing with the first. And cancelling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 #include "solid/validate.h"
-
-static graze_context *context;
-
-static int set_up(void **state) {
-    (void)state;
-    return graze_context_create(&context) != GRAZE_OK;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    graze_context_destroy(context);
-    return 0;
-}
+#include "fixture.h"
 
 typedef struct body {
     long x[4][3]; /* a tetrahedron, or a triangle with z = 0 */

@@ -3,29 +3,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <float.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 #include "number/rational.h"
-
-static graze_context *context;
-
-static int set_up(void **state) {
-    (void)state;
-    return graze_context_create(&context) != GRAZE_OK;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    graze_context_destroy(context);
-    flint_cleanup();
-    return 0;
-}
+#include "fixture.h"
 
 static graze_status parse(fmpq_t out, const char *token) {
     return rational_parse(out, context, token, strlen(token));

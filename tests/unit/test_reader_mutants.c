@@ -3,48 +3,11 @@
  *
  * Run in the project's top folder; files are written to a folder of the system's own.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
-#include <cmocka.h>
 #include "context/file.h"
-#include "solid/soup.h"
-
-#define NEF "tests/refuse/common/nef3/"
+#include "reader_fixture.h"
 
 enum { MUTANTS = 400 };
-
-static char folder[] = "/tmp/graze-mutants-XXXXXX";
-static graze_context *context;
-
-static int set_up(void **state) {
-    (void)state;
-    return mkdtemp(folder) == NULL || graze_context_create(&context) != GRAZE_OK;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    graze_context_destroy(context);
-    return rmdir(folder);
-}
-
-/* Read bytes as a file of the extension. */
-static graze_status read_bytes(soup *s, const char *extension, const char *bytes, size_t size) {
-    char path[64];
-    snprintf(path, sizeof path, "%s/s%s", folder, extension);
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, size, file), size);
-    assert_int_equal(fclose(file), 0);
-    graze_status status = soup_read(s, context, path);
-    assert_int_equal(remove(path), 0);
-    return status;
-}
 
 static uint64_t random_state;
 

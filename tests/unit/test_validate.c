@@ -2,16 +2,12 @@
  * image, order of axes and numbering; the cut into simplices; the smallest gap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 #include "number/rational.h"
 #include "solid/validate.h"
+#include "fixture.h"
 
 #define MOST 400
 
@@ -22,19 +18,6 @@ typedef struct shape {
     fmpq x[MOST][3];
     size_t vertex[MOST][64], size[MOST], facet_of[MOST]; /* per cycle */
 } shape;
-
-static graze_context *context;
-
-static int set_up(void **state) {
-    (void)state;
-    return graze_context_create(&context) != GRAZE_OK;
-}
-
-static int tear_down(void **state) {
-    (void)state;
-    graze_context_destroy(context);
-    return 0;
-}
 
 static shape *shape_new(int dimension) {
     shape *s = calloc(1, sizeof *s);
