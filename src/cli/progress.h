@@ -5,8 +5,6 @@
 #ifndef GRAZE_CLI_PROGRESS_H
 #define GRAZE_CLI_PROGRESS_H
 
-#include <time.h>
-
 /** How far the work is: `done` of `whole`, in whatever unit; `whole` is 0 where nobody knows. */
 typedef struct portion {
     unsigned long done, whole;
@@ -14,7 +12,7 @@ typedef struct portion {
 
 typedef struct progress {
     int silent;
-    time_t start, shown;
+    double start, shown;  /* seconds of a clock that nobody sets */
     unsigned long rows;   /* that were there at the start */
     unsigned long before; /* and what was done by then */
 } progress;

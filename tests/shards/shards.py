@@ -350,15 +350,20 @@ def on_terminal(words):
 def check_progress(bench):
     """Per cent and time left where the end is known; nothing with --quiet."""
     words = [bench.graze, "classify", COMMON / "cube.off", COMMON / "move3.json", "--jobs", "1", "--grid", "90,90,90"]
+    start = time.monotonic()
     status, shown = on_terminal(words)
-    form = rb"(\d+) rows, \d+ rows/s, (\d+) %(, \d+:\d\d:\d\d left)?\s*"
+    elapsed = time.monotonic() - start
+    form = rb"(\d+) rows, (\d+) rows/s, (\d+) %(, \d+:\d\d:\d\d left)?\s*"
     lines = [re.fullmatch(form, line) for line in shown.strip().split(b"\r")]
     bench.check(status == 0 and all(lines), "the form of progress", shown)
     if all(lines):
-        rows, parts = [int(m[1]) for m in lines], [int(m[2]) for m in lines]
+        rows, parts = [int(m[1]) for m in lines], [int(m[3]) for m in lines]
         bench.check(all(p == r * 100 // 90**3 for r, p in zip(rows, parts)), "per cent are those of the rows", shown)
-        bench.check(rows[-1] == 90**3 and lines[-1][3] is None, "the last line is the end", shown)
-        bench.check(all(m[3] for m in lines if int(m[1]) < 90**3), "before it there is time left", shown)
+        # The work takes no longer than the whole run.
+        bench.check(int(lines[-1][2]) >= int(90**3 / elapsed), "the rate is that of the clock", elapsed, shown)
+        bench.check(len(lines) <= elapsed + 1, "at most a line a second and the last", elapsed, shown)
+        bench.check(rows[-1] == 90**3 and lines[-1][4] is None, "the last line is the end", shown)
+        bench.check(all(m[4] for m in lines if int(m[1]) < 90**3), "before it there is time left", shown)
     status, shown = on_terminal(words[:-1] + ["20,20,20", "--quiet"])
     bench.check((status, shown) == (0, b""), "--quiet shows nothing", status, shown)
 
