@@ -184,11 +184,11 @@ def slug(heading):
 
 def links(name, text):
     """Every link to a file leads to one, and its anchor to a heading there."""
-    for target, anchor in re.findall(r"\]\(([^)#:]+)(?:#([^)]*))?\)", text):
-        path = os.path.join(ROOT, os.path.dirname(name), target)
+    for target, anchor in re.findall(r"\]\(([^)#:]*)(?:#([^)]*))?\)", text):
+        path = os.path.join(ROOT, os.path.dirname(name), target) if target else os.path.join(ROOT, name)
         if check(os.path.exists(path), f"{name}: a link leads to {target}") and anchor:
             slugs = {slug(heading) for heading in re.findall(r"^#+ (.*)$", read(path), re.M)}
-            check(anchor in slugs, f"{name}: {target} has no heading #{anchor}")
+            check(anchor in slugs, f"{name}: {path} has no heading #{anchor}")
 
 
 def names(texts, graze):
