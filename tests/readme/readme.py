@@ -1,17 +1,21 @@
 #!/usr/bin/env python3
 # suite
-"""Does what README.md shows, and compares: the commands, their output, the C example, the names.
+"""Does what the documents show, README.md and then src/cli/README.md, and compares: the commands, their
+output, the C and the Python example, the names.
 
 Works in a temporary folder into which the repository's paths are linked; build/ there is a folder of
 its own that holds the program and the libraries. The blocks are taken in their order:
 
 - `sh`: run by /bin/sh, unless it calls make or git. A `text` block next to it is what it prints, both
-  streams; a line `...` there stands for any lines. Without one it must end with status 0.
+  streams; a line `...` there stands for any lines. It must end with status 0 unless a `text` block
+  shows otherwise.
 - `c`: written to build/example.c. The block that compiles it is run again as strict C11, against the
-  static and the shared library.
+  static and the shared library, and with one call after another failing: it must say so.
+- `python`: written to build/example.py, run by the block after it, and once more without numpy.
 
-Links must lead somewhere, every target, option and command named must exist, and every command that
-`graze --help` lists must be described.
+The command in the head of cases/example.c is run in the same ways as that of the `c` block. Links must
+lead to a file and a heading, every target, option and command named must exist, every command that
+`graze --help` lists must be described, and README.md must stay short.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
@@ -23,9 +27,20 @@ import sys
 import tempfile
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+DOCUMENTS = ("README.md", "src/cli/README.md")
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$(?:\n\n```text\n(.*?)^```$)?", re.M | re.S)
+# Words of the README outside its blocks.
+MOST_WORDS = 1650
 # What the compiler must be told if the libraries were built with a sanitizer.
 SANITIZERS = {b"__asan_init": "address", b"__ubsan_handle": "undefined", b"__tsan_init": "thread"}
+# The point fb-graze-slide of cases/bracket: its row, and the times and cells its README derives, the times
+# 1/2; 11/10; [49/40, 509/320]; [119/64, 2] as decimals.
+EXAMPLE_OUTPUT = r"""fold_boundary OBOBIBOB
+touches at 0\.5, edge .*
+crosses at 1\.1, face .*
+crosses at 1\.225 to 1\.590625, face .*
+touches at 1\.859375 to 2, face .*
+"""
 passed = failed = 0
 
 
@@ -35,6 +50,16 @@ def check(holds, message):
     if not holds:
         print("FAILED", message)
     return holds
+
+
+def read(*parts):
+    with open(os.path.join(ROOT, *parts), encoding="utf-8") as file:
+        return file.read()
+
+
+def write(text, *parts):
+    with open(os.path.join(*parts), "w", encoding="utf-8") as file:
+        file.write(text)
 
 
 def prints(want, got):
@@ -58,95 +83,145 @@ def link_into(folder, build):
         path = os.path.join(build, name)
         if check(os.path.exists(path), f"{path} is missing"):
             os.symlink(path, os.path.join(folder, "build", name))
-
-
-def run(command, folder, **environment):
-    done = subprocess.run(["/bin/sh", "-c", command], cwd=folder, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300,
-                          env=dict(os.environ, **environment))
-    return done.stdout.decode("utf-8", "replace"), done.returncode
-
-
-def sanitized(command, build):
-    """The compile command, with what the library at hand needs."""
-    with open(os.path.join(build, "libgraze.a"), "rb") as file:
-        library = file.read()
-    kinds = [kind for symbol, kind in SANITIZERS.items() if symbol in library]
-    if not kinds:
-        return command
-    flags = f"clang -fsanitize={','.join(kinds)} -fsanitize-link-c++-runtime "
-    return re.sub(r"^cc ", flags, command, flags=re.M)
-
-
-def show(command, output, folder, **environment):
-    got, status = run(command, folder, **environment)
-    if output is None:
-        check(status == 0, f"status {status} of\n{command}it printed\n{got}")
-    else:
-        check(prints(output, got), f"\n{command}should print\n{output}and prints\n{got}")
-
-
-def show_c(body, output, folder):
-    """The example as it is, as strict C11, and with the shared library."""
-    strict = body.replace("-std=c11", "-std=c11 -Wall -Wextra -Werror")
-    check(strict != body, "the example is compiled as C11")
-    shared = strict.replace("libgraze.a", "libgraze.so")
-    check(shared != strict, "the example is linked with libgraze.a")
-    show(body, output, folder)
-    show(strict, output, folder)
     # The shared library is found by its soname.
     os.symlink("libgraze.so", os.path.join(folder, "build", "libgraze.so.0"))
-    show(shared, output, folder, LD_LIBRARY_PATH="build")
 
 
-def examples(text, folder, build):
-    """Run every block; (blocks of commands that were run, C programs)."""
-    commands = programs = 0
-    for language, body, output in blocks(text):
-        if language == "c":
-            with open(os.path.join(folder, "build", "example.c"), "w", encoding="utf-8") as file:
-                file.write(body)
-            programs += 1
-        if language != "sh" or re.search(r"^(make|git)\b", body, re.M):
-            continue
-        commands += 1
-        if "build/example.c" in body:
-            show_c(sanitized(body, build), output, folder)
+class Runner:
+    """Runs blocks in the folder, with the libraries of the build folder."""
+
+    def __init__(self, folder, build):
+        self.folder = folder
+        with open(os.path.join(build, "libgraze.a"), "rb") as file:
+            library = file.read()
+        self.kinds = [kind for symbol, kind in SANITIZERS.items() if symbol in library]
+        self.ran = {"sh": 0, "c": 0, "python": 0}
+
+    def run(self, command, **environment):
+        done = subprocess.run(["/bin/sh", "-c", command], cwd=self.folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300,
+                              env=dict(os.environ, **environment))
+        return done.stdout.decode("utf-8", "replace"), done.returncode
+
+    def show(self, command, output, **environment):
+        got, status = self.run(command, **environment)
+        if output is None:
+            check(status == 0, f"status {status} of\n{command}it printed\n{got}")
         else:
-            show(body, output, folder)
-    return commands, programs
+            check(prints(output, got), f"\n{command}should print\n{output}and prints\n{got}")
+
+    def programs(self, command):
+        """The compile command with what the library at hand needs: as it is, strict, and strict with the
+        shared library."""
+        if self.kinds:
+            flags = f"clang -fsanitize={','.join(self.kinds)} -fsanitize-link-c++-runtime "
+            command = re.sub(r"^cc ", flags, command, flags=re.M)
+        strict = command.replace("-std=c11", "-std=c11 -Wall -Wextra -pedantic -Werror")
+        check(strict != command, "the example is compiled as C11")
+        shared = strict.replace("libgraze.a", "libgraze.so")
+        check(shared != strict, "the example is linked with libgraze.a")
+        return [command, strict, shared]
+
+    def show_c(self, command, output):
+        for program in self.programs(command):
+            self.show(program, output, LD_LIBRARY_PATH="build")
+        source = os.path.join(self.folder, "build", "example.c")
+        with open(source, encoding="utf-8") as file:
+            text = file.read()
+        # Of every file read a name that is not there: status 1, and the message of the context.
+        for path in re.findall(r'"(build/[^"]*)"', text):
+            write(text.replace(path, path + ".gone"), source)
+            got, status = self.run(self.programs(command)[1])
+            check(status == 1 and f"{path}.gone" in got, f"{path} missing: status {status}, {got}")
+        write(text, source)
+
+    def show_python(self, command, output):
+        if self.kinds:  # the interpreter cannot load a library with a sanitizer's calls
+            return
+        self.show(command, output)
+        blocked = os.path.join(self.folder, "build", "without")
+        os.makedirs(blocked, exist_ok=True)
+        write("raise ImportError('numpy is hidden')\n", blocked, "numpy.py")
+        hidden = command.replace("PYTHONPATH=src/python", "PYTHONPATH=build/without:src/python")
+        check(hidden != command, "the example names the module's folder")
+        self.show(hidden, output)
+
+    def example_file(self):
+        """cases/example.c by the command in its head."""
+        head = re.search(r"^ \*   (cc .*?)\n \*\n", read("cases", "example.c"), re.M | re.S)
+        if not check(head, "cases/example.c says how to compile it"):
+            return
+        for program in self.programs(re.sub(r"^ \* *", "", head[1], flags=re.M) + "\n"):
+            got, status = self.run(program, LD_LIBRARY_PATH="build")
+            check(status == 0 and re.fullmatch(EXAMPLE_OUTPUT, got), f"cases/example.c: {status}, {got}")
+
+    def examples(self, text):
+        """Run every block."""
+        for language, body, output in blocks(text):
+            suffix = {"c": "c", "python": "py"}.get(language)
+            if suffix:
+                write(body, self.folder, "build", f"example.{suffix}")
+                self.ran[language] += 1
+            if language != "sh" or re.search(r"^(make|git)\b", body, re.M):
+                continue
+            self.ran["sh"] += 1
+            if "build/example.c" in body:
+                self.show_c(body, output)
+            elif "build/example.py" in body:
+                self.show_python(body, output)
+            else:
+                self.show(body, output)
 
 
 # Options of GNU parallel and Slurm in the recipes.
 OF_OTHERS = {"--sshloginfile", "--workdir", "--array", "--cpus-per-task", "--requeue"}
 
 
-def names(text, graze):
-    """Everything the README names exists, and every command is described."""
-    for target in re.findall(r"\]\(([^)#:]+)\)", text):
-        check(os.path.exists(os.path.join(ROOT, target)), f"a link leads to {target}")
-    with open(os.path.join(ROOT, "Makefile"), encoding="utf-8") as file:
-        targets = set(re.findall(r"^([a-z-]+):", file.read(), re.M))
+def slug(heading):
+    """The anchor of a heading."""
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+
+
+def links(name, text):
+    """Every link to a file leads to one, and its anchor to a heading there."""
+    for target, anchor in re.findall(r"\]\(([^)#:]*)(?:#([^)]*))?\)", text):
+        path = os.path.join(ROOT, os.path.dirname(name), target) if target else os.path.join(ROOT, name)
+        if check(os.path.exists(path), f"{name}: a link leads to {target}") and anchor:
+            slugs = {slug(heading) for heading in re.findall(r"^#+ (.*)$", read(path), re.M)}
+            check(anchor in slugs, f"{name}: {path} has no heading #{anchor}")
+
+
+def names(texts, graze):
+    """Everything the documents name exists, and every command is described."""
+    for name, text in texts.items():
+        links(name, text)
+    text = "\n".join(texts.values())
+    targets = set(re.findall(r"^([a-z-]+):", read("Makefile"), re.M))
     for target in sorted(set(re.findall(r"(?:`|^)make ([a-z-]+)", text, re.M))):
         check(target in targets, f"make {target}: no such target")
-    overview = run(f"'{graze}' --help", ROOT)[0]
+    overview = asked(graze, "--help")
     commands = re.findall(r"^  graze ([a-z]+)", overview, re.M)
     check(len(commands) >= 3, "graze --help lists the commands")
-    described = set(re.findall(r"^\| `graze ([a-z]+)", text, re.M))
+    described = set(re.findall(r"^\| `graze ([a-z]+)", texts["README.md"], re.M))
     check(described == set(commands), f"commands: {sorted(commands)}, described: {sorted(described)}")
-    helps = overview + "".join(run(f"'{graze}' {c} --help", ROOT)[0] for c in commands)
+    helps = overview + "".join(asked(graze, command, "--help") for command in commands)
     known = set(re.findall(r"--[a-z][a-z-]*", helps)) | {"--help"} | OF_OTHERS
     for option in sorted(set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))):
         check(option in known, f"{option} is in no --help")
 
 
+def asked(*command):
+    return subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout.decode()
+
+
 def itself():
-    """The comparison tells right from wrong."""
+    """The comparison and the anchors tell right from wrong."""
     for want, got, same in (("a\nb\n", "a\nb\n", True), ("a\n", "a\nb\n", False),
                             ("a\n...\nc\n", "a\nb\nb\nc\n", True), ("...\nc\n", "c\n", True),
                             ("a\n...\nc\n", "a\nb\n", False), ("a\n...\n", "b\na\n", False),
                             (".\n", "x\n", False)):
         check(prints(want, got) == same, f"prints({want!r}, {got!r})")
+    check(slug("How fast, and why") == "how-fast-and-why", "slug")
 
 
 def main():
@@ -156,18 +231,19 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     graze = os.path.abspath(options.graze)
-    with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
-        text = file.read()
+    texts = {name: read(name) for name in DOCUMENTS}
     itself()
-    folder = tempfile.mkdtemp()
-    try:
+    with tempfile.TemporaryDirectory() as folder:
         link_into(folder, os.path.dirname(graze))
-        commands, programs = examples(text, folder, os.path.dirname(graze))
-    finally:
-        shutil.rmtree(folder)
-    check(commands >= 4, f"only {commands} blocks of commands were run")
-    check(programs == 1, f"{programs} C examples")
-    names(text, graze)
+        runner = Runner(folder, os.path.dirname(graze))
+        for text in texts.values():
+            runner.examples(text)
+        runner.example_file()
+    check(runner.ran["sh"] >= 10, f"only {runner.ran['sh']} blocks of commands were run")
+    check((runner.ran["c"], runner.ran["python"]) == (1, 1), f"examples: {runner.ran}")
+    names(texts, graze)
+    words = sum(bool(re.search(r"\w", word)) for word in BLOCK.sub("", texts["README.md"]).split())
+    check(words <= MOST_WORDS, f"README.md has {words} words outside its blocks; right is {MOST_WORDS}")
     print(f"{passed} passed, {failed} failed")
     sys.exit(1 if failed else 0)
 
