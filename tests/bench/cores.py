@@ -64,5 +64,5 @@ class Cores:
             os.environ.update(AS_ROOT)
             ranks = lambda rows: ["mpirun", "-n", "3", "--oversubscribe", self.graze + "-mpi", *self.scene,
                                   self.write(rows)]
-            self.against(table, "graze-mpi, one rank that reads and two that answer, against 1 process", 2 * n,
-                         [ranks(2 * n)], [alone], start=self.start(ranks(1)))
+            self.against(table, "graze-mpi, one rank that reads and two that answer, against 1 process", 8 * n,
+                         [ranks(8 * n)], [self.command(1, 8 * n)], start=self.start(ranks(1)))
