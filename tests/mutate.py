@@ -114,10 +114,15 @@ class Parts:
         return path
 
 
-def wrapper(folder, graze, flag):
+def wrapper(folder, graze, flag, seconds=corpus.CPU_SECONDS):
     """A program that is `graze` with an option and a bound on its time."""
-    return corpus.executable(os.path.join(folder, "graze-wrapped" + flag), corpus.WRAPPER.format(
-        graze=graze, flag=flag, seconds=corpus.CPU_SECONDS))
+    return corpus.executable(os.path.join(folder, f"graze-{seconds}{flag}"), corpus.WRAPPER.format(
+        graze=graze, flag=flag, seconds=seconds))
+
+
+def refuses_badly(folder, graze):
+    """Whether the refusals are red. Runs that a signal ends take some seconds of two cores."""
+    return suite_is_red(REFUSE, wrapper(folder, graze, EXACT, UNIT_SECONDS), REFUSE_SECONDS)
 
 
 def suite_is_red(script, program, seconds):
@@ -156,7 +161,7 @@ class Worker:
         for name in LATE_UNITS:
             if self.unit(name):
                 return name
-        if self.suite(REFUSE, EXACT, REFUSE_SECONDS):
+        if refuses_badly(self.folder, self.graze):
             return REFUSE
         return "address sanitizer" if self.is_unsafe() else None
 
@@ -204,7 +209,7 @@ def prepare(parts, folder, suites):
         if not corpus.record(folder, suite, graze):
             print(f"{suite.name} is red without any mutant")
             return None
-    if suite_is_red(REFUSE, wrapper(bench, graze, EXACT), REFUSE_SECONDS):
+    if refuses_badly(bench, graze):
         print(f"{REFUSE} is red without any mutant")
         return None
     return cases

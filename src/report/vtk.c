@@ -5,7 +5,8 @@
  * readers take that do not know VTK's polygonal data. Names become numbers: pmc in 1, on 2, out 3;
  * classes 1 to 5 in the order of Definitions 5 to 9; definition 0 for ext. The format has no texts
  * that all its readers take, so words and other texts are numbered from 0 in the order in which
- * they first occur in their column.
+ * they first occur in their column; which they are stands, one after another and each with a
+ * newline behind it, as bytes in the field data COLUMN_texts.
  */
 #include <ctype.h>
 #include <stdint.h>
@@ -39,8 +40,7 @@ static void put_grid(text *t, const cut_table *c) {
     fmpz_t parts;
     fmpq_init(step);
     fmpz_init(parts);
-    text_format(t, "DATASET STRUCTURED_POINTS\nDIMENSIONS %zu %zu %zu\nORIGIN", c->grid[0],
-                c->grid[1], c->grid[2]);
+    text_format(t, "DIMENSIONS %zu %zu %zu\nORIGIN", c->grid[0], c->grid[1], c->grid[2]);
     for (int k = 0; k < 3; k++)
         put_decimal(t, c->low + k);
     text_put(t, "\nSPACING");
@@ -60,7 +60,7 @@ static void put_grid(text *t, const cut_table *c) {
 
 static void put_vertices(text *t, graze_context *context, const cut_table *c) {
     size_t n = c->row_count;
-    text_format(t, "DATASET UNSTRUCTURED_GRID\nPOINTS %zu double\n", n);
+    text_format(t, "POINTS %zu double\n", n);
     for (size_t r = 0; r < n; r++)
         for (size_t k = 0; k < 3; k++)
             put_double(t, k < (size_t)c->dimension
@@ -99,14 +99,13 @@ static int compare_rows(const void *a, const void *b) {
     return p->row < q->row ? -1 : p->row > q->row;
 }
 
-/* Equal texts stand together once sorted, the first of them by row in front; back in the order of
- * rows each first one gets the next number, and the others that of their first. */
-static void put_texts(text *t, const cut_table *c, size_t index) {
+/* The rows of a column with the numbers of their texts; NULL without memory. Equal texts stand
+ * together once sorted, the first of them by row in front; back in the order of rows each first one
+ * gets the next number, and the others that of their first. */
+static numbered *number_texts(const cut_table *c, size_t index) {
     numbered *all = malloc((c->row_count + 1) * sizeof *all);
-    if (!all) {
-        t->failed = 1;
-        return;
-    }
+    if (!all)
+        return NULL;
     for (size_t r = 0; r < c->row_count; r++)
         all[r] = (numbered){cut_table_field(c, r, index), r, r};
     qsort(all, c->row_count, sizeof *all, compare_texts);
@@ -119,9 +118,7 @@ static void put_texts(text *t, const cut_table *c, size_t index) {
     size_t next = 0;
     for (size_t r = 0; r < c->row_count; r++)
         all[r].number = all[r].number == r ? next++ : all[all[r].number].number;
-    for (size_t r = 0; r < c->row_count; r++)
-        put_int(t, (uint32_t)all[r].number);
-    free(all);
+    return all;
 }
 
 /* A name without blanks, which the format cuts lines at; `_2` and so on after a name that was. */
@@ -141,22 +138,63 @@ static void put_name(text *t, const cut_table *c, size_t index) {
         text_format(t, "_%zu", same);
 }
 
-static void put_column(text *t, graze_context *context, const cut_table *c, size_t index) {
+static int has_texts(const cut_table *c, size_t index) {
+    return c->column[index].kind == COLUMN_WORD || c->column[index].kind == COLUMN_TEXT;
+}
+
+/* The texts of a column in the order of their numbers. */
+static void put_texts(text *t, const cut_table *c, size_t index, const numbered *all) {
+    size_t length = 0, next = 0;
+    for (size_t r = 0; r < c->row_count; r++)
+        if (all[r].number == next) {
+            length += all[r].field.length + 1;
+            next++;
+        }
+    put_name(t, c, index);
+    text_format(t, "_texts 1 %zu unsigned_char\n", length);
+    next = 0;
+    for (size_t r = 0; r < c->row_count; r++)
+        if (all[r].number == next) {
+            text_bytes(t, all[r].field.start, all[r].field.length);
+            text_put(t, "\n");
+            next++;
+        }
+    text_put(t, "\n");
+}
+
+/* The field data, and the numbers of each column with texts, which the caller frees. */
+static void put_all_texts(text *t, const cut_table *c, numbered **all) {
+    size_t count = 0;
+    for (size_t k = (size_t)c->dimension; k < c->column_count; k++)
+        count += has_texts(c, k) != 0;
+    if (!count || !c->row_count)
+        return;
+    text_format(t, "FIELD FieldData %zu\n", count);
+    for (size_t k = (size_t)c->dimension; k < c->column_count && !t->failed; k++) {
+        if (!has_texts(c, k))
+            continue;
+        all[k] = number_texts(c, k);
+        t->failed |= !all[k];
+        if (all[k])
+            put_texts(t, c, k, all[k]);
+    }
+}
+
+static void put_column(text *t, graze_context *context, const cut_table *c, size_t index,
+                       const numbered *texts) {
     const column *from = &c->column[index];
     int number = from->kind == COLUMN_NUMBER;
     text_put(t, "SCALARS ");
     put_name(t, c, index);
     text_put(t, number ? " double 1\nLOOKUP_TABLE default\n" : " int 1\nLOOKUP_TABLE default\n");
-    if (from->kind == COLUMN_WORD || from->kind == COLUMN_TEXT)
-        put_texts(t, c, index);
-    else
-        for (size_t r = 0; r < c->row_count; r++) {
-            token field = cut_table_field(c, r, index);
-            if (number)
-                put_double(t, cut_table_number(context, field));
-            else
-                put_int(t, (uint32_t)cut_table_code(from->kind, field));
-        }
+    for (size_t r = 0; r < c->row_count; r++) {
+        token field = cut_table_field(c, r, index);
+        if (number)
+            put_double(t, cut_table_number(context, field));
+        else
+            put_int(t, texts ? (uint32_t)texts[r].number
+                             : (uint32_t)cut_table_code(from->kind, field));
+    }
     text_put(t, "\n");
 }
 
@@ -168,12 +206,22 @@ graze_status export_vtk(text *out, graze_context *context, const cut_table *c) {
     text_put(out, "# vtk DataFile Version 3.0\ngraze " GRAZE_VERSION
                   ": pmc in 1 on 2 out 3; class regular 1 fold 2 fold_boundary 3 boundary 4 "
                   "exterior 5; texts by first occurrence\nBINARY\n");
+    numbered **texts = calloc(c->column_count, sizeof *texts);
+    if (!texts) {
+        out->failed = 1;
+        return GRAZE_OK;
+    }
+    text_put(out, c->grid[0] ? "DATASET STRUCTURED_POINTS\n" : "DATASET UNSTRUCTURED_GRID\n");
+    put_all_texts(out, c, texts);
     if (c->grid[0])
         put_grid(out, c);
     else
         put_vertices(out, context, c);
     text_format(out, "POINT_DATA %zu\n", c->row_count);
-    for (size_t k = (size_t)c->dimension; k < c->column_count; k++)
-        put_column(out, context, c, k);
+    for (size_t k = (size_t)c->dimension; k < c->column_count && !out->failed; k++)
+        put_column(out, context, c, k, texts[k]);
+    for (size_t k = 0; k < c->column_count; k++)
+        free(texts[k]);
+    free(texts);
     return GRAZE_OK;
 }

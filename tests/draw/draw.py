@@ -312,7 +312,7 @@ class Vtk:
     def __init__(self, data):
         self.file = io.BytesIO(data)
         self.head = [self.line() for _ in range(3)]
-        self.words, self.columns = {}, {}
+        self.words, self.columns, self.texts = {}, {}, {}
         rows, line = 0, self.line()
         while line:
             word, *rest = line.split()
@@ -322,6 +322,13 @@ class Vtk:
                 self.cells = self.numbers(int(rest[1]), "i")
             elif word == "CELL_TYPES":
                 self.types = self.numbers(int(rest[0]), "i")
+            elif word == "FIELD":
+                for _ in range(int(rest[1])):
+                    name, one, length, kind = self.line().split()
+                    check(name.endswith("_texts") and (one, kind) == ("1", "unsigned_char"), "field", name, one, kind)
+                    texts = bytes(self.numbers(int(length), "B")).decode()
+                    check(texts.endswith("\n"), "a line end after texts")
+                    self.texts[name[:-len("_texts")]] = texts.split("\n")[:-1]
             elif word == "POINT_DATA":
                 rows = int(rest[0])
             elif word == "SCALARS":
@@ -377,6 +384,11 @@ def check_vtk(graze, solid, motion, name, options, text=None):
         check(vtk.types == [1] * len(rows), name, "types")
         check(vtk.cells == [v for r in range(len(rows)) for v in (1, r)], name, "cells")
     check_columns(name, rows, vtk.columns, first_occurrence)
+    texts = [c for c in rows[0] if c == "word" or c in vtk.texts]
+    check(sorted(texts) == sorted(vtk.texts), name, "columns with texts", texts, list(vtk.texts))
+    for column in texts:
+        check([vtk.texts[column][n] for n in vtk.columns[column]] == [row[column] for row in rows],
+              name, "texts of", column, vtk.texts[column][:5])
 
 
 def check_npy(graze, solid, motion, name, options, text=None):
