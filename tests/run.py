@@ -10,6 +10,7 @@ import concurrent.futures
 import glob
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -78,6 +79,9 @@ def main():
     parser.add_argument("--sanitizers", action="store_true", help="no limits of memory")
     parser.add_argument("--limit", type=float, default=900, help="seconds for one suite")
     options = parser.parse_args()
+    for which in (signal.SIGINT, signal.SIGHUP):   # ignored in a shell's background; suites send them
+        if signal.getsignal(which) == signal.SIG_IGN:
+            signal.signal(which, signal.SIG_DFL)
     chosen = [s for s in suites(options.build, options.scale, options.sanitizers)
               if options.only in s[0]]
     total = [0, 0, 0]

@@ -114,6 +114,8 @@ def prepare_child(case, limited):
     """What the child does before it becomes graze."""
 
     def run():
+        for which in (signal.SIGINT, signal.SIGHUP):   # ignored where a shell runs this in the background
+            signal.signal(which, signal.SIG_DFL)
         if limited:
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
