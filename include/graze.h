@@ -513,7 +513,8 @@ typedef enum graze_export {
     GRAZE_EXPORT_NONE = 0,
     GRAZE_EXPORT_VTK = 1, /**< legacy VTK, binary: a grid as structured points, else vertices; all
                              columns as point data. pmc, class and definition (ext: 0) are numbers,
-                             texts are numbered by their first occurrence */
+                             texts are numbered by their first occurrence, and the field data
+                             COLUMN_texts has them as bytes, each with a newline behind it */
     GRAZE_EXPORT_NPY = 2  /**< a structured numpy array: float64, uint32 (definition, case, i, t;
                              ext: 0), and bytes */
 } graze_export;
