@@ -139,10 +139,10 @@ class Worker:
         self.object = os.path.join(self.folder, "mutant.o")
         self.wrappers = {flag: wrapper(self.folder, self.graze, flag) for flag in ("", EXACT)}
 
-    def unit(self, name):
+    def unit(self, name, flags=(), before=bound):
         program = os.path.join(self.folder, "unit")
-        link(program, f"{self.parts.build}/{name}.o", self.object, self.parts.archive, "-lcmocka")
-        return is_red([program], 10 * UNIT_SECONDS, bound)
+        link(program, f"{self.parts.build}/{name}.o", self.object, self.parts.archive, "-lcmocka", *flags)
+        return is_red([program], 10 * UNIT_SECONDS, before)
 
     def suite(self, script, flag, seconds):
         return suite_is_red(script, self.wrappers[flag], seconds)
@@ -167,11 +167,12 @@ class Worker:
 
     def is_unsafe(self):
         """Whether the mutant reads or writes where it must not, in a run of the cases or the
-        examples. Called last: the object is compiled once more."""
+        examples or a unit test. Called last: the object is compiled once more."""
         compile_c(self.object, os.path.join(self.folder, "mutant.c"), *SANITIZE)
         link(self.graze, *self.parts.program, self.object, self.parts.archive, SANITIZE[0])
-        return any(corpus.replay(self.graze, runs, None)
-                   for runs in (self.cases, self.suites[0].list))
+        return (any(corpus.replay(self.graze, runs, None)
+                    for runs in (self.cases, self.suites[0].list)) or
+                any(self.unit(name, SANITIZE[:1], None) for name in UNITS))
 
     def compiled(self, text):
         """The object code of a source, which stays as self.object; None if it does not compile."""

@@ -146,6 +146,7 @@ static void test_high_degree(void **unused) {
         assert_int_equal(common_factor(g, p, linear), 1);
         fmpz_poly_set_coeff_si(p, 0, -2);
         assert_int_equal(polynomials_certainly_coprime(p, linear), n <= MODULAR_DEGREE);
+        assert_int_equal(polynomials_certainly_coprime(linear, p), n <= MODULAR_DEGREE);
         assert_int_equal(common_factor(g, linear, p), 0);
     }
     fmpz_poly_clear(p);
