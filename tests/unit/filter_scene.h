@@ -18,6 +18,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include <flint/ulong_extras.h>
 #include <math.h>
 #include "number/bernstein.h"
 #include "number/rational.h"
