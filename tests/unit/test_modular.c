@@ -8,6 +8,8 @@
 
 #include <cmocka.h>
 
+#include <flint/fmpz.h>
+
 #include "number/modular.h"
 
 static ulong next_random(ulong *state) {
