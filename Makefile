@@ -24,12 +24,16 @@ VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze
 SONAME := libgraze.so.0
 LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 
-# What a bare Debian 12 lacks. Only `make` targets that need a group install it.
+# All that differs between Debian 12 (CGAL 5.5, FLINT 2.9) and 13 (CGAL 6.0, FLINT 3.1).
+DEBIAN := $(firstword $(subst ., ,$(file < /etc/debian_version)))
+CLANG  := $(if $(filter 13,$(DEBIAN)),19,14)
+
+# What a bare Debian lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_PNG   := libcairo2 fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
-PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-14-dev clang-format cppcheck debootstrap
+PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap
 
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
