@@ -17,8 +17,7 @@
 #include "number/rational.h"
 #include "scene/scene.h"
 #include "solid/validate.h"
-#include "trace/trace.h"
-#include "verdict/verdict.h"
+#include "verdict/classify.h"
 
 graze_status api_misuse(graze_context *context, const char *function, const char *reason) {
     return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;
@@ -154,23 +153,6 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     return status;
 }
 
-trace_scene api_trace_scene(const graze_scene *scene) {
-    return (trace_scene){scene->solid, scene->motion, scene->options.operation, &scene->filter};
-}
-
-static graze_status classify_one(graze_verdict *out, graze_context *context,
-                                 const graze_scene *scene, query_point point) {
-    graze_trace trace;
-    trace_scene through = api_trace_scene(scene);
-    graze_status status = trace_point(&trace, context, &through, point, TRACE_WORD);
-    if (status)
-        return status;
-    verdict_decide(&trace, &scene->options);
-    *out = trace.verdict;
-    trace_clear(&trace);
-    return GRAZE_OK;
-}
-
 /* The checks both functions share; on success the verdicts are zeroed. */
 static graze_status begin(graze_verdict *out, graze_context *context, const graze_scene *scene,
                           const void *points, size_t n) {
@@ -198,7 +180,7 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
     for (size_t p = 0; p < n && !status; p++) {
         for (size_t k = 0; k < d; k++)
             fmpq_set_mpq(point + k, points[p * d + k]);
-        status = classify_one(out + p, context, scene, (query_point){.rational = point});
+        status = classify_verdict(out + p, context, scene, (query_point){.rational = point});
         if (status)
             status = context_at(context, status, "point %zu", p);
     }
@@ -231,7 +213,7 @@ graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
         const double *point = points + p * d;
         status = check_finite(context, point, d);
         if (!status)
-            status = classify_one(out + p, context, scene, (query_point){.value = point});
+            status = classify_verdict(out + p, context, scene, (query_point){.value = point});
         if (status)
             status = context_at(context, status, "point %zu", p);
     }

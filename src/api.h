@@ -6,7 +6,6 @@
 #include <flint/fmpq.h>
 #include "context/context.h"
 #include "scene/scene.h"
-#include "trace/trace.h"
 
 /** The message of a wrong call; GRAZE_EUSE also where there is no context to hold it. */
 graze_status api_misuse(graze_context *context, const char *function, const char *reason);
@@ -17,9 +16,6 @@ graze_status api_misuse(graze_context *context, const char *function, const char
  * more digits than the limit allows
  */
 graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value);
-
-/** A scene as traces see it; it borrows from the scene. */
-trace_scene api_trace_scene(const graze_scene *scene);
 
 /** Hand a rational or an integer to the caller's initialised variable. */
 void api_rational_out(mpq_t out, const fmpq_t value);

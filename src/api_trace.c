@@ -9,6 +9,7 @@
 #include "report/cut_table.h"
 #include "report/decimal.h"
 #include "report/report.h"
+#include "verdict/classify.h"
 #include "verdict/verdict.h"
 
 /* A caller's point as d rationals for _fmpq_vec_clear; NULL on failure. */
@@ -39,17 +40,15 @@ graze_status graze_trace_create(graze_trace **out, graze_context *context, const
     graze_status status = take_point(&p, context, scene, point);
     if (status)
         return status;
-    trace_scene through = api_trace_scene(scene);
     graze_trace *trace = malloc(sizeof *trace);
     status =
-        trace ? trace_point(trace, context, &through, (query_point){.rational = p}, TRACE_CONTACTS)
+        trace ? classify_point(trace, context, scene, (query_point){.rational = p}, TRACE_CONTACTS)
               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
     _fmpq_vec_clear(p, scene->motion->dimension);
     if (status) {
         free(trace);
         return status;
     }
-    verdict_decide(trace, &scene->options);
     *out = trace;
     return GRAZE_OK;
 }
@@ -194,14 +193,12 @@ static graze_status put_point(text *out, graze_context *context, const graze_sce
                               const mpq_t *point, graze_format format, const char *rest) {
     fmpq *p;
     graze_trace trace;
-    trace_scene through = api_trace_scene(scene);
     graze_status status = take_point(&p, context, scene, point);
     if (status)
         return status;
-    status = trace_point(&trace, context, &through, (query_point){.rational = p},
-                         format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
+    status = classify_point(&trace, context, scene, (query_point){.rational = p},
+                            format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
     if (!status) {
-        verdict_decide(&trace, &scene->options);
         put_row(out, scene, p, &trace, format, rest);
         trace_clear(&trace);
     }

@@ -6,8 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "trace/trace.h"
-#include "verdict/verdict.h"
+#include "verdict/classify.h"
 
 tone tone_of(const graze_verdict *v) {
     return v->class_ == GRAZE_CLASS_NONE ? (tone)(TONE_IN - 1 + (int)v->pmc) : (tone)v->class_;
@@ -97,22 +96,9 @@ static void set_centre(fmpq_t out, const cells *c, int k, size_t index) {
     fmpz_clear(halves);
 }
 
-static graze_status classify_at(unsigned char *out, graze_context *context,
-                                const graze_scene *scene, const fmpq *point) {
-    trace_scene through = {scene->solid, scene->motion, scene->options.operation, &scene->filter};
-    graze_trace trace;
-    graze_status status =
-        trace_point(&trace, context, &through, (query_point){.rational = point}, TRACE_WORD);
-    if (status)
-        return status;
-    verdict_decide(&trace, &scene->options);
-    *out = (unsigned char)tone_of(&trace.verdict);
-    trace_clear(&trace);
-    return GRAZE_OK;
-}
-
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene) {
     fmpq *point = _fmpq_vec_init(c->dimension);
+    graze_verdict verdict;
     graze_status status = GRAZE_OK;
     for (int k = 0; k < c->dimension; k++)
         fmpq_set(point + k, c->low + k);
@@ -121,7 +107,9 @@ graze_status cells_classify(cells *c, graze_context *context, const graze_scene 
         set_centre(point + c->axis[1], c, 1, j);
         for (size_t i = 0; i < c->count[0] && !status; i++) {
             set_centre(point + c->axis[0], c, 0, i);
-            status = classify_at(c->tone + j * c->count[0] + i, context, scene, point);
+            status = classify_verdict(&verdict, context, scene, (query_point){.rational = point});
+            if (!status)
+                c->tone[j * c->count[0] + i] = (unsigned char)tone_of(&verdict);
         }
     }
     _fmpq_vec_clear(point, c->dimension);

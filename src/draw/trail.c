@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "verdict/classify.h"
 #include "verdict/verdict.h"
 
 /* A place of the motion as a picture needs it: piece + u, u in [0, 1]. */
@@ -171,10 +172,8 @@ static graze_status follow_trace(trail *out, graze_context *context, const graze
     f.piece = calloc(motion->piece_count, sizeof *f.piece);
     f.failed = !out->span || !out->contact || !f.piece;
     for (size_t k = 0; k < motion->piece_count && f.piece; k++) {
-        const motion_piece *p = &motion->piece[k];
         trajectory_init(&f.piece[k], f.dimension);
-        trajectory_set(&f.piece[k],
-                       scene->options.operation == GRAZE_UNSWEEP ? &p->forward : &p->inverse,
+        trajectory_set(&f.piece[k], motion_tracing(&motion->piece[k], scene->options.operation),
                        point);
     }
     if (!f.failed)
@@ -189,13 +188,11 @@ static graze_status follow_trace(trail *out, graze_context *context, const graze
 graze_status trail_make(trail *out, graze_context *context, const graze_scene *scene,
                         const fmpq *point, double fineness) {
     memset(out, 0, sizeof *out);
-    trace_scene through = {scene->solid, scene->motion, scene->options.operation, &scene->filter};
     graze_trace trace;
     graze_status status =
-        trace_point(&trace, context, &through, (query_point){.rational = point}, TRACE_CONTACTS);
+        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
     if (status)
         return status;
-    verdict_decide(&trace, &scene->options);
     out->tone = tone_of(&trace.verdict);
     status = follow_trace(out, context, scene, point, &trace, fineness);
     trace_clear(&trace);

@@ -15,8 +15,7 @@ graze_status filter_make(filter *out, graze_context *context, const graze_solid 
     for (size_t k = 0; out->piece && k < motion->piece_count; k++) {
         const motion_piece *piece = &motion->piece[k];
         out->piece_count = k + 1;
-        if (!carrier_make(&out->piece[k],
-                          operation == GRAZE_UNSWEEP ? &piece->forward : &piece->inverse)) {
+        if (!carrier_make(&out->piece[k], motion_tracing(piece, operation))) {
             filter_clear(out);
             break;
         }

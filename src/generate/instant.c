@@ -15,21 +15,11 @@ static void evaluate(fmpq_t out, const fmpz_poly_t p, const fmpq_t u, int deriva
     fmpz_poly_clear(q);
 }
 
-const point_map *instant_placing(const graze_scene *scene, size_t piece) {
-    const motion_piece *p = &scene->motion->piece[piece];
-    return scene->options.operation == GRAZE_UNSWEEP ? &p->inverse : &p->forward;
-}
-
-const point_map *instant_tracing(const graze_scene *scene, size_t piece) {
-    const motion_piece *p = &scene->motion->piece[piece];
-    return scene->options.operation == GRAZE_UNSWEEP ? &p->forward : &p->inverse;
-}
-
 void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u) {
     const graze_motion *motion = scene->motion;
-    const point_map *tracing = instant_tracing(scene, piece);
     int d = motion->dimension;
     const motion_piece *p = &motion->piece[piece];
+    const point_map *tracing = motion_tracing(p, scene->options.operation);
     i->dimension = d;
     i->piece = piece;
     fmpq_init(i->u);
@@ -39,7 +29,7 @@ void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq
     fmpq_mul(i->t, i->t, u);
     fmpq_add(i->t, i->t, p->lo);
     i->map = _fmpq_vec_init(d * (d + 1));
-    point_map_at(i->map, instant_placing(scene, piece), u);
+    point_map_at(i->map, motion_placing(p, scene->options.operation), u);
     for (int k = 0; k < INSTANT_DERIVATIVES; k++) {
         i->inverse[k] = _fmpq_vec_init((d + 1) * (d + 1));
         for (int e = 0; e < d * (d + 1); e++)

@@ -22,11 +22,6 @@ typedef struct instant {
     fmpq *inverse[INSTANT_DERIVATIVES]; /* (d + 1) * (d + 1) each */
 } instant;
 
-/** Body point to P on a piece: M, and for unsweep M^-1. */
-const point_map *instant_placing(const graze_scene *scene, size_t piece);
-/** P to body point: the other one of the two. */
-const point_map *instant_tracing(const graze_scene *scene, size_t piece);
-
 void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u);
 void instant_clear(instant *i);
 

@@ -36,7 +36,8 @@ static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq
  * zero where the normal velocity of y is zero. */
 static void normal_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece,
                             const fmpz *form, const fmpq *y) {
-    const point_map *tracing = instant_tracing(scene, piece);
+    const motion_piece *p = &scene->motion->piece[piece];
+    const point_map *tracing = motion_tracing(p, scene->options.operation);
     int d = tracing->dimension;
     fmpz_poly_struct place[4];
     fmpz_poly_t derivative, row;
@@ -44,7 +45,7 @@ static void normal_velocity(fmpz_poly_t out, const graze_scene *scene, size_t pi
     fmpz_poly_init(row);
     for (int i = 0; i <= d; i++)
         fmpz_poly_init(&place[i]);
-    moving_point(place, instant_placing(scene, piece), y);
+    moving_point(place, motion_placing(p, scene->options.operation), y);
     fmpz_poly_derivative(derivative, tracing->weight);
     fmpz_poly_mul(out, derivative, &place[d]);
     fmpz_poly_scalar_mul_fmpz(out, out, form + d);

@@ -176,7 +176,9 @@ static int order_at(const struct graze_generator *g, const touchpoint *p, const 
     trajectory_init(&c, p->when->dimension);
     fmpz_poly_init(f);
     fmpq_init(value);
-    trajectory_set(&c, instant_tracing(g->scene, p->when->piece), world);
+    trajectory_set(
+        &c, motion_tracing(&g->scene->motion->piece[p->when->piece], g->scene->options.operation),
+        world);
     trajectory_pullback(f, &c, plane);
     if (fmpz_poly_is_zero(f)) {
         order = GRAZE_ORDER_SLIDE;

@@ -64,6 +64,14 @@ void motion_destroy(graze_motion *motion) {
     free(motion);
 }
 
+const point_map *motion_tracing(const motion_piece *piece, graze_operation operation) {
+    return operation == GRAZE_UNSWEEP ? &piece->forward : &piece->inverse;
+}
+
+const point_map *motion_placing(const motion_piece *piece, graze_operation operation) {
+    return operation == GRAZE_UNSWEEP ? &piece->inverse : &piece->forward;
+}
+
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u) {
     fmpq_t weight;
     fmpq_init(weight);

@@ -36,6 +36,12 @@ struct graze_motion {
     unsigned char sha256[32]; /* of the file's or text's bytes */
 };
 
+/** The map that carries query points: M(t)^-1 for the sweep, M(t) for the unsweep. */
+const point_map *motion_tracing(const motion_piece *piece, graze_operation operation);
+/** The inverse of that map, which carries the standing solid's points to the query points' space.
+ */
+const point_map *motion_placing(const motion_piece *piece, graze_operation operation);
+
 /** The value at u = numerator/denominator of a point map as an affine map with rational entries,
  * d*(d+1) initialised fmpq. */
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);

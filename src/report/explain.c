@@ -63,10 +63,6 @@ static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
     text_format(out, ". Its word is %s.\n", trace->word);
 }
 
-static const point_map *map_of(const graze_scene *scene, const motion_piece *piece) {
-    return scene->options.operation == GRAZE_UNSWEEP ? &piece->forward : &piece->inverse;
-}
-
 /* The trajectory's point at u = 0 or 1 of a piece. */
 static void put_end_point(text *out, const graze_scene *scene, const fmpq *point,
                           const motion_piece *piece, ulong u) {
@@ -75,7 +71,7 @@ static void put_end_point(text *out, const graze_scene *scene, const fmpq *point
     fmpq_t at;
     fmpq_init(at);
     fmpq_set_ui(at, u, 1);
-    point_map_at(map, map_of(scene, piece), at);
+    point_map_at(map, motion_tracing(piece, scene->options.operation), at);
     for (int row = 0; row < d; row++) {
         fmpq_set(image + row, map + row * (d + 1) + d);
         for (int j = 0; j < d; j++)
@@ -132,7 +128,8 @@ static void put_trajectory(text *out, const graze_scene *scene, const fmpq *poin
         text_put(out, "\n");
         for (int k = 0; k < motion->dimension; k++) {
             text_format(out, "    %c = ", "xyz"[k]);
-            formula_coordinate(out, piece, map_of(scene, piece), k, point);
+            formula_coordinate(out, piece, motion_tracing(piece, scene->options.operation), k,
+                               point);
             text_put(out, "\n");
         }
     }

@@ -86,7 +86,7 @@ static graze_status trace_all(tracer *r, size_t piece, findings *found) {
 }
 
 static graze_status trace_piece(tracer *r, size_t piece) {
-    if (!r->workspace || !filter_search(r->workspace, r->scene->filter, piece, &r->near))
+    if (!r->workspace || !filter_search(r->workspace, &r->scene->filter, piece, &r->near))
         return trace_exactly(r, piece);
     findings *found = &r->workspace->found;
     return r->detail == TRACE_WORD ? trace_findings(r, piece, found) : trace_all(r, piece, found);
@@ -99,7 +99,7 @@ static graze_status trace_pieces(tracer *r) {
     return status == GRAZE_OK ? word_read(r) : status;
 }
 
-graze_status trace_point(graze_trace *out, graze_context *context, const trace_scene *scene,
+graze_status trace_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                          query_point point, trace_detail detail) {
     *out = (graze_trace){.word = NULL};
     tracer r = {.out = out, .context = context, .scene = scene, .point = point, .detail = detail};

@@ -4,10 +4,8 @@
 #ifndef GRAZE_TRACE_TRACE_H
 #define GRAZE_TRACE_TRACE_H
 
-#include "filter/filter.h"
-#include "motion/motion.h"
 #include "number/algebraic.h"
-#include "solid/solid.h"
+#include "scene/scene.h"
 
 /**
  * A time of the motion: piece `piece`, local parameter u in [0, 1]. In the motion's parameter it is
@@ -41,14 +39,6 @@ struct graze_trace {
     graze_verdict verdict; /* filled by the verdict stage */
 };
 
-/** What points are traced through. */
-typedef struct trace_scene {
-    const graze_solid *solid;
-    const graze_motion *motion;
-    graze_operation operation;
-    const filter *filter;
-} trace_scene;
-
 /** A query point: d rationals, or d finite doubles that are meant exactly; the other is NULL. */
 typedef struct query_point {
     const fmpq *rational;
@@ -60,11 +50,11 @@ typedef enum trace_detail { TRACE_CONTACTS, TRACE_WORD } trace_detail;
 
 /**
  * Trace the curve t -> map(t) P through the solid, where map is the motion's inverse (sweep) or the
- * motion itself (unsweep).
+ * motion itself (unsweep). The verdict stays empty (verdict/classify.h fills it).
  * @param[out] out uninitialised; cleared by trace_clear. With TRACE_WORD its contacts may lack
  * times and cells.
  */
-graze_status trace_point(graze_trace *out, graze_context *context, const trace_scene *scene,
+graze_status trace_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                          query_point point, trace_detail detail);
 void trace_clear(graze_trace *trace);
 

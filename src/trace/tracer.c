@@ -40,7 +40,7 @@ const trajectory *tracer_exact(tracer *r, size_t piece) {
     }
     if (!r->is_exact[piece]) {
         const motion_piece *p = &r->scene->motion->piece[piece];
-        const point_map *map = r->scene->operation == GRAZE_UNSWEEP ? &p->forward : &p->inverse;
+        const point_map *map = motion_tracing(p, r->scene->options.operation);
         set_exactly(r, &r->exact[piece], map);
         r->is_exact[piece] = 1;
     }
@@ -52,7 +52,7 @@ graze_status tracer_locate(graze_state *out, tracer *r, size_t piece, const fmpq
     if (r->workspace && fmpz_bits(fmpq_numref(u)) <= 53 && fmpz_bits(fmpq_denref(u)) <= 53) {
         /* u is dyadic, and so a double. */
         double at = fmpz_get_d(fmpq_numref(u)) / fmpz_get_d(fmpq_denref(u));
-        *out = filter_locate(r->workspace, r->scene->filter, piece, &r->near, at);
+        *out = filter_locate(r->workspace, &r->scene->filter, piece, &r->near, at);
     }
     if (*out != GRAZE_STATE_ABSENT)
         return GRAZE_OK;
@@ -87,7 +87,7 @@ static void approximate(filter_point *out, query_point point, int dimension) {
 }
 
 void tracer_begin(tracer *r) {
-    if (r->context->exact_only || !r->scene->filter)
+    if (r->context->exact_only)
         return;
     r->workspace = filter_workspace_of(r->context);
     if (r->workspace) {

@@ -19,7 +19,7 @@ typedef struct last_seen {
 typedef struct tracer {
     graze_trace *out;
     graze_context *context;
-    const trace_scene *scene;
+    const graze_scene *scene;
     query_point point;
     trace_detail detail;
     filter_workspace *workspace; /* NULL: no filter */
@@ -30,7 +30,7 @@ typedef struct tracer {
     last_seen last;
 } tracer;
 
-/** Begin with a filter, unless the scene has none or the context wants none. `r` holds the scene,
+/** Begin with a filter, unless the context wants none. `r` holds the scene,
  * the context, the point and the trace to be filled, and zeros. */
 void tracer_begin(tracer *r);
 void tracer_clear(tracer *r);

@@ -1,0 +1,23 @@
+/* Traces points and decides them. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "verdict/classify.h"
+
+#include "verdict/verdict.h"
+
+graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,
+                            query_point point, trace_detail detail) {
+    graze_status status = trace_point(out, context, scene, point, detail);
+    if (!status)
+        verdict_decide(out, &scene->options);
+    return status;
+}
+
+graze_status classify_verdict(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                              query_point point) {
+    graze_trace trace;
+    graze_status status = classify_point(&trace, context, scene, point, TRACE_WORD);
+    if (status)
+        return status;
+    *out = trace.verdict;
+    trace_clear(&trace);
+    return GRAZE_OK;
+}
