@@ -1,65 +1,46 @@
 /* The public functions of boundaries by sampling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "api.h"
 #include "boundary/boundary.h"
 #include "context/environment.h"
 
-/* The box asked for, or the scene's, a sixteenth wider on every side, whose border is all out. */
-static graze_status set_box(struct graze_boundary *b, graze_context *context,
-                            const graze_boundary_options *o) {
-    mpq_t high[3], margin;
+/* The caller's box, if there is one, as rationals. */
+static graze_status take_box(fmpq *low, fmpq *high, graze_context *context, int dimension,
+                             const graze_boundary_options *o) {
     graze_status status = GRAZE_OK;
-    mpq_inits(high[0], high[1], high[2], margin, NULL);
-    if (!o->low)
-        status = graze_scene_box(b->low, high, context, b->scene);
-    for (int k = 0; k < b->dimension && !status; k++) {
-        if (o->low) {
-            mpq_set(b->low[k], o->low[k]);
-            mpq_set(high[k], o->high[k]);
-        }
-        mpq_sub(b->side[k], high[k], b->low[k]);
-        if (mpq_sgn(b->side[k]) <= 0)
-            status = context_fail(context, GRAZE_EUSE, "the box is empty along axis %d", k);
-        if (o->low)
-            continue;
-        mpq_div_2exp(margin, b->side[k], 4);
-        mpq_sub(b->low[k], b->low[k], margin);
-        mpq_mul_2exp(margin, margin, 1);
-        mpq_add(b->side[k], b->side[k], margin);
-    }
-    mpq_clears(high[0], high[1], high[2], margin, NULL);
-    return status;
-}
-
-static graze_status list_leaves(struct graze_boundary *b, graze_context *context) {
-    size_t capacity = 0;
-    graze_status status = GRAZE_OK;
-    for (size_t i = 0; i < b->cell_count && !status; i++) {
-        if (b->cells[i].child)
-            continue;
-        status = boundary_grow((void **)&b->leaves, &capacity, b->leaf_count + 1, sizeof *b->leaves,
-                               context);
+    for (int k = 0; o->low && k < dimension && !status; k++) {
+        status = api_rational(low + k, context, o->low[k]);
         if (!status)
-            b->leaves[b->leaf_count++] = i;
+            status = api_rational(high + k, context, o->high[k]);
+        if (status)
+            status = context_at(context, status, "the box along axis %d", k);
     }
     return status;
 }
 
-static graze_status make(struct graze_boundary *b, graze_context *context,
+static graze_status make(graze_boundary **out, graze_context *context, const graze_scene *scene,
                          const graze_boundary_options *o) {
-    graze_status status = set_box(b, context, o);
-    if (!status && o->contacts >= o->budget)
-        status = boundary_refuse_budget(context, b, o->contacts);
-    if (!status)
-        status = boundary_contacts(context, b, o->contacts, o->seed);
-    if (!status)
-        status = boundary_refine(context, b);
-    if (!status)
-        status = boundary_surface(context, b);
-    return status ? status : list_leaves(b, context);
+    graze_boundary *b = malloc(sizeof *b);
+    if (!b)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    fmpq *low = _fmpq_vec_init(3), *high = _fmpq_vec_init(3);
+    graze_status status = take_box(low, high, context, scene->motion->dimension, o);
+    if (status) {
+        free(b);
+    } else {
+        status = boundary_make(b, context, scene, o, o->low ? low : NULL, o->low ? high : NULL);
+        if (status)
+            graze_boundary_destroy(b);
+        else
+            *out = b;
+    }
+    _fmpq_vec_clear(low, 3);
+    _fmpq_vec_clear(high, 3);
+    return status;
 }
 
 graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
@@ -74,37 +55,12 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
         return api_misuse(context, "graze_boundary_create",
                           "the depth is at most 19, and the coarse level at most the depth");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    struct graze_boundary *b = calloc(1, sizeof *b);
-    if (!b)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    b->scene = scene;
-    b->dimension = graze_scene_dimension(scene);
-    b->coarse = options->coarse;
-    b->depth = options->depth;
-    b->budget = options->budget;
-    b->complete = 1;
-    for (int k = 0; k < 3; k++)
-        mpq_inits(b->low[k], b->side[k], b->point[k], NULL);
-    graze_status status = make(b, context, options);
-    if (status)
-        graze_boundary_destroy(b);
-    else
-        *out = b;
-    return status;
+    return make(out, context, scene, options);
 }
 
 void graze_boundary_destroy(graze_boundary *b) {
-    if (!b)
-        return;
-    for (int k = 0; k < 3; k++)
-        mpq_clears(b->low[k], b->side[k], b->point[k], NULL);
-    table_clear(&b->points);
-    table_clear(&b->vertices);
-    free(b->cells);
-    free(b->leaves);
-    free(b->contacts);
-    free(b->work);
-    free(b->corners);
+    if (b)
+        boundary_clear(b);
     free(b);
 }
 
@@ -129,10 +85,18 @@ graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
     return out;
 }
 
+static void put_point(mpq_t *out, const graze_boundary *b, uint64_t key) {
+    fmpq *point = _fmpq_vec_init(b->dimension);
+    lattice_point(point, b, key);
+    for (int k = 0; k < b->dimension; k++)
+        api_rational_out(out[k], point + k);
+    _fmpq_vec_clear(point, b->dimension);
+}
+
 graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *b, size_t index) {
     if (!point || !b || index >= b->points.count)
         return GRAZE_PMC_NONE;
-    lattice_point(point, b, b->points.key[index]);
+    put_point(point, b, b->points.key[index]);
     return (graze_pmc)b->points.value[index];
 }
 
@@ -157,7 +121,7 @@ graze_boundary_cell graze_boundary_cell_at(const graze_boundary *b, size_t index
 
 void graze_boundary_vertex(mpq_t *point, const graze_boundary *b, size_t index) {
     if (point && b && index < b->vertices.count)
-        lattice_point(point, b, b->vertices.key[index]);
+        put_point(point, b, b->vertices.key[index]);
 }
 
 const size_t *graze_boundary_face(const graze_boundary *b, size_t index) {

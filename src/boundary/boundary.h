@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 #include "boundary/table.h"
-#include "context/context.h"
+#include "scene/scene.h"
 
 enum { BOUNDARY_DEPTH = 19 }; /* 21 bits for each coordinate of a lattice point */
 
@@ -27,8 +27,8 @@ struct graze_boundary {
     int dimension;
     unsigned coarse, depth;
     unsigned long budget;
-    mpq_t low[3], side[3];
-    mpq_t point[3];         /* the point at hand */
+    fmpq low[3], side[3];
+    fmpq point[3];          /* the point at hand */
     table points;           /* lattice points and their pmc */
     unsigned long known[4]; /* points by pmc */
     cell *cells;
@@ -48,6 +48,16 @@ struct graze_boundary {
     size_t face_count, corner_capacity;
 };
 
+/**
+ * Sample a scene (graze_boundary_create); `out` is cleared by boundary_clear in either case.
+ * @param low, high d rationals each, the box; both NULL: a sixteenth more than scene_box on every
+ * side, so that its border is all out
+ */
+graze_status boundary_make(struct graze_boundary *out, graze_context *context,
+                           const graze_scene *scene, const graze_boundary_options *options,
+                           const fmpq *low, const fmpq *high);
+void boundary_clear(struct graze_boundary *b);
+
 /** Grow an array to hold `count` items of `size` bytes; GRAZE_ESYSTEM when memory is short. */
 graze_status boundary_grow(void **array, size_t *capacity, size_t count, size_t size,
                            graze_context *context);
@@ -55,7 +65,7 @@ graze_status boundary_grow(void **array, size_t *capacity, size_t count, size_t 
 /** The key of a lattice point. */
 uint64_t lattice_key(const uint32_t at[3]);
 /** Set the coordinates of a lattice point. */
-void lattice_point(mpq_t *out, const struct graze_boundary *b, uint64_t key);
+void lattice_point(fmpq *out, const struct graze_boundary *b, uint64_t key);
 /** The lattice point of corner `index` of a cell: bit k is the side along axis k. */
 uint64_t cell_corner(const struct graze_boundary *b, const cell *c, unsigned index);
 /** The pmc of a lattice point that is known, else GRAZE_PMC_NONE. */

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "boundary/boundary.h"
+#include "generate/generate.h"
+#include "verdict/classify.h"
 
 /* The bits of the coordinates in turn, so that a cell is an interval of places. */
 static uint64_t place_of(const uint32_t at[3], int dimension, unsigned bits) {
@@ -28,21 +30,24 @@ int cell_has_contact(const struct graze_boundary *b, const cell *c) {
     return low < b->contact_count && b->contacts[low] - first < (uint64_t)1 << below;
 }
 
-/* The smallest cell that holds the point at hand; 0 if it is outside the box. */
-static int cell_of(uint32_t at[3], struct graze_boundary *b) {
-    mpz_t whole;
-    mpz_init(whole);
+/* The smallest cell that holds a point; 0 if it is outside the box. */
+static int cell_of(uint32_t at[3], const struct graze_boundary *b, const fmpq *point) {
+    fmpq_t share;
+    fmpz_t whole;
+    fmpq_init(share);
+    fmpz_init(whole);
     int inside = 1;
     memset(at, 0, 3 * sizeof *at);
     for (int k = 0; k < b->dimension && inside; k++) {
-        mpq_sub(b->point[k], b->point[k], b->low[k]);
-        mpq_div(b->point[k], b->point[k], b->side[k]);
-        mpq_mul_2exp(b->point[k], b->point[k], b->depth);
-        mpz_fdiv_q(whole, mpq_numref(b->point[k]), mpq_denref(b->point[k]));
-        inside = mpz_sgn(whole) >= 0 && mpz_cmp_ui(whole, 1ul << b->depth) < 0;
-        at[k] = inside ? (uint32_t)mpz_get_ui(whole) : 0;
+        fmpq_sub(share, point + k, b->low + k);
+        fmpq_div(share, share, b->side + k);
+        fmpq_mul_2exp(share, share, b->depth);
+        fmpz_fdiv_q(whole, fmpq_numref(share), fmpq_denref(share));
+        inside = fmpz_sgn(whole) >= 0 && fmpz_cmp_ui(whole, 1ul << b->depth) < 0;
+        at[k] = inside ? (uint32_t)fmpz_get_ui(whole) : 0;
     }
-    mpz_clear(whole);
+    fmpq_clear(share);
+    fmpz_clear(whole);
     return inside;
 }
 
@@ -51,20 +56,36 @@ static int compare_places(const void *a, const void *b) {
     return *x < *y ? -1 : *x > *y;
 }
 
-static graze_status ask(graze_context *context, struct graze_boundary *b,
-                        const graze_generator *generator, unsigned long row, mpq_t time) {
-    graze_sample made;
+static graze_status ask(graze_context *context, struct graze_boundary *b, const fmpq *point) {
     graze_verdict verdict;
     uint32_t at[3];
-    graze_status status = graze_generator_point(b->point, time, &made, context, generator, row);
-    if (!status)
-        status = graze_classify(&verdict, context, b->scene, (const mpq_t *)b->point, 1);
+    graze_status status =
+        classify_verdict(&verdict, context, b->scene, (query_point){.rational = point});
     if (status)
         return status;
     b->asked++;
-    if (verdict.pmc == GRAZE_ON && cell_of(at, b))
+    if (verdict.pmc == GRAZE_ON && cell_of(at, b, point))
         b->contacts[b->contact_count++] = place_of(at, b->dimension, b->depth);
     return GRAZE_OK;
+}
+
+/* The points of the generator's first rows. */
+static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
+                             const graze_generator *generator, unsigned long count) {
+    b->contacts = malloc(count * sizeof *b->contacts);
+    if (!b->contacts)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for contact points");
+    sample s;
+    sample_init(&s);
+    graze_status status = GRAZE_OK;
+    for (unsigned long row = 0; row < count && !status; row++) {
+        generator_sample(&s, generator, row);
+        status = ask(context, b, s.point);
+    }
+    sample_clear(&s);
+    if (b->contact_count)
+        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_places);
+    return status;
 }
 
 graze_status boundary_contacts(graze_context *context, struct graze_boundary *b,
@@ -77,18 +98,10 @@ graze_status boundary_contacts(graze_context *context, struct graze_boundary *b,
     unsigned long weights[GRAZE_STRATUM_COUNT] = {0};
     for (size_t k = 0; k < sizeof strata / sizeof *strata; k++)
         weights[strata[k]] = 1;
-    graze_generator *generator = NULL;
-    graze_status status = graze_generator_create(&generator, context, b->scene, seed, weights, 0);
-    b->contacts = status ? NULL : malloc(count * sizeof *b->contacts);
-    if (!status && !b->contacts)
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for contact points");
-    mpq_t time;
-    mpq_init(time);
-    for (unsigned long row = 0; row < count && !status; row++)
-        status = ask(context, b, generator, row, time);
-    mpq_clear(time);
-    graze_generator_destroy(generator);
-    if (b->contact_count)
-        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_places);
+    struct graze_generator generator;
+    graze_status status = generator_make(&generator, context, b->scene, seed, weights, 0);
+    if (!status)
+        status = ask_rows(context, b, &generator, count);
+    generator_clear(&generator);
     return status;
 }

@@ -3,6 +3,7 @@
  */
 #include <stdlib.h>
 #include "boundary/boundary.h"
+#include "verdict/classify.h"
 
 graze_status boundary_grow(void **array, size_t *capacity, size_t count, size_t size,
                            graze_context *context) {
@@ -22,12 +23,11 @@ uint64_t lattice_key(const uint32_t at[3]) {
     return (uint64_t)at[0] | (uint64_t)at[1] << 21 | (uint64_t)at[2] << 42;
 }
 
-void lattice_point(mpq_t *out, const struct graze_boundary *b, uint64_t key) {
+void lattice_point(fmpq *out, const struct graze_boundary *b, uint64_t key) {
     for (int k = 0; k < b->dimension; k++) {
-        mpq_set_ui(out[k], (key >> 21 * k) & ((1u << 21) - 1), 1);
-        mpq_div_2exp(out[k], out[k], b->depth + 1);
-        mpq_mul(out[k], out[k], b->side[k]);
-        mpq_add(out[k], out[k], b->low[k]);
+        fmpq_set_ui(out + k, (key >> 21 * k) & ((1u << 21) - 1), 1ul << (b->depth + 1));
+        fmpq_mul(out + k, out + k, b->side + k);
+        fmpq_add(out + k, out + k, b->low + k);
     }
 }
 
@@ -54,7 +54,8 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
     }
     graze_verdict verdict;
     lattice_point(b->point, b, key);
-    graze_status status = graze_classify(&verdict, context, b->scene, (const mpq_t *)b->point, 1);
+    graze_status status =
+        classify_verdict(&verdict, context, b->scene, (query_point){.rational = b->point});
     if (status)
         return status;
     *out = verdict.pmc;

@@ -10,10 +10,10 @@
 #include "boundary/boundary.h"
 
 /* A simplex's corners with those in `out` last. */
-typedef struct simplex {
+typedef struct corner_simplex {
     uint32_t at[4][3];
     int corners, rest; /* how many there are, and how many of them are not out */
-} simplex;
+} corner_simplex;
 
 static graze_status vertex(size_t *out, graze_context *context, struct graze_boundary *b,
                            const uint32_t at[3]) {
@@ -65,13 +65,13 @@ static graze_status add_face(graze_context *context, struct graze_boundary *b, u
     return GRAZE_OK;
 }
 
-static void middle(uint32_t out[3], const simplex *s, int i, int j) {
+static void middle(uint32_t out[3], const corner_simplex *s, int i, int j) {
     for (int k = 0; k < 3; k++)
         out[k] = (s->at[i][k] + s->at[j][k]) / 2;
 }
 
 /* The faces of one simplex: with r of its corners in the rest, r (d + 1 - r) middles. */
-static graze_status cut(graze_context *context, struct graze_boundary *b, const simplex *s) {
+static graze_status cut(graze_context *context, struct graze_boundary *b, const corner_simplex *s) {
     uint32_t point[4][3];
     const uint32_t *out = s->at[s->corners - 1];
     if (s->rest == 0 || s->rest == s->corners)
@@ -95,7 +95,7 @@ static graze_status cut(graze_context *context, struct graze_boundary *b, const 
 /* The simplex that goes along the axes in the order of `order`. */
 static graze_status cut_simplex(graze_context *context, struct graze_boundary *b, const cell *c,
                                 const int order[3]) {
-    simplex s = {.corners = b->dimension + 1};
+    corner_simplex s = {.corners = b->dimension + 1};
     unsigned corner = 0;
     int last = s.corners;
     for (int k = 0; k <= b->dimension; k++) {
