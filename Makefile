@@ -20,6 +20,8 @@ ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON) $(GCC_ONLY) $(CFLAGS)
 # would be shared with a program that uses CGAL too, and CGAL's settings with it.
 NOT_UNIQUE := $(if $(findstring clang,$(CXX)),,-fno-gnu-unique)
 ALL_CXXFLAGS = -std=c++17 -frounding-math $(NOT_UNIQUE) $(COMMON) $(CXXFLAGS)
+# The programs find libgraze-png beside them, in build/, or in ../lib; libgraze.so finds it beside itself.
+RPATH = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/$(1)'
 VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze.h)
 SONAME := libgraze.so.0
 LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
@@ -30,25 +32,27 @@ CLANG  := $(if $(filter 13,$(DEBIAN)),19,14)
 
 # What a bare Debian lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
-PACKAGES_PNG   := libcairo2 fonts-dejavu-core
+PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap
 
-LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/%,$(wildcard src/*/*.c))
+LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/% src/png/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
 CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c))
 # graze-mpi is the command line with other hands to answer rows; it is built where Open MPI is.
 MPI     := $(if $(shell command -v mpicc),$B/graze-mpi)
 MPI_O   := $(filter-out %/main.o %/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/mpi/*.c))
+# PNG pictures need cairo, which nothing else does: a shared object loaded at need, built where cairo is.
+PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION).so)
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef
 FLIP_O  := $(patsubst src/filter/%.c,$B/tests/flip/%.o,$(wildcard src/filter/*.c))
 BENCH   := $B/tests/bench/inside $B/tests/bench/peers
 
 .PHONY: all
-all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so $(MPI)
+all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so $(MPI) $(PNG)
 
 .PHONY: help
 help:
@@ -115,20 +119,23 @@ $B/libgraze.a: $(LIB_O)
 	@ar rcs $@ $^
 $B/libgraze.so: $(LIB_O) src/install/graze.map
 	@echo "  LINK $@"
-	@$(CXX) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=src/install/graze.map $(OPT) $(LDFLAGS) -o $@ $(LIB_O) $(LIBS)
+	@$(CXX) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=src/install/graze.map -Wl,-rpath,'$$ORIGIN' $(OPT) $(LDFLAGS) -o $@ $(LIB_O) $(LIBS)
 	@ln -sf $(@F) $B/$(SONAME)
+$B/libgraze-png-$(VERSION).so: $B/src/png/png.o
+	@echo "  LINK $@"
+	@$(CC) -shared $(OPT) $(LDFLAGS) -o $@ $^ -lcairo
 $B/graze: $(CLI_O) $B/libgraze.a
 	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+	@$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../lib) -o $@ $^ $(LIBS)
 $B/graze-mpi: $(MPI_O) $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $$(mpicc --showme:link) $(LIBS)
 $B/tests/unit/%: $B/tests/unit/%.o $B/libgraze.a
 	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
+	@$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
 $B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
 	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ -lcmocka $(LIBS)
+	@$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
 $(addsuffix .o,$(UNIT)): | $B/.packages-test
 $B/tests/minkowski: tests/agree/minkowski.cpp tests/agree/shells.h | $B/.packages-build
 	@mkdir -p $(@D)
@@ -218,6 +225,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 $B/install/libgraze.a $(DESTDIR)$(LIBDIR)
 	@install -s -m 644 $B/libgraze.so $(DESTDIR)$(LIBDIR)/libgraze.so.$(VERSION)
 	@ln -sf libgraze.so.$(VERSION) $(DESTDIR)$(LIBDIR)/$(SONAME)
+	@[ -z "$(PNG)" ] || install -s -m 644 $(PNG) $(DESTDIR)$(LIBDIR)
 	@ln -sf $(SONAME) $(DESTDIR)$(LIBDIR)/libgraze.so
 	@install -m 644 $B/install/graze.pc $(DESTDIR)$(LIBDIR)/pkgconfig
 	@install -m 644 $B/install/*.cmake $(DESTDIR)$(CMAKEDIR)
@@ -238,7 +246,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 uninstall:
 	$(check_paths)
 	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(BINDIR)/graze-mpi $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
-	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION)) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
+	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION) libgraze-png-$(VERSION).so) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
 	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
 	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list
 	@rm -rf $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
@@ -255,7 +263,7 @@ demo: all
 
 .PHONY: test
 test: $B/.packages-test all $(UNIT) $(ORACLES) build/tests/locale/de_DE.UTF-8
-	@! command -v mpicc >/dev/null || $(MAKE) -s B=$B $B/graze-mpi # perhaps just installed
+	@$(MAKE) -s B=$B all # Open MPI and cairo are perhaps just installed
 	@python3 tests/run.py --build $B
 
 # The programs of the tests in another build folder, for the sanitizers.

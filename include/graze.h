@@ -559,11 +559,11 @@ typedef struct graze_draw_options {
  * plane, beside a view of the positions of S. Points are drawn where they are, and their
  * (inverted) trajectories through the standing S with the contacts, marked by kind and cell. Of an
  * unsweep the colours are those of pmc, the positions those of the inverse motion.
- * @param file    the picture to write: .svg, or .png, for which libcairo.so.2 must be there
+ * @param file    the picture to write: .svg, or .png, for which libgraze-png must be there
  * @param options or NULL
  * @return GRAZE_EUSE an option out of its range, or another extension; GRAZE_ELIMIT more cells than
- * the limit `grid`; GRAZE_ESYSTEM the file, or no cairo; GRAZE_ECANCELED; GRAZE_EINTERNAL. Except
- * when writing fails half-way, no file is made or changed then.
+ * the limit `grid`; GRAZE_ESYSTEM the file, or no libgraze-png; GRAZE_ECANCELED; GRAZE_EINTERNAL.
+ * Except when writing fails half-way, no file is made or changed then.
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_draw(graze_context *context, const graze_scene *scene,
                                                 const char *file,

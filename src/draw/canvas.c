@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "draw/cairo.h"
 
 void path_clear(path *p) {
     free(p->node);
@@ -40,13 +39,12 @@ static int has_extension(const char *file, const char *extension) {
 }
 
 graze_status canvas_check(graze_context *context, const char *file) {
-    cairo_functions found;
     if (has_extension(file, "png"))
-        return cairo_find(&found, context);
+        return canvas_check_png(context);
     if (has_extension(file, "svg"))
         return GRAZE_OK;
     return context_fail(context, GRAZE_EUSE,
-                        "%s: the extension tells the kind of picture; right is .svg or .png", file);
+                        "%s: the extension tells the kind of picture; expected .svg or .png", file);
 }
 
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
@@ -73,6 +71,12 @@ static graze_status write_file(graze_context *context, const char *file, const t
     return GRAZE_OK;
 }
 
+static int put(void *to, const char *data, size_t length) {
+    text *bytes = to;
+    text_bytes(bytes, data, length);
+    return !bytes->failed;
+}
+
 graze_status canvas_finish(canvas *c, graze_context *context, const char *file, int write) {
     if (!c)
         return GRAZE_OK;
@@ -80,7 +84,7 @@ graze_status canvas_finish(canvas *c, graze_context *context, const char *file, 
     text bytes;
     text_init(&bytes);
     if (write) {
-        c->kind->finish(c, &bytes);
+        c->kind->finish(c, put, &bytes);
         status = c->failed || bytes.failed
                      ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture")
                      : write_file(context, file, &bytes);

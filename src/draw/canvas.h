@@ -76,6 +76,9 @@ double canvas_text_width(const char *string, double size);
 
 /* ---------------------------------------------------------------------------- the two kinds */
 
+/** Takes bytes; 0 without memory. */
+typedef int canvas_put(void *to, const char *bytes, size_t length);
+
 typedef struct canvas_kind {
     void (*begin)(canvas *c, const char *name, const char *attributes);
     void (*end)(canvas *c);
@@ -84,8 +87,8 @@ typedef struct canvas_kind {
     void (*path)(canvas *c, const path *p, const style *s, const char *name);
     void (*circle)(canvas *c, double x, double y, double radius, const style *s);
     void (*text)(canvas *c, double x, double y, const lettering *l, const char *string);
-    /* Hand the file's bytes over in `out`. */
-    void (*finish)(canvas *c, text *out);
+    /* Hand the file's bytes over, unless the canvas has failed. */
+    void (*finish)(canvas *c, canvas_put *put, void *to);
     void (*destroy)(canvas *c);
 } canvas_kind;
 
@@ -97,6 +100,8 @@ struct canvas {
 };
 
 graze_status canvas_create_svg(canvas **out, graze_context *context, double width, double height);
+/** Whether canvas_create_png finds what it needs. */
+graze_status canvas_check_png(graze_context *context);
 graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height);
 
 /** Dark ink, used for texts. */

@@ -177,11 +177,10 @@ static void draw_text(canvas *c, double x, double y, const lettering *l, const c
     text_put(t, "</text>\n");
 }
 
-static void finish(canvas *c, text *out) {
+static void finish(canvas *c, canvas_put *put, void *to) {
     text *t = out_of(c);
     text_put(t, "</svg>\n");
-    *out = *t;
-    text_init(t);
+    c->failed |= t->failed || !put(to, t->data, t->length);
 }
 
 static void destroy(canvas *c) {

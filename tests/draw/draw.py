@@ -15,6 +15,7 @@ import io
 import json
 import os
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -264,6 +265,20 @@ def check_text(graze, folder):
         check(want in texts, "the text", repr(want), "among", texts)
 
 
+def check_without_png(graze, folder):
+    """The program where its PNG library is not: it says so before it draws, and SVG goes on."""
+    alone = os.path.join(folder, "alone")
+    os.mkdir(alone)
+    program = shutil.copy(graze, alone)
+    solid, motion, _ = files("figure4")
+    picture = os.path.join(alone, "picture")
+    done = run(program, "draw", solid, motion, "--grid", "4", "-o", picture + ".png")
+    check(done.returncode == 5 and b"PNG pictures need libgraze-png-" in done.stderr, "no PNG library",
+          done.returncode, done.stderr)
+    check(run(program, "draw", solid, motion, "--grid", "4", "-o", picture + ".svg").returncode == 0, "SVG alone")
+    check(sorted(os.listdir(alone)) == ["graze", "picture.svg"], "files of the program alone", os.listdir(alone))
+
+
 def check_pictures(graze, folder):
     """What `make pictures` draws is well-formed, and the committed picture is among it."""
     out = os.path.join(folder, "pictures")
@@ -446,6 +461,7 @@ def main():
         check_marks(graze, folder)
         check_text(graze, folder)
         check_layout(graze, folder)
+        check_without_png(graze, folder)
         check_pictures(graze, folder)
     check_tables(graze)
     print(f"{passed} passed, {failed} failed")

@@ -40,7 +40,8 @@ def files_under(folder):
 def check_tree(root, version):
     files = {name for name in files_under(root) if not name.startswith(("share/graze/", "share/man/", "lib/python3/dist-packages/graze/"))}
     mpi = {"bin/graze-mpi"} if shutil.which("mpicc") else set()
-    same(files, mpi | {"bin/graze", "include/graze.h", "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
+    png = {f"lib/libgraze-png-{version}.so"} if os.path.exists("/usr/include/cairo/cairo.h") else set()
+    same(files, mpi | png | {"bin/graze", "include/graze.h", "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
                  f"lib/libgraze.so.{version}", "lib/pkgconfig/graze.pc", "lib/cmake/graze/grazeConfig.cmake",
                  "lib/cmake/graze/grazeConfigVersion.cmake", "share/bash-completion/completions/graze",
                  "share/doc/graze/README.md", "share/doc/graze/CHANGELOG.md", "share/doc/graze/CITATION.cff",
@@ -51,6 +52,12 @@ def check_tree(root, version):
     installed = output([f"{root}/bin/graze", "cases", "--folder", f"{root}/share/graze/cases"])
     same(installed, output([f"{root}/bin/graze", "cases", "--folder", "cases"]), "golden cases installed")
     same(installed, output([f"{root}/bin/graze", "cases"], "/"), "the golden cases are found where they were installed")
+    if png: # found by the installed program, which is not in the build folder
+        picture = os.path.join(root, "picture.png")
+        output([f"{root}/bin/graze", "draw", "cases/figure4/solid.wkt", "cases/figure4/motion.json", "--grid", "4", "-o", picture])
+        with open(picture, "rb") as file:
+            check(file.read(8) == b"\x89PNG\r\n\x1a\n", "a PNG picture of the installed program")
+        os.remove(picture)
     for name in ("graze.pc", "grazeConfig.cmake", "grazeConfigVersion.cmake"):
         folder = "pkgconfig" if name.endswith(".pc") else "cmake/graze"
         with open(f"{root}/lib/{folder}/{name}", encoding="utf-8") as file:

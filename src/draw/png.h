@@ -1,0 +1,15 @@
+/* How PNG canvases are found: in a shared object of the same version, loaded at need.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_DRAW_PNG_H
+#define GRAZE_DRAW_PNG_H
+
+#include "draw/canvas.h"
+
+/** The shared object, which stands beside libgraze.so. */
+#define PNG_LIBRARY "libgraze-png-" GRAZE_VERSION ".so"
+
+/** Its function: a new canvas of a size in pixels, or NULL without memory. */
+canvas *graze_png_create(double width, double height);
+
+#endif
