@@ -15,6 +15,7 @@
 #include <string.h>
 #include <yajl/yajl_version.h>
 #include "number/rational.h"
+#include "number/rounding.h"
 #include "scene/scene.h"
 #include "solid/validate.h"
 #include "verdict/classify.h"

@@ -6,7 +6,7 @@
 #include <string.h>
 #include "api.h"
 #include "context/environment.h"
-#include "number/rational.h"
+#include "number/rounding.h"
 #include "solid/nesting.h"
 #include "solid/solid.h"
 

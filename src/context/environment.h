@@ -9,13 +9,17 @@
 #define GRAZE_CONTEXT_ENVIRONMENT_H
 
 #include <fenv.h>
+#include <mpfr.h>
 
-/** What the host had set: rounding mode, traps, flushing of subnormals, exception flags. */
+/** What the host had set: rounding mode, traps, flushing of subnormals, exception flags, and MPFR's
+ * range of exponents. */
 typedef struct environment {
     fenv_t host;
+    mpfr_exp_t least, largest;
 } environment;
 
-/** Set the default environment for this thread: to nearest, no traps, subnormals kept. */
+/** Set the default environment for this thread: to nearest, no traps, subnormals kept, MPFR's whole
+ * range. */
 environment environment_enter(void);
 
 /** Give the host its own back. */

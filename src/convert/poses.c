@@ -8,7 +8,7 @@
 
 #include <math.h>
 #include "convert/convert.h"
-#include "number/rational.h"
+#include "number/rounding.h"
 
 static graze_status refuse(graze_context *context, const pose_list *list, const pose *p,
                            const fmpq_t deviation) {

@@ -5,12 +5,11 @@
  * a number made. Bounds in doubles are made from integers, so that no floating-point mode matters.
  */
 #include <flint/ulong_extras.h>
-#include <float.h>
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include "number/rational.h"
+#include "number/rounding.h"
 
 enum { EXPONENT_CAP = 2000000000, SHOWN = 40 };
 
@@ -224,131 +223,6 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
     return status == GRAZE_OK ? status : context_at(context, status, "'%.*s%s'", shown, text, more);
 }
 
-/* scale_down for one-word integers where the shift is negative; 0 where that does not fit. */
-static int scale_words(fmpz_t quotient, slong *shift, int *twice, int *exact, const fmpq_t value,
-                       slong bits, slong s) {
-    if (COEFF_IS_MPZ(*fmpq_numref(value)) || COEFF_IS_MPZ(*fmpq_denref(value))) {
-        return 0;
-    }
-    uint64_t numerator = (uint64_t)labs(*fmpq_numref(value));
-    uint64_t denominator = (uint64_t)*fmpq_denref(value);
-    if (s > 0 || (slong)fmpz_bits(fmpq_numref(value)) - s > 126) {
-        return 0;
-    }
-    unsigned __int128 whole = (unsigned __int128)numerator << -s;
-    if (whole / denominator >> bits != 0) {
-        if (s++ == 0) {
-            return 0;
-        }
-        whole = (unsigned __int128)numerator << -s;
-    }
-    uint64_t rest = (uint64_t)(whole % denominator);
-    fmpz_set_ui(quotient, (uint64_t)(whole / denominator));
-    *exact = rest == 0;
-    *twice = (2 * rest > denominator) - (2 * rest < denominator);
-    *shift = s;
-    return 1;
-}
-
-/* |value| = (quotient + rest) 2^*shift with 0 <= rest < 1 and quotient of `bits` bits, or fewer
- * where the shift is held at `least`. `*twice` compares rest with 1/2 as -1, 0, 1; returns whether
- * rest is 0. value is not zero. */
-static int scale_down(fmpz_t quotient, slong *shift, int *twice, const fmpq_t value, slong bits,
-                      slong least) {
-    slong s = (slong)fmpz_bits(fmpq_numref(value)) - (slong)fmpz_bits(fmpq_denref(value)) - bits;
-    s = s < least ? least : s;
-    int exact;
-    if (scale_words(quotient, shift, twice, &exact, value, bits, s)) {
-        return exact;
-    }
-    fmpz_t numerator, denominator, rest;
-    fmpz_init(numerator);
-    fmpz_init(denominator);
-    fmpz_init(rest);
-    for (;;) {
-        fmpz_abs(numerator, fmpq_numref(value));
-        fmpz_set(denominator, fmpq_denref(value));
-        if (s > 0) {
-            fmpz_mul_2exp(denominator, denominator, (ulong)s);
-        } else {
-            fmpz_mul_2exp(numerator, numerator, (ulong)-s);
-        }
-        fmpz_fdiv_qr(quotient, rest, numerator, denominator);
-        if ((slong)fmpz_bits(quotient) <= bits) {
-            break;
-        }
-        s++;
-    }
-    exact = fmpz_is_zero(rest);
-    fmpz_mul_2exp(rest, rest, 1);
-    int order = fmpz_cmp(rest, denominator);
-    *twice = (order > 0) - (order < 0);
-    *shift = s;
-    fmpz_clear(numerator);
-    fmpz_clear(denominator);
-    fmpz_clear(rest);
-    return exact;
-}
-
-/* quotient 2^shift, with a sign, as a rational. */
-static void set_scaled(fmpq_t out, const fmpz_t quotient, slong shift, int negative) {
-    fmpq_set_fmpz(out, quotient);
-    if (shift >= 0) {
-        fmpq_mul_2exp(out, out, (flint_bitcnt_t)shift);
-    } else {
-        fmpq_div_2exp(out, out, (flint_bitcnt_t)-shift);
-    }
-    if (negative) {
-        fmpq_neg(out, out);
-    }
-}
-
-graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding) {
-    if (rounding == GRAZE_ROUND_NONE || fmpq_is_zero(value)) {
-        return GRAZE_OK;
-    }
-    int wide = rounding == GRAZE_ROUND_BINARY64;
-    slong bits = wide ? 53 : 24;
-    slong largest = wide ? 1024 : 128; /* the format ends below 2^largest */
-    slong least = wide ? -1074 : -149; /* the smallest subnormal is 2^least */
-    fmpz_t quotient;
-    fmpz_init(quotient);
-    slong shift;
-    int twice;
-    scale_down(quotient, &shift, &twice, value, bits, least);
-    if (twice > 0 || (twice == 0 && fmpz_is_odd(quotient))) {
-        fmpz_add_ui(quotient, quotient, 1);
-    }
-    graze_status status = GRAZE_OK;
-    if ((slong)fmpz_bits(quotient) + shift > largest) {
-        status = context_fail(context, GRAZE_EINPUT, "overflows %s when rounded",
-                              wide ? "binary64" : "binary32");
-    } else {
-        set_scaled(value, quotient, shift, fmpq_sgn(value) < 0);
-    }
-    fmpz_clear(quotient);
-    return status;
-}
-
-graze_status rational_from_double(fmpq_t out, graze_context *context, double value) {
-    uint64_t image;
-    memcpy(&image, &value, sizeof image);
-    int exponent = (int)(image >> 52 & 0x7ff);
-    uint64_t mantissa = image & 0xfffffffffffff;
-    fmpq_zero(out);
-    if (exponent == 0x7ff) {
-        return context_fail(context, GRAZE_EINPUT,
-                            "%s is not a number; a finite double is expected",
-                            mantissa != 0 ? "NaN" : "an infinity");
-    }
-    mantissa |= exponent > 0 ? (uint64_t)1 << 52 : 0;
-    fmpz_t integer;
-    fmpz_init_set_ui(integer, mantissa);
-    set_scaled(out, integer, (exponent > 0 ? exponent : 1) - 1075, (int)(image >> 63));
-    fmpz_clear(integer);
-    return GRAZE_OK;
-}
-
 /* |value| as a word, which it fits. */
 static uint64_t magnitude(const fmpz_t value) {
     if (fmpz_sgn(value) >= 0) {
@@ -422,34 +296,4 @@ char *rational_text(const fmpq_t value) {
         rational_write(text, value);
     }
     return text;
-}
-
-void rational_bounds(double *low, double *high, const fmpq_t value) {
-    *low = *high = 0;
-    if (fmpq_is_zero(value)) {
-        return;
-    }
-    fmpz_t quotient;
-    fmpz_init(quotient);
-    slong shift;
-    int twice;
-    int exact = scale_down(quotient, &shift, &twice, value, 53, -1074);
-    slong top = (slong)fmpz_bits(quotient) + shift; /* |value| < 2^top */
-    double below, above;
-    if (top <= -1022) { /* subnormal doubles may read as 0 */
-        below = 0;
-        above = DBL_MIN;
-    } else if (top > 1024) {
-        below = DBL_MAX;
-        above = INFINITY;
-    } else {
-        /* Both integers are at most 2^53, so conversion is exact, and so is the shift. */
-        below = ldexp((double)fmpz_get_ui(quotient), (int)shift);
-        fmpz_add_ui(quotient, quotient, exact ? 0 : 1);
-        int past = (slong)fmpz_bits(quotient) + shift > 1024;
-        above = past ? INFINITY : ldexp((double)fmpz_get_ui(quotient), (int)shift);
-    }
-    fmpz_clear(quotient);
-    *low = fmpq_sgn(value) > 0 ? below : -above;
-    *high = fmpq_sgn(value) > 0 ? above : -below;
 }

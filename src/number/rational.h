@@ -18,13 +18,6 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
 /** 1 if the text is one number token of a form rational_parse reads, else 0. */
 int rational_is_token(const char *text, size_t length);
 
-/** Round to the nearest binary64 or binary32, ties to even, subnormals included; NONE leaves it.
- * Overflow: GRAZE_EINPUT. */
-graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding);
-
-/** The dyadic rational a finite double is; NaN and infinities are GRAZE_EINPUT. */
-graze_status rational_from_double(fmpq_t out, graze_context *context, double value);
-
 /** 1 if numerator and denominator have no common factor and the denominator is positive: the same
  * as fmpq_is_canonical, without a gcd where the denominator has no prime but 2 and 5. */
 int rational_is_canonical(const fmpq_t value);
@@ -36,11 +29,5 @@ char *rational_text(const fmpq_t value);
 size_t rational_room(const fmpq_t value);
 /** Write the same text, with a NUL, where there is room for it. Returns its length. */
 size_t rational_write(char *text, const fmpq_t value);
-
-/**
- * Bounds in doubles: *low <= value <= *high, whatever the rounding mode, FTZ and DAZ are; past the
- * range of doubles they are infinite. They are within a few ulps.
- */
-void rational_bounds(double *low, double *high, const fmpq_t value);
 
 #endif

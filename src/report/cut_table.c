@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "number/rational.h"
+#include "number/rounding.h"
 
 static token trimmed(token s) {
     while (s.length && (*s.start == ' ' || *s.start == '\t')) {

@@ -13,7 +13,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
-#include "number/rational.h"
+#include "number/rounding.h"
 #include "solid/forms.h"
 
 typedef struct ray {

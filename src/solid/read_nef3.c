@@ -10,7 +10,7 @@
  * vertices were found to lie in their planes.
  */
 #include <stdlib.h>
-#include "number/rational.h"
+#include "number/rounding.h"
 #include "solid/read_nef3.h"
 #include "solid/readers.h"
 

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "number/rational.h"
+#include "number/rounding.h"
 #include "solid/read_ply.h"
 #include "solid/readers.h"
 

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "number/rational.h"
+#include "number/rounding.h"
 #include "solid/lines.h"
 #include "solid/readers.h"
 

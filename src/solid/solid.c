@@ -4,7 +4,7 @@
 #include "solid/solid.h"
 
 #include <stdlib.h>
-#include "number/rational.h"
+#include "number/rounding.h"
 #include "solid/forms.h"
 
 /* The coordinates of a simplex's vertices. */

@@ -7,7 +7,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
-#include "number/rational.h"
+#include "number/rounding.h"
 
 static int dimension_of(const tracer *r) {
     return r->scene->motion->dimension;

@@ -1,10 +1,12 @@
 /* The host's floating-point environment is not ours: the same answers under every rounding mode,
- * with subnormals flushed to zero, and under a locale with a decimal comma.
+ * with subnormals flushed to zero, in a narrow exponent range of MPFR, and under a locale with a
+ * decimal comma.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "walk.h"
 #include <fenv.h>
 #include <locale.h>
+#include <mpfr.h>
 #include <stdlib.h>
 #if defined(__SSE2__)
 #include <pmmintrin.h>
@@ -97,6 +99,22 @@ static void flushed_subnormals(void **state) {
 #endif
 }
 
+/* The host's own work with MPFR may need a narrow range of exponents. */
+static void exponents_of_mpfr(void **state) {
+    (void)state;
+    mpfr_exp_t least = mpfr_get_emin(), largest = mpfr_get_emax();
+    mpfr_set_emin(-3);
+    mpfr_set_emax(3);
+    char *rows = classify_bracket();
+    mpfr_exp_t kept[2] = {mpfr_get_emin(), mpfr_get_emax()};
+    mpfr_set_emin(least);
+    mpfr_set_emax(largest);
+    assert_string_equal(rows, usual);
+    assert_int_equal(kept[0], -3);
+    assert_int_equal(kept[1], 3);
+    free(rows);
+}
+
 /* The Makefile makes the locale. */
 static void decimal_comma(void **state) {
     (void)state;
@@ -113,6 +131,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rounding_modes),
         cmocka_unit_test(flushed_subnormals),
+        cmocka_unit_test(exponents_of_mpfr),
         cmocka_unit_test(decimal_comma),
     };
     return cmocka_run_group_tests(tests, before, after);

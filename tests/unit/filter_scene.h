@@ -21,7 +21,7 @@
 #include <flint/ulong_extras.h>
 #include <math.h>
 #include "number/bernstein.h"
-#include "number/rational.h"
+#include "number/rounding.h"
 
 enum { MOST_DEGREE = 8 };
 

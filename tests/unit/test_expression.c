@@ -11,6 +11,7 @@
 #include <cmocka.h>
 #include "motion/expression.h"
 #include "number/rational.h"
+#include "number/rounding.h"
 
 /* t runs from 1 to 3 while u and s run from 0 to 1. */
 static graze_context *context;

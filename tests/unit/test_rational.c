@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "number/rational.h"
+#include "number/rounding.h"
 #include "fixture.h"
 
 static graze_status parse(fmpq_t out, const char *token) {
