@@ -57,7 +57,7 @@ def objects(build):
     found = [os.path.relpath(path, build)
              for path in glob.glob(os.path.join(build, "src", "**", "*.o"), recursive=True)]
     return [os.path.join(build, path) for path in found
-            if path not in replaced and not path.startswith(os.path.join("src", "mpi"))]
+            if path not in replaced and not path.startswith((os.path.join("src", "mpi"), os.path.join("src", "png")))]
 
 
 def built(compiler, build, folder):
