@@ -35,6 +35,7 @@ UNREACHED = {
     "rows already, more than there are points": "needs a table of this version; tests/shards reaches it",
     "a rank cannot begin": "needs a machine that lacks a file which another one has",
     "MPI cannot begin": "the system refuses a pipe",
+    "the box along axis %d": "the command line parses its numbers itself; tests/api reaches it",
     "PNG pictures need ": "tests/draw hides the library",
     "a VTK file numbers its points": "needs 2^31 rows",
     "the crossings of a ray with the solid do not add up": "a fault of Graze itself",
