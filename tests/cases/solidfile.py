@@ -29,16 +29,17 @@ def plane(vertices, numbers):
 
 
 def read_off(text):
-    tokens = re.sub(r"#[^\n]*", "", text.lstrip("\ufeff")).split()
-    tokens = tokens[1:] if tokens[0].upper() == "OFF" else tokens
-    count, facets = int(tokens[0]), int(tokens[1])
-    numbers = [number(t) for t in tokens[3:3 + 3 * count]]
-    vertices = [numbers[3 * k:3 * k + 3] for k in range(count)]
-    # a facet's line may end in a colour, so facets are read line by line
-    lines = [l for l in (re.sub(r"#.*", "", l).split() for l in text.splitlines()) if l]
-    out = []
-    for line in lines[-facets:]:
-        out.append([int(v) for v in line[1:1 + int(line[0])]])
+    """A line a vertex and a line a facet; what follows coordinates or indices is left alone."""
+    lines = [re.sub(r"#.*", "", line).split() for line in text.lstrip("\ufeff").splitlines()]
+    lines = [line for line in lines if line]
+    if lines[0][0].upper().endswith("OFF"):
+        lines[0].pop(0)
+    head = []
+    while len(head) < 3:
+        head += lines.pop(0)
+    count, facets = int(head[0]), int(head[1])
+    vertices = [[number(t) for t in line[:3]] for line in lines[:count]]
+    out = [[int(v) for v in line[1:1 + int(line[0])]] for line in lines[count:count + facets]]
     return vertices, out
 
 

@@ -371,6 +371,39 @@ static void test_off_colours_and_blanks(void **state) {
     soup_clear(&s);
 }
 
+/* Columns behind the coordinates are passed over: the same cube, whatever the head says of them. */
+static void test_off_further_columns(void **state) {
+    (void)state;
+    static const struct {
+        const char *head, *columns;
+    } variants[] = {
+        {"NOFF", "1 -2.5e1 1/3"},       {"COFF", "255 0 7"},
+        {"COFF", "0.5 .5 0 1"},         {"CNOFF", "0 0 1 1 2 3 4"},
+        {"CNOFF", "0 0 1 1 2 3"},       {"STOFF", "0 1"},
+        {"STNOFF", "0 0 1 0.25 0.75"},  {"STCOFF", "9 9 9 9 0 1"},
+        {"STCNOFF", "0 0 1 1 2 3 0 1"}, {"NCSTOFF", "0 0 1 1 2 3 4 0 1"},
+        {"NCOFF", "0 0 1 1 2 3 4 # c"}, {"Off", ""},
+    };
+    soup cube, s;
+    make_cube(&cube);
+    for (size_t k = 0; k < sizeof variants / sizeof *variants; k++) {
+        text_size = 0;
+        put("%s\n8 6 0\n", variants[k].head);
+        for (int v = 0; v < 8; v++) {
+            put("%d %d %d %s\n", cube_coordinate(v, 0), cube_coordinate(v, 1),
+                cube_coordinate(v, 2), variants[k].columns);
+        }
+        for (int f = 0; f < 6; f++) {
+            const int *c = cube_facet[f];
+            put("4 %d %d %d %d 1 0 0\n", c[0], c[1], c[2], c[3]);
+        }
+        must_read(&s, ".off", text);
+        assert_same(&s, &cube);
+        soup_clear(&s);
+    }
+    soup_clear(&cube);
+}
+
 /* Rings come in the wrong orientation and are turned from their first vertex; one comes right. */
 static void test_wkt_turns_rings(void **state) {
     (void)state;
@@ -423,6 +456,7 @@ int main(void) {
         cmocka_unit_test(test_stl_merges_many),
         cmocka_unit_test(test_obj_indices),
         cmocka_unit_test(test_off_colours_and_blanks),
+        cmocka_unit_test(test_off_further_columns),
         cmocka_unit_test(test_wkt_turns_rings),
         cmocka_unit_test(test_limits),
     };
