@@ -191,12 +191,16 @@ GRAZE_API void graze_solid_destroy(graze_solid *solid);
 GRAZE_API int graze_solid_dimension(const graze_solid *solid);
 /** Vertices as the input numbers them; 0 for NULL. */
 GRAZE_API size_t graze_solid_vertex_count(const graze_solid *solid);
-/** Facets (E^2: edges) as the input numbers them; 0 for NULL. */
+/** Facets as the input numbers them (E^2: edges, those of no length left out); 0 for NULL. */
 GRAZE_API size_t graze_solid_facet_count(const graze_solid *solid);
 /** Components of the boundary, connected through edges (E^2: through vertices); 0 for NULL. A
  * cavity is one of its own. Parts in contact along a segment inside a facet count as one, unless
  * the search for such contacts was spared. */
 GRAZE_API size_t graze_solid_component_count(const graze_solid *solid);
+
+/** What is unusual about a legal solid, in one line: vertices that follow one another at one
+ * position, whose sides have no length and are no edges. "" if nothing, also for NULL; borrowed. */
+GRAZE_API const char *graze_solid_note(const graze_solid *solid);
 
 /* -------------------------------------------------------------------------------------- motion */
 

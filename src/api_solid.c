@@ -181,9 +181,13 @@ size_t graze_solid_vertex_count(const graze_solid *solid) {
 size_t graze_solid_facet_count(const graze_solid *solid) {
     if (!solid)
         return 0;
-    return solid->input.dimension == 2 ? solid->input.index_count : solid->input.facet_count;
+    return solid->input.dimension == 2 ? solid->cut.count : solid->input.facet_count;
 }
 
 size_t graze_solid_component_count(const graze_solid *solid) {
     return solid ? solid->cut.component_count : 0;
+}
+
+const char *graze_solid_note(const graze_solid *solid) {
+    return solid ? solid->note : "";
 }

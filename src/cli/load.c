@@ -71,6 +71,8 @@ int load(loaded *out, const options *o, int illegal, const unsigned char *truste
     status =
         trusted ? graze_solid_read_trusted(&out->solid, out->context, path, o->solid_flags, trusted)
                 : graze_solid_read(&out->solid, out->context, path, o->solid_flags);
+    if (!status && *graze_solid_note(out->solid))
+        complain(EXIT_DONE, "note: %s: %s", path, graze_solid_note(out->solid));
     if (!status)
         status = graze_motion_read(&out->motion, out->context, o->operands[1]);
     if (!status)

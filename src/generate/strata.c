@@ -360,7 +360,9 @@ static int try_contact(sample *out, const struct graze_generator *g, graze_strat
     if (made) {
         instant_move(out->point, p.when, p.y);
         out->made.order = order_at(g, &p, out->point);
-        out->made.cell = solid_cell(g->scene->solid, p.simplex, p.zero);
+        size_t names;
+        graze_cell cell = solid_cell(g->scene->solid, p.simplex, p.zero);
+        out->made.cell = *cell_names_of(&names, &g->scene->solid->cut.names, &cell);
         fmpq_set(out->time, p.when->t);
         made = order_fits(stratum, out->made.order);
         if (made && k != 0)

@@ -3,6 +3,7 @@
  */
 #include "solid/solid.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include "number/rounding.h"
 #include "solid/forms.h"
@@ -65,6 +66,21 @@ static graze_status make_tree(graze_solid *solid, graze_context *context) {
                   : GRAZE_OK;
 }
 
+static void make_note(graze_solid *solid) {
+    const flat_sides *flat = &solid->cut.flat;
+    char ring[64] = "", others[64] = "a side without length is no edge";
+    if (flat->count == 0)
+        return;
+    if (solid->input.dimension == 2)
+        snprintf(ring, sizeof ring, ", ring %zu", flat->cycle);
+    if (flat->count > 1)
+        snprintf(others, sizeof others, "%zu sides without length are no edges", flat->count);
+    snprintf(solid->note, sizeof solid->note,
+             "%s %zu%s: vertices %u and %u follow one another at one position; %s",
+             solid->input.dimension == 2 ? "polygon" : "facet", flat->facet, ring, flat->from,
+             flat->to, others);
+}
+
 graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags) {
     *out = NULL;
     graze_solid *solid = calloc(1, sizeof *solid);
@@ -83,9 +99,11 @@ graze_status solid_create(graze_solid **out, graze_context *context, soup *input
                               solid->high);
     if (status == GRAZE_OK)
         status = solid_check_sides(solid, context);
-    if (status == GRAZE_OK)
+    if (status == GRAZE_OK) {
+        make_note(solid);
         *out = solid;
-    else
+    }
+    if (status != GRAZE_OK)
         graze_solid_destroy(solid);
     return status;
 }
@@ -97,7 +115,7 @@ void graze_solid_destroy(graze_solid *solid) {
     free(solid->high);
     tree_clear(&solid->boxes);
     corners_clear(&solid->corners);
-    free(solid->cut.item);
+    simplices_clear(&solid->cut);
     soup_clear(&solid->input);
     free(solid);
 }

@@ -22,6 +22,7 @@ struct graze_solid {
     double *low, *high;
     tree boxes; /* of the simplices */
     corners corners;
+    char note[256]; /* what is unusual about the input; "" if nothing */
 };
 
 /** Make a solid of a soup, which it takes over (also on failure): validation, bounds,
@@ -51,8 +52,8 @@ void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz 
  */
 graze_state solid_locate(const graze_solid *solid, const fmpz *x);
 
-/** The boundary cell of a simplex at which just the side forms with their bit set in `zero` vanish.
- */
+/** The boundary cell of a simplex at which just the side forms with their bit set in `zero` vanish,
+ * as the simplex names it; the input's names are cut.names' (names.h). */
 graze_cell solid_cell(const graze_solid *solid, size_t simplex, unsigned zero);
 
 /**

@@ -32,6 +32,19 @@ void check_size(graze_context *context, const soup &s) {
                                    MOST)};
 }
 
+flat_sides find_flat(const points &at, const soup &s) {
+    flat_sides flat = {};
+    for (std::size_t f = 0; f < s.facet_count; f++)
+        for (std::size_t c = s.facet_start[f]; c < s.facet_start[f + 1]; c++)
+            for (std::size_t k = s.cycle_start[c]; k < s.cycle_start[c + 1]; k++) {
+                const std::size_t next = k + 1 < s.cycle_start[c + 1] ? k + 1 : s.cycle_start[c];
+                const std::uint32_t from = s.index[k], to = s.index[next];
+                if (at.position(from) == at.position(to) && flat.count++ == 0)
+                    flat = {1, f, c - s.facet_start[f], from, to};
+            }
+    return flat;
+}
+
 void hand_over(simplices *out, const std::vector<piece> &pieces, std::size_t components) {
     out->item = static_cast<simplex *>(std::malloc((pieces.size() + 1) * sizeof *out->item));
     if (out->item == nullptr)
@@ -52,14 +65,22 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
         std::vector<piece> pieces;
         std::size_t components = 0;
         if (s->dimension == 2) {
-            pieces = cut_rings(context, at, *s);
+            pieces = cut_rings(at, *s);
             components = check_outline(context, pieces, at, *s);
         } else {
             pieces = cut_facets(context, at, *s, (flags & GRAZE_SOLID_TRIANGULATE) != 0);
             components = check_surface(context, pieces, at, (flags & VALIDATE_TRUST_CONTACTS) != 0);
         }
         hand_over(out, pieces, components);
+        name_cells(&out->names, at, *s, pieces);
+        out->flat = find_flat(at, *s);
     });
+}
+
+void simplices_clear(simplices *cut) {
+    std::free(cut->item);
+    cell_names_clear(&cut->names);
+    *cut = {};
 }
 
 graze_status validate_probe(graze_context *context) {

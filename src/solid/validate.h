@@ -5,6 +5,7 @@
 #define GRAZE_SOLID_VALIDATE_H
 
 #include <stdint.h>
+#include "solid/names.h"
 #include "solid/soup.h"
 
 #ifdef __cplusplus
@@ -18,17 +19,29 @@ extern "C" {
  */
 typedef struct simplex {
     uint32_t vertex[3]; /* the input's numbers; vertex[2] unused in E^2 */
-    uint32_t facet; /* the input's facet; in E^2 the number of the edge in order of appearance */
+    uint32_t facet;     /* the input's facet; in E^2 the number of the edge in order of appearance,
+                           among     those that have a length */
     uint32_t component; /* edge-connected (E^2: vertex-connected) component of the boundary,
                            numbered from 0 */
     uint8_t diagonal;   /* bit k set: side k is no input edge but was made by cutting the facet */
 } simplex;
 
+/** Sides of the input whose ends are one position: no edges. */
+typedef struct flat_sides {
+    size_t count;
+    size_t facet, cycle; /* of the first: its facet (E^2: polygon) and its cycle there */
+    uint32_t from, to;   /* its ends */
+} flat_sides;
+
 typedef struct simplices {
     size_t count;
     simplex *item; /* malloc'ed; those of one facet stand together */
     size_t component_count;
+    cell_names names; /* where simplices do not have all the input's names */
+    flat_sides flat;
 } simplices;
+
+void simplices_clear(simplices *cut);
 
 /** A flag beside GRAZE_SOLID_TRIANGULATE: this soup has passed before, so the search for facets
  * that meet is spared in E^3, and contacts inside facets join no components. */

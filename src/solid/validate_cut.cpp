@@ -30,6 +30,7 @@ typedef Triangulation::Face_handle Face;
 
 constexpr int UNSEEN = -1;
 
+/* A side that has a length. */
 struct side {
     std::size_t from, to; /* the input's numbers */
     std::uint32_t a, b;   /* positions */
@@ -56,6 +57,8 @@ facet_sides sides_of(const points &at, const soup &s, std::size_t facet) {
             side e = {s.index[first + k], s.index[first + (k + 1) % count], 0, 0};
             e.a = at.position(static_cast<std::uint32_t>(e.from));
             e.b = at.position(static_cast<std::uint32_t>(e.to));
+            if (e.a == e.b)
+                continue;
             all.list.push_back(e);
             all.number.emplace(e.a, e.from);
             use &u = all.used[std::minmax(e.a, e.b)];

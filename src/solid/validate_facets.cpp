@@ -1,6 +1,6 @@
-/* Facets of a polygon soup in E^3, checked one by one: enough positions, no repetition in a row, an
- * area, a plane; then cut into triangles, or fanned where --triangulate allows it.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Facets of a polygon soup in E^3, checked one by one: enough positions, an area, a plane; then cut
+ * into triangles, or fanned where --triangulate allows it. Of corners that follow one another at
+ * one position, a run, the last is taken. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <algorithm>
 #include "solid/validate_stages.hpp"
@@ -13,28 +13,25 @@ std::uint32_t position(const points &at, std::size_t v) {
     return at.position(static_cast<std::uint32_t>(v));
 }
 
-cycle vertices_of(const soup &s, std::size_t facet) {
-    const std::size_t first = s.cycle_start[s.facet_start[facet]];
-    const std::size_t last = s.cycle_start[s.facet_start[facet + 1]];
-    return cycle(s.index + first, s.index + last);
+/* The corners of all cycles, one of each run. */
+cycle vertices_of(const points &at, const soup &s, std::size_t facet) {
+    cycle all;
+    for (std::size_t c = s.facet_start[facet]; c < s.facet_start[facet + 1]; c++)
+        for (std::size_t k = s.cycle_start[c]; k < s.cycle_start[c + 1]; k++) {
+            const std::size_t next = k + 1 < s.cycle_start[c + 1] ? k + 1 : s.cycle_start[c];
+            if (position(at, s.index[k]) != position(at, s.index[next]))
+                all.push_back(s.index[k]);
+        }
+    return all;
 }
 
 void check_cycle(graze_context *context, const points &at, std::size_t facet,
                  const std::uint32_t *index, std::size_t count) {
     std::vector<std::uint32_t> different;
-    for (std::size_t k = 0; k < count; k++) {
-        const std::size_t u = index[k], v = index[(k + 1) % count];
-        if (u == v)
-            refuse(context, "facet %zu: vertex %zu follows itself; every side needs two ends",
-                   facet, u);
-        if (position(at, u) == position(at, v))
-            refuse(context,
-                   "facet %zu: vertices %zu and %zu follow one another at the same position; a "
-                   "side needs a length",
-                   facet, u, v);
-        if (different.size() < 3 &&
-            std::find(different.begin(), different.end(), position(at, u)) == different.end())
-            different.push_back(position(at, u));
+    for (std::size_t k = 0; k < count && different.size() < 3; k++) {
+        const std::uint32_t here = position(at, index[k]);
+        if (std::find(different.begin(), different.end(), here) == different.end())
+            different.push_back(here);
     }
     if (different.size() < 3)
         refuse(context, "facet %zu: only %zu different positions; a facet needs at least three",
@@ -113,7 +110,7 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
     for (std::size_t c = s.facet_start[facet]; c < s.facet_start[facet + 1]; c++)
         check_cycle(context, at, facet, s.index + s.cycle_start[c],
                     s.cycle_start[c + 1] - s.cycle_start[c]);
-    const cycle all = vertices_of(s, facet);
+    const cycle all = vertices_of(at, s, facet);
     const piece plane = plane_of(context, at, facet, all);
     if (all.size() == 3) {
         piece whole = triangle(at, facet, all[0], all[1], all[2]);

@@ -1,6 +1,6 @@
-/* Polygons in E^2: rings checked one by one, then how their edges come together: none crossing, in
- * and out alternating around every point of contact, every hole in its own outer ring; and the
- * components. SPDX-License-Identifier: GPL-3.0-or-later
+/* Polygons in E^2: how the edges of their rings come together: none crossing, in and out
+ * alternating around every point of contact, every hole in its own outer ring; and the components.
+ * Sides without length are no edges. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <algorithm>
 #include "solid/validate_boxes.hpp"
@@ -11,32 +11,38 @@ namespace {
 /* A ring within its polygon: 0 is the outer one. */
 struct ring {
     std::size_t polygon, number;
-    const std::uint32_t *index;
-    std::size_t count;
-    std::uint32_t first_edge;
+    std::uint32_t first_edge, count; /* its edges */
 };
 
-std::vector<ring> rings_of(const soup &s) {
-    std::vector<ring> all;
-    std::uint32_t edge = 0;
-    for (std::size_t f = 0; f < s.facet_count; f++)
-        for (std::size_t c = s.facet_start[f]; c < s.facet_start[f + 1]; c++) {
-            const std::size_t first = s.cycle_start[c], count = s.cycle_start[c + 1] - first;
-            all.push_back({f, c - s.facet_start[f], s.index + first, count, edge});
-            edge += static_cast<std::uint32_t>(count);
+/* The edges of a cycle. A ring of fewer than three positions, or on one line, has edges on one
+ * another; one of one position has none, but readers refuse rings without area. */
+void append_edges(std::vector<piece> &out, const points &at, const soup &s, std::size_t c) {
+    const std::size_t first = s.cycle_start[c], count = s.cycle_start[c + 1] - first;
+    for (std::size_t k = 0; k < count; k++) {
+        piece e = {};
+        for (std::size_t m = 0; m < 2; m++) {
+            e.cell.vertex[m] = s.index[first + (k + m) % count];
+            e.at[m] = at.position(e.cell.vertex[m]);
         }
-    return all;
+        e.cell.facet = static_cast<std::uint32_t>(out.size());
+        if (e.at[0] != e.at[1])
+            out.push_back(e);
+    }
 }
 
-/* A ring of fewer than three positions, or on one line, has edges on one another. */
-void check_ring(graze_context *context, const points &at, const ring &r) {
-    const auto position = [&](std::size_t k) { return at.position(r.index[k % r.count]); };
-    for (std::size_t k = 0; k < r.count; k++)
-        if (position(k) == position(k + 1))
-            refuse(context,
-                   "polygon %zu, ring %zu: vertices %u and %u follow one another at the same "
-                   "position; an edge needs a length",
-                   r.polygon, r.number, r.index[k], r.index[(k + 1) % r.count]);
+std::vector<ring> rings_of(const points &at, const soup &s) {
+    std::vector<ring> all;
+    std::vector<piece> edges;
+    std::uint32_t first = 0;
+    for (std::size_t f = 0; f < s.facet_count; f++)
+        for (std::size_t c = s.facet_start[f]; c < s.facet_start[f + 1]; c++) {
+            edges.clear();
+            append_edges(edges, at, s, c);
+            const std::uint32_t count = static_cast<std::uint32_t>(edges.size());
+            all.push_back({f, c - s.facet_start[f], first, count});
+            first += count;
+        }
+    return all;
 }
 
 /* The vertex `vertex` (a position) rests inside the edge `edge`. */
@@ -52,7 +58,7 @@ struct edge_end {
 class outline {
   public:
     outline(graze_context *context, std::vector<piece> &edges, const points &at, const soup &s)
-        : context_(context), edges_(edges), at_(at), rings_(rings_of(s)), sets_(edges.size()) {
+        : context_(context), edges_(edges), at_(at), rings_(rings_of(at, s)), sets_(edges.size()) {
     }
     std::size_t check();
 
@@ -191,7 +197,7 @@ void outline::check_point(std::uint32_t vertex, const std::vector<std::uint32_t>
 /* Is a vertex outside a ring it does not lie on? By the parity of a ray to the right. */
 bool outline::vertex_outside(const ring &outer, std::uint32_t v) const {
     bool odd = false;
-    for (std::size_t k = 0; k < outer.count; k++) {
+    for (std::uint32_t k = 0; k < outer.count; k++) {
         const piece &e = edges_[outer.first_edge + k];
         const bool above = at_.rank(e.at[1], 1) > at_.rank(v, 1);
         if ((at_.rank(e.at[0], 1) > at_.rank(v, 1)) != above &&
@@ -208,7 +214,7 @@ bool outline::middle_outside(const ring &outer, const piece &edge) const {
     for (int j = 0; j < 2; j++)
         m[j] = at_.coordinate(edge.at[0], j) + at_.coordinate(edge.at[1], j);
     bool odd = false;
-    for (std::size_t k = 0; k < outer.count; k++) {
+    for (std::uint32_t k = 0; k < outer.count; k++) {
         const piece &e = edges_[outer.first_edge + k];
         const mpq_class ax = 2 * at_.coordinate(e.at[0], 0) - m[0];
         const mpq_class ay = 2 * at_.coordinate(e.at[0], 1) - m[1];
@@ -255,21 +261,11 @@ void outline::check_holes() {
 
 } // namespace
 
-std::vector<piece> cut_rings(graze_context *context, const points &at, const soup &s) {
+std::vector<piece> cut_rings(const points &at, const soup &s) {
     std::vector<piece> out;
     out.reserve(s.index_count);
-    for (const ring &r : rings_of(s)) {
-        check_ring(context, at, r);
-        for (std::size_t k = 0; k < r.count; k++) {
-            piece e = {};
-            for (std::size_t m = 0; m < 2; m++) {
-                e.cell.vertex[m] = r.index[(k + m) % r.count];
-                e.at[m] = at.position(e.cell.vertex[m]);
-            }
-            e.cell.facet = static_cast<std::uint32_t>(out.size());
-            out.push_back(e);
-        }
-    }
+    for (std::size_t c = 0; c < s.cycle_count; c++)
+        append_edges(out, at, s, c);
     return out;
 }
 

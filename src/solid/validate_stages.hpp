@@ -69,12 +69,15 @@ void cut_planar_facet(graze_context *context, std::vector<piece> &out, const poi
 std::size_t check_surface(graze_context *context, std::vector<piece> &pieces, const points &at,
                           bool trust_contacts);
 
-/** The edges of a soup in E^2, each ring checked by itself. */
-std::vector<piece> cut_rings(graze_context *context, const points &at, const soup &s);
+/** The edges of a soup in E^2 that have a length, ring by ring. */
+std::vector<piece> cut_rings(const points &at, const soup &s);
 
 /** Check how the edges of polygons come together, and number their components.
  * @return the number of components */
 std::size_t check_outline(graze_context *context, std::vector<piece> &pieces, const points &at,
                           const soup &s);
+
+/** The input's names of cells that the pieces, those of a facet together, do not have. */
+void name_cells(cell_names *out, const points &at, const soup &s, const std::vector<piece> &pieces);
 
 #endif

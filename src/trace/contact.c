@@ -4,6 +4,7 @@
 #include "trace/contact.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u) {
     graze_time *time = malloc(sizeof *time);
@@ -51,13 +52,14 @@ int time_is_end(const graze_time *time) {
     return time && time->piece + 1 == time->motion->piece_count && is_piece_end(time);
 }
 
-static int compare_cells(const void *left, const void *right) {
-    const graze_cell *a = left, *b = right;
-    if (a->kind != b->kind)
-        return a->kind < b->kind ? -1 : 1;
-    if (a->a != b->a)
-        return a->a < b->a ? -1 : 1;
-    return a->b < b->b ? -1 : a->b > b->b;
+/* Sort the cells of a contact; each once. */
+static void order_cells(contact *c) {
+    size_t kept = c->cell_count > 0;
+    qsort(c->cell, c->cell_count, sizeof *c->cell, cell_compare);
+    for (size_t k = 1; k < c->cell_count; k++)
+        if (cell_compare(&c->cell[kept - 1], &c->cell[k]) != 0)
+            c->cell[kept++] = c->cell[k];
+    c->cell_count = kept;
 }
 
 /* Add cells of touches to a contact, in order and each once; 0 without memory. */
@@ -68,13 +70,36 @@ static int add_cells(contact *c, const touch *item, size_t count) {
     c->cell = cell;
     for (size_t k = 0; k < count; k++)
         cell[c->cell_count++] = item[k].cell;
-    qsort(cell, c->cell_count, sizeof *cell, compare_cells);
-    size_t kept = 1;
-    for (size_t k = 1; k < c->cell_count; k++)
-        if (compare_cells(&cell[kept - 1], &cell[k]) != 0)
-            cell[kept++] = cell[k];
-    c->cell_count = kept;
+    order_cells(c);
     return 1;
+}
+
+/* Put the input's names in place of those of simplices; 0 without memory. */
+static int name_contact(contact *c, const cell_names *names) {
+    size_t count = 0, n;
+    for (size_t k = 0; k < c->cell_count; k++, count += n)
+        cell_names_of(&n, names, &c->cell[k]);
+    graze_cell *cell = malloc((count + 1) * sizeof *cell);
+    if (!cell)
+        return 0;
+    count = 0;
+    for (size_t k = 0; k < c->cell_count; k++, count += n) {
+        const graze_cell *name = cell_names_of(&n, names, &c->cell[k]);
+        memcpy(cell + count, name, n * sizeof *cell);
+    }
+    free(c->cell);
+    c->cell = cell;
+    c->cell_count = count;
+    order_cells(c);
+    return 1;
+}
+
+graze_status contacts_name(graze_trace *trace, graze_context *context, const cell_names *names) {
+    for (size_t k = 0; k < trace->contact_count && names->count > 0; k++)
+        if (!name_contact(&trace->contact[k], names))
+            return context_fail(context, GRAZE_ESYSTEM,
+                                "out of memory for the contacts of a trace");
+    return GRAZE_OK;
 }
 
 /* Let the last contact, which ends where the piece before ended, go on to `to`. */

@@ -18,6 +18,9 @@ graze_status contacts_append(graze_trace *trace, graze_context *context, const g
 /** Append a certain crossing within a piece, which has no times and no cells. */
 graze_status contacts_append_crossing(graze_trace *trace, graze_context *context, int enters);
 
+/** Name the cells of all contacts, which are in, as the input does. */
+graze_status contacts_name(graze_trace *trace, graze_context *context, const cell_names *names);
+
 void contact_clear(contact *c);
 
 /** Whether a time is t0, t1. */

@@ -96,6 +96,8 @@ static graze_status trace_pieces(tracer *r) {
     graze_status status = context_poll(r->context);
     for (size_t k = 0; k < r->scene->motion->piece_count && status == GRAZE_OK; k++)
         status = trace_piece(r, k);
+    if (status == GRAZE_OK)
+        status = contacts_name(r->out, r->context, &r->scene->solid->cut.names);
     return status == GRAZE_OK ? word_read(r) : status;
 }
 

@@ -3,10 +3,10 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
-Time reversed, world moved ([IS] eqs 32, 33), motion cut, boundary cut otherwise, parameter changed,
-mesh against Nef polyhedron, union against its parts, sweep against unsweep of the complement
-([IS] eqs 19, 36), sequence against its parts, plane scene against its prism. No law trusts the
-program: all compare one run of it with another one along a different path.
+Time reversed, world moved ([IS] eqs 32, 33), motion cut, boundary cut otherwise, its corners
+repeated, parameter changed, mesh against Nef polyhedron, union against its parts, sweep against
+unsweep of the complement ([IS] eqs 19, 36), sequence against its parts, plane scene against its
+prism. No law trusts the program: all compare one run of it with another one along a different path.
 """
 import os
 import subprocess
@@ -145,6 +145,17 @@ def law_boundary(law):
     for name, change in changes:
         solid, carry = change(s.solid)
         law.same(name, law.ask(name, solid, s.motion, s.points), cells=carry)
+
+
+def law_repeated(law, *flags):
+    """Corners given more than once in a row: every cell goes by all its new names, and no other."""
+    s = law.scene
+    solid, carry, cells = refine.repeated(s.solid, law.rng)
+    answers = law.ask("repeated", solid, s.motion, s.points, *flags)
+    law.same("repeated", answers)
+    for a, b, p in zip(answers or [], law.base, s.points):
+        want = [{c for c in cells if carry.image.get(c, c) in met} for met in b.cells()]
+        law.checks.equal(a.cells(), want, s.name, "repeated", ",".join(str(x) for x in p), "cells")
 
 
 def law_parameter(law):
@@ -321,8 +332,21 @@ def law_prism(law):
             law.checks.equal(a.cells(), want, s.name, name, ",".join(str(x) for x in p), "cells")
 
 
-LAWS = [law_reversed, law_world, law_cut, law_boundary, law_parameter, law_nef, law_union, law_dual,
+LAWS = [law_reversed, law_world, law_cut, law_boundary, law_repeated, law_parameter, law_nef, law_union, law_dual,
         law_sequence, law_prism]
+
+
+def repeated_in_fans(graze, checks, args):
+    """The law of repeated corners where facets are not planar and have to be fanned."""
+    motion = legs([(-9, 0, 0), (0, F(1, 3), 0), (2, 9, 1)])
+    for lift in (1, -1):
+        solid = meshes()["cube"]
+        solid.vertices[7] = (3, 3, 3 + F(lift, 2))
+        points = [p for _, p in mixed(solid, motion, args.random, POINTS)]
+        base = graze.classify(f"fans {lift}", solid, motion, points, "--triangulate")
+        for _ in range(3 if base else 0):
+            scene = Scene(f"fans {lift}", solid, motion, points)
+            law_repeated(Law(graze, checks, scene, base, args), "--triangulate")
 
 
 def main():
@@ -340,6 +364,7 @@ def main():
         law = Law(graze, checks, Scene(name, solid, motion, points), base, args)
         for one in LAWS:
             one(law)
+    repeated_in_fans(graze, checks, args)
     tally.report(checks)
     print(f"{len(scenes)} scenes, {graze.runs} runs")
     checks.finish()

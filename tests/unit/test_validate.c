@@ -191,7 +191,7 @@ static void expect(const char *name, const shape *s, unsigned flags, const char 
         if (!good)
             fail_msg("%s, variant %u: status %d, %zu components: %s", name, which, (int)status,
                      status == GRAZE_OK ? cut.component_count : 0, message);
-        free(cut.item);
+        simplices_clear(&cut);
         soup_clear(&soup);
     }
 }
@@ -255,8 +255,12 @@ static const outline_case outlines[] = {
     {"sides on one another", "0 0, 3 0, 3 2, 2 0, 1 0, 0 2", ON_ONE, "not a simple polygon", 0, 0},
     {"two vertices", "0 0, 1 0", ON_ONE, "only 2 different", 0, 0},
     {"two positions", "0 0, 1 0, 0 0, 1 0", ON_ONE, "only 2 different positions", 0, 0},
-    {"repeated position", "0 0, 1 0, 1 0, 0 1", "at the same position", "at the same position", 0,
-     0},
+    /* Sides without length are no edges; a wall over one is no facet. */
+    {"repeated position", "0 0, 1 0, 1 0, 0 1", NULL, "only 2 different positions", 1, 0},
+    {"repeated, around the end of a hole",
+     "0 0, 4 0, 4 4, 4 4, 4 4, 0 4 | 1 1, 1 1, 1 2, 2 1, 1 1, 1 1", NULL,
+     "only 2 different positions", 2, 0},
+    {"one edge, repeated", "0 0, 0 0, 1 0, 1 0, 1 0", ON_ONE, "only 2 different positions", 0, 0},
     {"one line", "0 0, 1 1, 2 2", ON_ONE, "has no area", 0, 0},
 };
 
@@ -287,6 +291,12 @@ typedef struct surface_case {
 
 static const surface_case surfaces[] = {
     {"cube", CUBE, CUBE_FACETS, 0, NULL, 1},
+    {"cube, vertices repeated in a row", CUBE ", 1 1 1, 0 1 0, 0 1 0",
+     "0 3 9 10 2 1; 4 5 6 8 7; 0 0 1 5 5 4 0; 1 2 6 5; 8 2 3 7 6 6; 3 0 4 7", 0, NULL, 1},
+    {"triangle, a vertex repeated", "0 0 0, 1 0 0, 0 1 0", "0 1 1; 2 1 0; 0 1 2", 0,
+     "only 2 different positions", 0},
+    {"fan from a repeated vertex", CUBE ", 0 0 1, 1 1 1",
+     "0 3 2 1; 4 8 5 6 9 7 8; 0 1 5 4; 1 2 6 5; 2 3 7 6; 3 0 4 7", 0, NULL, 1},
     {"cavity", CUBE ", 1/4 1/4 1/4, 1/2 1/4 1/4, 1/4 1/2 1/4, 1/4 1/4 1/2",
      CUBE_FACETS "; 8 9 10; 8 11 9; 8 10 11; 9 11 10", 0, NULL, 2},
     {"cubes at a common edge, repeated vertices",

@@ -91,6 +91,7 @@ _FUNCTIONS = {
     "graze_solid_vertex_count": (c_size_t, [c_void_p]),
     "graze_solid_facet_count": (c_size_t, [c_void_p]),
     "graze_solid_component_count": (c_size_t, [c_void_p]),
+    "graze_solid_note": (c_char_p, [c_void_p]),
     "graze_motion_read": (c_int, [_OUT, c_void_p, c_char_p]),
     "graze_motion_from_json": (c_int, [_OUT, c_void_p, c_char_p, c_size_t]),
     "graze_motion_destroy": (None, [c_void_p]),

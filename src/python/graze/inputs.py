@@ -70,13 +70,18 @@ class Solid:
 
     @property
     def facet_count(self) -> int:
-        """Facets (in the plane: edges) as the input numbers them."""
+        """Facets as the input numbers them (in the plane: edges, those of no length left out)."""
         return library().graze_solid_facet_count(self._handle.pointer)
 
     @property
     def component_count(self) -> int:
         """Components of the boundary."""
         return library().graze_solid_component_count(self._handle.pointer)
+
+    @property
+    def note(self) -> str:
+        """What is unusual about the input: vertices that repeat a position; "" if nothing."""
+        return library().graze_solid_note(self._handle.pointer).decode()
 
 
 class Motion:

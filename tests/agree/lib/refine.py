@@ -123,6 +123,60 @@ def polygon_edges_cut(solid):
     return Polygon(parts), carry
 
 
+def repeated(solid, rng):
+    """Corners given more than once in a row, by their own number and by new ones, also across the
+    end of a ring or facet. Returns a third thing: all cells of the new boundary."""
+    return (polygon_repeated if isinstance(solid, Polygon) else mesh_repeated)(solid, rng)
+
+
+def run_of(rng):
+    return rng.choice([1, 1, 2, 3, 4])
+
+
+def polygon_repeated(solid, rng):
+    parts, carry, cells, old, new = [], CellMap(), set(), 0, 0
+    for part in solid.parts:
+        parts.append([])
+        for r in part:
+            runs = [run_of(rng) for _ in r]
+            owners = [k for k, n in enumerate(runs) for _ in range(n)]
+            turn = rng.randrange(runs[0])       # so the first run may lie around the end
+            owners = owners[turn:] + owners[:turn]
+            parts[-1].append([r[k] for k in owners])
+            for k, owner in enumerate(owners):
+                cells.add(("vertex", new + k))
+                carry.image[("vertex", new + k)] = ("vertex", old + owner)
+                after = (k + 1) % len(owners)
+                if owners[after] != owner:
+                    cells.add(edge(new + k, new + after))
+                    carry.image[edge(new + k, new + after)] = edge(old + owner, old + owners[after])
+            old, new = old + len(r), new + len(owners)
+    return Polygon(parts), carry, cells
+
+
+def mesh_repeated(solid, rng):
+    vertices, facets, carry = list(solid.vertices), [], CellMap()
+    cells = {("face", f) for f in range(len(solid.facets))}
+    for f in solid.facets:
+        corners, runs = [], [run_of(rng) for _ in f]
+        for v, n in zip(f, runs):
+            for _ in range(n):
+                corners.append((v, v))
+                if rng.randrange(2):
+                    corners[-1] = (len(vertices), v)
+                    vertices.append(solid.vertices[v])
+        turn = rng.randrange(runs[0])           # a fan goes on to begin where it did
+        corners = corners[turn:] + corners[:turn]
+        facets.append([u for u, _ in corners])
+        for (u, a), (v, b) in zip(corners, corners[1:] + corners[:1]):
+            cells.add(("vertex", u))
+            carry.image[("vertex", u)] = ("vertex", a)
+            if a != b:
+                cells.add(edge(u, v))
+                carry.image[edge(u, v)] = edge(a, b)
+    return Mesh(vertices, facets), carry, cells
+
+
 def facets_halved(mesh):
     """Every facet of four corners cut from the middle of one side to that of the other."""
     cut, carry = edges_cut(mesh)
