@@ -10,6 +10,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "solid/validate.h"
 
 typedef struct ring {
     const size_t *vertex;
@@ -158,6 +159,19 @@ static graze_status add_polygons(soup *s, graze_context *context, const ring *ri
     return status;
 }
 
+/* A ring of area zero: where it crosses itself, if it does. The soup is of no use any more. */
+static graze_status refuse_flat(soup *s, graze_context *context, const ring *r, size_t number) {
+    graze_status status = soup_add_facet(s, context);
+    if (!status)
+        status = add_ring(s, context, r);
+    if (!status)
+        status = validate_crossing(context, s, s->cycle_count - 1);
+    if (!status)
+        status = context_fail(context, GRAZE_EILLEGAL,
+                              "the ring's area is zero; right is a ring around an area");
+    return context_at(context, status, "facet %zu", number);
+}
+
 graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *size,
                                size_t ring_count, const size_t *index) {
     ring *rings = calloc(ring_count + 1, sizeof *rings);
@@ -170,12 +184,9 @@ graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *si
         index += size[r];
         bound(s, &rings[r]);
         int sign = orientation(s, &rings[r]);
-        rings[r].ccw = sign > 0;
+        rings[r].ccw = sign >= 0;
         if (sign == 0)
-            status = context_fail(context, GRAZE_EILLEGAL,
-                                  "facet %zu: the ring's area is zero; right is a ring around an "
-                                  "area",
-                                  r);
+            status = refuse_flat(s, context, &rings[r], r);
     }
     if (!status)
         status = find_depths(rings, ring_count, context, s);

@@ -8,6 +8,7 @@
 #include "number/rational.h"
 #include "solid/lines.h"
 #include "solid/readers.h"
+#include "solid/validate.h"
 
 typedef struct wkt {
     soup *s;
@@ -92,8 +93,12 @@ static graze_status turn_ring(wkt *w) {
     int sign = fmpq_sgn(area);
     fmpq_clear(area);
     if (sign == 0) {
-        return lines_fail(&w->l, GRAZE_EILLEGAL, "polygon %zu, ring %zu: its area is zero",
-                          w->polygon, w->ring);
+        graze_status status = validate_crossing(w->l.context, s, s->cycle_count - 1);
+        if (status == GRAZE_OK) {
+            status = context_fail(w->l.context, GRAZE_EILLEGAL, "its area is zero");
+        }
+        context_at(w->l.context, status, "polygon %zu, ring %zu", w->polygon, w->ring);
+        return lines_at(&w->l, status);
     }
     if ((sign > 0) != (w->ring == 0)) {
         for (size_t a = 1, b = n - 1; a < b; a++, b--) {

@@ -58,6 +58,14 @@ void simplices_clear(simplices *cut);
 graze_status validate_soup(simplices *out, graze_context *context, const soup *s, unsigned flags);
 
 /**
+ * Say where a ring of E^2 with area zero crosses itself, in two edges or in a vertex.
+ * @param cycle the ring in the soup, which need not be whole
+ * @return GRAZE_EILLEGAL naming the edges; GRAZE_OK if it crosses nowhere, or only in edges that
+ * lie on one another; GRAZE_ECANCELED; GRAZE_EINTERNAL
+ */
+graze_status validate_crossing(graze_context *context, const soup *s, size_t cycle);
+
+/**
  * Does any simplex of S touch any simplex of the image of S under the affine map? (Closed sets,
  * exactly.) Containment of one boundary in the other solid is the caller's to ask.
  * @param map d*(d+1) rationals, row by row, invertible

@@ -172,7 +172,8 @@ static void wrong_arrays(void **state) {
     scene s;
     scene_open(&s, slide, NULL);
     graze_solid *solid;
-    static const size_t two[] = {2}, wild[] = {0, 1, 2, 4}, flat[] = {0, 1, 0, 1};
+    static const size_t two[] = {2}, wild[] = {0, 1, 2, 4}, flat[] = {0, 1, 0, 1},
+                        crossed[] = {0, 2, 1, 3};
     static const double nan_square[] = {0, 0, 2, 0, 2, 2, 0, NAN};
     const struct {
         const double *v;
@@ -184,7 +185,10 @@ static void wrong_arrays(void **state) {
     } cases[] = {
         {square, two, square_ring, 2, 1, GRAZE_EINPUT, "facet 0 has 2 vertices"},
         {square, square_sizes, wild, 2, 1, GRAZE_EINPUT, "names vertex 4; right is below 4"},
-        {square, square_sizes, flat, 2, 1, GRAZE_EILLEGAL, "area is zero"},
+        {square, square_sizes, flat, 2, 1, GRAZE_EILLEGAL, "facet 0: the ring's area is zero"},
+        {square, square_sizes, crossed, 2, 1, GRAZE_EILLEGAL,
+         "facet 0: edges 0-2 and 1-3 cross; edges may touch in vertices only, and these meet at "
+         "(1, 1)"},
         {nan_square, square_sizes, square_ring, 2, 1, GRAZE_EINPUT, "vertex 3, coordinate 1"},
         {square, square_sizes, square_ring, 4, 1, GRAZE_EUSE, "dimension must be 2 or 3"},
         {square, square_sizes, square_ring, 2, 0, GRAZE_EILLEGAL, "empty interior"},

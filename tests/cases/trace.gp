@@ -63,6 +63,7 @@ state(X, facets) = {
   for(f = 1, #facets, my(F = facets[f]); if(F[1] * X~ == F[2] && place(F, X, 1, Z), return("B")));
   for(r = 1, #rays, my(w = rays[r][1..#X], odd = 0, good = 1);
     for(f = 1, #facets, my(F = facets[f], s = F[1] * w~, l, p, Y);
+      if(F[1] * F[1]~ == 0, next); \\ a side without length
       if(s == 0, if(F[1] * X~ == F[2], good = 0; break, next));
       l = (F[2] - F[1] * X~) / s; if(l < 0, next);
       Y = X + l * w; p = place(F, Y, 1, Z);
