@@ -7,7 +7,7 @@
 #ifndef GRAZE_REPORT_CUT_TABLE_H
 #define GRAZE_REPORT_CUT_TABLE_H
 
-#include "report/text.h"
+#include "number/text.h"
 
 /** Bytes within the table: what a field says, quotes and blanks around it left out. */
 typedef struct token {
