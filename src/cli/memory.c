@@ -12,6 +12,12 @@
 #include <unistd.h>
 #include "cli/cli.h"
 
+static void (*before_end)(void);
+
+void memory_before_end(void (*what)(void)) {
+    before_end = what;
+}
+
 /* One message, however many threads come here. */
 static void *end(void) {
     static atomic_flag told = ATOMIC_FLAG_INIT;
@@ -20,6 +26,8 @@ static void *end(void) {
         pause();
     ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
     (void)ignored;
+    if (before_end)
+        before_end();
     _exit(EXIT_IO);
 }
 

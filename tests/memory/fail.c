@@ -5,17 +5,21 @@
  * bring a malloc of their own, it is linked into the program with --wrap and reaches what is linked
  * statically.
  *
- * GRAZE_FAIL_LIST=FILE: nothing fails, and FILE gets a line per allocation: a number that is equal
- *   for equal ways through the program to it, as far as DEPTH calls tell them apart.
+ * GRAZE_FAIL_LIST=FILE: nothing fails, and FILE gets 64 bits for each allocation, a number that is
+ *   equal for equal ways through the program to it, as far as DEPTH calls tell them apart.
  * GRAZE_FAIL_RUNS=FOLDER: standard input has lines `once N` and `from N`, for the N-th allocation
  *   alone and for all from it on. Each is a run in a process of its own, in the folder
  *   FOLDER/once-N or FOLDER/from-N, which gets its standard output and error as `out` and `err` and
  *   is its working folder. Standard output gets a line `once N STATUS` for each, STATUS as waitpid
  *   has it. A run is ended by SIGALRM after SECONDS.
+ * GRAZE_FAIL_SPARE=NAME: allocations that a library of this name has part in do not fail; their
+ *   number is 0.
  */
 #define _GNU_SOURCE
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <link.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -44,31 +48,46 @@ void *NAME(calloc)(size_t count, size_t size);
 void *NAME(realloc)(void *memory, size_t size);
 
 static atomic_long count;
-static long fail_at;  /* 0: none fails */
-static int fails_on;  /* and all that come after */
-static uint64_t *ways; /* where they are listed, or NULL */
-static _Thread_local int listing __attribute__((tls_model("initial-exec")));
+static long fail_at;      /* 0: none fails */
+static int fails_on;      /* and all that come after */
+static uint64_t *ways;    /* where they are listed, or NULL */
+static const char *spare; /* or NULL */
+static _Thread_local int looking __attribute__((tls_model("initial-exec")));
 
 typedef struct way {
     uint64_t hash;
-    int depth;
+    int depth, spared;
 } way;
 
+/* Libraries lie elsewhere in every process; the places in them stay, and so do their sizes. */
 static _Unwind_Reason_Code add_call(struct _Unwind_Context *context, void *data) {
     way *w = data;
-    w->hash = (w->hash ^ (uint64_t)_Unwind_GetIP(context)) * 0x9e3779b97f4a7c15ULL;
+    uintptr_t at = (uintptr_t)_Unwind_GetIP(context);
+    struct dl_find_object in;
+    if (at && _dl_find_object((void *)at, &in) == 0) {
+        at += (uintptr_t)in.dlfo_map_end - 2 * (uintptr_t)in.dlfo_map_start;
+        w->spared |= spare && strstr(in.dlfo_link_map->l_name, spare) != NULL;
+    }
+    if (w->depth < DEPTH)
+        w->hash = (w->hash ^ at) * 0x9e3779b97f4a7c15ULL;
     w->hash ^= w->hash >> 29;
-    return ++w->depth < DEPTH ? _URC_NO_REASON : _URC_END_OF_STACK;
+    return ++w->depth < DEPTH || (spare && w->depth < 200) ? _URC_NO_REASON : _URC_END_OF_STACK;
+}
+
+static way way_here(void) {
+    way w = {0, 0, 0};
+    if (!looking) {
+        looking = 1;
+        _Unwind_Backtrace(add_call, &w);
+        looking = 0;
+    }
+    return w;
 }
 
 static void list(long n) {
-    way w = {0, 0};
-    if (listing || n > MOST)
-        return;
-    listing = 1;
-    _Unwind_Backtrace(add_call, &w);
-    ways[n - 1] = w.hash;
-    listing = 0;
+    way w = way_here();
+    if (n <= MOST)
+        ways[n - 1] = w.spared ? 0 : w.hash;
 }
 
 static int fails(void) {
@@ -76,6 +95,8 @@ static int fails(void) {
     if (ways)
         list(n);
     if (!fail_at || (fails_on ? n < fail_at : n != fail_at))
+        return 0;
+    if (spare && way_here().spared)
         return 0;
     errno = ENOMEM;
     return 1;
@@ -182,6 +203,7 @@ static void run_all(const char *folder) {
 
 __attribute__((constructor)) static void begin(void) {
     const char *folder = getenv("GRAZE_FAIL_RUNS");
+    spare = getenv("GRAZE_FAIL_SPARE");
     unsetenv("LD_PRELOAD"); /* a program that is run by this one is on its own */
     if (getenv("GRAZE_FAIL_LIST")) {
         uint64_t *room = REAL(calloc)(MOST, sizeof *room);
