@@ -12,8 +12,8 @@
  *   FOLDER/once-N or FOLDER/from-N, which gets its standard output and error as `out` and `err` and
  *   is its working folder. Standard output gets a line `once N STATUS` for each, STATUS as waitpid
  *   has it. A run is ended by SIGALRM after SECONDS.
- * GRAZE_FAIL_SPARE=NAME: allocations that a library of this name has part in do not fail; their
- *   number is 0.
+ * GRAZE_FAIL_SPARE=NAME:NAME...: allocations that a library with such a name has part in do not
+ *   fail; their number is 0.
  */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -59,6 +59,18 @@ typedef struct way {
     int depth, spared;
 } way;
 
+static int is_spared(const char *path) {
+    char name[64];
+    for (const char *at = spare; *at; at += *at == ':') {
+        size_t length = strcspn(at, ":");
+        snprintf(name, sizeof name, "%.*s", (int)length, at);
+        if (strstr(path, name))
+            return 1;
+        at += length;
+    }
+    return 0;
+}
+
 /* Libraries lie elsewhere in every process; the places in them stay, and so do their sizes. */
 static _Unwind_Reason_Code add_call(struct _Unwind_Context *context, void *data) {
     way *w = data;
@@ -66,7 +78,7 @@ static _Unwind_Reason_Code add_call(struct _Unwind_Context *context, void *data)
     struct dl_find_object in;
     if (at && _dl_find_object((void *)at, &in) == 0) {
         at += (uintptr_t)in.dlfo_map_end - 2 * (uintptr_t)in.dlfo_map_start;
-        w->spared |= spare && strstr(in.dlfo_link_map->l_name, spare) != NULL;
+        w->spared |= spare && is_spared(in.dlfo_link_map->l_name);
     }
     if (w->depth < DEPTH)
         w->hash = (w->hash ^ at) * 0x9e3779b97f4a7c15ULL;

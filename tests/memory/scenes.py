@@ -127,12 +127,12 @@ def make(graze, folder):
     yield Scene("validate", ["validate", *one, u, roll, "--points", two, *candidate, "--output", "report"])
     yield Scene("draw-svg", ["draw", u, roll, two, "--grid", "6", "-p", "9,2", "-p", "1,1", "-o", "made.svg"])
     yield Scene("draw-png", ["draw", u, roll, "--grid", "6", "-p", "9,2", "-o", "made.png"],
-                spared="libfontconfig")
+                spared="libcairo:libpixman:libfontconfig:ld-linux")
     yield Scene("draw-3", ["draw", cube, turn, "--grid", "6", "-p", "5,1,2", "-o", "made.svg"])
     yield Scene("boundary", ["boundary", u, roll, "--depth", "4", "--coarse", "3", "--contacts", "9", "--surface",
                              "s.vtk", "--cells", "c.vtk", "--points", "p.csv"], tables=("s.vtk", "c.vtk", "p.csv"))
     yield Scene("boundary-3", ["boundary", cube, turn, "--depth", "2", "--coarse", "2", "--contacts", "9", "--surface",
-                               "s.ply"])
+                               "s.ply"], tables=("s.ply",))
     yield Scene("rotate", ["motion", "rotate", "--degrees", "37.5", "--axis", "0,0,1", "--center", "1,1,0", "--output",
                            "made", "--report", "report"])
     yield Scene("screw", ["motion", "screw", "--degrees", "100", "--axis", "0,0,1", "--pitch", "2", "--tolerance",
