@@ -148,6 +148,27 @@ void *memalign(size_t alignment, size_t size) {
 }
 #endif
 
+#ifdef WRAPPED
+/* operator new, and new[] */
+void *__real__Znwm(size_t size);
+void *__real__Znam(size_t size);
+void *__wrap__Znwm(size_t size);
+void *__wrap__Znam(size_t size);
+_Noreturn void _ZSt17__throw_bad_allocv(void);
+
+void *__wrap__Znwm(size_t size) {
+    if (fails())
+        _ZSt17__throw_bad_allocv();
+    return __real__Znwm(size);
+}
+
+void *__wrap__Znam(size_t size) {
+    if (fails())
+        _ZSt17__throw_bad_allocv();
+    return __real__Znam(size);
+}
+#endif
+
 static void die(const char *what) {
     perror(what);
     _exit(99);

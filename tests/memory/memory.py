@@ -43,10 +43,12 @@ class Bench:
 
     def __init__(self, options, folder):
         self.graze = os.path.abspath(options.graze)
+        if options.sanitizers:
+            self.graze = os.path.join(os.path.dirname(self.graze), "tests", "graze-memory")
         self.folder = pathlib.Path(folder)
-        self.linked = options.sanitizers
         self.scale = options.scale
-        self.library = None if self.linked else build(folder)
+        self.part = 7 if options.sanitizers else 1  # of the ways, one of so many is tried
+        self.library = None if options.sanitizers else build(folder)
 
     def environment(self, scene, **more):
         kept = dict(os.environ, LC_ALL="C", TMPDIR=".", **more)
@@ -143,16 +145,17 @@ def ways_of(bench, scene):
     return ways
 
 
-def choose(ways, met, scale):
+def choose(ways, met, bench):
     """The runs of a scene, (mode, N): one for each way that no scene before has met, and some of the others."""
     numbers = []
     for n, way in enumerate(ways, 1):
         if way and way not in met:
             numbers.append(n)
         met.add(way)
-    if scale > 1:
+    if bench.scale > 1:
         return [(mode, n) for n in range(1, len(ways) + 1) for mode in ("once", "from")]
-    again = range(1, len(ways) + 1, max(2, len(ways) // 25 | 1))
+    numbers = numbers[::bench.part]
+    again = range(1, len(ways) + 1, max(2, len(ways) * bench.part // 25 | 1))
     return [("once", n) for n in sorted({*numbers, *again})] + [("from", n) for n in sorted({*numbers[::11], *again})[::2]]
 
 
@@ -188,7 +191,7 @@ def main():
         bench = Bench(options, folder)
         every = [s for s in scenes.make(bench.graze, pathlib.Path(folder)) if not options.names or s.name in options.names]
         ways = list(pool.map(lambda s: ways_of(bench, s), every))
-        runs = [choose(w, met, bench.scale) for w in ways]
+        runs = [choose(w, met, bench) for w in ways]
         for scene, tried, (told, faults) in zip(every, runs, pool.map(lambda *a: test(bench, *a), every, ways, runs)):
             wrong = sum(len(which) for which in faults.values())
             passed, failed = passed + max(len(tried) - wrong, 0), failed + wrong
