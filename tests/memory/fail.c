@@ -169,7 +169,7 @@ void *__wrap__Znam(size_t size) {
 }
 #endif
 
-static void die(const char *what) {
+static _Noreturn void die(const char *what) {
     perror(what);
     _exit(99);
 }
