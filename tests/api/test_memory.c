@@ -237,7 +237,7 @@ static void write_file(char *path, const char *text) {
 
 static void open_bench(bench *b) {
     static const char candidate[] = "x,y,pmc\n-1,1,in\n-1,1/2,in\n";
-    static const char *const rest[] = {"7/3", "1e-3"};
+    static const char *const rest[] = {"7/3,a", "1e-3,b"};
     char *head, *rows;
     size_t length, done;
     open_comb(&b->s);
@@ -247,7 +247,7 @@ static void open_bench(bench *b) {
     mpq_set_si(b->point[1], 1, 1);
     mpq_set_si(b->point[2], -1, 1);
     mpq_set_si(b->point[3], 1, 2);
-    assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size"), GRAZE_OK);
+    assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size,id"), GRAZE_OK);
     assert_int_equal(graze_report_points(&rows, &length, &done, b->s.context, b->s.scene,
                                          (const mpq_t *)b->point, 2, GRAZE_FORMAT_CSV, rest),
                      GRAZE_OK);
