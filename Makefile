@@ -37,6 +37,7 @@ PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap
 
+comma   := ,
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/% src/png/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
@@ -156,6 +157,11 @@ $B/tests/flip/%.o: src/filter/%.c | $B/.packages-build
 $B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/filter/%,$(LIB_O))
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+# The program whose own allocations fail (tests/memory/fail.c), for sanitizers, who bring a malloc.
+$B/tests/memory/fail.o: ALL_CFLAGS += -DWRAPPED -fexceptions
+$B/tests/graze-memory: $(CLI_O) $B/tests/memory/fail.o $B/libgraze.a
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) $(addprefix -Wl$(comma)--wrap=,malloc calloc realloc _Znwm _Znam) -o $@ $^ $(LIBS)
 # The peers as their users build them: optimised, without assertions.
 $B/tests/bench/peers: tests/bench/peers.cpp | $B/.packages-build
 	@mkdir -p $(@D)
@@ -268,7 +274,7 @@ test: $B/.packages-test all $(UNIT) $(ORACLES) build/tests/locale/de_DE.UTF-8
 
 # The programs of the tests in another build folder, for the sanitizers.
 .PHONY: programs
-programs: all $(UNIT) build/tests/locale/de_DE.UTF-8
+programs: all $(UNIT) $B/tests/graze-memory build/tests/locale/de_DE.UTF-8
 
 .PHONY: cases
 cases: $B/.packages-test all

@@ -14,8 +14,10 @@
  *  3. What a _create, _read or _from function returns is the caller's; its _destroy takes NULL.
  *     Getters borrow: what they return lives as long as the handle asked.
  *  4. Strings handed out through char ** are freed with graze_free.
- *  5. No function exits, aborts, throws or prints; memory that runs out inside GMP or FLINT ends
- * the process, so the limits act first.
+ *  5. No function exits, aborts, throws or prints. Memory that runs out is GRAZE_ESYSTEM, except
+ * inside GMP, MPFR and FLINT, which print and abort (FLINT to standard output), so the limits act
+ * first. A program that wants another end gives them functions of its own before its first call:
+ * mp_set_memory_functions and __flint_set_memory_functions; graze changes neither.
  */
 #ifndef GRAZE_H
 #define GRAZE_H

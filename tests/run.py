@@ -25,7 +25,7 @@ CMOCKA_SKIPPED = re.compile(r"\[  SKIPPED \] (\d+) test")
 NO_LIMIT = {"refuse": ["--sanitizers"], "agree": ["--memory", "0"], "words": ["--memory", "0"],
             "examples": ["--memory", "0"], "unsweep": ["--memory", "0"],
             "compare": ["--sanitizers"], "filter": ["--memory", "0"],
-            "install": ["--sanitizers"]}
+            "install": ["--sanitizers"], "memory": ["--sanitizers"]}
 
 
 def suites(build, scale, sanitizers):

@@ -24,10 +24,6 @@ static size_t read_run(answerer *a, row_run *r, const block *b, size_t first) {
     return n;
 }
 
-static int exit_of(graze_status status) {
-    return status == GRAZE_ELIMIT ? EXIT_LIMIT : status == GRAZE_ESYSTEM ? EXIT_IO : EXIT_FAULT;
-}
-
 void answer(answerer *a, block *b, size_t first) {
     row_run *r = &b->runs[first];
     size_t n = read_run(a, r, b, first);
@@ -40,7 +36,7 @@ void answer(answerer *a, block *b, size_t first) {
     if (status == GRAZE_ECANCELED)
         r->fault.status = EXIT_SIGNAL;
     else if (status)
-        fault_set(&r->fault, exit_of(status), "row %lu: %s",
+        fault_set(&r->fault, exit_for(status, EXIT_FAULT), "row %lu: %s",
                   shard_place(a->source.part, b->before + first + r->done) + 1,
                   graze_context_message(a->context));
 }

@@ -81,6 +81,10 @@ int complain(int status, const char *format, ...) __attribute__((format(printf, 
 /** Say the context's message; returns the exit status its cause has (EXIT_SIGNAL for a cancel). */
 int complain_of(graze_status status, const graze_context *context);
 
+/** The exit status for a number or a point that was refused: a limit or the machine's, or else
+ * `otherwise`. */
+int exit_for(graze_status status, int otherwise);
+
 /** A context with the options' rounding and limits and the interrupt as its cancel. */
 graze_status context_for(graze_context **out, const options *o);
 

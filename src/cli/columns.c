@@ -94,8 +94,10 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
         return fault_set(
             f, EXIT_INPUT, "%s:%lu: %zu columns; right are at least %d, or a header naming x, y%s",
             c->name, number, first->count, c->dimension, c->dimension == 3 ? ", z" : "");
-    c->count = first->count;
-    return name_others(f, c, first, !*header);
+    int status = name_others(f, c, first, !*header);
+    if (!status)
+        c->count = first->count;
+    return status;
 }
 
 int columns_fix(int *header, fault *f, columns *c, field text, unsigned long number) {
@@ -145,8 +147,8 @@ int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block
         field token = field_content(r->cut.item[c->where[k]]);
         graze_status read = graze_number_parse(point[k], r->context, token.start, token.length);
         if (read)
-            return fault_set(f, read == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_INPUT, "%s:%lu: %c: %s",
-                             c->name, l->number, 'x' + k, graze_context_message(r->context));
+            return fault_set(f, exit_for(read, EXIT_INPUT), "%s:%lu: %c: %s", c->name, l->number,
+                             'x' + k, graze_context_message(r->context));
     }
     return c->others && !keep_others(r, c, l->length) ? fault_set(f, EXIT_IO, "out of memory")
                                                       : EXIT_DONE;

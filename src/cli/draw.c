@@ -82,38 +82,41 @@ static char *number_name(const char *before, size_t number) {
     return strdup(text);
 }
 
-/* Which of the further columns is `id`; -1 if none is. */
-static long id_column(const char *columns) {
+/* Which of the further columns is `id`; *found is -1 if none is. 0 where memory is short. */
+static int id_column(long *found, const char *columns) {
     fields cut = {NULL, 0, 0};
-    long found = -1;
-    if (columns && fields_cut(&cut, (field){columns, strlen(columns)}) == FIELDS_CUT)
-        for (size_t k = cut.count; k-- > 0;) {
-            field f = field_content(cut.item[k]);
-            if (f.length == 2 && memcmp(f.start, "id", 2) == 0)
-                found = (long)k;
-        }
+    *found = -1;
+    fields_result result =
+        columns ? fields_cut(&cut, (field){columns, strlen(columns)}) : FIELDS_CUT;
+    for (size_t k = cut.count; k-- > 0;) {
+        field f = field_content(cut.item[k]);
+        if (f.length == 2 && memcmp(f.start, "id", 2) == 0)
+            *found = (long)k;
+    }
     fields_clear(&cut);
-    return found;
+    return result != FIELDS_NO_MEMORY;
 }
 
-/* The name of a row: its id, or its number. */
+/* The name of a row: its id, or its number. NULL where memory is short. */
 static char *row_name(const char *rest, long id, size_t number) {
     fields cut = {NULL, 0, 0};
     char *name = NULL;
-    if (id >= 0 && fields_cut(&cut, (field){rest, strlen(rest)}) == FIELDS_CUT &&
-        (size_t)id < cut.count) {
+    if (id < 0)
+        return number_name("", number);
+    if (fields_cut(&cut, (field){rest, strlen(rest)}) == FIELDS_CUT && (size_t)id < cut.count) {
         field f = field_content(cut.item[id]);
         name = strndup(f.start, f.length);
     }
     fields_clear(&cut);
-    return name ? name : number_name("", number);
+    return name;
 }
 
 static int read_block(marks *m, csv *points, const block *b, graze_context *context) {
     fault f = {EXIT_DONE, NULL};
     reader r = {.context = context};
-    long id = id_column(csv_columns(points)->others);
-    int status = EXIT_DONE;
+    long id;
+    int status = id_column(&id, csv_columns(points)->others) ? EXIT_DONE
+                                                             : complain(EXIT_IO, "out of memory");
     for (size_t k = 0; k < b->count && !status; k++) {
         r.rest_length = 0;
         if (!marks_grow(m))

@@ -51,7 +51,7 @@ static int read_point(mpq_t *point, const loaded *l, const options *o) {
         const char *word = o->operands[2 + k];
         graze_status status = graze_number_parse(point[k], l->context, word, strlen(word));
         if (status)
-            return complain(status == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_USAGE, "%s: %s", names[k],
+            return complain(exit_for(status, EXIT_USAGE), "%s: %s", names[k],
                             graze_context_message(l->context));
     }
     return EXIT_DONE;

@@ -66,7 +66,7 @@ int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *co
         mpq_t *value = k < d ? &low[k] : &high[k - d];
         graze_status status = graze_number_parse(*value, context, start[k], length[k]);
         if (status)
-            return complain(status == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_USAGE, "--box: %s",
+            return complain(exit_for(status, EXIT_USAGE), "--box: %s",
                             graze_context_message(context));
     }
     for (int k = 0; k < d; k++)

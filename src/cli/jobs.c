@@ -121,7 +121,9 @@ int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_sourc
         if (status)
             return status;
         if (!start_thread(w))
-            return complain(EXIT_IO, "thread %d of %d cannot be started; right is a smaller --jobs",
+            return complain(EXIT_IO,
+                            "thread %d of %d cannot be started, for want of memory or of threads; "
+                            "right is a smaller --jobs",
                             k + 1, count);
     }
     return EXIT_DONE;

@@ -42,6 +42,10 @@ int complain_of(graze_status status, const graze_context *context) {
     return complain(code, "%s", graze_context_message(context));
 }
 
+int exit_for(graze_status status, int otherwise) {
+    return status == GRAZE_ELIMIT || status == GRAZE_ESYSTEM ? exit_of(status) : otherwise;
+}
+
 static int interrupted(void *data) {
     (void)data;
     return interrupt_signal() != 0;

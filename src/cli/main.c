@@ -4,6 +4,7 @@
 #include <string.h>
 #include "cli/cli.h"
 #include "cli/interrupt.h"
+#include "cli/memory.h"
 #include "cli/output.h"
 
 static const command *const commands[] = {&command_check,    &command_classify, &command_merge,
@@ -32,7 +33,7 @@ static const char overview[] =
     "SOLID is .off .obj .ply .stl .nef3 (3D) or .wkt (2D), MOTION is JSON, POINTS is CSV or -.\n"
     "\n"
     "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 a fault of graze,\n"
-    "5 reading or writing failed, 6 a limit was met.\n";
+    "5 reading or writing failed, or memory ran out, 6 a limit was met.\n";
 
 static output page;
 
@@ -64,6 +65,7 @@ static int run(const command *c, int argc, char **argv) {
 }
 
 int main(int argc, char **argv) {
+    memory_guard();
     output_guard_standard();
     if (interrupt_watch() != 0)
         return complain(EXIT_IO, "signals cannot be watched");

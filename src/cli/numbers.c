@@ -20,7 +20,7 @@ int numbers_read(mpq_t *out, graze_context *context, const char *name, const cha
                             name, count);
         graze_status status = graze_number_parse(out[k], context, text, (size_t)(stop - text));
         if (status)
-            return complain(status == GRAZE_ELIMIT ? EXIT_LIMIT : EXIT_USAGE, "%s: %s", name,
+            return complain(exit_for(status, EXIT_USAGE), "%s: %s", name,
                             graze_context_message(context));
         text = stop + 1;
     }

@@ -112,6 +112,21 @@ void output_flush(output *out) {
     out->used = 0;
 }
 
+/* Of a full buffer the last line, which may go on, is held back: however the program ends, what
+ * is written are whole lines. */
+static void flush_lines(output *out) {
+    size_t whole = out->used, rest;
+    while (whole > 0 && out->buffer[whole - 1] != '\n')
+        whole--;
+    if (whole == 0)
+        whole = out->used;
+    rest = out->used - whole;
+    out->used = whole;
+    output_flush(out);
+    memmove(out->buffer, out->buffer + whole, rest);
+    out->used = rest;
+}
+
 void output_bytes(output *out, const char *text, size_t length) {
     while (length && !out->error) {
         size_t room = sizeof out->buffer - out->used;
@@ -121,7 +136,7 @@ void output_bytes(output *out, const char *text, size_t length) {
         text += part;
         length -= part;
         if (out->used == sizeof out->buffer)
-            output_flush(out);
+            flush_lines(out);
     }
 }
 

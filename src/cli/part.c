@@ -102,11 +102,12 @@ static int read_head(part *p, FILE *file) {
         p->at += length;
         status = take_head(p, line, (size_t)length, &named);
     }
+    int failed = length <= 0 && !feof(file); /* also where getline had no memory */
+    if (failed && !status)
+        status = complain_of_system(p, "reading failed");
     free(line);
     if (status)
         return status;
-    if (ferror(file))
-        return complain_of_system(p, "reading failed");
     if (p->at == 0)
         return complain(EXIT_INPUT, "%s: is no table of graze classify", p->path);
     if (!named)
@@ -130,6 +131,8 @@ static int read_tail(part *p, FILE *file) {
     if (fseeko(file, (off_t)start, SEEK_SET) != 0)
         return complain_of_system(p, "reading failed");
     size_t length = fread(tail, 1, TAIL, file);
+    if (ferror(file))
+        return complain_of_system(p, "reading failed");
     tail[length] = '\0';
     const char *all = find(tail, "\n" SHARD_ROWS);
     const char *points = all ? find(all, "\n" SHARD_POINTS) : NULL;

@@ -56,7 +56,7 @@ static int scan(results *t) {
         status = take_line(t, &line, (size_t)length, start, &complete);
         start += length;
     }
-    if (!status && ferror(file))
+    if (!status && !feof(file)) /* also where getline had no memory */
         status = complain(EXIT_IO, "%s: reading failed: %s", t->resumed, strerror(errno));
     if (!status && complete)
         status =

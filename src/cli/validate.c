@@ -11,6 +11,7 @@
 #include <unistd.h>
 #include "cli/candidate.h"
 #include "cli/cli.h"
+#include "cli/memory.h"
 #include "cli/output.h"
 
 static const char help[] =
@@ -79,6 +80,13 @@ static void remove_folder(validation *v) {
             unlink(v->files[k]);
     if (v->temporary)
         rmdir(v->folder);
+}
+
+/* Before a sudden end. */
+static validation *at_work;
+
+static void remove_at_work(void) {
+    remove_folder(at_work);
 }
 
 static const char *points_of(const validation *v, const options *o) {
@@ -241,7 +249,10 @@ static int run(const options *o) {
     validation *v = calloc(1, sizeof *v);
     if (!v)
         return complain(EXIT_IO, "out of memory");
+    at_work = v;
+    memory_before_end(remove_at_work);
     int status = validate(v, o);
+    memory_before_end(NULL);
     remove_folder(v);
     candidate_free(v->words);
     for (int k = 0; k < FILE_COUNT; k++)

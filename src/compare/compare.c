@@ -76,21 +76,19 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
 
 /* The options under which `graze explain` answers as the golden table does. */
 static graze_status note_options(graze_comparison *c, graze_context *context, const table *t) {
-    size_t length;
+    text options;
     const char *round = t->notes[NOTE_ROUND], *folds = t->notes[NOTE_FOLDS];
     const char *operation = t->notes[NOTE_OPERATION], *cut = t->notes[NOTE_TRIANGULATE];
-    FILE *file = open_memstream(&c->explain_options, &length);
-    if (!file)
-        return no_memory(context);
+    text_init(&options);
     if (round && (strcmp(round, "binary64") == 0 || strcmp(round, "binary32") == 0))
-        fprintf(file, " --round %s", round);
+        text_format(&options, " --round %s", round);
     if (folds && strcmp(folds, "combined") == 0)
-        fputs(" --folds combined", file);
+        text_put(&options, " --folds combined");
     if (operation && strcmp(operation, "unsweep") == 0)
-        fputs(" --operation unsweep", file);
+        text_put(&options, " --operation unsweep");
     if (cut && strcmp(cut, "yes") == 0)
-        fputs(" --triangulate", file);
-    return fclose(file) == 0 ? GRAZE_OK : no_memory(context);
+        text_put(&options, " --triangulate");
+    return text_finish(&c->explain_options, context, &options);
 }
 
 static graze_status check_rounding(graze_comparison *c, run *r, const char *path) {
@@ -124,7 +122,7 @@ static graze_status start(graze_comparison *c, run *r, const char *golden, const
 }
 
 /* The answers of a row, as `pmc=on i=0`. */
-static void put_answers(FILE *file, const graze_comparison *c, const table *t, const table_row *row,
+static void put_answers(text *out, const graze_comparison *c, const table *t, const table_row *row,
                         int candidate) {
     const char *blank = "";
     for (int col = COLUMN_PMC; col < COLUMN_COUNT; col++) {
@@ -133,28 +131,24 @@ static void put_answers(FILE *file, const graze_comparison *c, const table *t, c
         int told = sdf ? col == COLUMN_SDF : col <= COLUMN_TOPO;
         if (t->where[col] < 0 || !told)
             continue;
-        fprintf(file, "%s%s=%.*s", blank, column_name((column)col), (int)f.length, f.start);
+        text_format(out, "%s%s=", blank, column_name((column)col));
+        text_bytes(out, f.start, f.length);
         blank = " ";
     }
 }
 
 /* A malloc'ed text of a row's point (which = 0) or answers (1 golden, 2 candidate). */
 static char *row_text(const graze_comparison *c, const table *t, const table_row *row, int which) {
-    char *text = NULL;
-    size_t length;
-    FILE *file = open_memstream(&text, &length);
-    if (!file)
-        return NULL;
+    text out;
+    text_init(&out);
     for (int k = 0; which == 0 && k < t->dimension; k++) {
         field f = table_field(t, row, (column)(COLUMN_X + k));
-        fprintf(file, "%s%.*s", k ? " " : "", (int)f.length, f.start);
+        text_put(&out, k ? " " : "");
+        text_bytes(&out, f.start, f.length);
     }
     if (which)
-        put_answers(file, c, t, row, which == 2);
-    if (fclose(file) == 0)
-        return text;
-    free(text);
-    return NULL;
+        put_answers(&out, c, t, row, which == 2);
+    return text_take(&out);
 }
 
 static graze_status show(graze_comparison *c, const run *r, const table_row *golden,

@@ -8,6 +8,7 @@
 #define GRAZE_COMPARE_COMPARE_H
 
 #include "compare/table.h"
+#include "number/text.h"
 
 /** What is judged, in the order of columns. */
 enum { JUDGED_PMC, JUDGED_CLASS, JUDGED_I, JUDGED_T, JUDGED_WORD, JUDGED_COUNT };

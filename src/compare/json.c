@@ -8,14 +8,10 @@
 #include <string.h>
 #include <yajl/yajl_gen.h>
 #include "compare/compare.h"
+#include "context/json_memory.h"
 
 static void put_text(yajl_gen g, const char *text) {
-    size_t length = strlen(text);
-    char *copy = strdup(text);
-    for (size_t k = 0; copy && k < length; k++)
-        copy[k] = (unsigned char)copy[k] > 127 ? '?' : copy[k];
-    yajl_gen_string(g, (const unsigned char *)(copy ? copy : ""), copy ? length : 0);
-    free(copy);
+    yajl_gen_string(g, (const unsigned char *)text, strlen(text));
 }
 
 static void put_named(yajl_gen g, const char *name, const char *text) {
@@ -124,12 +120,21 @@ static int put_disagreements(yajl_gen g, const graze_comparison *c) {
     return done;
 }
 
-static char *generate(const graze_comparison *c) {
-    const unsigned char *text = NULL;
-    size_t length = 0;
-    yajl_gen g = yajl_gen_alloc(NULL);
-    if (!g)
-        return NULL;
+static void print(void *data, const char *bytes, size_t length) {
+    text *out = data;
+    size_t before = out->length;
+    text_bytes(out, bytes, length);
+    for (size_t k = before; k < out->length; k++)
+        out->data[k] = (unsigned char)out->data[k] > 127 ? '?' : out->data[k];
+}
+
+/* Returns 0 where memory ran out outside of `out`. */
+static int generate(text *out, json_memory *memory, const graze_comparison *c) {
+    json_memory_init(memory);
+    if (setjmp(memory->short_of) != 0)
+        return 0;
+    yajl_gen g = yajl_gen_alloc(&memory->functions);
+    yajl_gen_config(g, yajl_gen_print_callback, print, out);
     yajl_gen_config(g, yajl_gen_beautify, 1);
     yajl_gen_config(g, yajl_gen_indent_string, "  ");
     yajl_gen_map_open(g);
@@ -141,13 +146,15 @@ static char *generate(const graze_comparison *c) {
     put_tallies(g, c);
     int done = put_disagreements(g, c);
     yajl_gen_map_close(g);
-    yajl_gen_get_buf(g, &text, &length);
-    char *out = done && text ? strndup((const char *)text, length) : NULL;
-    yajl_gen_free(g);
-    return out;
+    return done;
 }
 
 graze_status comparison_json(char **out, graze_context *context, const graze_comparison *c) {
-    *out = generate(c);
-    return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    text bytes;
+    json_memory memory;
+    text_init(&bytes);
+    if (!generate(&bytes, &memory, c))
+        bytes.failed = 1;
+    json_memory_clear(&memory);
+    return text_finish(out, context, &bytes);
 }

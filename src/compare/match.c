@@ -8,10 +8,10 @@
 #include "compare/match.h"
 
 #include <flint/fmpq.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "number/rational.h"
+#include "number/text.h"
 
 graze_status match_start(match *m, graze_context *context, table *golden, table *candidate) {
     m->context = context;
@@ -74,32 +74,26 @@ static graze_status fill(match *m, window *w, size_t count) {
 }
 
 /* The point as text in lowest terms, coordinates parted by blanks. */
-static graze_status point_text(char **out, size_t *length, graze_context *context, const table *t,
-                               const table_row *row, int dimension) {
+static graze_status put_point(text *out, graze_context *context, const table *t,
+                              const table_row *row, int dimension) {
     graze_status status = GRAZE_OK;
     fmpq_t value;
     fmpq_init(value);
-    FILE *file = open_memstream(out, length);
-    for (int k = 0; file && !status && k < dimension; k++) {
+    for (int k = 0; !status && k < dimension; k++) {
         field f = table_field(t, row, (column)(COLUMN_X + k));
         status = rational_parse(value, context, f.start, f.length);
-        char *text = status ? NULL : rational_text(value);
         if (status)
             context_at(context, status, "%s:%lu: %c", t->in.name, row->line, 'x' + k);
-        else if (!text || fprintf(file, "%s ", text) < 0)
-            status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
-        free(text);
+        else
+            text_rational(out, value);
+        text_put(out, " ");
     }
     fmpq_clear(value);
-    if (!file || fclose(file) != 0)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    return status;
+    return !status && out->failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : status;
 }
 
 graze_status match_key(table_row *row, graze_context *context, const table *t, int by_id,
                        int dimension) {
-    char *text = NULL;
-    size_t length = 0;
     if (row->keyed)
         return GRAZE_OK;
     if (by_id) {
@@ -108,11 +102,13 @@ graze_status match_key(table_row *row, graze_context *context, const table *t, i
         row->keyed = 1;
         return GRAZE_OK;
     }
-    graze_status status = point_text(&text, &length, context, t, row, dimension);
+    text point;
+    text_init(&point);
+    graze_status status = put_point(&point, context, t, row, dimension);
     if (!status)
-        row->key = digest_of(text, length);
+        row->key = digest_of(point.data, point.length);
     row->keyed = !status;
-    free(text);
+    text_clear(&point);
     return status;
 }
 

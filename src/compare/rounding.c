@@ -4,10 +4,10 @@
  * One pass over the table keeps the digests of those rows whose key falls to it; a table too large
  * for one pass is read several times, each for its share of the keys.
  */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "compare/match.h"
+#include "number/text.h"
 
 enum { MOST_ENTRIES = 1 << 21 };
 
@@ -47,16 +47,16 @@ static int grow(share *s) {
 /* The digest of a row's answers, each ended by a byte that no field holds. */
 static graze_status answers_of(uint64_t *out, const table *t, const table_row *row,
                                const column *columns, size_t count) {
-    char *text = NULL;
-    size_t length = 0;
-    FILE *file = open_memstream(&text, &length);
-    for (size_t k = 0; file && k < count; k++) {
+    text answers;
+    text_init(&answers);
+    for (size_t k = 0; k < count; k++) {
         field f = table_field(t, row, columns[k]);
-        fprintf(file, "%.*s\n", (int)f.length, f.start);
+        text_bytes(&answers, f.start, f.length);
+        text_put(&answers, "\n");
     }
-    int failed = !file || fclose(file) != 0;
-    *out = failed ? 0 : digest_of(text, length).high;
-    free(text);
+    int failed = answers.failed;
+    *out = failed ? 0 : digest_of(answers.data, answers.length).high;
+    text_clear(&answers);
     return failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
 }
 

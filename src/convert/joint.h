@@ -6,7 +6,7 @@
 #define GRAZE_CONVERT_JOINT_H
 
 #include "convert/angle.h"
-#include "report/text.h"
+#include "number/text.h"
 
 /** One joint of a chain. */
 typedef struct joint {

@@ -7,7 +7,7 @@
 #ifndef GRAZE_DRAW_CANVAS_H
 #define GRAZE_DRAW_CANVAS_H
 
-#include "report/text.h"
+#include "number/text.h"
 
 /** A colour 0xRRGGBB as paint; 0 paints nothing. */
 #define PAINT(rgb) (0x1000000u | (rgb))

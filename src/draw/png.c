@@ -2,10 +2,29 @@
 #include "draw/png.h"
 
 #include <dlfcn.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* Fontconfig and pixman fall over where memory runs out within them. This much is more than they
+ * and the library's code take; the image itself is cairo's, which says so. */
+enum { ROOM = 64 << 20 };
+
+static graze_status check_room(graze_context *context) {
+    void *volatile room = malloc(ROOM); /* or the compiler would leave both calls out */
+    if (!room)
+        return context_fail(context, GRAZE_ESYSTEM,
+                            "out of memory for a picture: a PNG takes %d MB; expected more memory, "
+                            "or an .svg picture",
+                            ROOM >> 20);
+    free(room);
+    return GRAZE_OK;
+}
 
 /* The shared object stays loaded until the process ends. */
 static graze_status load(canvas *(**create)(double, double), graze_context *context) {
+    graze_status status = check_room(context);
+    if (status)
+        return status;
     void *library = dlopen(PNG_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     void *symbol = library ? dlsym(library, "graze_png_create") : NULL;
     if (!symbol)

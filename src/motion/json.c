@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <yajl/yajl_parse.h>
+#include "context/json_memory.h"
 #include "motion/json.h"
 
 enum { PATH_SIZE = 400 };
@@ -17,6 +18,7 @@ typedef struct builder {
     json_document *document;
     graze_context *context;
     const char *source, *text;
+    json_memory memory;
     yajl_handle handle;
     json *open;
     char *key;
@@ -147,18 +149,13 @@ static int on_end(void *data) {
 static void syntax_error(builder *b, size_t length) {
     count_lines(b);
     unsigned char *words = yajl_get_error(b->handle, 0, (const unsigned char *)b->text, length);
-    if (words == NULL) {
-        out_of_memory(b);
-        return;
-    }
     words[strcspn((char *)words, "\n")] = '\0';
     b->status = context_fail(b->context, GRAZE_EINPUT, "%s:%zu: not JSON: %s", b->source, b->line,
                              (char *)words);
-    yajl_free_error(b->handle, words);
 }
 
-graze_status json_parse(json_document *out, graze_context *context, const char *source,
-                        const char *text, size_t length) {
+/* All of what is read by yajl. */
+static void parse(builder *b, const char *text, size_t length) {
     static const yajl_callbacks callbacks = {
         .yajl_null = on_null,
         .yajl_boolean = on_boolean,
@@ -170,6 +167,23 @@ graze_status json_parse(json_document *out, graze_context *context, const char *
         .yajl_start_array = on_start_array,
         .yajl_end_array = on_end,
     };
+    json_memory_init(&b->memory);
+    if (setjmp(b->memory.short_of) != 0) {
+        out_of_memory(b);
+        return;
+    }
+    b->handle = yajl_alloc(&callbacks, &b->memory.functions, b);
+    yajl_status parsed = yajl_parse(b->handle, (const unsigned char *)text, length);
+    if (parsed == yajl_status_ok) {
+        parsed = yajl_complete_parse(b->handle);
+    }
+    if (parsed == yajl_status_error) {
+        syntax_error(b, length);
+    }
+}
+
+graze_status json_parse(json_document *out, graze_context *context, const char *source,
+                        const char *text, size_t length) {
     *out = (json_document){NULL, NULL};
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) {
         text += 3;
@@ -183,19 +197,8 @@ graze_status json_parse(json_document *out, graze_context *context, const char *
         return context_fail(context, GRAZE_EINPUT, "%s: empty; a JSON object is expected", source);
     }
     builder b = {.document = out, .context = context, .source = source, .text = text, .line = 1};
-    b.handle = yajl_alloc(&callbacks, NULL, &b);
-    if (b.handle == NULL) {
-        out_of_memory(&b);
-        return b.status;
-    }
-    yajl_status parsed = yajl_parse(b.handle, (const unsigned char *)text, length);
-    if (parsed == yajl_status_ok) {
-        parsed = yajl_complete_parse(b.handle);
-    }
-    if (parsed == yajl_status_error) {
-        syntax_error(&b, length);
-    }
-    yajl_free(b.handle);
+    parse(&b, text, length);
+    json_memory_clear(&b.memory);
     free(b.key);
     return b.status;
 }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <unistd.h>
 #include "cli/interrupt.h"
+#include "cli/memory.h"
 #include "cli/output.h"
 #include "mpi/ranks.h"
 
@@ -45,6 +46,7 @@ static int run(const options *o, int rank) {
 int main(int argc, char **argv) {
     int rank, show_help, status;
     options o;
+    memory_guard();
     output_guard_standard();
     if (MPI_Init(&argc, &argv) != MPI_SUCCESS || interrupt_watch() != 0)
         return complain(EXIT_IO, "MPI cannot begin");

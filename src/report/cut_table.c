@@ -193,19 +193,23 @@ token cut_table_field(const cut_table *c, size_t row, size_t index) {
     return field;
 }
 
-double cut_table_number(graze_context *context, token field) {
+graze_status cut_table_number(double *out, graze_context *context, const cut_table *c, size_t row,
+                              size_t index) {
+    token field = cut_table_field(c, row, index);
     fmpq_t value;
     fmpq_init(value);
-    double out = 0;
-    if (rational_parse(value, context, field.start, field.length) == GRAZE_OK) {
+    graze_status status = rational_parse(value, context, field.start, field.length);
+    if (status) {
+        status = context_at(context, status, "row %zu, column %zu", row + 1, index + 1);
+    } else {
         int negative = fmpq_sgn(value) < 0;
         if (rational_round(value, context, GRAZE_ROUND_BINARY64) == GRAZE_OK)
-            out = fmpq_get_d(value);
+            *out = fmpq_get_d(value);
         else
-            out = negative ? -INFINITY : INFINITY;
+            *out = negative ? -INFINITY : INFINITY;
     }
     fmpq_clear(value);
-    return out;
+    return status;
 }
 
 unsigned long cut_table_code(column_kind kind, token field) {

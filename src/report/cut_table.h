@@ -7,7 +7,7 @@
 #ifndef GRAZE_REPORT_CUT_TABLE_H
 #define GRAZE_REPORT_CUT_TABLE_H
 
-#include "report/text.h"
+#include "number/text.h"
 
 /** Bytes within the table: what a field says, quotes and blanks around it left out. */
 typedef struct token {
@@ -53,8 +53,10 @@ void cut_table_clear(cut_table *c);
 
 /** Field `index` of a row, which has it. */
 token cut_table_field(const cut_table *c, size_t row, size_t index);
-/** The double nearest to a field that is a number; infinite past the range of doubles. */
-double cut_table_number(graze_context *context, token field);
+/** The double nearest to a field that is a number; infinite past the range of doubles.
+ * @return GRAZE_ELIMIT more digits than the limit; GRAZE_ESYSTEM */
+graze_status cut_table_number(double *out, graze_context *context, const cut_table *c, size_t row,
+                              size_t index);
 /** The value of a field of Graze's own by which numbers stand for names: pmc and class as in
  * graze.h, definition with 0 for ext, counts as they are. */
 unsigned long cut_table_code(column_kind kind, token field);

@@ -10,7 +10,7 @@
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
-#include "report/text.h"
+#include "number/text.h"
 
 int time_is_rational(const graze_time *time) {
     time_canonicalise((graze_time *)time);

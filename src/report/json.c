@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <yajl/yajl_gen.h>
+#include "context/json_memory.h"
 #include "number/rational.h"
 #include "report/decimal.h"
 #include "verdict/verdict.h"
@@ -15,6 +16,8 @@
 enum { APPROX_DIGITS = 17 };
 
 typedef struct writer {
+    text *out;
+    json_memory memory;
     yajl_gen gen;
     int failed;
 } writer;
@@ -144,19 +147,26 @@ static void put_row(writer *w, const graze_scene *scene, const fmpq *point,
     check(w, yajl_gen_map_close(w->gen));
 }
 
+static void print(void *out, const char *bytes, size_t length) {
+    text_bytes(out, bytes, length);
+}
+
+/* Returns 0 where memory ran out within yajl. */
+static int put_line(writer *w, const graze_scene *scene, const fmpq *point,
+                    const graze_trace *trace) {
+    json_memory_init(&w->memory);
+    if (setjmp(w->memory.short_of) != 0)
+        return 0;
+    w->gen = yajl_gen_alloc(&w->memory.functions);
+    yajl_gen_config(w->gen, yajl_gen_print_callback, print, w->out);
+    put_row(w, scene, point, trace);
+    return !w->failed;
+}
+
 void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace) {
-    writer w = {yajl_gen_alloc(NULL), 0};
-    if (!w.gen) {
+    writer w = {.out = out};
+    if (!put_line(&w, scene, point, trace))
         out->failed = 1;
-        return;
-    }
-    put_row(&w, scene, point, trace);
-    const unsigned char *line = NULL;
-    size_t length = 0;
-    check(&w, yajl_gen_get_buf(w.gen, &line, &length));
-    out->failed |= w.failed;
-    if (!w.failed)
-        text_bytes(out, (const char *)line, length);
+    json_memory_clear(&w.memory);
     text_put(out, "\n");
-    yajl_gen_free(w.gen);
 }

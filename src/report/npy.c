@@ -78,10 +78,10 @@ static void put_head(text *t, const cut_table *c) {
     text description;
     text_init(&description);
     put_description(&description, c);
-    t->failed |= description.failed;
     while (!description.failed && (12 + description.length + 1) % 64)
         text_put(&description, " ");
     text_put(&description, "\n");
+    t->failed |= description.failed;
     text_bytes(t, "\x93NUMPY\x03\x00", 8);
     put_bytes(t, description.length, 4);
     if (!description.failed)
@@ -89,21 +89,32 @@ static void put_head(text *t, const cut_table *c) {
     text_clear(&description);
 }
 
+static graze_status put_field(text *out, graze_context *context, const cut_table *c, size_t row,
+                              size_t index) {
+    const column *to = &c->column[index];
+    token field = cut_table_field(c, row, index);
+    double number;
+    if (is_number(to->kind)) {
+        graze_status status = cut_table_number(&number, context, c, row, index);
+        if (!status)
+            put_double(out, number);
+        return status;
+    }
+    if (!is_text(to->kind)) {
+        put_bytes(out, cut_table_code(to->kind, field), 4);
+        return GRAZE_OK;
+    }
+    text_bytes(out, field.start, field.length);
+    for (size_t pad = field.length; pad < width_of(to); pad++)
+        text_bytes(out, "", 1);
+    return GRAZE_OK;
+}
+
 graze_status export_npy(text *out, graze_context *context, const cut_table *c) {
+    graze_status status = GRAZE_OK;
     put_head(out, c);
     for (size_t r = 0; r < c->row_count; r++)
-        for (size_t k = 0; k < c->column_count; k++) {
-            const column *to = &c->column[k];
-            token field = cut_table_field(c, r, k);
-            if (is_number(to->kind))
-                put_double(out, cut_table_number(context, field));
-            else if (!is_text(to->kind))
-                put_bytes(out, cut_table_code(to->kind, field), 4);
-            else {
-                text_bytes(out, field.start, field.length);
-                for (size_t pad = field.length; pad < width_of(to); pad++)
-                    text_bytes(out, "", 1);
-            }
-        }
-    return GRAZE_OK;
+        for (size_t k = 0; k < c->column_count && !status; k++)
+            status = put_field(out, context, c, r, k);
+    return status;
 }

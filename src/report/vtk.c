@@ -58,14 +58,17 @@ static void put_grid(text *t, const cut_table *c) {
     fmpz_clear(parts);
 }
 
-static void put_vertices(text *t, graze_context *context, const cut_table *c) {
+static graze_status put_vertices(text *t, graze_context *context, const cut_table *c) {
     size_t n = c->row_count;
+    graze_status status = GRAZE_OK;
     text_format(t, "POINTS %zu double\n", n);
     for (size_t r = 0; r < n; r++)
-        for (size_t k = 0; k < 3; k++)
-            put_double(t, k < (size_t)c->dimension
-                              ? cut_table_number(context, cut_table_field(c, r, k))
-                              : 0);
+        for (size_t k = 0; k < 3 && !status; k++) {
+            double number = 0;
+            if (k < (size_t)c->dimension)
+                status = cut_table_number(&number, context, c, r, k);
+            put_double(t, number);
+        }
     text_format(t, "\nCELLS %zu %zu\n", n, 2 * n);
     for (size_t r = 0; r < n; r++) {
         put_int(t, 1);
@@ -75,6 +78,7 @@ static void put_vertices(text *t, graze_context *context, const cut_table *c) {
     for (size_t r = 0; r < n; r++)
         put_int(t, 1);
     text_put(t, "\n");
+    return status;
 }
 
 /* A text and the row it stands in. */
@@ -180,22 +184,26 @@ static void put_all_texts(text *t, const cut_table *c, numbered **all) {
     }
 }
 
-static void put_column(text *t, graze_context *context, const cut_table *c, size_t index,
-                       const numbered *texts) {
+static graze_status put_column(text *t, graze_context *context, const cut_table *c, size_t index,
+                               const numbered *texts) {
     const column *from = &c->column[index];
+    graze_status status = GRAZE_OK;
     int number = from->kind == COLUMN_NUMBER;
     text_put(t, "SCALARS ");
     put_name(t, c, index);
     text_put(t, number ? " double 1\nLOOKUP_TABLE default\n" : " int 1\nLOOKUP_TABLE default\n");
-    for (size_t r = 0; r < c->row_count; r++) {
-        token field = cut_table_field(c, r, index);
-        if (number)
-            put_double(t, cut_table_number(context, field));
-        else
+    for (size_t r = 0; r < c->row_count && !status; r++) {
+        double value = 0;
+        if (number) {
+            status = cut_table_number(&value, context, c, r, index);
+            put_double(t, value);
+        } else {
             put_int(t, texts ? (uint32_t)texts[r].number
-                             : (uint32_t)cut_table_code(from->kind, field));
+                             : (uint32_t)cut_table_code(from->kind, cut_table_field(c, r, index)));
+        }
     }
     text_put(t, "\n");
+    return status;
 }
 
 graze_status export_vtk(text *out, graze_context *context, const cut_table *c) {
@@ -211,17 +219,18 @@ graze_status export_vtk(text *out, graze_context *context, const cut_table *c) {
         out->failed = 1;
         return GRAZE_OK;
     }
+    graze_status status = GRAZE_OK;
     text_put(out, c->grid[0] ? "DATASET STRUCTURED_POINTS\n" : "DATASET UNSTRUCTURED_GRID\n");
     put_all_texts(out, c, texts);
     if (c->grid[0])
         put_grid(out, c);
     else
-        put_vertices(out, context, c);
+        status = put_vertices(out, context, c);
     text_format(out, "POINT_DATA %zu\n", c->row_count);
-    for (size_t k = (size_t)c->dimension; k < c->column_count && !out->failed; k++)
-        put_column(out, context, c, k, texts[k]);
+    for (size_t k = (size_t)c->dimension; k < c->column_count && !out->failed && !status; k++)
+        status = put_column(out, context, c, k, texts[k]);
     for (size_t k = 0; k < c->column_count; k++)
         free(texts[k]);
     free(texts);
-    return GRAZE_OK;
+    return status;
 }

@@ -51,6 +51,26 @@ inline bool rounds_as_told() {
     return down < up;
 }
 
+/** CGAL's containers begin with points that are copies of one a thread has, which is made at the
+ * first. Made here, that memory runs out for it within a container is ruled out: CGAL 5.5 would
+ * destroy there what was not made. */
+inline void make_common_point() {
+    const Kernel::Point_2 copy;
+    (void)copy;
+}
+
+/** The message of a failed check; that it is itself out of memory is told. */
+inline graze_status tell_broken(graze_context *context, const CGAL::Failure_exception &broken) {
+    try {
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "a check inside the geometry library failed (%s:%d): please report it",
+                            broken.filename().c_str(), broken.line_number());
+    } catch (const std::bad_alloc &) {
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "a check inside the geometry library failed: please report it");
+    }
+}
+
 /**
  * Run `work`, a callable without arguments, so that nothing is thrown past this point.
  * @return GRAZE_OK; the status of a failure; GRAZE_ESYSTEM when memory ran out; GRAZE_EINTERNAL for
@@ -64,6 +84,7 @@ template <class Work> graze_status guard(graze_context *context, const Work &wor
                 context, GRAZE_EINTERNAL,
                 "this processor does not round as it is told to, which exact "
                 "geometry rests on; an emulator such as valgrind is no place for it");
+        make_common_point();
         work();
         return GRAZE_OK;
     } catch (const failure &given_up) {
@@ -72,9 +93,7 @@ template <class Work> graze_status guard(graze_context *context, const Work &wor
         return context_fail(context, GRAZE_ESYSTEM,
                             "memory ran out while working on the solid; a smaller solid would fit");
     } catch (const CGAL::Failure_exception &broken) {
-        return context_fail(context, GRAZE_EINTERNAL,
-                            "a check inside the geometry library failed (%s:%d): please report it",
-                            broken.filename().c_str(), broken.line_number());
+        return tell_broken(context, broken);
     } catch (const std::exception &fault) {
         return context_fail(context, GRAZE_EINTERNAL,
                             "unexpected fault in the geometry (%s): please report it",

@@ -7,6 +7,7 @@
  * there. The names __libc_malloc and so on are those of the GNU C library.
  */
 #include "walk.h"
+#include <stdio.h>
 #include <stdlib.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -218,8 +219,119 @@ static void makers(void **state) {
     scene_close(&s);
 }
 
+/* What the reports are made of: a scene, some points, their table, and two files to compare. */
+typedef struct bench {
+    scene s;
+    mpq_t point[4];
+    char *table;
+    char golden[32], candidate[32];
+} bench;
+
+static void write_file(char *path, const char *text) {
+    strcpy(path, "/tmp/graze-test-XXXXXX");
+    FILE *file = fdopen(mkstemp(path), "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void open_bench(bench *b) {
+    static const char candidate[] = "x,y,pmc\n-1,1,in\n-1,1/2,in\n";
+    static const char *const rest[] = {"7/3,a", "1e-3,b"};
+    char *head, *rows;
+    size_t length, done;
+    open_comb(&b->s);
+    for (int k = 0; k < 4; k++)
+        mpq_init(b->point[k]);
+    mpq_set_si(b->point[0], -1, 1);
+    mpq_set_si(b->point[1], 1, 1);
+    mpq_set_si(b->point[2], -1, 1);
+    mpq_set_si(b->point[3], 1, 2);
+    assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size,id"), GRAZE_OK);
+    assert_int_equal(graze_report_points(&rows, &length, &done, b->s.context, b->s.scene,
+                                         (const mpq_t *)b->point, 2, GRAZE_FORMAT_CSV, rest),
+                     GRAZE_OK);
+    b->table = malloc(strlen(head) + length + 32);
+    strcat(strcat(strcpy(b->table, head), rows), "# complete 2\n");
+    graze_free(head);
+    graze_free(rows);
+    write_file(b->golden, b->table);
+    write_file(b->candidate, candidate);
+}
+
+static void close_bench(bench *b) {
+    remove(b->golden);
+    remove(b->candidate);
+    free(b->table);
+    for (int k = 0; k < 4; k++)
+        mpq_clear(b->point[k]);
+    scene_close(&b->s);
+}
+
+static graze_status make_comparison(char **out, bench *b, graze_comparison_format format) {
+    graze_compare_options options = {.show = 3};
+    graze_comparison *comparison;
+    graze_status status =
+        graze_compare(&comparison, b->s.context, b->golden, b->candidate, &options);
+    if (status)
+        assert_null(comparison);
+    else
+        status = graze_comparison_report(out, b->s.context, comparison, format);
+    graze_comparison_destroy(comparison);
+    return status;
+}
+
+enum { REPORTS = 5 };
+
+static graze_status make_report(char **out, size_t *length, bench *b, int kind) {
+    size_t done;
+    *out = NULL;
+    *length = 0;
+    if (kind == 0)
+        return graze_report_points(out, length, &done, b->s.context, b->s.scene,
+                                   (const mpq_t *)b->point, 1, GRAZE_FORMAT_JSONL, NULL);
+    if (kind < 3)
+        return graze_report_export(out, length, b->s.context, b->table, strlen(b->table),
+                                   kind == 1 ? GRAZE_EXPORT_NPY : GRAZE_EXPORT_VTK);
+    graze_status status =
+        make_comparison(out, b, kind == 3 ? GRAZE_COMPARISON_TEXT : GRAZE_COMPARISON_JSON);
+    *length = *out ? strlen(*out) : 0;
+    return status;
+}
+
+/* A report is whole or not there. yajl's memory is ours, and so it fails here too. */
+static void reports(void **state) {
+    (void)state;
+    bench b;
+    open_bench(&b);
+    graze_context_set_filter(b.s.context, 0);
+    for (int kind = 0; kind < REPORTS; kind++) {
+        char *whole, *text;
+        size_t length, n;
+        long allowed;
+        int enough = 0;
+        assert_int_equal(make_report(&whole, &length, &b, kind), GRAZE_OK);
+        for (allowed = 0; !enough && allowed < MOST; allowed++) {
+            left = allowed;
+            graze_status status = make_report(&text, &n, &b, kind);
+            enough = had_enough();
+            if (!enough) {
+                expect_failure(&b.s, status, text, allowed);
+                continue;
+            }
+            assert_int_equal(status, GRAZE_OK);
+            assert_int_equal(n, length);
+            assert_memory_equal(text, whole, n);
+            graze_free(text);
+        }
+        assert_true(enough && (allowed > 5 || SANITIZED));
+        graze_free(whole);
+    }
+    close_bench(&b);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(traces), cmocka_unit_test(verdicts),
-                                       cmocka_unit_test(makers)};
+                                       cmocka_unit_test(makers), cmocka_unit_test(reports)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 /* Text that grows by doubling.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "report/text.h"
+#include "number/text.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -34,7 +34,8 @@ static int reserve(text *t, size_t length) {
 void text_bytes(text *t, const char *bytes, size_t length) {
     if (!reserve(t, length))
         return;
-    memcpy(t->data + t->length, bytes, length);
+    if (length)
+        memcpy(t->data + t->length, bytes, length);
     t->length += length;
     t->data[t->length] = '\0';
 }
@@ -44,15 +45,20 @@ void text_put(text *t, const char *string) {
 }
 
 void text_format(text *t, const char *format, ...) {
-    char line[512];
-    va_list arguments;
+    va_list arguments, again;
     va_start(arguments, format);
-    int length = vsnprintf(line, sizeof line, format, arguments);
-    va_end(arguments);
-    if (length < 0 || (size_t)length >= sizeof line)
+    va_copy(again, arguments);
+    size_t room = t->failed ? 0 : t->capacity - t->length;
+    int length = vsnprintf(room ? t->data + t->length : NULL, room, format, arguments);
+    if (length < 0)
         t->failed = 1;
-    else
-        text_bytes(t, line, (size_t)length);
+    else if (reserve(t, (size_t)length)) {
+        if ((size_t)length >= room)
+            vsnprintf(t->data + t->length, (size_t)length + 1, format, again);
+        t->length += (size_t)length;
+    }
+    va_end(again);
+    va_end(arguments);
 }
 
 void text_owned(text *t, char *string) {
@@ -77,12 +83,16 @@ void text_rational(text *t, const fmpq_t value) {
         t->length += rational_write(t->data + t->length, value);
 }
 
-graze_status text_finish(char **out, graze_context *context, text *t) {
+char *text_take(text *t) {
     text_bytes(t, "", 0);
-    int failed = t->failed;
-    *out = failed ? NULL : t->data;
-    if (!failed)
+    char *data = t->failed ? NULL : t->data;
+    if (data)
         t->data = NULL;
     text_clear(t);
-    return failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
+    return data;
+}
+
+graze_status text_finish(char **out, graze_context *context, text *t) {
+    *out = text_take(t);
+    return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }

@@ -1,7 +1,7 @@
-/* Text that grows: what the reports write into.
+/* Text that grows: what reports, comparisons and pictures write into.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef GRAZE_REPORT_TEXT_H
-#define GRAZE_REPORT_TEXT_H
+#ifndef GRAZE_NUMBER_TEXT_H
+#define GRAZE_NUMBER_TEXT_H
 
 #include <flint/fmpq.h>
 #include "context/context.h"
@@ -24,6 +24,8 @@ void text_count(text *t, unsigned long value);
 void text_rational(text *t, const fmpq_t value);
 /** Add a malloc'ed string and free it; NULL stands for memory that ran short. */
 void text_owned(text *t, char *string);
+/** Hand the text over as a malloc'ed string and clear; NULL when memory ran short. */
+char *text_take(text *t);
 /** Hand the text over as a malloc'ed string and clear; GRAZE_ESYSTEM when memory ran short. */
 graze_status text_finish(char **out, graze_context *context, text *t);
 

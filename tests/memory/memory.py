@@ -1,0 +1,206 @@
+#!/usr/bin/env python3
+# suite
+"""Memory that runs out: every command runs once for each allocation that can fail, by itself or with all after it.
+
+fail.c stands in front of malloc, for every library. A run must end as without a failure, the same bytes written, or
+with status 5 and a last message about memory; then it leaves no file but whole lines of the beginning of a table. Which allocations
+fail: those that are reached on ways that differ, and some more; with --scale all of them.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import array
+import collections
+import concurrent.futures
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+import scenes
+
+HERE = pathlib.Path(__file__).resolve().parent
+MEMORY = re.compile(r"memory", re.I)
+CHANGING = re.compile(rb"time: .* rows a second|\"milliseconds\": \d+,\n\"rows-per-second\": \d+|/graze-\w{6}/")  # of graze validate
+# The C library itself aborts where a thread's first object of C++ cannot be noted down; it is CGAL's.
+NO_DESTRUCTOR = "Fatal glibc error: failed to register TLS destructor: out of memory\n"
+SHOWN = 12  # faults of one kind are shown once, kinds up to here
+
+
+def build(folder):
+    """The library that makes allocations fail."""
+    library = pathlib.Path(folder) / "fail.so"
+    subprocess.run([os.environ.get("CC", "cc"), "-std=c11", "-O2", "-shared", "-fPIC", "-o", library,
+                    HERE / "fail.c", "-lgcc_s"], check=True)
+    return library
+
+
+class Bench:
+    """The program, the way to make it fail, and a folder."""
+
+    def __init__(self, options, folder):
+        self.graze = os.path.abspath(options.graze)
+        if options.sanitizers:
+            self.graze = os.path.join(os.path.dirname(self.graze), "tests", "graze-memory")
+        self.folder = pathlib.Path(folder)
+        self.scale = options.scale
+        self.part = 7 if options.sanitizers else 1  # of the ways, one of so many is tried
+        self.library = None if options.sanitizers else build(folder)
+
+    def environment(self, scene, **more):
+        kept = dict(os.environ, LC_ALL="C", TMPDIR=".", **more)
+        if scene.spared:
+            kept["GRAZE_FAIL_SPARE"] = scene.spared
+        if self.library:
+            kept["LD_PRELOAD"] = str(self.library)
+        return kept
+
+
+def files_of(folder):
+    """What a run has left, apart from what it printed."""
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*")
+            if p.is_file() and str(p.relative_to(folder)) not in ("out", "err")}
+
+
+class Run:
+    """How one run ended and what it left."""
+
+    def __init__(self, folder, status):
+        self.status = status
+        self.out = (folder / "out").read_bytes()
+        self.err = (folder / "err").read_text("utf-8", "replace")
+        self.files = {name: CHANGING.sub(b"", content) for name, content in files_of(folder).items()}
+        self.folders = sorted(str(p.relative_to(folder)) for p in folder.rglob("*") if p.is_dir())
+        shutil.rmtree(folder)
+
+
+def is_begun(found, whole):
+    """Whether the bytes are whole lines of the beginning of a table, which is told by its last line."""
+    return whole.startswith(found) and (found == whole or not found or (found.endswith(b"\n") and b"# complete" not in found))
+
+
+def last_line(text):
+    lines = [line for line in text.splitlines() if line.strip()]
+    return lines[-1] if lines else "no message"
+
+
+def fault_of(run, whole, scene):
+    """What is wrong with the end of a run; None if nothing is."""
+    if os.WIFSIGNALED(run.status) and os.WTERMSIG(run.status) == signal.SIGABRT and run.err == NO_DESTRUCTOR:
+        return None
+    if os.WIFSIGNALED(run.status):
+        return f"{signal.Signals(os.WTERMSIG(run.status)).name}: {last_line(run.err)}"
+    if run.status == whole.status:
+        if run.out != whole.out:
+            return "other standard output with the same status"
+        if run.files != whole.files or run.folders != whole.folders:
+            return "other files with the same status"
+        return None
+    if os.WEXITSTATUS(run.status) != 5:
+        return f"status {os.WEXITSTATUS(run.status)}: {last_line(run.err)}"
+    if not last_line(run.err).startswith("graze: ") or not MEMORY.search(last_line(run.err)):
+        return f"status 5 says: {last_line(run.err)}"
+    if not is_begun(run.out, whole.out):
+        return "wrong bytes on standard output before status 5"
+    for name, found in run.files.items():
+        if name in scene.files and found == scene.files[name]:
+            continue
+        if name not in whole.files or not is_begun(found, whole.files[name]):
+            return f"status 5 leaves {name}, which is not the beginning of a table"
+        if name in scene.opened and not found:
+            continue
+        if name not in scene.tables and found != whole.files[name]:
+            return f"status 5 leaves {name} half-written"
+    if run.folders != scene.folders:
+        return f"status 5 leaves the folders {' '.join(run.folders)}"
+    return None
+
+
+def serve(bench, scene, folder, runs):
+    """Run the scene for each (mode, N); yields (mode, N, Run)."""
+    for mode, n in runs:
+        scene.lay_out(folder / f"{mode}-{n}")
+    lines = "".join(f"{mode} {n}\n" for mode, n in runs)
+    done = subprocess.run([bench.graze] + scene.arguments, input=lines.encode(), stdout=subprocess.PIPE,
+                          env=bench.environment(scene, GRAZE_FAIL_RUNS=str(folder)), check=True)
+    for line in done.stdout.decode().splitlines():
+        mode, n, status = line.split()
+        yield mode, int(n), Run(folder / f"{mode}-{n}", int(status))
+
+
+def ways_of(bench, scene):
+    """For each allocation of a run the number of the way to it, 0 for those that are spared."""
+    folder = bench.folder / scene.name
+    folder.mkdir()
+    place = folder / "list"
+    scene.lay_out(place)
+    subprocess.run([bench.graze] + scene.arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=place,
+                   stdin=subprocess.DEVNULL, env=bench.environment(scene, GRAZE_FAIL_LIST=str(folder / "ways")), check=False)
+    ways = array.array("Q")
+    ways.frombytes((folder / "ways").read_bytes())
+    shutil.rmtree(place)
+    return ways
+
+
+def choose(ways, met, bench):
+    """The runs of a scene, (mode, N): one for each way that no scene before has met, and some of the others."""
+    numbers = []
+    for n, way in enumerate(ways, 1):
+        if way and way not in met:
+            numbers.append(n)
+        met.add(way)
+    if bench.scale > 1:
+        return [(mode, n) for n in range(1, len(ways) + 1) for mode in ("once", "from")]
+    numbers = numbers[::bench.part]
+    again = range(1, len(ways) + 1, max(2, len(ways) * bench.part // 25 | 1))
+    return [("once", n) for n in sorted({*numbers, *again})] + [("from", n) for n in sorted({*numbers[::11], *again})[::2]]
+
+
+def test(bench, scene, ways, runs):
+    """(runs, ends told, faults: kind -> list of runs) of a scene."""
+    folder = bench.folder / scene.name
+    whole = next(serve(bench, scene, folder, [("once", len(ways) * 2 + 1000)]))[2]
+    faults, told = collections.defaultdict(list), 0
+    if not os.WIFEXITED(whole.status) or os.WEXITSTATUS(whole.status) != scene.status:
+        faults[f"does not run at all: status {whole.status}: {whole.err}"].append("")
+        return 0, faults
+    for start in range(0, len(runs), 500):
+        for mode, n, run in serve(bench, scene, folder, runs[start:start + 500]):
+            fault = fault_of(run, whole, scene)
+            told += os.WIFEXITED(run.status) and os.WEXITSTATUS(run.status) == 5
+            if fault:
+                faults[fault].append(f"{mode} {n}")
+    if not told:
+        faults["no run ended with status 5"].append("")
+    return told, faults
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--graze", default="build/graze")
+    parser.add_argument("--scale", type=int, default=1)
+    parser.add_argument("--sanitizers", action="store_true", help="fail.c is linked into the program")
+    parser.add_argument("names", nargs="*", help="scenes; all if none is named")
+    options = parser.parse_args()
+    passed = failed = 0
+    met = set()
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
+        bench = Bench(options, folder)
+        every = [s for s in scenes.make(bench.graze, pathlib.Path(folder)) if not options.names or s.name in options.names]
+        ways = list(pool.map(lambda s: ways_of(bench, s), every))
+        runs = [choose(w, met, bench) for w in ways]
+        for scene, tried, (told, faults) in zip(every, runs, pool.map(lambda *a: test(bench, *a), every, ways, runs)):
+            wrong = sum(len(which) for which in faults.values())
+            passed, failed = passed + max(len(tried) - wrong, 0), failed + wrong
+            print(f"{scene.name}: {len(tried)} runs, {told} with status 5, {wrong} wrong", flush=True)
+            for kind, which in sorted(faults.items(), key=lambda pair: -len(pair[1]))[:SHOWN]:
+                print(f"  {len(which)} x {kind} ({', '.join(which[:3])})")
+    print(f"{passed} passed, {failed} failed")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

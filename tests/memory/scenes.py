@@ -1,0 +1,145 @@
+"""The small scenes of memory.py: what each command is asked, and the files it reads.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import dataclasses
+import pathlib
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CASES = ROOT / "cases"
+
+CORNERS = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)]
+FACES = [(3, 2, 1, 0), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+TRIANGLES = [t for a, b, c, d in FACES for t in ((a, b, c), (a, c, d))]
+
+
+def lines(rows, form):
+    return "".join(form.format(*row) for row in rows)
+
+
+OFF = f"OFF\n8 6 0\n{lines(CORNERS, '{} {} {}' + chr(10))}{lines(FACES, '4 {} {} {} {}' + chr(10))}"
+OBJ = lines(CORNERS, "v {} {} {}\n") + lines([[i + 1 for i in f] for f in FACES], "f {} {} {} {}\n")
+PLY = ("ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+       "element face 6\nproperty list uchar int vertex_indices\nend_header\n"
+       f"{lines(CORNERS, '{} {} {}' + chr(10))}{lines(FACES, '4 {} {} {} {}' + chr(10))}")
+STL = "solid\n" + "".join("facet normal 0 0 0\nouter loop\n" + lines([CORNERS[i] for i in t], "vertex {} {} {}\n")
+                          + "endloop\nendfacet\n" for t in TRIANGLES) + "endsolid\n"
+WKT = "POLYGON ((0 0, 6 0, 6 4, 4 4, 4 2, 2 2, 2 4, 0 4, 0 0), (1 1, 1 3/2, 5 3/2, 5 1, 1 1))\n"
+TURN = """{"dimension": 3, "pieces": [
+  {"t": ["0", "1"], "transform": {"compose": [
+    {"rotate": {"axis": ["0", "0", "1"], "center": ["5", "0", "0"], "tan_half": "t"}},
+    {"translate": ["0", "0", "t^3"]}]}},
+  {"t": ["1", "2"], "transform": {"compose": [
+    {"rotate": {"axis": ["0", "0", "1"], "center": ["5", "0", "0"], "tan_half": "1"}},
+    {"translate": ["t-1", "0", "1"]}]}}]}
+"""
+ROLL = """{"dimension": 2, "pieces": [
+  {"t": ["0", "1"], "transform": {"translate": ["8*t", "t^3/3"]}},
+  {"t": ["1", "2"], "transform": {"translate": ["8", "1/3+(t-1)^2*2"]}}]}
+"""
+POINTS2 = "id,x,y,note\na,3,1,seen\nb,9,2,\nc,7,4,x\nd,-1,0,\ne,10,1/3,t\nf,8.5,3,u\n"
+POINTS3 = "x,y,z,id\n5,1,1,p\n5,1,2,q\n2,1,1,r\n5,3,1,s\n1,1,1,u\n7/2,1,0,v\n"
+POSES = ("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n0.5,4,0,0.25,0.92387953251128674,0,0,0.38268343236508978\n"
+         "1,8,0,0,0.70710678118654757,0,0,0.70710678118654757\n")
+MATRICES = ("m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n1,0,0,0,0,1,0,0,0,0,1,0\n"
+            "0,-1,0,2,1,0,0,0,0,0,1,1\n")
+ANSWERS = "id,x,y,pmc,class\na,3,1,in,regular\nb,9,2,out,exterior\nc,7,4,out,exterior\nd,-1,0,in,fold\n"
+
+
+@dataclasses.dataclass
+class Scene:
+    """A command, the files of its folder, and those of them or of its output that may be begun."""
+    name: str
+    arguments: list
+    status: int = 0
+    files: dict = dataclasses.field(default_factory=dict)
+    tables: tuple = ()
+    opened: tuple = ()  # made before their content is, and then empty
+    spared: str = ""  # a library whose allocations do not fail
+
+    folders = []
+
+    def lay_out(self, folder):
+        folder.mkdir()
+        for name, content in self.files.items():
+            (folder / name).write_bytes(content)
+
+
+def shards(graze, solid, motion, points):
+    """The tables of three shards."""
+    return [subprocess.run([graze, "classify", "--jobs", "1", "--shard", f"{i}/3", solid, motion, points],
+                           stdout=subprocess.PIPE, check=True).stdout for i in (1, 2, 3)]
+
+
+def put(folder):
+    """Write the files that are only read; {name: path}."""
+    texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
+             "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES,
+             "answers.csv": ANSWERS}
+    place = folder / "input"
+    place.mkdir()
+    for name, text in texts.items():
+        (place / name).write_text(text)
+    return {name: str(place / name) for name in texts}
+
+
+def make(graze, folder):
+    """All scenes; `folder` gets the files they share."""
+    at = put(folder)
+    cube, turn, three = at["cube.off"], at["turn.json"], at["3.csv"]
+    u, roll, two = at["u.wkt"], at["roll.json"], at["2.csv"]
+    one = ["--jobs", "1"]
+    golden = subprocess.run([graze, "classify", *one, u, roll, two], stdout=subprocess.PIPE, check=True).stdout
+    (folder / "input" / "golden.csv").write_bytes(golden)
+    golden_at = str(folder / "input" / "golden.csv")
+    receipt = str(folder / "input" / "receipt")
+    subprocess.run([graze, "check", cube, turn, "--receipt", receipt], stdout=subprocess.DEVNULL, check=True)
+    begun = b"".join(golden.splitlines(keepends=True)[:-3])
+    parts = {f"{k}.csv": text for k, text in enumerate(shards(graze, u, roll, two))}
+    candidate = ["--candidate", f"sh -c 'cp {golden_at} $1' sh {{out}} {{points}} {{solid}} {{motion}}"]
+    nef = str(ROOT / "tests" / "refuse" / "common" / "nef3" / "ring.nef3")
+    yield from (Scene(f"check-{name.rsplit('.', maxsplit=1)[-1]}", ["check", at[name], turn])
+                for name in ("cube.off", "cube.obj", "cube.ply", "cube.stl"))
+    yield Scene("check-nef3", ["check", nef, turn])
+    yield Scene("check-wkt", ["check", u, roll])
+    yield Scene("check-receipt", ["check", cube, turn, "--receipt", "new"])
+    yield Scene("classify", ["classify", *one, u, roll, two])
+    yield Scene("classify-3", ["classify", *one, cube, turn, three])
+    yield Scene("classify-jobs", ["classify", "--jobs", "2", u, roll, two, "--output", "table"], tables=("table",))
+    yield Scene("classify-exact", ["classify", *one, "--no-filter", cube, turn, three, "--output", "table"],
+                tables=("table",))
+    yield Scene("classify-jsonl", ["classify", *one, "--format", "jsonl", u, roll, two])
+    yield Scene("classify-grid", ["classify", *one, "--grid", "4,3,2", "--receipt", receipt, cube, turn])
+    yield Scene("classify-vtk", ["classify", *one, "--format", "vtk", "--grid", "4,3", u, roll, "--output", "made"],
+                opened=("made",))
+    yield Scene("classify-npy", ["classify", *one, "--format", "npy", u, roll, two, "--output", "made"], opened=("made",))
+    yield Scene("classify-resume", ["classify", *one, "--resume", "table", u, roll, two], files={"table": begun},
+                tables=("table",))
+    yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
+    yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
+    yield Scene("explain", ["explain", cube, turn, "5", "1", "2"])
+    yield Scene("explain-2", ["explain", u, roll, "9", "2"])
+    yield Scene("generate", ["generate", cube, turn, "-n", "14", "--seed", "5", "--output", "points"],
+                tables=("points",))
+    yield Scene("generate-2", ["generate", u, roll, "-n", "14", "--seed", "5", "--representable", "binary64"])
+    yield Scene("compare", ["compare", golden_at, at["answers.csv"], "--round", "binary64"], 1)
+    yield Scene("compare-json", ["compare", golden_at, at["answers.csv"], "--format", "json", "--output", "report"], 1)
+    yield Scene("validate", ["validate", *one, u, roll, "--points", two, *candidate, "--output", "report"])
+    yield Scene("draw-svg", ["draw", u, roll, two, "--grid", "6", "-p", "9,2", "-p", "1,1", "-o", "made.svg"])
+    yield Scene("draw-png", ["draw", u, roll, "--grid", "6", "-p", "9,2", "-o", "made.png"],
+                spared="libcairo:libpixman:libfontconfig:ld-linux")
+    yield Scene("draw-3", ["draw", cube, turn, "--grid", "6", "-p", "5,1,2", "-o", "made.svg"])
+    yield Scene("boundary", ["boundary", u, roll, "--depth", "4", "--coarse", "3", "--contacts", "9", "--surface",
+                             "s.vtk", "--cells", "c.vtk", "--points", "p.csv"], tables=("s.vtk", "c.vtk", "p.csv"))
+    yield Scene("boundary-3", ["boundary", cube, turn, "--depth", "2", "--coarse", "2", "--contacts", "9", "--surface",
+                               "s.ply"], tables=("s.ply",))
+    yield Scene("rotate", ["motion", "rotate", "--degrees", "37.5", "--axis", "0,0,1", "--center", "1,1,0", "--output",
+                           "made", "--report", "report"])
+    yield Scene("screw", ["motion", "screw", "--degrees", "100", "--axis", "0,0,1", "--pitch", "2", "--tolerance",
+                          "1e-2"])
+    yield Scene("joints", ["motion", "joints", "turn:90:0,0,1", "turn:-45:0,0,1:2,0,0", "slide:0,0,1", "--tolerance",
+                           "1e-1", "--output", "made"])
+    yield Scene("poses", ["motion", "poses", at["poses.csv"], "--output", "made"])
+    yield Scene("poses-matrices", ["motion", "poses", at["matrices.csv"]])
+    yield Scene("poses-affine", ["motion", "poses", "--affine", at["matrices.csv"]])
+    yield Scene("cases", ["cases", "--folder", str(CASES)])
