@@ -11,6 +11,8 @@
  * a time; solids, motions and scenes are never changed once made, and threads may share them.
  *  2. Outputs come first. On any status but GRAZE_OK an output handle is NULL, and the context
  * holds a message that says which file, which line or index, what is wrong and what would be right.
+ * A NULL where there must be none, an unknown value of an enum and an unknown flag are GRAZE_EUSE;
+ * functions without a status give 0 or NULL then, and leave what they would set.
  *  3. What a _create, _read or _from function returns is the caller's; its _destroy takes NULL.
  *     Getters borrow: what they return lives as long as the handle asked.
  *  4. Strings handed out through char ** are freed with graze_free.
@@ -155,7 +157,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_number_parse(mpq_t out, graze_context
  * the union of the facets given.
  * @param flags 0 or GRAZE_SOLID_TRIANGULATE
  * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is not of its format;
- * GRAZE_EILLEGAL not a solid (open, crossing, overlapping, degenerate, ...); GRAZE_ELIMIT
+ * GRAZE_EILLEGAL not a solid (open, crossing, overlapping, degenerate, ...); GRAZE_ELIMIT;
+ * GRAZE_ECANCELED, also while a FIFO is waited for
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_read(graze_solid **out, graze_context *context,
                                                       const char *path, unsigned flags);
@@ -214,7 +217,8 @@ GRAZE_API const char *graze_solid_note(const graze_solid *solid);
  * Read a motion from a JSON file (formats: Motions) and check it exactly: the pieces follow one
  * another, the motion is continuous, has no pole, and its determinant does not vanish.
  * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT not such JSON, the entry named;
- * GRAZE_EILLEGAL not a legal motion, piece and entry named; GRAZE_ELIMIT
+ * GRAZE_EILLEGAL not a legal motion, piece and entry named; GRAZE_ELIMIT; GRAZE_ECANCELED, also
+ * while a FIFO is waited for
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_read(graze_motion **out, graze_context *context,
                                                        const char *path);
@@ -308,6 +312,17 @@ GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
 /** "regular", "fold", "fold_boundary", "boundary", "exterior", else "none"; static. */
 GRAZE_API const char *graze_class_name(graze_class class_);
 
+/**
+ * The verdict that a word has: the word tells the counts, they and its two ends the case and the
+ * class. Nothing is classified; this is the rule alone, for checking rows of a table.
+ * @param options those of the scene, or NULL for the defaults
+ * @param word    `length` letters, which need not end in NUL
+ * @return GRAZE_EUSE a NULL, or an unknown option; GRAZE_EINPUT no word: not letters O, I, B of
+ * which every second one is B. `out` is zeroed then
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_word_verdict(graze_verdict *out, graze_context *context,
+                                                        const graze_options *options,
+                                                        const char *word, size_t length);
 /**
  * Classify n points exactly. Every point's inverted trajectory ([EI] eq. 4) is cut at its contacts
  * with the boundary; they are counted by Definitions 3 and 4 and the counts decide the class
@@ -447,7 +462,8 @@ typedef struct graze_generator graze_generator;
  * share it.
  * @param weights GRAZE_STRATUM_COUNT weights, none over 10^6, or NULL for the defaults, with which
  * at least 70 % of the points are degenerate
- * @return GRAZE_EUSE all weights are 0, or none of the strata that have one can be made
+ * @return GRAZE_EUSE an unknown flag, all weights are 0, or none of the strata that have one can be
+ * made
  */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_generator_create(graze_generator **out, graze_context *context, const graze_scene *scene,

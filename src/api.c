@@ -19,6 +19,7 @@
 #include "scene/scene.h"
 #include "solid/validate.h"
 #include "verdict/classify.h"
+#include "verdict/verdict.h"
 
 graze_status api_misuse(graze_context *context, const char *function, const char *reason) {
     return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;
@@ -68,8 +69,8 @@ void graze_thread_finish(void) {
 
 graze_status graze_number_parse(mpq_t out, graze_context *context, const char *text,
                                 size_t length) {
-    if (!context || !text)
-        return api_misuse(context, "graze_number_parse", "context and text must not be NULL");
+    if (!out || !context || !text)
+        return api_misuse(context, "graze_number_parse", "out, context and text must not be NULL");
     fmpq_t value; /* made by integer arithmetic alone, which no floating-point mode disturbs */
     fmpq_init(value);
     graze_status status = rational_parse(value, context, text, length);
@@ -152,6 +153,23 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     _fmpq_vec_clear(from, d);
     _fmpq_vec_clear(to, d);
     return status;
+}
+
+graze_status graze_word_verdict(graze_verdict *out, graze_context *context,
+                                const graze_options *options, const char *word, size_t length) {
+    static const graze_options defaults = {GRAZE_SWEEP, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
+    if (out)
+        memset(out, 0, sizeof *out);
+    if (!out || !context || !word)
+        return api_misuse(context, "graze_word_verdict", "out, context and word must not be NULL");
+    if (options && !options_known(options))
+        return api_misuse(context, "graze_word_verdict", "an option has an unknown value");
+    if (verdict_of_word(out, word, length, options ? options : &defaults))
+        return GRAZE_OK;
+    return context_fail(context, GRAZE_EINPUT,
+                        "'%.*s' is no word; expected letters O, I, B of which every second one is "
+                        "B",
+                        length > 40 ? 40 : (int)length, word);
 }
 
 /* The checks both functions share; on success the verdicts are zeroed. */

@@ -24,8 +24,7 @@ static size_t read_run(answerer *a, row_run *r, const block *b, size_t first) {
     return n;
 }
 
-void answer(answerer *a, block *b, size_t first) {
-    row_run *r = &b->runs[first];
+void answer(answerer *a, row_run *r, const block *b, size_t first) {
     size_t n = read_run(a, r, b, first);
     int has_rest = a->source.columns && a->source.columns->others;
     graze_status status =

@@ -5,7 +5,6 @@
  * counted. One buffer's worth of the file and one block are in memory.
  */
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +12,7 @@
 #include <unistd.h>
 #include "cli/interrupt.h"
 #include "cli/rows.h"
+#include "cli/source.h"
 
 struct csv {
     int fd, ended;
@@ -24,7 +24,6 @@ struct csv {
     fault fault;
     columns columns;
     shard part;
-    unsigned long skip; /* the shard's rows that are left out at the start */
     unsigned long rows; /* of all shards, so far */
     unsigned long long checksum;
     portion portion; /* in bytes; `whole` is 0 unless it is a file */
@@ -42,16 +41,12 @@ int csv_open(csv **out, const char *path, int dimension, shard part, graze_conte
     c->context = context;
     c->capacity = 1 << 16;
     c->buffer = malloc(c->capacity);
-    c->fd = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
-    if (c->fd < 0)
-        return complain(EXIT_IO, "%s: cannot be opened: %s", c->columns.name, strerror(errno));
+    int status = standard ? source_standard(&c->fd) : source_open(&c->fd, path);
+    if (status)
+        return status;
     if (!c->buffer)
         return complain(EXIT_IO, "out of memory");
-    if (fstat(c->fd, &about) != 0)
-        return EXIT_DONE;
-    if (S_ISDIR(about.st_mode))
-        return complain(EXIT_IO, "%s: is a directory; right is a CSV file", c->columns.name);
-    if (S_ISREG(about.st_mode) && about.st_size > 0)
+    if (fstat(c->fd, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 0)
         c->portion.whole = (unsigned long)about.st_size;
     return EXIT_DONE;
 }
@@ -85,10 +80,6 @@ unsigned long csv_rows(const csv *c) {
 
 unsigned long long csv_checksum(const csv *c) {
     return c->checksum;
-}
-
-void csv_skip(csv *c, unsigned long rows) {
-    c->skip = rows;
 }
 
 int csv_same_file(const csv *c, const char *path) {
@@ -189,12 +180,12 @@ static unsigned long long add_to_checksum(unsigned long long sum, field text) {
     return (sum ^ text.length) * 0x9e3779b97f4a7c15ULL;
 }
 
-/* A row into the block, if it is the shard's and not left out. */
+/* A row into the block, if it is the shard's. */
 static int take_row(csv *c, block *b, field text) {
     unsigned long row = c->rows++;
     if (c->part.count > 1)
         c->checksum = add_to_checksum(c->checksum, text);
-    if (row % c->part.count != c->part.index || row / c->part.count < c->skip)
+    if (row % c->part.count != c->part.index)
         return EXIT_DONE;
     return block_add(b, text, c->line) ? EXIT_DONE : fault_set(&c->fault, EXIT_IO, "out of memory");
 }
@@ -217,9 +208,9 @@ int csv_ready(csv *c) {
 }
 
 /* A block is also done when no further line is ready, so that who reads its rows does not wait. */
-int csv_fill(csv *c, block *b) {
+int csv_fill(csv *c, block *b, unsigned long most) {
     int status = EXIT_DONE;
-    while (!status && b->count < BLOCK_ROWS && b->used < BLOCK_BYTES &&
+    while (!status && b->count < BLOCK_ROWS && b->count < most && b->used < BLOCK_BYTES &&
            (b->count == 0 || csv_ready(c))) {
         field text;
         status = next_line(c, &text);

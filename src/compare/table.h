@@ -8,7 +8,9 @@
 #define GRAZE_COMPARE_TABLE_H
 
 #include <stdint.h>
+#include <stdio.h>
 #include "compare/stream.h"
+#include "context/csv.h"
 
 /** Columns that mean something here; any other is passed over. */
 typedef enum column {
@@ -46,10 +48,7 @@ typedef enum note {
     NOTE_COUNT
 } note;
 
-typedef struct field {
-    const char *start;
-    size_t length;
-} field;
+typedef csv_field field;
 
 /** The first 128 bits of a SHA-256, by which points and answers are known again. */
 typedef struct digest {
@@ -68,9 +67,9 @@ typedef struct table_row {
 
 typedef struct table {
     stream in;
-    char *notes[NOTE_COUNT]; /* values of `#` lines; NULL where there is none */
-    int dimension;           /* of the points; 0 without columns x and y */
-    int where[COLUMN_COUNT]; /* -1 where there is no such column */
+    char *notes[NOTE_COUNT];  /* values of `#` lines; NULL where there is none */
+    int dimension;            /* of the points; 0 without columns x and y */
+    long where[COLUMN_COUNT]; /* -1 where there is no such column */
     size_t columns;
     unsigned long rows; /* handed out */
     int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
