@@ -173,10 +173,10 @@ graze_status context_work(graze_context *context, unsigned long work) {
     if (context == NULL) {
         return GRAZE_OK;
     }
-    context->work += work < POLLED_WORK ? work : POLLED_WORK;
-    if (context->work < POLLED_WORK) {
+    context->unpolled += work < POLLED_WORK ? work : POLLED_WORK;
+    if (context->unpolled < POLLED_WORK) {
         return GRAZE_OK;
     }
-    context->work = 0;
+    context->unpolled = 0;
     return context_poll(context);
 }

@@ -23,7 +23,7 @@ struct graze_context {
     void (*workspace_free)(void *);
     graze_cancel cancel;
     void *cancel_data;
-    unsigned long work; /* done since the callback was last asked */
+    unsigned long unpolled; /* work done since the callback was last asked */
 };
 
 /**
