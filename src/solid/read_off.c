@@ -179,7 +179,7 @@ static graze_status read_facet(soup *s, lines *l, size_t f) {
 }
 
 static graze_status read_all(soup *s, lines *l, fmpq *point) {
-    size_t vertices, facets;
+    size_t vertices = 0, facets = 0;
     columns c;
     graze_status status = read_head(&c, l);
     if (status == GRAZE_OK) {
