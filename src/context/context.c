@@ -23,6 +23,7 @@ static const struct {
     [GRAZE_LIMIT_LINE] = {"line", 10000000, 1000000000000},
     [GRAZE_LIMIT_CELLS] = {"cells", 100000000, 4000000000},
     [GRAZE_LIMIT_BYTES] = {"bytes", 4000000000, 1000000000000},
+    [GRAZE_LIMIT_WORK] = {"work", 100000000, 1000000000000000},
 };
 
 graze_status graze_context_create(graze_context **out) {

@@ -17,6 +17,7 @@ struct graze_context {
     unsigned long limits[GRAZE_LIMIT_COUNT];
     graze_rounding rounding;
     int exact_only;            /* the filter is off */
+    unsigned long work;        /* done for the motion that is read, as the limit `work` counts it */
     unsigned long exact_count; /* points whose answer needed the exact path */
     void *workspace;           /* memory that a later stage uses again from call to call */
     void (*workspace_free)(void *);

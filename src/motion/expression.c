@@ -8,6 +8,7 @@
 #include "number/rational.h"
 
 enum { SHOWN = 60 };
+enum { CHARACTERS_A_WORD = 16 }; /* read in the time that arithmetic takes for a word */
 
 typedef struct parser {
     calculation calculation;
@@ -228,6 +229,10 @@ graze_status expression_value(fmpz_poly_q_t out, graze_context *context, const c
                               size_t length, const fmpz_poly_q_struct *t,
                               const fmpz_poly_q_struct *s) {
     parser p = {.calculation = {context, GRAZE_OK}, .text = text, .length = length, .t = t, .s = s};
+    calculation_spend(&p.calculation, length / CHARACTERS_A_WORD);
+    if (failed(&p)) {
+        return p.calculation.status;
+    }
     if (rational_is_token(text, length)) {
         read_number(&p, out, length);
         return p.calculation.status;

@@ -252,6 +252,12 @@ graze_status json_at(graze_context *context, graze_status status, const json *wh
                       path_of(path, where));
 }
 
+graze_status json_at_last(graze_context *context, graze_status status, const json *where) {
+    size_t n = strlen(where->source);
+    int placed = strncmp(context->message, where->source, n) == 0 && context->message[n] == ':';
+    return status == GRAZE_OK || placed ? status : json_at(context, status, where);
+}
+
 /* "a, b, c" */
 static void join(char *out, size_t size, const char *const *names, size_t count) {
     size_t used = 0;

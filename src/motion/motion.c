@@ -12,6 +12,7 @@ static graze_status read_text(graze_motion **out, graze_context *context, const 
     draft made;
     draft_init(&made, 0);
     *out = NULL;
+    context->work = 0;
     graze_status status = json_parse(&document, context, source, text, length);
     if (status == GRAZE_OK) {
         status = motion_read_draft(&made, context, document.root, 0);

@@ -94,7 +94,7 @@ static graze_status read_stretch(draft *out, graze_context *context, const json 
     fmpq_set(piece->hi, part->hi);
     status = transform_map(&piece->map, context, transform, part);
     if (status != GRAZE_OK) {
-        return status;
+        return json_at_last(context, status, transform);
     }
     status = check_poles(piece, context, transform);
     if (status == GRAZE_EILLEGAL) {
@@ -265,6 +265,7 @@ static graze_status append_between(draft *out, graze_context *context, const jso
         quotient_set_line(q[k], from->rotation[k], to->rotation[k]);
     }
     status = rotation_of(&piece->map, context, where, q, from->time, to->time);
+    json_at_last(context, status, where);
     for (int k = 0; k < 4; k++) {
         fmpz_poly_q_clear(q[k]);
     }

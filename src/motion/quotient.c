@@ -5,7 +5,29 @@
 #include <stdlib.h>
 #include "number/algebraic.h"
 
+enum { OPERATION_WORDS = 8 };   /* what an operation costs beside the words of its result */
 enum { ROOT_REFINEMENTS = 12 }; /* narrow enough to be told in a message */
+
+void calculation_spend(calculation *c, unsigned long words) {
+    if (c->status != GRAZE_OK) {
+        return;
+    }
+    unsigned long limit = c->context->limits[GRAZE_LIMIT_WORK];
+    if (c->context->work > limit || words > limit - c->context->work) {
+        c->status = context_limit(c->context, GRAZE_LIMIT_WORK,
+                                  "the functions of a motion, all pieces together");
+        return;
+    }
+    c->context->work += words;
+}
+
+static unsigned long longest_bits(const fmpz_poly_t p) {
+    return (unsigned long)labs(fmpz_poly_max_bits(p));
+}
+
+unsigned long polynomial_words(const fmpz_poly_t p) {
+    return (unsigned long)fmpz_poly_length(p) * (longest_bits(p) / FLINT_BITS + 1);
+}
 
 static void check_polynomial(calculation *c, const fmpz_poly_t p) {
     const unsigned long *limits = c->context->limits;
@@ -16,7 +38,7 @@ static void check_polynomial(calculation *c, const fmpz_poly_t p) {
     }
     /* 3.322 > log2(10), so a number of `digits` digits always passes. */
     unsigned long bits = limits[GRAZE_LIMIT_DIGITS] * 3322 / 1000 + 1;
-    if ((unsigned long)labs(fmpz_poly_max_bits(p)) > bits) {
+    if (longest_bits(p) > bits) {
         c->status =
             context_limit(c->context, GRAZE_LIMIT_DIGITS, "a coefficient of a rational function");
     }
@@ -29,6 +51,8 @@ void quotient_check(calculation *c, const fmpz_poly_q_t a) {
     if (c->status == GRAZE_OK) {
         check_polynomial(c, fmpz_poly_q_denref(a));
     }
+    calculation_spend(c, OPERATION_WORDS + polynomial_words(fmpz_poly_q_numref(a)) +
+                             polynomial_words(fmpz_poly_q_denref(a)));
 }
 
 void quotient_add(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b) {

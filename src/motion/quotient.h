@@ -4,6 +4,11 @@
  * Values are FLINT's fmpz_poly_q: numerator and denominator coprime in Z[u], leading coefficient of
  * the denominator positive. Two values within the limits make a result of at most about twice their
  * size, so it is enough that every result is looked at.
+ *
+ * What a motion costs, in time and in memory, is the product of its pieces, their degree and the
+ * digits of their coefficients, and no limit on one of the three bounds it. So the words of all
+ * results are counted as they are made, and every operation as OPERATION_WORDS more: then a word
+ * takes between 10 and 150 ns whatever the three are.
  */
 #ifndef GRAZE_MOTION_QUOTIENT_H
 #define GRAZE_MOTION_QUOTIENT_H
@@ -39,8 +44,14 @@ void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t 
 /** 1 and one of the two roots if a is a square in Q(u), else 0. */
 int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
 
-/** GRAZE_ELIMIT in the calculation if degree or digits of a are past the limits. */
+/** GRAZE_ELIMIT in the calculation if degree or digits of a are past the limits, or the work done
+ * for the motion, of which making a was a part. */
 void quotient_check(calculation *c, const fmpz_poly_q_t a);
+
+/** Count work; GRAZE_ELIMIT past the limit `work`. */
+void calculation_spend(calculation *c, unsigned long words);
+/** 64-bit words that the coefficients of a polynomial take, if all are as long as the longest. */
+unsigned long polynomial_words(const fmpz_poly_t p);
 
 /**
  * Has p, not zero, a root in [0, 1]? If so 1, and low <= the first one <= high, equal when it is
