@@ -695,7 +695,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_joints(
 /**
  * Make a motion file in E^3 through poses from a CSV file with a line of names: columns qw, qx, qy,
  * qz with or without x, y, z; or m00 to m23, with or without m30 to m33. With a column t, or the
- * times are 0, 1, 2, ... Numbers are rounded as the context says. Quaternions keep their signs;
+ * times are 0, 1, 2, ... No other columns. Numbers are rounded as the context says. Quaternions keep their signs;
  * matrices become the nearest rotation's quaternion in binary64, of the sign nearest to the one
  * before. Position and quaternion are interpolated linearly.
  * @param flags     0 or GRAZE_POSES_AFFINE

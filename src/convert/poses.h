@@ -25,7 +25,8 @@ typedef struct pose_list {
 /**
  * Read a CSV file whose line of names has `qw,qx,qy,qz` with or without `x,y,z`, or `m00` to `m23`
  * row by row with or without `m30` to `m33`, in any order; with a column `t`, or the times are 0,
- * 1, 2, ... Further columns, `#` lines and blank lines are skipped.
+ * 1, 2, ... Other columns are refused by name: a position or time under another name is not to be
+ * lost. `#` lines and blank lines are skipped.
  * @param[out] out cleared by poses_clear, also after a failure
  * @return GRAZE_ESYSTEM, GRAZE_EINPUT with file, line and column, GRAZE_ELIMIT
  */

@@ -8,6 +8,7 @@
 #include "number/rational.h"
 
 enum { TIME = 0, POSITION = 1, QUATERNION = 4, MATRIX = 8, COLUMNS = 24 };
+enum { SHOWN = 60 }; /* bytes of an unknown name */
 static const char *const names[COLUMNS] = {"t",   "x",   "y",   "z",   "qw",  "qx",  "qy",  "qz",
                                            "m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13",
                                            "m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"};
@@ -23,6 +24,7 @@ typedef struct reading {
     size_t capacity;
     unsigned long line;
     int place[COLUMNS]; /* of each known column in the file, or -1 */
+    int columns;        /* of the file */
 } reading;
 
 static slice trimmed(slice s) {
@@ -60,21 +62,33 @@ static graze_status whole(const reading *r, int first, int count, int *some) {
     return found && found < count ? misses(r, names[missing]) : GRAZE_OK;
 }
 
+static graze_status read_name(reading *r, slice name) {
+    size_t length = (size_t)(name.end - name.start);
+    int k = 0;
+    while (k < COLUMNS &&
+           (strlen(names[k]) != length || memcmp(names[k], name.start, length) != 0))
+        k++;
+    if (k == COLUMNS)
+        return context_fail(r->context, GRAZE_EINPUT,
+                            "%s:%lu: the column '%.*s' is unknown; expected are t, then "
+                            "qw,qx,qy,qz with or without x,y,z, or m00 to m33, in any order",
+                            r->list->source, r->line, length > SHOWN ? SHOWN : (int)length,
+                            name.start);
+    if (r->place[k] >= 0)
+        return context_fail(r->context, GRAZE_EINPUT,
+                            "%s:%lu: the column %s stands there twice; right is once",
+                            r->list->source, r->line, names[k]);
+    r->place[k] = r->columns++;
+    return GRAZE_OK;
+}
+
 static graze_status read_names(reading *r, slice line) {
     for (int k = 0; k < COLUMNS; k++)
         r->place[k] = -1;
-    for (int place = 0; line.start; place++) {
-        slice name = next(&line, ',');
-        size_t length = (size_t)(name.end - name.start);
-        for (int k = 0; k < COLUMNS; k++) {
-            if (strlen(names[k]) != length || memcmp(names[k], name.start, length) != 0)
-                continue;
-            if (r->place[k] >= 0)
-                return context_fail(r->context, GRAZE_EINPUT,
-                                    "%s:%lu: the column %s stands there twice; right is once",
-                                    r->list->source, r->line, names[k]);
-            r->place[k] = place;
-        }
+    while (line.start) {
+        graze_status unread = read_name(r, next(&line, ','));
+        if (unread)
+            return unread;
     }
     int positions = 0, quaternions = 0, matrices = 0, bottom = 0;
     graze_status status = whole(r, POSITION, 3, &positions);
@@ -152,9 +166,6 @@ static graze_status read_pose(reading *r, slice line) {
     if (!p)
         return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
     graze_status status = GRAZE_OK;
-    int needed = 0;
-    for (int k = 0; k < COLUMNS; k++)
-        needed = r->place[k] > needed ? r->place[k] : needed;
     int place = 0;
     for (; line.start && !status; place++) {
         slice field = next(&line, ',');
@@ -162,10 +173,11 @@ static graze_status read_pose(reading *r, slice line) {
             if (r->place[k] == place)
                 status = read_value(r, p, k, field);
     }
-    if (!status && place <= needed)
+    if (!status && place != r->columns)
         status = context_fail(r->context, GRAZE_EINPUT,
-                              "%s:%lu: the row has %d fields; right are as many as there are names",
-                              r->list->source, r->line, place);
+                              "%s:%lu: the row has %d fields; right are %d, as many as there are "
+                              "names",
+                              r->list->source, r->line, place, r->columns);
     if (!status && r->list->count > 1 && fmpq_cmp(p[-1].time, p->time) >= 0)
         status = context_fail(r->context, GRAZE_EINPUT,
                               "%s:%lu: the time is not after that of line %lu; right are "
