@@ -16,6 +16,8 @@ from fractions import Fraction
 from typing import Any, Iterable, List, Tuple
 
 from ._context import Context
+from ._frames import (by_name, column_names, coordinate_names, named_entries, read_columns,
+                      refuse_masked)
 from ._library import CMpq, library
 from .errors import GrazeError, InputError, UseError
 
@@ -140,23 +142,32 @@ class Points:
 
 
 def read_points(points: Any, dimension: int, context: Context, what: str = "point") -> Points:
-    """Points from an array of numpy, or rows of numbers.
+    """Points from an array of numpy, rows of numbers, or what has columns with names.
 
     Args:
-        points: n rows of d numbers. What offers `__array__` is taken as an array of numpy.
+        points: n rows of d numbers. A DataFrame, or a row that is a Series or a named tuple, is
+            read by the names x, y and z, others being left out; what else offers `__array__` is
+            taken as an array of numpy.
         dimension: d; 0 takes it from the rows.
         what: the word for a row in messages.
     Raises:
         TypeError: something is no number, or no row.
-        UseError: the shape is wrong.
-        InputError, LimitError: a number cannot be read, named by row and coordinate.
+        UseError: the shape is wrong, or a column is missing.
+        InputError, LimitError: a number cannot be read or is masked, named by row and coordinate.
     """
-    if numpy is not None and hasattr(points, "__array__"):
-        given = numpy.asarray(points)
+    names = column_names(points)
+    if names is not None:
+        wanted = coordinate_names(names, dimension, what)
+        dimension = len(wanted)
+        points = _from_columns(read_columns(points, wanted, what))
+        if numpy is not None and isinstance(points, numpy.ndarray):
+            return _from_array(points, dimension, context, what)
+    elif numpy is not None and hasattr(points, "__array__"):
+        given = points if isinstance(points, numpy.ndarray) else numpy.asarray(points)
         if given.ndim != 2 and given.size:
             raise UseError(f"an array of the shape {given.shape}; right is (n, {dimension or 'd'})")
-        # Longer integers and floats may not be doubles.
-        if given.dtype.kind in "fiu" and given.itemsize <= (8 if given.dtype.kind == "f" else 4):
+        refuse_masked(given, what, given.shape[-1])
+        if _holds_doubles(given):
             return _from_array(given, dimension, context, what)
         points = given.tolist() if given.size else []
     flat: List[Any] = []
@@ -164,6 +175,9 @@ def read_points(points: Any, dimension: int, context: Context, what: str = "poin
         if isinstance(row, (str, bytes)) or not isinstance(row, Iterable):
             raise TypeError(f"{what} {k} is a {type(row).__name__}; right is a row of numbers")
         before = len(flat)
+        entries = named_entries(row)
+        if entries is not None:
+            row = by_name(row, coordinate_names(entries, dimension, what))
         flat.extend(row)
         dimension = dimension or len(flat)
         if len(flat) - before != dimension:
@@ -182,6 +196,23 @@ def read_points(points: Any, dimension: int, context: Context, what: str = "poin
             place = f"{what} {k // dimension}, coordinate {k % dimension}: "
             raise type(problem)(place + str(problem)) from None
     return Points(dimension or 1, None, rationals)
+
+
+def _holds_doubles(given: Any) -> bool:
+    """Longer integers and floats may not be doubles."""
+    return given.dtype.kind in "fiu" and given.itemsize <= (8 if given.dtype.kind == "f" else 4)
+
+
+def _from_columns(columns: List[Any]) -> Any:
+    """One array of doubles where all columns hold doubles, else rows."""
+    if numpy is None:
+        return list(zip(*columns))
+    if not all(map(_holds_doubles, columns)):
+        return list(zip(*(column.tolist() for column in columns)))
+    out = numpy.empty((len(columns[0]), len(columns)), numpy.float64)
+    for k, column in enumerate(columns):
+        out[:, k] = column
+    return out
 
 
 def _from_array(given: Any, dimension: int, context: Context, what: str) -> Points:

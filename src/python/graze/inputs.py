@@ -12,6 +12,7 @@ from typing import Any, Iterable, Mapping, Tuple
 
 from ._context import Context, Settings, settings
 from ._library import Handle, library
+from ._frames import refuse_masked
 from ._numbers import numpy, read_points
 from .errors import InputError, UseError
 
@@ -32,7 +33,8 @@ class Solid:
         Args:
             source: the path of a file (.off .obj .ply .stl .nef3 .wkt), or (vertices, facets):
                 rows of 2 or 3 numbers, and for each facet (in the plane: ring) its vertices from 0.
-                Both may be arrays of numpy.
+                Both may be arrays of numpy, the vertices a DataFrame too, as for points of a
+                `Scene`: with a column z they are in space.
             triangulate: take facets that are not planar, fanned from their first vertex.
             round: `none`, `binary64` or `binary32`: round every coordinate first.
             limits: limits by name, as of `graze --limit`.
@@ -168,6 +170,7 @@ def _facet_arrays(facets: Any) -> Tuple[Any, Any, Tuple[Any, ...]]:
     if numpy is not None and isinstance(facets, numpy.ndarray) and facets.ndim == 2 and facets.size:
         if facets.dtype.kind not in "iu":
             raise TypeError(f"facets are an array of {facets.dtype}; right is one of integers")
+        refuse_masked(facets, "facet", facets.shape[1])
         if facets.min() < 0:
             raise InputError("a facet names a vertex below 0; right is from 0")
         width = f"u{ctypes.sizeof(ctypes.c_size_t)}"

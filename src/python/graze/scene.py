@@ -34,7 +34,10 @@ class Scene:
     exact: a float is the dyadic rational it is, int, Fraction and Decimal are themselves, a str is
     a number token such as `0.1` (one tenth) or `22/7`.
 
-    Points are given as an array of numpy of the shape (n, d), or n rows of d numbers.
+    Points are given as an array of numpy of the shape (n, d), as n rows of d numbers, or as a
+    DataFrame (of pandas, polars, ...): its columns x, y and in space z, in any order; its other
+    columns are left out. Rows that are Series or named tuples are read by name as well. A masked
+    value is an error, as NaN is.
     """
 
     def __init__(self, solid: "Solid | str | os.PathLike[str] | Tuple[Any, Any]",
@@ -107,7 +110,8 @@ class Scene:
             With numpy a structured array with the fields pmc, class, definition, case, i, t (see
             `Pmc`, `Class` and `Verdict`), without it a list of `Verdict`; one for each point.
         Raises:
-            TypeError, UseError, InputError: of the points, named by row and coordinate.
+            TypeError, UseError, InputError: of the points, named by row and coordinate; a column
+                that is missing, a masked value.
             LimitError, InternalError: `partial` of the exception holds the verdicts given; where
                 the message begins with `from point k`, it counts points from there.
         """
