@@ -69,8 +69,9 @@ typedef enum graze_limit {
     GRAZE_LIMIT_LINE = 5,   /**< bytes of one line of a text file (`line`, 10^7) */
     GRAZE_LIMIT_CELLS = 6,  /**< vertices or facets of a solid (`cells`, 10^8) */
     GRAZE_LIMIT_BYTES = 7,  /**< bytes of a solid or motion file (`bytes`, 4*10^9) */
-    GRAZE_LIMIT_WORK = 8, /**< 64-bit words of the coefficients of all functions computed while a
-                             motion is read: pieces times degree times digits (`work`, 10^8) */
+    GRAZE_LIMIT_WORK = 8,   /**< coefficients of all functions computed while a motion is read, thus
+                               pieces times degree; one of w 64-bit words counts w + w^2/64 (`work`,
+                               10^8) */
     GRAZE_LIMIT_COUNT = 9
 } graze_limit;
 
@@ -695,9 +696,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_joints(
 /**
  * Make a motion file in E^3 through poses from a CSV file with a line of names: columns qw, qx, qy,
  * qz with or without x, y, z; or m00 to m23, with or without m30 to m33. With a column t, or the
- * times are 0, 1, 2, ... No other columns. Numbers are rounded as the context says. Quaternions keep their signs;
- * matrices become the nearest rotation's quaternion in binary64, of the sign nearest to the one
- * before. Position and quaternion are interpolated linearly.
+ * times are 0, 1, 2, ... No other columns. Numbers are rounded as the context says. Quaternions
+ * keep their signs; matrices become the nearest rotation's quaternion in binary64, of the sign
+ * nearest to the one before. Position and quaternion are interpolated linearly.
  * @param flags     0 or GRAZE_POSES_AFFINE
  * @param tolerance not negative: no entry of a matrix may be changed by more than this
  * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is no such list, or a matrix is no

@@ -65,8 +65,7 @@ static graze_status whole(const reading *r, int first, int count, int *some) {
 static graze_status read_name(reading *r, slice name) {
     size_t length = (size_t)(name.end - name.start);
     int k = 0;
-    while (k < COLUMNS &&
-           (strlen(names[k]) != length || memcmp(names[k], name.start, length) != 0))
+    while (k < COLUMNS && (strlen(names[k]) != length || memcmp(names[k], name.start, length) != 0))
         k++;
     if (k == COLUMNS)
         return context_fail(r->context, GRAZE_EINPUT,

@@ -49,15 +49,86 @@ int affine_equal(const affine *a, const affine *b) {
     return a->dimension == b->dimension;
 }
 
-void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b) {
+static int is_polynomial(const affine *a) {
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        if (fmpz_poly_degree(fmpz_poly_q_denref(a->entry[k])) > 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static const fmpz *constant_denominator(const fmpz_poly_q_struct *entry) {
+    return fmpz_poly_get_coeff_ptr(fmpz_poly_q_denref(entry), 0);
+}
+
+/* A row of a times a column of b over the product of two common denominators, reduced once. */
+static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine *a, int i,
+                          const fmpz_t row, const affine *b, int j, const fmpz_t column) {
     int d = a->dimension;
-    affine result;
+    fmpz_t factor, other;
+    fmpz_poly_t term;
+    fmpz_init(factor);
+    fmpz_init(other);
+    fmpz_poly_init(term);
+    fmpz_poly_struct *sum = fmpz_poly_q_numref(out);
+    fmpz_poly_zero(sum);
+    for (int k = 0; k < d + (j == d); k++) {
+        const fmpz_poly_q_struct *left = at(a, i, k);
+        fmpz_divexact(factor, row, constant_denominator(left));
+        if (k < d) {
+            fmpz_divexact(other, column, constant_denominator(at(b, k, j)));
+            fmpz_poly_mul(term, fmpz_poly_q_numref(left), fmpz_poly_q_numref(at(b, k, j)));
+            fmpz_mul(factor, factor, other);
+        } else {
+            fmpz_poly_set(term, fmpz_poly_q_numref(left));
+            fmpz_mul(factor, factor, column);
+        }
+        fmpz_poly_scalar_mul_fmpz(term, term, factor);
+        fmpz_poly_add(sum, sum, term);
+    }
+    fmpz_mul(factor, row, column);
+    fmpz_poly_set_fmpz(fmpz_poly_q_denref(out), factor);
+    fmpz_poly_q_canonicalise(out);
+    quotient_check(c, out);
+    fmpz_poly_clear(term);
+    fmpz_clear(other);
+    fmpz_clear(factor);
+}
+
+/* Where every denominator is a number, most of the greatest common divisors can be spared. */
+static void multiply_polynomials(calculation *c, affine *out, const affine *a, const affine *b) {
+    int d = a->dimension;
+    fmpz_t row, column[4];
+    fmpz_init(row);
+    for (int j = 0; j <= d; j++) {
+        fmpz_init_set_ui(column[j], 1);
+        for (int k = 0; k < d; k++) {
+            fmpz_lcm(column[j], column[j], constant_denominator(at(b, k, j)));
+        }
+    }
+    for (int i = 0; i < d; i++) {
+        fmpz_one(row);
+        for (int k = 0; k <= d; k++) {
+            fmpz_lcm(row, row, constant_denominator(at(a, i, k)));
+        }
+        for (int j = 0; j <= d && c->status == GRAZE_OK; j++) {
+            multiply_line(c, affine_at(out, i, j), a, i, row, b, j, column[j]);
+        }
+    }
+    for (int j = 0; j <= d; j++) {
+        fmpz_clear(column[j]);
+    }
+    fmpz_clear(row);
+}
+
+static void multiply_quotients(calculation *c, affine *out, const affine *a, const affine *b) {
+    int d = a->dimension;
     fmpz_poly_q_t product;
-    affine_init(&result, d);
     fmpz_poly_q_init(product);
     for (int i = 0; i < d; i++) {
         for (int j = 0; j <= d; j++) {
-            fmpz_poly_q_struct *sum = affine_at(&result, i, j);
+            fmpz_poly_q_struct *sum = affine_at(out, i, j);
             fmpz_poly_q_zero(sum);
             for (int k = 0; k < d; k++) {
                 quotient_mul(c, product, at(a, i, k), at(b, k, j));
@@ -68,8 +139,15 @@ void affine_multiply(calculation *c, affine *out, const affine *a, const affine 
             }
         }
     }
-    affine_set(out, &result);
     fmpz_poly_q_clear(product);
+}
+
+void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b) {
+    affine result;
+    affine_init(&result, a->dimension);
+    (is_polynomial(a) && is_polynomial(b) ? multiply_polynomials : multiply_quotients)(c, &result,
+                                                                                       a, b);
+    affine_set(out, &result);
     affine_clear(&result);
 }
 

@@ -134,7 +134,7 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
         return json_fail(context, GRAZE_EILLEGAL, where, "%s at every t", what);
     }
     calculation c = {context, GRAZE_OK};
-    calculation_spend(&c, (unsigned long)fmpz_poly_length(p) * polynomial_words(p));
+    calculation_spend(&c, (unsigned long)fmpz_poly_length(p) * polynomial_work(p));
     if (c.status != GRAZE_OK) {
         return json_at(context, c.status, where);
     }

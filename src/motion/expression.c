@@ -8,7 +8,7 @@
 #include "number/rational.h"
 
 enum { SHOWN = 60 };
-enum { CHARACTERS_A_WORD = 16 }; /* read in the time that arithmetic takes for a word */
+enum { CHARACTERS_A_UNIT = 16 }; /* of work */
 
 typedef struct parser {
     calculation calculation;
@@ -229,7 +229,7 @@ graze_status expression_value(fmpz_poly_q_t out, graze_context *context, const c
                               size_t length, const fmpz_poly_q_struct *t,
                               const fmpz_poly_q_struct *s) {
     parser p = {.calculation = {context, GRAZE_OK}, .text = text, .length = length, .t = t, .s = s};
-    calculation_spend(&p.calculation, length / CHARACTERS_A_WORD);
+    calculation_spend(&p.calculation, length / CHARACTERS_A_UNIT);
     if (failed(&p)) {
         return p.calculation.status;
     }

@@ -5,28 +5,30 @@
 #include <stdlib.h>
 #include "number/algebraic.h"
 
-enum { OPERATION_WORDS = 8 };   /* what an operation costs beside the words of its result */
+enum { OPERATION_WORK = 8 }; /* what an operation costs beside the words of its result */
+enum { LONG_WORDS = 64 };    /* from here on a common divisor costs more than a word's time each */
 enum { ROOT_REFINEMENTS = 12 }; /* narrow enough to be told in a message */
 
-void calculation_spend(calculation *c, unsigned long words) {
+void calculation_spend(calculation *c, unsigned long work) {
     if (c->status != GRAZE_OK) {
         return;
     }
     unsigned long limit = c->context->limits[GRAZE_LIMIT_WORK];
-    if (c->context->work > limit || words > limit - c->context->work) {
+    if (c->context->work > limit || work > limit - c->context->work) {
         c->status = context_limit(c->context, GRAZE_LIMIT_WORK,
                                   "the functions of a motion, all pieces together");
         return;
     }
-    c->context->work += words;
+    c->context->work += work;
 }
 
 static unsigned long longest_bits(const fmpz_poly_t p) {
     return (unsigned long)labs(fmpz_poly_max_bits(p));
 }
 
-unsigned long polynomial_words(const fmpz_poly_t p) {
-    return (unsigned long)fmpz_poly_length(p) * (longest_bits(p) / FLINT_BITS + 1);
+unsigned long polynomial_work(const fmpz_poly_t p) {
+    unsigned long words = longest_bits(p) / FLINT_BITS + 1;
+    return (unsigned long)fmpz_poly_length(p) * (words + words * words / LONG_WORDS);
 }
 
 static void check_polynomial(calculation *c, const fmpz_poly_t p) {
@@ -51,8 +53,8 @@ void quotient_check(calculation *c, const fmpz_poly_q_t a) {
     if (c->status == GRAZE_OK) {
         check_polynomial(c, fmpz_poly_q_denref(a));
     }
-    calculation_spend(c, OPERATION_WORDS + polynomial_words(fmpz_poly_q_numref(a)) +
-                             polynomial_words(fmpz_poly_q_denref(a)));
+    calculation_spend(c, OPERATION_WORK + polynomial_work(fmpz_poly_q_numref(a)) +
+                             polynomial_work(fmpz_poly_q_denref(a)));
 }
 
 void quotient_add(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b) {

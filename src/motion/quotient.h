@@ -6,9 +6,10 @@
  * size, so it is enough that every result is looked at.
  *
  * What a motion costs, in time and in memory, is the product of its pieces, their degree and the
- * digits of their coefficients, and no limit on one of the three bounds it. So the words of all
- * results are counted as they are made, and every operation as OPERATION_WORDS more: then a word
- * takes between 10 and 150 ns whatever the three are.
+ * digits of their coefficients, and no limit on one of the three bounds it. So the work of all
+ * results is counted as they are made: w + w^2/64 for a coefficient of w words of 64 bits, and
+ * something for the operation. A unit of it then takes about 100 ns at most, whatever the three
+ * are.
  */
 #ifndef GRAZE_MOTION_QUOTIENT_H
 #define GRAZE_MOTION_QUOTIENT_H
@@ -49,9 +50,9 @@ int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
 void quotient_check(calculation *c, const fmpz_poly_q_t a);
 
 /** Count work; GRAZE_ELIMIT past the limit `work`. */
-void calculation_spend(calculation *c, unsigned long words);
-/** 64-bit words that the coefficients of a polynomial take, if all are as long as the longest. */
-unsigned long polynomial_words(const fmpz_poly_t p);
+void calculation_spend(calculation *c, unsigned long work);
+/** The work of making a polynomial, taking all coefficients to be as long as the longest. */
+unsigned long polynomial_work(const fmpz_poly_t p);
 
 /**
  * Has p, not zero, a root in [0, 1]? If so 1, and low <= the first one <= high, equal when it is

@@ -246,22 +246,69 @@ static graze_status read_center(affine *out, graze_context *context, const json 
     return c.status;
 }
 
-static graze_status read_compose(affine *out, graze_context *context, const json *value,
-                                 const stretch *part) {
-    calculation c = {context, json_array(context, value, 0)};
-    affine step;
-    affine_init(&step, part->dimension);
+/* The product of some steps that follow one another. */
+typedef struct run {
+    size_t steps;
+    affine map;
+} run;
+
+/* Make one run of the last two. */
+static void join_runs(calculation *c, run *runs, size_t *count, const json *item) {
+    run *earlier = runs + *count - 2, *later = earlier + 1;
+    affine_multiply(c, &earlier->map, &later->map, &earlier->map);
+    if (c->status != GRAZE_OK) {
+        json_at(c->context, c->status, item);
+    }
+    earlier->steps += later->steps;
+    affine_clear(&later->map);
+    --*count;
+}
+
+/* Runs of equal length are joined, as in a binary counter: of n steps whose product is long, each
+ * then takes part in log n products that are that long in the end, and not in n. */
+static graze_status compose_runs(affine *out, graze_context *context, const json *value,
+                                 const stretch *part, run *runs) {
+    calculation c = {context, GRAZE_OK};
+    size_t count = 0;
     for (const json *item = value->first; item != NULL && c.status == GRAZE_OK; item = item->next) {
-        c.status = transform_map(&step, context, item, part);
-        if (c.status == GRAZE_OK) {
-            affine_multiply(&c, out, &step, out);
-            if (c.status != GRAZE_OK) {
-                json_at(context, c.status, item);
-            }
+        affine_init(&runs[count].map, part->dimension);
+        runs[count].steps = 1;
+        c.status = transform_map(&runs[count++].map, context, item, part);
+        while (c.status == GRAZE_OK && count > 1 &&
+               runs[count - 2].steps == runs[count - 1].steps) {
+            join_runs(&c, runs, &count, item);
         }
     }
-    affine_clear(&step);
+    while (c.status == GRAZE_OK && count > 1) {
+        join_runs(&c, runs, &count, value->last);
+    }
+    if (c.status == GRAZE_OK && count == 1) {
+        affine_set(out, &runs[0].map);
+    }
+    while (count > 0) {
+        affine_clear(&runs[--count].map);
+    }
     return c.status;
+}
+
+static graze_status read_compose(affine *out, graze_context *context, const json *value,
+                                 const stretch *part) {
+    graze_status status = json_array(context, value, 0);
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    /* Lengths are powers of two, each there once but for the run that has just come. */
+    size_t most = 2;
+    for (size_t n = value->count; n > 0; n /= 2) {
+        most++;
+    }
+    run *runs = malloc(most * sizeof *runs);
+    if (runs == NULL) {
+        return context_fail(context, GRAZE_ESYSTEM, "no memory for the steps of a transform");
+    }
+    status = compose_runs(out, context, value, part, runs);
+    free(runs);
+    return status;
 }
 
 graze_status transform_map(affine *out, graze_context *context, const json *transform,
