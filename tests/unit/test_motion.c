@@ -12,7 +12,7 @@
 #include "number/rational.h"
 #include "fixture.h"
 
-enum { ENTRIES = 12, TEXT = 4000 };
+enum { ENTRIES = 12, TEXT = 4000, STEPS = 7 };
 
 static graze_motion *make(const char *text) {
     graze_motion *motion;
@@ -402,7 +402,7 @@ static void piece_text(char *out, size_t size, int d, const char *transform) {
 static void random_motions(void **state) {
     (void)state;
     unsigned seed = 3;
-    char step[3][400], all[1400], text[TEXT], shown[TEXT];
+    char step[STEPS][400], all[STEPS * 400 + 100], text[TEXT], shown[TEXT];
     fmpq forward[ENTRIES], inverse[ENTRIES], product[ENTRIES], factor[ENTRIES];
     fmpq_t t;
     init_matrix(forward);
@@ -413,10 +413,13 @@ static void random_motions(void **state) {
     for (int round = 0; round < 150; round++) {
         int d = 2 + round % 2;
         const char *identity = d == 2 ? "1 0 0 | 0 1 0" : "1 0 0 0 | 0 1 0 0 | 0 0 1 0";
-        for (int k = 0; k < 3; k++) {
+        int last = (int)(rand_r(&seed) % STEPS);
+        size_t used = (size_t)snprintf(all, sizeof all, "{\"compose\": [");
+        for (int k = 0; k <= last; k++) {
             random_transform(step[k], sizeof step[k], &seed, d);
+            used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", step[k],
+                                     k < last ? ", " : "]}");
         }
-        snprintf(all, sizeof all, "{\"compose\": [%s, %s, %s]}", step[0], step[1], step[2]);
         piece_text(text, sizeof text, d, all);
         graze_motion *motion = make(text);
         for (size_t k = 0; k < motion->piece_count; k++) {
@@ -426,11 +429,11 @@ static void random_motions(void **state) {
         fmpq_set_si(t, (slong)(rand_r(&seed) % 61), 60);
         map_at(forward, motion, t, 0);
         map_at(inverse, motion, t, 1);
-        for (int k = 2; k >= 0; k--) {
+        for (int k = last; k >= 0; k--) {
             piece_text(text, sizeof text, d, step[k]);
             graze_motion *alone = make(text);
-            map_at(k == 2 ? product : factor, alone, t, 0);
-            if (k < 2) {
+            map_at(k == last ? product : factor, alone, t, 0);
+            if (k < last) {
                 multiply(product, factor, d);
             }
             graze_motion_destroy(alone);
