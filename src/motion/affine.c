@@ -21,7 +21,7 @@ fmpz_poly_q_struct *affine_at(affine *a, int i, int j) {
     return a->entry[i * (a->dimension + 1) + j];
 }
 
-static const fmpz_poly_q_struct *at(const affine *a, int i, int j) {
+const fmpz_poly_q_struct *affine_get(const affine *a, int i, int j) {
     return a->entry[i * (a->dimension + 1) + j];
 }
 
@@ -74,11 +74,11 @@ static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine 
     fmpz_poly_struct *sum = fmpz_poly_q_numref(out);
     fmpz_poly_zero(sum);
     for (int k = 0; k < d + (j == d); k++) {
-        const fmpz_poly_q_struct *left = at(a, i, k);
+        const fmpz_poly_q_struct *left = affine_get(a, i, k);
         fmpz_divexact(factor, row, constant_denominator(left));
         if (k < d) {
-            fmpz_divexact(other, column, constant_denominator(at(b, k, j)));
-            fmpz_poly_mul(term, fmpz_poly_q_numref(left), fmpz_poly_q_numref(at(b, k, j)));
+            fmpz_divexact(other, column, constant_denominator(affine_get(b, k, j)));
+            fmpz_poly_mul(term, fmpz_poly_q_numref(left), fmpz_poly_q_numref(affine_get(b, k, j)));
             fmpz_mul(factor, factor, other);
         } else {
             fmpz_poly_set(term, fmpz_poly_q_numref(left));
@@ -104,13 +104,13 @@ static void multiply_polynomials(calculation *c, affine *out, const affine *a, c
     for (int j = 0; j <= d; j++) {
         fmpz_init_set_ui(column[j], 1);
         for (int k = 0; k < d; k++) {
-            fmpz_lcm(column[j], column[j], constant_denominator(at(b, k, j)));
+            fmpz_lcm(column[j], column[j], constant_denominator(affine_get(b, k, j)));
         }
     }
     for (int i = 0; i < d; i++) {
         fmpz_one(row);
         for (int k = 0; k <= d; k++) {
-            fmpz_lcm(row, row, constant_denominator(at(a, i, k)));
+            fmpz_lcm(row, row, constant_denominator(affine_get(a, i, k)));
         }
         for (int j = 0; j <= d && c->status == GRAZE_OK; j++) {
             multiply_line(c, affine_at(out, i, j), a, i, row, b, j, column[j]);
@@ -131,11 +131,11 @@ static void multiply_quotients(calculation *c, affine *out, const affine *a, con
             fmpz_poly_q_struct *sum = affine_at(out, i, j);
             fmpz_poly_q_zero(sum);
             for (int k = 0; k < d; k++) {
-                quotient_mul(c, product, at(a, i, k), at(b, k, j));
+                quotient_mul(c, product, affine_get(a, i, k), affine_get(b, k, j));
                 quotient_add(c, sum, sum, product);
             }
             if (j == d) {
-                quotient_add(c, sum, sum, at(a, i, d));
+                quotient_add(c, sum, sum, affine_get(a, i, d));
             }
         }
     }
@@ -151,65 +151,6 @@ void affine_multiply(calculation *c, affine *out, const affine *a, const affine 
     affine_clear(&result);
 }
 
-/* out = p q - r s */
-static void minor(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t p, const fmpz_poly_q_t q,
-                  const fmpz_poly_q_t r, const fmpz_poly_q_t s) {
-    fmpz_poly_q_t other;
-    fmpz_poly_q_init(other);
-    quotient_mul(c, other, r, s);
-    quotient_mul(c, out, p, q);
-    quotient_sub(c, out, out, other);
-    fmpz_poly_q_clear(other);
-}
-
-/* The cofactor of entry (i, j) of the linear part. Taking rows and columns cyclically gives a 3x3
- * cofactor its sign. */
-static void cofactor(calculation *c, fmpz_poly_q_t out, const affine *a, int i, int j) {
-    if (a->dimension == 2) {
-        fmpz_poly_q_set(out, at(a, 1 - i, 1 - j));
-        if (i != j) {
-            fmpz_poly_q_neg(out, out);
-        }
-        return;
-    }
-    int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-    minor(c, out, at(a, i1, j1), at(a, i2, j2), at(a, i1, j2), at(a, i2, j1));
-}
-
-void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
-    fmpz_poly_q_t product;
-    fmpz_poly_q_init(product);
-    fmpz_poly_q_zero(out);
-    for (int j = 0; j < a->dimension; j++) {
-        cofactor(c, product, a, 0, j);
-        quotient_mul(c, product, product, at(a, 0, j));
-        quotient_add(c, out, out, product);
-    }
-    fmpz_poly_q_clear(product);
-}
-
-void affine_inverse(calculation *c, affine *out, const affine *a) {
-    int d = a->dimension;
-    fmpz_poly_q_t determinant, product;
-    fmpz_poly_q_init(determinant);
-    fmpz_poly_q_init(product);
-    out->dimension = d;
-    affine_determinant(c, determinant, a);
-    for (int i = 0; i < d; i++) {
-        fmpz_poly_q_struct *shift = affine_at(out, i, d);
-        fmpz_poly_q_zero(shift);
-        for (int j = 0; j < d; j++) {
-            fmpz_poly_q_struct *entry = affine_at(out, i, j);
-            cofactor(c, entry, a, j, i);
-            quotient_div(c, entry, entry, determinant);
-            quotient_mul(c, product, entry, at(a, j, d));
-            quotient_sub(c, shift, shift, product);
-        }
-    }
-    fmpz_poly_q_clear(product);
-    fmpz_poly_q_clear(determinant);
-}
-
 void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center) {
     int d = a->dimension;
     fmpz_poly_q_t product;
@@ -218,7 +159,7 @@ void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center) {
         fmpz_poly_q_struct *shift = affine_at(a, i, d);
         quotient_add(c, shift, shift, center[i]);
         for (int j = 0; j < d; j++) {
-            quotient_mul(c, product, at(a, i, j), center[j]);
+            quotient_mul(c, product, affine_get(a, i, j), center[j]);
             quotient_sub(c, shift, shift, product);
         }
     }

@@ -24,6 +24,7 @@ int affine_equal(const affine *a, const affine *b);
 
 /** The entry of row i and column j, both from 0. */
 fmpz_poly_q_struct *affine_at(affine *a, int i, int j);
+const fmpz_poly_q_struct *affine_get(const affine *a, int i, int j);
 
 /** out = a after b, that is, the matrix a b. `out` may be either. */
 void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b);

@@ -1,0 +1,132 @@
+/* Determinants and inverses of affine maps whose entries are rational functions.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "motion/affine.h"
+
+/* out = p q - r s */
+static void minor(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t p, const fmpz_poly_q_t q,
+                  const fmpz_poly_q_t r, const fmpz_poly_q_t s) {
+    fmpz_poly_q_t other;
+    fmpz_poly_q_init(other);
+    quotient_mul(c, other, r, s);
+    quotient_mul(c, out, p, q);
+    quotient_sub(c, out, out, other);
+    fmpz_poly_q_clear(other);
+}
+
+/* The cofactor of entry (i, j) of the linear part. Taking rows and columns cyclically gives a 3x3
+ * cofactor its sign. */
+static void cofactor(calculation *c, fmpz_poly_q_t out, const affine *a, int i, int j) {
+    if (a->dimension == 2) {
+        fmpz_poly_q_set(out, affine_get(a, 1 - i, 1 - j));
+        if (i != j) {
+            fmpz_poly_q_neg(out, out);
+        }
+        return;
+    }
+    int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+    minor(c, out, affine_get(a, i1, j1), affine_get(a, i2, j2), affine_get(a, i1, j2), affine_get(a, i2, j1));
+}
+
+void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
+    fmpz_poly_q_t product;
+    fmpz_poly_q_init(product);
+    fmpz_poly_q_zero(out);
+    for (int j = 0; j < a->dimension; j++) {
+        cofactor(c, product, a, 0, j);
+        quotient_mul(c, product, product, affine_get(a, 0, j));
+        quotient_add(c, out, out, product);
+    }
+    fmpz_poly_q_clear(product);
+}
+
+/* The least common multiple of the denominators of the linear part; 0 if its degree is past the
+ * limit. */
+static int linear_denominator(calculation *c, fmpz_poly_t out, const affine *a) {
+    fmpz_poly_one(out);
+    for (int k = 0; k < a->dimension * a->dimension; k++) {
+        fmpz_poly_lcm(out, out, fmpz_poly_q_denref(affine_get(a, k / a->dimension, k % a->dimension)));
+        if (fmpz_poly_degree(out) > (slong)c->context->limits[GRAZE_LIMIT_DEGREE]) {
+            return 0;
+        }
+    }
+    calculation_spend(c, polynomial_work(out));
+    return c->status == GRAZE_OK;
+}
+
+/* Is the linear part orthogonal? With N = w A it is where N^T N = w^2. */
+static int is_orthogonal(calculation *c, const affine *a) {
+    int d = a->dimension;
+    fmpz_poly_t w, factor, sum, n[9];
+    fmpz_poly_init(w);
+    fmpz_poly_init(factor);
+    fmpz_poly_init(sum);
+    for (int k = 0; k < d * d; k++) {
+        fmpz_poly_init(n[k]);
+    }
+    int holds = linear_denominator(c, w, a);
+    for (int k = 0; k < d * d && holds; k++) {
+        const fmpz_poly_q_struct *entry = affine_get(a, k / d, k % d);
+        fmpz_poly_div(factor, w, fmpz_poly_q_denref(entry));
+        fmpz_poly_mul(n[k], fmpz_poly_q_numref(entry), factor);
+        calculation_spend(c, polynomial_work(n[k]));
+    }
+    for (int i = 0; i < d && holds; i++) {
+        for (int j = 0; j <= i && holds; j++) {
+            fmpz_poly_zero(sum);
+            for (int k = 0; k < d; k++) {
+                fmpz_poly_mul(factor, n[k * d + i], n[k * d + j]);
+                fmpz_poly_add(sum, sum, factor);
+            }
+            fmpz_poly_zero(factor);
+            if (i == j) {
+                fmpz_poly_sqr(factor, w);
+            }
+            holds = fmpz_poly_equal(sum, factor);
+        }
+    }
+    for (int k = 0; k < d * d; k++) {
+        fmpz_poly_clear(n[k]);
+    }
+    fmpz_poly_clear(sum);
+    fmpz_poly_clear(factor);
+    fmpz_poly_clear(w);
+    return holds;
+}
+
+/* The inverse of the linear part: the transpose of an orthogonal one, as of every rigid motion. */
+static void invert_linear(calculation *c, affine *out, const affine *a) {
+    int d = a->dimension, orthogonal = is_orthogonal(c, a);
+    fmpz_poly_q_t determinant;
+    fmpz_poly_q_init(determinant);
+    if (!orthogonal) {
+        affine_determinant(c, determinant, a);
+    }
+    for (int k = 0; k < d * d; k++) {
+        fmpz_poly_q_struct *entry = affine_at(out, k / d, k % d);
+        if (orthogonal) {
+            fmpz_poly_q_set(entry, affine_get(a, k % d, k / d));
+        } else {
+            cofactor(c, entry, a, k % d, k / d);
+            quotient_div(c, entry, entry, determinant);
+        }
+    }
+    fmpz_poly_q_clear(determinant);
+}
+
+void affine_inverse(calculation *c, affine *out, const affine *a) {
+    int d = a->dimension;
+    fmpz_poly_q_t product;
+    fmpz_poly_q_init(product);
+    out->dimension = d;
+    invert_linear(c, out, a);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_q_struct *shift = affine_at(out, i, d);
+        fmpz_poly_q_zero(shift);
+        for (int j = 0; j < d; j++) {
+            quotient_mul(c, product, affine_at(out, i, j), affine_get(a, j, d));
+            quotient_sub(c, shift, shift, product);
+        }
+    }
+    fmpz_poly_q_clear(product);
+}
