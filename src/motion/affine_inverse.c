@@ -25,7 +25,8 @@ static void cofactor(calculation *c, fmpz_poly_q_t out, const affine *a, int i, 
         return;
     }
     int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-    minor(c, out, affine_get(a, i1, j1), affine_get(a, i2, j2), affine_get(a, i1, j2), affine_get(a, i2, j1));
+    minor(c, out, affine_get(a, i1, j1), affine_get(a, i2, j2), affine_get(a, i1, j2),
+          affine_get(a, i2, j1));
 }
 
 void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
@@ -45,7 +46,8 @@ void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
 static int linear_denominator(calculation *c, fmpz_poly_t out, const affine *a) {
     fmpz_poly_one(out);
     for (int k = 0; k < a->dimension * a->dimension; k++) {
-        fmpz_poly_lcm(out, out, fmpz_poly_q_denref(affine_get(a, k / a->dimension, k % a->dimension)));
+        fmpz_poly_lcm(out, out,
+                      fmpz_poly_q_denref(affine_get(a, k / a->dimension, k % a->dimension)));
         if (fmpz_poly_degree(out) > (slong)c->context->limits[GRAZE_LIMIT_DEGREE]) {
             return 0;
         }
