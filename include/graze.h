@@ -69,7 +69,8 @@ typedef enum graze_limit {
     GRAZE_LIMIT_LINE = 5,   /**< bytes of one line of a text file (`line`, 10^7) */
     GRAZE_LIMIT_CELLS = 6,  /**< vertices or facets of a solid (`cells`, 10^8) */
     GRAZE_LIMIT_BYTES = 7,  /**< bytes of a solid or motion file (`bytes`, 4*10^9) */
-    GRAZE_LIMIT_COUNT = 8
+    GRAZE_LIMIT_BITS = 8,   /**< binary places of an interval around a root (`bits`, 100000) */
+    GRAZE_LIMIT_COUNT = 9
 } graze_limit;
 
 /** How number tokens are taken. Binary64 and binary32 round to nearest, ties to even; overflow is

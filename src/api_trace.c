@@ -150,12 +150,18 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
     return report_header(out, context, scene, notes, columns);
 }
 
-static void put_row(text *out, const graze_scene *scene, const fmpq *point,
-                    const graze_trace *trace, graze_format format, const char *rest) {
-    if (format == GRAZE_FORMAT_CSV)
+static graze_status put_row(text *out, graze_context *context, const graze_scene *scene,
+                            const fmpq *point, const graze_trace *trace, graze_format format,
+                            const char *rest) {
+    graze_status status = GRAZE_OK;
+    if (format == GRAZE_FORMAT_CSV) {
         report_csv(out, scene, point, trace, rest);
-    else
-        report_json(out, scene, point, trace);
+    } else {
+        status = trace_canonicalise(trace, context);
+        if (status == GRAZE_OK)
+            report_json(out, scene, point, trace);
+    }
+    return status;
 }
 
 static graze_status check_format(graze_context *context, const char *function,
@@ -183,8 +189,12 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
         return status;
     text t;
     text_init(&t);
-    put_row(&t, scene, p, trace, format, rest);
+    status = put_row(&t, context, scene, p, trace, format, rest);
     _fmpq_vec_clear(p, scene->motion->dimension);
+    if (status) {
+        text_clear(&t);
+        return status;
+    }
     return text_finish(out, context, &t);
 }
 
@@ -199,7 +209,7 @@ static graze_status put_point(text *out, graze_context *context, const graze_sce
     status = classify_point(&trace, context, scene, (query_point){.rational = p},
                             format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
     if (!status) {
-        put_row(out, scene, p, &trace, format, rest);
+        status = put_row(out, context, scene, p, &trace, format, rest);
         trace_clear(&trace);
     }
     _fmpq_vec_clear(p, scene->motion->dimension);
@@ -285,7 +295,9 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
     graze_status status = take_point(&p, context, scene, point);
     if (status)
         return status;
-    status = report_explain(out, context, scene, p, trace);
+    status = trace_canonicalise(trace, context);
+    if (!status)
+        status = report_explain(out, context, scene, p, trace);
     _fmpq_vec_clear(p, scene->motion->dimension);
     return status;
 }

@@ -9,6 +9,9 @@
 #include <string.h>
 #include "context/context.h"
 
+/* Products of machine words between two polls: a few milliseconds. */
+enum { POLLED_WORK = 1 << 22 };
+
 /* The largest values keep every size Graze computes from a limit inside 64 bits, indices of
  * vertices inside 32 bits, and recursion inside an ordinary stack. */
 static const struct {
@@ -23,6 +26,7 @@ static const struct {
     [GRAZE_LIMIT_LINE] = {"line", 10000000, 1000000000000},
     [GRAZE_LIMIT_CELLS] = {"cells", 100000000, 4000000000},
     [GRAZE_LIMIT_BYTES] = {"bytes", 4000000000, 1000000000000},
+    [GRAZE_LIMIT_BITS] = {"bits", 100000, 1000000000},
 };
 
 graze_status graze_context_create(graze_context **out) {
@@ -162,4 +166,16 @@ graze_status context_poll(graze_context *context) {
         return context_fail(context, GRAZE_ECANCELED, "canceled by the caller");
     }
     return GRAZE_OK;
+}
+
+graze_status context_work(graze_context *context, unsigned long work) {
+    if (context == NULL) {
+        return GRAZE_OK;
+    }
+    context->work += work < POLLED_WORK ? work : POLLED_WORK;
+    if (context->work < POLLED_WORK) {
+        return GRAZE_OK;
+    }
+    context->work = 0;
+    return context_poll(context);
 }

@@ -22,6 +22,7 @@ struct graze_context {
     void (*workspace_free)(void *);
     graze_cancel cancel;
     void *cancel_data;
+    unsigned long work; /* done since the callback was last asked */
 };
 
 /**
@@ -42,6 +43,12 @@ graze_status context_limit(graze_context *context, graze_limit limit, const char
 
 /** GRAZE_OK, or GRAZE_ECANCELED with its message when the callback asks to stop. */
 graze_status context_poll(graze_context *context);
+
+/**
+ * Count work of the exact arithmetic, in products of two machine words or what takes as long, and
+ * poll when some milliseconds of it have come together. A context of NULL has no callback.
+ */
+graze_status context_work(graze_context *context, unsigned long work);
 
 #ifdef __cplusplus
 }

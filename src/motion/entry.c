@@ -136,8 +136,9 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
     fmpq_t low, high;
     fmpq_init(low);
     fmpq_init(high);
-    graze_status status = GRAZE_OK;
-    if (polynomial_root(low, high, p)) {
+    int found;
+    graze_status status = polynomial_root(&found, low, high, context, p);
+    if (found) {
         char first[TIME_SIZE], last[TIME_SIZE];
         time_text(first, lo, hi, low);
         time_text(last, lo, hi, high);

@@ -154,18 +154,20 @@ int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a) {
            fmpz_poly_sqrt(fmpz_poly_q_denref(out), fmpz_poly_q_denref(a));
 }
 
-int polynomial_root(fmpq_t low, fmpq_t high, const fmpz_poly_t p) {
+graze_status polynomial_root(int *found, fmpq_t low, fmpq_t high, graze_context *context,
+                             const fmpz_poly_t p) {
+    *found = 0;
     if (fmpz_poly_degree(p) <= 0) {
-        return 0;
+        return GRAZE_OK;
     }
     dyadic_interval unit;
     algebraic_list roots;
     dyadic_interval_init(&unit);
     dyadic_interval_set_si(&unit, 0, 1);
     algebraic_list_init(&roots);
-    algebraic_roots(&roots, p, &unit);
-    int found = roots.count > 0;
-    if (found) {
+    graze_status status = algebraic_roots(&roots, context, p, &unit);
+    *found = status == GRAZE_OK && roots.count > 0;
+    if (*found) {
         for (int k = 0; k < ROOT_REFINEMENTS; k++) {
             algebraic_refine(&roots.item[0]);
         }
@@ -173,5 +175,5 @@ int polynomial_root(fmpq_t low, fmpq_t high, const fmpz_poly_t p) {
     }
     algebraic_list_clear(&roots);
     dyadic_interval_clear(&unit);
-    return found;
+    return status;
 }

@@ -6,6 +6,7 @@
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_poly.h>
+#include "context/context.h"
 #include "number/bernstein.h"
 
 /**
@@ -21,6 +22,10 @@ typedef struct algebraic {
     dyadic_interval where;
     int low_sign;
 } algebraic;
+
+/** Halvings tried before a gcd is asked whether refinement would ever end; digits that a secant is
+ * first asked for. */
+enum { CHEAP_HALVINGS = 4, FIRST_GAIN = 4 };
 
 /** Zero. */
 void algebraic_init(algebraic *x);
@@ -44,15 +49,35 @@ void algebraic_refine(algebraic *x);
  */
 void algebraic_refine_quadratically(algebraic *x, ulong *gain);
 
-/** Sign of x - y: -1, 0, 1 (theory K3, K4). Equal numbers share interval and polynomial afterwards.
- */
-int algebraic_compare(algebraic *x, algebraic *y);
+/* What takes many steps asks the context's callback now and then and narrows no interval past the
+ * limit `bits`: these functions return GRAZE_OK, GRAZE_ECANCELED or GRAZE_ELIMIT. The context may
+ * be NULL, for neither. Without GRAZE_OK the numbers keep their values, and *out is not set. */
 
-/** Sign of q at x: -1, 0, 1 (theory K2). */
-int algebraic_sign_at(const fmpz_poly_t q, algebraic *x);
+/** GRAZE_ELIMIT if the interval has as many binary places as are allowed. */
+graze_status algebraic_may_narrow(graze_context *context, const dyadic_interval *interval);
+
+/** Narrow the interval: by halves for the first steps, which are numbered from 0, then by secants.
+ * @param[in,out] gain as above, FIRST_GAIN to start with */
+graze_status algebraic_narrow(graze_context *context, algebraic *x, int step, ulong *gain);
+
+/** *out: sign of x - y: -1, 0, 1 (theory K3, K4). Equal numbers share interval and polynomial
+ * afterwards. */
+graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, algebraic *y);
+
+/** *out: sign of q at x: -1, 0, 1 (theory K2). */
+graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly_t q,
+                               algebraic *x);
 
 /** A dyadic number strictly between x and y, x < y. */
-void algebraic_between(fmpq_t out, algebraic *x, algebraic *y);
+graze_status algebraic_between(fmpq_t out, graze_context *context, algebraic *x, algebraic *y);
+
+/** The least m for which a multiple of 2^-m lies strictly between x and y, x < y, both irrational and
+ * in intervals that have at most an end in common. */
+graze_status algebraic_places_between(ulong *out, graze_context *context, algebraic *x,
+                                      algebraic *y);
+
+/** Order pointers to numbers ascending, equal ones as they came. */
+graze_status algebraic_sort(algebraic **order, size_t count, graze_context *context);
 
 /** low <= x <= high. */
 void algebraic_bounds(fmpq_t low, fmpq_t high, const algebraic *x);
@@ -69,9 +94,11 @@ void algebraic_list_clear(algebraic_list *list);
 algebraic *algebraic_list_append(algebraic_list *list);
 
 /**
- * Append all real roots of q in a closed interval, each once, ascending (theory K1).
+ * Append all real roots of q in a closed interval, each once, ascending (theory K1). Without
+ * GRAZE_OK some may be missing.
  * @param q not zero
  */
-void algebraic_roots(algebraic_list *list, const fmpz_poly_t q, const dyadic_interval *interval);
+graze_status algebraic_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t q,
+                             const dyadic_interval *interval);
 
 #endif

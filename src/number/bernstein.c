@@ -56,86 +56,13 @@ void dyadic_interval_halves(dyadic_interval *left, dyadic_interval *right,
     fmpz_clear(high);
 }
 
-void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent) {
-    fmpz_t denominator;
-    fmpz_init(denominator);
-    fmpz_one_2exp(denominator, exponent);
-    fmpq_set_fmpz_frac(out, numerator, denominator);
-    fmpz_clear(denominator);
-}
-
-/* Horner's scheme on sum p_i n^i 2^(e (degree - i)), which has the sign of p(n / 2^e). */
-void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
-    slong degree = fmpz_poly_degree(p);
-    if (degree < 0) {
-        fmpz_zero(out);
-        return;
-    }
-    fmpz_t value, term;
-    fmpz_init_set(value, p->coeffs + degree);
-    fmpz_init(term);
-    for (slong i = degree - 1; i >= 0; i--) {
-        fmpz_mul(value, value, numerator);
-        fmpz_mul_2exp(term, p->coeffs + i, exponent * (ulong)(degree - i));
-        fmpz_add(value, value, term);
-    }
-    fmpz_swap(out, value);
-    fmpz_clear(value);
-    fmpz_clear(term);
-}
-
-int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
-    if (fmpz_is_zero(numerator))
-        return fmpz_poly_is_zero(p) ? 0 : fmpz_sgn(p->coeffs);
-    fmpz_t value;
-    fmpz_init(value);
-    dyadic_evaluate(value, p, numerator, exponent);
-    int sign = fmpz_sgn(value);
-    fmpz_clear(value);
-    return sign;
-}
-
-/* Horner's scheme on sum p_i n^i d^(degree - i), without a division. */
-int rational_sign(const fmpz_poly_t p, const fmpq_t x) {
-    const fmpz *denominator = fmpq_denref(x);
-    ulong exponent = fmpz_val2(denominator);
-    if (fmpz_bits(denominator) == exponent + 1)
-        return dyadic_sign(p, fmpq_numref(x), exponent);
-    slong degree = fmpz_poly_degree(p);
-    fmpz_t value, power;
-    fmpz_init(value);
-    fmpz_init_set_ui(power, 1);
-    for (slong i = degree; i >= 0; i--) {
-        fmpz_mul(value, value, fmpq_numref(x));
-        fmpz_addmul(value, p->coeffs + i, power);
-        if (i > 0)
-            fmpz_mul(power, power, denominator);
-    }
-    int sign = fmpz_sgn(value);
-    fmpz_clear(value);
-    fmpz_clear(power);
-    return sign;
-}
-
-int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x) {
-    fmpz_t a, b;
-    fmpz_init(a);
-    fmpz_init(b);
-    fmpz_mul(a, numerator, fmpq_denref(x));
-    fmpz_mul_2exp(b, fmpq_numref(x), exponent);
-    int order = fmpz_cmp(a, b);
-    fmpz_clear(a);
-    fmpz_clear(b);
-    return order > 0 ? 1 : -(order < 0);
-}
-
 /* The least common multiple of the binomials C(n, 0) ... C(n, n) for the usual n. */
 static const ulong COMMON_BINOMIAL[] = {
     1,        1,        2,        3,        12,        10,        60,        105,    280,
     252,      2520,     2310,     27720,    25740,     24024,     45045,     720720, 680680,
     12252240, 11639628, 11085360, 10581480, 232792560, 223092870, 1070845776};
 
-static void common_binomial(fmpz_t out, slong n) {
+void common_binomial(fmpz_t out, slong n) {
     fmpz_t binomial;
     if (n < (slong)(sizeof COMMON_BINOMIAL / sizeof *COMMON_BINOMIAL)) {
         fmpz_set_ui(out, COMMON_BINOMIAL[n]);

@@ -30,6 +30,13 @@ void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent);
 /** p(numerator / 2^exponent) 2^(exponent degree(p)), an integer; 0 if p is zero. */
 void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ulong exponent);
 
+/**
+ * 2^places p(numerator / 2^exponent), within `error` of it (proofs/separation.md C40).
+ * @param[out] out, error initialised, neither the numerator
+ */
+void dyadic_approximate(fmpz_t out, fmpz_t error, const fmpz_poly_t p, const fmpz_t numerator,
+                        ulong exponent, ulong places);
+
 /** Sign of p at numerator / 2^exponent. */
 int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent);
 
@@ -38,6 +45,9 @@ int rational_sign(const fmpz_poly_t p, const fmpq_t x);
 
 /** Sign of numerator / 2^exponent - x. */
 int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x);
+
+/** The least common multiple of the binomials C(n, 0) ... C(n, n), n >= 0. */
+void common_binomial(fmpz_t out, slong n);
 
 /**
  * Bernstein coefficients of p on an interval, all multiplied by one positive integer that depends

@@ -6,6 +6,7 @@
 #define GRAZE_NUMBER_MODULAR_H
 
 #include <flint/fmpz_poly.h>
+#include "context/context.h"
 
 /** Degree up to which the certificate is tried. */
 enum { MODULAR_DEGREE = 127 };
@@ -15,6 +16,10 @@ enum { MODULAR_DEGREE = 127 };
  * Neither is zero. Any thread.
  */
 int polynomials_certainly_coprime(const fmpz_poly_t p, const fmpz_poly_t q);
+
+/** Count the work that common_factor may be, and poll before it: nothing interrupts it. `context` may
+ * be NULL. */
+graze_status common_factor_work(graze_context *context, const fmpz_poly_t p, const fmpz_poly_t q);
 
 /**
  * Greatest common divisor of p and q, neither zero, up to a constant factor.

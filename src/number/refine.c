@@ -1,7 +1,7 @@
 /* Narrowing the interval of a real algebraic number: by halves, and by secants once the polynomial
  * is nearly straight on it (proofs/claims.md C30). SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "number/algebraic.h"
+#include "number/search.h"
 
 void algebraic_refine(algebraic *x) {
     if (algebraic_is_rational(x))
@@ -24,6 +24,27 @@ void algebraic_refine(algebraic *x) {
     fmpz_clear(middle);
 }
 
+/* |p| at the lower end and the sum of |p| at both, to so many places that `kept` bits of the sum
+ * count. */
+static void secant_values(fmpz_t low, fmpz_t sum, const algebraic *x, ulong kept) {
+    const dyadic_interval *where = &x->where;
+    fmpz_t error, other;
+    fmpz_init(error);
+    fmpz_init(other);
+    for (ulong places = where->exponent + kept;; places *= 2) {
+        dyadic_approximate(low, error, x->poly, where->low, where->exponent, places);
+        dyadic_approximate(sum, other, x->poly, where->high, where->exponent, places);
+        fmpz_add(error, error, other);
+        fmpz_sub(sum, low, sum);
+        if (fmpz_bits(sum) > fmpz_bits(error) + kept)
+            break;
+    }
+    fmpz_abs(low, low);
+    fmpz_abs(sum, sum);
+    fmpz_clear(error);
+    fmpz_clear(other);
+}
+
 /* The place of the secant's root among 2^gain equal parts of the interval: the nearest of the
  * points 0 ... 2^gain of division. It is a guess, so the values are cut to the digits that matter.
  */
@@ -31,16 +52,11 @@ static void secant_point(fmpz_t out, const algebraic *x, ulong gain) {
     fmpz_t low, sum;
     fmpz_init(low);
     fmpz_init(sum);
-    dyadic_evaluate(low, x->poly, x->where.low, x->where.exponent);
-    dyadic_evaluate(sum, x->poly, x->where.high, x->where.exponent);
-    fmpz_sub(sum, low, sum);
-    fmpz_abs(low, low);
-    fmpz_abs(sum, sum);
-    ulong bits = fmpz_bits(sum), kept = gain + 8;
-    if (bits > kept) {
-        fmpz_fdiv_q_2exp(low, low, bits - kept);
-        fmpz_fdiv_q_2exp(sum, sum, bits - kept);
-    }
+    ulong kept = gain + 8;
+    secant_values(low, sum, x, kept);
+    ulong bits = fmpz_bits(sum);
+    fmpz_fdiv_q_2exp(low, low, bits - kept);
+    fmpz_fdiv_q_2exp(sum, sum, bits - kept);
     fmpz_mul_2exp(low, low, gain + 1);
     fmpz_add(low, low, sum);
     fmpz_mul_2exp(sum, sum, 1);
@@ -94,4 +110,28 @@ void algebraic_refine_quadratically(algebraic *x, ulong *gain) {
     }
     algebraic_refine(x);
     *gain = *gain > 1 ? *gain / 2 : 1;
+}
+
+graze_status algebraic_bits_limit(graze_context *context) {
+    return context_limit(context, GRAZE_LIMIT_BITS, "the binary places of an interval around a root");
+}
+
+graze_status algebraic_may_narrow(graze_context *context, const dyadic_interval *interval) {
+    if (context && interval->exponent >= context->limits[GRAZE_LIMIT_BITS])
+        return algebraic_bits_limit(context);
+    return GRAZE_OK;
+}
+
+graze_status algebraic_narrow(graze_context *context, algebraic *x, int halvings, ulong *gain) {
+    if (algebraic_is_rational(x))
+        return GRAZE_OK;
+    ulong limbs = x->where.exponent / FLINT_BITS + 1;
+    graze_status status = algebraic_may_narrow(context, &x->where);
+    if (status == GRAZE_OK)
+        status = context_work(context, (ulong)fmpz_poly_length(x->poly) * limbs * limbs);
+    if (status == GRAZE_OK && halvings < CHEAP_HALVINGS)
+        algebraic_refine(x);
+    else if (status == GRAZE_OK)
+        algebraic_refine_quadratically(x, gain);
+    return status;
 }

@@ -13,7 +13,8 @@
 #include "report/text.h"
 
 int time_is_rational(const graze_time *time) {
-    time_canonicalise((graze_time *)time);
+    /* Without a context nothing ends it. */
+    (void)time_canonicalise((graze_time *)time, NULL);
     return fmpq_equal(time->low, time->high);
 }
 
@@ -161,9 +162,10 @@ static char *decimal_of_root(const graze_time *time, int digits) {
     fmpq_init(high);
     algebraic_set(&u, &time->u);
     char *out = NULL;
+    ulong gain = FIRST_GAIN;
     for (mpfr_prec_t precision = 64 + 4 * (mpfr_prec_t)digits; !out; precision += precision / 8) {
-        for (int k = 0; k < 16; k++)
-            algebraic_refine(&u);
+        for (int k = 0; k < 4; k++)
+            algebraic_refine_quadratically(&u, &gain);
         bounds_in_t(low, high, &u, &time->motion->piece[time->piece]);
         out = common_digits(low, high, precision, digits);
     }

@@ -1,11 +1,13 @@
 /* A contact time in the motion's own parameter: minimal polynomial and widest isolating dyadic
- * interval (formats: TIME), so that equal times are equal text (proofs/claims.md C28).
+ * interval (formats: TIME), so that equal times are equal text (proofs/claims.md C28,
+ * proofs/separation.md C44).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "trace/trace.h"
 
 #include <flint/fmpz_poly_factor.h>
 #include "context/environment.h"
+#include "number/modular.h"
 
 /* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a
  * positive number, as a polynomial in t. */
@@ -78,20 +80,12 @@ static void find_minimal_polynomial(graze_time *time, const fmpq_t low, const fm
     to_motion_parameter(time->poly, time->u.poly, &time->motion->piece[time->piece]);
     fmpz_poly_factor(factors, time->poly);
     for (slong k = 0; k < factors->num; k++)
-        if (sign_at_rational(factors->p + k, low) != sign_at_rational(factors->p + k, high))
+        if (factors->num == 1 ||
+            sign_at_rational(factors->p + k, low) != sign_at_rational(factors->p + k, high))
             fmpz_poly_set(time->poly, factors->p + k);
     if (fmpz_sgn(fmpz_poly_lead(time->poly)) < 0)
         fmpz_poly_neg(time->poly, time->poly);
     fmpz_poly_factor_clear(factors);
-}
-
-static size_t count_roots(const fmpz_poly_t p, const dyadic_interval *interval) {
-    algebraic_list roots;
-    algebraic_list_init(&roots);
-    algebraic_roots(&roots, p, interval);
-    size_t count = roots.count;
-    algebraic_list_clear(&roots);
-    return count;
 }
 
 /* floor(x 2^m) */
@@ -103,52 +97,126 @@ static void scaled_floor(fmpz_t out, const fmpq_t x, ulong m) {
     fmpq_clear(scaled);
 }
 
-/* An irrational number and its minimal polynomial's other roots: no dyadic number is among them, so
- * both loops end. */
-static void find_widest_interval(graze_time *time, fmpq_t low, fmpq_t high) {
-    dyadic_interval at;
-    dyadic_interval_init(&at);
-    for (ulong m = 0;; m++) {
-        at.exponent = m;
-        for (;;) {
-            bounds_in_motion_parameter(low, high, time);
-            scaled_floor(at.low, low, m);
-            scaled_floor(at.high, high, m);
-            if (fmpz_equal(at.low, at.high))
-                break;
-            algebraic_refine(&time->u);
-        }
-        fmpz_add_ui(at.high, at.low, 1);
-        if (count_roots(time->poly, &at) == 1)
+/* *out = floor(t 2^m), which takes an interval short enough; low <= t <= high afterwards. */
+static graze_status floor_of_time(fmpz_t out, graze_context *context, graze_time *time, fmpq_t low,
+                                  fmpq_t high, ulong m) {
+    graze_status status = GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    fmpz_t other;
+    fmpz_init(other);
+    while (status == GRAZE_OK) {
+        bounds_in_motion_parameter(low, high, time);
+        scaled_floor(out, low, m);
+        scaled_floor(other, high, m);
+        if (fmpz_equal(out, other))
             break;
+        status = algebraic_narrow(context, &time->u, CHEAP_HALVINGS, &gain);
     }
-    dyadic_value(time->low, at.low, at.exponent);
-    dyadic_value(time->high, at.high, at.exponent);
-    dyadic_interval_clear(&at);
+    fmpz_clear(other);
+    return status;
 }
 
-void time_canonicalise(graze_time *time) {
+/* Which of the roots isolated in the list the time is: the one whose interval holds the time's. */
+static graze_status find_itself(size_t *out, graze_context *context, graze_time *time,
+                                const algebraic_list *roots, fmpq_t low, fmpq_t high) {
+    graze_status status = GRAZE_OK;
+    for (ulong gain = FIRST_GAIN; status == GRAZE_OK;) {
+        for (size_t k = 0; k < roots->count; k++) {
+            const dyadic_interval *at = &roots->item[k].where;
+            *out = k;
+            if (dyadic_compare(at->low, at->exponent, low) <= 0 &&
+                dyadic_compare(at->high, at->exponent, high) >= 0)
+                return GRAZE_OK;
+        }
+        status = algebraic_narrow(context, &time->u, CHEAP_HALVINGS, &gain);
+        bounds_in_motion_parameter(low, high, time);
+    }
+    return status;
+}
+
+/* The least m at which the interval of the time holds no other root of the list: at that m, a
+ * multiple of 2^-m lies between it and the one before it, and between it and the next. */
+static graze_status find_places(ulong *m, graze_context *context, graze_time *time,
+                                const algebraic_list *roots, fmpq_t low, fmpq_t high) {
+    size_t own = 0;
+    *m = 0;
+    graze_status status = find_itself(&own, context, time, roots, low, high);
+    for (size_t k = own > 0 ? own - 1 : 0; k <= own && k + 1 < roots->count && !status; k++) {
+        ulong places = 0;
+        status = algebraic_places_between(&places, context, &roots->item[k], &roots->item[k + 1]);
+        *m = FLINT_MAX(*m, places);
+    }
+    return status;
+}
+
+/* An irrational number and its minimal polynomial's other roots, of which those in the same unit
+ * interval count: no dyadic number is among them (C28, C44). */
+static graze_status find_widest_interval(graze_time *time, graze_context *context, fmpq_t low,
+                                         fmpq_t high) {
+    algebraic_list roots;
+    dyadic_interval at;
+    ulong m = 0;
+    algebraic_list_init(&roots);
+    dyadic_interval_init(&at);
+    graze_status status = floor_of_time(at.low, context, time, low, high, 0);
+    fmpz_add_ui(at.high, at.low, 1);
+    if (status == GRAZE_OK)
+        status = algebraic_roots(&roots, context, time->poly, &at);
+    if (status == GRAZE_OK)
+        status = find_places(&m, context, time, &roots, low, high);
+    if (status == GRAZE_OK)
+        status = floor_of_time(at.low, context, time, low, high, m);
+    fmpz_add_ui(at.high, at.low, 1);
+    dyadic_value(time->low, at.low, m);
+    dyadic_value(time->high, at.high, m);
+    algebraic_list_clear(&roots);
+    dyadic_interval_clear(&at);
+    return status;
+}
+
+/* The work of a factorisation, which nothing interrupts, is told beforehand. */
+static graze_status canonicalise_root(graze_time *time, graze_context *context, fmpq_t low,
+                                      fmpq_t high) {
+    graze_status status = common_factor_work(context, time->u.poly, time->u.poly);
+    if (status != GRAZE_OK)
+        return status;
+    find_minimal_polynomial(time, low, high);
+    if (fmpz_poly_degree(time->poly) > 1)
+        return find_widest_interval(time, context, low, high);
+    fmpq_set_fmpz_frac(low, time->poly->coeffs, time->poly->coeffs + 1);
+    fmpq_neg(low, low);
+    set_rational(time, low);
+    return GRAZE_OK;
+}
+
+graze_status time_canonicalise(graze_time *time, graze_context *context) {
     if (time->canonical)
-        return;
+        return GRAZE_OK;
     /* Getters that take no context end up here. */
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    time->canonical = 1;
+    graze_status status = GRAZE_OK;
     fmpq_t low, high;
     fmpq_init(low);
     fmpq_init(high);
     bounds_in_motion_parameter(low, high, time);
-    if (algebraic_is_rational(&time->u)) {
+    if (algebraic_is_rational(&time->u))
         set_rational(time, low);
-    } else {
-        find_minimal_polynomial(time, low, high);
-        if (fmpz_poly_degree(time->poly) == 1) {
-            fmpq_set_fmpz_frac(low, time->poly->coeffs, time->poly->coeffs + 1);
-            fmpq_neg(low, low);
-            set_rational(time, low);
-        } else {
-            find_widest_interval(time, low, high);
-        }
-    }
+    else
+        status = canonicalise_root(time, context, low, high);
+    time->canonical = status == GRAZE_OK;
     fmpq_clear(low);
     fmpq_clear(high);
+    return status;
+}
+
+graze_status trace_canonicalise(const graze_trace *trace, graze_context *context) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < trace->contact_count && status == GRAZE_OK; k++) {
+        const contact *c = &trace->contact[k];
+        if (c->from)
+            status = time_canonicalise(c->from, context);
+        if (c->to && status == GRAZE_OK)
+            status = time_canonicalise(c->to, context);
+    }
+    return status;
 }

@@ -15,8 +15,18 @@ typedef struct finder {
     uint32_t simplex;         /* whose sides are at hand: */
     int known;                /* the pullbacks of as many of them, */
     fmpz_poly_struct side[3]; /* made when first asked for */
-    int out_of_memory;
+    graze_context *context;
+    graze_status status; /* the first failure, which ends the search */
 } finder;
+
+static int failed(const finder *f) {
+    return f->status != GRAZE_OK;
+}
+
+static void run_out_of_memory(finder *f) {
+    f->status = context_fail(f->context, GRAZE_ESYSTEM,
+                             "out of memory for the touches of a trajectory");
+}
 
 void touches_init(touches *t) {
     *t = (touches){.count = 0};
@@ -35,9 +45,10 @@ static void add_touch(finder *f, size_t from, size_t to, graze_cell cell) {
     if (out->count == out->capacity) {
         size_t capacity = out->capacity ? 2 * out->capacity : 16;
         touch *item = realloc(out->item, capacity * sizeof *item);
-        f->out_of_memory = f->out_of_memory || !item;
-        if (!item)
+        if (!item) {
+            run_out_of_memory(f);
             return;
+        }
         out->item = item;
         out->capacity = capacity;
     }
@@ -67,12 +78,13 @@ static const fmpz_poly_struct *side_pullback(finder *f, uint32_t simplex, int k)
 }
 
 /* Whether the trajectory, in the simplex's plane at `time`, is in the closed simplex; then `zero`
- * tells which side forms vanish. */
+ * tells which side forms vanish. 0 after a failure. */
 static int inside_at(unsigned *zero, finder *f, uint32_t simplex, algebraic *time) {
     *zero = 0;
     for (int k = 0; k < f->c->dimension; k++) {
-        int sign = algebraic_sign_at(side_pullback(f, simplex, k), time);
-        if (sign < 0)
+        int sign;
+        f->status = algebraic_sign_at(&sign, f->context, side_pullback(f, simplex, k), time);
+        if (failed(f) || sign < 0)
             return 0;
         if (sign == 0)
             *zero |= 1u << k;
@@ -108,7 +120,7 @@ static int may_meet(const candidate *c, const algebraic *time) {
 /* One root of a plane's pullback against all candidates in that plane. */
 static void touch_at_root(finder *f, algebraic *root, const candidate *first, size_t count) {
     size_t time = SIZE_MAX;
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < count && !failed(f); k++) {
         unsigned zero;
         if (!may_meet(&first[k], root) || !inside_at(&zero, f, first[k].simplex, root))
             continue;
@@ -131,21 +143,17 @@ static void touch_plane(finder *f, const fmpz_poly_t pullback, candidate *first,
     algebraic_list_init(&roots);
     dyadic_interval_init(&window);
     qsort(first, count, sizeof *first, compare_windows);
-    for (size_t k = 0; k < count;) {
+    for (size_t k = 0; k < count && !failed(f);) {
         uint32_t from = first[k].from, to = first[k].to;
         for (k++; k < count && first[k].from <= to; k++)
             to = first[k].to > to ? first[k].to : to;
         set_window(&window, from, to);
-        algebraic_roots(&roots, pullback, &window);
+        f->status = algebraic_roots(&roots, f->context, pullback, &window);
     }
-    for (size_t k = 0; k < roots.count; k++)
+    for (size_t k = 0; k < roots.count && !failed(f); k++)
         touch_at_root(f, &roots.item[k], first, count);
     algebraic_list_clear(&roots);
     dyadic_interval_clear(&window);
-}
-
-static int compare_times(const void *left, const void *right) {
-    return algebraic_compare(*(algebraic *const *)left, *(algebraic *const *)right);
 }
 
 /* The times at which a sliding trajectory can change its cell: the roots of the sides, and the
@@ -156,10 +164,10 @@ static void cut_slide(algebraic_list *cuts, finder *f, const candidate *slide) {
     set_window(&window, slide->from, slide->to);
     algebraic_set_dyadic(algebraic_list_append(cuts), window.low, window.exponent);
     algebraic_set_dyadic(algebraic_list_append(cuts), window.high, window.exponent);
-    for (int k = 0; k < f->c->dimension; k++) {
+    for (int k = 0; k < f->c->dimension && !failed(f); k++) {
         const fmpz_poly_struct *side = side_pullback(f, slide->simplex, k);
         if (!fmpz_poly_is_zero(side))
-            algebraic_roots(cuts, side, &window);
+            f->status = algebraic_roots(cuts, f->context, side, &window);
     }
     dyadic_interval_clear(&window);
 }
@@ -170,15 +178,15 @@ static void touch_between(finder *f, const candidate *slide, algebraic **cut, si
     unsigned zero;
     algebraic sample;
     algebraic_init(&sample);
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < count && !failed(f); k++) {
         if (inside_at(&zero, f, slide->simplex, cut[k])) {
             size_t time = add_time(f, cut[k]);
             add_touch(f, time, time, solid_cell(f->solid, slide->simplex, zero));
         }
-        if (k + 1 == count)
+        if (k + 1 == count || failed(f))
             break;
-        algebraic_between(sample.value, cut[k], cut[k + 1]);
-        if (inside_at(&zero, f, slide->simplex, &sample)) {
+        f->status = algebraic_between(sample.value, f->context, cut[k], cut[k + 1]);
+        if (!failed(f) && inside_at(&zero, f, slide->simplex, &sample)) {
             size_t from = add_time(f, cut[k]), to = add_time(f, cut[k + 1]);
             add_touch(f, from, to, solid_cell(f->solid, slide->simplex, zero));
         }
@@ -186,23 +194,32 @@ static void touch_between(finder *f, const candidate *slide, algebraic **cut, si
     algebraic_clear(&sample);
 }
 
+/* Order the cuts and leave out those that are there already. */
+static size_t order_cuts(finder *f, algebraic **order, size_t count) {
+    size_t kept = 0;
+    f->status = algebraic_sort(order, count, f->context);
+    for (size_t k = 0; k < count && !failed(f); k++) {
+        int differ = 1;
+        if (kept > 0)
+            f->status = algebraic_compare(&differ, f->context, order[kept - 1], order[k]);
+        if (differ != 0)
+            order[kept++] = order[k];
+    }
+    return kept;
+}
+
 static void touch_slide(finder *f, const candidate *slide) {
     algebraic_list cuts;
     algebraic_list_init(&cuts);
     cut_slide(&cuts, f, slide);
     algebraic **order = malloc(cuts.count * sizeof(algebraic *));
-    if (order) {
-        size_t kept = 0;
-        for (size_t k = 0; k < cuts.count; k++)
-            order[k] = &cuts.item[k];
-        qsort(order, cuts.count, sizeof(algebraic *), compare_times);
-        for (size_t k = 0; k < cuts.count; k++)
-            if (kept == 0 || algebraic_compare(order[kept - 1], order[k]) != 0)
-                order[kept++] = order[k];
+    if (!order)
+        run_out_of_memory(f);
+    for (size_t k = 0; order && k < cuts.count; k++)
+        order[k] = &cuts.item[k];
+    size_t kept = failed(f) ? 0 : order_cuts(f, order, cuts.count);
+    if (!failed(f))
         touch_between(f, slide, order, kept);
-    } else {
-        f->out_of_memory = 1;
-    }
     free(order);
     algebraic_list_clear(&cuts);
 }
@@ -216,7 +233,7 @@ static void touch_candidates(finder *f, candidate *first, size_t count) {
     if (!fmpz_poly_is_zero(pullback))
         touch_plane(f, pullback, first, count);
     else
-        for (size_t k = 0; k < count; k++)
+        for (size_t k = 0; k < count && !failed(f); k++)
             touch_slide(f, &first[k]);
     fmpz_poly_clear(pullback);
 }
@@ -228,12 +245,12 @@ static void touch_planes(finder *f, const candidates *list, uint32_t *simplex, c
     for (size_t k = 0; k < list->count; k++)
         simplex[k] = list->item[k].simplex;
     if (planes_find(&planes, f->solid, simplex, list->count)) {
-        f->out_of_memory = 1;
+        run_out_of_memory(f);
         return;
     }
     for (size_t k = 0; k < list->count; k++)
         sorted[k] = list->item[planes.order[k]];
-    for (size_t p = 0; p < planes.count; p++) {
+    for (size_t p = 0; p < planes.count && !failed(f); p++) {
         f->plane = planes.form + p * (size_t)(planes.dimension + 1);
         touch_candidates(f, sorted + planes.start[p], planes.start[p + 1] - planes.start[p]);
     }
@@ -244,22 +261,20 @@ graze_status touches_find(touches *t, graze_context *context, const graze_solid 
                           const trajectory *c, const candidates *list) {
     if (list->count == 0)
         return GRAZE_OK;
-    finder f = {.out = t, .solid = solid, .c = c};
+    finder f = {.out = t, .solid = solid, .c = c, .context = context};
     uint32_t *simplex = malloc(list->count * sizeof *simplex);
     candidate *sorted = malloc(list->count * sizeof *sorted);
-    f.out_of_memory = !simplex || !sorted;
+    if (!simplex || !sorted)
+        run_out_of_memory(&f);
     for (int k = 0; k < 3; k++)
         fmpz_poly_init(&f.side[k]);
-    if (!f.out_of_memory)
+    if (!failed(&f))
         touch_planes(&f, list, simplex, sorted);
     for (int k = 0; k < 3; k++)
         fmpz_poly_clear(&f.side[k]);
     free(simplex);
     free(sorted);
-    if (f.out_of_memory)
-        return context_fail(context, GRAZE_ESYSTEM,
-                            "out of memory for the touches of a trajectory");
-    return GRAZE_OK;
+    return f.status;
 }
 
 static int compare_touches(const void *left, const void *right) {
@@ -268,12 +283,18 @@ static int compare_touches(const void *left, const void *right) {
 }
 
 /* order[] are the times ascending; rank_of[] takes a time's number to its rank. */
-static void rank_times(touches *t, algebraic *const *order, size_t *rank_of) {
+static graze_status rank_times(touches *t, graze_context *context, algebraic *const *order,
+                               size_t *rank_of) {
     size_t rank = 0;
     for (size_t k = 0; k < t->time.count; k++) {
         size_t index = (size_t)(order[k] - t->time.item);
-        if (k > 0 && algebraic_compare(order[k - 1], order[k]) != 0)
-            rank++;
+        int differ = 0;
+        if (k > 0) {
+            graze_status status = algebraic_compare(&differ, context, order[k - 1], order[k]);
+            if (status != GRAZE_OK)
+                return status;
+        }
+        rank += differ != 0;
         rank_of[index] = rank;
         t->by_rank[rank] = index;
     }
@@ -282,6 +303,7 @@ static void rank_times(touches *t, algebraic *const *order, size_t *rank_of) {
         t->item[k].to = rank_of[t->item[k].to];
     }
     qsort(t->item, t->count, sizeof *t->item, compare_touches);
+    return GRAZE_OK;
 }
 
 graze_status touches_order(touches *t, graze_context *context) {
@@ -291,15 +313,16 @@ graze_status touches_order(touches *t, graze_context *context) {
     algebraic **order = malloc(n * sizeof(algebraic *));
     size_t *rank_of = malloc(n * sizeof *rank_of);
     t->by_rank = malloc(n * sizeof *t->by_rank);
-    int enough = order && rank_of && t->by_rank;
-    if (enough) {
-        for (size_t k = 0; k < n; k++)
-            order[k] = &t->time.item[k];
-        qsort(order, n, sizeof(algebraic *), compare_times);
-        rank_times(t, order, rank_of);
-    }
+    graze_status status = GRAZE_OK;
+    if (!order || !rank_of || !t->by_rank)
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu contact times", n);
+    for (size_t k = 0; k < n && status == GRAZE_OK; k++)
+        order[k] = &t->time.item[k];
+    if (status == GRAZE_OK)
+        status = algebraic_sort(order, n, context);
+    if (status == GRAZE_OK)
+        status = rank_times(t, context, order, rank_of);
     free(order);
     free(rank_of);
-    return enough ? GRAZE_OK
-                  : context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu contact times", n);
+    return status;
 }

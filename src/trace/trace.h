@@ -58,7 +58,11 @@ graze_status trace_point(graze_trace *out, graze_context *context, const graze_s
                          query_point point, trace_detail detail);
 void trace_clear(graze_trace *trace);
 
-/** Make the canonical form of a time; idempotent. */
-void time_canonicalise(graze_time *time);
+/** Make the canonical form of a time; idempotent. The context may be NULL: then there is no limit.
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED */
+graze_status time_canonicalise(graze_time *time, graze_context *context);
+
+/** Make those of all times of a trace; the trace means the same afterwards. */
+graze_status trace_canonicalise(const graze_trace *trace, graze_context *context);
 
 #endif

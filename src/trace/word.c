@@ -16,17 +16,21 @@ static graze_status locate_between(graze_state *out, tracer *r, graze_time *befo
     fmpq_init(sample);
     size_t piece = before->piece;
     algebraic *low = &before->u;
-    if (algebraic_compare(low, &one) == 0) {
+    int order = 0;
+    graze_status status = algebraic_compare(&order, r->context, low, &one);
+    if (status == GRAZE_OK && order == 0) {
         piece++;
         low = &zero;
     }
     algebraic *high = after->piece == piece ? &after->u : &one;
-    graze_status status;
+    if (status == GRAZE_OK)
+        status = algebraic_compare(&order, r->context, low, high);
     /* Windows that were not apart would give one time twice, between which there is none. */
-    if (after->piece >= piece && algebraic_compare(low, high) < 0) {
-        algebraic_between(sample, low, high);
-        status = tracer_locate(out, r, piece, sample);
-    } else {
+    if (status == GRAZE_OK && after->piece >= piece && order < 0) {
+        status = algebraic_between(sample, r->context, low, high);
+        if (status == GRAZE_OK)
+            status = tracer_locate(out, r, piece, sample);
+    } else if (status == GRAZE_OK) {
         status = context_fail(r->context, GRAZE_EINTERNAL,
                               "two contacts, one after the other, are not in order of time");
     }

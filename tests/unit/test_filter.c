@@ -6,7 +6,7 @@
  */
 #include "filter/meet.h"
 #include "filter_scene.h"
-#include "number/algebraic.h"
+#include "numbers.h"
 
 enum { SCENES = 900, DIRECTED = 500 };
 
@@ -146,14 +146,14 @@ static void judge(truth *out, const scene *s, const fmpz_poly_struct *side, alge
                   algebraic *low, algebraic *high) {
     int closed = 1, open = 1;
     for (int k = 0; k < s->d; k++) {
-        int sign = algebraic_sign_at(&side[k], time);
+        int sign = sign_of(&side[k], time);
         closed = closed && sign >= 0;
         open = open && sign > 0;
     }
     out->on += closed;
     out->inside += open;
     out->beyond +=
-        closed && (algebraic_compare(time, low) < 0 || algebraic_compare(time, high) > 0);
+        closed && (order_of(time, low) < 0 || order_of(time, high) > 0);
 }
 
 /* All times on the simplex; where the curve slides in its plane, the roots of the sides and the
@@ -180,9 +180,9 @@ static truth find_truth(const scene *s, forms f, const meet_window *window) {
         algebraic_set_dyadic(algebraic_list_append(&times), unit.high, 0);
         for (int k = 0; k < s->d; k++)
             if (!fmpz_poly_is_zero(&side[k]))
-                algebraic_roots(&times, &side[k], &unit);
+                append_roots(&times, &side[k], &unit);
     } else {
-        algebraic_roots(&times, plane, &unit);
+        append_roots(&times, plane, &unit);
     }
     set_double(low.value, window->low);
     set_double(high.value, window->high);

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "number/algebraic.h"
+#include "numbers.h"
 
 #include <flint/fmpq_poly.h>
 
@@ -141,7 +141,7 @@ static void roots_in_unit_interval(algebraic_list *list, const fmpz_poly_t p) {
     dyadic_interval_init(&unit);
     dyadic_interval_set_si(&unit, 0, 1);
     algebraic_list_init(list);
-    algebraic_roots(list, p, &unit);
+    append_roots(list, p, &unit);
     dyadic_interval_clear(&unit);
 }
 
@@ -177,9 +177,9 @@ static void test_close_roots(void **unused) {
         for (size_t k = 0; k < 2; k++)
             assert_in_range(narrow(&list.item[k], e + 1000), 1, 3 * e + 60);
         /* Above the first root, below the second, q is negative. */
-        assert_int_equal(algebraic_sign_at(q, &list.item[0]), -1);
-        assert_int_equal(algebraic_sign_at(q, &list.item[1]), 0);
-        assert_int_equal(algebraic_compare(&list.item[0], &list.item[1]), -1);
+        assert_int_equal(sign_of(q, &list.item[0]), -1);
+        assert_int_equal(sign_of(q, &list.item[1]), 0);
+        assert_int_equal(order_of(&list.item[0], &list.item[1]), -1);
         algebraic_list_clear(&list);
     }
     fmpz_poly_clear(p);
@@ -283,8 +283,8 @@ static void check_pair(const fmpz_poly_t p, algebraic *x, const fmpz_poly_t q, a
     int x_given = algebraic_is_rational(x), y_given = algebraic_is_rational(y);
     if (!x_given && !y_given) {
         int order = order_by_tarski(p, a, b, q, c, d), sign = sign_by_tarski(q, p, a, b);
-        if (algebraic_sign_at(q, x) != sign || algebraic_compare(x, y) != order ||
-            algebraic_compare(y, x) != -order) {
+        if (sign_of(q, x) != sign || order_of(x, y) != order ||
+            order_of(y, x) != -order) {
             fmpz_poly_print_pretty(p, "x");
             flint_printf(" and ");
             fmpz_poly_print_pretty(q, "x");

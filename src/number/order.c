@@ -1,0 +1,226 @@
+/* The order of real algebraic numbers: by refinement, equality by gcd; and what lies between two.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "number/modular.h"
+#include "number/search.h"
+
+/* Bring two dyadic intervals to one exponent, so that their ends compare as integers. */
+static void align(dyadic_interval *a, dyadic_interval *b) {
+    if (a->exponent > b->exponent) {
+        align(b, a);
+        return;
+    }
+    ulong shift = b->exponent - a->exponent;
+    fmpz_mul_2exp(a->low, a->low, shift);
+    fmpz_mul_2exp(a->high, a->high, shift);
+    a->exponent = b->exponent;
+}
+
+static int compare_with_rational(algebraic *x, const fmpq_t r) {
+    if (dyadic_compare(x->where.low, x->where.exponent, r) >= 0)
+        return 1;
+    if (dyadic_compare(x->where.high, x->where.exponent, r) <= 0)
+        return -1;
+    int sign = rational_sign(x->poly, r);
+    if (sign == 0)
+        algebraic_set_rational(x, r);
+    return sign == 0 ? 0 : sign == x->low_sign ? 1 : -1;
+}
+
+/* If the two irrational numbers, isolated in overlapping intervals of one exponent, are equal, let
+ * them share their common factor and the overlap. */
+static int unite_if_equal(algebraic *x, algebraic *y) {
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    int equal = 0;
+    if (common_factor(g, x->poly, y->poly) > 0) {
+        const dyadic_interval *a = &x->where, *b = &y->where;
+        dyadic_interval overlap;
+        dyadic_interval_init(&overlap);
+        overlap.exponent = a->exponent;
+        fmpz_set(overlap.low, fmpz_cmp(a->low, b->low) > 0 ? a->low : b->low);
+        fmpz_set(overlap.high, fmpz_cmp(a->high, b->high) < 0 ? a->high : b->high);
+        int low_sign = algebraic_sign_before(g, &overlap);
+        equal = low_sign != 0;
+        if (equal) {
+            fmpz_poly_swap(x->poly, g);
+            dyadic_interval_swap(&x->where, &overlap);
+            x->low_sign = low_sign;
+            algebraic_set(y, x);
+        }
+        dyadic_interval_clear(&overlap);
+    }
+    fmpz_poly_clear(g);
+    return equal;
+}
+
+/* Both irrational, in intervals of one exponent, and given by the same data. */
+static int is_same(const algebraic *x, const algebraic *y) {
+    return fmpz_equal(x->where.low, y->where.low) && fmpz_equal(x->where.high, y->where.high) &&
+           fmpz_poly_equal(x->poly, y->poly);
+}
+
+/* Whether the intervals, or the numbers where they are rational, tell the order; then *out is it.
+ * Irrational numbers get intervals of one exponent. */
+static int order_is_known(int *out, algebraic *x, algebraic *y) {
+    *out = 0;
+    if (algebraic_is_rational(x) && algebraic_is_rational(y))
+        *out = fmpq_cmp(x->value, y->value) > 0 ? 1 : -(fmpq_cmp(x->value, y->value) < 0);
+    else if (algebraic_is_rational(y))
+        *out = compare_with_rational(x, y->value);
+    else if (algebraic_is_rational(x))
+        *out = -compare_with_rational(y, x->value);
+    else
+        align(&x->where, &y->where);
+    if (algebraic_is_rational(x) || algebraic_is_rational(y))
+        return 1;
+    if (fmpz_cmp(x->where.high, y->where.low) <= 0)
+        *out = -1;
+    else if (fmpz_cmp(y->where.high, x->where.low) <= 0)
+        *out = 1;
+    return *out != 0 || is_same(x, y);
+}
+
+graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, algebraic *y) {
+    ulong gain[] = {FIRST_GAIN, FIRST_GAIN};
+    graze_status status = GRAZE_OK;
+    for (int halvings = 0; status == GRAZE_OK; halvings++) {
+        if (order_is_known(out, x, y))
+            return GRAZE_OK;
+        if (halvings == CHEAP_HALVINGS) {
+            status = common_factor_work(context, x->poly, y->poly);
+            if (status == GRAZE_OK && unite_if_equal(x, y)) {
+                *out = 0;
+                return GRAZE_OK;
+            }
+        }
+        if (status == GRAZE_OK)
+            status = algebraic_narrow(context, x, halvings, &gain[0]);
+        if (status == GRAZE_OK)
+            status = algebraic_narrow(context, y, halvings, &gain[1]);
+    }
+    return status;
+}
+
+/* The dyadic number with the least exponent strictly between two rationals a < b, the least of
+ * them if it is an integer. Of the multiples of 2^-e in between, e such that there are some, it is
+ * the one that ends in the most zeros: where the binary digits of the multiple before the first
+ * and of the last one part. */
+static void simplest_dyadic(fmpq_t out, const fmpq_t a, const fmpq_t b) {
+    fmpq_t scaled;
+    fmpz_t before, last, differ;
+    fmpq_init(scaled);
+    fmpz_init(before);
+    fmpz_init(last);
+    fmpz_init(differ);
+    fmpq_sub(scaled, b, a);
+    ulong top = fmpz_bits(fmpq_numref(scaled)), bottom = fmpz_bits(fmpq_denref(scaled));
+    ulong exponent = bottom >= top ? bottom - top + 2 : 0;
+    fmpq_mul_2exp(scaled, a, exponent);
+    fmpz_fdiv_q(before, fmpq_numref(scaled), fmpq_denref(scaled));
+    fmpq_mul_2exp(scaled, b, exponent);
+    fmpz_cdiv_q(last, fmpq_numref(scaled), fmpq_denref(scaled));
+    fmpz_sub_ui(last, last, 1);
+    fmpz_xor(differ, before, last);
+    ulong zeros = fmpz_sgn(differ) < 0 ? exponent : fmpz_bits(differ) - 1;
+    zeros = FLINT_MIN(zeros, exponent);
+    fmpz_fdiv_q_2exp(before, before, zeros);
+    fmpz_add_ui(before, before, 1);
+    dyadic_value(out, before, exponent - zeros);
+    fmpq_clear(scaled);
+    fmpz_clear(before);
+    fmpz_clear(last);
+    fmpz_clear(differ);
+}
+
+graze_status algebraic_between(fmpq_t out, graze_context *context, algebraic *x, algebraic *y) {
+    fmpq_t low, below, above, high;
+    fmpq_init(low);
+    fmpq_init(below);
+    fmpq_init(above);
+    fmpq_init(high);
+    ulong gain[] = {1, 1};
+    graze_status status = GRAZE_OK;
+    while (status == GRAZE_OK) {
+        algebraic_bounds(low, below, x);
+        algebraic_bounds(above, high, y);
+        if (fmpq_cmp(below, above) < 0)
+            break;
+        status = algebraic_narrow(context, x, CHEAP_HALVINGS, &gain[0]);
+        if (status == GRAZE_OK)
+            status = algebraic_narrow(context, y, CHEAP_HALVINGS, &gain[1]);
+    }
+    if (status == GRAZE_OK)
+        simplest_dyadic(out, below, above);
+    fmpq_clear(low);
+    fmpq_clear(below);
+    fmpq_clear(above);
+    fmpq_clear(high);
+    return status;
+}
+
+/* The dyadic number of least exponent between the outer ends of the intervals is the one looked for
+ * once it is in neither of them; it is not x or y. */
+graze_status algebraic_places_between(ulong *out, graze_context *context, algebraic *x,
+                                      algebraic *y) {
+    fmpq_t low, below, above, high, between;
+    fmpq_init(low);
+    fmpq_init(below);
+    fmpq_init(above);
+    fmpq_init(high);
+    fmpq_init(between);
+    ulong gain[] = {FIRST_GAIN, FIRST_GAIN};
+    graze_status status = GRAZE_OK;
+    while (status == GRAZE_OK) {
+        algebraic_bounds(low, below, x);
+        algebraic_bounds(above, high, y);
+        simplest_dyadic(between, low, high);
+        int in_x = fmpq_cmp(between, below) < 0, in_y = fmpq_cmp(between, above) > 0;
+        if (!in_x && !in_y)
+            break;
+        status = algebraic_narrow(context, in_x ? x : y, CHEAP_HALVINGS, &gain[in_y]);
+    }
+    *out = fmpz_val2(fmpq_denref(between));
+    fmpq_clear(low);
+    fmpq_clear(below);
+    fmpq_clear(above);
+    fmpq_clear(high);
+    fmpq_clear(between);
+    return status;
+}
+
+/* Merge order[0 ... middle - 1] and order[middle ... count - 1]; `spare` has room for the first. */
+static graze_status merge(algebraic **order, size_t middle, size_t count, algebraic **spare,
+                          graze_context *context) {
+    size_t i = 0, j = middle, k = 0;
+    for (size_t m = 0; m < middle; m++)
+        spare[m] = order[m];
+    while (i < middle && j < count) {
+        int sign;
+        graze_status status = algebraic_compare(&sign, context, spare[i], order[j]);
+        if (status != GRAZE_OK)
+            return status;
+        order[k++] = sign <= 0 ? spare[i++] : order[j++];
+    }
+    while (i < middle)
+        order[k++] = spare[i++];
+    return GRAZE_OK;
+}
+
+static graze_status sort(algebraic **order, size_t count, algebraic **spare,
+                         graze_context *context) {
+    size_t middle = count / 2;
+    if (count < 2)
+        return GRAZE_OK;
+    graze_status status = sort(order, middle, spare, context);
+    if (status == GRAZE_OK)
+        status = sort(order + middle, count - middle, spare, context);
+    return status == GRAZE_OK ? merge(order, middle, count, spare, context) : status;
+}
+
+graze_status algebraic_sort(algebraic **order, size_t count, graze_context *context) {
+    algebraic **spare = flint_malloc((count / 2 + 1) * sizeof *spare);
+    graze_status status = sort(order, count, spare, context);
+    flint_free(spare);
+    return status;
+}
