@@ -28,8 +28,7 @@ static int exit_of(graze_status status) {
     return status == GRAZE_ELIMIT ? EXIT_LIMIT : status == GRAZE_ESYSTEM ? EXIT_IO : EXIT_FAULT;
 }
 
-void answer(answerer *a, block *b, size_t first) {
-    row_run *r = &b->runs[first];
+void answer(answerer *a, row_run *r, const block *b, size_t first) {
     size_t n = read_run(a, r, b, first);
     int has_rest = a->source.columns && a->source.columns->others;
     graze_status status =

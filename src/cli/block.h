@@ -35,7 +35,7 @@ typedef struct row_run {
     size_t done;  /* rows the text holds */
     char *text;   /* for graze_free */
     size_t length;
-    fault fault; /* why row `done` has no answer, where done < taken */
+    fault fault; /* why row `done` has no answer, where done < taken; EXIT_SIGNAL until answered */
 } row_run;
 
 typedef struct block {

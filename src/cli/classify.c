@@ -224,8 +224,10 @@ static int prepare(run_state *s, const options *o) {
     return status;
 }
 
+/* Rows that a signal leaves under way go on until the process ends. */
 static void finish(run_state *s) {
-    jobs_stop(s->jobs);
+    if (!jobs_stop(s->jobs))
+        return;
     for (size_t k = 0; s->ring && k < s->ring_size; k++)
         block_destroy(s->ring[k]);
     free(s->ring);

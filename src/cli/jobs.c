@@ -8,6 +8,7 @@
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 #include "cli/interrupt.h"
 #include "cli/rows.h"
@@ -25,6 +26,8 @@ struct jobs {
     block *first, *last; /* blocks with rows that nobody has taken, in order */
     size_t left;         /* the number of those rows */
     int stop;
+    int given_up; /* rows under way are no longer waited for, and blocks no longer changed */
+    int at_work;  /* threads that are answering */
     int count;
     worker workers[];
 };
@@ -36,9 +39,10 @@ static size_t take(block **b, jobs *j) {
     size_t first = (*b)->next, in_block = (*b)->count - first;
     share = share < 1 ? 1 : share < RUN_ROWS ? share : RUN_ROWS;
     share = share < in_block ? share : in_block;
-    (*b)->runs[first].taken = share;
+    (*b)->runs[first] = (row_run){.taken = share, .fault = {EXIT_SIGNAL, NULL}};
     (*b)->next += share;
     (*b)->busy++;
+    j->at_work++;
     j->left -= share;
     if (share == in_block)
         j->first = (*b)->after;
@@ -58,10 +62,15 @@ static void *serve(void *data) {
             break;
         block *b;
         size_t first = take(&b, j);
+        row_run mine = {.taken = b->runs[first].taken};
         pthread_mutex_unlock(&j->lock);
-        answer(&w->answerer, b, first);
+        answer(&w->answerer, &mine, b, first);
         pthread_mutex_lock(&j->lock);
+        if (j->given_up)
+            break;
+        b->runs[first] = mine;
         b->busy--;
+        j->at_work--;
         if (!b->busy && b->next == b->count)
             pthread_cond_signal(&j->done);
     }
@@ -82,10 +91,25 @@ void jobs_submit(jobs *j, block *b) {
     pthread_mutex_unlock(&j->lock);
 }
 
+/* Wait for news of a thread, but no longer than a look; 0 after a signal's last one. The lock is
+ * held. */
+static int look(jobs *j, int *looks) {
+    struct timespec until;
+    if (interrupt_signal() && ++*looks > LAST_LOOKS)
+        return 0;
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    until.tv_nsec += LOOK_MILLISECONDS * 1000000L;
+    until.tv_sec += until.tv_nsec / 1000000000L;
+    until.tv_nsec %= 1000000000L;
+    pthread_cond_timedwait(&j->done, &j->lock, &until);
+    return 1;
+}
+
 void jobs_wait(jobs *j, const block *b) {
+    int looks = 0;
     pthread_mutex_lock(&j->lock);
-    while (b->busy || (b->next < b->count && !interrupt_signal()))
-        pthread_cond_wait(&j->done, &j->lock);
+    while (!j->given_up && (b->busy || (b->next < b->count && !interrupt_signal())))
+        j->given_up = !look(j, &looks);
     pthread_mutex_unlock(&j->lock);
 }
 
@@ -112,7 +136,11 @@ int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_sourc
         return complain(EXIT_IO, "out of memory");
     pthread_mutex_init(&j->lock, NULL);
     pthread_cond_init(&j->work, NULL);
-    pthread_cond_init(&j->done, NULL);
+    pthread_condattr_t monotonic;
+    pthread_condattr_init(&monotonic);
+    pthread_condattr_setclock(&monotonic, CLOCK_MONOTONIC);
+    pthread_cond_init(&j->done, &monotonic);
+    pthread_condattr_destroy(&monotonic);
     for (int k = 0; k < count; k++) {
         worker *w = &j->workers[k];
         w->shared = j;
@@ -127,13 +155,19 @@ int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_sourc
     return EXIT_DONE;
 }
 
-void jobs_stop(jobs *j) {
+int jobs_stop(jobs *j) {
     if (!j)
-        return;
+        return 1;
+    int looks = 0;
     pthread_mutex_lock(&j->lock);
     j->stop = 1;
     pthread_cond_broadcast(&j->work);
+    while (!j->given_up && j->at_work)
+        j->given_up = !look(j, &looks);
+    int given_up = j->given_up;
     pthread_mutex_unlock(&j->lock);
+    if (given_up)
+        return 0;
     for (int k = 0; k < j->count; k++) {
         worker *w = &j->workers[k];
         if (w->started)
@@ -144,4 +178,5 @@ void jobs_stop(jobs *j) {
     pthread_cond_destroy(&j->done);
     pthread_mutex_destroy(&j->lock);
     free(j);
+    return 1;
 }

@@ -10,6 +10,10 @@
 #include "cli/columns.h"
 #include "cli/progress.h"
 
+/** After a signal that many looks, so many milliseconds apart, are taken for rows that are nearly
+ * answered. */
+enum { LAST_LOOKS = 10, LOOK_MILLISECONDS = 20 };
+
 /* -------------------------------------------------------------------------------- CSV files */
 
 typedef struct csv csv;
@@ -86,8 +90,9 @@ typedef struct answerer {
 /** Make an answerer; answerer_clear frees it in either case. On failure says why. */
 int answerer_init(answerer *a, const options *o, const graze_scene *scene, row_source source);
 void answerer_clear(answerer *a);
-/** Answer the run that begins at row `first` of a block; its `taken` rows are set. */
-void answer(answerer *a, block *b, size_t first);
+/** Answer the run that begins at row `first` of a block, into a run whose `taken` is set and that is
+ * zeroed otherwise. */
+void answer(answerer *a, row_run *r, const block *b, size_t first);
 
 /* -------------------------------------------------------------------------------------- jobs */
 
@@ -99,9 +104,14 @@ int jobs_width(const options *o);
 int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source);
 /** Hand a block over; it is answered after those before it and must stay until jobs_wait. */
 void jobs_submit(jobs *j, block *b);
-/** Wait until all rows of a block are answered, or those a signal leaves time for. */
+/** Wait until all rows of a block are answered, or those a signal leaves time for: a moment for
+ * what is under way. Runs without an answer have the fault EXIT_SIGNAL. */
 void jobs_wait(jobs *j, const block *b);
-/** End all threads, after the runs they are at. NULL is harmless. */
-void jobs_stop(jobs *j);
+/**
+ * End all threads, after the runs they are at. NULL is harmless.
+ * @return 0 if a signal came and some are still at a row: then nothing that they use may be freed,
+ * and the process is to end by the signal
+ */
+int jobs_stop(jobs *j);
 
 #endif

@@ -37,11 +37,17 @@ struct jobs {
     int ranks;           /* other than this one */
     int serving;         /* they wait for runs */
     int failed;          /* memory ran short */
+    int looks;           /* since a signal came */
     message message;     /* an answer */
     errands sent[];      /* to rank k at k - 1 */
 };
 
 static int told;
+static int abandoned; /* a rank is at a row that a signal does not wait for */
+
+int ranks_abandoned(void) {
+    return abandoned;
+}
 
 void ranks_release(int status) {
     if (!told)
@@ -94,7 +100,7 @@ static size_t take(jobs *j, block **of) {
     size_t first = b->next;
     share = share < 1 ? 1 : share < RUN_ROWS ? share : RUN_ROWS;
     share = share < in_block ? share : in_block;
-    b->runs[first].taken = share;
+    b->runs[first] = (row_run){.taken = share, .fault = {EXIT_SIGNAL, NULL}};
     b->next += share;
     b->busy++;
     j->left -= share;
@@ -136,6 +142,20 @@ static void await(int from, MPI_Status *about) {
     }
 }
 
+/* Wait for an answer; 0 if a signal came and none does for as long as is left. */
+static int answer_comes(jobs *j) {
+    int there = 0;
+    MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE);
+    for (int looks = 0; !there && j->looks <= LAST_LOOKS; looks++) {
+        int ending = interrupt_signal() != 0;
+        j->looks += ending;
+        if (ending || looks > LOOKS)
+            nanosleep(&(struct timespec){0, ending ? LOOK_MILLISECONDS * 1000000L : 20000}, NULL);
+        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE);
+    }
+    return there;
+}
+
 /* Receive a message from anyone or from one rank; its sender, or -1 when memory is short. */
 static int receive(message *m, int from, int *kind) {
     MPI_Status about;
@@ -157,7 +177,12 @@ static void give_up(void) {
     MPI_Abort(MPI_COMM_WORLD, EXIT_IO);
 }
 
-static void take_answer(jobs *j) {
+/* 0 if none comes. */
+static int take_answer(jobs *j) {
+    if (!answer_comes(j)) {
+        abandoned = 1;
+        return 0;
+    }
     int kind, rank = receive(&j->message, MPI_ANY_SOURCE, &kind);
     if (rank < 1) {
         give_up();
@@ -165,6 +190,7 @@ static void take_answer(jobs *j) {
         errands *of = &j->sent[rank - 1];
         errand *done = &of->item[of->oldest];
         row_run *r = &done->block->runs[done->first];
+        fault_clear(&r->fault);
         if (!message_get_answer(&j->message, r))
             fault_set(&r->fault, EXIT_IO, "out of memory");
         MPI_Wait(&done->under_way, MPI_STATUS_IGNORE);
@@ -172,29 +198,33 @@ static void take_answer(jobs *j) {
         of->oldest = (of->oldest + 1) % AHEAD;
         of->count--;
     }
+    return 1;
 }
 
 void jobs_wait(jobs *j, const block *b) {
-    while (b->busy || (b->next < b->count && !interrupt_signal() && !j->failed)) {
+    while (!abandoned &&
+           (b->busy || (b->next < b->count && !interrupt_signal() && !j->failed))) {
         if (j->ranks) {
             hand_out(j);
             if (b->busy)
-                take_answer(j);
+                (void)take_answer(j);
         } else {
             block *mine;
             size_t first = take(j, &mine);
-            answer(&j->alone, mine, first);
+            fault_clear(&mine->runs[first].fault);
+            answer(&j->alone, &mine->runs[first], mine, first);
             mine->busy--;
         }
     }
 }
 
-void jobs_stop(jobs *j) {
+int jobs_stop(jobs *j) {
     if (!j)
-        return;
+        return 1;
     for (int k = 0; k < j->ranks; k++)
         while (j->sent[k].count)
-            take_answer(j);
+            if (abandoned || !take_answer(j))
+                return 0;
     for (int k = 0; j->serving && k < j->ranks; k++)
         MPI_Send(NULL, 0, MPI_BYTE, k + 1, MESSAGE_STOP, MPI_COMM_WORLD);
     for (int k = 0; k < AHEAD * j->ranks; k++)
@@ -202,6 +232,7 @@ void jobs_stop(jobs *j) {
     answerer_clear(&j->alone);
     message_clear(&j->message);
     free(j);
+    return 1;
 }
 
 /* Answer the run at hand, which is sent while the next one comes; 0 when memory is short. */
@@ -209,7 +240,7 @@ static int serve_run(answerer *a, columns *c, block *b, const message *run, mess
                      MPI_Request *under_way) {
     if (!message_get_run(run, b, c))
         return 0;
-    answer(a, b, 0);
+    answer(a, &b->runs[0], b, 0);
     MPI_Wait(under_way, MPI_STATUS_IGNORE);
     if (!message_put_answer(reply, &b->runs[0]))
         return 0;

@@ -55,7 +55,8 @@ int main(int argc, char **argv) {
     if (!status && !show_help)
         status = run(&o, rank);
     options_clear(&o);
-    MPI_Finalize();
+    if (!ranks_abandoned())
+        MPI_Finalize();
     if (status == EXIT_SIGNAL && rank == 0)
         interrupt_die();
     return status == EXIT_SIGNAL ? EXIT_DONE : status;

@@ -14,6 +14,10 @@
  * told them that all is well. */
 void ranks_release(int status);
 
+/** Rank 0: whether a signal came and another rank is still at a row. It will not come to the end of
+ * MPI; it ends when mpirun finds that rank 0 has died. */
+int ranks_abandoned(void);
+
 /** Other ranks: load the scene once rank 0 has, and answer until there is nothing left. Returns an
  * exit status and says what is wrong here and not on rank 0. */
 int ranks_serve(const options *o);
