@@ -18,7 +18,7 @@ static const char help[] =
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
     "  --receipt FILE       write a receipt there if they are legal, for graze classify --receipt\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, line 10^7,\n"
-    "                       cells 10^8, bytes 4*10^9\n"
+    "                       cells 10^8, bytes 4*10^9, bits 100000\n"
     "\n"
     "Example: graze check cube.off move.json\n";
 
