@@ -90,8 +90,8 @@ typedef struct answerer {
 /** Make an answerer; answerer_clear frees it in either case. On failure says why. */
 int answerer_init(answerer *a, const options *o, const graze_scene *scene, row_source source);
 void answerer_clear(answerer *a);
-/** Answer the run that begins at row `first` of a block, into a run whose `taken` is set and that is
- * zeroed otherwise. */
+/** Answer the run that begins at row `first` of a block, into a run whose `taken` is set and that
+ * is zeroed otherwise. */
 void answer(answerer *a, row_run *r, const block *b, size_t first);
 
 /* -------------------------------------------------------------------------------------- jobs */

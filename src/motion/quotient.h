@@ -43,8 +43,8 @@ int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
 void quotient_check(calculation *c, const fmpz_poly_q_t a);
 
 /**
- * Has p, not zero, a root in [0, 1]? If so *found is 1, and low <= the first one <= high, equal when
- * it is seen to be rational.
+ * Has p, not zero, a root in [0, 1]? If so *found is 1, and low <= the first one <= high, equal
+ * when it is seen to be rational.
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED
  */
 graze_status polynomial_root(int *found, fmpq_t low, fmpq_t high, graze_context *context,

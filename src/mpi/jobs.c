@@ -202,8 +202,7 @@ static int take_answer(jobs *j) {
 }
 
 void jobs_wait(jobs *j, const block *b) {
-    while (!abandoned &&
-           (b->busy || (b->next < b->count && !interrupt_signal() && !j->failed))) {
+    while (!abandoned && (b->busy || (b->next < b->count && !interrupt_signal() && !j->failed))) {
         if (j->ranks) {
             hand_out(j);
             if (b->busy)

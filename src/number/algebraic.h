@@ -65,14 +65,13 @@ graze_status algebraic_narrow(graze_context *context, algebraic *x, int step, ul
 graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, algebraic *y);
 
 /** *out: sign of q at x: -1, 0, 1 (theory K2). */
-graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly_t q,
-                               algebraic *x);
+graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly_t q, algebraic *x);
 
 /** A dyadic number strictly between x and y, x < y. */
 graze_status algebraic_between(fmpq_t out, graze_context *context, algebraic *x, algebraic *y);
 
-/** The least m for which a multiple of 2^-m lies strictly between x and y, x < y, both irrational and
- * in intervals that have at most an end in common. */
+/** The least m for which a multiple of 2^-m lies strictly between x and y, x < y, both irrational
+ * and in intervals that have at most an end in common. */
 graze_status algebraic_places_between(ulong *out, graze_context *context, algebraic *x,
                                       algebraic *y);
 

@@ -73,9 +73,9 @@ slong common_factor(fmpz_poly_t g, const fmpz_poly_t p, const fmpz_poly_t q) {
     return fmpz_poly_degree(g);
 }
 
-graze_status common_factor_work(graze_context *context, const fmpz_poly_t p,
-                                     const fmpz_poly_t q) {
+graze_status common_factor_work(graze_context *context, const fmpz_poly_t p, const fmpz_poly_t q) {
     ulong n = (ulong)FLINT_MAX(fmpz_poly_length(p), fmpz_poly_length(q));
-    ulong bits = (ulong)FLINT_MAX(FLINT_ABS(fmpz_poly_max_bits(p)), FLINT_ABS(fmpz_poly_max_bits(q)));
+    ulong bits =
+        (ulong)FLINT_MAX(FLINT_ABS(fmpz_poly_max_bits(p)), FLINT_ABS(fmpz_poly_max_bits(q)));
     return context_work(context, n * n * (bits / FLINT_BITS + 1));
 }

@@ -17,8 +17,8 @@ enum { MODULAR_DEGREE = 127 };
  */
 int polynomials_certainly_coprime(const fmpz_poly_t p, const fmpz_poly_t q);
 
-/** Count the work that common_factor may be, and poll before it: nothing interrupts it. `context` may
- * be NULL. */
+/** Count the work that common_factor may be, and poll before it: nothing interrupts it. `context`
+ * may be NULL. */
 graze_status common_factor_work(graze_context *context, const fmpz_poly_t p, const fmpz_poly_t q);
 
 /**

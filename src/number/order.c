@@ -175,7 +175,7 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
         algebraic_bounds(low, below, x);
         algebraic_bounds(above, high, y);
         simplest_dyadic(between, low, high);
-        int in_x = fmpq_cmp(between, below) < 0, in_y = fmpq_cmp(between, above) > 0;
+        int in_x = fmpq_cmp(between, below)<0, in_y = fmpq_cmp(between, above)> 0;
         if (!in_x && !in_y)
             break;
         status = algebraic_narrow(context, in_x ? x : y, CHEAP_HALVINGS, &gain[in_y]);

@@ -113,7 +113,8 @@ void algebraic_refine_quadratically(algebraic *x, ulong *gain) {
 }
 
 graze_status algebraic_bits_limit(graze_context *context) {
-    return context_limit(context, GRAZE_LIMIT_BITS, "the binary places of an interval around a root");
+    return context_limit(context, GRAZE_LIMIT_BITS,
+                         "the binary places of an interval around a root");
 }
 
 graze_status algebraic_may_narrow(graze_context *context, const dyadic_interval *interval) {

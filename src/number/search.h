@@ -13,9 +13,9 @@ enum { EXACT_HALVINGS = 32 };
 /** GRAZE_ELIMIT: an interval has as many binary places as are allowed. */
 graze_status algebraic_bits_limit(graze_context *context);
 
-/** The sign at the lower end of an interval of a polynomial g that divides that of a number isolated
- * there, if g vanishes at the number, else 0. The ends are no roots of g, and it has at most that
- * one root there, and a simple one. */
+/** The sign at the lower end of an interval of a polynomial g that divides that of a number
+ * isolated there, if g vanishes at the number, else 0. The ends are no roots of g, and it has at
+ * most that one root there, and a simple one. */
 int algebraic_sign_before(const fmpz_poly_t g, const dyadic_interval *interval);
 
 /** The roots of `poly` found so far in the interval `whole`. `poly` has only simple roots in the

@@ -24,8 +24,8 @@ static int failed(const finder *f) {
 }
 
 static void run_out_of_memory(finder *f) {
-    f->status = context_fail(f->context, GRAZE_ESYSTEM,
-                             "out of memory for the touches of a trajectory");
+    f->status =
+        context_fail(f->context, GRAZE_ESYSTEM, "out of memory for the touches of a trajectory");
 }
 
 void touches_init(touches *t) {

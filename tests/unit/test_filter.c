@@ -152,8 +152,7 @@ static void judge(truth *out, const scene *s, const fmpz_poly_struct *side, alge
     }
     out->on += closed;
     out->inside += open;
-    out->beyond +=
-        closed && (order_of(time, low) < 0 || order_of(time, high) > 0);
+    out->beyond += closed && (order_of(time, low) < 0 || order_of(time, high) > 0);
 }
 
 /* All times on the simplex; where the curve slides in its plane, the roots of the sides and the

@@ -283,8 +283,7 @@ static void check_pair(const fmpz_poly_t p, algebraic *x, const fmpz_poly_t q, a
     int x_given = algebraic_is_rational(x), y_given = algebraic_is_rational(y);
     if (!x_given && !y_given) {
         int order = order_by_tarski(p, a, b, q, c, d), sign = sign_by_tarski(q, p, a, b);
-        if (sign_of(q, x) != sign || order_of(x, y) != order ||
-            order_of(y, x) != -order) {
+        if (sign_of(q, x) != sign || order_of(x, y) != order || order_of(y, x) != -order) {
             fmpz_poly_print_pretty(p, "x");
             flint_printf(" and ");
             fmpz_poly_print_pretty(q, "x");
