@@ -253,6 +253,8 @@ graze_status graze_report_export(char **out, size_t *length, graze_context *cont
                                  const char *table, size_t table_length, graze_export form) {
     if (out)
         *out = NULL;
+    if (length)
+        *length = 0;
     if (!out || !length || !context || !table)
         return api_misuse(context, "graze_report_export",
                           "out, length, context and table must not be NULL");
@@ -261,15 +263,21 @@ graze_status graze_report_export(char **out, size_t *length, graze_context *cont
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     cut_table cut;
     text bytes;
+    graze_rounding rounding = context->rounding;
+    context->rounding = GRAZE_ROUND_NONE; /* further columns are not numbers of the scene */
     text_init(&bytes);
     graze_status status = cut_table_read(&cut, context, table, table_length);
     if (!status)
         status = (form == GRAZE_EXPORT_VTK ? export_vtk : export_npy)(&bytes, context, &cut);
     cut_table_clear(&cut);
-    *length = bytes.length;
-    if (!status)
-        return text_finish(out, context, &bytes);
-    text_clear(&bytes);
+    context->rounding = rounding;
+    if (status) {
+        text_clear(&bytes);
+        return status;
+    }
+    size_t made = bytes.length;
+    status = text_finish(out, context, &bytes);
+    *length = status ? 0 : made;
     return status;
 }
 

@@ -133,7 +133,8 @@ static void put_answers(FILE *file, const graze_comparison *c, const table *t, c
         int told = sdf ? col == COLUMN_SDF : col <= COLUMN_TOPO;
         if (t->where[col] < 0 || !told)
             continue;
-        fprintf(file, "%s%s=%.*s", blank, column_name((column)col), (int)f.length, f.start);
+        fprintf(file, "%s%s=", blank, column_name((column)col));
+        field_print(file, f);
         blank = " ";
     }
 }
@@ -146,8 +147,8 @@ static char *row_text(const graze_comparison *c, const table *t, const table_row
     if (!file)
         return NULL;
     for (int k = 0; which == 0 && k < t->dimension; k++) {
-        field f = table_field(t, row, (column)(COLUMN_X + k));
-        fprintf(file, "%s%.*s", k ? " " : "", (int)f.length, f.start);
+        fputs(k ? " " : "", file);
+        field_print(file, table_field(t, row, (column)(COLUMN_X + k)));
     }
     if (which)
         put_answers(file, c, t, row, which == 2);

@@ -51,8 +51,8 @@ static graze_status answers_of(uint64_t *out, const table *t, const table_row *r
     size_t length = 0;
     FILE *file = open_memstream(&text, &length);
     for (size_t k = 0; file && k < count; k++) {
-        field f = table_field(t, row, columns[k]);
-        fprintf(file, "%.*s\n", (int)f.length, f.start);
+        field_print(file, table_field(t, row, columns[k]));
+        fputc('\n', file);
     }
     int failed = !file || fclose(file) != 0;
     *out = failed ? 0 : digest_of(text, length).high;

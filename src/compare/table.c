@@ -31,6 +31,11 @@ int field_equal(field a, field b) {
     return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
 }
 
+void field_print(FILE *file, field f) {
+    if (f.length)
+        fwrite(f.start, 1, f.length, file);
+}
+
 field table_field(const table *t, const table_row *row, column c) {
     return t->where[c] < 0 ? (field){"", 0} : row->fields[t->where[c]];
 }
@@ -54,14 +59,6 @@ static graze_status no_memory(const table *t) {
 
 static int is_blank(char byte) {
     return byte == ' ' || byte == '\t';
-}
-
-static field trimmed(field f) {
-    for (; f.length && is_blank(*f.start); f.start++)
-        f.length--;
-    while (f.length && is_blank(f.start[f.length - 1]))
-        f.length--;
-    return f;
 }
 
 /* A whole number as the last line has it; 0 if it is none or too large. */
@@ -90,12 +87,12 @@ static graze_status read_complete(table *t, field value) {
 
 /* A `#` line: `# key value`. */
 static graze_status read_note(table *t, field line) {
-    field key = trimmed((field){line.start + 1, line.length - 1}), value = key;
+    field key = csv_trimmed((field){line.start + 1, line.length - 1}), value = key;
     for (key.length = 0; key.length < value.length && !is_blank(key.start[key.length]);)
         key.length++;
     value.start += key.length;
     value.length -= key.length;
-    value = trimmed(value);
+    value = csv_trimmed(value);
     if (field_is(key, "complete"))
         return read_complete(t, value);
     for (int n = 0; n < NOTE_COUNT; n++) {
@@ -107,24 +104,6 @@ static graze_status read_note(table *t, field line) {
     return GRAZE_OK;
 }
 
-/* Where a field that begins at `at` ends; NULL if a quote in it is not closed or followed by more.
- */
-static const char *field_end(const char *at, const char *end) {
-    while (at < end && is_blank(*at))
-        at++;
-    if (at == end || *at != '"') {
-        const char *comma = memchr(at, ',', (size_t)(end - at));
-        return comma ? comma : end;
-    }
-    for (at++; at < end && !(*at == '"' && (at + 1 == end || at[1] != '"')); at++)
-        at += *at == '"';
-    if (at >= end)
-        return NULL;
-    for (at++; at < end && is_blank(*at);)
-        at++;
-    return at == end || *at == ',' ? at : NULL;
-}
-
 static graze_status add_field(table *t, table_row *row, field f) {
     if (row->field_count == row->field_capacity) {
         size_t capacity = 2 * row->field_capacity + 16;
@@ -133,11 +112,6 @@ static graze_status add_field(table *t, table_row *row, field f) {
             return no_memory(t);
         row->fields = grown;
         row->field_capacity = capacity;
-    }
-    f = trimmed(f);
-    if (f.length >= 2 && *f.start == '"') {
-        f.start++;
-        f.length -= 2;
     }
     row->fields[row->field_count++] = f;
     return GRAZE_OK;
@@ -158,18 +132,17 @@ static graze_status split(table *t, table_row *row, field line) {
     row->keyed = 0;
     row->line = t->in.line;
     const char *at = row->bytes, *end = at + line.length;
-    for (;;) {
-        const char *stop = field_end(at, end);
-        if (!stop)
+    graze_status status = GRAZE_OK;
+    while (at && !status) {
+        field f;
+        if (!csv_take(&f, &at, end))
             return context_fail(t->in.context, GRAZE_EINPUT,
                                 "%s:%lu: a quoted field must end on its line, before a comma or "
                                 "the line's end",
                                 t->in.name, t->in.line);
-        graze_status status = add_field(t, row, (field){at, (size_t)(stop - at)});
-        if (status || stop == end)
-            return status;
-        at = stop + 1;
+        status = add_field(t, row, f);
     }
+    return status;
 }
 
 /* The next line that is neither blank nor a `#` line, as a row. */
@@ -183,7 +156,7 @@ static graze_status next_line(table *t, table_row *row, int *more) {
             return status;
         if (line.length && *line.start == '#') {
             status = read_note(t, line);
-        } else if (trimmed(line).length) {
+        } else if (csv_trimmed(line).length) {
             *more = 1;
             return split(t, row, line);
         }
@@ -203,7 +176,7 @@ static graze_status fix_columns(table *t, const table_row *row) {
                                     "%s:%lu: the column line names %s twice; right is once",
                                     t->in.name, t->in.line, column_names[c]);
             if (t->where[c] < 0)
-                t->where[c] = (int)k;
+                t->where[c] = (long)k;
         }
     t->columns = row->field_count;
     int has_z = t->where[COLUMN_Z] >= 0;

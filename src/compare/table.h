@@ -8,7 +8,9 @@
 #define GRAZE_COMPARE_TABLE_H
 
 #include <stdint.h>
+#include <stdio.h>
 #include "compare/stream.h"
+#include "context/csv.h"
 
 /** Columns that mean something here; any other is passed over. */
 typedef enum column {
@@ -46,10 +48,7 @@ typedef enum note {
     NOTE_COUNT
 } note;
 
-typedef struct field {
-    const char *start;
-    size_t length;
-} field;
+typedef csv_field field;
 
 /** The first 128 bits of a SHA-256, by which points and answers are known again. */
 typedef struct digest {
@@ -70,7 +69,7 @@ typedef struct table {
     stream in;
     char *notes[NOTE_COUNT]; /* values of `#` lines; NULL where there is none */
     int dimension;           /* of the points; 0 without columns x and y */
-    int where[COLUMN_COUNT]; /* -1 where there is no such column */
+    long where[COLUMN_COUNT]; /* -1 where there is no such column */
     size_t columns;
     unsigned long rows; /* handed out */
     int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
@@ -95,6 +94,8 @@ void table_row_clear(table_row *row);
 field table_field(const table *t, const table_row *row, column c);
 int field_is(field f, const char *text);
 int field_equal(field a, field b);
+/** Write its bytes, however many they are. */
+void field_print(FILE *file, field f);
 
 /** The digest of bytes. */
 digest digest_of(const char *bytes, size_t length);

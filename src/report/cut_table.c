@@ -1,39 +1,14 @@
 /* Cuts a finished table into columns and says what each holds.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "report/cut_table.h"
+#include "report/cut_notes.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include "number/rational.h"
 #include "number/rounding.h"
-
-static token trimmed(token s) {
-    while (s.length && (*s.start == ' ' || *s.start == '\t')) {
-        s.start++;
-        s.length--;
-    }
-    while (s.length && (s.start[s.length - 1] == ' ' || s.start[s.length - 1] == '\t'))
-        s.length--;
-    return s;
-}
-
-/* Take the next field from the front of a row; doubled quotes stay as they are. */
-static token take_field(token *rest) {
-    const char *at = rest->start, *end = at + rest->length;
-    int quoted = 0;
-    while (at < end && (quoted || *at != ','))
-        quoted ^= *at++ == '"';
-    token field = trimmed((token){rest->start, (size_t)(at - rest->start)});
-    if (field.length >= 2 && *field.start == '"') {
-        field.start++;
-        field.length -= 2;
-    }
-    at += at < end;
-    *rest = (token){at, (size_t)(end - at)};
-    return field;
-}
 
 /* Take the next line from the front of a text. */
 static token take_line(token *rest) {
@@ -47,44 +22,6 @@ static token take_line(token *rest) {
 
 static int is(token s, const char *text) {
     return s.length == strlen(text) && memcmp(s.start, text, s.length) == 0;
-}
-
-/* What follows a key in a `#` line; 0 if the line has another. */
-static int value_of(token *out, token line, const char *key) {
-    size_t length = strlen(key);
-    if (line.length <= length || memcmp(line.start, key, length) != 0)
-        return 0;
-    *out = (token){line.start + length, line.length - length};
-    return 1;
-}
-
-static unsigned long count_of(token s) {
-    unsigned long value = 0;
-    for (size_t k = 0; k < s.length && s.start[k] >= '0' && s.start[k] <= '9'; k++)
-        value = 10 * value + (unsigned long)(s.start[k] - '0');
-    return value;
-}
-
-static graze_status broken(graze_context *context, const char *why) {
-    return context_fail(context, GRAZE_EINPUT,
-                        "%s; right is a whole table as graze classify writes it", why);
-}
-
-static graze_status read_note(cut_table *c, graze_context *context, token line) {
-    token value;
-    graze_status status = GRAZE_OK;
-    if (value_of(&value, line, "# dimension "))
-        c->dimension = (int)count_of(value);
-    if (value_of(&value, line, "# grid "))
-        for (int k = 0; k < 3; k++)
-            c->grid[k] = value.length ? count_of(take_field(&value)) : 1;
-    if (value_of(&value, line, "# box "))
-        for (int k = 0; k < 2 * c->dimension && !status; k++) {
-            token number = take_field(&value);
-            fmpq *to = k < c->dimension ? c->low + k : c->high + (k - c->dimension);
-            status = rational_parse(to, context, number.start, number.length);
-        }
-    return status;
 }
 
 static column_kind kind_of(token name) {
@@ -102,33 +39,136 @@ static column_kind kind_of(token name) {
     return COLUMN_TEXT;
 }
 
+/* Does the column line begin with these names, and nothing behind them but further columns? */
+static int begins(token line, const char *axes, const char *answers) {
+    size_t n = strlen(axes), length = n + strlen(answers);
+    return line.length >= length && memcmp(line.start, axes, n) == 0 &&
+           memcmp(line.start + n, answers, length - n) == 0 &&
+           (line.length == length || line.start[length] == ',');
+}
+
+/* How many columns of the line are Graze's, 0 if they are not as it writes them. */
+static size_t own_columns(token line, int dimension) {
+    const char *axes = dimension == 2 ? "x,y," : "x,y,z,";
+    if (begins(line, axes, "pmc,class,definition,case,i,t,word"))
+        return (size_t)dimension + 7;
+    return begins(line, axes, "pmc,word") ? (size_t)dimension + 2 : 0;
+}
+
 /* The columns up to `word` are Graze's; what the points bring may have any name. */
 static graze_status name_columns(cut_table *c, graze_context *context, token line) {
     size_t count = 1;
     for (size_t k = 0; k < line.length; k++)
         count += line.start[k] == ',';
+    c->own = own_columns(line, c->dimension);
+    if (!c->own)
+        return cut_broken(context, "the column line `%.*s` is not that of a table of dimension %d",
+                          CUT_SHOWN(line), c->dimension);
     c->column = calloc(count, sizeof *c->column);
     if (!c->column)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a table");
-    do {
-        column *to = &c->column[c->column_count++];
-        to->name = take_field(&line);
-        to->kind = c->own ? COLUMN_NUMBER : kind_of(to->name);
-        if (!c->own && to->kind == COLUMN_WORD)
-            c->own = c->column_count;
-    } while (line.length);
-    return c->own ? GRAZE_OK : broken(context, "the table has no column word");
+    for (const char *at = line.start; at;) {
+        column *to = &c->column[c->column_count];
+        if (!csv_take(&to->name, &at, line.start + line.length))
+            return cut_broken(context, "a quote in the column line is not closed");
+        to->kind = c->column_count < c->own ? kind_of(to->name) : COLUMN_NUMBER;
+        c->column_count++;
+    }
+    return GRAZE_OK;
 }
 
-static void look_at_row(cut_table *c, token row) {
-    for (size_t k = 0; k < c->column_count; k++) {
-        column *to = &c->column[k];
-        token field = take_field(&row);
-        if (field.length > to->widest)
-            to->widest = field.length;
-        if (to->kind == COLUMN_NUMBER && !rational_is_token(field.start, field.length))
-            to->kind = COLUMN_TEXT;
+/* GRAZE_OK if the field is a number, GRAZE_EINPUT if it is none. */
+static graze_status check_number(graze_context *context, token field) {
+    fmpq_t value;
+    fmpq_init(value);
+    graze_status status = rational_parse(value, context, field.start, field.length);
+    fmpq_clear(value);
+    return status;
+}
+
+/* 1 ... for a name that stands for a number, 0 if there is no such name. */
+static unsigned long code_of(column_kind kind, token field) {
+    for (int k = 1; k <= 3 && kind == COLUMN_PMC; k++)
+        if (is(field, graze_pmc_name((graze_pmc)k)))
+            return (unsigned long)k;
+    for (int k = 1; k <= 5 && kind == COLUMN_CLASS; k++)
+        if (is(field, graze_class_name((graze_class)k)))
+            return (unsigned long)k;
+    return 0;
+}
+
+static int is_word(token field) {
+    for (size_t k = 0; k < field.length; k++)
+        if (!memchr("IBO", field.start[k], 3))
+            return 0;
+    return field.length > 0;
+}
+
+/* What is right where a field of Graze's own is wrong, else NULL. */
+static const char *expected(const column *of, token field) {
+    unsigned long n;
+    switch (of->kind) {
+    case COLUMN_PMC:
+        return code_of(of->kind, field) ? NULL : "in, on or out";
+    case COLUMN_CLASS:
+        return code_of(of->kind, field) ? NULL : "the name of a class";
+    case COLUMN_DEFINITION:
+        return is(field, "ext") || (cut_count(&n, field, 11) && n >= 5) ? NULL : "ext or 5 to 11";
+    case COLUMN_WORD:
+        return is_word(field) ? NULL : "letters I, B, O";
+    case COLUMN_COUNT:
+        return cut_count(&n, field, is(of->name, "case") ? 9 : INT32_MAX)
+                   ? NULL
+                   : "a whole number, of a case up to 9, else below 2^31";
+    default:
+        return NULL;
     }
+}
+
+static graze_status check_field(column *of, graze_context *context, token field) {
+    graze_status status = GRAZE_OK;
+    const char *right = expected(of, field);
+    if (right)
+        return context_fail(context, GRAZE_EINPUT, "'%.*s'; expected %s", CUT_SHOWN(field), right);
+    if (of->kind == COLUMN_COORDINATE || of->kind == COLUMN_NUMBER)
+        status = check_number(context, field);
+    if (of->kind == COLUMN_NUMBER && status == GRAZE_EINPUT) {
+        of->kind = COLUMN_TEXT;
+        status = GRAZE_OK;
+    }
+    if (field.length > of->widest)
+        of->widest = field.length;
+    return status;
+}
+
+static graze_status check_row(cut_table *c, graze_context *context, token row) {
+    const char *at = row.start;
+    size_t k = 0;
+    for (; k < c->column_count && at; k++) {
+        token field;
+        if (!csv_take(&field, &at, row.start + row.length))
+            return cut_broken(context, "row %zu: a quoted field does not end", c->row_count + 1);
+        graze_status status = check_field(&c->column[k], context, field);
+        if (status)
+            return context_at(context, status, "row %zu, column %.*s", c->row_count + 1,
+                              CUT_SHOWN(c->column[k].name));
+    }
+    if (k < c->column_count || at)
+        return cut_broken(context, "row %zu has %s than the %zu fields of the column line",
+                          c->row_count + 1, at ? "more" : "fewer", c->column_count);
+    return GRAZE_OK;
+}
+
+/* The last line of all, and what it says is so. */
+static graze_status end_rows(const cut_table *c, graze_context *context, token value, token rest) {
+    unsigned long count;
+    if (rest.length)
+        return cut_broken(context, "something stands after # complete");
+    if (!cut_count(&count, value, ~0ul) || count != c->row_count)
+        return cut_broken(context, "the table has another number of rows than it says");
+    if (!cut_grid_has(c, c->row_count))
+        return cut_broken(context, "the table has another number of rows than its grid");
+    return GRAZE_OK;
 }
 
 /* Rows until the line that says how many there were. */
@@ -137,15 +177,17 @@ static graze_status read_rows(cut_table *c, graze_context *context, token rest, 
     if (!c->row)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a table");
     while (rest.length) {
-        token line = take_line(&rest), count;
-        if (value_of(&count, line, "# complete "))
-            return count_of(count) == c->row_count
-                       ? GRAZE_OK
-                       : broken(context, "the table has another number of rows than it says");
-        look_at_row(c, line);
+        token line = take_line(&rest), value;
+        if (cut_value(&value, line, "# complete "))
+            return end_rows(c, context, value, rest);
+        if (line.length && *line.start == '#')
+            return cut_broken(context, "`%.*s` stands behind the column line", CUT_SHOWN(line));
+        graze_status status = check_row(c, context, line);
+        if (status)
+            return status;
         c->row[c->row_count++] = line;
     }
-    return broken(context, "the table has no line # complete");
+    return cut_broken(context, "the table has no line # complete");
 }
 
 graze_status cut_table_read(cut_table *out, graze_context *context, const char *table,
@@ -158,23 +200,21 @@ graze_status cut_table_read(cut_table *out, graze_context *context, const char *
     token rest = {table, length}, line = {table, 0};
     size_t lines = 0;
     graze_status status = GRAZE_OK;
+    if (length && memchr(table, '\0', length))
+        return cut_broken(context, "a byte 0 in the table");
     for (size_t k = 0; k < length; k++)
         lines += table[k] == '\n';
     while (rest.length && !status) {
         line = take_line(&rest);
         if (!line.length || *line.start != '#')
             break;
-        status = read_note(out, context, line);
+        status = cut_note(out, context, line);
     }
-    if (!status && (out->dimension < 2 || out->dimension > 3))
-        status = broken(context, "the table does not say its dimension");
+    if (!status)
+        status = cut_notes_end(out, context);
     if (!status)
         status = name_columns(out, context, line);
-    if (!status)
-        status = read_rows(out, context, rest, lines);
-    if (!status && out->grid[0] && out->grid[0] * out->grid[1] * out->grid[2] != out->row_count)
-        status = broken(context, "the table has another number of rows than its grid");
-    return status;
+    return status ? status : read_rows(out, context, rest, lines);
 }
 
 void cut_table_clear(cut_table *c) {
@@ -187,9 +227,11 @@ void cut_table_clear(cut_table *c) {
 }
 
 token cut_table_field(const cut_table *c, size_t row, size_t index) {
-    token rest = c->row[row], field = take_field(&rest);
-    while (index--)
-        field = take_field(&rest);
+    const char *at = c->row[row].start, *end = at + c->row[row].length;
+    token field;
+    do
+        (void)csv_take(&field, &at, end);
+    while (index--);
     return field;
 }
 
@@ -209,11 +251,8 @@ double cut_table_number(graze_context *context, token field) {
 }
 
 unsigned long cut_table_code(column_kind kind, token field) {
-    for (int k = 1; k <= 3 && kind == COLUMN_PMC; k++)
-        if (is(field, graze_pmc_name((graze_pmc)k)))
-            return (unsigned long)k;
-    for (int k = 1; k <= 5 && kind == COLUMN_CLASS; k++)
-        if (is(field, graze_class_name((graze_class)k)))
-            return (unsigned long)k;
-    return count_of(field);
+    unsigned long count;
+    if (kind == COLUMN_PMC || kind == COLUMN_CLASS)
+        return code_of(kind, field);
+    return cut_count(&count, field, INT32_MAX) ? count : 0;
 }

@@ -7,13 +7,11 @@
 #ifndef GRAZE_REPORT_CUT_TABLE_H
 #define GRAZE_REPORT_CUT_TABLE_H
 
+#include "context/csv.h"
 #include "report/text.h"
 
 /** Bytes within the table: what a field says, quotes and blanks around it left out. */
-typedef struct token {
-    const char *start;
-    size_t length;
-} token;
+typedef csv_field token;
 
 typedef enum column_kind {
     COLUMN_COORDINATE, /* x, y, z: rationals */
@@ -32,9 +30,10 @@ typedef struct column {
     size_t widest; /* bytes of its longest field */
 } column;
 
+/* Once read, every row has as many fields as there are columns, each of its column's kind. */
 typedef struct cut_table {
-    const char *table, *end;
     int dimension;
+    int boxed;            /* there is a `# box` line */
     size_t grid[3];       /* points along each axis, 1 for an axis that is not; all 0: no grid */
     fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
     size_t row_count, column_count;
@@ -44,7 +43,7 @@ typedef struct cut_table {
 } cut_table;
 
 /**
- * Cut a table. `out` is cleared by cut_table_clear, also on failure.
+ * Cut a table and check all that it says. `out` is cleared by cut_table_clear, also on failure.
  * @return GRAZE_EINPUT it is no whole table of results; GRAZE_ESYSTEM, GRAZE_ELIMIT
  */
 graze_status cut_table_read(cut_table *out, graze_context *context, const char *table,
