@@ -11,6 +11,8 @@
  * a time; solids, motions and scenes are never changed once made, and threads may share them.
  *  2. Outputs come first. On any status but GRAZE_OK an output handle is NULL, and the context
  * holds a message that says which file, which line or index, what is wrong and what would be right.
+ * A NULL where there must be none, an unknown value of an enum and an unknown flag are GRAZE_EUSE;
+ * functions without a status give 0 or NULL then, and leave what they would set.
  *  3. What a _create, _read or _from function returns is the caller's; its _destroy takes NULL.
  *     Getters borrow: what they return lives as long as the handle asked.
  *  4. Strings handed out through char ** are freed with graze_free.
@@ -437,7 +439,8 @@ typedef struct graze_generator graze_generator;
  * share it.
  * @param weights GRAZE_STRATUM_COUNT weights, none over 10^6, or NULL for the defaults, with which
  * at least 70 % of the points are degenerate
- * @return GRAZE_EUSE all weights are 0, or none of the strata that have one can be made
+ * @return GRAZE_EUSE an unknown flag, all weights are 0, or none of the strata that have one can be
+ * made
  */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_generator_create(graze_generator **out, graze_context *context, const graze_scene *scene,

@@ -68,8 +68,8 @@ void graze_thread_finish(void) {
 
 graze_status graze_number_parse(mpq_t out, graze_context *context, const char *text,
                                 size_t length) {
-    if (!context || !text)
-        return api_misuse(context, "graze_number_parse", "context and text must not be NULL");
+    if (!out || !context || !text)
+        return api_misuse(context, "graze_number_parse", "out, context and text must not be NULL");
     fmpq_t value; /* made by integer arithmetic alone, which no floating-point mode disturbs */
     fmpq_init(value);
     graze_status status = rational_parse(value, context, text, length);

@@ -42,6 +42,8 @@ static graze_status take_positive(fmpq_t out, graze_context *context, mpq_srcptr
 static graze_status take_joint(joint *out, graze_context *context, int dimension,
                                const graze_joint *given) {
     joint_init(out);
+    if (given->kind != GRAZE_JOINT_TURN && given->kind != GRAZE_JOINT_SLIDE)
+        return context_fail(context, GRAZE_EUSE, "a joint is a turn or a slide");
     out->is_slide = given->kind == GRAZE_JOINT_SLIDE;
     int components = out->is_slide || dimension == 3 ? dimension : 0;
     if ((components && !given->axis) || (!out->is_slide && !given->degrees))
@@ -138,6 +140,8 @@ graze_status graze_motion_write_poses(char **json, char **report, graze_context 
     if (!json || !context || !path || !tolerance)
         return api_misuse(context, "graze_motion_write_poses",
                           "no argument but report may be NULL");
+    if (flags & ~GRAZE_POSES_AFFINE)
+        return api_misuse(context, "graze_motion_write_poses", "an unknown flag is set");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     conversion made;
     fmpq_t allowed;

@@ -91,7 +91,7 @@ graze_contact graze_trace_contact(const graze_trace *trace, size_t index) {
 }
 
 int graze_time_rational(mpq_t out, const graze_time *time) {
-    if (!time || !time_is_rational(time))
+    if (!out || !time || !time_is_rational(time))
         return 0;
     api_rational_out(out, time->low);
     return 1;
@@ -105,6 +105,8 @@ int graze_time_degree(const graze_time *time) {
 
 void graze_time_coefficient(mpz_t out, const graze_time *time, int k) {
     fmpz_t c;
+    if (!out)
+        return;
     fmpz_init(c);
     if (time && k >= 0 && time_is_rational(time)) {
         if (k == 0)
@@ -119,7 +121,7 @@ void graze_time_coefficient(mpz_t out, const graze_time *time, int k) {
 }
 
 void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time) {
-    if (!time)
+    if (!low || !high || !time)
         return;
     (void)time_is_rational(time);
     api_rational_out(low, time->low);
@@ -211,11 +213,14 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
                                  graze_format format, const char *const *rest) {
     if (out)
         *out = NULL;
+    if (length)
+        *length = 0;
+    if (done)
+        *done = 0;
     if (!out || !length || !done || !context || !scene || (n && !points))
         return api_misuse(context, "graze_report_points",
                           "out, length, done, context and scene, and with n > 0 also points, must "
                           "not be NULL");
-    *length = *done = 0;
     graze_status status = check_format(context, "graze_report_points", format);
     if (status)
         return status;

@@ -29,6 +29,8 @@ int output_open(output *out, const char *path) {
 }
 
 static void keep(output *out) {
+    if (!out->used)
+        return;
     if (out->kept_capacity - out->kept_length < out->used) {
         size_t capacity = 2 * (out->kept_length + out->used);
         char *grown = realloc(out->kept, capacity);

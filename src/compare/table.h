@@ -67,8 +67,8 @@ typedef struct table_row {
 
 typedef struct table {
     stream in;
-    char *notes[NOTE_COUNT]; /* values of `#` lines; NULL where there is none */
-    int dimension;           /* of the points; 0 without columns x and y */
+    char *notes[NOTE_COUNT];  /* values of `#` lines; NULL where there is none */
+    int dimension;            /* of the points; 0 without columns x and y */
     long where[COLUMN_COUNT]; /* -1 where there is no such column */
     size_t columns;
     unsigned long rows; /* handed out */

@@ -4,6 +4,7 @@
  */
 #include "mpi/message.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,7 +26,8 @@ int message_reserve(message *m, size_t length) {
 
 /* Nothing is added to a message of which a part could not be: `good` stays 0. */
 static void put(message *m, int *good, const void *from, size_t length) {
-    *good = *good && message_reserve(m, m->length + length);
+    /* MPI counts bytes in an int */
+    *good = *good && length <= INT_MAX - m->length && message_reserve(m, m->length + length);
     if (!*good || !length)
         return;
     memcpy(m->bytes + m->length, from, length);

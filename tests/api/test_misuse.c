@@ -1,0 +1,488 @@
+/* Wrong calls: every public function with NULL in the place of each argument that must be there,
+ * with values that no enum has and flags that are none.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A call that fails must give GRAZE_EUSE and leave its outputs NULL or 0; one that cannot fail must
+ * give nothing. That no function of graze.h is left out is read from the header itself.
+ */
+#include "walk.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+/* What calls are made with, and the names of the functions called so far. */
+typedef struct bench {
+    scene s;
+    graze_trace *trace;
+    graze_generator *generator;
+    graze_boundary *boundary;
+    graze_comparison *comparison;
+    mpq_t x[2], half; /* x: a point and a corner of a box */
+    const mpq_t *point;
+    graze_boundary_options box;
+    char called[4096];
+} bench;
+
+static void note(bench *b, const char *function) {
+    char name[80];
+    snprintf(name, sizeof name, "%s(", function);
+    if (!strstr(b->called, name))
+        strcat(b->called, name);
+}
+
+static void expect(bench *b, const char *call, graze_status status, const void *out) {
+    char function[64];
+    snprintf(function, sizeof function, "%.*s", (int)strcspn(call, "("), call);
+    note(b, function);
+    if (status != GRAZE_EUSE || out)
+        fail_msg("%s: status %d, output %p: %s", call, (int)status, out,
+                 graze_context_message(b->s.context));
+}
+
+static char dirty[] = "an output that was not set";
+
+/* A call that must be refused. The second kind has the output `out`, of a pointer type, which must
+ * be NULL afterwards. */
+#define WRONG(call) expect(b, #call, call, NULL)
+#define WRONG_OUT(type, call)                                                                      \
+    do {                                                                                           \
+        type *out = (type *)(void *)dirty;                                                         \
+        graze_status wrong_status = call;                                                          \
+        expect(b, #call, wrong_status, out);                                                       \
+    } while (0)
+/* A call that gives nothing: `nothing` holds. */
+#define HARMLESS(function, nothing)                                                                \
+    do {                                                                                           \
+        note(b, #function);                                                                        \
+        assert_true(nothing);                                                                      \
+    } while (0)
+#define CALLS(call) (call, 1)
+
+static void contexts(bench *b) {
+    graze_context *c = b->s.context;
+    WRONG(graze_context_create(NULL));
+    HARMLESS(graze_context_destroy, CALLS(graze_context_destroy(NULL)));
+    HARMLESS(graze_context_message, !*graze_context_message(NULL));
+    WRONG(graze_context_set_limit(NULL, GRAZE_LIMIT_LINE, 5));
+    WRONG(graze_context_set_limit(c, GRAZE_LIMIT_COUNT, 5));
+    WRONG(graze_context_set_limit(c, (graze_limit)-1, 5));
+    WRONG(graze_context_set_limit(c, GRAZE_LIMIT_LINE, 0));
+    WRONG(graze_context_set_limit(c, GRAZE_LIMIT_LINE, ~0ul));
+    HARMLESS(graze_context_limit, !graze_context_limit(NULL, GRAZE_LIMIT_LINE));
+    HARMLESS(graze_context_limit, !graze_context_limit(c, (graze_limit)-1));
+    HARMLESS(graze_limit_name, !graze_limit_name((graze_limit)-1));
+    HARMLESS(graze_limit_name, !graze_limit_name(GRAZE_LIMIT_COUNT));
+    WRONG(graze_context_set_rounding(NULL, GRAZE_ROUND_NONE));
+    WRONG(graze_context_set_rounding(c, (graze_rounding)3));
+    WRONG(graze_context_set_rounding(c, (graze_rounding)-1));
+    HARMLESS(graze_context_set_filter, CALLS(graze_context_set_filter(NULL, 1)));
+    HARMLESS(graze_context_exact_count, !graze_context_exact_count(NULL));
+    HARMLESS(graze_context_set_cancel, CALLS(graze_context_set_cancel(NULL, NULL, NULL)));
+    HARMLESS(graze_free, CALLS(graze_free(NULL)));
+    HARMLESS(graze_version, *graze_version());
+    HARMLESS(graze_thread_finish, CALLS(graze_thread_finish()));
+    WRONG(graze_number_parse(NULL, c, "1", 1));
+    WRONG(graze_number_parse(b->half, NULL, "1", 1));
+    WRONG(graze_number_parse(b->half, c, NULL, 1));
+}
+
+static void solids(bench *b) {
+    graze_context *c = b->s.context;
+    unsigned char hash[32] = {0};
+    WRONG(graze_solid_read(NULL, c, "a.off", 0));
+    WRONG_OUT(graze_solid, graze_solid_read(&out, NULL, "a.off", 0));
+    WRONG_OUT(graze_solid, graze_solid_read(&out, c, NULL, 0));
+    WRONG_OUT(graze_solid, graze_solid_read(&out, c, "a.off", 2));
+    WRONG(graze_solid_read_trusted(NULL, c, "a.off", 0, hash));
+    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, NULL, "a.off", 0, hash));
+    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, NULL, 0, hash));
+    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, "a.off", 0, NULL));
+    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, "a.off", 1u << 31, hash));
+    WRONG(graze_solid_from_arrays(NULL, c, 2, b->point, 1, square_sizes, 1, square_ring, 0));
+    WRONG_OUT(graze_solid,
+              graze_solid_from_arrays(&out, NULL, 2, b->point, 1, square_sizes, 1, square_ring, 0));
+    WRONG_OUT(graze_solid,
+              graze_solid_from_arrays(&out, c, 2, NULL, 4, square_sizes, 1, square_ring, 0));
+    WRONG_OUT(graze_solid,
+              graze_solid_from_arrays(&out, c, 1, b->point, 1, square_sizes, 1, square_ring, 0));
+    WRONG(graze_solid_from_doubles(NULL, c, 2, square, 4, square_sizes, 1, square_ring, 0));
+    WRONG_OUT(graze_solid,
+              graze_solid_from_doubles(&out, NULL, 2, square, 4, square_sizes, 1, square_ring, 0));
+    WRONG_OUT(graze_solid,
+              graze_solid_from_doubles(&out, c, 2, NULL, 4, square_sizes, 1, square_ring, 0));
+    WRONG_OUT(graze_solid,
+              graze_solid_from_doubles(&out, c, 2, square, 4, NULL, 1, square_ring, 0));
+    WRONG_OUT(graze_solid,
+              graze_solid_from_doubles(&out, c, 2, square, 4, square_sizes, 1, NULL, 0));
+    WRONG_OUT(graze_solid,
+              graze_solid_from_doubles(&out, c, 2, square, 4, square_sizes, 1, square_ring, 4));
+    HARMLESS(graze_solid_destroy, CALLS(graze_solid_destroy(NULL)));
+    HARMLESS(graze_solid_dimension, !graze_solid_dimension(NULL));
+    HARMLESS(graze_solid_vertex_count, !graze_solid_vertex_count(NULL));
+    HARMLESS(graze_solid_facet_count, !graze_solid_facet_count(NULL));
+    HARMLESS(graze_solid_component_count, !graze_solid_component_count(NULL));
+}
+
+static void motions(bench *b) {
+    graze_context *c = b->s.context;
+    WRONG(graze_motion_read(NULL, c, "a.json"));
+    WRONG_OUT(graze_motion, graze_motion_read(&out, NULL, "a.json"));
+    WRONG_OUT(graze_motion, graze_motion_read(&out, c, NULL));
+    WRONG(graze_motion_from_json(NULL, c, slide, 5));
+    WRONG_OUT(graze_motion, graze_motion_from_json(&out, NULL, slide, 5));
+    WRONG_OUT(graze_motion, graze_motion_from_json(&out, c, NULL, 5));
+    HARMLESS(graze_motion_destroy, CALLS(graze_motion_destroy(NULL)));
+    HARMLESS(graze_motion_dimension, !graze_motion_dimension(NULL));
+    HARMLESS(graze_motion_piece_count, !graze_motion_piece_count(NULL));
+}
+
+static void scenes(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_solid *solid = b->s.solid;
+    const graze_motion *motion = b->s.motion;
+    const graze_options odd[] = {{(graze_operation)2, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE},
+                                 {GRAZE_SWEEP, (graze_overlap)2, GRAZE_FOLDS_SEPARATE},
+                                 {GRAZE_SWEEP, GRAZE_OVERLAP_EXTEND, (graze_folds)-1}};
+    WRONG(graze_scene_create(NULL, c, solid, motion, NULL));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, NULL, solid, motion, NULL));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, NULL, motion, NULL));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, solid, NULL, NULL));
+    for (int k = 0; k < 3; k++)
+        WRONG_OUT(graze_scene, graze_scene_create(&out, c, solid, motion, &odd[k]));
+    HARMLESS(graze_scene_destroy, CALLS(graze_scene_destroy(NULL)));
+    HARMLESS(graze_scene_dimension, !graze_scene_dimension(NULL));
+    HARMLESS(graze_scene_ends_meet, !graze_scene_ends_meet(NULL));
+    HARMLESS(graze_scene_hashes, !graze_scene_hashes(NULL).scene[31]);
+    HARMLESS(graze_scene_options, graze_scene_options(NULL).operation == GRAZE_SWEEP);
+    WRONG(graze_scene_box(NULL, b->x, c, b->s.scene));
+    WRONG(graze_scene_box(b->x, NULL, c, b->s.scene));
+    WRONG(graze_scene_box(b->x, b->x, NULL, b->s.scene));
+    WRONG(graze_scene_box(b->x, b->x, c, NULL));
+}
+
+static void verdicts(bench *b) {
+    graze_context *c = b->s.context;
+    graze_verdict v;
+    HARMLESS(graze_pmc_name, !strcmp(graze_pmc_name((graze_pmc)4), "none"));
+    HARMLESS(graze_class_name, !strcmp(graze_class_name((graze_class)-1), "none"));
+    WRONG(graze_classify(NULL, c, b->s.scene, b->point, 1));
+    WRONG(graze_classify(&v, NULL, b->s.scene, b->point, 1));
+    WRONG(graze_classify(&v, c, NULL, b->point, 1));
+    WRONG(graze_classify(&v, c, b->s.scene, NULL, 1));
+    WRONG(graze_classify_doubles(NULL, c, b->s.scene, square, 1));
+    WRONG(graze_classify_doubles(&v, NULL, b->s.scene, square, 1));
+    WRONG(graze_classify_doubles(&v, c, NULL, square, 1));
+    WRONG(graze_classify_doubles(&v, c, b->s.scene, NULL, 1));
+}
+
+static void traces(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_time *time = graze_trace_contact(b->trace, 0).from;
+    mpz_t z;
+    mpz_init_set_ui(z, 7);
+    WRONG(graze_trace_create(NULL, c, b->s.scene, b->point));
+    WRONG_OUT(graze_trace, graze_trace_create(&out, NULL, b->s.scene, b->point));
+    WRONG_OUT(graze_trace, graze_trace_create(&out, c, NULL, b->point));
+    WRONG_OUT(graze_trace, graze_trace_create(&out, c, b->s.scene, NULL));
+    HARMLESS(graze_trace_destroy, CALLS(graze_trace_destroy(NULL)));
+    HARMLESS(graze_trace_word, !*graze_trace_word(NULL));
+    HARMLESS(graze_trace_verdict, !graze_trace_verdict(NULL).pmc);
+    HARMLESS(graze_trace_contact_count, !graze_trace_contact_count(NULL));
+    HARMLESS(graze_trace_contact, !graze_trace_contact(NULL, 0).kind);
+    HARMLESS(graze_trace_contact, !graze_trace_contact(b->trace, ~(size_t)0).kind);
+    HARMLESS(graze_time_rational, !graze_time_rational(b->half, NULL));
+    HARMLESS(graze_time_rational, !graze_time_rational(NULL, time));
+    HARMLESS(graze_time_degree, !graze_time_degree(NULL));
+    HARMLESS(graze_time_coefficient, CALLS(graze_time_coefficient(NULL, time, 0)));
+    HARMLESS(graze_time_coefficient, CALLS(graze_time_coefficient(z, NULL, 0)) && !mpz_sgn(z));
+    HARMLESS(graze_time_coefficient, CALLS(graze_time_coefficient(z, time, -1)) && !mpz_sgn(z));
+    HARMLESS(graze_time_coefficient, CALLS(graze_time_coefficient(z, time, 2)) && !mpz_sgn(z));
+    HARMLESS(graze_time_interval, CALLS(graze_time_interval(b->half, b->half, NULL)));
+    HARMLESS(graze_time_interval, CALLS(graze_time_interval(NULL, b->half, time)));
+    HARMLESS(graze_time_interval, CALLS(graze_time_interval(b->half, NULL, time)));
+    assert_int_equal(mpq_cmp_ui(b->half, 1, 2), 0);
+    WRONG(graze_time_decimal(NULL, c, time, 5));
+    WRONG_OUT(char, graze_time_decimal(&out, NULL, time, 5));
+    WRONG_OUT(char, graze_time_decimal(&out, c, NULL, 5));
+    WRONG_OUT(char, graze_time_decimal(&out, c, time, 0));
+    WRONG_OUT(char, graze_time_decimal(&out, c, time, 1001));
+    mpz_clear(z);
+}
+
+static void generators(bench *b) {
+    graze_context *c = b->s.context;
+    unsigned long none[GRAZE_STRATUM_COUNT] = {0}, heavy[GRAZE_STRATUM_COUNT] = {1000001};
+    graze_sample sample;
+    const graze_generator *g = b->generator;
+    WRONG(graze_generator_create(NULL, c, b->s.scene, 1, NULL, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, NULL, b->s.scene, 1, NULL, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, c, NULL, 1, NULL, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, c, b->s.scene, 1, none, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, c, b->s.scene, 1, heavy, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, c, b->s.scene, 1, NULL, 2));
+    HARMLESS(graze_generator_destroy, CALLS(graze_generator_destroy(NULL)));
+    HARMLESS(graze_generator_weight, !graze_generator_weight(NULL, GRAZE_STRATUM_FACE));
+    HARMLESS(graze_generator_weight, !graze_generator_weight(g, GRAZE_STRATUM_COUNT));
+    HARMLESS(graze_generator_weight, !graze_generator_weight(g, (graze_stratum)-1));
+    HARMLESS(graze_stratum_default_weight, !graze_stratum_default_weight(GRAZE_STRATUM_COUNT));
+    HARMLESS(graze_stratum_default_weight, !graze_stratum_default_weight((graze_stratum)-1));
+    HARMLESS(graze_stratum_name, !graze_stratum_name(GRAZE_STRATUM_COUNT));
+    HARMLESS(graze_stratum_name, !graze_stratum_name((graze_stratum)-1));
+    HARMLESS(graze_generator_box, CALLS(graze_generator_box(NULL, b->x, g)));
+    HARMLESS(graze_generator_box, CALLS(graze_generator_box(b->x, NULL, g)));
+    HARMLESS(graze_generator_box, CALLS(graze_generator_box(b->x, b->x, NULL)));
+    WRONG(graze_generator_point(NULL, b->half, &sample, c, g, 0));
+    WRONG(graze_generator_point(b->x, NULL, &sample, c, g, 0));
+    WRONG(graze_generator_point(b->x, b->half, NULL, c, g, 0));
+    WRONG(graze_generator_point(b->x, b->half, &sample, NULL, g, 0));
+    WRONG(graze_generator_point(b->x, b->half, &sample, c, NULL, 0));
+}
+
+static void rows(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    const graze_trace *t = b->trace;
+    WRONG(graze_report_header(NULL, c, s, NULL, NULL));
+    WRONG_OUT(char, graze_report_header(&out, NULL, s, NULL, NULL));
+    WRONG_OUT(char, graze_report_header(&out, c, NULL, NULL, NULL));
+    WRONG(graze_report_row(NULL, c, s, b->point, t, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, NULL, s, b->point, t, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, NULL, b->point, t, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, s, NULL, t, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, s, b->point, NULL, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, s, b->point, t, (graze_format)2, NULL));
+    WRONG(graze_report_point(NULL, c, s, b->point, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_point(&out, NULL, s, b->point, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_point(&out, c, NULL, b->point, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_point(&out, c, s, NULL, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_point(&out, c, s, b->point, (graze_format)-1, NULL));
+    WRONG(graze_report_explain(NULL, c, s, b->point, t));
+    WRONG_OUT(char, graze_report_explain(&out, NULL, s, b->point, t));
+    WRONG_OUT(char, graze_report_explain(&out, c, NULL, b->point, t));
+    WRONG_OUT(char, graze_report_explain(&out, c, s, NULL, t));
+    WRONG_OUT(char, graze_report_explain(&out, c, s, b->point, NULL));
+}
+
+/* Functions with a length beside their text: it is 0 afterwards. */
+#define WRONG_LENGTH(call)                                                                         \
+    do {                                                                                           \
+        length = 77;                                                                               \
+        WRONG_OUT(char, call);                                                                     \
+        assert_int_equal(length, 0);                                                               \
+    } while (0)
+
+static void tables(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    size_t length, done = 77;
+    const graze_format csv = GRAZE_FORMAT_CSV;
+    WRONG(graze_report_points(NULL, &length, &done, c, s, b->point, 1, csv, NULL));
+    WRONG_OUT(char, graze_report_points(&out, NULL, &done, c, s, b->point, 1, csv, NULL));
+    assert_int_equal(done, 0);
+    WRONG_LENGTH(graze_report_points(&out, &length, NULL, c, s, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, s, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, NULL, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, s, NULL, 1, csv, NULL));
+    WRONG_LENGTH(
+        graze_report_points(&out, &length, &done, c, s, b->point, 1, (graze_format)2, NULL));
+    WRONG(graze_report_export(NULL, &length, c, "", 0, GRAZE_EXPORT_NPY));
+    WRONG_OUT(char, graze_report_export(&out, NULL, c, "", 0, GRAZE_EXPORT_NPY));
+    WRONG_LENGTH(graze_report_export(&out, &length, NULL, "", 0, GRAZE_EXPORT_NPY));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, NULL, 0, GRAZE_EXPORT_NPY));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, "", 0, GRAZE_EXPORT_NONE));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, "", 0, (graze_export)3));
+}
+
+static void pictures(bench *b) {
+    graze_context *c = b->s.context;
+    const char *file = "/nonexistent/a.svg", *const no_name[] = {NULL};
+    const graze_draw_options odd[] = {
+        {.times = 1},
+        {.times = 65},
+        {.low = b->point},
+        {.high = b->point},
+        {.low = b->point, .high = b->point},
+        {.plane = b->point},
+        {.point_count = 1, .points = b->point},
+        {.point_count = 1, .points = b->point, .names = no_name},
+        {.point_count = 1, .names = no_name},
+        {.view = {NAN, 0, 0}},
+        {.view = {0, INFINITY, 0}},
+    };
+    WRONG(graze_draw(NULL, b->s.scene, file, NULL));
+    WRONG(graze_draw(c, NULL, file, NULL));
+    WRONG(graze_draw(c, b->s.scene, NULL, NULL));
+    WRONG(graze_draw(c, b->s.scene, "/nonexistent/a.txt", NULL));
+    for (size_t k = 0; k < sizeof odd / sizeof *odd; k++)
+        WRONG(graze_draw(c, b->s.scene, file, &odd[k]));
+}
+
+static void comparisons(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_compare_options odd[] = {{.question = (graze_question)2},
+                                         {.question = (graze_question)-1},
+                                         {.on_as = (graze_on_as)4},
+                                         {.has = (graze_candidate_has)2}};
+    WRONG(graze_compare(NULL, c, "a", "b", NULL));
+    WRONG_OUT(graze_comparison, graze_compare(&out, NULL, "a", "b", NULL));
+    WRONG_OUT(graze_comparison, graze_compare(&out, c, NULL, "b", NULL));
+    WRONG_OUT(graze_comparison, graze_compare(&out, c, "a", NULL, NULL));
+    for (size_t k = 0; k < sizeof odd / sizeof *odd; k++)
+        WRONG_OUT(graze_comparison, graze_compare(&out, c, "a", "b", &odd[k]));
+    HARMLESS(graze_comparison_destroy, CALLS(graze_comparison_destroy(NULL)));
+    HARMLESS(graze_comparison_count, !graze_comparison_count(NULL).rows);
+    WRONG(graze_comparison_report(NULL, c, b->comparison, GRAZE_COMPARISON_TEXT));
+    WRONG_OUT(char, graze_comparison_report(&out, NULL, b->comparison, GRAZE_COMPARISON_TEXT));
+    WRONG_OUT(char, graze_comparison_report(&out, c, NULL, GRAZE_COMPARISON_TEXT));
+    WRONG_OUT(char, graze_comparison_report(&out, c, b->comparison, (graze_comparison_format)2));
+}
+
+static void conversions(bench *b) {
+    graze_context *c = b->s.context;
+    mpq_srcptr one = b->half;
+    graze_joint turn = {.degrees = one}, odd = {.kind = (graze_joint_kind)2, .degrees = one};
+    graze_joint slider = {.kind = GRAZE_JOINT_SLIDE}, still = {.kind = GRAZE_JOINT_TURN};
+    odd.axis = slider.axis = b->point;
+    WRONG(graze_motion_write_rotation(NULL, NULL, c, 2, &turn, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, NULL, 2, &turn, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 4, &turn, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, NULL, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &turn, NULL, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &turn, one, NULL));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &slider, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &odd, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &still, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 3, &turn, one, one));
+    WRONG(graze_motion_write_joints(NULL, NULL, c, 2, &turn, 1, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, NULL, 2, &turn, 1, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 0, &turn, 1, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, NULL, 1, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &turn, 0, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &turn, 1, NULL, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &turn, 1, one, NULL));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &odd, 1, one, one));
+    WRONG(graze_motion_write_poses(NULL, NULL, c, "a.csv", 0, one));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, NULL, "a.csv", 0, one));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, NULL, 0, one));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", 0, NULL));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", 2, one));
+    /* the report is set too */
+    WRONG_OUT(char, graze_motion_write_poses(NULL, &out, c, "a.csv", 0, one));
+    WRONG_OUT(char, graze_motion_write_joints(NULL, &out, c, 2, &turn, 1, one, one));
+}
+
+static void boundaries(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    graze_boundary_options one_corner = b->box, deep = b->box, coarse = b->box, wild = b->box;
+    graze_boundary_options flat = b->box, poor = b->box;
+    mpq_t wrong[2];
+    mpq_inits(wrong[0], wrong[1], NULL);
+    mpz_set_ui(mpq_numref(wrong[1]), 2); /* 2/2, which is not in lowest terms */
+    mpz_set_ui(mpq_denref(wrong[1]), 2);
+    one_corner.high = b->point;
+    deep.depth = 20;
+    coarse.coarse = 3;
+    flat.low = flat.high = b->point;
+    poor.budget = 1;
+    wild.low = (const mpq_t *)wrong;
+    wild.high = b->point;
+    WRONG(graze_boundary_create(NULL, c, s, &b->box));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, NULL, s, &b->box));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, NULL, &b->box));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, NULL));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &one_corner));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &deep));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &coarse));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &flat));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &poor));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &wild));
+    mpz_set_ui(mpq_denref(wrong[1]), 0);
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &wild));
+    mpz_set_ui(mpq_denref(wrong[1]), 1);
+    mpq_clears(wrong[0], wrong[1], NULL);
+    const graze_boundary *made = b->boundary;
+    const size_t past = ~(size_t)0;
+    HARMLESS(graze_boundary_destroy, CALLS(graze_boundary_destroy(NULL)));
+    HARMLESS(graze_boundary_summarize, !graze_boundary_summarize(NULL).points);
+    HARMLESS(graze_boundary_point, !graze_boundary_point(b->x, NULL, 0));
+    HARMLESS(graze_boundary_point, !graze_boundary_point(NULL, made, 0));
+    HARMLESS(graze_boundary_point, !graze_boundary_point(b->x, made, past));
+    HARMLESS(graze_boundary_cell_at, !graze_boundary_cell_at(NULL, 0).corners[1]);
+    HARMLESS(graze_boundary_cell_at, !graze_boundary_cell_at(made, past).corners[1]);
+    HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(NULL, made, 0)));
+    HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(b->x, NULL, 0)));
+    HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(b->x, made, past)));
+    HARMLESS(graze_boundary_face, !graze_boundary_face(NULL, 0));
+    HARMLESS(graze_boundary_face, !graze_boundary_face(made, past));
+}
+
+/* Every function that the header declares has been called. */
+static void none_is_left_out(const bench *b) {
+    char text[200000], name[64];
+    int functions = 0;
+    FILE *header = fopen("include/graze.h", "r");
+    assert_non_null(header);
+    text[fread(text, 1, sizeof text - 1, header)] = '\0';
+    assert_true(feof(header));
+    fclose(header);
+    const char *at = strstr(text, "typedef struct graze_context");
+    while ((at = strstr(at, "\nGRAZE_API")) != NULL) {
+        const char *end = strchr(at, '('), *start = end;
+        while (start[-1] == '_' || (start[-1] >= 'a' && start[-1] <= 'z'))
+            start--;
+        snprintf(name, sizeof name, "%.*s(", (int)(end - start), start);
+        if (!strstr(b->called, name))
+            fail_msg("%s is in graze.h and not called here", name);
+        functions++;
+        at = end;
+    }
+    assert_true(functions >= 78);
+}
+
+static void all(void **state) {
+    static bench b;
+    static const char table[] = "build/tests/api/misuse.csv";
+    (void)state;
+    scene_open(&b.s, slide, NULL);
+    mpq_inits(b.x[0], b.x[1], b.half, NULL);
+    mpq_set_ui(b.half, 1, 2);
+    mpq_set_ui(b.x[0], 5, 1);
+    b.point = (const mpq_t *)b.x;
+    b.box = (graze_boundary_options){.coarse = 1, .depth = 2, .budget = 1000};
+    assert_int_equal(graze_trace_create(&b.trace, b.s.context, b.s.scene, b.point), GRAZE_OK);
+    assert_int_equal(graze_generator_create(&b.generator, b.s.context, b.s.scene, 1, NULL, 0),
+                     GRAZE_OK);
+    assert_int_equal(graze_boundary_create(&b.boundary, b.s.context, b.s.scene, &b.box), GRAZE_OK);
+    FILE *file = fopen(table, "w");
+    assert_non_null(file);
+    assert_true(fputs("x,y,pmc\n5,1,in\n# complete 1\n", file) >= 0 && fclose(file) == 0);
+    assert_int_equal(graze_compare(&b.comparison, b.s.context, table, table, NULL), GRAZE_OK);
+    remove(table);
+    contexts(&b);
+    solids(&b);
+    motions(&b);
+    scenes(&b);
+    verdicts(&b);
+    traces(&b);
+    generators(&b);
+    rows(&b);
+    tables(&b);
+    pictures(&b);
+    comparisons(&b);
+    conversions(&b);
+    boundaries(&b);
+    none_is_left_out(&b);
+    graze_comparison_destroy(b.comparison);
+    graze_boundary_destroy(b.boundary);
+    graze_generator_destroy(b.generator);
+    graze_trace_destroy(b.trace);
+    mpq_clears(b.x[0], b.x[1], b.half, NULL);
+    scene_close(&b.s);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
