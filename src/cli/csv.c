@@ -5,7 +5,6 @@
  * counted. One buffer's worth of the file and one block are in memory.
  */
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +12,7 @@
 #include <unistd.h>
 #include "cli/interrupt.h"
 #include "cli/rows.h"
+#include "cli/source.h"
 
 struct csv {
     int fd, ended;
@@ -42,16 +42,12 @@ int csv_open(csv **out, const char *path, int dimension, shard part, graze_conte
     c->context = context;
     c->capacity = 1 << 16;
     c->buffer = malloc(c->capacity);
-    c->fd = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
-    if (c->fd < 0)
-        return complain(EXIT_IO, "%s: cannot be opened: %s", c->columns.name, strerror(errno));
+    int status = standard ? source_standard(&c->fd) : source_open(&c->fd, path);
+    if (status)
+        return status;
     if (!c->buffer)
         return complain(EXIT_IO, "out of memory");
-    if (fstat(c->fd, &about) != 0)
-        return EXIT_DONE;
-    if (S_ISDIR(about.st_mode))
-        return complain(EXIT_IO, "%s: is a directory; right is a CSV file", c->columns.name);
-    if (S_ISREG(about.st_mode) && about.st_size > 0)
+    if (fstat(c->fd, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 0)
         c->portion.whole = (unsigned long)about.st_size;
     return EXIT_DONE;
 }

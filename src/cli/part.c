@@ -154,17 +154,18 @@ int part_open(part *p, const char *path) {
     struct stat about;
     memset(p, 0, sizeof *p);
     p->path = path;
+    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
+        return complain(EXIT_IO,
+                        "%s: is no plain file; parts are read in turn, and of a pipe "
+                        "that cannot be done",
+                        path);
     FILE *file = fopen(path, "r");
     if (!file)
         return complain_of_system(p, "cannot be opened");
     int status = EXIT_DONE;
-    if (fstat(fileno(file), &about) != 0 || !S_ISREG(about.st_mode))
-        status = complain(EXIT_IO,
-                          "%s: is no plain file; parts are read in turn, and of a pipe "
-                          "that cannot be done",
-                          path);
-    else
-        p->size = (long long)about.st_size;
+    if (fstat(fileno(file), &about) != 0)
+        status = complain_of_system(p, "cannot be opened");
+    p->size = (long long)about.st_size;
     p->buffer = malloc(BUFFER);
     if (!status && !p->buffer)
         status = complain(EXIT_IO, "out of memory");

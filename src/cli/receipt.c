@@ -3,12 +3,12 @@
  */
 #include "cli/receipt.h"
 
-#include <errno.h>
 #include <sha256.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "cli/output.h"
+#include "cli/source.h"
 
 /* A receipt has fewer bytes than that. */
 enum { RECEIPT = 1024, HASH = 32 };
@@ -82,17 +82,10 @@ static int is_intact(const char *text) {
 }
 
 static int read_text(char text[RECEIPT], const char *path) {
-    FILE *file = fopen(path, "r");
-    if (!file)
-        return complain(EXIT_IO, "%s: cannot be opened: %s", path, strerror(errno));
-    size_t length = fread(text, 1, RECEIPT - 1, file);
-    text[length] = '\0';
-    int failed = ferror(file);
-    if (failed)
-        complain(EXIT_IO, "%s: reading failed: %s", path, strerror(errno));
-    fclose(file);
-    if (failed)
-        return EXIT_IO;
+    size_t length;
+    int status = source_read(text, RECEIPT, &length, path);
+    if (status)
+        return status;
     if (strlen(text) != length || !is_intact(text))
         return complain(EXIT_INPUT,
                         "%s: is no receipt of graze check --receipt, or not as that wrote it",
@@ -103,9 +96,11 @@ static int read_text(char text[RECEIPT], const char *path) {
 /* The value of 64 hexadecimal digits behind the key; 0 if there are none. */
 static int read_hash(unsigned char hash[HASH], const char *text, const char *key) {
     const char *at = strstr(text, key);
+    if (!at || strspn(at + strlen(key), "0123456789abcdef") != 2 * HASH)
+        return 0;
     for (size_t k = 0; k < HASH; k++) {
         unsigned value;
-        if (!at || sscanf(at + strlen(key) + 2 * k, "%2x", &value) != 1)
+        if (sscanf(at + strlen(key) + 2 * k, "%2x", &value) != 1)
             return 0;
         hash[k] = (unsigned char)value;
     }

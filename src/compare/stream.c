@@ -3,29 +3,22 @@
  */
 #include "compare/stream.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-static graze_status fail(const stream *l, const char *what, int error) {
-    return context_fail(l->context, GRAZE_ESYSTEM, "%s: %s: %s", l->name, what, strerror(error));
-}
+#include "context/input.h"
 
 graze_status stream_open(stream *out, graze_context *context, const char *path) {
     int standard = strcmp(path, "-") == 0;
-    struct stat about;
     memset(out, 0, sizeof *out);
     out->context = context;
     out->name = standard ? "standard input" : path;
     out->capacity = 1 << 16;
-    out->fd = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
-    if (out->fd < 0)
-        return fail(out, "cannot be opened", errno);
-    if (fstat(out->fd, &about) == 0 && S_ISDIR(about.st_mode))
-        return fail(out, "cannot be read", EISDIR);
+    out->fd = STDIN_FILENO;
+    graze_status status = standard ? GRAZE_OK : input_open(&out->fd, context, path);
+    if (status)
+        return status;
     out->buffer = malloc(out->capacity);
     return out->buffer ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
@@ -68,20 +61,14 @@ static graze_status make_room(stream *l) {
 
 static graze_status read_more(stream *l) {
     graze_status status = make_room(l);
-    while (!status) {
-        status = context_poll(l->context);
-        if (status)
-            break;
-        ssize_t n = read(l->fd, l->buffer + l->to, l->capacity - l->to);
-        if (n >= 0) {
-            l->ended = n == 0;
-            l->to += (size_t)n;
-            break;
-        }
-        if (errno != EINTR)
-            status = fail(l, "reading failed", errno);
-    }
-    return status;
+    size_t n;
+    if (!status)
+        status = input_read(&n, l->context, l->name, l->fd, l->buffer + l->to, l->capacity - l->to);
+    if (status)
+        return status;
+    l->ended = n == 0;
+    l->to += n;
+    return GRAZE_OK;
 }
 
 graze_status stream_next(stream *l, const char **start, size_t *length) {

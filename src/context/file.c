@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <errno.h>
-#include <fcntl.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,16 +10,13 @@
 #include <unistd.h>
 #include <sha256.h>
 #include "context/file.h"
+#include "context/input.h"
 
 void file_sha256(unsigned char sha256[32], const char *text, size_t length) {
     SHA256_CTX state;
     SHA256_Init(&state);
     SHA256_Update(&state, (const uint8_t *)text, length);
     SHA256_Final(sha256, &state);
-}
-
-static graze_status fail(graze_context *context, const char *path, const char *what, int error) {
-    return context_fail(context, GRAZE_ESYSTEM, "%s: %s: %s", path, what, strerror(error));
 }
 
 /* Read to the end of `file`; `capacity` is a first guess that is right for files that do not grow.
@@ -35,20 +31,21 @@ static graze_status read_all(char **text, size_t *length, graze_context *context
             capacity = *text == NULL ? capacity : 2 * capacity;
             char *larger = realloc(*text, capacity);
             if (larger == NULL) {
-                return fail(context, path, "does not fit into memory", ENOMEM);
+                return context_fail(context, GRAZE_ESYSTEM, "%s: out of memory", path);
             }
             *text = larger;
         }
-        ssize_t n = read(file, *text + *length, capacity - *length - 1);
+        size_t n;
+        graze_status status =
+            input_read(&n, context, path, file, *text + *length, capacity - *length - 1);
+        if (status != GRAZE_OK) {
+            return status;
+        }
         if (n == 0) {
             (*text)[*length] = '\0';
             return GRAZE_OK;
         }
-        if (n > 0) {
-            *length += (size_t)n;
-        } else if (errno != EINTR) {
-            return fail(context, path, "cannot be read", errno);
-        }
+        *length += n;
     }
 }
 
@@ -56,16 +53,15 @@ graze_status file_read(char **text, size_t *length, unsigned char sha256[32],
                        graze_context *context, const char *path) {
     *text = NULL;
     *length = 0;
-    int file = open(path, O_RDONLY | O_CLOEXEC);
-    if (file < 0) {
-        return fail(context, path, "cannot be opened", errno);
+    int file;
+    graze_status status = input_open(&file, context, path);
+    if (status != GRAZE_OK) {
+        return status;
     }
     struct stat about;
-    graze_status status;
     if (fstat(file, &about) != 0) {
-        status = fail(context, path, "cannot be read", errno);
-    } else if (S_ISDIR(about.st_mode)) {
-        status = fail(context, path, "cannot be read", EISDIR);
+        status =
+            context_fail(context, GRAZE_ESYSTEM, "%s: cannot be read: %s", path, strerror(errno));
     } else if (S_ISREG(about.st_mode) &&
                (unsigned long long)about.st_size > context->limits[GRAZE_LIMIT_BYTES]) {
         status = context_limit(context, GRAZE_LIMIT_BYTES, path);

@@ -33,6 +33,8 @@ UNREACHED = {
     "another run is writing it": "needs two runs at once; tests/shards reaches it",
     "is not what this run makes of its point": "needs a table of this version; tests/shards reaches it",
     "rows already, more than there are points": "needs a table of this version; tests/shards reaches it",
+    "the box, coordinate": "the command line makes numbers in lowest terms; tests/api reaches it",
+    "cannot be waited for": "the system refuses to poll",
     "a rank cannot begin": "needs a machine that lacks a file which another one has",
     "MPI cannot begin": "the system refuses a pipe",
     "the box along axis %d": "the command line parses its numbers itself; tests/api reaches it",

@@ -1,0 +1,26 @@
+/* Files and pipes as input: opened and waited for so that the wait can be ended.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CONTEXT_INPUT_H
+#define GRAZE_CONTEXT_INPUT_H
+
+#include "context/context.h"
+
+/**
+ * Open a file, a FIFO or what stands for a pipe (/dev/fd/63, /dev/stdin) for reading. Nobody is
+ * waited for.
+ * @return GRAZE_ESYSTEM it cannot be opened, or is a directory or a device, also behind a link
+ */
+graze_status input_open(int *fd, graze_context *context, const char *path);
+
+/**
+ * Read what is there, at most `room` bytes. Where nothing is there yet, wait, and ask the cancel
+ * callback ten times a second.
+ * @param[out] got  0 at the end
+ * @param name      for the message
+ * @return GRAZE_ESYSTEM, GRAZE_ECANCELED
+ */
+graze_status input_read(size_t *got, graze_context *context, const char *name, int fd, char *to,
+                        size_t room);
+
+#endif
