@@ -301,6 +301,17 @@ GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
 GRAZE_API const char *graze_class_name(graze_class class_);
 
 /**
+ * The verdict that a word has: the word tells the counts, they and its two ends the case and the
+ * class. Nothing is classified; this is the rule alone, for checking rows of a table.
+ * @param options those of the scene, or NULL for the defaults
+ * @param word    `length` letters, which need not end in NUL
+ * @return GRAZE_EUSE a NULL, or an unknown option; GRAZE_EINPUT no word: not letters O, I, B of
+ * which every second one is B. `out` is zeroed then
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_word_verdict(graze_verdict *out, graze_context *context,
+                                                        const graze_options *options,
+                                                        const char *word, size_t length);
+/**
  * Classify n points exactly. Every point's inverted trajectory ([EI] eq. 4) is cut at its contacts
  * with the boundary; they are counted by Definitions 3 and 4 and the counts decide the class
  * (Definitions 5-11).

@@ -154,6 +154,23 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     return status;
 }
 
+graze_status graze_word_verdict(graze_verdict *out, graze_context *context,
+                                const graze_options *options, const char *word, size_t length) {
+    static const graze_options defaults = {GRAZE_SWEEP, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
+    if (out)
+        memset(out, 0, sizeof *out);
+    if (!out || !context || !word)
+        return api_misuse(context, "graze_word_verdict", "out, context and word must not be NULL");
+    if (options && !options_known(options))
+        return api_misuse(context, "graze_word_verdict", "an option has an unknown value");
+    if (verdict_of_word(out, word, length, options ? options : &defaults))
+        return GRAZE_OK;
+    return context_fail(context, GRAZE_EINPUT,
+                        "'%.*s' is no word; expected letters O, I, B of which every second one is "
+                        "B",
+                        length > 40 ? 40 : (int)length, word);
+}
+
 /* The checks both functions share; on success the verdicts are zeroed. */
 static graze_status begin(graze_verdict *out, graze_context *context, const graze_scene *scene,
                           const void *points, size_t n) {

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/interrupt.h"
+#include "cli/kept.h"
 #include "cli/rows.h"
 #include "cli/receipt.h"
 #include "cli/results.h"
@@ -53,7 +54,7 @@ typedef struct run_state {
     block **ring; /* a block's place is its number modulo the ring's size */
     size_t ring_size;
     unsigned long filled, written; /* blocks */
-    unsigned long taken;           /* rows of them, and those that need not be made */
+    unsigned long taken;           /* rows of them, and those that were there already */
     int ended;                     /* all points are taken, or none can be for `read_status` */
     int read_status;
     results table;
@@ -105,26 +106,48 @@ static int put_rows(run_state *s, const block *b) {
     return status;
 }
 
-/* Fill the next block and hand it over; before the first, write the head of the table. */
-static int fill(run_state *s, const options *o) {
-    block *b = s->ring[s->filled % s->ring_size];
+/* Take the next rows, at most `most`, into a block; before the first, write the head of the table.
+ */
+static int take(run_state *s, const options *o, block *b, unsigned long most) {
     int status = EXIT_DONE;
     block_reset(b, s->taken);
     if (s->points)
-        s->read_status = csv_fill(s->points, b);
+        s->read_status = csv_fill(s->points, b, most);
     else
-        grid_fill(s->grid, o->part, b);
+        grid_fill(s->grid, o->part, b, most);
     s->ended = s->read_status || b->count == 0;
     int columns_known = !s->read_status || (s->points && csv_columns(s->points)->count);
     if (!s->headed && columns_known && o->format == GRAZE_FORMAT_CSV)
         status = put_header(s, o);
     s->headed |= columns_known;
+    s->taken += b->count;
+    return status;
+}
+
+/* Fill the next block and hand it over. */
+static int fill(run_state *s, const options *o) {
+    block *b = s->ring[s->filled % s->ring_size];
+    int status = take(s, o, b, BLOCK_ROWS);
     if (status || b->count == 0)
         return status;
-    s->taken += b->count;
     s->filled++;
     jobs_submit(s->jobs, b);
     return EXIT_DONE;
+}
+
+/* The rows that a continued table has are not made again, but held to their points. */
+static int check_kept(run_state *s, const options *o, row_source source) {
+    unsigned long rows = results_skip(&s->table);
+    int status = EXIT_DONE;
+    kept k;
+    kept_init(&k, s->l.context, source);
+    while (!status && s->taken < rows && !s->ended) {
+        status = take(s, o, s->ring[0], rows - s->taken);
+        if (!status)
+            status = interrupt_signal() ? EXIT_SIGNAL : kept_check(&k, &s->table, s->ring[0]);
+    }
+    kept_clear(&k);
+    return status;
 }
 
 /* Room for a block, and points that need not be waited for while rows are to be written. */
@@ -218,10 +241,7 @@ static int prepare(run_state *s, const options *o) {
         status = results_open(&s->table, o->output, o->resume);
     if (!status && o->exported)
         output_keep(&s->table.out);
-    s->taken = results_skip(&s->table);
-    if (s->points)
-        csv_skip(s->points, s->taken);
-    return status;
+    return status ? status : check_kept(s, o, source);
 }
 
 static void finish(run_state *s) {

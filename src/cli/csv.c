@@ -24,7 +24,6 @@ struct csv {
     fault fault;
     columns columns;
     shard part;
-    unsigned long skip; /* the shard's rows that are left out at the start */
     unsigned long rows; /* of all shards, so far */
     unsigned long long checksum;
     portion portion; /* in bytes; `whole` is 0 unless it is a file */
@@ -81,10 +80,6 @@ unsigned long csv_rows(const csv *c) {
 
 unsigned long long csv_checksum(const csv *c) {
     return c->checksum;
-}
-
-void csv_skip(csv *c, unsigned long rows) {
-    c->skip = rows;
 }
 
 int csv_same_file(const csv *c, const char *path) {
@@ -185,12 +180,12 @@ static unsigned long long add_to_checksum(unsigned long long sum, field text) {
     return (sum ^ text.length) * 0x9e3779b97f4a7c15ULL;
 }
 
-/* A row into the block, if it is the shard's and not left out. */
+/* A row into the block, if it is the shard's. */
 static int take_row(csv *c, block *b, field text) {
     unsigned long row = c->rows++;
     if (c->part.count > 1)
         c->checksum = add_to_checksum(c->checksum, text);
-    if (row % c->part.count != c->part.index || row / c->part.count < c->skip)
+    if (row % c->part.count != c->part.index)
         return EXIT_DONE;
     return block_add(b, text, c->line) ? EXIT_DONE : fault_set(&c->fault, EXIT_IO, "out of memory");
 }
@@ -213,9 +208,9 @@ int csv_ready(csv *c) {
 }
 
 /* A block is also done when no further line is ready, so that who reads its rows does not wait. */
-int csv_fill(csv *c, block *b) {
+int csv_fill(csv *c, block *b, unsigned long most) {
     int status = EXIT_DONE;
-    while (!status && b->count < BLOCK_ROWS && b->used < BLOCK_BYTES &&
+    while (!status && b->count < BLOCK_ROWS && b->count < most && b->used < BLOCK_BYTES &&
            (b->count == 0 || csv_ready(c))) {
         field text;
         status = next_line(c, &text);

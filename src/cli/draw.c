@@ -136,7 +136,7 @@ static int read_file(marks *m, const char *path, graze_context *context) {
                    : complain(EXIT_IO, "out of memory");
     for (int more = 1; more && !status;) {
         block_reset(b, 0);
-        int read = csv_fill(points, b);
+        int read = csv_fill(points, b, BLOCK_ROWS);
         more = b->count > 0;
         status = read_block(m, points, b, context);
         if (!status && read)

@@ -126,8 +126,9 @@ unsigned long grid_count(const grid *g) {
     return g->count;
 }
 
-void grid_fill(const grid *g, shard part, block *b) {
-    unsigned long left = shard_rows(part, g->count) - b->before;
+void grid_fill(const grid *g, shard part, block *b, unsigned long most) {
+    unsigned long rows = shard_rows(part, g->count), left = rows > b->before ? rows - b->before : 0;
+    left = left < most ? left : most;
     b->count = left < BLOCK_ROWS ? left : BLOCK_ROWS;
 }
 

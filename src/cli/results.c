@@ -10,12 +10,15 @@
 #include "cli/cli.h"
 
 static int keep_head(results *t, const char *line, size_t length) {
-    char *grown = realloc(t->head, t->head_length + length);
+    char *grown = realloc(t->head, t->head_length + length + 1);
     if (!grown)
         return complain(EXIT_IO, "out of memory");
     memcpy(grown + t->head_length, line, length);
     t->head = grown;
     t->head_length += length;
+    t->head[t->head_length] = '\0';
+    t->line_number++;
+    t->next_start += (long long)length;
     t->head_whole = *line != '#' && line[length - 1] == '\n';
     return EXIT_DONE;
 }
@@ -38,11 +41,12 @@ static int take_line(results *t, char **line, size_t length, long long start, in
     return EXIT_DONE;
 }
 
+static int complain_of_reading(const results *t) {
+    return complain(EXIT_IO, "%s: reading failed: %s", t->resumed, strerror(errno));
+}
+
 /* Find out how far the file has come. */
 static int scan(results *t) {
-    FILE *file = fopen(t->resumed, "r");
-    if (!file)
-        return complain(EXIT_IO, "%s: cannot be opened: %s", t->resumed, strerror(errno));
     char *line = NULL;
     long long start = 0;
     int status = EXIT_DONE, complete = 0;
@@ -50,34 +54,60 @@ static int scan(results *t) {
         size_t room = 0; /* getline takes a buffer of its own for each row that is kept */
         free(line);
         line = NULL;
-        ssize_t length = getline(&line, &room, file);
+        ssize_t length = getline(&line, &room, t->file);
         if (length <= 0 || status)
             break;
         status = take_line(t, &line, (size_t)length, start, &complete);
         start += length;
     }
-    if (!status && ferror(file))
-        status = complain(EXIT_IO, "%s: reading failed: %s", t->resumed, strerror(errno));
+    if (!status && ferror(t->file))
+        status = complain_of_reading(t);
     if (!status && complete)
         status =
             complain(EXIT_INPUT, "%s: is complete with its %lu rows; there is nothing to continue",
                      t->resumed, t->rows);
     free(line);
-    fclose(file);
+    if (!status && fseeko(t->file, (off_t)t->next_start, SEEK_SET) != 0)
+        status = complain_of_reading(t);
     return status;
+}
+
+/* The file is locked before it is looked at. Closing any descriptor of it would end the lock. */
+static int open_resumed(results *t) {
+    t->file = fopen(t->resumed, "r");
+    if (!t->file)
+        return complain(EXIT_IO, "%s: cannot be opened: %s", t->resumed, strerror(errno));
+    int status = output_lock(&t->out);
+    return status ? status : scan(t);
 }
 
 int results_open(results *t, const char *path, const char *resumed) {
     t->resumed = resumed;
     int status = resumed ? output_continue(&t->out, resumed) : output_open(&t->out, path);
     t->opened = !status;
-    if (!status && resumed)
-        status = scan(t);
-    return status || !resumed ? status : output_lock(&t->out);
+    return status || !resumed ? status : open_resumed(t);
 }
 
 unsigned long results_skip(const results *t) {
     return t->last ? t->rows - 1 : 0;
+}
+
+int results_next(results *t, field *row) {
+    ssize_t length = getline(&t->line, &t->line_room, t->file);
+    if (length <= 0)
+        return complain_of_reading(t);
+    t->line_number++;
+    t->next_start += length;
+    *row = (field){t->line, (size_t)length - (t->line[length - 1] == '\n')};
+    return *t->line == '#' ? results_refuse(t, *row, "a row", (field){"", 0}) : EXIT_DONE;
+}
+
+int results_refuse(const results *t, field there, const char *expected, field here) {
+    return complain(EXIT_INPUT,
+                    "%s:%lu: `%.*s` stands there; expected %s%.*s: right are the points the table "
+                    "was begun with, and its rows as they were written",
+                    t->resumed, t->line_number, there.length < 200 ? (int)there.length : 200,
+                    there.start, expected, here.length < 200 ? (int)here.length : 200, here.start);
 }
 
 /* Name the line at which the head there and this run's differ. */
@@ -120,6 +150,11 @@ int results_begin(results *t, const char *head) {
 }
 
 int results_add(results *t, const char *text, size_t length, unsigned long rows) {
+    if (t->last && rows && t->next_start != t->last_start) {
+        field line;
+        int status = results_next(t, &line);
+        return status ? status : results_refuse(t, line, "the last row", (field){"", 0});
+    }
     if (t->last && rows) {
         if (length < t->last_length || memcmp(text, t->last, t->last_length) != 0)
             return complain(EXIT_INPUT,
@@ -150,7 +185,10 @@ int results_close(results *t, int status) {
         int closed = output_close(&t->out);
         status = closed ? closed : status;
     }
+    if (t->file)
+        fclose(t->file);
     free(t->head);
     free(t->last);
+    free(t->line);
     return status;
 }

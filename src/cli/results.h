@@ -1,12 +1,15 @@
 /* The table that classify writes: begun anew, or continued where an earlier run was interrupted.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A table that is continued has the head this run would write, to the byte, and its last whole row
- * is the one this run makes of the same point. Until both are known nothing in the file changes.
+ * A table that is continued has the head this run would write, to the byte, rows of its points
+ * (kept.h), and its last whole row is the one this run makes of the same point. Until all that is
+ * known nothing in the file changes.
  */
 #ifndef GRAZE_CLI_RESULTS_H
 #define GRAZE_CLI_RESULTS_H
 
+#include <stdio.h>
+#include "cli/fields.h"
 #include "cli/output.h"
 
 typedef struct results {
@@ -14,12 +17,17 @@ typedef struct results {
     int opened;
     const char *resumed; /* the file that is continued, or NULL */
     unsigned long rows;  /* rows written, or taken over from an earlier run */
-    char *head;          /* what the file had of a head; malloc'ed */
+    char *head;          /* what the file had of a head, with a NUL; malloc'ed */
     size_t head_length;
     int head_whole;       /* it ends with the column line */
     char *last;           /* the last whole row there was, until it is made again; malloc'ed */
     size_t last_length;   /* with its newline */
     long long last_start; /* byte of the file */
+    FILE *file; /* the resumed one, from which kept rows are read; open while it is locked */
+    char *line; /* the kept row at hand; malloc'ed */
+    size_t line_room;
+    unsigned long line_number;
+    long long next_start; /* byte behind it */
 } results;
 
 /** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
@@ -29,6 +37,13 @@ int results_open(results *t, const char *path, const char *resumed);
 
 /** The rows that need not be made again. The last one there is made again, as a check. */
 unsigned long results_skip(const results *t);
+
+/** The next of these rows, without its line end; borrowed until the next call. EXIT_INPUT: another
+ * line stands there. */
+int results_next(results *t, field *row);
+
+/** Refuse that row: `there` is what it has, and after `expected` comes `here`. EXIT_INPUT. */
+int results_refuse(const results *t, field there, const char *expected, field here);
 
 /** Write the head, or see that it is the one there. EXIT_INPUT: it is not. */
 int results_begin(results *t, const char *head);

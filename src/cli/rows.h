@@ -18,13 +18,12 @@ typedef struct csv csv;
  * borrowed. On failure says why. */
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context);
 void csv_close(csv *c);
-/** Leave out the shard's first `rows` rows: they are counted and not handed over. */
-void csv_skip(csv *c, unsigned long rows);
 /**
- * Fill a block with the next rows; an empty block means the end. On an error, for which csv_fault
- * has the message, the rows before it are in the block. EXIT_SIGNAL when a signal came first.
+ * Fill a block with the next rows, at most `most`; an empty block means the end. On an error, for
+ * which csv_fault has the message, the rows before it are in the block. EXIT_SIGNAL when a signal
+ * came first.
  */
-int csv_fill(csv *c, block *b);
+int csv_fill(csv *c, block *b, unsigned long most);
 /** 1 if csv_fill would return without waiting for its input. May read. */
 int csv_ready(csv *c);
 /** The error csv_fill met. */
@@ -50,8 +49,8 @@ int grid_open(grid **out, const options *o, graze_context *context, const graze_
 void grid_close(grid *g);
 /** The number of its points. */
 unsigned long grid_count(const grid *g);
-/** Fill a block with a shard's next points; an empty block means the end. */
-void grid_fill(const grid *g, shard part, block *b);
+/** Fill a block with a shard's next points, at most `most`; an empty block means the end. */
+void grid_fill(const grid *g, shard part, block *b, unsigned long most);
 /** Make `count` points of a shard from its point `first` on, x running fastest in the whole grid.
  * Any thread may ask. `points` has room for three coordinates a point and uses as many as there
  * are, point after point. */

@@ -58,10 +58,37 @@ graze_verdict verdict_sweep(graze_state first, graze_state last, unsigned long i
     return v;
 }
 
-graze_verdict verdict_unsweep(const char *word, unsigned long i, unsigned long t) {
+graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, unsigned long t) {
     graze_verdict v = {.i = i, .t = t};
-    v.pmc = strchr(word, 'O') ? GRAZE_OUT : strchr(word, 'B') ? GRAZE_ON : GRAZE_IN;
+    v.pmc = memchr(word, 'O', length) ? GRAZE_OUT : memchr(word, 'B', length) ? GRAZE_ON : GRAZE_IN;
     return v;
+}
+
+/* Equal neighbours are merged, and between inside and outside lies the boundary. */
+static int is_word(const char *word, size_t length) {
+    for (size_t k = 0; k < length; k++)
+        if (!memchr("IBO", word[k], 3) || (k > 0 && (word[k] == 'B') == (word[k - 1] == 'B')))
+            return 0;
+    return length > 0;
+}
+
+int verdict_of_word(graze_verdict *out, const char *word, size_t length,
+                    const graze_options *options) {
+    unsigned long counts[3] = {0, 0, 0}; /* by kind */
+    if (!is_word(word, length))
+        return 0;
+    for (size_t k = 0; k < length; k++) {
+        graze_state left = k > 0 ? (graze_state)word[k - 1] : GRAZE_STATE_ABSENT;
+        graze_state right = k + 1 < length ? (graze_state)word[k + 1] : GRAZE_STATE_ABSENT;
+        if (word[k] == 'B')
+            counts[verdict_kind(left, right)]++;
+    }
+    unsigned long i = counts[GRAZE_INTERSECTION], t = counts[GRAZE_TANGENCY];
+    *out = options->operation == GRAZE_UNSWEEP
+               ? verdict_unsweep(word, length, i, t)
+               : verdict_sweep((graze_state)word[0], (graze_state)word[length - 1], i, t,
+                               options->folds);
+    return 1;
 }
 
 void verdict_decide(graze_trace *trace, const graze_options *options) {
@@ -73,6 +100,6 @@ void verdict_decide(graze_trace *trace, const graze_options *options) {
             t++;
     }
     trace->verdict = options->operation == GRAZE_UNSWEEP
-                         ? verdict_unsweep(trace->word, i, t)
+                         ? verdict_unsweep(trace->word, strlen(trace->word), i, t)
                          : verdict_sweep(trace->first, trace->last, i, t, options->folds);
 }

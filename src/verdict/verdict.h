@@ -18,7 +18,12 @@ graze_verdict verdict_sweep(graze_state first, graze_state last, unsigned long i
                             graze_folds folds);
 
 /** The verdict of an unsweep from its word ([IS] eqs 12, 13, 35): only pmc, i and t are set. */
-graze_verdict verdict_unsweep(const char *word, unsigned long i, unsigned long t);
+graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, unsigned long t);
+
+/** The verdict that a word has, which need not end in NUL; 0 if it is none: letters O, I, B of
+ * which every second one is B. */
+int verdict_of_word(graze_verdict *out, const char *word, size_t length,
+                    const graze_options *options);
 
 /** Count the contacts of a trace and set trace->verdict. */
 void verdict_decide(graze_trace *trace, const graze_options *options);

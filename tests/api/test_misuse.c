@@ -164,6 +164,11 @@ static void verdicts(bench *b) {
     graze_verdict v;
     HARMLESS(graze_pmc_name, !strcmp(graze_pmc_name((graze_pmc)4), "none"));
     HARMLESS(graze_class_name, !strcmp(graze_class_name((graze_class)-1), "none"));
+    const graze_options odd = {(graze_operation)2, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
+    WRONG(graze_word_verdict(NULL, c, NULL, "O", 1));
+    WRONG(graze_word_verdict(&v, NULL, NULL, "O", 1));
+    WRONG(graze_word_verdict(&v, c, NULL, NULL, 0));
+    WRONG(graze_word_verdict(&v, c, &odd, "O", 1));
     WRONG(graze_classify(NULL, c, b->s.scene, b->point, 1));
     WRONG(graze_classify(&v, NULL, b->s.scene, b->point, 1));
     WRONG(graze_classify(&v, c, NULL, b->point, 1));
@@ -436,7 +441,7 @@ static void none_is_left_out(const bench *b) {
         functions++;
         at = end;
     }
-    assert_true(functions >= 78);
+    assert_true(functions >= 79);
 }
 
 static void all(void **state) {

@@ -52,6 +52,8 @@ def inputs(bench):
     """(name of the input, its file, the words of a command with None in its place)."""
     solid, motion, points = COMMON / "cube.off", COMMON / "move3.json", bench.folder / "points.csv"
     points.write_bytes(b"x,y,z,note\n" + b"".join(b"%d/3,1,%d,n%d\n" % (k, k % 3, k) for k in range(3000)))
+    marks = bench.folder / "marks.csv"
+    marks.write_bytes(b"1,1,1\n2,1,1/2\n")
     table, poses, receipt = (bench.folder / name for name in ("table.csv", "poses.csv", "receipt.txt"))
     table.write_bytes(bench.run(["classify", solid, motion, points])[1])
     poses.write_bytes(POSES)
@@ -60,7 +62,7 @@ def inputs(bench):
     yield "a motion", motion, ["classify", solid, None, points]
     yield "points", points, ["classify", solid, motion, None]
     yield "a receipt", receipt, ["classify", "--receipt", None, solid, motion, points]
-    yield "marks", points, ["draw", solid, motion, None, "-o", bench.folder / "picture.svg"]
+    yield "marks", marks, ["draw", solid, motion, None, "-o", bench.folder / "picture.svg"]
     yield "a golden table", table, ["compare", None, table]
     yield "a candidate's table", table, ["compare", table, None]
     yield "poses", poses, ["motion", "poses", None]

@@ -32,6 +32,8 @@ UNREACHED = {
     "canceled by the caller": "the command line dies by the signal; tests/api reaches it",
     "another run is writing it": "needs two runs at once; tests/shards reaches it",
     "is not what this run makes of its point": "needs a table of this version; tests/shards reaches it",
+    "stands there; expected %s": "needs a table of this version; tests/shards reaches it",
+    "its head is not understood": "a fault of Graze itself",
     "rows already, more than there are points": "needs a table of this version; tests/shards reaches it",
     "the box, coordinate": "the command line makes numbers in lowest terms; tests/api reaches it",
     "cannot be waited for": "the system refuses to poll",

@@ -234,6 +234,86 @@ def check_resume_refusals(bench):
     refused("its own points", b"is the file the points are read from", text, bench.folder / "refused.csv", status=2)
 
 
+def altered(bench, rows, at):
+    """(what was done, rows) where row `at`, not the last, is no longer what the run wrote; every change is one that the
+    row's point or its word tells."""
+    fields = rows[at].split(b",")
+    word = next(k for k, f in enumerate(fields) if k > 1 and f.strip(b"\n") and not f.strip(b"IBO\n"))
+    names = {b"in": b"out", b"out": b"on", b"on": b"in"}
+
+    def put(k, value):
+        return b",".join(fields[:k] + [value + b"\n" * (k == len(fields) - 1)] + fields[k + 1:])
+
+    pmc = next(k for k, f in enumerate(fields) if f in names)
+    yield "NUL bytes", bytes(len(rows[at]) - 1) + b"\n"
+    yield "one NUL byte", bytes(1) + rows[at][1:]
+    yield "another x", put(0, fields[0] + b"1")
+    yield "an x not in lowest terms", put(0, b"2/2" if fields[0] == b"1" else fields[0] + b"/1")
+    yield "another last coordinate", put(pmc - 1, b"977")
+    yield "another pmc", put(pmc, names[fields[pmc]])
+    for k in range(pmc + 1, word):
+        yield f"another answer {k - pmc}", put(k, b"3" if fields[k] != b"3" else b"4")
+    other = b"OBO" if fields[word].strip() != b"OBO" else b"OBOBO"
+    if word == pmc + 1:  # of an unsweep, where pmc alone follows from the word
+        other = b"O" if fields[pmc] == b"in" else b"I"
+    for value in (b"", b"OO", b"BB", b"IO", b"OBX", other):
+        yield f"the word {value}", put(word, value)
+    yield "a column more", rows[at][:-1] + b",1\n"
+    yield "a column less", rows[at].rpartition(b",")[0] + b"\n"
+    yield "a blank line", b"\n"
+    yield "a comment", b"# " + rows[at]
+    yield "a row more", rows[at] + rows[at]
+    yield "a comment more", rows[at] + b"# between\n"
+    yield "a row less", b""
+    yield "its neighbour", rows[at - 1 if at else at + 1]
+
+
+def refuse_kept(bench, run, name, head, rows):
+    """Every alteration of a kept row is refused and changes nothing, and what is not altered is continued."""
+    for turn in range(3 * bench.scale):
+        kept = bench.random.randrange(3, len(rows))
+        at = bench.random.randrange(kept - 1)
+        for what, row in altered(bench, rows, at):
+            content = b"".join(head + rows[:at] + [row] + rows[at + 1:kept]) + bench.random.choice((b"", b"1,"))
+            path = bench.file("altered.csv", content)
+            status, out, err = run(path)
+            bench.check(status == 3 and out == b"" and err.count(b"graze: ") == 1 and path.read_bytes() == content and
+                        b"altered.csv" in err, f"{name}: row {at + 1} of {kept} has {what}", status, err)
+
+
+def check_kept_rows(bench):
+    """The rows that a table has already are those of the points, whatever their number."""
+    words = ["classify", COMMON / "cube.off", COMMON / "move3.json"]
+    text = b"x,y,z,n,note\n" + b"".join(b"%d/3,%d,1/2,%d,\"a, %d\"\n" % (7 * k % 60 - 9, k % 4 - 1, k, k) for k in range(60))
+    points = bench.file("kept.csv", text)
+    for more in ([], ["--operation", "unsweep"], ["--folds", "combined", "--shard", "2/3"]):
+        head, rows, _ = split(bench.good(*words, points, *more))
+        run = lambda path: bench.run(*words, points, *more, "--resume", path)
+        refuse_kept(bench, run, f"{more}", head, rows)
+        path = bench.file("whole.csv", b"".join(head + rows[:10]))
+        bench.good(*words, points, *more, "--resume", path)
+        bench.check(path.read_bytes() == bench.good(*words, points, *more), f"{more}: unaltered, it is continued")
+    head, rows, _ = split(bench.good(*words, points))
+    lines = text.splitlines(keepends=True)
+    begun = b"".join(head + rows[:20])
+    for what, line in (("another point in row 2", b"5,5,5,1,\"a, 1\"\n"),
+                       ("another note in row 2", lines[2].replace(b"a, 1", b"a, 2")),
+                       ("row 2 away", b"")):
+        path = bench.file("begun.csv", begun)
+        other = bench.file("others.csv", b"".join(lines[:2] + [line] + lines[3:]))
+        status, out, err = bench.run(*words, other, "--resume", path)
+        bench.check(status == 3 and out == b"" and b"right are the points the table was begun with" in err and
+                    path.read_bytes() == begun, f"the points have {what}", status, err)
+
+
+def check_kept_grid(bench):
+    """The same for a grid, whose points no file has; three coordinates and two."""
+    for words in (["classify", COMMON / "cube.off", COMMON / "move3.json", "--grid", "4,3,5"],
+                  ["classify", COMMON / "square.wkt", COMMON / "move2.json", "--grid", "6,7", "--shard", "1/2"]):
+        head, rows, _ = split(bench.good(*words))
+        refuse_kept(bench, lambda path: bench.run(*words, "--resume", path), words[-1], head, rows)
+
+
 def check_lock(bench):
     """Two runs do not write one file."""
     words = ["classify", COMMON / "square.wkt", COMMON / "move2.json", "-", "--resume", bench.folder / "held.csv"]
@@ -416,7 +496,8 @@ def check_parallel(bench):
     bench.check(done.stdout.endswith(whole), "six shards of parallel merge into the whole", done.stdout[:300])
 
 
-CHECKS = [check_shards, check_many_parts, check_damage, check_resume, check_resume_refusals, check_lock,
+CHECKS = [check_shards, check_many_parts, check_damage, check_resume, check_resume_refusals, check_kept_rows,
+          check_kept_grid, check_lock,
           check_signals, check_ignored, check_full, check_progress, check_receipts,
           check_parallel]
 

@@ -1,0 +1,96 @@
+/* Checks rows that a table has already.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "cli/kept.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void kept_init(kept *k, graze_context *context, row_source source) {
+    memset(k, 0, sizeof *k);
+    k->context = k->reader.context = context;
+    k->source = source;
+    for (int c = 0; c < 3; c++)
+        mpq_init(k->point[c]);
+}
+
+void kept_clear(kept *k) {
+    reader_clear(&k->reader);
+    for (int c = 0; c < 3; c++)
+        mpq_clear(k->point[c]);
+    free(k->text);
+}
+
+/* The point of a row of the block, and its further columns in the reader. */
+static int make_point(kept *k, const block *b, size_t index) {
+    const row_source *from = &k->source;
+    fault f = {EXIT_DONE, NULL};
+    if (from->grid) {
+        grid_points(k->point, from->grid, from->part, b->before + index, 1);
+        return EXIT_DONE;
+    }
+    k->reader.rest_length = 0;
+    int status = columns_row(k->point, &f, from->columns, &k->reader, b, index);
+    if (status)
+        fault_tell(&f);
+    fault_clear(&f);
+    return status;
+}
+
+/* The point as text, or a field without start when memory is short. */
+static field point_text(kept *k) {
+    size_t room = 1, used = 0;
+    for (int c = 0; c < k->form.dimension; c++)
+        room += mpz_sizeinbase(mpq_numref(k->point[c]), 10) +
+                mpz_sizeinbase(mpq_denref(k->point[c]), 10) + 4;
+    if (room > k->capacity) {
+        char *grown = realloc(k->text, 2 * room);
+        if (!grown)
+            return (field){NULL, 0};
+        k->text = grown;
+        k->capacity = 2 * room;
+    }
+    for (int c = 0; c < k->form.dimension; c++) {
+        if (c)
+            k->text[used++] = ',';
+        mpq_get_str(k->text + used, 10, k->point[c]);
+        used += strlen(k->text + used);
+    }
+    return (field){k->text, used};
+}
+
+static int same(field a, field b) {
+    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
+}
+
+static int check_row(kept *k, results *t) {
+    field row, point = point_text(k), rest = {"", 0};
+    row_parts parts;
+    if (!point.start)
+        return complain(EXIT_IO, "out of memory");
+    if (k->form.others)
+        rest = (field){k->reader.rest, strlen(k->reader.rest)};
+    int status = results_next(t, &row);
+    if (status)
+        return status;
+    const char *expected = row_check(&parts, &k->form, k->context, row);
+    if (expected)
+        return results_refuse(t, row, expected, (field){"", 0});
+    if (!same(parts.point, point))
+        return results_refuse(t, parts.point, "this run's point, ", point);
+    if (!same(parts.rest, rest))
+        return results_refuse(t, parts.rest, "this run's further columns, ", rest);
+    return EXIT_DONE;
+}
+
+int kept_check(kept *k, results *t, const block *b) {
+    int status = EXIT_DONE;
+    if (!k->form.dimension && !row_form_read(&k->form, t->head))
+        return complain(EXIT_FAULT, "%s: its head is not understood", t->resumed);
+    for (size_t r = 0; r < b->count && !status; r++) {
+        status = make_point(k, b, r);
+        if (!status)
+            status = check_row(k, t);
+    }
+    return status;
+}

@@ -1,0 +1,32 @@
+/* The rows that a continued table has already, held to the points of this run.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * They are not made again but the last (results.h). Of the others all is checked that their points
+ * and words tell: point, further columns, and the answers that belong to the word.
+ */
+#ifndef GRAZE_CLI_KEPT_H
+#define GRAZE_CLI_KEPT_H
+
+#include "cli/results.h"
+#include "cli/row.h"
+#include "cli/rows.h"
+
+typedef struct kept {
+    graze_context *context; /* borrowed */
+    row_source source;
+    row_form form;
+    reader reader;
+    mpq_t point[3];
+    char *text; /* the point's coordinates, comma-joined; malloc'ed */
+    size_t capacity;
+} kept;
+
+/** kept_clear in any case. */
+void kept_init(kept *k, graze_context *context, row_source source);
+void kept_clear(kept *k);
+
+/** Check the rows of a block against the next ones of the table. Returns an exit status and says
+ * what is wrong: EXIT_INPUT they are not rows of these points, or a point cannot be read. */
+int kept_check(kept *k, results *t, const block *b);
+
+#endif

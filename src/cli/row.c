@@ -1,0 +1,120 @@
+/* Checks the form of rows.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Counts, case, class, definition and pmc all follow from the word (graze_word_verdict), so they
+ * are made from it and compared as text.
+ */
+#include "cli/row.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Go past a text if the line at hand begins with it. */
+static int skip(const char **at, const char *text) {
+    size_t length = strlen(text);
+    int same = strncmp(*at, text, length) == 0;
+    *at += same ? length : 0;
+    return same;
+}
+
+static size_t count_fields(const char *start, size_t length) {
+    fields cut = {NULL, 0, 0};
+    size_t count = fields_cut(&cut, (field){start, length}) == FIELDS_CUT ? cut.count : 0;
+    fields_clear(&cut);
+    return count;
+}
+
+int row_form_read(row_form *out, const char *head) {
+    size_t length = strlen(head);
+    const char *at = head;
+    memset(out, 0, sizeof *out);
+    for (const char *next; *at == '#' && (next = strchr(at, '\n')) != NULL; at = next + 1) {
+        if (strncmp(at, "# operation unsweep\n", 20) == 0)
+            out->options.operation = GRAZE_UNSWEEP;
+        if (strncmp(at, "# folds combined\n", 17) == 0)
+            out->options.folds = GRAZE_FOLDS_COMBINED;
+    }
+    if (!length || head[length - 1] != '\n' || !skip(&at, "x,y,"))
+        return 0;
+    out->dimension = skip(&at, "z,") ? 3 : 2;
+    int sweep = out->options.operation == GRAZE_SWEEP;
+    if (!skip(&at, sweep ? "pmc,class,definition,case,i,t,word" : "pmc,word"))
+        return 0;
+    if (*at == ',')
+        out->others = count_fields(at + 1, (size_t)(head + length - 1 - at - 1));
+    return *at == ',' ? out->others > 0 : *at == '\n';
+}
+
+/* Take the bytes before the next comma, or up to the end. */
+static field take(field *rest) {
+    const char *comma = rest->length ? memchr(rest->start, ',', rest->length) : NULL;
+    field out = {rest->start, comma ? (size_t)(comma - rest->start) : rest->length};
+    size_t gone = out.length + (comma != NULL);
+    *rest = (field){rest->start + gone, rest->length - gone};
+    return out;
+}
+
+/* The answers before the word, as the table has them. */
+static int write_answers(char *text, size_t room, const row_form *form, const graze_verdict *v) {
+    char definition[16] = "ext";
+    if (form->options.operation == GRAZE_UNSWEEP)
+        return snprintf(text, room, "%s,", graze_pmc_name(v->pmc));
+    if (v->definition)
+        snprintf(definition, sizeof definition, "%d", v->definition);
+    return snprintf(text, room, "%s,%s,%s,%d,%lu,%lu,", graze_pmc_name(v->pmc),
+                    graze_class_name(v->class_), definition, v->case_, v->i, v->t);
+}
+
+const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row) {
+    char answers[128];
+    graze_verdict verdict;
+    field rest = row;
+    for (int k = 0; k < form->dimension; k++)
+        take(&rest);
+    const char *own = rest.start;
+    if (own - row.start < form->dimension || row.start == own)
+        return "a point and its answers";
+    out->point = (field){row.start, (size_t)(own - row.start - 1)};
+    for (int k = form->options.operation == GRAZE_UNSWEEP ? 1 : 6; k > 0; k--)
+        take(&rest);
+    const char *before_word = rest.start;
+    field word = take(&rest);
+    int more = word.start + word.length < row.start + row.length;
+    if (graze_word_verdict(&verdict, context, &form->options, word.start, word.length))
+        return "a word of letters O, I, B of which every second one is B";
+    int length = write_answers(answers, sizeof answers, form, &verdict);
+    if (before_word - own != length || memcmp(own, answers, (size_t)length) != 0)
+        return "the answers that belong to its word";
+    if (more != (form->others > 0))
+        return form->others ? "the further columns of the column line" : "no further columns";
+    out->rest = rest;
+    return NULL;
+}
+
+/* A minus, digits without a zero in front; then nothing, or a slash and the same from 1 up. */
+static int is_written(field f) {
+    const char *at = f.start, *end = at + f.length;
+    for (int part = 0; part < 2; part++) {
+        int minus = part == 0 && at < end && *at == '-';
+        at += minus;
+        int zero = at < end && *at == '0';
+        const char *digits = at;
+        while (at < end && isdigit((unsigned char)*at))
+            at++;
+        if (at == digits || (zero && (at - digits > 1 || minus || part == 1)))
+            return 0;
+        if (at == end)
+            return !(part == 1 && zero);
+        if (*at++ != '/' || zero)
+            return 0;
+    }
+    return 0;
+}
+
+int row_point_is_written(field point, int dimension) {
+    int good = 1;
+    for (int k = 0; k < dimension; k++)
+        good &= is_written(take(&point));
+    return good && !point.length;
+}
