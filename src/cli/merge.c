@@ -29,6 +29,7 @@ static const char help[] =
 typedef struct merger {
     part *parts; /* part i is that of shard i */
     size_t count;
+    graze_context *context;
     output out;
     int opened;
 } merger;
@@ -105,8 +106,8 @@ static int put_rows(merger *m, const options *o) {
     progress line;
     progress_start(&line, o->quiet, 0, (portion){0, rows});
     for (; row < rows && !status && !m->out.error; row++) {
-        status =
-            interrupt_signal() ? EXIT_SIGNAL : part_copy_row(&m->parts[row % m->count], &m->out);
+        status = interrupt_signal() ? EXIT_SIGNAL
+                                    : part_copy_row(&m->parts[row % m->count], &m->out, m->context);
         if (row % 4096 == 0)
             progress_show(&line, row, (portion){row, rows});
     }
@@ -117,7 +118,9 @@ static int put_rows(merger *m, const options *o) {
 }
 
 static int merge(merger *m, const options *o) {
-    int status = open_parts(m, o);
+    int status = graze_context_create(&m->context) ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
+    if (!status)
+        status = open_parts(m, o);
     if (!status)
         status = check_parts(m);
     if (!status)
@@ -150,6 +153,7 @@ static int run(const options *o) {
     for (size_t k = 0; k < m->count; k++)
         part_close(&m->parts[k]);
     free(m->parts);
+    graze_context_destroy(m->context);
     free(m);
     return status;
 }

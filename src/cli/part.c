@@ -9,7 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "cli/cli.h"
-#include "cli/fields.h"
+#include "cli/numbers.h"
 
 enum { BUFFER = 1 << 14, TAIL = 256 };
 
@@ -49,16 +49,70 @@ static int piece(field *out, int *ended, part *p) {
     return EXIT_DONE;
 }
 
-int part_copy_row(part *p, output *out) {
-    field text;
-    int status, ended = 0;
-    for (int first = 1; !ended; first = 0) {
-        if ((status = piece(&text, &ended, p)) != EXIT_DONE)
-            return status;
-        if (!text.length || (first && *text.start == '#'))
-            return complain_of_row(p);
-        output_bytes(out, text.start, text.length);
+/* Add a piece to the row at hand. */
+static int gather(part *p, field text) {
+    if (p->row_capacity - p->row_length < text.length) {
+        size_t capacity = 2 * (p->row_length + text.length);
+        char *grown = realloc(p->row, capacity);
+        if (!grown)
+            return complain(EXIT_IO, "out of memory");
+        p->row = grown;
+        p->row_capacity = capacity;
     }
+    memcpy(p->row + p->row_length, text.start, text.length);
+    p->row_length += text.length;
+    return EXIT_DONE;
+}
+
+/* The next line with its end. It is where the buffer has all of it, else put together. */
+static int next_line(part *p, field *line) {
+    int ended, status = piece(line, &ended, p);
+    if (status || ended || !line->length)
+        return status;
+    p->row_length = 0;
+    for (;;) {
+        status = gather(p, *line);
+        if (status || ended)
+            break;
+        status = piece(line, &ended, p);
+        if (!status && !line->length)
+            return EXIT_DONE;
+        if (status)
+            break;
+    }
+    *line = (field){p->row, p->row_length};
+    return status;
+}
+
+/* What is expected of a row that graze classify has not written, else NULL. */
+static const char *wrong(part *p, graze_context *context, field row) {
+    row_parts parts;
+    const char *expected = memchr(row.start, '\0', row.length)
+                               ? "no byte 0"
+                               : row_check(&parts, &p->form, context, row);
+    if (expected)
+        return expected;
+    if (!row_point_is_written(parts.point, p->form.dimension))
+        return "coordinates such as -12 or 22/7";
+    if (p->form.others &&
+        (fields_cut(&p->cut, parts.rest) != FIELDS_CUT || p->cut.count != p->form.others))
+        return "as many further columns as the column line has";
+    return NULL;
+}
+
+int part_copy_row(part *p, output *out, graze_context *context) {
+    field line;
+    int status = next_line(p, &line);
+    if (status)
+        return status;
+    p->line++;
+    if (!line.length || *line.start == '#' || line.start[line.length - 1] != '\n')
+        return complain_of_row(p);
+    const char *expected = wrong(p, context, (field){line.start, line.length - 1});
+    if (expected)
+        return complain(EXIT_INPUT, "%s:%lu: is no row that graze classify writes; expected %s",
+                        p->path, p->line, expected);
+    output_bytes(out, line.start, line.length);
     return EXIT_DONE;
 }
 
@@ -100,7 +154,10 @@ static int read_head(part *p, FILE *file) {
             break;
         ended = *line != '#' && line[length - 1] == '\n';
         p->at += length;
-        status = take_head(p, line, (size_t)length, &named);
+        p->line++;
+        status = memchr(line, '\0', (size_t)length)
+                     ? complain(EXIT_INPUT, "%s:%lu: a byte 0 in a text file", p->path, p->line)
+                     : take_head(p, line, (size_t)length, &named);
     }
     free(line);
     if (status)
@@ -114,35 +171,54 @@ static int read_head(part *p, FILE *file) {
                         "%s: has no line `" SHARD_LINE "i/n` in its head: right is a "
                         "table of graze classify --shard i/n",
                         p->path);
+    if (!row_form_read(&p->form, p->head ? p->head : ""))
+        return complain(EXIT_INPUT,
+                        "%s:%lu: is not the column line of graze classify: expected coordinates "
+                        "and answers, and then the further columns",
+                        p->path, p->line);
     return EXIT_DONE;
 }
 
-/* The value behind a key in the last bytes of the file, or NULL. */
-static const char *find(const char *tail, const char *key) {
-    const char *at = strstr(tail, key);
-    return at ? at + strlen(key) : NULL;
+/* Take a line `key value` from the front of a text; 0 if another one stands there. */
+static int take_value(field *value, const char **at, const char *key) {
+    size_t length = strlen(key);
+    const char *end = strncmp(*at, key, length) == 0 ? strchr(*at + length, '\n') : NULL;
+    if (!end)
+        return 0;
+    *value = (field){*at + length, (size_t)(end - *at) - length};
+    *at = end + 1;
+    return 1;
+}
+
+/* A whole number behind a key, of digits alone. */
+static int read_count(unsigned long *out, field value) {
+    char text[24];
+    if (value.length >= sizeof text)
+        return 0;
+    memcpy(text, value.start, value.length);
+    text[value.length] = '\0';
+    return numbers_count(out, text, 0);
 }
 
 /* The last lines are `# rows-of-all-shards R`, `# points-checksum H` and `# complete N`. */
 static int read_tail(part *p, FILE *file) {
     char tail[TAIL + 1];
+    field all, points, rows;
     long long start = p->size > TAIL ? p->size - TAIL : 0;
     if (fseeko(file, (off_t)start, SEEK_SET) != 0)
         return complain_of_system(p, "reading failed");
     size_t length = fread(tail, 1, TAIL, file);
     tail[length] = '\0';
-    const char *all = find(tail, "\n" SHARD_ROWS);
-    const char *points = all ? find(all, "\n" SHARD_POINTS) : NULL;
-    const char *rows = points ? find(points, "\n# complete ") : NULL;
-    if (!rows || tail[length - 1] != '\n')
+    const char *found = strstr(tail, "\n" SHARD_ROWS), *at = found ? found + 1 : "";
+    if (!take_value(&all, &at, SHARD_ROWS) || !take_value(&points, &at, SHARD_POINTS) ||
+        !take_value(&rows, &at, "# complete ") || at != tail + length ||
+        !read_count(&p->rows_of_all, all) || !read_count(&p->rows, rows))
         return complain(EXIT_INPUT,
                         "%s: does not end with `# complete`: the run was interrupted; graze "
                         "classify --resume continues it",
                         p->path);
-    p->rows_of_all = strtoul(all, NULL, 10);
-    p->rows = strtoul(rows, NULL, 10);
-    size_t n = strcspn(points, "\n");
-    memcpy(p->checksum, points, n < sizeof p->checksum ? n : sizeof p->checksum - 1);
+    size_t n = points.length;
+    memcpy(p->checksum, points.start, n < sizeof p->checksum ? n : sizeof p->checksum - 1);
     unsigned long right = shard_rows(p->shard, p->rows_of_all);
     if (p->rows != right)
         return complain(EXIT_INPUT, "%s: says it has %lu rows; of %lu in all its shard has %lu",
@@ -180,4 +256,6 @@ int part_open(part *p, const char *path) {
 void part_close(part *p) {
     free(p->head);
     free(p->buffer);
+    free(p->row);
+    fields_clear(&p->cut);
 }

@@ -3,12 +3,13 @@
  *
  * A part is a plain file that is open only while it is read from, so that there is no limit to how
  * many there are. What its head and its last lines say is known before its rows are read, and the
- * rows are held to it.
+ * rows are held to it: their number, their form, and the answers that belong to their words.
  */
 #ifndef GRAZE_CLI_PART_H
 #define GRAZE_CLI_PART_H
 
 #include "cli/output.h"
+#include "cli/row.h"
 #include "cli/shard.h"
 
 typedef struct part {
@@ -16,11 +17,15 @@ typedef struct part {
     shard shard;
     char *head; /* without its `# shard` line; malloc'ed */
     size_t head_length;
-    unsigned long rows, rows_of_all;
-    char checksum[32];  /* of the points, as text */
-    long long at, size; /* the next byte to read; all bytes */
-    char *buffer;       /* malloc'ed */
-    size_t from, to;    /* bytes of it that are read and not yet used */
+    row_form form;
+    unsigned long rows, rows_of_all, line; /* line: of the row at hand */
+    char checksum[32];                     /* of the points, as text */
+    long long at, size;                    /* the next byte to read; all bytes */
+    char *buffer;                          /* malloc'ed */
+    size_t from, to;                       /* bytes of it that are read and not yet used */
+    char *row; /* the row at hand, where the buffer has a piece of it only; malloc'ed */
+    size_t row_length, row_capacity;
+    fields cut;
 } part;
 
 /** Read head and last lines, and see that they fit together. Returns an exit status and says what
@@ -28,8 +33,9 @@ typedef struct part {
 int part_open(part *p, const char *path);
 void part_close(part *p);
 
-/** Copy the next row. EXIT_INPUT: there is none. */
-int part_copy_row(part *p, output *out);
+/** Copy the next row. EXIT_INPUT: there is none, or it is none that graze classify writes. The
+ * context is for messages that are not shown. */
+int part_copy_row(part *p, output *out, graze_context *context);
 
 /** All rows are copied. EXIT_INPUT: there are more. */
 int part_end(part *p);

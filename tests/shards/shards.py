@@ -162,6 +162,11 @@ def check_damage(bench):
         for what, content in damaged(bench, parts[at].read_bytes()):
             bad = bench.file("bad.csv", content)
             refused(f"{what} (part {at + 1}, turn {turn})", *(bad if k == at else parts[k] for k in range(3)))
+    head, rows, end = split(parts[1].read_bytes())
+    for what, row in altered(bench, rows, 3):
+        if what not in ("another x", "another last coordinate", "its neighbour"):  # only the points tell
+            bad = bench.file("bad.csv", b"".join(head + rows[:3] + [row] + rows[4:] + end))
+            refused(f"row 4 has {what}", parts[0], bad, parts[2])
     refused("a gap", parts[0], parts[2])
     refused("an overlap", *parts, parts[1])
     refused("one twice and one missing", parts[0], parts[2], parts[2])
