@@ -7,8 +7,10 @@
 #include "cli/row.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <string.h>
+
+/* Room for the longest: two names, `ext`, a digit and two counts. */
+enum { ANSWERS = 128 };
 
 /* Go past a text if the line at hand begins with it. */
 static int skip(const char **at, const char *text) {
@@ -48,26 +50,44 @@ int row_form_read(row_form *out, const char *head) {
 
 /* Take the bytes before the next comma, or up to the end. */
 static field take(field *rest) {
-    const char *comma = rest->length ? memchr(rest->start, ',', rest->length) : NULL;
-    field out = {rest->start, comma ? (size_t)(comma - rest->start) : rest->length};
-    size_t gone = out.length + (comma != NULL);
+    field out = {rest->start, 0}; /* fields are a few bytes long */
+    while (out.length < rest->length && out.start[out.length] != ',')
+        out.length++;
+    size_t gone = out.length + (out.length < rest->length);
     *rest = (field){rest->start + gone, rest->length - gone};
     return out;
 }
 
-/* The answers before the word, as the table has them. */
-static int write_answers(char *text, size_t room, const row_form *form, const graze_verdict *v) {
-    char definition[16] = "ext";
+/* Add a name and a comma. */
+static char *put_name(char *at, const char *name) {
+    size_t length = strlen(name);
+    memcpy(at, name, length);
+    at[length] = ',';
+    return at + length + 1;
+}
+
+static char *put_count(char *at, unsigned long value) {
+    char digits[24], *first = digits + sizeof digits - 1;
+    *first = '\0';
+    do
+        *--first = (char)('0' + value % 10);
+    while (value /= 10);
+    return put_name(at, first);
+}
+
+/* The answers before the word, as the table has them; returns their length. */
+static size_t write_answers(char text[ANSWERS], const row_form *form, const graze_verdict *v) {
+    char *at = put_name(text, graze_pmc_name(v->pmc));
     if (form->options.operation == GRAZE_UNSWEEP)
-        return snprintf(text, room, "%s,", graze_pmc_name(v->pmc));
-    if (v->definition)
-        snprintf(definition, sizeof definition, "%d", v->definition);
-    return snprintf(text, room, "%s,%s,%s,%d,%lu,%lu,", graze_pmc_name(v->pmc),
-                    graze_class_name(v->class_), definition, v->case_, v->i, v->t);
+        return (size_t)(at - text);
+    at = put_name(at, graze_class_name(v->class_));
+    at = v->definition ? put_count(at, (unsigned long)v->definition) : put_name(at, "ext");
+    at = put_count(at, (unsigned long)v->case_);
+    return (size_t)(put_count(put_count(at, v->i), v->t) - text);
 }
 
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row) {
-    char answers[128];
+    char answers[ANSWERS];
     graze_verdict verdict;
     field rest = row;
     for (int k = 0; k < form->dimension; k++)
@@ -83,8 +103,8 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
     int more = word.start + word.length < row.start + row.length;
     if (graze_word_verdict(&verdict, context, &form->options, word.start, word.length))
         return "a word of letters O, I, B of which every second one is B";
-    int length = write_answers(answers, sizeof answers, form, &verdict);
-    if (before_word - own != length || memcmp(own, answers, (size_t)length) != 0)
+    size_t length = write_answers(answers, form, &verdict);
+    if ((size_t)(before_word - own) != length || memcmp(own, answers, length) != 0)
         return "the answers that belong to its word";
     if (more != (form->others > 0))
         return form->others ? "the further columns of the column line" : "no further columns";
@@ -92,7 +112,7 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
     return NULL;
 }
 
-/* A minus, digits without a zero in front; then nothing, or a slash and the same from 1 up. */
+/* A minus, digits without a zero in front; then nothing, or a slash and the same from 2 up. */
 static int is_written(field f) {
     const char *at = f.start, *end = at + f.length;
     for (int part = 0; part < 2; part++) {
@@ -105,7 +125,7 @@ static int is_written(field f) {
         if (at == digits || (zero && (at - digits > 1 || minus || part == 1)))
             return 0;
         if (at == end)
-            return !(part == 1 && zero);
+            return part == 0 || at - digits > 1 || *digits > '1';
         if (*at++ != '/' || zero)
             return 0;
     }

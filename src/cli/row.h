@@ -30,7 +30,8 @@ int row_form_read(row_form *out, const char *head);
  */
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row);
 
-/** Is each coordinate an integer or a ratio as graze classify writes it? */
+/** Is each coordinate an integer or a ratio as graze classify writes it? Whether a ratio could be
+ * reduced is not looked at. */
 int row_point_is_written(field point, int dimension);
 
 #endif

@@ -66,9 +66,11 @@ graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, 
 
 /* Equal neighbours are merged, and between inside and outside lies the boundary. */
 static int is_word(const char *word, size_t length) {
-    for (size_t k = 0; k < length; k++)
-        if (!memchr("IBO", word[k], 3) || (k > 0 && (word[k] == 'B') == (word[k - 1] == 'B')))
+    for (size_t k = 0; k < length; k++) {
+        int is_b = word[k] == 'B';
+        if ((!is_b && word[k] != 'I' && word[k] != 'O') || (k > 0 && is_b == (word[k - 1] == 'B')))
             return 0;
+    }
     return length > 0;
 }
 

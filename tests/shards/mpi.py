@@ -49,6 +49,14 @@ def check_tables(bench):
     path.write_bytes(whole[:len(whole) * 2 // 3])
     status, _, err = run(bench, 4, *cube, points, "--resume", path)
     bench.check(status == 0 and path.read_bytes() == whole, "four ranks continue a table", status, err)
+    lines = whole.splitlines(keepends=True)
+    at = next(k for k, line in enumerate(lines) if not line.startswith(b"#")) + 5
+    lines[at] = lines[at].replace(b",", b"1,", 1)
+    begun = b"".join(lines[:len(lines) * 2 // 3])
+    path.write_bytes(begun)
+    status, _, err = run(bench, 4, *cube, points, "--resume", path)
+    bench.check(status == 3 and path.read_bytes() == begun and b"resumed.csv:%d: " % (at + 1) in err,
+                "four ranks refuse a row of another point", status, err)
     receipt = bench.folder / "receipt.txt"
     bench.good("check", "--receipt", receipt, *cube)
     status, out, err = run(bench, 4, *cube, points, "--receipt", receipt)
