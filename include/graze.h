@@ -151,7 +151,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_number_parse(mpq_t out, graze_context
  * the union of the facets given.
  * @param flags 0 or GRAZE_SOLID_TRIANGULATE
  * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is not of its format;
- * GRAZE_EILLEGAL not a solid (open, crossing, overlapping, degenerate, ...); GRAZE_ELIMIT
+ * GRAZE_EILLEGAL not a solid (open, crossing, overlapping, degenerate, ...); GRAZE_ELIMIT;
+ * GRAZE_ECANCELED, also while a FIFO is waited for
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_read(graze_solid **out, graze_context *context,
                                                       const char *path, unsigned flags);
@@ -206,7 +207,8 @@ GRAZE_API size_t graze_solid_component_count(const graze_solid *solid);
  * Read a motion from a JSON file (formats: Motions) and check it exactly: the pieces follow one
  * another, the motion is continuous, has no pole, and its determinant does not vanish.
  * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT not such JSON, the entry named;
- * GRAZE_EILLEGAL not a legal motion, piece and entry named; GRAZE_ELIMIT
+ * GRAZE_EILLEGAL not a legal motion, piece and entry named; GRAZE_ELIMIT; GRAZE_ECANCELED, also
+ * while a FIFO is waited for
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_read(graze_motion **out, graze_context *context,
                                                        const char *path);
