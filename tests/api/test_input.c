@@ -3,10 +3,9 @@
  */
 #include "walk.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#define FIFO "build/tests/api/silent.off"
 
 /* Asks to stop at the third question. */
 static int third(void *data) {
@@ -22,28 +21,30 @@ static void waiting_can_be_canceled(void **state) {
     graze_comparison *comparison;
     char *json;
     mpq_t zero;
+    char folder[] = "/tmp/graze-input-XXXXXX", fifo[64];
     int questions = 0;
     mpq_init(zero);
     assert_int_equal(graze_context_create(&context), GRAZE_OK);
     graze_context_set_cancel(context, third, &questions);
-    (void)remove(FIFO);
-    assert_int_equal(mkfifo(FIFO, 0600), 0);
+    assert_non_null(mkdtemp(folder));
+    snprintf(fifo, sizeof fifo, "%s/silent.off", folder);
+    assert_int_equal(mkfifo(fifo, 0600), 0);
     alarm(20); /* where nobody is asked, this program ends here */
-    assert_int_equal(graze_solid_read(&solid, context, FIFO, 0), GRAZE_ECANCELED);
+    assert_int_equal(graze_solid_read(&solid, context, fifo, 0), GRAZE_ECANCELED);
     assert_null(solid);
     assert_int_equal(questions, 3);
     questions = 0;
-    assert_int_equal(graze_motion_read(&motion, context, FIFO), GRAZE_ECANCELED);
+    assert_int_equal(graze_motion_read(&motion, context, fifo), GRAZE_ECANCELED);
     assert_null(motion);
     questions = 0;
-    assert_int_equal(graze_compare(&comparison, context, FIFO, FIFO, NULL), GRAZE_ECANCELED);
+    assert_int_equal(graze_compare(&comparison, context, fifo, fifo, NULL), GRAZE_ECANCELED);
     assert_null(comparison);
     questions = 0;
-    assert_int_equal(graze_motion_write_poses(&json, NULL, context, FIFO, 0, zero),
+    assert_int_equal(graze_motion_write_poses(&json, NULL, context, fifo, 0, zero),
                      GRAZE_ECANCELED);
     assert_null(json);
     alarm(0);
-    assert_int_equal(remove(FIFO), 0);
+    assert_int_equal(remove(fifo) | remove(folder), 0);
     graze_context_destroy(context);
     mpq_clear(zero);
 }

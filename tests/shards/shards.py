@@ -346,7 +346,7 @@ def check_signals(bench):
             child = subprocess.Popen([bench.graze, *map(str, words), "--resume", path], stderr=subprocess.PIPE)
             end = time.monotonic() + bench.random.uniform(0.02, 0.2)
             size = path.stat().st_size if path.exists() else 0
-            while child.poll() is None and (time.monotonic() < end or path.stat().st_size <= size):
+            while child.poll() is None and (time.monotonic() < end or not path.exists() or path.stat().st_size <= size):
                 time.sleep(0.005)
             child.send_signal(which)
             err = child.communicate(timeout=SECONDS)[1]
