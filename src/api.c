@@ -19,6 +19,7 @@
 #include "scene/scene.h"
 #include "solid/validate.h"
 #include "verdict/classify.h"
+#include "verdict/verdict.h"
 
 graze_status api_misuse(graze_context *context, const char *function, const char *reason) {
     return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;

@@ -35,7 +35,6 @@ UNREACHED = {
     "stands there; expected %s": "needs a table of this version; tests/shards reaches it",
     "its head is not understood": "a fault of Graze itself",
     "rows already, more than there are points": "needs a table of this version; tests/shards reaches it",
-    "the box, coordinate": "the command line makes numbers in lowest terms; tests/api reaches it",
     "cannot be waited for": "the system refuses to poll",
     "a rank cannot begin": "needs a machine that lacks a file which another one has",
     "MPI cannot begin": "the system refuses a pipe",
