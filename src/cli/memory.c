@@ -19,7 +19,7 @@ void memory_before_end(void (*what)(void)) {
 }
 
 /* One message, however many threads come here. */
-static void *end(void) {
+static _Noreturn void end(void) {
     static atomic_flag told = ATOMIC_FLAG_INIT;
     static const char message[] = "graze: out of memory\n";
     while (atomic_flag_test_and_set(&told))
@@ -31,20 +31,23 @@ static void *end(void) {
     _exit(EXIT_IO);
 }
 
+static void *checked(void *memory) {
+    if (!memory)
+        end();
+    return memory;
+}
+
 /* No size is 0, for which NULL would be a right answer. */
 static void *allocate(size_t size) {
-    void *memory = malloc(size + !size);
-    return memory ? memory : end();
+    return checked(malloc(size + !size));
 }
 
 static void *allocate_zeroed(size_t count, size_t size) {
-    void *memory = calloc(count + !count, size + !size);
-    return memory ? memory : end();
+    return checked(calloc(count + !count, size + !size));
 }
 
 static void *resize(void *memory, size_t size) {
-    void *resized = realloc(memory, size + !size);
-    return resized ? resized : end();
+    return checked(realloc(memory, size + !size));
 }
 
 static void *resize_known(void *memory, size_t before, size_t size) {

@@ -247,7 +247,8 @@ static void open_bench(bench *b) {
     mpq_set_si(b->point[1], 1, 1);
     mpq_set_si(b->point[2], -1, 1);
     mpq_set_si(b->point[3], 1, 2);
-    assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size,id"), GRAZE_OK);
+    assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size,id"),
+                     GRAZE_OK);
     assert_int_equal(graze_report_points(&rows, &length, &done, b->s.context, b->s.scene,
                                          (const mpq_t *)b->point, 2, GRAZE_FORMAT_CSV, rest),
                      GRAZE_OK);
