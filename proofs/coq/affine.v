@@ -5,6 +5,7 @@
    [affine]           x -> A(t) x + b(t) with an inverse matrix, all entries continuous
    [affine_motion]    such maps are a motion
    [back_rational]    rational entries of the inverse matrix and of b make the inverted trajectory so
+   [sweep_bounded]    the sweep of a bounded solid is bounded (claim C18: with sweep_closed, compact)
    [classified]       the theorem the parts make up: a polyhedral solid, a piecewise rational motion: each
                       point has one word, it is admissible, and its answer is what it should be *)
 Require Import Reals Lra FunctionalExtensionality.
@@ -257,6 +258,58 @@ Proof.
   intros Ha Hb i. simpl. unfold affine_back, apply_matrix.
   apply (sum_rational (fun t j => inverse_linear M t i j * (P j - shift M t j))). intros j.
   apply rational_mult; [apply Ha|]. apply rational_minus; [apply rational_const|apply Hb].
+Qed.
+
+(* ------------------------------------------------------------------ bounded *)
+Definition bounded {d} (A : set d) : Prop := exists r, forall x, A x -> forall i, Rabs (x i) <= r.
+
+(* A bound that holds however small: |g| <= 1/e for some e. *)
+Lemma continuous_bounded {d} a b (g : R -> R) : a <= b ->
+  continuous_in (d := d) a b (fun t _ => g t) ->
+  exists e, e > 0 /\ (0 < e -> forall t, a <= t <= b -> Rabs (g t) <= / e).
+Proof.
+  intros Hab Hg. destruct (uniform_on_interval a b (fun e t => 0 < e -> Rabs (g t) <= / e)) as (e & He & K).
+  - assumption.
+  - intros e f t H Hfe Hf. apply Rle_trans with (/ e); [apply H; lra|].
+    apply Rinv_le_contravar; assumption.
+  - intros t Ht. destruct (Hg t (fun _ => 0) Ht 1 ltac:(lra)) as (r & Hr & K).
+    set (k := Rabs (g t) + 1). assert (0 < k) as Hk by (pose proof (Rabs_pos (g t)); unfold k; lra).
+    assert (0 < / k) as Hk' by (apply Rinv_0_lt_compat, Hk).
+    exists (Rmin r (/ k)). split; [apply Rmin_pos; assumption|]. intros u Hu Hut Hpos.
+    pose proof (Rmin_l r (/ k)) as R1. pose proof (Rmin_r r (/ k)) as R2.
+    apply Rle_trans with k.
+    + pose proof (K u (fun _ => 0) Hu ltac:(lra) (near_self _ _ Hr)) as L.
+      pose proof (Rabs_triang (g u - g t) (g t)) as Htri.
+      replace (g u - g t + g t) with (g u) in Htri by ring. unfold k. lra.
+    + apply Rle_trans with (/ / k); [right; rewrite Rinv_inv; reflexivity|].
+      apply Rinv_le_contravar; assumption.
+  - exists e. auto.
+Qed.
+
+Theorem sweep_bounded {d a b} (M : affine d a b) (S : set d) :
+  bounded S -> bounded (sweep (affine_motion M) S).
+Proof.
+  intros [r Hr]. pose proof (in_order d a b M) as Hab.
+  assert (forall e f x, 0 < f -> f <= e -> (0 < e -> x <= / e) -> x <= / f) as Hless.
+  { intros e f x Hf Hfe H. apply Rle_trans with (/ e); [apply H; lra|].
+    apply Rinv_le_contravar; assumption. }
+  destruct (common_margin (fun i e => 0 < e -> forall t, a <= t <= b -> Rabs (shift M t i) <= / e))
+    as (e & He & Ke).
+  { intros i e f H Hfe Hf t Ht. apply (Hless e); auto. }
+  { intros i. apply (continuous_bounded (d := d)); [assumption|apply shift_continuous]. }
+  destruct (common_margin (fun i e => 0 < e -> forall j t, a <= t <= b -> Rabs (linear M t i j) <= / e))
+    as (f & Hf & Kf).
+  { intros i x y H Hfe Hy j t Ht. apply (Hless x); auto. }
+  { intros i. destruct (common_margin (fun j e => 0 < e -> forall t, a <= t <= b -> Rabs (linear M t i j) <= / e))
+      as (f & Hf & Kf).
+    - intros j x y H Hfe Hy t Ht. apply (Hless x); auto.
+    - intros j. apply (continuous_bounded (d := d)); [assumption|apply linear_continuous].
+    - exists f. auto. }
+  exists (sum (fun _ : Fin.t d => / f * r) + / e). intros P (t & Ht & x & Hx & ->) i. simpl.
+  unfold affine_move, apply_matrix. eapply Rle_trans; [apply Rabs_triang|].
+  apply Rplus_le_compat; [|apply Ke; assumption].
+  apply sum_bound. intros j. rewrite Rabs_mult.
+  apply Rmult_le_compat; try apply Rabs_pos; [apply Kf; assumption|apply Hr; assumption].
 Qed.
 
 (* ------------------------------------------------------------------ the whole *)

@@ -11,7 +11,8 @@
    [seam]            where the test differs from the classification of W (claim C19, first half)
    [apart_everywhere]  S^0 and S^1 are disjoint iff every P is in cases 1-4, 7 (claim C13)
    [unsweep_in_is], [unsweep_out_is], [unsweep_on_is]   claim C20
-   [dual_trace], [dual_set]   claim C21 *)
+   [dual_trace], [dual_set]   claim C21
+   [word_moved]   solid, motion and point moved by one map: the same word (claim C17) *)
 Require Import Reals Lra Classical List.
 Require Import Graze.words Graze.counts Graze.definitions Graze.unsweep Graze.times Graze.space.
 Open Scope R_scope.
@@ -390,4 +391,40 @@ Proof.
   rewrite Hfree. unfold dual. rewrite map_length. fold (dual w).
   split; intros (Hab & Hw & m & H1 & H2); (split; [assumption|]); (split; [assumption|]);
     exists m; (split; [|assumption]); intros t Ht; apply Hj, H1, Ht.
+Qed.
+
+(* ------------------------------------------------------------------ the world moved *)
+Definition continuous_map {d} (T : point d -> point d) : Prop :=
+  forall x e, e > 0 -> exists r, r > 0 /\ forall y, near x r y -> near (T x) e (T y).
+
+Lemma interior_moved {d} (S : set d) (T U : point d -> point d) x :
+  continuous_map T -> continuous_map U -> (forall x, U (T x) = x) -> (forall x, T (U x) = x) ->
+  (interior (fun y => S (U y)) (T x) <-> interior S x).
+Proof.
+  intros HT HU HUT HTU. split; intros (e & He & H).
+  - destruct (HT x e He) as (r & Hr & K). exists r. split; [assumption|]. intros y Hy.
+    rewrite <- (HUT y). apply H, K, Hy.
+  - destruct (HU (T x) e He) as (r & Hr & K). rewrite HUT in K. exists r. split; [assumption|].
+    intros y Hy. apply H, K, Hy.
+Qed.
+
+Theorem word_moved {d a b} (M N : motion d a b) (S : set d) (T U : point d -> point d) P w :
+  continuous_map T -> continuous_map U -> (forall x, U (T x) = x) -> (forall x, T (U x) = x) ->
+  (forall t x, a <= t <= b -> move N t x = T (move M t (U x))) ->
+  (is_word (trace_of N (fun y => S (U y)) (T P)) a b w <-> is_word (trace_of M S P) a b w).
+Proof.
+  intros HT HU HUT HTU HN.
+  assert (forall t, a <= t <= b -> back N t (T P) = T (back M t P)) as Hb.
+  { intros t Ht. rewrite <- (back_move N t (T (back M t P)) Ht). f_equal.
+    rewrite (HN t _ Ht), HUT, (move_back M t P Ht). reflexivity. }
+  assert (forall t s, a <= t <= b ->
+    (trace_of N (fun y => S (U y)) (T P) t s <-> trace_of M S P t s)) as He.
+  { intros t s Ht. unfold trace_of. rewrite (Hb t Ht).
+    pose proof (interior_moved S T U (back M t P) HT HU HUT HTU) as HI.
+    pose proof (interior_moved (complement S) T U (back M t P) HT HU HUT HTU) as HO.
+    change (fun y => complement S (U y)) with (complement (fun y => S (U y))) in HO.
+    destruct s; simpl; rewrite ?HI, ?HO; tauto. }
+  unfold is_word, walks. split; intros (Hab & Hw & m & H1 & H2); (split; [assumption|]);
+    (split; [assumption|]); exists m; (split; [|assumption]); intros t Ht;
+    destruct (H1 t Ht) as (x & Hx & Hs); exists x; (split; [assumption|]); apply He; assumption.
 Qed.

@@ -8,6 +8,7 @@
    [letter_times]   two times walk the same letter iff the state is constant between them: the
                     letters are the maximal intervals of one state, the B's the contacts
    [letters_met], [first_met], [last_met]  the letters are the states met, the ends' among them
+   [contact_closed]   the times of a letter B are a closed interval, if those of I and O are open
    [word_admissible]  if the times of I and those of O are open, the word is admissible
    [word_of_cuts]   finitely many instants with constant states between them have a word
    [word_joined], [word_reversed], [word_reparametrised]  claim C17 *)
@@ -255,6 +256,77 @@ Proof.
     pose proof (proj1 (stutter_free_nth w) Hw j x y Hx Hy) as Hne.
     pose proof (open_letters_apart s a b w m j x y Hf W Hx Hy) as Ho.
     destruct x, y; try reflexivity; exfalso; auto.
+Qed.
+
+(* The times of a letter between open ones are closed: its ends belong to it. *)
+Theorem contact_closed s a b w m j : functional s a b -> open_in s a b I -> open_in s a b O ->
+  a <= b -> stutter_free w -> walks s a b w m -> nth_error w j = Some B ->
+  exists u v, u <= v /\ forall t, a <= t <= b -> (m t = j <-> u <= t <= v).
+Proof.
+  intros Hf HI HO Hab Hw W Hj.
+  assert (j < length w)%nat as Hjl by (apply nth_error_Some; congruence).
+  assert (exists v, a <= v <= b /\ m v = j /\ forall t, v < t -> t <= b -> m t <> j) as (v & Hv & Hmv & Hafter).
+  { destruct (lt_dec (S j) (length w)) as [Hs|Hs].
+    - destruct (step_time s a b w m j W Hs) as (T & HT & Hl & Hr).
+      exists T. split; [assumption|]. split; [|intros t Ht Htb; pose proof (Hr t Ht Htb); lia].
+      destruct W as (H1 & H2 & H3), (H3 j Hjl) as (p & Hp & Hmp).
+      assert (p <= T) as HpT by (destruct (Rle_lt_dec p T) as [|Hc]; [assumption|];
+        pose proof (Hr p Hc ltac:(lra)); lia).
+      pose proof (H2 p T ltac:(lra) HpT ltac:(lra)) as Hge.
+      destruct HpT as [HpT| ->]; [|assumption].
+      destruct (Nat.eq_dec (m T) j) as [|Hne]; [assumption|exfalso].
+      destruct (nth_error w (S j)) as [y|] eqn:Hy; [|apply nth_error_None in Hy; lia].
+      assert (m T = S j) as HmT.
+      { destruct (H3 (S j) Hs) as (q & Hq & Hmq). destruct (Rle_lt_dec T q) as [Hc|Hc].
+        - pose proof (H2 T q ltac:(lra) Hc ltac:(lra)). lia.
+        - pose proof (Hl q ltac:(lra) Hc). lia. }
+      assert (open_in s a b y) as Oy.
+      { pose proof (proj1 (stutter_free_nth w) Hw j B y Hj Hy). destruct y; try assumption; congruence. }
+      destruct (H1 T HT) as (z & Hz & Hsz). rewrite HmT, Hy in Hz. inversion Hz; subst z.
+      destruct (Oy T HT Hsz) as (d & Hd & Hn).
+      set (t := Rmax (T - d / 2) p).
+      assert (p <= t < T /\ T - d / 2 <= t) as Ht by (unfold t, Rmax; destruct Rle_dec; lra).
+      pose proof (Hl t ltac:(lra) ltac:(lra)). pose proof (H2 p t ltac:(lra) ltac:(lra) ltac:(lra)).
+      destruct (H1 t ltac:(lra)) as (z & Hz' & Hsz'). replace (m t) with j in Hz' by lia.
+      assert (z = y) by (apply (Hf t); [lra|assumption|apply Hn; [lra|rewrite Rabs_left; lra]]).
+      apply (proj1 (stutter_free_nth w) Hw j B y Hj Hy). congruence.
+    - destruct (word_length s a b w m Hab W) as (_ & _ & Hb).
+      exists b. split; [lra|]. split; [lia|]. intros t Ht Htb. lra. }
+  assert (exists u, a <= u <= b /\ m u = j /\ forall t, a <= t -> t < u -> m t <> j) as (u & Hu & Hmu & Hbefore).
+  { destruct j as [|j].
+    - destruct (word_length s a b w m Hab W) as (_ & Ha & _).
+      exists a. split; [lra|]. split; [assumption|]. intros t Ht Htb. lra.
+    - destruct (step_time s a b w m j W Hjl) as (T & HT & Hl & Hr).
+      exists T. split; [assumption|]. split; [|intros t Ht Htb; pose proof (Hl t Ht Htb); lia].
+      destruct W as (H1 & H2 & H3), (H3 (S j) Hjl) as (p & Hp & Hmp).
+      assert (T <= p) as HpT by (destruct (Rle_lt_dec T p) as [|Hc]; [assumption|];
+        pose proof (Hl p ltac:(lra) Hc); lia).
+      pose proof (H2 T p ltac:(lra) HpT ltac:(lra)) as Hge.
+      destruct HpT as [HpT| <-]; [|assumption].
+      destruct (Nat.eq_dec (m T) (S j)) as [|Hne]; [assumption|exfalso].
+      destruct (nth_error w j) as [y|] eqn:Hy; [|apply nth_error_None in Hy; lia].
+      assert (m T = j) as HmT.
+      { destruct (H3 j ltac:(lia)) as (q & Hq & Hmq). destruct (Rle_lt_dec q T) as [Hc|Hc].
+        - pose proof (H2 q T ltac:(lra) Hc ltac:(lra)). lia.
+        - pose proof (Hr q Hc ltac:(lra)). lia. }
+      pose proof (proj1 (stutter_free_nth w) Hw j y B Hy Hj) as Hyb.
+      assert (open_in s a b y) as Oy by (destruct y; try assumption; congruence).
+      destruct (H1 T HT) as (z & Hz & Hsz). rewrite HmT, Hy in Hz. inversion Hz; subst z.
+      destruct (Oy T HT Hsz) as (d & Hd & Hn).
+      set (t := Rmin (T + d / 2) p).
+      assert (T < t <= p /\ t <= T + d / 2) as Ht by (unfold t, Rmin; destruct Rle_dec; lra).
+      pose proof (Hr t ltac:(lra) ltac:(lra)). pose proof (H2 t p ltac:(lra) ltac:(lra) ltac:(lra)).
+      destruct (H1 t ltac:(lra)) as (z & Hz' & Hsz'). replace (m t) with (S j) in Hz' by lia.
+      assert (z = y) by (apply (Hf t); [lra|assumption|apply Hn; [lra|rewrite Rabs_right; lra]]).
+      congruence. }
+  destruct W as (H1 & H2 & H3). exists u, v. split.
+  - apply Rnot_lt_le. intros Hc. exact (Hafter u Hc ltac:(lra) Hmu).
+  - intros t Ht. split.
+    + intros Hm. split; apply Rnot_lt_le; intros Hc.
+      * exact (Hbefore t ltac:(lra) Hc Hm).
+      * exact (Hafter t Hc ltac:(lra) Hm).
+    + intros Huv. pose proof (H2 u t ltac:(lra) ltac:(lra) ltac:(lra)).
+      pose proof (H2 t v ltac:(lra) ltac:(lra) ltac:(lra)). lia.
 Qed.
 
 (* ------------------------------------------------------------------ words put together *)
