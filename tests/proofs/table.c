@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "scene/scene.h"
 #include "trace/word.h"
 #include "verdict/verdict.h"
 
@@ -88,7 +89,7 @@ static void print_class(const graze_verdict *v) {
 static int print_row(const char *word, int all_times) {
     motion_piece piece = {0};
     graze_motion motion = {.dimension = 2, .piece_count = 1, .piece = &piece};
-    trace_scene scene = {.motion = &motion};
+    graze_scene scene = {.motion = &motion};
     graze_trace trace = {0};
     tracer r = {.out = &trace, .scene = &scene};
     graze_options options = {0};

@@ -35,7 +35,9 @@ def rows_of_coq(build):
 
 def rows_of_c(build, words):
     done = subprocess.run([os.path.join(build, "tests", "proofs", "table")], text=True,
-                          input="".join(word + "\n" for word in words), stdout=subprocess.PIPE, check=True)
+                          input="".join(word + "\n" for word in words), stdout=subprocess.PIPE)
+    if done.returncode:
+        print(f"FAILED the C program ended with status {done.returncode}")
     return [line.split(",") for line in done.stdout.splitlines()]
 
 
