@@ -250,6 +250,10 @@ Proof.
     apply continuous_minus; [apply continuous_coordinate|apply shift_continuous].
 Defined.
 
+Lemma affine_motion_is {d a b} (M : affine d a b) :
+  move (affine_motion M) = affine_move M /\ back (affine_motion M) = affine_back M.
+Proof. split; reflexivity. Qed.
+
 Lemma back_rational {d a b} (M : affine d a b) P u v :
   (forall i j, rational (fun t => inverse_linear M t i j) u v) ->
   (forall i, rational (fun t => shift M t i) u v) ->

@@ -120,6 +120,10 @@ Proof.
     apply continuous_minus; [apply continuous_coordinate|apply Hv].
 Defined.
 
+Lemma translation_is {d a b} (Hab : a <= b) (v : R -> point d) Hv t x i :
+  move (translation Hab v Hv) t x i = x i + v t i.
+Proof. reflexivity. Qed.
+
 (* 0 before s, 1 after s + 1, linear between: a leg of a path that takes one unit of time. *)
 Definition leg (s t : R) : R := Rmin 1 (Rmax 0 (t - s)).
 

@@ -11,11 +11,30 @@ Require Import Graze.words Graze.counts Graze.definitions Graze.readings Graze.u
 Set Printing Width 100.
 
 (* Words, counts and classes. *)
+Print state.
+Print word.
+Print neighbours.
+Print linked.
+Print first.
+Print last_of.
+Print contacts_between.
+Print contacts.
 Print admissible.
 Print crossing.
+Print crossings.
+Print touches.
+Print inside.
 Print i_of.
 Print t_of.
 Print k_of.
+Print runs.
+Print parts_from.
+Print parts.
+Print holds_I.
+Print visits.
+Print from_inside.
+Print t_in.
+Print t_out.
 Check parity. Print Assumptions parity.
 Check k_runs. Print Assumptions k_runs.
 Check k_parts. Print Assumptions k_parts.
@@ -29,6 +48,8 @@ Check k_rev. Print Assumptions k_rev.
 Check admissible_rev. Print Assumptions admissible_rev.
 
 (* Definitions 5 to 11 and the rule. *)
+Print position_case.
+Print case_of.
 Print apart.
 Print D5.
 Print D6.
@@ -39,6 +60,8 @@ Print D10.
 Print D11.
 Print meets.
 Print class_of.
+Print class_of_word.
+Print pmc_of.
 Check rule_is_definitions. Print Assumptions rule_is_definitions.
 Check one_definition. Print Assumptions one_definition.
 Check apart_cases. Print Assumptions apart_cases.
@@ -54,6 +77,11 @@ Check class_rev. Print Assumptions class_rev.
 Check case_rev. Print Assumptions case_rev.
 
 (* Readings that fail, loops. *)
+Print D10_wrong.
+Print wrongly_fold.
+Print i_with.
+Print t_with.
+Print without_class.
 Check odd_has_no_definition. Print Assumptions odd_has_no_definition.
 Check wrong_parse_regular. Print Assumptions wrong_parse_regular.
 Check wrong_parse_exterior. Print Assumptions wrong_parse_exterior.
@@ -66,6 +94,8 @@ Check ends_merged. Print Assumptions ends_merged.
 
 (* Unsweep on words. *)
 Print unsweep_pmc.
+Print exchange.
+Print opposite.
 Print dual.
 Check unsweep_in. Print Assumptions unsweep_in.
 Check unsweep_out. Print Assumptions unsweep_out.
@@ -74,15 +104,20 @@ Check dual_admissible. Print Assumptions dual_admissible.
 Check duality. Print Assumptions duality.
 
 (* The table for the C functions. *)
+Print words_of.
+Print all_words.
 Check all_words_complete. Print Assumptions all_words_complete.
 Check all_words_once. Print Assumptions all_words_once.
 
 (* The word of a trace. *)
+Print trace.
 Print functional.
 Print open_in.
 Print stutter_free.
 Print walks.
 Print is_word.
+Print merged.
+Print cuts.
 Check word_unique.
 Check letter_times.
 Check letters_met.
@@ -100,10 +135,16 @@ Definition of_times :=
 Print Assumptions of_times.
 
 (* Sweep and unsweep in space. *)
+Print point.
+Print set.
 Print near.
 Print interior.
+Print complement.
 Print closure.
 Print boundary.
+Print open_set.
+Print closed_set.
+Print same.
 Print regular_closed.
 Print state_at.
 Print jointly_continuous.
@@ -112,6 +153,7 @@ Print image.
 Print sweep.
 Print open_sweep.
 Print unsweep.
+Print inverse.
 Print trace_of.
 Print forward_trace.
 Check trace_admissible.
@@ -144,14 +186,33 @@ Definition of_sweep :=
 Print Assumptions of_sweep.
 
 (* Rational trajectories through polyhedral sets. *)
+Print eval.
+Print sign.
 Print rational.
 Print chain.
 Print form.
 Print value.
+Print agree.
 Print polyhedral.
+Print sum.
+Print matrix.
+Print unit_matrix.
+Print product.
+Print apply_matrix.
+Print continuous_in.
+Print bounded.
 Print affine.
-Print affine_motion.
+Print affine_move.
+Print affine_back.
+Check affine_motion_is.
 Print rational_piece.
+Print det2.
+Print det3.
+Print inverse2.
+Print inverse3.
+Print minor.
+Print adjugate2.
+Print adjugate3.
 Print plane_motion.
 Print space_motion.
 Print entries_rational.
@@ -171,7 +232,15 @@ Print Assumptions of_motions.
 
 (* Scenes. *)
 Print box.
+Check translation_is.
+Print leg.
 Print literal_start.
+Print dive_path.
+Print dive_point.
+Print return_path.
+Print return_point.
+Print seam_path.
+Print seam_point.
 Print dive.
 Print return_.
 Print seam_motion.
