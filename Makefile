@@ -35,6 +35,7 @@ PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-de
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
+PACKAGES_PROOFS := $(PACKAGES_BUILD) coq python3
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap
 
 comma   := ,
@@ -63,6 +64,7 @@ help:
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
+	@echo "make proofs     check the proofs in proofs/coq by machine, the C functions against them"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
 	@echo "make install    under PREFIX=/usr/local, below DESTDIR= if given; make uninstall takes it away"
 	@echo "make deb        a Debian package, build/graze_VERSION_ARCHITECTURE.deb"
@@ -98,6 +100,8 @@ $B/.packages-test: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_TEST))
 $B/.packages-pictures: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_PNG))
+$B/.packages-proofs: Makefile | $B/.packages-build
+	$(call install_packages,$(PACKAGES_PROOFS))
 $B/.packages-all: Makefile | $B/.packages-test
 	$(call install_packages,$(PACKAGES_ALL))
 
@@ -149,6 +153,10 @@ $B/tests/to_nef: tests/agree/to_nef.cpp tests/agree/shells.h | $B/.packages-buil
 $B/tests/bench/inside: $B/tests/bench/inside.o $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+# The C functions from a word to a class, with a solid that answers from the word.
+$B/tests/proofs/table: $B/tests/proofs/table.o $B/libgraze.a
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -Wl,--wrap=tracer_locate -o $@ $^ $(LIBS)
 # The program with a filter whose decisions can be falsified (src/filter/flip.h).
 $B/tests/flip/%.o: src/filter/%.c | $B/.packages-build
 	@mkdir -p $(@D)
@@ -283,6 +291,13 @@ cases: $B/.packages-test all
 .PHONY: test-all
 test-all: $B/.packages-all test
 	@tests/long.sh
+
+# The theory, machine-checked: the proofs, the C functions against them, and proofs that must fail.
+.PHONY: proofs
+proofs: $B/.packages-proofs $B/tests/proofs/table
+	@python3 tests/proofs/prove.py --build $B
+	@python3 tests/proofs/table.py --build $B
+	@python3 tests/proofs/broken.py --build $B
 
 .PHONY: bench
 bench: all $(BENCH)

@@ -31,11 +31,6 @@ int field_equal(field a, field b) {
     return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
 }
 
-void field_print(FILE *file, field f) {
-    if (f.length)
-        fwrite(f.start, 1, f.length, file);
-}
-
 field table_field(const table *t, const table_row *row, column c) {
     return t->where[c] < 0 ? (field){"", 0} : row->fields[t->where[c]];
 }

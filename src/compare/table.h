@@ -94,8 +94,6 @@ void table_row_clear(table_row *row);
 field table_field(const table *t, const table_row *row, column c);
 int field_is(field f, const char *text);
 int field_equal(field a, field b);
-/** Write its bytes, however many they are. */
-void field_print(FILE *file, field f);
 
 /** The digest of bytes. */
 digest digest_of(const char *bytes, size_t length);

@@ -46,7 +46,7 @@ void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz 
 
 /**
  * Where a point lies: I, B or O. Counts the signed crossings of one ray, made generic by an
- * infinitesimal displacement (proofs/claims.md). `x` are d + 1 homogeneous integers, x[d] > 0.
+ * infinitesimal displacement (proofs/claims.md C6). `x` are d + 1 homogeneous integers, x[d] > 0.
  * @return GRAZE_STATE_ABSENT if the crossings add up to neither, which only a fault of ours can
  * bring about
  */
@@ -58,7 +58,7 @@ graze_cell solid_cell(const graze_solid *solid, size_t simplex, unsigned zero);
 
 /**
  * One side test per component of the boundary: the winding number must be 1 on the inner side and 0
- * on the outer side of one facet of it; then it is so for all (proofs/claims.md).
+ * on the outer side of one facet of it; then it is so for all (proofs/claims.md C3, C4).
  */
 graze_status solid_check_sides(const graze_solid *solid, graze_context *context);
 

@@ -43,13 +43,14 @@ static int definition_of(graze_class class_, graze_folds folds) {
     return 4 + (int)class_;
 }
 
-/* Parity (proofs/claims.md) makes k whole: the components of the preimage of S that meet its
- * interior. */
+unsigned long verdict_k(graze_state first, graze_state last, unsigned long i) {
+    return (i + (first == GRAZE_STATE_I) + (last == GRAZE_STATE_I)) / 2;
+}
+
 graze_verdict verdict_sweep(graze_state first, graze_state last, unsigned long i, unsigned long t,
                             graze_folds folds) {
-    unsigned long k = (i + (first == GRAZE_STATE_I) + (last == GRAZE_STATE_I)) / 2;
     graze_verdict v = {.i = i, .t = t};
-    v.class_ = class_of(k, t, folds);
+    v.class_ = class_of(verdict_k(first, last, i), t, folds);
     v.pmc = v.class_ == GRAZE_EXTERIOR   ? GRAZE_OUT
             : v.class_ == GRAZE_BOUNDARY ? GRAZE_ON
                                          : GRAZE_IN;

@@ -13,6 +13,10 @@ graze_kind verdict_kind(graze_state left, graze_state right);
 /** Position case of [EI] Table 1 from the states at t0 and t1. */
 int verdict_case(graze_state first, graze_state last);
 
+/** k of the rule: the components of the preimage of S that meet its interior. Whole, by parity
+ * (proofs/claims.md C10, C11). */
+unsigned long verdict_k(graze_state first, graze_state last, unsigned long i);
+
 /** The verdict of a sweep from the states at t0 and t1 and the counts. */
 graze_verdict verdict_sweep(graze_state first, graze_state last, unsigned long i, unsigned long t,
                             graze_folds folds);

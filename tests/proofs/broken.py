@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Definitions made false on purpose: for each a proof must fail, at the lemma named beside it.
+
+A variant is a change of one text in a copy of one file of proofs/coq. Files before the change are compiled
+once; from there on all are compiled until one fails. That the unchanged copy compiles is checked first.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import concurrent.futures
+import os
+import re
+import shutil
+
+from coq import Checks, compile_file, copy, lemma_at, order
+
+# What is false, the file, the text and what it is changed to, the file and the lemma that must fail.
+VARIANTS = [
+    ("at t0 a germ O makes the intersection", "words.v",
+     "| (None, Some b) => state_eqb b I ", "| (None, Some b) => state_eqb b O ", "words.v", "crossing_swap"),
+    ("at both ends a germ O makes the intersection", "words.v",
+     """state_eqb b I          (* at t0: Definition 4 *)
+  | (Some a, None) => state_eqb a I """, """state_eqb b O
+  | (Some a, None) => state_eqb a O """, "counts.v", "parity_after"),
+    ("a contact between equal states is an intersection", "words.v",
+     "negb (state_eqb a b)", "state_eqb a b", "counts.v", "parity_after"),
+    ("a contact that is the whole motion is an intersection", "words.v",
+     "| (None, None) => false", "| (None, None) => true", "counts.v", "doubled_runs"),
+    ("k without the end at t1", "words.v",
+     "(i_of w + inside (first w) + inside (last_of w)) / 2", "(i_of w + inside (first w)) / 2",
+     "words.v", "k_rev"),
+    ("I and O are neighbours", "words.v",
+     "xorb (state_eqb a B) (state_eqb b B)", "negb (state_eqb a b)", "words.v", "after_letter_ind"),
+    ("Definition 6 from k = 1 on", "definitions.v",
+     "nat) : Prop := exists k, k >= 2", "nat) : Prop := exists k, k >= 1",
+     "definitions.v", "rule_is_definitions"),
+    ("Definition 7 without a tangency", "definitions.v",
+     "exists k j, k >= 1 /\\ j >= 1", "exists k j, k >= 1 /\\ j >= 0",
+     "definitions.v", "rule_is_definitions"),
+    ("Definition 10 from k = 1 on", "definitions.v",
+     "exists k j, k >= 2 /\\ j >= 1", "exists k j, k >= 1 /\\ j >= 1",
+     "definitions.v", "rule_is_definitions"),
+    ("a touch alone is outside", "definitions.v",
+     "| 0, S _, _ => boundary", "| 0, S _, _ => exterior", "definitions.v", "class_of_spec"),
+    ("a fold that is touched is a fold, also separately", "definitions.v",
+     "| S (S _), S _, separate => fold_boundary", "| S (S _), S _, separate => fold",
+     "definitions.v", "class_of_spec"),
+    ("case 5 is taken for case 4", "definitions.v", "| B, B => 5", "| B, B => 4",
+     "definitions.v", "apart_cases"),
+    ("an unsweep's contact comes before its O", "unsweep.v",
+     "if existsb (state_eqb O) w then out else if existsb (state_eqb B) w then on",
+     "if existsb (state_eqb B) w then on else if existsb (state_eqb O) w then out",
+     "unsweep.v", "unsweep_out"),
+    ("a word may repeat a letter", "times.v",
+     "x <> y /\\ stutter_free rest", "stutter_free rest", "times.v", "stutter_free_nth"),
+    ("the walk along a word may go back", "times.v",
+     "u <= b -> (m t <= m u)%nat", "u <= b -> (m t <= m t)%nat", "times.v", "walk_behind"),
+    ("an open state need not last", "times.v", "exists d, d > 0 /\\", "exists d, d >= 0 /\\",
+     "times.v", "open_letters_apart"),
+    ("an interior point without room", "space.v",
+     "exists e, e > 0 /\\ forall y, near x e y -> A y.", "exists e, e >= 0 /\\ forall y, near x e y -> A y.",
+     "space.v", "interior_in"),
+    ("O is all of the complement", "space.v",
+     "| O => interior (complement A) x", "| O => complement A x", "space.v", "state_functional"),
+    ("a rational function may have a pole", "polynomials.v",
+     "eval q t <> 0 /\\ f t =", "True /\\ f t =", "polynomials.v", "rational_plus"),
+    ("points agree if forms negative at one are so at the other", "finite.v",
+     "sign (value f x) = sign (value f y).", "sign (value f x) = Lt -> sign (value f y) = Lt.",
+     "finite.v", "agree_sym"),
+]
+ERROR = re.compile(r'^File "\./([\w.]+)", line (\d+)', re.M)
+
+
+def try_variant(build, number, files, variant):
+    """Where the variant fails, as (file, lemma), or a text that says why it does not count."""
+    _, changed, old, new, _, _ = variant
+    folder = os.path.join(build, "proofs-broken", str(number))
+    copy(folder)
+    path = os.path.join(folder, changed)
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    if text.count(old) != 1:
+        return f"expected to find once in {changed}: {old}"
+    text = text.replace(old, new)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    first = files.index(changed)
+    for name in files[:first]:
+        for made in (name + "o", name[:-2] + ".glob"):
+            shutil.copy(os.path.join(build, "proofs", made), folder)
+    for name in files[first:]:
+        done = compile_file(folder, name)
+        if done.returncode:
+            place = ERROR.search(done.stderr)
+            if not place or place.group(1) != name:
+                return f"{name}: {done.stderr}"
+            with open(os.path.join(folder, name), encoding="utf-8") as file:
+                return name, lemma_at(file.read(), int(place.group(2)))
+    return "nothing fails"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", default="build")
+    args = parser.parse_args()
+    checks = Checks()
+    files = order(os.path.join(args.build, "proofs"))
+    for name in files:
+        checks.check(os.path.exists(os.path.join(args.build, "proofs", name + "o")),
+                     f"{name} is compiled unchanged")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = pool.map(lambda v: try_variant(args.build, v[0], files, v[1]), enumerate(VARIANTS))
+        for variant, where in zip(VARIANTS, found):
+            what, _, _, _, file, lemma = variant
+            if checks.check(where == (file, lemma), f"{what}: expected a failure in {file}, {lemma}: {where}"):
+                print(f"{what}: fails in {file}, {lemma}")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+# suite
+"""The numbers of claims: each stands once and in order, is cited somewhere, and none is cited that is not there;
+each claim says whether it is machine-checked, by theorems that exist and are among the printed statements.
+
+Needs no Coq; make proofs checks the theorems themselves.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import glob
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from coq import ROOT, SOURCE, Checks, sources, without_comments  # noqa: E402
+
+DOCUMENTS = ("proofs/claims.md", "proofs/filter.md")
+HEADING = re.compile(r"^## C(\d+) .*?(?=^## C|^# |\Z)", re.M | re.S)
+# Outside proofs/ a number is cited behind the name of its document, perhaps over the end of a comment's line.
+CITED = re.compile(r"(?:claims|filter)\.md\)?,?[\s*/#]*((?:C\d+(?:[\s*/#]*(?:,|;|and|to)?[\s*/#]+(?=(?:and )?C\d)(?:and )?)?)+)")
+CHECKED = re.compile(r"^\*Machine-checked:\* (.*?)(?=\n\n|\s*\Z)", re.M | re.S)
+ELSEWHERE = ("src/**/*.[ch]", "src/**/*.[ch]pp", "src/**/*.md", "include/*.h", "tests/**/*.[ch]", "tests/**/*.py",
+             "tests/**/*.cpp", "tests/**/*.h", "tests/mutants.txt", "cases/**/*.md", "*.md")
+
+
+def read(path):
+    with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+        return file.read()
+
+
+def numbers(text):
+    return {int(n) for n in re.findall(r"\bC(\d+)\b", text)}
+
+
+def sections(checks):
+    """Number -> text of the claim."""
+    out = {}
+    for document in DOCUMENTS:
+        for match in HEADING.finditer(read(document)):
+            number = int(match.group(1))
+            checks.check(number not in out, f"{document}: C{number} stands twice")
+            checks.check(number == len(out) + 1, f"{document}: C{number} comes after C{len(out)}")
+            out[number] = match.group()
+    return out
+
+
+def citations(claims):
+    """Path -> numbers cited there; a claim's own section does not count for it."""
+    out = {}
+    for document in DOCUMENTS:
+        rest = HEADING.sub("", read(document))
+        out[document] = numbers(rest)
+    for number, text in claims.items():
+        out[f"claim C{number}"] = numbers(text) - {number}
+    for path in sorted(glob.glob(os.path.join(ROOT, "proofs", "coq", "*"))):
+        name = os.path.relpath(path, ROOT)
+        if name.endswith((".v", ".md")):
+            out[name] = numbers(read(name))
+    for pattern in ELSEWHERE:
+        for path in glob.glob(os.path.join(ROOT, pattern), recursive=True):
+            name = os.path.relpath(path, ROOT)
+            if not name.startswith("tests/proofs/"):
+                out[name] = {n for group in CITED.findall(read(name)) for n in numbers(group)}
+    return out
+
+
+def theorems():
+    """File -> names proved in it, and the names that statements.v prints."""
+    proved = {name: set(re.findall(r"^\s*(?:Theorem|Lemma)\s+(\w+)", without_comments(read("proofs/coq/" + name)), re.M))
+              for name in sources()}
+    return proved, set(re.findall(r"^Check (\w+)\.", read("proofs/coq/statements.v"), re.M))
+
+
+def check_machine(checks, number, text, proved, printed):
+    found = CHECKED.findall(text)
+    if not checks.check(len(found) == 1, f"C{number}: expected one line *Machine-checked:*, found {len(found)}"):
+        return
+    words = re.findall(r"`([^`]+)`", found[0])
+    checks.check(bool(words) or found[0] == "no.", f"C{number}: expected `no.` or theorems: {found[0]}")
+    file = None
+    for word in words:
+        if word.endswith(".v"):
+            file = word
+            checks.check(file in proved, f"C{number}: there is no proofs/coq/{file}")
+        else:
+            checks.check(word in proved.get(file, ()), f"C{number}: {file} does not prove {word}")
+            checks.check(word in printed, f"C{number}: statements.v does not print {word}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--graze", help="not used")
+    parser.add_argument("--scale", help="not used")
+    parser.parse_args()
+    checks = Checks()
+    claims = sections(checks)
+    checks.check(len(claims) >= 38, f"{len(claims)} claims")
+    cited = citations(claims)
+    everywhere = set().union(*cited.values())
+    for path, found in cited.items():
+        for number in sorted(found):
+            checks.check(number in claims, f"{path}: cites C{number}, which is not there")
+    for number in claims:
+        checks.check(number in everywhere, f"C{number} is cited nowhere")
+    proved, printed = theorems()
+    for number, text in claims.items():
+        check_machine(checks, number, text, proved, printed)
+    all_proved = set().union(*proved.values())
+    for name in sorted(printed):
+        checks.check(name in all_proved, f"statements.v prints {name}, which is not proved here")
+    readme = read("proofs/coq/README.md")
+    for name in sorted(os.listdir(SOURCE)):
+        checks.check(f"({name})" in readme or name == "README.md", f"proofs/coq/README.md does not name {name}")
+    for name in re.findall(r"\]\(([\w.]+\.(?:v|txt))\)", readme):
+        checks.check(os.path.exists(os.path.join(SOURCE, name)), f"proofs/coq/README.md: there is no {name}")
+    for name in set(re.findall(r"`([a-z]\w+)`", readme)) - {"coq", "coqchk"}:
+        known = name in all_proved or re.search(rf"\b{name}\b", "".join(read("proofs/coq/" + f) for f in sources())
+                                                + read("proofs/coq/statements.txt"))
+        checks.check(known, f"proofs/coq/README.md names {name}, which is nowhere in the proofs")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
