@@ -100,7 +100,10 @@ static int read_head(part *p, FILE *file) {
             break;
         ended = *line != '#' && line[length - 1] == '\n';
         p->at += length;
-        status = take_head(p, line, (size_t)length, &named);
+        if (memchr(line, '\0', (size_t)length))
+            status = complain(EXIT_INPUT, "%s: has a NUL byte in its head; expected text", p->path);
+        else
+            status = take_head(p, line, (size_t)length, &named);
     }
     free(line);
     if (status)
