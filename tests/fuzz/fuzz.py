@@ -89,7 +89,7 @@ def keep(target):
     with scratch() as folder:
         merged = os.path.join(folder, "merged")
         os.makedirs(merged)
-        subprocess.run([PROGRAM, "-merge=1", "-close_fd_mask=3", "-timeout=30", "-rss_limit_mb=2500", merged, seeds, corpus],
+        subprocess.run([PROGRAM, "-set_cover_merge=1", "-close_fd_mask=3", "-timeout=30", "-rss_limit_mb=2500", merged, seeds, corpus],
                        env=environment(target, folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
         files = sorted((os.path.getsize(e.path), e.name, e.path) for e in os.scandir(merged))
         named = [e.name for e in os.scandir(seeds) if not re.fullmatch("[0-9a-f]{12}", e.name)]
