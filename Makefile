@@ -35,7 +35,7 @@ PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-de
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
-PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap
+PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/% src/png/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
@@ -65,6 +65,7 @@ help:
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
 	@echo "make fuzz       every fuzz target for SECONDS=60 (FUZZ_ONLY=\"NAME ...\": some of them)"
+	@echo "make coverage   line and branch coverage by file, of most suites"
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
 	@echo "make install    under PREFIX=/usr/local, below DESTDIR= if given; make uninstall takes it away"
@@ -295,6 +296,11 @@ FUZZ_FLAGS := -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-reco
 fuzz: $B/.packages-all
 	@$(MAKE) -s B=build-fuzz CC=clang CXX=clang++ OPT="$(FUZZ_FLAGS)" build-fuzz/tests/fuzz/fuzz
 	@python3 tests/fuzz/fuzz.py --seconds $(SECONDS) $(FUZZ_ONLY)
+
+.PHONY: coverage
+coverage: $B/.packages-all
+	@$(MAKE) -s B=build-coverage OPT="-O1 --coverage -fprofile-update=atomic" programs
+	@python3 tests/coverage.py
 
 .PHONY: bench
 bench: all $(BENCH)

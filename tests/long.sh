@@ -56,6 +56,7 @@ flips() {
 stage "lint" tests/lint.sh
 stage "address and undefined behaviour" under_sanitizers build-asan "-fsanitize=address,undefined -fno-sanitize-recover=all"
 stage "threads" threads
+stage "coverage" make -s coverage
 stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 4 --limit 1500
 stage "with and without the filter" python3 tests/run.py --build build --only tests/filter/equal --scale 15 --limit 3000
 stage "falsified decisions" flips
