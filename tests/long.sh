@@ -1,5 +1,5 @@
 #!/bin/bash
-# The tests that take long: lint, both sanitizer builds, long agreement runs, 300,000 points with
+# The tests that take long: lint, both sanitizer builds, coverage by file, long agreement runs, 300,000 points with
 # the filter and without it (10^6 with --scale 50), the filter's decisions falsified, and the mutants of the rules
 # (tests/mutate.py without --only runs those of the whole kernel, which takes hours).
 set -euo pipefail
