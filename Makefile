@@ -36,7 +36,7 @@ PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq python3
-PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap
+PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 comma   := ,
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/% src/png/%,$(wildcard src/*/*.c))
@@ -52,6 +52,9 @@ UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*
 ORACLES := $B/tests/minkowski $B/tests/to_nef
 FLIP_O  := $(patsubst src/filter/%.c,$B/tests/flip/%.o,$(wildcard src/filter/*.c))
 BENCH   := $B/tests/bench/inside $B/tests/bench/peers
+# The targets of the fuzzer and the command line they fuzz, without a main.
+FUZZ_O  := $(patsubst %.c,$B/%.o,$(filter-out %/entry.c %/replay.c,$(wildcard tests/fuzz/*.c))) $(filter-out %/main.o,$(CLI_O))
+REPLAY  := $B/tests/fuzz/replay
 
 .PHONY: all
 all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so $(MPI) $(PNG)
@@ -63,6 +66,8 @@ help:
 	@echo "make test       install what is missing, build, run every test (a few minutes)"
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
+	@echo "make fuzz       every fuzz target for SECONDS=60 (FUZZ_ONLY=\"NAME ...\": some of them)"
+	@echo "make coverage   line and branch coverage by file, of most suites"
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make proofs     check the proofs in proofs/coq by machine, the C functions against them"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
@@ -179,6 +184,12 @@ $B/tests/bench/peers: tests/bench/peers.cpp | $B/.packages-build
 build/tests/locale/de_DE.UTF-8: | $B/.packages-test
 	@mkdir -p $(@D)
 	localedef -i de_DE -f UTF-8 $@
+$B/tests/fuzz/replay: $B/tests/fuzz/replay.o $(FUZZ_O) $B/libgraze.a
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+$B/tests/fuzz/fuzz: $B/tests/fuzz/entry.o $(FUZZ_O) $B/libgraze.a
+	@echo "  LINK $@"
+	@$(CXX) $(OPT) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
 .SECONDARY:
 
 # ---------------------------------------------------------------- installing
@@ -276,13 +287,13 @@ demo: all
 	@cases/demo.sh $B/graze
 
 .PHONY: test
-test: $B/.packages-test all $(UNIT) $(ORACLES) build/tests/locale/de_DE.UTF-8
+test: $B/.packages-test all $(UNIT) $(REPLAY) $(ORACLES) build/tests/locale/de_DE.UTF-8
 	@$(MAKE) -s B=$B all # Open MPI and cairo are perhaps just installed
 	@python3 tests/run.py --build $B
 
 # The programs of the tests in another build folder, for the sanitizers.
 .PHONY: programs
-programs: all $(UNIT) $B/tests/graze-memory build/tests/locale/de_DE.UTF-8
+programs: all $(UNIT) $(REPLAY) $B/tests/graze-memory build/tests/locale/de_DE.UTF-8
 
 .PHONY: cases
 cases: $B/.packages-test all
@@ -298,6 +309,19 @@ proofs: $B/.packages-proofs $B/tests/proofs/table
 	@python3 tests/proofs/prove.py --build $B
 	@python3 tests/proofs/table.py --build $B
 	@python3 tests/proofs/broken.py --build $B
+
+# Every target in turn for so many seconds; what breaks one is kept in build-fuzz/found.
+SECONDS ?= 60
+FUZZ_FLAGS := -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+.PHONY: fuzz
+fuzz: $B/.packages-all
+	@$(MAKE) -s B=build-fuzz CC=clang CXX=clang++ OPT="$(FUZZ_FLAGS)" build-fuzz/tests/fuzz/fuzz
+	@python3 tests/fuzz/fuzz.py --seconds $(SECONDS) $(FUZZ_ONLY)
+
+.PHONY: coverage
+coverage: $B/.packages-all
+	@$(MAKE) -s B=build-coverage OPT="-O1 --coverage -fprofile-update=atomic" programs
+	@python3 tests/coverage.py
 
 .PHONY: bench
 bench: all $(BENCH)

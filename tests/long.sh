@@ -1,5 +1,5 @@
 #!/bin/bash
-# The tests that take long: lint, both sanitizer builds, long agreement runs, 300,000 points with
+# The tests that take long: lint, both sanitizer builds, coverage by file, long agreement runs, 300,000 points with
 # the filter and without it (10^6 with --scale 50), the filter's decisions falsified, and the mutants of the rules
 # (tests/mutate.py without --only runs those of the whole kernel, which takes hours).
 set -euo pipefail
@@ -20,23 +20,35 @@ under_sanitizers() { # folder, flags
         ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1 \
             python3 tests/run.py --build "$1" --limit 2400 --sanitizers
 }
-# The program itself with four threads: the bytes of one thread, and no race.
+# The program itself with eight threads: the bytes of one thread, and no race. A table is also
+# continued from its middle, and dealt to shards.
 threads_of_classify() {
     local folder=build-tsan/classify case=cases/bracket
-    mkdir -p "$folder"
-    build/graze generate "$case/solid.off" "$case/motion.json" -n 5000 --seed 4 >"$folder/points.csv" || return 1
-    for query in "$folder/points.csv" "--grid 16,16,16" "--format jsonl $folder/points.csv"; do
+    local scene=("$case/solid.off" "$case/motion.json") points=$folder/points.csv
+    export TSAN_OPTIONS=halt_on_error=1
+    rm -rf "$folder" && mkdir -p "$folder" || return 1
+    build/graze generate "${scene[@]}" -n 5000 --seed 4 >"$points" || return 1
+    for query in "$points" "--grid 16,16,16" "--no-filter --grid 8,8,8" "--operation unsweep $points" \
+        "--shard 2/3 $points" "--shard 3/3 --grid 16,16,16" "--format jsonl $points" "--format jsonl --grid 8,8,8" \
+        "--format vtk $points" "--format vtk --grid 16,16,16" "--format npy $points" "--format npy --grid 16,16,16"; do
         # shellcheck disable=SC2086 # several words
-        build/graze classify --jobs 1 "$case/solid.off" "$case/motion.json" $query >"$folder/expected" &&
-            TSAN_OPTIONS=halt_on_error=1 build-tsan/graze classify --jobs 4 \
-                "$case/solid.off" "$case/motion.json" $query >"$folder/found" &&
+        build/graze classify --jobs 1 "${scene[@]}" $query >"$folder/expected" &&
+            build-tsan/graze classify --jobs 8 "${scene[@]}" $query >"$folder/found" &&
+            cmp "$folder/expected" "$folder/found" || return 1
+    done
+    for query in "$points" "--grid 16,16,16" "--shard 1/2 $points"; do
+        # shellcheck disable=SC2086
+        build/graze classify --jobs 1 "${scene[@]}" $query >"$folder/expected" &&
+            head -n 2000 "$folder/expected" >"$folder/found" &&
+            build-tsan/graze classify --jobs 8 --resume "$folder/found" "${scene[@]}" $query &&
             cmp "$folder/expected" "$folder/found" || return 1
     done
 }
+# Built by gcc, whose runtime an ordinary Python can be started with.
 threads() {
-    make -s B=build-tsan CC=clang CXX=clang++ OPT="-O1 -fsanitize=thread" build-tsan/graze programs &&
+    make -s B=build-tsan OPT="-O1 -fsanitize=thread" build-tsan/graze programs &&
         TSAN_OPTIONS=halt_on_error=1 python3 tests/run.py --build build-tsan --only tests/api &&
-        threads_of_classify
+        threads_of_classify && tests/python/threads.sh build-tsan
 }
 flips() {
     make -s build/tests/graze-flips && python3 tests/filter/flip.py --graze build/tests/graze-flips
@@ -44,6 +56,7 @@ flips() {
 stage "lint" tests/lint.sh
 stage "address and undefined behaviour" under_sanitizers build-asan "-fsanitize=address,undefined -fno-sanitize-recover=all"
 stage "threads" threads
+stage "coverage" make -s coverage
 stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 4 --limit 1500
 stage "with and without the filter" python3 tests/run.py --build build --only tests/filter/equal --scale 15 --limit 3000
 stage "falsified decisions" flips

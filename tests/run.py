@@ -24,7 +24,7 @@ CMOCKA_SKIPPED = re.compile(r"\[  SKIPPED \] (\d+) test")
 # Suites that hold the program to a limit of memory, and how to tell them not to: sanitizers need address space.
 NO_LIMIT = {"refuse": ["--sanitizers"], "agree": ["--memory", "0"], "words": ["--memory", "0"],
             "examples": ["--memory", "0"], "unsweep": ["--memory", "0"],
-            "compare": ["--sanitizers"], "filter": ["--memory", "0"],
+            "compare": ["--sanitizers"], "bombs": ["--sanitizers"], "filter": ["--memory", "0"],
             "install": ["--sanitizers"], "memory": ["--sanitizers"]}
 
 
@@ -74,6 +74,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--build", default="build")
     parser.add_argument("--only", default="", help="run suites whose name holds this text")
+    parser.add_argument("--skip", action="append", default=[], help="leave out suites whose name holds this text")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--scale", type=int, default=1, help="multiplies random tests")
     parser.add_argument("--sanitizers", action="store_true", help="no limits of memory")
@@ -83,7 +84,7 @@ def main():
         if signal.getsignal(which) == signal.SIG_IGN:
             signal.signal(which, signal.SIG_DFL)
     chosen = [s for s in suites(options.build, options.scale, options.sanitizers)
-              if options.only in s[0]]
+              if options.only in s[0] and not any(text in s[0] for text in options.skip)]
     total = [0, 0, 0]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for name, output, status, seconds in pool.map(lambda s: run(s, options.limit), chosen):

@@ -22,7 +22,11 @@ static void cross(double out[3], const double a[3], const double b[3]) {
         out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
+/* Scaled by a power of two first, which rounds nothing: squares of small numbers vanish. */
 static void normalise(double v[3]) {
+    int exponent = ilogb(fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))));
+    for (int k = 0; k < 3; k++)
+        v[k] = scalbn(v[k], -exponent);
     double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     for (int k = 0; k < 3; k++)
         v[k] /= length;

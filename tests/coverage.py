@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Line and branch coverage by file (make coverage), of the suites on a build with --coverage.
+
+Every file of src, CGAL's headers left out, must have 90 % of its lines and 90 % of its branches run, or a row in
+tests/coverage.txt that says why not, and below which figures it must not fall. Rows that are no longer
+needed are named. Branches that only exceptions take are not counted.
+
+    coverage.py [--measured]     --measured: do not run the suites again
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import glob
+import json
+import os
+import re
+import subprocess
+import sys
+
+BUILD = "build-coverage"
+RIGHT = 90
+# Suites that ask other programs, or the same code again in a longer way.
+SKIPPED = ["tests/install/", "tests/real/", "tests/agree/", "tests/filter/equal", "tests/mutation/", "tests/bombs/",
+           "tests/structure/", "tests/python/"]
+ROW = re.compile(r"^(src/\S+)\s+(\d+)\s+(\d+)\s+(\S.*)$")
+
+
+def run_suites():
+    for old in glob.glob(BUILD + "/**/*.gcda", recursive=True):
+        os.remove(old)
+    command = [sys.executable, "tests/run.py", "--build", BUILD, "--sanitizers", "--limit", "1500"]
+    for name in SKIPPED:
+        command += ["--skip", name]
+    return subprocess.run(command).returncode
+
+
+def measure():
+    """File -> (lines run, lines, branches taken, branches)."""
+    out = BUILD + "/coverage.json"
+    subprocess.run(["gcovr", "--root", ".", "--filter", "src/", "--exclude-throw-branches", "--json-summary", out, BUILD + "/src"],
+                   check=True, stdout=subprocess.DEVNULL)
+    with open(out, encoding="utf-8") as file:
+        return {f["filename"]: (f["line_covered"], f["line_total"], f["branch_covered"], f["branch_total"])
+                for f in json.load(file)["files"]}
+
+
+def reasons():
+    rows = {}
+    with open("tests/coverage.txt", encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            at = ROW.match(line)
+            if at:
+                rows[at[1]] = (int(at[2]), int(at[3]), at[4])
+            elif line.strip() and not line.startswith("#"):
+                sys.exit(f"tests/coverage.txt:{number}: right is FILE LINES BRANCHES REASON")
+    return rows
+
+
+def percent(part, whole):
+    return 100.0 * part / whole if whole else 100.0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--measured", action="store_true")
+    options = parser.parse_args()
+    failed = 0 if options.measured else int(run_suites() != 0)
+    files, rows, passed = measure(), reasons(), 0
+    sums = [0, 0, 0, 0]
+    print("  lines branches file")
+    for name in sorted(files):
+        figures = files[name]
+        sums = [a + b for a, b in zip(sums, figures)]
+        lines, branches = percent(*figures[:2]), percent(*figures[2:])
+        low = min(lines, branches) < RIGHT
+        floor = rows.get(name, (RIGHT, RIGHT, ""))
+        good = lines >= floor[0] and branches >= floor[1]
+        wrong = f"FAILED: right are {floor[0]} and {floor[1]}, or a reason" if not good else "its row is not needed" if name in rows and not low else ""
+        print(f"  {lines:5.1f} {branches:5.1f}    {name}" + (f"  {floor[2]}" if low else "") + (f"  {wrong}" if wrong else ""))
+        passed, failed = passed + good, failed + (not good)
+    for name in sorted(set(rows) - set(files)):
+        print(f"FAILED tests/coverage.txt: {name} is not there")
+        failed += 1
+    print(f"  {percent(*sums[:2]):5.1f} {percent(*sums[2:]):5.1f}    all")
+    print(f"{passed} passed, {failed} failed")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,190 @@
+/* Targets for numbers, expressions and what makes a motion.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cli/cli.h"
+#include "fuzz.h"
+#include "motion/expression.h"
+
+/* Decimals have a second reader: strtod and strtof round correctly, to nearest and even. */
+static int is_decimal(const char *text) {
+    return text[strspn(text, "0123456789+-.eE")] == '\0';
+}
+
+/* A token under one rounding: in lowest terms, and the float nearest to it. */
+static int read_number(graze_context *context, graze_rounding rounding, const uint8_t *data,
+                       size_t size, const char *text) {
+    mpq_t value, again;
+    mpq_inits(value, again, NULL);
+    EXPECT(graze_context_set_rounding(context, rounding) == GRAZE_OK);
+    graze_status status = graze_number_parse(value, context, (const char *)data, size);
+    int taken = fuzz_taken(status, context, status == GRAZE_OK ? context : NULL);
+    if (taken) {
+        mpq_set(again, value);
+        mpq_canonicalize(again);
+        EXPECT(mpz_cmp(mpq_numref(again), mpq_numref(value)) == 0);
+        EXPECT(mpz_cmp(mpq_denref(again), mpq_denref(value)) == 0);
+        char *written = mpq_get_str(NULL, 10, value);
+        status = graze_number_parse(again, context, written, strlen(written));
+        EXPECT(status == GRAZE_ELIMIT || (status == GRAZE_OK && mpq_equal(again, value)));
+        free(written);
+    }
+    if (taken && rounding != GRAZE_ROUND_NONE && is_decimal(text)) {
+        double nearest =
+            rounding == GRAZE_ROUND_BINARY64 ? strtod(text, NULL) : (double)strtof(text, NULL);
+        EXPECT(isfinite(nearest));
+        mpq_set_d(again, nearest);
+        EXPECT(mpq_equal(again, value));
+    }
+    mpq_clears(value, again, NULL);
+    return taken;
+}
+
+int fuzz_number(const uint8_t *data, size_t size) {
+    graze_context *context = fuzz_context();
+    char *text = fuzz_text((section){data, size});
+    int taken = read_number(context, GRAZE_ROUND_NONE, data, size, text);
+    int doubles = read_number(context, GRAZE_ROUND_BINARY64, data, size, text);
+    int singles = read_number(context, GRAZE_ROUND_BINARY32, data, size, text);
+    /* Rounding refuses what is too large, and takes nothing that is no number. */
+    EXPECT(taken || (!doubles && !singles));
+    EXPECT(doubles || !singles);
+    free(text);
+    graze_context_destroy(context);
+    return taken;
+}
+
+/* A text means the same in brackets. */
+int fuzz_expression(const uint8_t *data, size_t size) {
+    graze_context *context = fuzz_context();
+    fmpz_poly_q_t value, again, t, s;
+    fmpz_poly_q_init(value);
+    fmpz_poly_q_init(again);
+    fmpz_poly_q_init(t);
+    fmpz_poly_q_init(s);
+    EXPECT(fmpz_poly_q_set_str(t, "2  0 1") == 0);       /* u */
+    EXPECT(fmpz_poly_q_set_str(s, "2  -1 2/1  3") == 0); /* (2 u - 1) / 3 */
+    char *bracketed = malloc(size + 2);
+    EXPECT(bracketed != NULL);
+    bracketed[0] = '(';
+    memcpy(bracketed + 1, data, size);
+    bracketed[size + 1] = ')';
+    graze_status status = expression_value(value, context, (const char *)data, size, t, s);
+    int taken = fuzz_taken(status, context, status ? NULL : context);
+    if (taken) {
+        EXPECT(fmpz_poly_q_is_canonical(value));
+        status = expression_value(again, context, bracketed, size + 2, t, s);
+        EXPECT(status == GRAZE_ELIMIT || (status == GRAZE_OK && fmpz_poly_q_equal(value, again)));
+    }
+    status = expression_value(again, context, (const char *)data, size, NULL, NULL);
+    if (fuzz_taken(status, context, status ? NULL : context))
+        EXPECT(taken && fmpz_poly_q_equal(value, again));
+    free(bracketed);
+    fmpz_poly_q_clear(value);
+    fmpz_poly_q_clear(again);
+    fmpz_poly_q_clear(t);
+    fmpz_poly_q_clear(s);
+    graze_context_destroy(context);
+    return taken;
+}
+
+/* A file and the same bytes in memory are read alike. */
+int fuzz_motion(const uint8_t *data, size_t size) {
+    graze_context *context = fuzz_context();
+    graze_motion *motion = NULL, *filed = NULL;
+    graze_status status = graze_motion_from_json(&motion, context, (const char *)data, size);
+    int taken = fuzz_taken(status, context, motion);
+    EXPECT(graze_motion_read(&filed, context, fuzz_file("motion.json", data, size)) == status);
+    if (taken) {
+        int d = graze_motion_dimension(motion);
+        EXPECT(d == 2 || d == 3);
+        EXPECT(graze_motion_piece_count(motion) >= 1);
+        EXPECT(graze_motion_piece_count(motion) <=
+               graze_context_limit(context, GRAZE_LIMIT_PIECES));
+        EXPECT(graze_motion_piece_count(motion) == graze_motion_piece_count(filed));
+    }
+    graze_motion_destroy(motion);
+    graze_motion_destroy(filed);
+    graze_context_destroy(context);
+    return taken;
+}
+
+/* What is written as a motion is one. */
+static void check_written(graze_context *context, const char *json, const char *report) {
+    graze_motion *motion;
+    EXPECT(json != NULL && *json && report != NULL);
+    EXPECT(graze_motion_from_json(&motion, context, json, strlen(json)) == GRAZE_OK);
+    graze_motion_destroy(motion);
+}
+
+int fuzz_poses(const uint8_t *data, size_t size) {
+    graze_context *context = fuzz_context();
+    const char *path = fuzz_file("poses.csv", data, size);
+    mpq_t tolerance;
+    int taken = 0;
+    mpq_init(tolerance);
+    for (int k = 0; k < 4; k++) {
+        char *json = NULL, *report = NULL;
+        mpq_set_ui(tolerance, 1, k & 1 ? 1 : 1000000);
+        EXPECT(graze_context_set_rounding(context, k & 1 ? GRAZE_ROUND_NONE
+                                                         : GRAZE_ROUND_BINARY64) == GRAZE_OK);
+        graze_status status = graze_motion_write_poses(&json, &report, context, path,
+                                                       k & 2 ? GRAZE_POSES_AFFINE : 0, tolerance);
+        /* Two handles come or none. */
+        EXPECT((json == NULL) == (report == NULL));
+        if (fuzz_taken(status, context, json)) {
+            EXPECT(graze_context_set_rounding(context, GRAZE_ROUND_NONE) == GRAZE_OK);
+            check_written(context, json, report);
+            taken = 1;
+        }
+        graze_free(json);
+        graze_free(report);
+    }
+    mpq_clear(tolerance);
+    graze_context_destroy(context);
+    return taken;
+}
+
+/* The words of `graze motion`, one a line. */
+int fuzz_joints(const uint8_t *data, size_t size) {
+    words w;
+    options o;
+    int help, limits, taken = 0;
+    fuzz_words(&w, "motion", (section){data, size});
+    const char *const *limit = fuzz_limit_words(&limits);
+    char *argv[FUZZ_WORDS + 2 * GRAZE_LIMIT_COUNT + 8];
+    int argc = 0;
+    for (int k = 0; k < w.count; k++)
+        argv[argc++] = w.word[k];
+    for (int k = 0; k < limits; k++)
+        argv[argc++] = (char *)limit[k];
+    const char *report = fuzz_file("report", NULL, 0), *json = fuzz_file("joints.json", NULL, 0);
+    argv[argc++] = "--report";
+    argv[argc++] = (char *)report;
+    argv[argc++] = "--output";
+    argv[argc++] = (char *)json;
+    argv[argc] = NULL;
+    int status = options_read(&o, &help, &command_motion, argc, argv);
+    if (!status && !help) {
+        status = command_motion.run(&o);
+        EXPECT(status == EXIT_DONE || status == EXIT_USAGE || status == EXIT_INPUT ||
+               status == EXIT_LIMIT);
+        taken = status == EXIT_DONE;
+    }
+    if (taken) {
+        size_t length;
+        char *text = fuzz_read(json, &length), *said = fuzz_read(report, &length);
+        graze_context *context;
+        EXPECT(graze_context_create(&context) == GRAZE_OK);
+        check_written(context, text, said);
+        graze_context_destroy(context);
+        free(text);
+        free(said);
+    }
+    options_clear(&o);
+    free(w.text);
+    return taken;
+}

@@ -1,0 +1,159 @@
+/* Targets for the command line: points, grids and the options themselves.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "cli/rows.h"
+#include "fuzz.h"
+
+/* The limits as the options hold them. */
+static void low_limits(options *o) {
+    graze_context *context = fuzz_context();
+    memset(o, 0, sizeof *o);
+    for (int k = 0; k < GRAZE_LIMIT_COUNT; k++)
+        o->limits[k] = graze_context_limit(context, (graze_limit)k);
+    o->part.count = 1;
+    graze_context_destroy(context);
+}
+
+/* Answer all rows of a block; the number of those before a fault. */
+static size_t answer_block(answerer *a, block *b) {
+    size_t rows = 0;
+    for (size_t first = 0; first < b->count; first += RUN_ROWS) {
+        row_run *r = &b->runs[first];
+        size_t left = b->count - first;
+        r->taken = left < RUN_ROWS ? left : RUN_ROWS;
+        answer(a, b, first);
+        EXPECT(r->done <= r->taken);
+        EXPECT((r->done < r->taken) == (r->fault.status != 0));
+        EXPECT(r->fault.status == 0 || r->fault.status == EXIT_INPUT ||
+               r->fault.status == EXIT_LIMIT);
+        size_t lines = 0;
+        for (size_t k = 0; k < r->length; k++)
+            lines += r->text[k] == '\n';
+        EXPECT(lines == r->done);
+        rows += r->done;
+        if (r->fault.status)
+            break;
+    }
+    return rows;
+}
+
+/* Points of a file, in both dimensions, whole and as a shard, answered in both formats. */
+static int read_points(const char *path, int dimension, shard part, graze_format format) {
+    static block *b;
+    options o;
+    csv *points;
+    answerer a;
+    size_t rows = 0;
+    low_limits(&o);
+    o.format = format;
+    graze_context *context = fuzz_context();
+    const graze_scene *scene = fuzz_still_scene(dimension);
+    if (!b)
+        b = block_create();
+    EXPECT(b != NULL);
+    EXPECT(csv_open(&points, path, dimension, part, context) == EXIT_DONE);
+    EXPECT(answerer_init(&a, &o, scene, (row_source){csv_columns(points), NULL, part}) ==
+           EXIT_DONE);
+    block_reset(b, 0);
+    int status = csv_fill(points, b);
+    EXPECT(status == EXIT_DONE || status == EXIT_INPUT || status == EXIT_LIMIT);
+    EXPECT((status == EXIT_DONE) == (csv_fault(points)->status == 0));
+    rows = answer_block(&a, b);
+    answerer_clear(&a);
+    csv_close(points);
+    block_reset(b, 0);
+    graze_context_destroy(context);
+    return rows > 0;
+}
+
+int fuzz_points(const uint8_t *data, size_t size) {
+    const char *path = fuzz_file("points.csv", data, size);
+    int solid = read_points(path, 3, (shard){0, 1}, GRAZE_FORMAT_CSV);
+    int plane = read_points(path, 2, (shard){0, 1}, GRAZE_FORMAT_JSONL);
+    read_points(path, 2, (shard){1, 3}, GRAZE_FORMAT_CSV);
+    return solid || plane;
+}
+
+/* --grid and --box: every point is in the box, the first and the last are its corners. */
+static void check_grid(const grid *g, int d, const mpq_t *low, const mpq_t *high) {
+    mpq_t *points = malloc(3 * RUN_ROWS * sizeof *points);
+    EXPECT(points != NULL);
+    for (size_t k = 0; k < 3 * RUN_ROWS; k++)
+        mpq_init(points[k]);
+    unsigned long count = grid_count(g);
+    size_t n = count < RUN_ROWS ? count : RUN_ROWS;
+    grid_points(points, g, (shard){0, 1}, 0, n);
+    for (size_t k = 0; k < n * (size_t)d; k++)
+        EXPECT(mpq_cmp(low[k % (size_t)d], points[k]) <= 0 &&
+               mpq_cmp(points[k], high[k % (size_t)d]) <= 0);
+    for (int k = 0; k < d; k++)
+        EXPECT(mpq_equal(points[k], low[k]));
+    grid_points(points, g, (shard){0, 1}, count - 1, 1);
+    for (int k = 0; k < d; k++)
+        EXPECT(mpq_equal(points[k], high[k]));
+    for (size_t k = 0; k < 3 * RUN_ROWS; k++)
+        mpq_clear(points[k]);
+    free(points);
+}
+
+int fuzz_grid(const uint8_t *data, size_t size) {
+    section s[3];
+    options o;
+    grid *g = NULL;
+    fuzz_sections(s, 3, data, size);
+    int d = s[2].size > 0 && s[2].data[0] == '3' ? 3 : 2, taken;
+    char *sizes = fuzz_text(s[0]), *box = fuzz_text(s[1]), *notes;
+    graze_context *context = fuzz_context();
+    mpq_t low[3], high[3];
+    mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
+    sizes[strcspn(sizes, "\n")] = '\0';
+    box[strcspn(box, "\n")] = '\0';
+    low_limits(&o);
+    o.grid = sizes;
+    o.box = s[1].size ? box : NULL;
+    int status = grid_open(&g, &o, context, fuzz_still_scene(d));
+    EXPECT(status == EXIT_DONE || status == EXIT_USAGE || status == EXIT_LIMIT);
+    taken = status == EXIT_DONE;
+    if (taken && o.box) {
+        EXPECT(box_read(low, high, box, d, context) == EXIT_DONE);
+    } else if (taken) {
+        EXPECT(graze_scene_box(low, high, context, fuzz_still_scene(d)) == GRAZE_OK);
+    }
+    if (taken) {
+        check_grid(g, d, (const mpq_t *)low, (const mpq_t *)high);
+        notes = grid_notes(g);
+        EXPECT(notes != NULL);
+        free(notes);
+    }
+    grid_close(g);
+    mpq_clears(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
+    graze_context_destroy(context);
+    free(sizes);
+    free(box);
+    return taken;
+}
+
+/* A command's name on the first line, its words on the others; they are read, not obeyed. */
+int fuzz_options(const uint8_t *data, size_t size) {
+    static const command *const commands[] = {
+        &command_check,  &command_classify, &command_explain,  &command_generate,
+        &command_cases,  &command_compare,  &command_validate, &command_merge,
+        &command_motion, &command_boundary, &command_draw};
+    words w;
+    options o;
+    int help, taken = 0;
+    fuzz_words(&w, "graze", (section){data, size});
+    for (size_t k = 0; k < sizeof commands / sizeof *commands && w.count > 1; k++) {
+        if (strcmp(w.word[1], commands[k]->name) != 0)
+            continue;
+        int status = options_read(&o, &help, commands[k], w.count - 1, w.word + 1);
+        EXPECT(status == EXIT_DONE || status == EXIT_USAGE);
+        EXPECT(o.operand_count < w.count);
+        options_clear(&o);
+        taken = status == EXIT_DONE;
+    }
+    free(w.text);
+    return taken;
+}

@@ -1,0 +1,131 @@
+/* Targets for what makes a solid: files of every format, and arrays.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "fuzz.h"
+
+/* What a solid says of itself fits together. */
+static void look_at(const graze_solid *solid) {
+    int d = graze_solid_dimension(solid);
+    EXPECT(d == 2 || d == 3);
+    EXPECT(graze_solid_vertex_count(solid) > (size_t)d);
+    /* Two facets of four corners each, fanned from different ones, are a tetrahedron. */
+    EXPECT(graze_solid_facet_count(solid) >= (d == 2 ? 3 : 2));
+    EXPECT(graze_solid_component_count(solid) >= 1);
+    EXPECT(graze_solid_component_count(solid) <= graze_solid_facet_count(solid));
+}
+
+/* A solid that was found legal is read again by its hash, and is the same. */
+static void read_trusted(graze_context *context, const char *path, unsigned flags,
+                         const graze_solid *solid) {
+    graze_solid *again;
+    graze_scene *scene;
+    graze_motion *motion;
+    char text[] = "{\"dimension\": 3, \"pieces\": [{\"t\": [0, 1], \"transform\": "
+                  "{\"translate\": [0, 0, 0]}}]}";
+    if (graze_solid_dimension(solid) == 2) {
+        text[14] = '2';
+        memcpy(strstr(text, "0, 0, 0]"), "0, 0]   ", 8);
+    }
+    EXPECT(graze_motion_from_json(&motion, context, text, strlen(text)) == GRAZE_OK);
+    EXPECT(graze_scene_create(&scene, context, solid, motion, NULL) == GRAZE_OK);
+    graze_hashes hashes = graze_scene_hashes(scene);
+    EXPECT(graze_solid_read_trusted(&again, context, path, flags, hashes.solid) == GRAZE_OK);
+    EXPECT(graze_solid_vertex_count(again) == graze_solid_vertex_count(solid));
+    EXPECT(graze_solid_facet_count(again) == graze_solid_facet_count(solid));
+    graze_solid_destroy(again);
+    hashes.solid[0] ^= 1;
+    EXPECT(graze_solid_read_trusted(&again, context, path, flags, hashes.solid) == GRAZE_EINPUT);
+    graze_scene_destroy(scene);
+    graze_motion_destroy(motion);
+}
+
+static int read_file(const char *name, const uint8_t *data, size_t size) {
+    static const graze_rounding roundings[] = {GRAZE_ROUND_NONE, GRAZE_ROUND_BINARY32};
+    graze_context *context = fuzz_context();
+    const char *path = fuzz_file(name, data, size);
+    int taken = 0;
+    for (unsigned k = 0; k < 3; k++) {
+        graze_solid *solid = NULL;
+        unsigned flags = k == 1 ? GRAZE_SOLID_TRIANGULATE : 0;
+        EXPECT(graze_context_set_rounding(context, roundings[k == 2]) == GRAZE_OK);
+        graze_status status = graze_solid_read(&solid, context, path, flags);
+        if (fuzz_taken(status, context, solid)) {
+            look_at(solid);
+            read_trusted(context, path, flags, solid);
+            taken = 1;
+        }
+        graze_solid_destroy(solid);
+        /* Bytes that are not of the format are not so with other flags either. */
+        if (status == GRAZE_EINPUT)
+            break;
+    }
+    graze_context_destroy(context);
+    return taken;
+}
+
+int fuzz_off(const uint8_t *data, size_t size) {
+    return read_file("solid.off", data, size);
+}
+
+int fuzz_obj(const uint8_t *data, size_t size) {
+    return read_file("solid.obj", data, size);
+}
+
+int fuzz_ply(const uint8_t *data, size_t size) {
+    return read_file("solid.ply", data, size);
+}
+
+int fuzz_stl(const uint8_t *data, size_t size) {
+    return read_file("solid.stl", data, size);
+}
+
+int fuzz_nef3(const uint8_t *data, size_t size) {
+    return read_file("solid.nef3", data, size);
+}
+
+int fuzz_wkt(const uint8_t *data, size_t size) {
+    return read_file("solid.wkt", data, size);
+}
+
+/* Vertices and facets out of bytes, as rationals and as doubles. */
+int fuzz_arrays(const uint8_t *data, size_t size) {
+    enum { VERTICES = 24, FACETS = 24, CORNERS = 6 };
+    bytes b = {data, size};
+    graze_context *context = fuzz_context();
+    mpq_t coordinates[3 * VERTICES];
+    double doubles[3 * VERTICES];
+    size_t sizes[FACETS], indices[FACETS * CORNERS], used = 0;
+    int d = take_from(&b, 2, 3);
+    size_t vertices = (size_t)take_from(&b, 0, VERTICES), facets = (size_t)take_from(&b, 0, FACETS);
+    unsigned flags = take(&b) & GRAZE_SOLID_TRIANGULATE;
+    for (size_t k = 0; k < 3 * VERTICES; k++) {
+        mpq_init(coordinates[k]);
+        if (k < vertices * (size_t)d)
+            mpq_set_si(coordinates[k], take_from(&b, -128, 127), 8);
+        mpq_canonicalize(coordinates[k]);
+        doubles[k] = mpq_get_d(coordinates[k]);
+    }
+    for (size_t k = 0; k < facets; k++) {
+        sizes[k] = (size_t)take_from(&b, 2, CORNERS);
+        for (size_t c = 0; c < sizes[k]; c++)
+            indices[used++] = (size_t)take_from(&b, 0, VERTICES);
+    }
+    graze_solid *exact = NULL, *rounded = NULL;
+    graze_status status = graze_solid_from_arrays(&exact, context, d, (const mpq_t *)coordinates,
+                                                  vertices, sizes, facets, indices, flags);
+    int taken = fuzz_taken(status, context, exact);
+    if (taken)
+        look_at(exact);
+    EXPECT(graze_solid_from_doubles(&rounded, context, d, doubles, vertices, sizes, facets, indices,
+                                    flags) == status);
+    EXPECT(graze_solid_vertex_count(rounded) == graze_solid_vertex_count(exact));
+    EXPECT(graze_solid_component_count(rounded) == graze_solid_component_count(exact));
+    graze_solid_destroy(exact);
+    graze_solid_destroy(rounded);
+    for (size_t k = 0; k < 3 * VERTICES; k++)
+        mpq_clear(coordinates[k]);
+    graze_context_destroy(context);
+    return taken;
+}

@@ -1,0 +1,113 @@
+/* Targets for tables: compared, exported, merged.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "cli/cli.h"
+#include "fuzz.h"
+
+/* What a comparison says of itself fits together, in both forms. */
+static void look_at(graze_context *context, const graze_comparison *c) {
+    char *text = NULL, *json = NULL;
+    graze_comparison_counts n = graze_comparison_count(c);
+    EXPECT(n.rows == n.agree + n.wrong + n.apart + n.missing);
+    EXPECT(graze_comparison_report(&text, context, c, GRAZE_COMPARISON_TEXT) == GRAZE_OK);
+    EXPECT(graze_comparison_report(&json, context, c, GRAZE_COMPARISON_JSON) == GRAZE_OK);
+    EXPECT(*text && fuzz_is_json(json, strlen(json)));
+    graze_free(text);
+    graze_free(json);
+}
+
+/* A golden table, a candidate's, and a byte for each option. */
+int fuzz_compare(const uint8_t *data, size_t size) {
+    section s[3];
+    fuzz_sections(s, 3, data, size);
+    bytes b = {s[2].data, s[2].size};
+    graze_compare_options o = {.question = (graze_question)take_from(&b, 0, 1),
+                               .on_as = (graze_on_as)take_from(&b, 0, 3),
+                               .has = (graze_candidate_has)take_from(&b, 0, 1),
+                               .show = (size_t)take_from(&b, 0, 9)};
+    graze_context *context = fuzz_context();
+    graze_comparison *c = NULL;
+    EXPECT(graze_context_set_rounding(context, (graze_rounding)take_from(&b, 0, 2)) == GRAZE_OK);
+    const char *golden = fuzz_file("golden.csv", s[0].data, s[0].size);
+    const char *candidate = fuzz_file("candidate.csv", s[1].data, s[1].size);
+    graze_status status = graze_compare(&c, context, golden, candidate, &o);
+    int taken = fuzz_taken(status, context, c);
+    if (taken)
+        look_at(context, c);
+    graze_comparison_destroy(c);
+    /* A table agrees with itself, if it is a golden one. */
+    status = graze_compare(&c, context, golden, golden, NULL);
+    if (fuzz_taken(status, context, c)) {
+        graze_comparison_counts n = graze_comparison_count(c);
+        EXPECT(n.wrong + n.missing + n.extra == 0);
+    }
+    graze_comparison_destroy(c);
+    graze_context_destroy(context);
+    return taken;
+}
+
+int fuzz_export(const uint8_t *data, size_t size) {
+    static const graze_export forms[] = {GRAZE_EXPORT_VTK, GRAZE_EXPORT_NPY};
+    graze_context *context = fuzz_context();
+    int taken = 0;
+    for (int k = 0; k < 2; k++) {
+        char *out = NULL;
+        size_t length = 0;
+        graze_status status =
+            graze_report_export(&out, &length, context, (const char *)data, size, forms[k]);
+        if (fuzz_taken(status, context, out)) {
+            EXPECT(length > 10);
+            EXPECT(memcmp(out, k ? "\x93NUMPY" : "# vtk ", 6) == 0);
+            taken = 1;
+        }
+        graze_free(out);
+    }
+    graze_context_destroy(context);
+    return taken;
+}
+
+/* A command that writes a file. */
+static int run(const command *c, char **argv, int argc) {
+    options o;
+    int help, status = options_read(&o, &help, c, argc, argv);
+    EXPECT(status == EXIT_DONE && !help);
+    status = c->run(&o);
+    options_clear(&o);
+    EXPECT(status == EXIT_DONE || status == EXIT_INPUT || status == EXIT_LIMIT);
+    return status == EXIT_DONE;
+}
+
+static size_t rows_of(const char *text) {
+    size_t rows = 0, head = 1;
+    for (const char *at = text; *at; at = strchr(at, '\n') ? strchr(at, '\n') + 1 : "")
+        if (*at != '#')
+            rows += !head, head = 0;
+    return rows;
+}
+
+/* Up to three parts. What is merged has the rows that its last line counts. */
+int fuzz_merge(const uint8_t *data, size_t size) {
+    section s[3];
+    static const char *const names[] = {"part-1.csv", "part-2.csv", "part-3.csv"};
+    char *argv[8] = {"merge", "--quiet", "--output"};
+    int argc = 4;
+    fuzz_sections(s, 3, data, size);
+    argv[3] = (char *)fuzz_file("merged.csv", NULL, 0);
+    for (int k = 0; k < 3; k++)
+        if (s[k].size || k == 0)
+            argv[argc++] = (char *)fuzz_file(names[k], s[k].data, s[k].size);
+    int taken = run(&command_merge, argv, argc);
+    if (taken) {
+        size_t length;
+        char *text = fuzz_read(argv[3], &length);
+        /* Parts with NUL bytes in their rows are copied as they are. */
+        const char *last = strlen(text) == length ? strstr(text, "\n# complete ") : NULL;
+        if (last)
+            EXPECT(rows_of(text) == strtoul(last + 12, NULL, 10) ||
+                   strstr(last + 1, "\n# complete "));
+        free(text);
+    }
+    return taken;
+}
