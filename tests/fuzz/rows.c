@@ -23,7 +23,7 @@ static size_t answer_block(answerer *a, block *b) {
         row_run *r = &b->runs[first];
         size_t left = b->count - first;
         r->taken = left < RUN_ROWS ? left : RUN_ROWS;
-        answer(a, b, first);
+        answer(a, r, b, first);
         EXPECT(r->done <= r->taken);
         EXPECT((r->done < r->taken) == (r->fault.status != 0));
         EXPECT(r->fault.status == 0 || r->fault.status == EXIT_INPUT ||
@@ -57,7 +57,7 @@ static int read_points(const char *path, int dimension, shard part, graze_format
     EXPECT(answerer_init(&a, &o, scene, (row_source){csv_columns(points), NULL, part}) ==
            EXIT_DONE);
     block_reset(b, 0);
-    int status = csv_fill(points, b);
+    int status = csv_fill(points, b, BLOCK_ROWS);
     EXPECT(status == EXIT_DONE || status == EXIT_INPUT || status == EXIT_LIMIT);
     EXPECT((status == EXIT_DONE) == (csv_fault(points)->status == 0));
     rows = answer_block(&a, b);

@@ -14,6 +14,7 @@ static void look_at(const graze_solid *solid) {
     EXPECT(graze_solid_facet_count(solid) >= (d == 2 ? 3 : 2));
     EXPECT(graze_solid_component_count(solid) >= 1);
     EXPECT(graze_solid_component_count(solid) <= graze_solid_facet_count(solid));
+    EXPECT(graze_solid_note(solid) && !strchr(graze_solid_note(solid), '\n'));
 }
 
 /* A solid that was found legal is read again by its hash, and is the same. */

@@ -187,8 +187,8 @@ static void write_ways(void) {
 /* In the process of a run: what it is to see. */
 static void enter(const char *folder, const char *mode, long n) {
     char path[4096];
-    snprintf(path, sizeof path, "%s/%s-%ld", folder, mode, n);
-    if (chdir(path) != 0)
+    int length = snprintf(path, sizeof path, "%s/%s-%ld", folder, mode, n);
+    if (length >= (int)sizeof path || chdir(path) != 0)
         die(path);
     int out = open("out", O_WRONLY | O_CREAT | O_TRUNC, 0666);
     int err = open("err", O_WRONLY | O_CREAT | O_TRUNC, 0666);
