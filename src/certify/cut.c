@@ -7,6 +7,8 @@
 #include <string.h>
 #include "certify/certify.h"
 
+enum { MOST_CORNERS = 500 }; /* as in the checker */
+
 /* The corners left of a facet, seen along an axis in which its normal is not zero. */
 typedef struct outline {
     const soup *s;
@@ -136,6 +138,11 @@ static graze_status cut_facet(soup *out, graze_context *context, const soup *in,
         return context_fail(context, GRAZE_EILLEGAL,
                             "facet %zu has holes; right is a solid in .off, whose facets have none",
                             facet);
+    if (n > MOST_CORNERS)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "facet %zu has %zu corners, too many for a checker to cut; right are "
+                            "at most %d",
+                            facet, n, MOST_CORNERS);
     outline o = {in, n, malloc(n * sizeof *o.corner), 0, 0, 0};
     if (!o.corner)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a facet");

@@ -21,7 +21,7 @@ enum {
     MOST_DEPTH = 200,     /* of brackets */
     MOST_LINE = 1 << 26,  /* bytes of a line of a certificate or a table */
     MOST_WORD = 100000,   /* letters of a word */
-    MOST_CORNERS = 2000   /* vertices of one facet */
+    MOST_CORNERS = 500    /* vertices of one facet */
 };
 
 /** Write `graze-check: refuted: MESSAGE`, exit with status 1. */

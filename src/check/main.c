@@ -169,7 +169,7 @@ static void begin_row(checker *c, const char *at, const char *end) {
             fail(c, "a coordinate is not a number");
     word w = want(c, &at, end, "the word");
     for (size_t k = 0; k < w.length; k++)
-        if (!strchr("IBO", w.at[k]))
+        if (w.at[k] != 'I' && w.at[k] != 'B' && w.at[k] != 'O')
             fail(c, "the word is not of the letters I, B and O");
     if (w.length > MOST_WORD)
         give_up("%s:%zu: a word of more than %d letters", c->l.path, c->l.line, MOST_WORD);
@@ -211,7 +211,6 @@ static void end_row(checker *c) {
 static void read_interval(checker *c, word kind, const char *at, const char *end) {
     mpq_t to;
     poly q;
-    size_t room = 0;
     word w;
     mpq_init(to);
     poly_init(&q);
@@ -222,18 +221,7 @@ static void read_interval(checker *c, word kind, const char *at, const char *end
     while (word_next(&w, &at, end)) {
         if (q.n > MOST_DEGREE)
             give_up("%s:%zu: a polynomial of degree above %d", c->l.path, c->l.line, MOST_DEGREE);
-        if (q.n == room) { /* poly_zeros would forget */
-            poly longer;
-            poly_init(&longer);
-            room = 2 * room + 4;
-            poly_zeros(&longer, room);
-            for (size_t k = 0; k < q.n; k++)
-                mpz_set(longer.c[k], q.c[k]);
-            longer.n = q.n;
-            poly_clear(&q);
-            q = longer;
-        }
-        if (!integer_read(q.c[q.n++], w))
+        if (!integer_read(*poly_next(&q), w))
             fail(c, "a coefficient is not an integer");
     }
     int given = q.n > 0;

@@ -57,6 +57,11 @@ static void extend(poly *p, size_t n) {
         mpz_set_ui(p->c[p->n], 0);
 }
 
+mpz_t *poly_next(poly *p) {
+    extend(p, p->n + 1);
+    return &p->c[p->n - 1];
+}
+
 static void combine(poly *out, const poly *a, const poly *b,
                     void (*op)(mpz_ptr, mpz_srcptr, mpz_srcptr)) {
     poly other;

@@ -17,6 +17,8 @@ void poly_clear(poly *p);
 /** Set to n coefficients that are zero and may be written; poly_trim restores the invariant. */
 void poly_zeros(poly *p, size_t n);
 void poly_trim(poly *p);
+/** One more coefficient behind the last, 0 until it is written; then poly_trim. */
+mpz_t *poly_next(poly *p);
 void poly_set(poly *out, const poly *p);
 void poly_set_z(poly *out, const mpz_t value);
 void poly_add(poly *out, const poly *a, const poly *b);

@@ -95,11 +95,12 @@ static int turn(const outline *o, size_t p, size_t q, size_t r) {
     return out;
 }
 
-/* The outline's normal (Newell), and that all corners lie in its plane. */
-static void look_along(outline *o, size_t facet) {
+/* Choose the axis by the outline's normal (Newell); 1 if all corners lie in one plane. */
+static int look_along(outline *o, size_t facet) {
+    int planar = 1;
     const mpz_t *x = (const mpz_t *)o->s->x;
-    mpz_t n[3], a, sum, first;
-    mpz_inits(n[0], n[1], n[2], a, sum, first, NULL);
+    mpz_t n[3], sum, first;
+    mpz_inits(n[0], n[1], n[2], sum, first, NULL);
     for (size_t k = 0; k < o->n; k++) {
         size_t p = 3 * o->v[k], q = 3 * o->v[(k + 1) % o->n];
         for (size_t i = 0; i < 3; i++) {
@@ -120,11 +121,11 @@ static void look_along(outline *o, size_t facet) {
         mpz_set_ui(sum, 0);
         for (size_t i = 0; i < 3; i++)
             mpz_addmul(sum, n[i], x[3 * o->v[k] + i]);
-        if (k > 0 && mpz_cmp(sum, first) != 0)
-            refute("solid: facet %zu is not planar", facet);
+        planar = planar && (k == 0 || mpz_cmp(sum, first) == 0);
         mpz_set(first, sum);
     }
-    mpz_clears(n[0], n[1], n[2], a, sum, first, NULL);
+    mpz_clears(n[0], n[1], n[2], sum, first, NULL);
+    return planar;
 }
 
 static int is_ear(const outline *o, size_t k) {
@@ -141,9 +142,8 @@ static int is_ear(const outline *o, size_t k) {
 
 /* Cut off the first ear of the list, again and again. That the triangles make up the facet follows
  * from the test of the whole solid. */
-static void cut_ears(solid *s, size_t *room, size_t *v, size_t n, size_t facet) {
-    outline o = {s, n, v, 0, 0, 0};
-    look_along(&o, facet);
+static void cut_ears(solid *s, size_t *room, outline o, size_t facet) {
+    size_t *v = o.v;
     while (o.n >= 3) {
         size_t k = 0;
         while (k < o.n && !is_ear(&o, k))
@@ -185,6 +185,17 @@ static int next_line(draft *f, word *out) {
     return 0;
 }
 
+static void cut_facet(solid *s, size_t *room, size_t *v, size_t n, size_t facet, int triangulate) {
+    outline o = {s, n, v, 0, 0, 0};
+    int planar = n == 3 || look_along(&o, facet);
+    if (!planar && !triangulate)
+        refute("solid: facet %zu is not planar", facet);
+    if (n > 3 && planar)
+        cut_ears(s, room, o, facet);
+    else
+        cut_fan(s, room, v, n, facet);
+}
+
 static void read_off_facet(solid *s, size_t *room, draft *f, const size_t *number, size_t vertices,
                            size_t facet, int triangulate) {
     word line, w;
@@ -199,10 +210,16 @@ static void read_off_facet(solid *s, size_t *room, draft *f, const size_t *numbe
             fail(f, "a corner is not the number of a vertex");
         v[k] = number[v[k]];
     }
-    if (triangulate || n == 3)
-        cut_fan(s, room, v, n, facet);
-    else
-        cut_ears(s, room, v, n, facet);
+    size_t colours = 0;
+    mpq_t colour;
+    mpq_init(colour);
+    for (; word_next(&w, &at, end); colours++)
+        if (!number_read(colour, w))
+            fail(f, "what follows a facet's corners is no colour");
+    mpq_clear(colour);
+    if (colours == 2 || colours > 4)
+        fail(f, "a colour has 1, 3 or 4 numbers");
+    cut_facet(s, room, v, n, facet, triangulate);
 }
 
 static void read_off(solid *s, draft *f, int triangulate) {
