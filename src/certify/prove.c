@@ -47,9 +47,14 @@ static void add_near(enclosure *e, uint32_t simplex) {
     e->near[e->count++] = simplex;
 }
 
+/* So many near simplices that a shorter interval is cheaper; no bound in the end. */
+static size_t many(const enclosure *e) {
+    return (size_t)48 << (e->at.exponent < 60 ? e->at.exponent / 2 : 30);
+}
+
 static void search(enclosure *e, const box *b, size_t index) {
     const tree_node *node = &e->solid->boxes.node[index];
-    if (!box_meets(&node->box, b))
+    if (e->count > many(e) || !box_meets(&node->box, b))
         return;
     if (!node->child) {
         add_near(e, node->simplex);
@@ -60,7 +65,7 @@ static void search(enclosure *e, const box *b, size_t index) {
 }
 
 /* The checker's boxes may be wider than ours by 2^-46 of a coordinate: look for more than it will
- * find. Returns 0 where a coefficient of the weight is not positive. */
+ * find. Returns 0 where a coefficient of the weight is not positive, or simplices are many. */
 static int enclose(enclosure *e, const dyadic_interval *at) {
     box b;
     dyadic_interval_set(&e->at, at);
@@ -74,7 +79,7 @@ static int enclose(enclosure *e, const dyadic_interval *at) {
         b.high[i] += fabs(b.high[i]) * 0x1p-40;
     }
     search(e, &b, 0);
-    return !e->out_of_memory;
+    return !e->out_of_memory && e->count <= many(e);
 }
 
 static void pull_back(fmpz_t out, const enclosure *e, const fmpz *form, slong k) {
