@@ -11,7 +11,7 @@
 #include "trace/search.h"
 #include "trace/touch.h"
 #include "trace/trace.h"
-#include "verdict/verdict.h"
+#include "verdict/classify.h"
 
 enum { DEEPEST = 2000 };
 
@@ -380,9 +380,7 @@ static graze_status certify_piece(text *out, graze_context *context, const certi
     const motion_piece *piece = &with->scene->motion->piece[index];
     piece_row r = {.out = out, .context = context, .with = with, .piece = piece};
     trajectory_init(&r.c, with->scene->motion->dimension);
-    trajectory_set(
-        &r.c, with->scene->options.operation == GRAZE_UNSWEEP ? &piece->forward : &piece->inverse,
-        point);
+    trajectory_set(&r.c, motion_tracing(piece, with->scene->options.operation), point);
     touches_init(&r.t);
     enclosure_init(&r.e, with->solid, &r.c);
     graze_status status = find_events(&r);
@@ -426,14 +424,11 @@ static void put_row(text *out, const certifier *c, const fmpq *point, const graz
 }
 
 graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point) {
-    trace_scene through = {c->scene->solid, c->scene->motion, c->scene->options.operation,
-                           &c->scene->filter};
     graze_trace trace;
     graze_status status =
-        trace_point(&trace, context, &through, (query_point){.rational = point}, TRACE_WORD);
+        classify_point(&trace, context, c->scene, (query_point){.rational = point}, TRACE_WORD);
     if (status)
         return status;
-    verdict_decide(&trace, &c->scene->options);
     put_row(out, c, point, &trace);
     trace_clear(&trace);
     for (size_t k = 0; k < c->scene->motion->piece_count && !status; k++)
