@@ -1,6 +1,6 @@
-/* Facets cut into triangles in the way proofs/certificate.md lays down: ear by ear, the first ear
- * of the list each time; facets that are not planar as a fan. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* Facets cut into triangles in the way proofs/certificate.md lays down: the first ear each time;
+ * facets that are not planar as a fan.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>

@@ -7,8 +7,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Each mutant of each chosen row is given to graze-check. It must be refuted, unless its kind is in
 STILL_TRUE: then it may be accepted, and what it says of each point must be what graze says. At
 least 1000 mutants over at least 30 scenes, hashes being right unless they are what is changed.
-With --scale 2 and more all mutants of so many rows of each scene, else every sixth of one row and
-all forgeries.
+With --scale N, N > 1, all mutants of N + 2 rows of each scene, else every twelfth of three rows and all
+forgeries.
 """
 import collections
 import concurrent.futures
@@ -297,9 +297,9 @@ def main():
                 answer_options(case.options)))
             scenes += 1
             jobs = [(case, f"{n}-{r}-{k}", kind, text)
-                    for r, row in enumerate(chosen_rows(certificate, wanted.scale))
+                    for r, row in enumerate(chosen_rows(certificate, wanted.scale + 2))
                     for k, (kind, text) in enumerate(mutants(certificate, row))
-                    if wanted.scale > 1 or (k + n) % 6 == 0 or kind.startswith("forged")]
+                    if wanted.scale > 1 or (k + n) % 12 == 0 or kind.startswith("forged")]
             for kind, accepted, failure in pool.map(lambda job: judge.judge(*job), jobs):
                 (judge.accepted if accepted else judge.refuted)[kind] += 1
                 tally.holds(failure is None, failure)

@@ -7,7 +7,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Of an illegal solid graze certify makes no certificate. It gets that of a small cube (square) far
 from the one point asked about, with the hashes of its own files.
 """
-import json
 import os
 import tempfile
 from fractions import Fraction
@@ -232,7 +231,10 @@ def check_motions(tally, programs, folder):
         check_other(tally, programs, folder, certificate, name, solid, motion, (REFUTED, NOT_CHECKED))
     halves = [PIECE % ("0", "1/2", "t"), PIECE % ("1/2", "1", "t")]
     motion = write(os.path.join(folder, "two.json"), '{"dimension": 3, "pieces": [' + ",".join(halves) + "]}")
-    tally.holds(json.loads(MOVE[3])["dimension"] == 3, "the motion is JSON")
+    points = write(os.path.join(folder, "points.csv"), "1000,1000,1000\n")
+    cut = Certificate(programs.certify(solid, motion, points))
+    jump = write(os.path.join(folder, "jump.json"), '{"dimension": 3, "pieces": [' + MOTIONS["a jump"] + "]}")
+    check_other(tally, programs, folder, cut, "a jump, everything else right", solid, jump, (REFUTED,))
     check_other(tally, programs, folder, certificate, "an interval over a break point", solid, motion, (REFUTED,))
 
 

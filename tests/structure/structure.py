@@ -8,7 +8,7 @@ import re
 import subprocess
 import sys
 
-ORDER = ["context", "number", "motion solid", "filter", "scene", "trace", "verdict generate", "report compare certify", "convert boundary draw", "png", "api",
+ORDER = ["context", "number", "motion solid", "filter", "scene", "trace", "verdict generate", "report compare", "convert boundary draw certify", "png", "api",
          "cli", "mpi"]
 RANK = {stage: rank for rank, stages in enumerate(ORDER) for stage in stages.split()}
 TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".ci", "LICENSE",
