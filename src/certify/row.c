@@ -353,7 +353,7 @@ static graze_status put_piece(piece_row *r) {
     for (size_t k = 0; k <= r->count && !status; k++) {
         event *v = k < r->count ? &r->event[k] : NULL;
         int held = v && v->place && (r->gap[k] == 'B' || r->gap[k + 1] == 'B');
-        if (held && v->place < 0)
+        if (v && held && v->place < 0)
             continue;
         if (!v || held)
             join(&gap, at, exponent, one, 0);

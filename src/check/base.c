@@ -21,12 +21,14 @@ void refute(const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     end(REFUTED, "refuted", format, arguments);
+    // cppcheck-suppress va_end_missing
 }
 
 void give_up(const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     end(NOT_CHECKED, "not checked", format, arguments);
+    // cppcheck-suppress va_end_missing
 }
 
 void *grow(void *old, size_t count, size_t size) {

@@ -110,9 +110,9 @@ static int look_along(outline *o, size_t facet) {
         }
     }
     int axis = 0;
-    while (axis < 3 && mpz_sgn(n[axis]) == 0)
+    while (axis < 2 && mpz_sgn(n[axis]) == 0)
         axis++;
-    if (axis == 3)
+    if (mpz_sgn(n[axis]) == 0)
         refute("solid: facet %zu has no area", facet);
     o->b = (axis + 1) % 3;
     o->c = (axis + 2) % 3;
@@ -224,7 +224,7 @@ static void read_off_facet(solid *s, size_t *room, draft *f, const size_t *numbe
 
 static void read_off(solid *s, draft *f, int triangulate) {
     word line, w;
-    size_t counts[3], have = 0, room = 0;
+    size_t counts[3] = {0, 0, 0}, have = 0, room = 0;
     const char *at, *end;
     if (!next_line(f, &line))
         fail(f, "OFF is expected");

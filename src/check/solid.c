@@ -126,7 +126,7 @@ static int compare_keys(const void *a, const void *b) {
 
 /* Fill a node with n simplices; halves along the longest side. */
 static void build(solid *s, size_t at, keyed *k, size_t n) {
-    box all;
+    box all = {{0, 0, 0}, {0, 0, 0}};
     int axis = 0;
     for (size_t i = 0; i < n; i++)
         box_add(&all, &s->simplex[k[i].simplex].box, i == 0);

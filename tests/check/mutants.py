@@ -163,6 +163,7 @@ def forged(row, certificate, start):
         interval[0] = "".join(turned[letter] for letter in interval[0])
     if "".join(turned[x] for x in row.word) != row.word:
         yield "forged: in and out", consistent(out)
+    yield from denied(row, consistent)
     for k, interval in enumerate(row.intervals):
         kind, mid = interval[0], (end_of(row, k - 1, start) + end_of(row, k, start)) / 2
         linear = [str(-mid.numerator), str(mid.denominator)]
@@ -182,12 +183,53 @@ def forged(row, certificate, start):
             for later in rest.intervals[k + 1:]:
                 later[0] = "".join(turned[x] for x in later[0])
             yield "forged: a crossing invented", consistent(rest)
+        if len(kind) == 3:
+            yield from joined(row, k, consistent)
         if len(kind) == 3 and {kind[0], kind[2]} == {"O", "I"}:
             rest = copy.deepcopy(row)
             rest.intervals[k] = [kind[0] + "B" + kind[0], *interval[1:]]
             for later in rest.intervals[k + 1:]:
                 later[0] = "".join(turned[x] for x in later[0])
             yield "forged: a crossing as a touch", consistent(rest)
+
+
+def denied(row, consistent):
+    """Whole contacts left out: clear intervals in their place; what comes after a crossing is turned."""
+    k = 0
+    while k < len(row.intervals):
+        first = k
+        while "B" in row.intervals[k][0] and row.intervals[k][0][-1] == "B" and k + 1 < len(row.intervals):
+            k += 1
+        letters = [x for x in (row.intervals[first][0][0], row.intervals[k][0][-1]) if x != "B"]
+        if "B" in "".join(i[0] for i in row.intervals[first:k + 1]) and letters:
+            out = copy.deepcopy(row)
+            for interval in out.intervals[first:k + 1]:
+                interval[:] = [letters[0], interval[1]]
+            if letters[0] != letters[-1]:
+                for later in out.intervals[k + 1:]:
+                    later[0] = later[0].translate(str.maketrans("IO", "OI"))
+            yield "forged: a contact denied", consistent(out)
+        k += 1
+
+
+def product(a, b):
+    return [sum(int(a[i]) * int(b[n - i]) for i in range(len(a)) if 0 <= n - i < len(b))
+            for n in range(len(a) + len(b) - 1)]
+
+
+def joined(row, k, consistent):
+    """Two roots as one: of the product of their polynomials, with what lies between left out."""
+    first = row.intervals[k]
+    for j in range(k + 1, len(row.intervals)):
+        last = row.intervals[j]
+        if len(last[0]) == 1 and last[0] != "B":
+            continue
+        if len(last[0]) == 3:
+            out = copy.deepcopy(row)
+            out.intervals[k:j + 1] = [[first[0][0] + "B" + last[0][2], last[1],
+                                       *map(str, product(first[2:], last[2:]))]]
+            yield "forged: two contacts as one", consistent(out)
+        return
 
 
 def whole(certificate):

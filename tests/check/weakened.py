@@ -18,7 +18,6 @@ from tally import Tally, options
 WEAKENED = [
     ("trace.c", "if (changes != 1 || c->q_left == 0 || c->q_right == 0)", "if (0)", "mutants"),
     ("trace.c", "if (mpq_cmp(r->at, to) >= 0)", "if (0)", "mutants"),
-    ("trace.c", "if (r->length > 0 && r->word[r->length - 1] != *kind.at)", "if (0)", "mutants"),
     ("trace.c", "if (!forced && !c->mid_certain)", "if (0)", "mutants"),
     ("trace.c", "if (!cleared(r, f))\n            refute(", "if (0)\n            refute(", "mutants"),
     ("trace.c", "if (!found)\n", "if (0)\n", "mutants"),
