@@ -39,7 +39,7 @@ PACKAGES_PROOFS := $(PACKAGES_BUILD) coq python3
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 comma   := ,
-LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/% src/png/%,$(wildcard src/*/*.c))
+LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/% src/png/% src/check/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
 CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c))
@@ -57,7 +57,7 @@ FUZZ_O  := $(patsubst %.c,$B/%.o,$(filter-out %/entry.c %/replay.c,$(wildcard te
 REPLAY  := $B/tests/fuzz/replay
 
 .PHONY: all
-all: $B/.packages-build $B/graze $B/libgraze.a $B/libgraze.so $(MPI) $(PNG)
+all: $B/.packages-build $B/graze $B/graze-check $B/libgraze.a $B/libgraze.so $(MPI) $(PNG)
 
 .PHONY: help
 help:
@@ -137,6 +137,10 @@ $B/libgraze-png-$(VERSION).so: $B/src/png/png.o
 $B/graze: $(CLI_O) $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../lib) -o $@ $^ $(LIBS)
+# The checker of certificates stands alone: C11 and GMP, one line.
+$B/graze-check: $(wildcard src/check/*.[ch]) | $B/.packages-build
+	@echo "  CC   $@"
+	@$(CC) -std=c11 $(OPT) -g $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.c,$^) -lgmp -lm
 $B/graze-mpi: $(MPI_O) $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $$(mpicc --showme:link) $(LIBS)
@@ -245,7 +249,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	$(check_paths)
 	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR) $(LIBDIR)/pkgconfig $(CMAKEDIR) \
 	  $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
-	@install -s $B/graze $(MPI) $(DESTDIR)$(BINDIR)
+	@install -s $B/graze $B/graze-check $(MPI) $(DESTDIR)$(BINDIR)
 	@install -m 644 include/graze.h $(DESTDIR)$(INCLUDEDIR)
 	@install -m 644 $B/install/libgraze.a $(DESTDIR)$(LIBDIR)
 	@install -s -m 644 $B/libgraze.so $(DESTDIR)$(LIBDIR)/libgraze.so.$(VERSION)
@@ -270,7 +274,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 .PHONY: uninstall
 uninstall:
 	$(check_paths)
-	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(BINDIR)/graze-mpi $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
+	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(BINDIR)/graze-check $(BINDIR)/graze-mpi $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
 	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION) libgraze-png-$(VERSION).so) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
 	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
 	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list

@@ -64,7 +64,7 @@ typedef struct command {
 
 extern const command command_check, command_classify, command_explain, command_generate,
     command_cases, command_compare, command_validate, command_merge, command_motion,
-    command_boundary, command_draw;
+    command_boundary, command_draw, command_certify;
 
 /**
  * Read the options of a command; `argv[0]` is the command's name. Says on standard error what is

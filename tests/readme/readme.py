@@ -79,7 +79,7 @@ def link_into(folder, build):
         if not name.startswith("build"):
             os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
     os.mkdir(os.path.join(folder, "build"))
-    for name in ("graze", "libgraze.a", "libgraze.so"):
+    for name in ("graze", "graze-check", "libgraze.a", "libgraze.so"):
         path = os.path.join(build, name)
         if check(os.path.exists(path), f"{path} is missing"):
             os.symlink(path, os.path.join(folder, "build", name))
@@ -205,6 +205,7 @@ def names(texts, graze):
     described = set(re.findall(r"^\| `graze ([a-z]+)", texts["README.md"], re.M))
     check(described == set(commands), f"commands: {sorted(commands)}, described: {sorted(described)}")
     helps = overview + "".join(asked(graze, command, "--help") for command in commands)
+    helps += asked(graze + "-check", "--help")
     known = set(re.findall(r"--[a-z][a-z-]*", helps)) | {"--help"} | OF_OTHERS
     for option in sorted(set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))):
         check(option in known, f"{option} is in no --help")

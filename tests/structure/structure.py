@@ -8,11 +8,13 @@ import re
 import subprocess
 import sys
 
-ORDER = ["context", "number", "motion solid", "filter", "scene", "trace", "verdict generate", "report compare", "convert boundary draw", "png", "api",
+ORDER = ["context", "number", "motion solid", "filter", "scene", "trace", "verdict generate", "report compare", "convert boundary draw certify", "png", "api",
          "cli", "mpi"]
 RANK = {stage: rank for rank, stages in enumerate(ORDER) for stage in stages.split()}
 TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".ci", "LICENSE",
        "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", ".clang-format", ".gitignore"}
+# What the checker of certificates may include.
+STANDARD = {"gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h"}
 failures = []
 checks = 0
 
@@ -38,6 +40,15 @@ def main():
         with open(path, encoding="utf-8") as file:
             text = file.read()
         stage = stage_of(path)
+        if stage == "check":  # the checker of certificates shares nothing with the rest
+            check("SPDX-License-Identifier: MIT" in text, f"{path}: no licence line")
+            for included in re.findall(r'#include "([^"]+)"', text):
+                check(os.path.exists(f"src/check/{included}") and "/" not in included,
+                      f"{path} includes {included}")
+            check(set(re.findall(r"#include <([^>]+)>", text)) <= STANDARD,
+                  f"{path} includes more than the C library and GMP")
+            check(len(text.splitlines()) <= 500, f"{path} has more than 500 lines")
+            continue
         check(stage in RANK, f"{path}: {stage} is no stage")
         check("SPDX-License-Identifier: GPL-3.0-or-later" in text, f"{path}: no licence line")
         for included in re.findall(r'#include "([^"]+)"', text):

@@ -1,0 +1,253 @@
+/* The checker's tests, foreseen on polynomials of FLINT.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "certify/prove.h"
+
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { UNKNOWN = 2 };
+
+/* Signs before, at and after the root, or UNKNOWN; 0 before or after: the polynomial is zero. */
+typedef struct profile {
+    int left, mid, right;
+} profile;
+
+static slong terms(const enclosure *e) {
+    return e->c->degree + 1;
+}
+
+void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c) {
+    *e = (enclosure){.solid = solid, .c = c};
+    dyadic_interval_init(&e->at);
+    e->coefficients = _fmpz_vec_init((c->dimension + 1) * terms(e));
+    e->value = _fmpz_vec_init(terms(e));
+}
+
+void enclosure_clear(enclosure *e) {
+    dyadic_interval_clear(&e->at);
+    _fmpz_vec_clear(e->coefficients, (e->c->dimension + 1) * terms(e));
+    _fmpz_vec_clear(e->value, terms(e));
+    for (int k = 0; k < 8; k++)
+        fmpz_clear(e->form + k);
+    free(e->near);
+}
+
+static void add_near(enclosure *e, uint32_t simplex) {
+    if (e->count == e->capacity) {
+        size_t capacity = 2 * e->capacity + 16;
+        uint32_t *larger = realloc(e->near, capacity * sizeof *larger);
+        e->out_of_memory = e->out_of_memory || !larger;
+        if (!larger)
+            return;
+        e->near = larger;
+        e->capacity = capacity;
+    }
+    e->near[e->count++] = simplex;
+}
+
+/* So many near simplices that a shorter interval is cheaper; no bound in the end. */
+static size_t many(const enclosure *e) {
+    return (size_t)48 << (e->at.exponent < 60 ? e->at.exponent / 2 : 30);
+}
+
+static void search(enclosure *e, const box *b, size_t index) {
+    const tree_node *node = &e->solid->boxes.node[index];
+    if (e->count > many(e) || !box_meets(&node->box, b))
+        return;
+    if (!node->child) {
+        add_near(e, node->simplex);
+        return;
+    }
+    search(e, b, node->child);
+    search(e, b, node->child + 1);
+}
+
+/* The checker's boxes may be wider than ours by 2^-46 of a coordinate: look for more than it will
+ * find. Returns 0 where a coefficient of the weight is not positive, or simplices are many. */
+static int enclose(enclosure *e, const dyadic_interval *at) {
+    box b;
+    dyadic_interval_set(&e->at, at);
+    for (int i = 0; i <= e->c->dimension; i++)
+        bernstein_from_poly(e->coefficients + i * terms(e), &e->c->x[i], e->c->degree, at);
+    e->count = 0;
+    if (!trajectory_bound(&b, e->c, e->coefficients))
+        return 0;
+    for (int i = 0; i < e->c->dimension; i++) {
+        b.low[i] -= fabs(b.low[i]) * 0x1p-40;
+        b.high[i] += fabs(b.high[i]) * 0x1p-40;
+    }
+    search(e, &b, 0);
+    return !e->out_of_memory && e->count <= many(e);
+}
+
+static void pull_back(fmpz_t out, const enclosure *e, const fmpz *form, slong k) {
+    fmpz_zero(out);
+    for (int i = 0; i <= e->c->dimension; i++)
+        fmpz_addmul(out, form + i, e->coefficients + i * terms(e) + k);
+}
+
+/* All strictly of one sign: that sign, else 0. */
+static int one_sign(const fmpz *c, slong count) {
+    int sign = count > 0 ? fmpz_sgn(c) : 0;
+    for (slong k = 1; k < count && sign; k++)
+        if (fmpz_sgn(c + k) != sign)
+            sign = 0;
+    return sign;
+}
+
+static int strict(enclosure *e, const fmpz *form) {
+    for (slong k = 0; k < terms(e); k++) {
+        pull_back(e->value + k, e, form, k);
+        if (fmpz_is_zero(e->value + k) || fmpz_sgn(e->value + k) != fmpz_sgn(e->value))
+            return 0;
+    }
+    return fmpz_sgn(e->value);
+}
+
+static int not_negative(enclosure *e, const fmpz *form, int zero) {
+    for (slong k = 0; k < terms(e); k++) {
+        pull_back(e->value, e, form, k);
+        if (fmpz_sgn(e->value) < 0 || (zero && !fmpz_is_zero(e->value)))
+            return 0;
+    }
+    return 1;
+}
+
+static const fmpz *plane_of(enclosure *e, size_t k) {
+    (void)solid_plane(e->form, e->solid, e->near[k]);
+    return e->form;
+}
+
+static const fmpz *side_of(enclosure *e, size_t k, int side) {
+    solid_side(e->form + 4, e->solid, e->near[k], e->form, side);
+    return e->form + 4;
+}
+
+static int cleared(enclosure *e, size_t k) {
+    if (strict(e, plane_of(e, k)))
+        return 1;
+    for (int i = 0; i < e->c->dimension; i++)
+        if (strict(e, side_of(e, k, i)) < 0)
+            return 1;
+    return 0;
+}
+
+int prove_clear(enclosure *e, const dyadic_interval *at) {
+    if (!enclose(e, at))
+        return 0;
+    for (size_t k = 0; k < e->count; k++)
+        if (!cleared(e, k))
+            return 0;
+    return 1;
+}
+
+int prove_slide(enclosure *e, const dyadic_interval *at) {
+    if (!enclose(e, at))
+        return 0;
+    for (size_t k = 0; k < e->count; k++) {
+        int holds = not_negative(e, plane_of(e, k), 1);
+        for (int i = 0; i < e->c->dimension && holds; i++)
+            holds = not_negative(e, side_of(e, k, i), 0);
+        if (holds)
+            return 1;
+    }
+    return 0;
+}
+
+/* Bernstein coefficients of p on the interval; a new vector of degree + 1. */
+static fmpz *coefficients_of(const fmpz_poly_t p, const dyadic_interval *at) {
+    fmpz *c = _fmpz_vec_init(fmpz_poly_length(p));
+    bernstein_from_poly(c, p, fmpz_poly_degree(p), at);
+    return c;
+}
+
+int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at) {
+    slong n = fmpz_poly_length(q), changes = 0;
+    fmpz *c = coefficients_of(q, at);
+    int last = 0, ends = !fmpz_is_zero(c) && !fmpz_is_zero(c + n - 1);
+    for (slong k = 0; k < n; k++) {
+        int sign = fmpz_sgn(c + k);
+        changes += sign && last && sign != last;
+        last = sign ? sign : last;
+    }
+    _fmpz_vec_clear(c, n);
+    return ends && changes == 1;
+}
+
+/* Signs of q beside its one root in the interval; +1 after it where the root is the lower end. */
+static void signs_beside(int *left, int *right, const enclosure *e, const root_claim *claim) {
+    int rising = dyadic_sign(claim->q, claim->left ? e->at.low : e->at.high, e->at.exponent) *
+                 (claim->left ? -1 : 1);
+    *left = -rising;
+    *right = rising;
+}
+
+static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *form) {
+    int sign = strict(e, form), q_left, q_right;
+    if (sign)
+        return (profile){sign, sign, sign};
+    profile out = {0, 0, 0};
+    fmpz_poly_t f, quotient;
+    fmpz_poly_init(f);
+    fmpz_poly_init(quotient);
+    trajectory_pullback(f, e->c, form);
+    if (!fmpz_poly_is_zero(f)) {
+        slong power = 0;
+        while (fmpz_poly_divides(quotient, f, claim->q)) {
+            fmpz_poly_swap(f, quotient);
+            power++;
+        }
+        fmpz *c = coefficients_of(f, &e->at);
+        sign = one_sign(c, fmpz_poly_length(f));
+        _fmpz_vec_clear(c, fmpz_poly_length(f));
+        signs_beside(&q_left, &q_right, e, claim);
+        out.left = sign ? sign * (power % 2 ? q_left : 1) : UNKNOWN;
+        out.mid = power ? 0 : UNKNOWN;
+        out.right = sign ? sign * (power % 2 ? q_right : 1) : UNKNOWN;
+    }
+    fmpz_poly_clear(f);
+    fmpz_poly_clear(quotient);
+    return out;
+}
+
+static int is_sign(int sign) {
+    return sign == 1 || sign == -1;
+}
+
+static int may_hold(int sign) {
+    return sign == 0 || sign == 1;
+}
+
+/* Bits of `holds`: before, at, after the root. Returns 0 if a side that must be free is not
+ * cleared. */
+static int meet(unsigned *holds, enclosure *e, const root_claim *claim, size_t k) {
+    profile p = profile_of(e, claim, plane_of(e, k));
+    int left_out = is_sign(p.left), right_out = is_sign(p.right);
+    unsigned in = (p.left == 0 ? 1u : 0) | (p.mid == 0 ? 2u : 0) | (p.right == 0 ? 4u : 0);
+    for (int i = 0; i < e->c->dimension; i++) {
+        p = profile_of(e, claim, side_of(e, k, i));
+        left_out = left_out || p.left == -1;
+        right_out = right_out || p.right == -1;
+        in &=
+            (may_hold(p.left) ? 1u : 0) | (may_hold(p.mid) ? 2u : 0) | (may_hold(p.right) ? 4u : 0);
+    }
+    *holds |= in;
+    return (claim->left == 'B' || !claim->left || left_out) &&
+           (claim->right == 'B' || !claim->right || right_out);
+}
+
+int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim) {
+    unsigned holds = 0;
+    if (!enclose(e, at))
+        return 0;
+    for (size_t k = 0; k < e->count; k++)
+        if (!cleared(e, k) && !meet(&holds, e, &claim, k))
+            return 0;
+    if ((claim.left == 'B' && !(holds & 1)) || (claim.right == 'B' && !(holds & 4)))
+        return 0;
+    int forced = claim.left && claim.right &&
+                 (claim.left == 'B' || claim.right == 'B' || claim.left != claim.right);
+    return forced || (holds & 2);
+}

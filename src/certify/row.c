@@ -1,0 +1,437 @@
+/* One row: the events of each piece of the motion, intervals around them, and the gaps between them
+ * cut until the checker's tests succeed.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_poly.h>
+#include <flint/fmpz_poly_factor.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "certify/certify.h"
+#include "certify/prove.h"
+#include "trace/search.h"
+#include "trace/touch.h"
+#include "trace/trace.h"
+#include "verdict/classify.h"
+
+enum { DEEPEST = 2000 };
+
+/* A time at which the trajectory is on the boundary and its state or cell changes: the root of q,
+ * primitive and irreducible, in u. */
+typedef struct event {
+    fmpz_poly_t q;
+    dyadic_interval at, known; /* what is hinted; what isolates the time from the start */
+    int place;                 /* -1: u = 0; 1: u = 1; else 0 */
+} event;
+
+typedef struct piece_row {
+    text *out;
+    graze_context *context;
+    const certifier *with;
+    const motion_piece *piece;
+    trajectory c;
+    touches t;
+    enclosure e;
+    size_t count;
+    event *event;
+    char *gap; /* count + 1 letters: before the first event, between two, after the last */
+} piece_row;
+
+static graze_status no_memory(graze_context *context) {
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for a certificate");
+}
+
+/* ------------------------------------------------------------------------------------- events */
+
+/* The irreducible factor of p that has the root in `where`. */
+static void find_factor(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *where) {
+    fmpz_poly_factor_t factors;
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor(factors, p);
+    for (slong k = 0; k < factors->num; k++)
+        if (dyadic_sign(factors->p + k, where->low, where->exponent) !=
+            dyadic_sign(factors->p + k, where->high, where->exponent))
+            fmpz_poly_set(out, factors->p + k);
+    fmpz_poly_factor_clear(factors);
+}
+
+static void set_linear(fmpz_poly_t q, const fmpq_t root) {
+    fmpz_t c;
+    fmpz_init(c);
+    fmpz_neg(c, fmpq_numref(root));
+    fmpz_poly_zero(q);
+    fmpz_poly_set_coeff_fmpz(q, 0, c);
+    fmpz_poly_set_coeff_fmpz(q, 1, fmpq_denref(root));
+    fmpz_clear(c);
+}
+
+static void event_set(event *v, const algebraic *time) {
+    fmpz_poly_init(v->q);
+    dyadic_interval_init(&v->at);
+    dyadic_interval_init(&v->known);
+    dyadic_interval_set_si(&v->at, 0, 1);
+    dyadic_interval_set_si(&v->known, 0, 1);
+    v->place = 0;
+    if (!algebraic_is_rational(time)) {
+        dyadic_interval_set(&v->known, &time->where);
+        find_factor(v->q, time->poly, &time->where);
+        return;
+    }
+    set_linear(v->q, time->value);
+    v->place = fmpq_is_zero(time->value) ? -1 : fmpq_is_one(time->value) ? 1 : 0;
+}
+
+/* The letter between ranks r and r + 1: B, or what one location finds. */
+static graze_status find_gap(char *out, piece_row *r, algebraic *from, algebraic *to) {
+    fmpq_t u;
+    fmpq_init(u);
+    if (from && to)
+        algebraic_between(u, from, to);
+    else if (to)
+        fmpq_zero(u);
+    else
+        fmpq_one(u);
+    fmpz *x = _fmpz_vec_init(r->c.dimension + 1);
+    trajectory_at(x, &r->c, u);
+    graze_state state = solid_locate(r->with->solid, x);
+    *out = state == GRAZE_STATE_I ? 'I' : 'O';
+    _fmpz_vec_clear(x, r->c.dimension + 1);
+    fmpq_clear(u);
+    return state == GRAZE_STATE_I || state == GRAZE_STATE_O
+               ? GRAZE_OK
+               : context_fail(r->context, GRAZE_EINTERNAL,
+                              "the point between two contacts is neither inside nor outside");
+}
+
+static graze_status find_gaps(piece_row *r) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < r->t.count; k++)
+        for (size_t j = r->t.item[k].from; j < r->t.item[k].to; j++)
+            r->gap[j + 1] = 'B';
+    for (size_t k = 0; k <= r->count && !status; k++) {
+        algebraic *from = k > 0 ? &r->t.time.item[r->t.by_rank[k - 1]] : NULL;
+        algebraic *to = k < r->count ? &r->t.time.item[r->t.by_rank[k]] : NULL;
+        int is_gap = (k > 0 || r->count == 0 || r->event[0].place != -1) &&
+                     (k < r->count || r->count == 0 || r->event[k - 1].place != 1);
+        if (is_gap && r->gap[k] != 'B')
+            status = find_gap(&r->gap[k], r, from, to);
+    }
+    return status;
+}
+
+static graze_status find_events(piece_row *r) {
+    candidates list = {0, 0, NULL};
+    graze_status status = search_candidates(&list, r->context, r->with->solid, &r->c);
+    if (!status)
+        status = touches_find(&r->t, r->context, r->with->solid, &r->c, &list);
+    if (!status)
+        status = touches_order(&r->t, r->context);
+    free(list.item);
+    for (size_t k = 0; k < r->t.count && !status; k++)
+        r->count = r->t.item[k].to + 1 > r->count ? r->t.item[k].to + 1 : r->count;
+    r->event = calloc(r->count + 1, sizeof *r->event);
+    r->gap = calloc(r->count + 1, 1);
+    if (!r->event || !r->gap) {
+        r->count = 0;
+        return no_memory(r->context);
+    }
+    for (size_t k = 0; k < r->count; k++)
+        event_set(&r->event[k], &r->t.time.item[r->t.by_rank[k]]);
+    return status ? status : find_gaps(r);
+}
+
+/* ---------------------------------------------------------------------------------- intervals */
+
+static void halve(dyadic_interval *at, int upper) {
+    dyadic_interval left, right;
+    dyadic_interval_init(&left);
+    dyadic_interval_init(&right);
+    dyadic_interval_halves(&left, &right, at);
+    dyadic_interval_swap(at, upper ? &right : &left);
+    dyadic_interval_clear(&left);
+    dyadic_interval_clear(&right);
+}
+
+/* Both halves of two neighbouring quarters: the middle half. */
+static void keep_middle(dyadic_interval *at) {
+    fmpz_t width;
+    fmpz_init(width);
+    fmpz_sub(width, at->high, at->low);
+    fmpz_mul_2exp(at->low, at->low, 2);
+    fmpz_mul_2exp(at->high, at->high, 2);
+    fmpz_add(at->low, at->low, width);
+    fmpz_sub(at->high, at->high, width);
+    at->exponent += 2;
+    fmpz_clear(width);
+}
+
+/* Sign of a / 2^i - b / 2^j. */
+static int compare_ends(const fmpz_t a, ulong i, const fmpz_t b, ulong j) {
+    fmpz_t x, y;
+    fmpz_init(x);
+    fmpz_init(y);
+    fmpz_mul_2exp(x, a, j);
+    fmpz_mul_2exp(y, b, i);
+    int order = fmpz_cmp(x, y);
+    fmpz_clear(x);
+    fmpz_clear(y);
+    return order;
+}
+
+/* At most half of the interval, around the time. */
+static void narrow(event *v) {
+    if (v->place) {
+        halve(&v->at, v->place > 0);
+        return;
+    }
+    fmpz_t middle;
+    fmpz_init(middle);
+    ulong exponent = v->at.exponent + 1;
+    fmpz_add(middle, v->at.low, v->at.high);
+    int sign = dyadic_sign(v->q, middle, exponent);
+    if (sign == 0)
+        keep_middle(&v->at);
+    else if (compare_ends(middle, exponent, v->known.high, v->known.exponent) >= 0)
+        halve(&v->at, 0);
+    else if (compare_ends(middle, exponent, v->known.low, v->known.exponent) <= 0)
+        halve(&v->at, 1);
+    else
+        halve(&v->at, sign == dyadic_sign(v->q, v->known.low, v->known.exponent));
+    fmpz_clear(middle);
+}
+
+static int before(const event *v, const event *w) {
+    return compare_ends(v->at.high, v->at.exponent, w->at.low, w->at.exponent) < 0;
+}
+
+/* Strictly inside [0, 1], but for the end that is the time itself. */
+static int is_inside(const event *v) {
+    fmpz_t one;
+    fmpz_init_set_ui(one, 1);
+    int inside = (v->place == -1 || fmpz_sgn(v->at.low) > 0) &&
+                 (v->place == 1 || compare_ends(v->at.high, v->at.exponent, one, 0) < 0);
+    fmpz_clear(one);
+    return inside;
+}
+
+static graze_status too_deep(const piece_row *r) {
+    return context_fail(r->context, GRAZE_EINTERNAL,
+                        "a part of a trajectory cannot be certified in %d halvings", DEEPEST);
+}
+
+/* Narrow each event until it is alone and the claim about it can be proved. */
+static graze_status place_events(piece_row *r) {
+    for (size_t k = 0; k < r->count; k++)
+        for (int n = 0; !is_inside(&r->event[k]) ||
+                        (!r->event[k].place && !prove_isolated(r->event[k].q, &r->event[k].at));
+             n++) {
+            if (n > DEEPEST)
+                return too_deep(r);
+            narrow(&r->event[k]);
+        }
+    for (size_t k = 1; k < r->count; k++)
+        for (int n = 0; !before(&r->event[k - 1], &r->event[k]); n++) {
+            if (n > DEEPEST)
+                return too_deep(r);
+            narrow(&r->event[k - 1]);
+            narrow(&r->event[k]);
+        }
+    for (size_t k = 0; k < r->count; k++) {
+        event *v = &r->event[k];
+        root_claim claim = {r->gap[k], r->gap[k + 1], v->q};
+        if (v->place && (claim.left == 'B' || claim.right == 'B'))
+            continue; /* the slide's own interval says it */
+        for (int n = 0; !prove_root(&r->e, &v->at, claim); n++) {
+            if (n > DEEPEST)
+                return too_deep(r);
+            narrow(v);
+        }
+    }
+    return GRAZE_OK;
+}
+
+/* --------------------------------------------------------------------------------------- text */
+
+static void put_time(piece_row *r, const fmpz_t numerator, ulong exponent) {
+    fmpq_t t, width;
+    fmpq_init(t);
+    fmpq_init(width);
+    dyadic_value(t, numerator, exponent);
+    fmpq_sub(width, r->piece->hi, r->piece->lo);
+    fmpq_mul(t, t, width);
+    fmpq_add(t, t, r->piece->lo);
+    text_rational(r->out, t);
+    fmpq_clear(t);
+    fmpq_clear(width);
+}
+
+/* q in the motion's parameter, primitive: u = (t - lo) / (hi - lo). */
+static void put_poly(piece_row *r, const fmpz_poly_t q) {
+    fmpq_poly_t f, u;
+    fmpq_t width, shift;
+    fmpz_poly_t out;
+    fmpq_poly_init(f);
+    fmpq_poly_init(u);
+    fmpq_init(width);
+    fmpq_init(shift);
+    fmpz_poly_init(out);
+    fmpq_sub(width, r->piece->hi, r->piece->lo);
+    fmpq_div(shift, r->piece->lo, width);
+    fmpq_neg(shift, shift);
+    fmpq_inv(width, width);
+    fmpq_poly_set_coeff_fmpq(u, 0, shift);
+    fmpq_poly_set_coeff_fmpq(u, 1, width);
+    fmpq_poly_set_fmpz_poly(f, q);
+    fmpq_poly_compose(f, f, u);
+    fmpq_poly_get_numerator(out, f);
+    fmpz_poly_primitive_part(out, out);
+    for (slong k = 0; k < fmpz_poly_length(out); k++) {
+        text_put(r->out, " ");
+        text_owned(r->out, fmpz_get_str(NULL, 10, fmpz_poly_get_coeff_ptr(out, k)));
+    }
+    fmpz_poly_clear(out);
+    fmpq_clear(shift);
+    fmpq_clear(width);
+    fmpq_poly_clear(u);
+    fmpq_poly_clear(f);
+}
+
+static void put_event(piece_row *r, const event *v, char left, char right) {
+    char kind[4] = {left, 'B', right, 0};
+    if (v->place) {
+        kind[0] = v->place < 0 ? 'B' : left;
+        kind[1] = v->place < 0 ? right : 'B';
+        kind[2] = 0;
+    }
+    text_put(r->out, kind);
+    text_put(r->out, " ");
+    put_time(r, v->at.high, v->at.exponent);
+    if (!v->place)
+        put_poly(r, v->q);
+    text_put(r->out, "\n");
+}
+
+/* Claim a letter on [low, high] / 2^exponent, in as few parts as halving gives. */
+static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at, int depth) {
+    if (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at)) {
+        text_format(r->out, "%c ", letter);
+        put_time(r, at->high, at->exponent);
+        text_put(r->out, "\n");
+        return GRAZE_OK;
+    }
+    if (depth > DEEPEST || r->e.out_of_memory)
+        return r->e.out_of_memory ? no_memory(r->context) : too_deep(r);
+    graze_status status = context_poll(r->context);
+    dyadic_interval left, right;
+    dyadic_interval_init(&left);
+    dyadic_interval_init(&right);
+    dyadic_interval_halves(&left, &right, at);
+    if (!status)
+        status = put_gap(r, letter, &left, depth + 1);
+    if (!status)
+        status = put_gap(r, letter, &right, depth + 1);
+    dyadic_interval_clear(&left);
+    dyadic_interval_clear(&right);
+    return status;
+}
+
+/* [from, to] as a dyadic interval. */
+static void join(dyadic_interval *out, const fmpz_t from, ulong i, const fmpz_t to, ulong j) {
+    ulong e = i > j ? i : j;
+    fmpz_mul_2exp(out->low, from, e - i);
+    fmpz_mul_2exp(out->high, to, e - j);
+    out->exponent = e;
+}
+
+static graze_status put_piece(piece_row *r) {
+    graze_status status = GRAZE_OK;
+    dyadic_interval gap;
+    fmpz_t at, one;
+    ulong exponent = 0;
+    dyadic_interval_init(&gap);
+    fmpz_init(at);
+    fmpz_init_set_ui(one, 1);
+    for (size_t k = 0; k <= r->count && !status; k++) {
+        event *v = k < r->count ? &r->event[k] : NULL;
+        int held = v && v->place && (r->gap[k] == 'B' || r->gap[k + 1] == 'B');
+        if (v && held && v->place < 0)
+            continue;
+        if (!v || held)
+            join(&gap, at, exponent, one, 0);
+        else
+            join(&gap, at, exponent, v->at.low, v->at.exponent);
+        if (fmpz_cmp(gap.low, gap.high) < 0)
+            status = put_gap(r, r->gap[k], &gap, 0);
+        if (held)
+            break;
+        if (!v)
+            continue;
+        put_event(r, v, r->gap[k], r->gap[k + 1]);
+        fmpz_set(at, v->at.high);
+        exponent = v->at.exponent;
+    }
+    fmpz_clear(at);
+    fmpz_clear(one);
+    dyadic_interval_clear(&gap);
+    return status;
+}
+
+static graze_status certify_piece(text *out, graze_context *context, const certifier *with,
+                                  size_t index, const fmpq *point) {
+    const motion_piece *piece = &with->scene->motion->piece[index];
+    piece_row r = {.out = out, .context = context, .with = with, .piece = piece};
+    trajectory_init(&r.c, with->scene->motion->dimension);
+    trajectory_set(&r.c, motion_tracing(piece, with->scene->options.operation), point);
+    touches_init(&r.t);
+    enclosure_init(&r.e, with->solid, &r.c);
+    graze_status status = find_events(&r);
+    if (!status)
+        status = place_events(&r);
+    if (!status)
+        status = put_piece(&r);
+    for (size_t k = 0; k < r.count; k++) {
+        fmpz_poly_clear(r.event[k].q);
+        dyadic_interval_clear(&r.event[k].at);
+        dyadic_interval_clear(&r.event[k].known);
+    }
+    free(r.event);
+    free(r.gap);
+    enclosure_clear(&r.e);
+    touches_clear(&r.t);
+    trajectory_clear(&r.c);
+    return status;
+}
+
+static void put_row(text *out, const certifier *c, const fmpq *point, const graze_trace *trace) {
+    const graze_verdict *v = &trace->verdict;
+    unsigned long ends = (unsigned long)(trace->first == GRAZE_STATE_I) +
+                         (unsigned long)(trace->last == GRAZE_STATE_I);
+    text_put(out, "row");
+    for (int k = 0; k < c->scene->motion->dimension; k++) {
+        text_put(out, " ");
+        text_rational(out, point + k);
+    }
+    text_format(out, " %s %s", trace->word, graze_pmc_name(v->pmc));
+    if (c->scene->options.operation == GRAZE_SWEEP) {
+        text_format(out, " %s ", graze_class_name(v->class_));
+        if (v->definition)
+            text_format(out, "%d", (int)v->definition);
+        else
+            text_put(out, "ext");
+        text_format(out, " %d %lu %lu %lu", (int)v->case_, (unsigned long)v->i, (unsigned long)v->t,
+                    ((unsigned long)v->i + ends) / 2);
+    }
+    text_put(out, "\n");
+}
+
+graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point) {
+    graze_trace trace;
+    graze_status status =
+        classify_point(&trace, context, c->scene, (query_point){.rational = point}, TRACE_WORD);
+    if (status)
+        return status;
+    put_row(out, c, point, &trace);
+    trace_clear(&trace);
+    for (size_t k = 0; k < c->scene->motion->piece_count && !status; k++)
+        status = certify_piece(out, context, c, k, point);
+    return status;
+}

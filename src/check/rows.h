@@ -1,0 +1,49 @@
+/* Lines of a file one by one; what a word says; the golden table beside the certificate.
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef CHECK_ROWS_H
+#define CHECK_ROWS_H
+
+#include <stdio.h>
+#include "base.h"
+
+typedef struct lines {
+    const char *path;
+    FILE *file;
+    char *text;
+    size_t room, line;
+} lines;
+
+lines lines_open(const char *path);
+/** The next line without its end, valid until the next; 0 at the end of the file. */
+int lines_next(lines *l, word *out);
+
+/** What proofs/claims.md sections 3 and 4 make of a word. */
+typedef struct verdict {
+    unsigned long i, t, k;
+    int position; /* 1 to 9; 0 for unsweep */
+    const char *pmc, *class_, *definition;
+} verdict;
+
+verdict verdict_of(const char *states, size_t length, int unsweep, int combined);
+
+/** What a certificate's head says. */
+typedef struct head {
+    int dimension, unsweep, combined, triangulate;
+    char solid[65], motion[65], scene[65];
+} head;
+
+/** A golden table, its head held to that of the certificate. */
+typedef struct table {
+    lines l;
+    const head *h;
+    size_t rows;
+} table;
+
+table table_open(const char *path, const head *h);
+/** The next row of the table must say this. */
+void table_row(table *t, const mpq_t *point, const char *states, const verdict *v);
+/** The table must end with `# complete N`. */
+void table_end(table *t);
+
+#endif

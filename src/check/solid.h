@@ -1,0 +1,73 @@
+/* The solid: its boundary cut into simplices (triangles; in the plane segments), forms, a tree.
+ * SPDX-License-Identifier: MIT
+ *
+ * All coordinates are multiplied by one positive integer `scale`, so that they are integers.
+ */
+#ifndef CHECK_SOLID_H
+#define CHECK_SOLID_H
+
+#include "base.h"
+
+/** A closed box in doubles that holds what it stands for. */
+typedef struct box {
+    double low[3], high[3];
+} box;
+
+/** A simplex: d vertices, outward oriented (d = 3: counter-clockwise seen from outside; d = 2: the
+ * inner side is on the left). Its plane form is positive outside; `axis` is the first coordinate in
+ * which its normal is not zero. */
+typedef struct simplex {
+    size_t v[3], facet;
+    mpz_t plane[4];
+    int axis;
+    box box;
+} simplex;
+
+/** Children of an inner node are `child` and `child` + 1; a leaf has child 0. */
+typedef struct node {
+    box box;
+    size_t child, simplex;
+} node;
+
+typedef struct solid {
+    int d;
+    size_t vertex_count, count, node_count;
+    mpz_t *x; /* d for each vertex; equal positions have one number */
+    mpz_t scale;
+    simplex *simplex;
+    node *node;
+} solid;
+
+/** Numbers of simplices. */
+typedef struct list {
+    size_t count, room, *item;
+} list;
+
+/** Read OFF or WKT by the path's extension, and cut the facets. Gives up at what it does not read;
+ * refutes what no solid has. */
+solid solid_read(const char *path, const char *text, size_t length, int triangulate);
+/** Forms, boxes, tree, of the simplices that the reader made. */
+void solid_finish(solid *s);
+
+/** The simplices whose boxes have a point in common with b. */
+void solid_near(list *out, const solid *s, const box *b);
+/** Side form k < d: not negative on the simplex within its plane, without the coordinate `axis`. d
+ * + 1 initialised integers. */
+void solid_side(mpz_t *out, const solid *s, const simplex *f, int k);
+/** The sign of a form at a homogeneous point of d + 1 integers, the last positive. */
+int form_sign(const mpz_t *form, const mpz_t *x, int d);
+
+/**
+ * The signed crossings of the ray from x in direction `axis`, displaced by infinitesimals
+ * (proofs/claims.md C6), over all simplices but `skip`.
+ * @return 0 if x lies on a simplex that is not skipped: then `sum` means nothing
+ */
+int solid_ray(long *sum, const solid *s, const mpz_t *x, int axis, const simplex *skip);
+
+/** All of proofs/certificate.md on the legal solid; refutes or gives up. */
+void solid_check(const solid *s);
+
+/** Bounds of x / w, w > 0, in doubles, and of boxes. */
+void ratio_bounds(double *low, double *high, const mpz_t x, const mpz_t w);
+
+#endif

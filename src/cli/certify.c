@@ -1,0 +1,141 @@
+/* graze certify: a certificate of the answers for points.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cli/interrupt.h"
+#include "cli/output.h"
+#include "cli/rows.h"
+
+static const char help[] =
+    "graze certify SOLID MOTION POINTS -o FILE: answers that graze-check can verify\n"
+    "\n"
+    "Writes a certificate: each point's answer, and hints by which graze-check, a program that\n"
+    "shares nothing with graze, proves it from SOLID (.off, .wkt) and MOTION alone.\n"
+    "POINTS as in graze classify.\n"
+    "\n"
+    "  --operation sweep|unsweep, --folds separate|combined, --overlap extend|reject,\n"
+    "  --triangulate, --limit NAME=V   as in graze classify\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
+    "\n"
+    "Example: graze certify cube.off move.json points.csv -o certificate.txt\n"
+    "         graze-check cube.off move.json certificate.txt table.csv\n";
+
+typedef struct certify_run {
+    loaded l;
+    graze_certifier *certifier;
+    csv *points;
+    block *b;
+    reader reader;
+    mpq_t point[3];
+    unsigned long rows;
+    output out;
+} certify_run;
+
+static int has_ending(const char *path, const char *ending) {
+    size_t n = strlen(path), m = strlen(ending);
+    return n > m && strcmp(path + n - m, ending) == 0;
+}
+
+static int prepare(certify_run *s, const options *o) {
+    const char *path = o->operands[0];
+    if (!has_ending(path, ".off") && !has_ending(path, ".wkt"))
+        return complain(EXIT_INPUT, "%s: graze-check does not read it; right is .off or .wkt",
+                        path);
+    int status = load(&s->l, o, EXIT_INPUT, NULL);
+    if (status)
+        return status;
+    graze_status made =
+        graze_certifier_create(&s->certifier, s->l.context, s->l.scene, o->solid_flags);
+    if (made)
+        return complain_of(made, s->l.context);
+    status = csv_open(&s->points, o->operands[2], graze_scene_dimension(s->l.scene), o->part,
+                      s->l.context);
+    s->b = block_create();
+    if (!status && !s->b)
+        status = complain(EXIT_IO, "out of memory");
+    if (!status && o->output && csv_same_file(s->points, o->output))
+        status =
+            complain(EXIT_USAGE, "--output %s: is the file the points are read from", o->output);
+    s->reader.context = s->l.context;
+    return status ? status : output_open(&s->out, o->output);
+}
+
+static int put_made(certify_run *s, graze_status made, char *text) {
+    if (!made)
+        output_put(&s->out, text);
+    graze_free(text);
+    return complain_of(made, s->l.context);
+}
+
+static int put_block(certify_run *s) {
+    int status = EXIT_DONE;
+    for (size_t k = 0; k < s->b->count && !status; k++) {
+        fault f = {0, NULL};
+        char *text = NULL;
+        s->reader.rest_length = 0;
+        if (columns_row(s->point, &f, csv_columns(s->points), &s->reader, s->b, k)) {
+            status = fault_tell(&f);
+        } else {
+            graze_status made =
+                graze_certificate_row(&text, s->l.context, s->certifier, (const mpq_t *)s->point);
+            status = put_made(s, made, text);
+        }
+        fault_clear(&f);
+        s->rows += !status;
+        if (!status && s->out.error)
+            status = EXIT_IO;
+        if (!status && interrupt_signal())
+            status = EXIT_SIGNAL;
+    }
+    return status;
+}
+
+static int put_all(certify_run *s) {
+    char *head = NULL, end[40];
+    graze_status made = graze_certificate_head(&head, s->l.context, s->certifier);
+    int status = put_made(s, made, head);
+    while (!status) {
+        block_reset(s->b, s->rows);
+        int read = csv_fill(s->points, s->b);
+        if (s->b->count == 0 && !read)
+            break;
+        status = put_block(s);
+        if (!status && read)
+            status = read == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(s->points));
+    }
+    snprintf(end, sizeof end, "complete %lu\n", s->rows);
+    if (!status)
+        output_put(&s->out, end);
+    return status;
+}
+
+static int run(const options *o) {
+    if (o->operand_count != 3)
+        return complain(EXIT_USAGE,
+                        "certify takes SOLID, MOTION and POINTS, %d operands given; see graze "
+                        "certify --help",
+                        o->operand_count);
+    certify_run *s = calloc(1, sizeof *s);
+    if (!s)
+        return complain(EXIT_IO, "out of memory");
+    for (int k = 0; k < 3; k++)
+        mpq_init(s->point[k]);
+    int status = prepare(s, o);
+    if (!status) {
+        status = put_all(s);
+        int closed = output_close(&s->out);
+        status = status ? status : closed;
+    }
+    for (int k = 0; k < 3; k++)
+        mpq_clear(s->point[k]);
+    reader_clear(&s->reader);
+    block_destroy(s->b);
+    csv_close(s->points);
+    graze_certifier_destroy(s->certifier);
+    unload(&s->l);
+    free(s);
+    return status;
+}
+
+const command command_certify = {"certify", "ltvfpo", help, run};

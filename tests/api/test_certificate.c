@@ -1,0 +1,76 @@
+/* Certificates through the C interface: wrong calls, what cannot be certified, scenes without
+ * files. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * What certificates say is tested with graze-check in tests/check.
+ */
+#include <string.h>
+#include "walk.h"
+
+static graze_scene *open_files(graze_context *context, graze_solid **solid, graze_motion **motion) {
+    graze_scene *out = NULL;
+    assert_int_equal(graze_solid_read(solid, context, "cases/bracket/solid.off", 0), GRAZE_OK);
+    assert_int_equal(graze_motion_read(motion, context, "cases/bracket/motion.json"), GRAZE_OK);
+    assert_int_equal(graze_scene_create(&out, context, *solid, *motion, NULL), GRAZE_OK);
+    return out;
+}
+
+static void rows(void **state) {
+    (void)state;
+    graze_context *context;
+    graze_solid *solid;
+    graze_motion *motion;
+    graze_certifier *c = NULL;
+    graze_scene *other = NULL;
+    char *text = NULL;
+    mpq_t p[3];
+    mpq_inits(p[0], p[1], p[2], NULL);
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    graze_scene *scene = open_files(context, &solid, &motion);
+    assert_int_equal(graze_certifier_create(&c, context, scene, 0), GRAZE_OK);
+    assert_int_equal(graze_certificate_head(&text, context, c), GRAZE_OK);
+    assert_int_equal(strncmp(text, "graze-certificate 1\n", 20), 0);
+    graze_free(text);
+    mpq_set_si(p[0], 20, 1); /* far away: cases/bracket derives O for it */
+    assert_int_equal(graze_certificate_row(&text, context, c, (const mpq_t *)p), GRAZE_OK);
+    assert_int_equal(strncmp(text, "row 20 0 0 O out exterior 9 1 0 0 0\n", 36), 0);
+    graze_free(text);
+    mpz_set_si(mpq_denref(p[1]), -1);
+    assert_int_equal(graze_certificate_row(&text, context, c, (const mpq_t *)p), GRAZE_EUSE);
+    assert_null(text);
+    mpz_set_si(mpq_denref(p[1]), 1);
+    assert_int_equal(graze_certificate_row(&text, context, NULL, (const mpq_t *)p), GRAZE_EUSE);
+    assert_int_equal(graze_certificate_row(&text, context, c, NULL), GRAZE_EUSE);
+    assert_int_equal(graze_certificate_head(&text, context, NULL), GRAZE_EUSE);
+    assert_int_equal(graze_certificate_head(NULL, context, c), GRAZE_EUSE);
+    graze_certifier_destroy(c);
+    graze_certifier_destroy(NULL);
+
+    assert_int_equal(graze_certifier_create(&c, context, NULL, 0), GRAZE_EUSE);
+    assert_null(c);
+    assert_int_equal(graze_context_set_rounding(context, GRAZE_ROUND_BINARY64), GRAZE_OK);
+    assert_int_equal(graze_certifier_create(&c, context, scene, 0), GRAZE_EUSE);
+    assert_non_null(strstr(graze_context_message(context), "right is no rounding"));
+    assert_int_equal(graze_context_set_rounding(context, GRAZE_ROUND_NONE), GRAZE_OK);
+    graze_scene_destroy(scene);
+
+    /* Arrays and texts have no files that a checker could read. */
+    graze_solid *cube = NULL;
+    double at[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    size_t sizes[] = {3, 3, 3, 3}, index[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    assert_int_equal(graze_solid_from_doubles(&cube, context, 3, at, 4, sizes, 4, index, 0),
+                     GRAZE_OK);
+    assert_int_equal(graze_scene_create(&other, context, cube, motion, NULL), GRAZE_OK);
+    assert_int_equal(graze_certifier_create(&c, context, other, 0), GRAZE_EUSE);
+    assert_non_null(strstr(graze_context_message(context), "read from files"));
+    graze_scene_destroy(other);
+    graze_solid_destroy(cube);
+    graze_motion_destroy(motion);
+    graze_solid_destroy(solid);
+    graze_context_destroy(context);
+    mpq_clears(p[0], p[1], p[2], NULL);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rows)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

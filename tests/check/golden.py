@@ -1,0 +1,89 @@
+"""The golden cases, and generated rows of each, certified and verified; golden tables held to their
+certificates.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+# suite
+
+A certificate's rows must be those of expected.csv, derived by hand. 20 * --scale generated rows a
+case, most of them degenerate, at most 300. Wrong tables are of every eighth case, with --scale of all.
+"""
+import os
+import tempfile
+
+from lib_certificate import Certificate, Programs, REFUTED, VERIFIED, answer_options, run, write
+import casefile
+from tally import Tally, options
+
+COLUMNS = ["word", "pmc", "class", "definition", "case", "i", "t"]
+
+
+def check_expected(tally, case, certificate):
+    columns = COLUMNS[:2] if certificate.unsweep else COLUMNS
+    tally.equal(len(certificate.rows), len(case.expected), case.name, "rows")
+    for row, want in zip(certificate.rows, case.expected):
+        tally.equal(row.claims[:len(columns)], [want[c] for c in columns], case.name, want["id"])
+
+
+def check_tables(tally, programs, case, files, table):
+    """Each column of the first row that is wrong is found, and rows too few or too many."""
+    folder = os.path.dirname(files[2])
+    lines = table.splitlines()
+    first = next(k for k, line in enumerate(lines) if not line.startswith("#")) + 1
+    cells = lines[first].split(",")
+    wanted = case.dimension + (2 if "--operation" in case.options else 7)
+    for k in range(wanted):
+        wrong = list(cells)
+        wrong[k] = "17" if wrong[k] != "17" else "18"
+        other = lines[:first] + [",".join(wrong)] + lines[first + 1:]
+        check_wrong(tally, programs, case, files, folder, other, f"column {k}")
+    check_wrong(tally, programs, case, files, folder, lines[:first] + lines[first + 1:], "a row less")
+    check_wrong(tally, programs, case, files, folder, lines[:first] + [lines[first]] + lines[first:], "a row more")
+    check_wrong(tally, programs, case, files, folder, lines[:-1], "not complete")
+    for k, line in enumerate(lines[:first - 1]):
+        key = line.split()[1]
+        if key not in ("graze", "overlap", "ends-meet"):
+            wrong = " ".join(line.split()[:2] + ["other"])
+            check_wrong(tally, programs, case, files, folder, lines[:k] + [wrong] + lines[k + 1:], key)
+            check_wrong(tally, programs, case, files, folder, lines[:k] + lines[k + 1:], "no " + key)
+
+
+def check_wrong(tally, programs, case, files, folder, lines, what):
+    path = write(os.path.join(folder, "wrong.csv"), "\n".join(lines) + "\n")
+    tally.equal(programs.check(*files, path)[0], REFUTED, case.name, "a table with another", what)
+
+
+def check_case(tally, programs, case, folder, count, all_tables):
+    solid, motion = case.path(case.solid), case.path("motion.json")
+    more = answer_options(case.options)
+    text = programs.certify(solid, motion, case.path("points.csv"), more)
+    path = write(os.path.join(folder, "certificate"), text)
+    table = programs.table(solid, motion, case.path("points.csv"), more)
+    table_path = write(os.path.join(folder, "table.csv"), table)
+    status, out, error = programs.check(solid, motion, path, table_path)
+    tally.equal((status, out), (VERIFIED, f"verified: {len(case.expected)} rows\n"), case.name, error)
+    check_expected(tally, case, Certificate(text))
+    if all_tables:
+        check_tables(tally, programs, case, (solid, motion, path), table)
+    points = os.path.join(folder, "points.csv")
+    operation = ["--operation", case.option("--operation", "sweep")]
+    write(points, run(programs.graze, "generate", solid, motion, "-n", str(count), "--seed", "3",
+                      "--quiet", *operation)[1])
+    write(path, programs.certify(solid, motion, points, more))
+    write(table_path, programs.table(solid, motion, points, more))
+    status, out, error = programs.check(solid, motion, path, table_path)
+    tally.equal((status, out), (VERIFIED, f"verified: {count} rows\n"), case.name, "generated", error)
+
+
+def main():
+    chosen = options(__doc__)
+    programs, tally = Programs(chosen.graze), Tally()
+    with tempfile.TemporaryDirectory() as folder:
+        for n, name in enumerate(casefile.names()):
+            if chosen.only in name:
+                check_case(tally, programs, casefile.Case(name), folder, min(300, 20 * chosen.scale),
+                           chosen.scale > 1 or n % 8 == 0)
+    tally.finish()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,131 @@
+"""Certificates as lists, written back, and the programs that make and check them.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import copy
+import hashlib
+import os
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+for folder in ("../agree/lib", "../cases"):  # both have a module `times`: that of the cases is meant
+    sys.path.insert(0, os.path.join(HERE, folder))
+import definitions  # noqa: E402
+
+VERIFIED, REFUTED, NOT_CHECKED = 0, 1, 2
+
+
+class Row:
+    """point: texts; claims: texts from the word on; intervals: lists [kind, time, c0, c1, ...]."""
+
+    def __init__(self, words, dimension):
+        self.point, self.claims, self.intervals = words[:dimension], words[dimension:], []
+
+    @property
+    def word(self):
+        return self.claims[0]
+
+    def claim(self, word, unsweep, combined):
+        """Claim a word, and all that follows from it by the printed definitions."""
+        if unsweep:
+            self.claims = [word, "in" if word == "I" else "out" if "O" in word else "on"]
+            return
+        is_ = definitions.expected(word, combined)
+        k = definitions.runs_of_i(word)
+        self.claims = [word, is_["pmc"], is_["class"], is_["definition"], is_["case"], is_["i"],
+                       is_["t"], str(k)]
+
+    def spelled(self):
+        """The word of the intervals."""
+        out = ""
+        for interval in self.intervals:
+            for letter in interval[0]:
+                out += letter if out[-1:] != letter else ""
+        return out
+
+    def lines(self):
+        return [["row", *self.point, *self.claims], *self.intervals]
+
+
+class Certificate:
+    def __init__(self, text):
+        lines = [line.split() for line in text.splitlines()]
+        first = next((k for k, line in enumerate(lines) if line[0] in ("row", "complete")), 0)
+        self.head, self.end, self.rows = lines[:first], lines[-1], []
+        for line in lines[first:-1]:
+            if line[0] == "row":
+                self.rows.append(Row(line[1:], int(self.value("dimension"))))
+            else:
+                self.rows[-1].intervals.append(line)
+
+    def value(self, key):
+        return next(line[1] for line in self.head if line[0] == key)
+
+    def set(self, key, value):
+        next(line for line in self.head if line[0] == key)[1] = value
+
+    @property
+    def unsweep(self):
+        return self.value("operation") == "unsweep"
+
+    @property
+    def combined(self):
+        return self.value("folds") == "combined"
+
+    def lines(self):
+        return [*self.head, *(line for row in self.rows for line in row.lines()), self.end]
+
+    def text(self):
+        return "".join(" ".join(line) + "\n" for line in self.lines())
+
+    def only(self, rows):
+        """The same head with these rows."""
+        out = copy.deepcopy(self)
+        out.rows = copy.deepcopy(rows)
+        out.end = ["complete", str(len(rows))]
+        return out
+
+
+def write(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
+
+
+def sha256(path):
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+def run(*command):
+    """(status, standard output, standard error)"""
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=600)
+    return done.returncode, done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
+
+
+class Programs:
+    def __init__(self, graze):
+        self.graze = graze
+        self.check_program = os.path.join(os.path.dirname(graze), "graze-check")
+
+    def certify(self, solid, motion, points, options=()):
+        status, out, error = run(self.graze, "certify", solid, motion, points, *options)
+        if status != 0:
+            raise RuntimeError(f"graze certify {solid} {motion} {points}: {status} {error}")
+        return out
+
+    def table(self, solid, motion, points, options=()):
+        return run(self.graze, "classify", solid, motion, points, *options, "--quiet")[1]
+
+    def check(self, *files):
+        return run(self.check_program, *files)
+
+
+def answer_options(options):
+    """Those of a case's options that certify takes too."""
+    out = []
+    for k, word in enumerate(options):
+        if word in ("--folds", "--operation"):
+            out += options[k:k + 2]
+    return out
