@@ -164,6 +164,15 @@ def forged(row, certificate, start):
     if "".join(turned[x] for x in row.word) != row.word:
         yield "forged: in and out", consistent(out)
     yield from denied(row, consistent)
+    for k in range(1, len(row.intervals)):
+        out = copy.deepcopy(row)
+        del out.intervals[k:]
+        if out.spelled() != row.word:
+            yield "forged: ends early", consistent(out)
+    out = copy.deepcopy(row)
+    out.intervals = [["B", interval[1]] for interval in row.intervals]
+    if row.word != "B":
+        yield "forged: on the boundary all the time", consistent(out)
     for k, interval in enumerate(row.intervals):
         kind, mid = interval[0], (end_of(row, k - 1, start) + end_of(row, k, start)) / 2
         linear = [str(-mid.numerator), str(mid.denominator)]
