@@ -4,7 +4,7 @@
 #ifndef GRAZE_CERTIFY_CERTIFY_H
 #define GRAZE_CERTIFY_CERTIFY_H
 
-#include "report/text.h"
+#include "number/text.h"
 #include "scene/scene.h"
 
 /** What rows are certified with; only read, so that threads may share it. */

@@ -83,13 +83,18 @@ static void event_set(event *v, const algebraic *time) {
 /* The letter between ranks r and r + 1: B, or what one location finds. */
 static graze_status find_gap(char *out, piece_row *r, algebraic *from, algebraic *to) {
     fmpq_t u;
+    graze_status status = GRAZE_OK;
     fmpq_init(u);
     if (from && to)
-        algebraic_between(u, from, to);
+        status = algebraic_between(u, r->context, from, to);
     else if (to)
         fmpq_zero(u);
     else
         fmpq_one(u);
+    if (status) {
+        fmpq_clear(u);
+        return status;
+    }
     fmpz *x = _fmpz_vec_init(r->c.dimension + 1);
     trajectory_at(x, &r->c, u);
     graze_state state = solid_locate(r->with->solid, x);

@@ -97,7 +97,7 @@ static int put_all(certify_run *s) {
     int status = put_made(s, made, head);
     while (!status) {
         block_reset(s->b, s->rows);
-        int read = csv_fill(s->points, s->b);
+        int read = csv_fill(s->points, s->b, BLOCK_ROWS);
         if (s->b->count == 0 && !read)
             break;
         status = put_block(s);
