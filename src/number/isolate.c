@@ -16,6 +16,38 @@ void root_search_append(const root_search *s, const dyadic_interval *interval, i
 static graze_status roots_inside(const root_search *s, bernstein_form *form,
                                  const dyadic_interval *interval);
 
+/* The roots of p / g, g being the common factor of p and its derivative. */
+static graze_status cluster_of_quotient(const root_search *s, const dyadic_interval *interval,
+                                        const fmpz_poly_t g) {
+    fmpz_poly_t squarefree;
+    fmpz_poly_init(squarefree);
+    fmpz_poly_div(squarefree, s->poly, g);
+    root_search of = {s->list, s->context, squarefree, s->whole};
+    graze_status status = root_search_cluster(
+        &of, interval, dyadic_sign(squarefree, interval->low, interval->exponent),
+        dyadic_sign(squarefree, interval->high, interval->exponent));
+    fmpz_poly_clear(squarefree);
+    return status;
+}
+
+/* Coefficients that are known to some places tell nothing of a repeated root at an end of the
+ * interval, which exact ones leave out: without repeated factors C42 ends. */
+static graze_status search_cluster(const root_search *s, const dyadic_interval *interval, int low,
+                                   int high) {
+    fmpz_poly_t derivative, g;
+    fmpz_poly_init(derivative);
+    fmpz_poly_init(g);
+    fmpz_poly_derivative(derivative, s->poly);
+    graze_status status = common_factor_work(s->context, s->poly, derivative);
+    if (status == GRAZE_OK)
+        status = common_factor(g, s->poly, derivative) > 0
+                     ? cluster_of_quotient(s, interval, g)
+                     : root_search_cluster(s, interval, low, high);
+    fmpz_poly_clear(derivative);
+    fmpz_poly_clear(g);
+    return status;
+}
+
 /* Both halves and the point between them. Of an empty half nothing is kept while the other one is
  * searched. The form is that of the interval; it is spent. */
 static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
@@ -56,7 +88,7 @@ static graze_status roots_inside(const root_search *s, bernstein_form *form,
         return GRAZE_OK;
     }
     if (interval->exponent >= s->whole->exponent + EXACT_HALVINGS)
-        return root_search_cluster(s, interval, low, high);
+        return search_cluster(s, interval, low, high);
     graze_status status = context_work(s->context, (ulong)n * (ulong)n * (ulong)form->c.limbs);
     return status == GRAZE_OK ? roots_in_halves(s, form, interval) : status;
 }

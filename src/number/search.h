@@ -32,7 +32,7 @@ void root_search_append(const root_search *s, const dyadic_interval *interval, i
 
 /**
  * Append the roots in an open interval that EXACT_HALVINGS halvings have left of the whole one,
- * ascending (C42, C43).
+ * ascending (C42, C43). `poly` has no repeated factor.
  * @param low_sign, high_sign the signs of the polynomial at its ends
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED
  */

@@ -329,12 +329,40 @@ static void test_signs(void **unused) {
     fmpq_clear(x);
 }
 
+/* x^k (a x^2 + a x - 1), and what x -> 1 - x makes of it: a root of any multiplicity at an end of
+ * the interval, and one about 1/a away from it. */
+static void roots_near_repeated_ends(void **state) {
+    (void)state;
+    fmpz_poly_t p, mirror;
+    fmpz_poly_init(p);
+    fmpz_poly_init(mirror);
+    fmpz_poly_set_coeff_si(mirror, 0, 1);
+    fmpz_poly_set_coeff_si(mirror, 1, -1);
+    for (slong k = 1; k <= 4; k++)
+        for (ulong bits = 20; bits <= 420; bits += 100) {
+            fmpz_t a;
+            fmpz_init(a);
+            fmpz_one_2exp(a, bits);
+            fmpz_poly_zero(p);
+            fmpz_poly_set_coeff_si(p, k, -1);
+            fmpz_poly_set_coeff_fmpz(p, k + 1, a);
+            fmpz_poly_set_coeff_fmpz(p, k + 2, a);
+            fmpz_clear(a);
+            check_roots(p, 2);
+            fmpz_poly_compose(p, p, mirror);
+            check_roots(p, 2);
+        }
+    fmpz_poly_clear(p);
+    fmpz_poly_clear(mirror);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_mignotte),
         cmocka_unit_test(test_dyadic_middle),
         cmocka_unit_test(test_nested),
         cmocka_unit_test(test_spread),
+        cmocka_unit_test(roots_near_repeated_ends),
         cmocka_unit_test(test_signs),
         cmocka_unit_test_setup_teardown(test_limit, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_narrowing_limit, set_up, tear_down),
