@@ -18,6 +18,8 @@ graze_status graze_certifier_create(graze_certifier **out, graze_context *contex
     if (!out || !context || !scene)
         return api_misuse(context, "graze_certifier_create",
                           "out, context and scene must not be NULL");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, "graze_certifier_create", "a flag is unknown");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_certifier *made = malloc(sizeof *made);
     if (!made)

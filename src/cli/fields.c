@@ -78,6 +78,16 @@ fields_result fields_cut(fields *out, field line) {
     }
 }
 
+size_t fields_count(field line) {
+    const char *at = line.start, *end = at + line.length;
+    for (size_t count = 1;; count++) {
+        const char *stop = field_end(at, end);
+        if (!stop || stop == end)
+            return stop ? count : 0;
+        at = stop + 1;
+    }
+}
+
 void fields_clear(fields *f) {
     free(f->item);
     *f = (fields){NULL, 0, 0};

@@ -24,6 +24,8 @@ typedef enum fields_result { FIELDS_CUT, FIELDS_OPEN_QUOTE, FIELDS_NO_MEMORY } f
  * comma or the line's end. The fields point into the line. */
 fields_result fields_cut(fields *out, field line);
 void fields_clear(fields *f);
+/** How many fields a line has; 0 if a quoted one does not end. */
+size_t fields_count(field line);
 
 /** Without the blanks around it. */
 field field_trimmed(field f);

@@ -94,8 +94,7 @@ static const char *wrong(part *p, graze_context *context, field row) {
         return expected;
     if (!row_point_is_written(parts.point, p->form.dimension))
         return "coordinates such as -12 or 22/7";
-    if (p->form.others &&
-        (fields_cut(&p->cut, parts.rest) != FIELDS_CUT || p->cut.count != p->form.others))
+    if (p->form.others && fields_count(parts.rest) != p->form.others)
         return "as many further columns as the column line has";
     return NULL;
 }
@@ -260,5 +259,4 @@ void part_close(part *p) {
     free(p->head);
     free(p->buffer);
     free(p->row);
-    fields_clear(&p->cut);
 }

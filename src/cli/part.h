@@ -25,7 +25,6 @@ typedef struct part {
     size_t from, to;                       /* bytes of it that are read and not yet used */
     char *row; /* the row at hand, where the buffer has a piece of it only; malloc'ed */
     size_t row_length, row_capacity;
-    fields cut;
 } part;
 
 /** Read head and last lines, and see that they fit together. Returns an exit status and says what

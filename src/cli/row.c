@@ -20,13 +20,6 @@ static int skip(const char **at, const char *text) {
     return same;
 }
 
-static size_t count_fields(const char *start, size_t length) {
-    fields cut = {NULL, 0, 0};
-    size_t count = fields_cut(&cut, (field){start, length}) == FIELDS_CUT ? cut.count : 0;
-    fields_clear(&cut);
-    return count;
-}
-
 int row_form_read(row_form *out, const char *head) {
     size_t length = strlen(head);
     const char *at = head;
@@ -44,7 +37,7 @@ int row_form_read(row_form *out, const char *head) {
     if (!skip(&at, sweep ? "pmc,class,definition,case,i,t,word" : "pmc,word"))
         return 0;
     if (*at == ',')
-        out->others = count_fields(at + 1, (size_t)(head + length - 1 - at - 1));
+        out->others = fields_count((field){at + 1, (size_t)(head + length - 1 - at - 1)});
     return *at == ',' ? out->others > 0 : *at == '\n';
 }
 

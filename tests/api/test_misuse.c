@@ -120,6 +120,7 @@ static void solids(bench *b) {
     HARMLESS(graze_solid_vertex_count, !graze_solid_vertex_count(NULL));
     HARMLESS(graze_solid_facet_count, !graze_solid_facet_count(NULL));
     HARMLESS(graze_solid_component_count, !graze_solid_component_count(NULL));
+    HARMLESS(graze_solid_note, !*graze_solid_note(NULL));
 }
 
 static void motions(bench *b) {
@@ -375,6 +376,19 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_joints(NULL, &out, c, 2, &turn, 1, one, one));
 }
 
+/* The scene was not read from files. */
+static void certificates(bench *b) {
+    graze_context *c = b->s.context;
+    WRONG(graze_certifier_create(NULL, c, b->s.scene, 0));
+    WRONG_OUT(graze_certifier, graze_certifier_create(&out, NULL, b->s.scene, 0));
+    WRONG_OUT(graze_certifier, graze_certifier_create(&out, c, NULL, 0));
+    WRONG_OUT(graze_certifier, graze_certifier_create(&out, c, b->s.scene, 0));
+    WRONG_OUT(graze_certifier, graze_certifier_create(&out, c, b->s.scene, 8));
+    WRONG_OUT(char, graze_certificate_head(&out, c, NULL));
+    WRONG_OUT(char, graze_certificate_row(&out, c, NULL, b->point));
+    HARMLESS(graze_certifier_destroy, CALLS(graze_certifier_destroy(NULL)));
+}
+
 static void boundaries(bench *b) {
     graze_context *c = b->s.context;
     const graze_scene *s = b->s.scene;
@@ -478,6 +492,7 @@ static void all(void **state) {
     comparisons(&b);
     conversions(&b);
     boundaries(&b);
+    certificates(&b);
     none_is_left_out(&b);
     graze_comparison_destroy(b.comparison);
     graze_boundary_destroy(b.boundary);

@@ -50,7 +50,7 @@ static void tables_refused(void **state) {
         const char *table, *says;
     } wrong[] = {
         {"", "dimension"},
-        {"# dimension 2\nx,y,pmc\n# complete 0\n", "no column word"},
+        {"# dimension 2\nx,y,pmc\n# complete 0\n", "is not that of a table of dimension 2"},
         {"# dimension 2\nx,y,pmc,word\n1,1,in,OBIBO\n", "# complete"},
         {"# dimension 2\nx,y,pmc,word\n1,1,in,OBIBO\n# complete 2\n", "number of rows"},
         {"# dimension 2\n# grid 2,2\n# box 0,0,1,1\nx,y,pmc,word\n# complete 0\n", "its grid"},
