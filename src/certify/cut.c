@@ -130,6 +130,19 @@ static graze_status cut_ears(soup *out, graze_context *context, outline *o, size
     return status;
 }
 
+static int same_position(const soup *s, size_t v, size_t w) {
+    const fmpq *a = position(s, v), *b = position(s, w);
+    return fmpq_equal(a, b) && fmpq_equal(a + 1, b + 1) && fmpq_equal(a + 2, b + 2);
+}
+
+/* The corners of a cycle that are not at the position of the one before. */
+static void take_corners(outline *o, const uint32_t *index, size_t n) {
+    o->count = 0;
+    for (size_t k = 0; k < n; k++)
+        if (n == 3 || !same_position(o->s, index[k], index[(k + n - 1) % n]))
+            o->corner[o->count++] = index[k];
+}
+
 static graze_status cut_facet(soup *out, graze_context *context, const soup *in, size_t facet,
                               unsigned flags) {
     size_t cycle = in->facet_start[facet], first = in->cycle_start[cycle];
@@ -146,8 +159,8 @@ static graze_status cut_facet(soup *out, graze_context *context, const soup *in,
     outline o = {in, n, malloc(n * sizeof *o.corner), 0, 0, 0};
     if (!o.corner)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a facet");
-    for (size_t k = 0; k < n; k++)
-        o.corner[k] = in->index[first + k];
+    take_corners(&o, in->index + first, n);
+    n = o.count;
     graze_status status = GRAZE_OK;
     if (n > 3 && (look_along(&o) || !(flags & GRAZE_SOLID_TRIANGULATE)))
         status = cut_ears(out, context, &o, facet);

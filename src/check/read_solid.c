@@ -196,6 +196,15 @@ static void cut_facet(solid *s, size_t *room, size_t *v, size_t n, size_t facet,
         cut_fan(s, room, v, n, facet);
 }
 
+/* Leave out corners at the position of the one before; returns how many are left. */
+static size_t without_repeats(size_t *v, size_t n) {
+    size_t kept = 0;
+    for (size_t k = 0; k < n; k++)
+        if (v[k] != v[(k + n - 1) % n])
+            v[kept++] = v[k];
+    return kept;
+}
+
 static void read_off_facet(solid *s, size_t *room, draft *f, const size_t *number, size_t vertices,
                            size_t facet, int triangulate) {
     word line, w;
@@ -219,6 +228,9 @@ static void read_off_facet(solid *s, size_t *room, draft *f, const size_t *numbe
     mpq_clear(colour);
     if (colours == 2 || colours > 4)
         fail(f, "a colour has 1, 3 or 4 numbers");
+    n = n > 3 ? without_repeats(v, n) : n;
+    if (n < 3)
+        refute("solid: facet %zu has no area", facet);
     cut_facet(s, room, v, n, facet, triangulate);
 }
 
@@ -318,6 +330,8 @@ static void read_ring(solid *s, size_t *room, draft *f, int outer, size_t polygo
     if (sign == 0)
         refute("solid: a ring of polygon %zu has no area", polygon);
     for (size_t k = first; k + 1 < end; k++) {
+        if (mpq_equal(f->x[2 * k], f->x[2 * k + 2]) && mpq_equal(f->x[2 * k + 1], f->x[2 * k + 3]))
+            continue; /* a side without length */
         int ahead = (sign > 0) == outer;
         size_t v[3] = {ahead ? k : k + 1, ahead ? k + 1 : k, 0};
         add_simplex(s, room, v, polygon);

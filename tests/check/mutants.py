@@ -19,7 +19,7 @@ import sys
 import tempfile
 from fractions import Fraction
 
-from lib_certificate import (Certificate, NOT_CHECKED, Programs, REFUTED, VERIFIED, answer_options,
+from lib_certificate import (Certificate, NOT_CHECKED, Programs, REFUTED, UNCUT, VERIFIED, answer_options,
                              write)
 import casefile
 from tally import Tally, options
@@ -340,7 +340,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         judge = Judge(programs, tally, folder)
         for n, name in enumerate(casefile.names()):
-            if wanted.only not in name or (n % 2 and wanted.scale == 1 and not wanted.only):
+            if name in UNCUT or wanted.only not in name or (n % 2 and wanted.scale == 1 and not wanted.only):
                 continue
             case = casefile.Case(name)
             certificate = Certificate(programs.certify(

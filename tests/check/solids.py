@@ -139,7 +139,7 @@ REFUSED_2D = {
     "nested": "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((1 1, 2 1, 2 2, 1 2, 1 1)))",
     "a hole outside": "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0), (5 5, 6 5, 6 6, 5 6, 5 5))",
     "a hole in a hole": "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 8, 1 1), (2 2, 3 2, 3 3, 2 3, 2 2))",
-    "a corner twice": "POLYGON ((0 0, 0 0, 1 0, 1 1, 0 1, 0 0))",
+    "a corner twice and a spike": "POLYGON ((0 0, 0 0, 2 0, 1 0, 1 1, 0 1, 0 0))",
     "a spike": "POLYGON ((0 0, 2 0, 1 0, 1 1, 0 1, 0 0))",
     "no area": "POLYGON ((0 0, 1 0, 2 0, 0 0))",
     "three coordinates": "POLYGON ((0 0 0, 1 0 0, 1 1 0, 0 1 0, 0 0 0))",
