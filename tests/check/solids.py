@@ -92,6 +92,7 @@ LEGAL = {
     "colours and comments": off(CUBE).replace("4 0 3 2 1", "# a comment\n4 0 3 2 1 255 0 0"),
 }
 LEGAL_2D = {
+    "a corner twice": "POLYGON ((0 0, 0 0, 1 0, 1 1, 0 1, 0 0))",
     "square": "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))",
     "the other way": "POLYGON ((0 0, 0 1, 1 1, 1 0, 0 0))",
     "a hole": "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))",
