@@ -262,7 +262,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 $(PAGES)/*.3 $(DESTDIR)$(MANDIR)/man3
 	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
 	@install -m 644 src/python/graze/*.py src/python/graze/py.typed $(DESTDIR)$(PYTHONDIR)/graze
-	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE $(DESTDIR)$(DOCDIR)
+	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE src/cli/formats.md proofs/semantics.md $(DESTDIR)$(DOCDIR)
 	@rm -rf $(DESTDIR)$(DATADIR)/graze/cases
 	@cp -R cases $(DESTDIR)$(DATADIR)/graze
 	@find $(DESTDIR)$(DATADIR)/graze -name __pycache__ -prune -exec rm -r {} +

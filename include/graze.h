@@ -43,12 +43,12 @@ extern "C" {
 
 /** What became of a call. Causes are kept apart; a failure never shares a value with an answer. */
 typedef enum graze_status {
-    GRAZE_OK = 0,       /**< done */
-    GRAZE_EUSE = 1,     /**< wrong use: an argument of the call */
-    GRAZE_EINPUT = 2,   /**< bad input: cannot be read as what it should be */
-    GRAZE_EILLEGAL = 3, /**< readable, but not a legal solid, motion or pair (semantics: Objects) */
-    GRAZE_ELIMIT = 4,   /**< a limit of the context was met */
-    GRAZE_ESYSTEM = 5,  /**< the machine: a file, memory, a thread */
+    GRAZE_OK = 0,        /**< done */
+    GRAZE_EUSE = 1,      /**< wrong use: an argument of the call */
+    GRAZE_EINPUT = 2,    /**< bad input: cannot be read as what it should be */
+    GRAZE_EILLEGAL = 3,  /**< readable, but not a legal solid, motion or pair (semantics.md 1) */
+    GRAZE_ELIMIT = 4,    /**< a limit of the context was met */
+    GRAZE_ESYSTEM = 5,   /**< the machine: a file, memory, a thread */
     GRAZE_ECANCELED = 6, /**< the context's cancel callback asked to stop */
     GRAZE_EINTERNAL = 7  /**< a fault of Graze itself; no answer is given */
 } graze_status;
@@ -137,8 +137,8 @@ GRAZE_API const char *graze_version(void);
 GRAZE_API void graze_thread_finish(void);
 
 /**
- * Read one number token exactly: `-12`, `0.1`, `.5`, `5.`, `1.5e-3`, `22/7` (formats: Numbers),
- * then round it as the context says.
+ * Read one number token exactly: `-12`, `0.1`, `.5`, `5.`, `1.5e-3`, `22/7` (formats.md,
+ * Numbers), then round it as the context says.
  * @param[out] out  initialised by the caller; set to the value in lowest terms
  * @return GRAZE_EINPUT not a number (NaN and infinities are none), or rounding overflows;
  * GRAZE_ELIMIT
@@ -148,7 +148,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_number_parse(mpq_t out, graze_context
 
 /* --------------------------------------------------------------------------------------- solid */
 
-/** Take facets that are not planar: fan them from their first vertex (formats: Solids). */
+/** Take facets that are not planar: fan them from their first vertex (formats.md, Solids).
+ */
 #define GRAZE_SOLID_TRIANGULATE 1u
 
 /**
@@ -214,8 +215,8 @@ GRAZE_API const char *graze_solid_note(const graze_solid *solid);
 /* -------------------------------------------------------------------------------------- motion */
 
 /**
- * Read a motion from a JSON file (formats: Motions) and check it exactly: the pieces follow one
- * another, the motion is continuous, has no pole, and its determinant does not vanish.
+ * Read a motion from a JSON file (formats.md, Motions) and check it exactly: the pieces
+ * follow one another, the motion is continuous, has no pole, and its determinant does not vanish.
  * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT not such JSON, the entry named;
  * GRAZE_EILLEGAL not a legal motion, piece and entry named; GRAZE_ELIMIT; GRAZE_ECANCELED, also
  * while a FIFO is waited for
@@ -346,7 +347,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_classify_doubles(graze_verdict *out,
 
 /* --------------------------------------------------------------------------------------- trace */
 
-/** State of the trajectory: in the interior, on the boundary, outside (semantics: The trace). */
+/** State of the trajectory: in the interior, on the boundary, outside (semantics.md 2). */
 typedef enum graze_state {
     GRAZE_STATE_ABSENT = 0,
     GRAZE_STATE_I = 'I',
@@ -495,7 +496,7 @@ GRAZE_API const char *graze_stratum_name(graze_stratum stratum);
 typedef enum graze_format { GRAZE_FORMAT_CSV = 0, GRAZE_FORMAT_JSONL = 1 } graze_format;
 
 /**
- * The `#` lines of a CSV table and its column line (formats: Results).
+ * The `#` lines of a CSV table and its column line (formats.md, Tables).
  * @param notes   further lines, each `# key value` and a newline, or NULL: what the scene does not
  * know, such as the grid
  * @param columns names of further columns as they were, comma-joined, or NULL

@@ -228,6 +228,7 @@ static void read_off_facet(solid *s, size_t *room, draft *f, const size_t *numbe
     mpq_clear(colour);
     if (colours == 2 || colours > 4)
         fail(f, "a colour has 1, 3 or 4 numbers");
+    /* cppcheck-suppress uninitvar ; n corners were read */
     n = n > 3 ? without_repeats(v, n) : n;
     if (n < 3)
         refute("solid: facet %zu has no area", facet);

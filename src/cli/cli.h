@@ -7,7 +7,7 @@
 #include "cli/shard.h"
 #include "graze.h"
 
-/** Exit status (formats: Commands). */
+/** Exit status (src/cli/formats.md, Exit status). */
 enum {
     EXIT_DONE = 0,
     EXIT_NO = 1,

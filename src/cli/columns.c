@@ -1,4 +1,4 @@
-/* Fixes the columns of a file of points and reads its rows (formats: Points).
+/* Fixes the columns of a file of points and reads its rows (src/cli/formats.md, Points).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The first line is a header if it has a field x, y or (in E^3) z; else the first d columns are the

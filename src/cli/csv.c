@@ -1,4 +1,4 @@
-/* Reads points from CSV in blocks (formats: Points).
+/* Reads points from CSV in blocks (src/cli/formats.md, Points).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Lines are found and handed on as they are (columns.h reads them); those of other shards are only

@@ -1,4 +1,4 @@
-/* Grids of query points (formats: Commands, --grid and --box).
+/* Grids of query points (src/cli/README.md, Formats).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <ctype.h>

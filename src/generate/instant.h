@@ -4,7 +4,7 @@
  * For a point P and a facet's plane form n, F(u) = n . (X, W)(u) is the pullback along P's
  * trajectory. At a fixed u it and its derivatives are affine in P, so in the body point y with P =
  * M(u) y: F(u) = 0 for y on the facet, and F'(u) = 0 there says that the normal velocity of y
- * vanishes (theory C1).
+ * vanishes.
  */
 #ifndef GRAZE_GENERATE_INSTANT_H
 #define GRAZE_GENERATE_INSTANT_H

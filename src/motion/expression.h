@@ -1,4 +1,4 @@
-/* Expressions in t and s: text to rational function (formats: Motions).
+/* Expressions in t and s: text to rational function (src/cli/formats.md, Motions).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_MOTION_EXPRESSION_H

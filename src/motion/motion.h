@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * On piece k the motion's parameter is t = lo + (hi - lo) u with u in [0, 1]. Both the motion and
- * its inverse are kept as point maps P -> N(u) (P, 1) / W(u) with integer polynomials in u (theory,
- * section 0).
+ * its inverse are kept as point maps P -> N(u) (P, 1) / W(u) with integer polynomials in u
+ * (proofs/claims.md C9).
  */
 #ifndef GRAZE_MOTION_MOTION_H
 #define GRAZE_MOTION_MOTION_H
@@ -47,7 +47,7 @@ const point_map *motion_placing(const motion_piece *piece, graze_operation opera
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);
 
 /**
- * Read a motion file, or a text in its form (formats: Motions).
+ * Read a motion file, or a text in its form (src/cli/formats.md, Motions).
  * @return GRAZE_ESYSTEM, GRAZE_EINPUT, GRAZE_EILLEGAL, GRAZE_ELIMIT, GRAZE_ECANCELED
  */
 graze_status motion_from_file(graze_motion **out, graze_context *context, const char *path);

@@ -1,4 +1,4 @@
-/* Motions from parsed JSON: pieces, keyframes, relative, sequence (formats: Motions).
+/* Motions from parsed JSON: pieces, keyframes, relative, sequence (src/cli/formats.md, Motions).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_MOTION_MOTION_READ_H

@@ -1,5 +1,5 @@
-/* Transforms of a motion file: JSON to affine maps over a stretch of a piece (formats: Motions).
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Transforms of a motion file: JSON to affine maps over a stretch of a piece (src/cli/formats.md,
+ * Motions). SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_MOTION_TRANSFORM_H
 #define GRAZE_MOTION_TRANSFORM_H

@@ -60,11 +60,11 @@ graze_status algebraic_may_narrow(graze_context *context, const dyadic_interval 
  * @param[in,out] gain as above, FIRST_GAIN to start with */
 graze_status algebraic_narrow(graze_context *context, algebraic *x, int step, ulong *gain);
 
-/** *out: sign of x - y: -1, 0, 1 (theory K3, K4). Equal numbers share interval and polynomial
- * afterwards. */
+/** *out: sign of x - y: -1, 0, 1 (proofs/claims.md C26). Equal numbers share interval and
+ * polynomial afterwards. */
 graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, algebraic *y);
 
-/** *out: sign of q at x: -1, 0, 1 (theory K2). */
+/** *out: sign of q at x: -1, 0, 1 (proofs/claims.md C27). */
 graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly_t q, algebraic *x);
 
 /** A dyadic number strictly between x and y, x < y. */
@@ -93,8 +93,8 @@ void algebraic_list_clear(algebraic_list *list);
 algebraic *algebraic_list_append(algebraic_list *list);
 
 /**
- * Append all real roots of q in a closed interval, each once, ascending (theory K1). Without
- * GRAZE_OK some may be missing.
+ * Append all real roots of q in a closed interval, each once, ascending (proofs/claims.md C24,
+ * C25). Without GRAZE_OK some may be missing.
  * @param q not zero
  */
 graze_status algebraic_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t q,

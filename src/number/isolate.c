@@ -1,5 +1,5 @@
 /* Isolation of the real roots of an integer polynomial in a closed interval, by bisection with
- * Descartes' rule on Bernstein coefficients (theory K1; proofs/claims.md C24, C25, C29). The first
+ * Descartes' rule on Bernstein coefficients (proofs/claims.md C24, C25, C29). The first
  * halvings are made with exact coefficients; what they leave goes to cluster.c.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

@@ -1,4 +1,4 @@
-/* Exact rationals as text: number tokens in, lowest terms out (formats: Numbers).
+/* Exact rationals as text: number tokens in, lowest terms out (src/cli/formats.md, Numbers).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A token is first read for its shape, the limit then acts on the counted digits, and only then is

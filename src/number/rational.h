@@ -1,4 +1,4 @@
-/* Exact rationals as text: number tokens in, lowest terms out (formats: Numbers).
+/* Exact rationals as text: number tokens in, lowest terms out (src/cli/formats.md, Numbers).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_NUMBER_RATIONAL_H

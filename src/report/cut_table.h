@@ -1,8 +1,8 @@
 /* A finished CSV table of results, cut into columns for formats that are arrays.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The table is Graze's own (formats: Results): whole, with its `#` lines and one row a line. It is
- * borrowed and not copied.
+ * The table is Graze's own (src/cli/formats.md, Tables): whole, with its `#` lines and one row a
+ * line. It is borrowed and not copied.
  */
 #ifndef GRAZE_REPORT_CUT_TABLE_H
 #define GRAZE_REPORT_CUT_TABLE_H

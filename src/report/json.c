@@ -1,4 +1,4 @@
-/* One point's verdict and contacts as a line of JSON (formats: Results, JSON Lines).
+/* One point's verdict and contacts as a line of JSON (src/cli/formats.md, JSON Lines).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Exact numbers are strings; counts, cases and cell numbers are JSON integers.

@@ -1,4 +1,4 @@
-/* What Graze writes for one scene and its points (formats: Results; commands: explain).
+/* What Graze writes for one scene and its points (src/cli/formats.md, Tables).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A whole report is handed over as a malloc'ed text, a row is added to one; nothing depends on the

@@ -1,4 +1,4 @@
-/* The CSV table: its head and its rows (formats: Results).
+/* The CSV table: its head and its rows (src/cli/formats.md, Tables).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "report/report.h"

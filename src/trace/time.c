@@ -1,5 +1,5 @@
 /* A contact time in the motion's own parameter: minimal polynomial and widest isolating dyadic
- * interval (formats: TIME), so that equal times are equal text (proofs/claims.md C28,
+ * interval (src/cli/formats.md, TIME), so that equal times are equal text (proofs/claims.md C28,
  * proofs/separation.md C44).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

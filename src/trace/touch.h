@@ -32,7 +32,7 @@ void touches_init(touches *t);
 void touches_clear(touches *t);
 
 /**
- * Find every touch of the candidates (theory, section 0; proofs/claims.md: the events of a
+ * Find every touch of the candidates (proofs/claims.md C9: the events of a
  * simplex). The union of the closed intervals [from, to] is exactly the set of times at which the
  * trajectory is on the boundary.
  */

@@ -22,7 +22,7 @@ struct graze_time {
     fmpq_t low, high;
 };
 
-/** One contact (semantics: The trace): states on both sides, exact ends, cells. */
+/** One contact (proofs/semantics.md 2): states on both sides, exact ends, cells. */
 typedef struct contact {
     graze_state left, right; /* I, O, or ABSENT at an end of the motion */
     graze_time *from, *to;   /* the same pointer for an instant; owned by the trace; both NULL for a

@@ -23,7 +23,7 @@ void trajectory_clear(trajectory *c);
 /** The trajectory of a point of d rationals under a map. */
 void trajectory_set(trajectory *c, const point_map *map, const fmpq *point);
 
-/** The pullback of a form (theory, section 0): the sum of form[i] x[i]. */
+/** The pullback of a form (proofs/claims.md C9): the sum of form[i] x[i]. */
 void trajectory_pullback(fmpz_poly_t out, const trajectory *c, const fmpz *form);
 
 /** c(u) as d + 1 homogeneous integers, the last one positive. */

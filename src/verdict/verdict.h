@@ -1,4 +1,4 @@
-/* Counts, case and class of a trace ([EI] Definitions 3-11, Table 1; semantics: The trace, Class).
+/* Counts, case and class of a trace ([EI] Definitions 3-11, Table 1; proofs/semantics.md 2 to 4).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VERDICT_VERDICT_H

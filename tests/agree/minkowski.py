@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 For one leg or several the open sweep is the union of int S + leg and the closed one of S + leg:
 `in`, `on` and `out` of the program must be membership in these. CGAL's position in the closed
-sweep as a point set must fit theory A3: `out` is exterior, `in` is interior, and every boundary
+sweep as a point set must fit proofs/claims.md C18: `out` is exterior, `in` is interior, and every boundary
 point is `on`.
 """
 import os
@@ -24,7 +24,7 @@ from solids import Mesh, block, polygons, prism  # noqa: E402
 
 POINTS = 30
 
-# on in the open sweep, yet inside the closed one: the parts swept on two sides close (theory D, 17)
+# on in the open sweep, yet inside the closed one: the parts swept on two sides close (proofs/claims.md C19)
 SEAM = {"cube closing a seam": [("seam", (F(4), F(1), F(1))), ("seam", (F(4), F(1, 3), F(7, 4)))]}
 
 

@@ -1,4 +1,4 @@
-/* Verdicts and traces through the public functions: theory G's examples, doubles against rationals,
+/* Verdicts and traces through the public functions: worked examples, doubles against rationals,
  * cancelling, threads.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -9,7 +9,7 @@
 
 enum { MANY = 400, THREADS = 2 };
 
-/* Examples 1 to 9 of theory G, derived there by hand. */
+/* Examples 1 to 9 of tests/examples/examples.txt, derived by hand. */
 static void worked_examples(void **state) {
     (void)state;
     static const struct {
@@ -65,7 +65,8 @@ static void worked_examples(void **state) {
     scene_close(&s);
 }
 
-/* The block [2,4]x[-1,1] turning by 2 atan t meets (0,3) at t = sqrt(2)/2 (theory G, example 40).
+/* The block [2,4]x[-1,1] turning by 2 atan t meets (0,3) at t = sqrt(2)/2
+ * (tests/examples/examples.txt, 40).
  */
 static void irrational_time(void **state) {
     (void)state;

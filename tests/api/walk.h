@@ -12,7 +12,8 @@
 #include <string.h>
 #include "graze.h"
 
-/* The square [0, 2]^2 and a translation by (8t, 0), t in [0, 1] (theory G, examples 1 to 9). */
+/* The square [0, 2]^2 and a translation by (8t, 0), t in [0, 1] (tests/examples/examples.txt, 1 to
+ * 9). */
 static const double square[] = {0, 0, 2, 0, 2, 2, 0, 2};
 static const size_t square_sizes[] = {4};
 static const size_t square_ring[] = {0, 1, 2, 3};

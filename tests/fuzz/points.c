@@ -37,7 +37,7 @@ static graze_class class_of(unsigned long k, unsigned long t, graze_folds folds)
     return t ? GRAZE_FOLD_BOUNDARY : k == 1 ? GRAZE_REGULAR : GRAZE_FOLD;
 }
 
-/* The verdict of a word by semantics: Class and Unsweep. */
+/* The verdict of a word by proofs/semantics.md 4 and 6. */
 static void check_verdict(graze_verdict v, const char *word, graze_options options) {
     unsigned long i, t;
     char first = word[0], last = word[strlen(word) - 1];

@@ -45,7 +45,7 @@ def check_tree(root, version):
                  f"lib/libgraze.so.{version}", "lib/pkgconfig/graze.pc", "lib/cmake/graze/grazeConfig.cmake",
                  "lib/cmake/graze/grazeConfigVersion.cmake", "share/bash-completion/completions/graze",
                  "share/doc/graze/README.md", "share/doc/graze/CHANGELOG.md", "share/doc/graze/CITATION.cff",
-                 "share/doc/graze/LICENSE"}, "files installed")
+                 "share/doc/graze/LICENSE", "share/doc/graze/formats.md", "share/doc/graze/semantics.md"}, "files installed")
     for name in ("libgraze.so", "libgraze.so.0"):
         same(os.path.basename(os.path.realpath(f"{root}/lib/{name}")), f"libgraze.so.{version}", name)
     check(not any("__pycache__" in name for name in files_under(root)), "no compiled Python is installed")

@@ -3,7 +3,7 @@
 """What `graze motion` makes, against the motion that was asked for.
 
 The files are evaluated by code of this folder, in fractions; the motion asked for is computed from its
-definition in decimals of 100 digits. Errors are looked for at many times, among them where the theory
+definition in decimals of 100 digits. Errors are looked for at many times, among them where the bound
 puts the largest ones, and must stay below the bound the program printed, which must be below the
 tolerance. SPDX-License-Identifier: GPL-3.0-or-later
 """

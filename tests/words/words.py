@@ -1,5 +1,5 @@
 # suite
-"""Every admissible word made to come true (theory A5), in the plane and extruded in space.
+"""Every admissible word made to come true, in the plane and extruded in space.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 

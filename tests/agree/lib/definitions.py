@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Written from the paper's own case lists, searching for the k and j they speak of, not from the
 rule with k = (i + ...) / 2 the program is built on. For cases 5, 6, 8 and 9, which the paper
-leaves out, k is the number of runs of I in the word without its B's (theory A2).
+leaves out, k is the number of runs of I in the word without its B's (proofs/claims.md C10).
 """
 NAMES = {5: "regular", 6: "fold", 7: "fold_boundary", 8: "boundary", 9: "exterior", 10: "fold",
          11: "fold_boundary"}
@@ -90,7 +90,7 @@ def expected(word, combined=False):
 
 
 def admissible(letters):
-    """All words of at most so many letters: B's stand alone between letters I and O (theory A5)."""
+    """All words of at most so many letters: B's stand alone between letters I and O."""
     out = ["B"]
     for r in range(1, letters // 2 + 2):
         for bits in range(2 ** r):

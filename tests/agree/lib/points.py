@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 A constructed point is P = M(t*) y with rational t* and y on the boundary of the solid: a vertex, a
 point in an edge or a facet, or a point of a facet's plane where the facet's normal velocity is
-zero at t* (theory C1: g is affine along the facet, so it vanishes on a line of it). Its trajectory
+zero at t* (g is affine along the facet, so it vanishes on a line of it). Its trajectory
 is at y at t*.
 """
 from fractions import Fraction as F
