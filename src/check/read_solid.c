@@ -200,6 +200,7 @@ static void cut_facet(solid *s, size_t *room, size_t *v, size_t n, size_t facet,
 static size_t without_repeats(size_t *v, size_t n) {
     size_t kept = 0;
     for (size_t k = 0; k < n; k++)
+        /* cppcheck-suppress uninitvar ; cppcheck thinks of n = 0, where nothing is read */
         if (v[k] != v[(k + n - 1) % n])
             v[kept++] = v[k];
     return kept;
@@ -228,7 +229,6 @@ static void read_off_facet(solid *s, size_t *room, draft *f, const size_t *numbe
     mpq_clear(colour);
     if (colours == 2 || colours > 4)
         fail(f, "a colour has 1, 3 or 4 numbers");
-    /* cppcheck-suppress uninitvar ; n corners were read */
     n = n > 3 ? without_repeats(v, n) : n;
     if (n < 3)
         refute("solid: facet %zu has no area", facet);
