@@ -428,7 +428,7 @@ def check_npy(graze, solid, motion, name, options, text=None):
 
 
 def check_tables(graze):
-    thirds = b"x,y,weight,note\n1/3,1,1.5e-3,\"a,b\"\n-1e40,2/7,22/7,\n23,4,-.5,a\n"
+    thirds = b"x,y,weight,o'note\n1/3,1,1.5e-3,\"a,b\"\n-1e40,2/7,22/7,\n23,4,-.5,a\n"
     flat, moved, _ = files("figure4")
     space = files("bracket")
     for look in (check_vtk, check_npy):
