@@ -40,7 +40,7 @@ import time
 import messages
 
 HERE = pathlib.Path(__file__).resolve().parent
-SECONDS = 30
+SECONDS, SLOWER = 30, 6  # sanitizers and counters of coverage are slower
 MEMORY = 4 << 30
 SEVERAL = ("says", "prints", "env")
 KEYS = ("run", "exit", "stdin", "stdout", "stderr", "signal", "rows") + SEVERAL
@@ -143,6 +143,7 @@ def open_stdout(case):
 
 def execute(case, graze, limited):
     """Run a case in a fresh folder; (status, stdout, stderr)."""
+    seconds = SECONDS if limited else SLOWER * SECONDS
     with tempfile.TemporaryDirectory(prefix="graze-refuse-") as folder:
         for name, content in case.files.items():
             path = pathlib.Path(folder, name)
@@ -167,11 +168,11 @@ def execute(case, graze, limited):
                 time.sleep(float(after))
                 child.send_signal(getattr(signal, which))
             try:
-                out, err = child.communicate(timeout=SECONDS)
+                out, err = child.communicate(timeout=seconds)
             except subprocess.TimeoutExpired:
                 child.kill()
                 out, err = child.communicate()
-                err = (err or b"") + f"\n[still running after {SECONDS} seconds]".encode()
+                err = (err or b"") + f"\n[still running after {seconds} seconds]".encode()
             return child.returncode, out or b"", err or b"", folder
         finally:
             for handle in (stdin, None if stdout is subprocess.PIPE else stdout):
