@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
 import os
+import signal
 import sys
 import unittest
 
@@ -29,6 +30,8 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", default="test_*.py")
     options = parser.parse_args()
+    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # in a shell's background
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     if options.way == "without-numpy":
         # An entry of None makes the import fail as if the package were absent.
         sys.modules["numpy"] = None
