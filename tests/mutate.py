@@ -46,7 +46,7 @@ FILTERED = [Suite(suite.script, "") for suite in SUITES[:4]]
 REFUSE, REFUSE_SECONDS = "tests/refuse/run.py", 60
 UNITS = ["tests/unit/test_algebraic", "tests/unit/test_modular", "tests/unit/test_refine",
          "tests/unit/test_forms", "tests/unit/test_locate"]
-LATE_UNITS = ["tests/unit/test_bernstein", "tests/api/test_classify", "tests/api/test_memory",
+LATE_UNITS = ["tests/api/test_word", "tests/unit/test_bernstein", "tests/api/test_classify", "tests/api/test_memory",
               "tests/api/test_exact_count", "tests/api/test_handles",
               "tests/api/test_reports"]
 UNIT_SECONDS = 30
