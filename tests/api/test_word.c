@@ -113,10 +113,25 @@ static void traces_agree(void **state) {
     }
 }
 
+/* Letters beside the word are none of it: O in OB, and BO in IBO, whose one contact, at t0, has O
+ * beside it. */
+static void only_its_letters(void **state) {
+    (void)state;
+    graze_context *context;
+    graze_verdict v;
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    assert_int_equal(graze_word_verdict(&v, context, NULL, "OB", 1), GRAZE_OK);
+    assert_true(v.class_ == GRAZE_EXTERIOR && v.i == 0 && v.t == 0);
+    assert_int_equal(graze_word_verdict(&v, context, NULL, &"IBO"[1], 2), GRAZE_OK);
+    assert_true(v.class_ == GRAZE_BOUNDARY && v.i == 0 && v.t == 1);
+    graze_context_destroy(context);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(words_by_hand),
         cmocka_unit_test(what_is_no_word),
+        cmocka_unit_test(only_its_letters),
         cmocka_unit_test(traces_agree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
