@@ -5,7 +5,7 @@
 #define GRAZE_CLI_BLOCK_H
 
 #include "cli/cli.h"
-#include "cli/fields.h"
+#include "table/field.h"
 
 /** A block takes no further line once it holds that many rows or bytes. */
 enum { BLOCK_ROWS = 1024, BLOCK_BYTES = 1 << 20 };

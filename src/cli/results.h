@@ -9,7 +9,7 @@
 #define GRAZE_CLI_RESULTS_H
 
 #include <stdio.h>
-#include "cli/fields.h"
+#include "table/field.h"
 #include "cli/output.h"
 
 typedef struct results {

@@ -4,7 +4,7 @@
 #ifndef GRAZE_CLI_ROW_H
 #define GRAZE_CLI_ROW_H
 
-#include "cli/fields.h"
+#include "table/field.h"
 #include "graze.h"
 
 /** What the head of a table says of its rows. */

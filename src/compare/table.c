@@ -23,14 +23,6 @@ const char *note_name(note n) {
     return note_names[n];
 }
 
-int field_is(field f, const char *text) {
-    return f.length == strlen(text) && memcmp(f.start, text, f.length) == 0;
-}
-
-int field_equal(field a, field b) {
-    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
-}
-
 field table_field(const table *t, const table_row *row, column c) {
     return t->where[c] < 0 ? (field){"", 0} : row->fields[t->where[c]];
 }
@@ -52,42 +44,26 @@ static graze_status no_memory(const table *t) {
     return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
 }
 
-static int is_blank(char byte) {
-    return byte == ' ' || byte == '\t';
-}
-
-/* A whole number as the last line has it; 0 if it is none or too large. */
-static int read_count(unsigned long *out, field f) {
-    *out = 0;
-    for (size_t k = 0; k < f.length; k++) {
-        unsigned digit = (unsigned)(f.start[k] - '0');
-        if (digit > 9 || *out > (~0ul - digit) / 10)
-            return 0;
-        *out = 10 * *out + digit;
-    }
-    return f.length > 0;
-}
-
 static graze_status read_complete(table *t, field value) {
     unsigned long count;
-    if (!read_count(&count, value) || count != t->rows || t->complete)
+    if (!field_count(&count, value, ~0ul) || count != t->rows || t->complete)
         return context_fail(t->in.context, GRAZE_EINPUT,
                             "%s:%lu: `# complete %.*s` stands after %lu rows; right is one such "
                             "line, the last, with their number",
-                            t->in.name, t->in.line, value.length > 40 ? 40 : (int)value.length,
-                            value.start, t->rows);
+                            t->in.name, t->in.line, FIELD_SHOWN(value), t->rows);
     t->complete = 1;
     return GRAZE_OK;
 }
 
 /* A `#` line: `# key value`. */
 static graze_status read_note(table *t, field line) {
-    field key = csv_trimmed((field){line.start + 1, line.length - 1}), value = key;
-    for (key.length = 0; key.length < value.length && !is_blank(key.start[key.length]);)
+    field key = field_trimmed((field){line.start + 1, line.length - 1}), value = key;
+    for (key.length = 0; key.length < value.length && key.start[key.length] != ' ' &&
+                         key.start[key.length] != '\t';)
         key.length++;
     value.start += key.length;
     value.length -= key.length;
-    value = csv_trimmed(value);
+    value = field_trimmed(value);
     if (field_is(key, "complete"))
         return read_complete(t, value);
     for (int n = 0; n < NOTE_COUNT; n++) {
@@ -126,16 +102,16 @@ static graze_status split(table *t, table_row *row, field line) {
     row->field_count = 0;
     row->keyed = 0;
     row->line = t->in.line;
-    const char *at = row->bytes, *end = at + line.length;
+    field rest = {row->bytes, line.length};
     graze_status status = GRAZE_OK;
-    while (at && !status) {
+    while (rest.start && !status) {
         field f;
-        if (!csv_take(&f, &at, end))
+        if (!field_take(&f, &rest))
             return context_fail(t->in.context, GRAZE_EINPUT,
                                 "%s:%lu: a quoted field must end on its line, before a comma or "
                                 "the line's end",
                                 t->in.name, t->in.line);
-        status = add_field(t, row, f);
+        status = add_field(t, row, field_content(f));
     }
     return status;
 }
@@ -146,12 +122,12 @@ static graze_status next_line(table *t, table_row *row, int *more) {
     graze_status status = GRAZE_OK;
     *more = 0;
     while (!status) {
-        status = stream_next(&t->in, &line.start, &line.length);
+        status = stream_next(&t->in, &line);
         if (status || !line.start)
             return status;
         if (line.length && *line.start == '#') {
             status = read_note(t, line);
-        } else if (csv_trimmed(line).length) {
+        } else if (field_trimmed(line).length) {
             *more = 1;
             return split(t, row, line);
         }

@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 #include <stdio.h>
-#include "compare/stream.h"
-#include "context/csv.h"
+#include "table/field.h"
+#include "table/stream.h"
 
 /** Columns that mean something here; any other is passed over. */
 typedef enum column {
@@ -47,8 +47,6 @@ typedef enum note {
     NOTE_TRIANGULATE,
     NOTE_COUNT
 } note;
-
-typedef csv_field field;
 
 /** The first 128 bits of a SHA-256, by which points and answers are known again. */
 typedef struct digest {
@@ -92,8 +90,6 @@ void table_row_clear(table_row *row);
 
 /** A field of a row; empty where the table has no such column. */
 field table_field(const table *t, const table_row *row, column c);
-int field_is(field f, const char *text);
-int field_equal(field a, field b);
 
 /** The digest of bytes. */
 digest digest_of(const char *bytes, size_t length);

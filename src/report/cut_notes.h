@@ -7,17 +7,13 @@
 #include "report/cut_table.h"
 
 /** What follows a key in a `#` line; 0 if the line has another. */
-int cut_value(token *out, token line, const char *key);
-/** A whole number of digits alone, at most `most`; 0 if it is none. */
-int cut_count(unsigned long *out, token s, unsigned long most);
+int cut_value(field *out, field line, const char *key);
 /** GRAZE_EINPUT with the message, which says what is wrong, and what a whole table is. */
 graze_status cut_broken(graze_context *context, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-/** A token's length and start for `%.*s`, cut after 40 bytes. */
-#define CUT_SHOWN(s) ((s).length > 40 ? 40 : (int)(s).length), (s).start
 
 /** Take a `#` line of the head: dimension, grid and box, each once. GRAZE_EINPUT, GRAZE_ELIMIT. */
-graze_status cut_note(cut_table *c, graze_context *context, token line);
+graze_status cut_note(cut_table *c, graze_context *context, field line);
 /** All of the head is taken: is what must be there, there? GRAZE_EINPUT. */
 graze_status cut_notes_end(const cut_table *c, graze_context *context);
 /** Does the grid have that many points? 1 also where there is no grid. */

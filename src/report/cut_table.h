@@ -7,11 +7,8 @@
 #ifndef GRAZE_REPORT_CUT_TABLE_H
 #define GRAZE_REPORT_CUT_TABLE_H
 
-#include "context/csv.h"
 #include "number/text.h"
-
-/** Bytes within the table: what a field says, quotes and blanks around it left out. */
-typedef csv_field token;
+#include "table/field.h"
 
 typedef enum column_kind {
     COLUMN_COORDINATE, /* x, y, z: rationals */
@@ -25,7 +22,7 @@ typedef enum column_kind {
 } column_kind;
 
 typedef struct column {
-    token name;
+    field name;
     column_kind kind;
     size_t widest; /* bytes of its longest field */
 } column;
@@ -39,7 +36,7 @@ typedef struct cut_table {
     size_t row_count, column_count;
     size_t own; /* the first so many columns are Graze's, the others the points' */
     column *column;
-    token *row; /* each row without its line end */
+    field *row; /* each row without its line end */
 } cut_table;
 
 /**
@@ -51,14 +48,14 @@ graze_status cut_table_read(cut_table *out, graze_context *context, const char *
 void cut_table_clear(cut_table *c);
 
 /** Field `index` of a row, which has it. */
-token cut_table_field(const cut_table *c, size_t row, size_t index);
+field cut_table_field(const cut_table *c, size_t row, size_t index);
 /** The double nearest to a field that is a number; infinite past the range of doubles.
  * @return GRAZE_ELIMIT more digits than the limit; GRAZE_ESYSTEM */
 graze_status cut_table_number(double *out, graze_context *context, const cut_table *c, size_t row,
                               size_t index);
 /** The value of a field of Graze's own by which numbers stand for names: pmc and class as in
  * graze.h, definition with 0 for ext, counts as they are. */
-unsigned long cut_table_code(column_kind kind, token field);
+unsigned long cut_table_code(column_kind kind, field field);
 
 /** The table as a legacy VTK file: a grid as structured points, else vertices. */
 graze_status export_vtk(text *out, graze_context *context, const cut_table *c);

@@ -35,13 +35,13 @@ static size_t width_of(const column *c) {
     return c->widest ? c->widest : 1;
 }
 
-static int same_name(const token *a, const token *b) {
+static int same_name(const field *a, const field *b) {
     return a->length == b->length && memcmp(a->start, b->start, a->length) == 0;
 }
 
 /* A name as Python writes it between quotes. Names that occurred are told apart by `_2`. */
 static void put_name(text *t, const cut_table *c, size_t index) {
-    const token *name = &c->column[index].name;
+    const field *name = &c->column[index].name;
     size_t same = 1;
     for (size_t k = 0; k < name->length; k++) {
         if (name->start[k] == '\'' || name->start[k] == '\\')
@@ -92,7 +92,7 @@ static void put_head(text *t, const cut_table *c) {
 static graze_status put_field(text *out, graze_context *context, const cut_table *c, size_t row,
                               size_t index) {
     const column *to = &c->column[index];
-    token field = cut_table_field(c, row, index);
+    field field = cut_table_field(c, row, index);
     double number;
     if (is_number(to->kind)) {
         graze_status status = cut_table_number(&number, context, c, row, index);

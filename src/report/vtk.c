@@ -83,7 +83,7 @@ static graze_status put_vertices(text *t, graze_context *context, const cut_tabl
 
 /* A text and the row it stands in. */
 typedef struct numbered {
-    token field;
+    field field;
     size_t row, number;
 } numbered;
 
@@ -114,7 +114,7 @@ static numbered *number_texts(const cut_table *c, size_t index) {
         all[r] = (numbered){cut_table_field(c, r, index), r, r};
     qsort(all, c->row_count, sizeof *all, compare_texts);
     for (size_t k = 1; k < c->row_count; k++) {
-        const token *a = &all[k - 1].field, *b = &all[k].field;
+        const field *a = &all[k - 1].field, *b = &all[k].field;
         if (a->length == b->length && memcmp(a->start, b->start, a->length) == 0)
             all[k].number = all[k - 1].number;
     }
@@ -127,7 +127,7 @@ static numbered *number_texts(const cut_table *c, size_t index) {
 
 /* A name without blanks, which the format cuts lines at; `_2` and so on after a name that was. */
 static void put_name(text *t, const cut_table *c, size_t index) {
-    const token *name = &c->column[index].name;
+    const field *name = &c->column[index].name;
     size_t same = 1;
     for (size_t k = 0; k < name->length; k++) {
         char byte = isspace((unsigned char)name->start[k]) ? '_' : name->start[k];

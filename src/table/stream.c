@@ -1,7 +1,7 @@
 /* Lines out of a buffer that grows only for a long line.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "compare/stream.h"
+#include "table/stream.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -71,11 +71,10 @@ static graze_status read_more(stream *l) {
     return GRAZE_OK;
 }
 
-graze_status stream_next(stream *l, const char **start, size_t *length) {
+graze_status stream_next(stream *l, field *out) {
     size_t seen = 0;
     char *end = NULL;
-    *start = NULL;
-    *length = 0;
+    *out = (field){NULL, 0};
     while (!end && !l->ended) {
         end = memchr(l->buffer + l->from + seen, '\n', l->to - l->from - seen);
         seen = l->to - l->from;
@@ -98,7 +97,6 @@ graze_status stream_next(stream *l, const char **start, size_t *length) {
     if (memchr(at, '\0', n))
         return context_fail(l->context, GRAZE_EINPUT, "%s:%lu: a byte 0 in a text file", l->name,
                             l->line);
-    *start = at;
-    *length = n;
+    *out = (field){at, n};
     return check_length(l, n, l->line);
 }

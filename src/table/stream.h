@@ -1,10 +1,11 @@
 /* A text file line by line, one buffer's worth of it in memory.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef GRAZE_COMPARE_STREAM_H
-#define GRAZE_COMPARE_STREAM_H
+#ifndef GRAZE_TABLE_STREAM_H
+#define GRAZE_TABLE_STREAM_H
 
 #include "context/context.h"
+#include "table/field.h"
 
 typedef struct stream {
     graze_context *context;
@@ -24,10 +25,10 @@ int stream_repeatable(const stream *l);
 
 /**
  * The next line without its end (LF or CRLF) and without a byte order mark; borrowed until the next
- * call. *start is NULL at the end of the file.
+ * call. Its start is NULL at the end of the file.
  * @return GRAZE_ELIMIT it is longer than the limit `line`; GRAZE_EINPUT it holds a byte 0;
  * GRAZE_ESYSTEM reading failed; GRAZE_ECANCELED
  */
-graze_status stream_next(stream *l, const char **start, size_t *length);
+graze_status stream_next(stream *l, field *out);
 
 #endif

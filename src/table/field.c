@@ -1,0 +1,117 @@
+/* Cuts a line of CSV into its fields.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "table/field.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int is_blank(char byte) {
+    return byte == ' ' || byte == '\t';
+}
+
+field field_trimmed(field f) {
+    for (; f.length && is_blank(*f.start); f.start++)
+        f.length--;
+    while (f.length && is_blank(f.start[f.length - 1]))
+        f.length--;
+    return f;
+}
+
+field field_content(field f) {
+    f = field_trimmed(f);
+    if (f.length >= 2 && *f.start == '"') {
+        f.start++;
+        f.length -= 2;
+    }
+    return f;
+}
+
+int field_is(field f, const char *text) {
+    return f.length == strlen(text) && memcmp(f.start, text, f.length) == 0;
+}
+
+int field_equal(field a, field b) {
+    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
+}
+
+int field_count(unsigned long *out, field f, unsigned long most) {
+    *out = 0;
+    for (size_t k = 0; k < f.length; k++) {
+        unsigned long digit = (unsigned long)f.start[k] - '0';
+        if (f.start[k] < '0' || digit > 9 || *out > most / 10 || 10 * *out > most - digit)
+            return 0;
+        *out = 10 * *out + digit;
+    }
+    return f.length > 0;
+}
+
+/* The end of a field that begins at `at`; NULL if a quote in it is not closed or followed by more.
+ */
+static const char *field_end(const char *at, const char *end) {
+    while (at < end && is_blank(*at))
+        at++;
+    if (at == end || *at != '"') {
+        const char *comma = at == end ? NULL : memchr(at, ',', (size_t)(end - at));
+        return comma ? comma : end;
+    }
+    for (at++; at < end; at++) {
+        if (*at != '"')
+            continue;
+        if (at + 1 == end || at[1] != '"')
+            break;
+        at++;
+    }
+    if (at == end)
+        return NULL;
+    for (at++; at < end && is_blank(*at);)
+        at++;
+    return at == end || *at == ',' ? at : NULL;
+}
+
+int field_take(field *out, field *rest) {
+    const char *end = rest->start + rest->length, *stop = field_end(rest->start, end);
+    if (!stop)
+        return 0;
+    *out = (field){rest->start, (size_t)(stop - rest->start)};
+    *rest = stop == end ? (field){NULL, 0} : (field){stop + 1, (size_t)(end - stop - 1)};
+    return 1;
+}
+
+static int add(fields *f, field one) {
+    if (f->count == f->capacity) {
+        size_t capacity = 2 * f->capacity + 16;
+        field *grown = realloc(f->item, capacity * sizeof *grown);
+        if (!grown)
+            return 0;
+        f->item = grown;
+        f->capacity = capacity;
+    }
+    f->item[f->count++] = one;
+    return 1;
+}
+
+fields_result fields_cut(fields *out, field line) {
+    out->count = 0;
+    while (line.start) {
+        field one;
+        if (!field_take(&one, &line))
+            return FIELDS_OPEN_QUOTE;
+        if (!add(out, one))
+            return FIELDS_NO_MEMORY;
+    }
+    return FIELDS_CUT;
+}
+
+size_t fields_count(field line) {
+    size_t count = 0;
+    for (field one; line.start; count++)
+        if (!field_take(&one, &line))
+            return 0;
+    return count;
+}
+
+void fields_clear(fields *f) {
+    free(f->item);
+    *f = (fields){NULL, 0, 0};
+}
