@@ -17,7 +17,7 @@
 #include "number/rational.h"
 #include "number/rounding.h"
 #include "scene/scene.h"
-#include "solid/validate.h"
+#include "validate/validate.h"
 #include "verdict/classify.h"
 #include "verdict/verdict.h"
 

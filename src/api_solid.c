@@ -7,8 +7,9 @@
 #include "api.h"
 #include "context/environment.h"
 #include "number/rounding.h"
-#include "solid/nesting.h"
-#include "solid/solid.h"
+#include "read/nesting.h"
+#include "read/read.h"
+#include "solid/create.h"
 
 /* `sha256` is that of a file validated before, or NULL. */
 static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "certify/certify.h"
+#include "solid/create.h"
 
 enum { MOST_CORNERS = 500 }; /* as in the checker */
 

@@ -15,6 +15,8 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "solid/locate.h"
+#include "validate/overlap.h"
 
 /* d x (d + 1) affine maps as square homogeneous matrices, so that FLINT multiplies and inverts. */
 static void homogeneous(fmpq_mat_t out, const point_map *map, const fmpq_t u) {

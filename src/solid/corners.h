@@ -4,8 +4,8 @@
 #ifndef GRAZE_SOLID_CORNERS_H
 #define GRAZE_SOLID_CORNERS_H
 
-#include "solid/soup.h"
-#include "solid/validate.h"
+#include "soup/soup.h"
+#include "validate/validate.h"
 
 /**
  * `at` holds d corners of d coordinates for each simplex, in the order of its vertices. Each

@@ -7,7 +7,7 @@
  * of facets that the ray leaves through is the winding number at x (proofs/claims.md C6).
  * Doubles settle the triangles that the ray clearly passes or clearly crosses beyond x.
  */
-#include "solid/solid.h"
+#include "solid/locate.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>

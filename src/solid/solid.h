@@ -9,9 +9,9 @@
 #define GRAZE_SOLID_SOLID_H
 
 #include "solid/corners.h"
-#include "solid/soup.h"
+#include "soup/soup.h"
 #include "solid/tree.h"
-#include "solid/validate.h"
+#include "validate/validate.h"
 
 struct graze_solid {
     soup input;
@@ -24,10 +24,6 @@ struct graze_solid {
     corners corners;
     char note[256]; /* what is unusual about the input; "" if nothing */
 };
-
-/** Make a solid of a soup, which it takes over (also on failure): validation, bounds,
- * tree, side tests. */
-graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags);
 
 /**
  * Plane form of a simplex: the first non-zero normal coordinate is positive, so that simplices of
@@ -44,22 +40,8 @@ int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex);
  */
 void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k);
 
-/**
- * Where a point lies: I, B or O. Counts the signed crossings of one ray, made generic by an
- * infinitesimal displacement (proofs/claims.md C6). `x` are d + 1 homogeneous integers, x[d] > 0.
- * @return GRAZE_STATE_ABSENT if the crossings add up to neither, which only a fault of ours can
- * bring about
- */
-graze_state solid_locate(const graze_solid *solid, const fmpz *x);
-
 /** The boundary cell of a simplex at which just the side forms with their bit set in `zero` vanish,
  * as the simplex names it; the input's names are cut.names' (names.h). */
 graze_cell solid_cell(const graze_solid *solid, size_t simplex, unsigned zero);
-
-/**
- * One side test per component of the boundary: the winding number must be 1 on the inner side and 0
- * on the outer side of one facet of it; then it is so for all (proofs/claims.md C3, C4).
- */
-graze_status solid_check_sides(const graze_solid *solid, graze_context *context);
 
 #endif

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "number/rounding.h"
+#include "solid/locate.h"
 
 static int dimension_of(const tracer *r) {
     return r->scene->motion->dimension;

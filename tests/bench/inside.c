@@ -21,7 +21,8 @@
 #include <time.h>
 #include <unistd.h>
 #include "graze.h"
-#include "solid/validate.h"
+#include "read/read.h"
+#include "validate/validate.h"
 
 /* Absent from graze.h until the filter counts what it hands on; then `exact=-1` turns into a
  * number by itself, and this declaration can go. */

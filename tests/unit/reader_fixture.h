@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include <cmocka.h>
-#include "solid/soup.h"
+#include "read/read.h"
 
 #define NEF "tests/refuse/common/nef3/"
 

@@ -9,6 +9,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "solid/forms.h"
+#include "solid/locate.h"
 #include "solid/planes.h"
 #include "fixture.h"
 

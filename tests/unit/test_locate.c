@@ -15,7 +15,7 @@
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "solid/solid.h"
+#include "solid/locate.h"
 
 enum { ROUNDS = 400, POINTS = 40 };
 

@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include "context/file.h"
 #include "number/rational.h"
-#include "solid/soup.h"
+#include "read/read.h"
 #include "fixture.h"
 
 #define NEF "tests/refuse/common/nef3/"

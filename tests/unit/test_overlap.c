@@ -1,10 +1,10 @@
-/* Validation and overlap test (solid/validate.h) of random convex bodies, against separating axes:
- * a second method that shares nothing with the first. And cancelling.
+/* Validation and overlap test (validate/validate.h) of random convex bodies, against separating
+ * axes: a second method that shares nothing with the first. And cancelling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdlib.h>
 #include <string.h>
-#include "solid/validate.h"
+#include "validate/overlap.h"
 #include "fixture.h"
 
 typedef struct body {

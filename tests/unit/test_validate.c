@@ -1,4 +1,4 @@
-/* The validation of solids (solid/validate.h): every rule, legal and illegal, in every mirror
+/* The validation of solids (validate/validate.h): every rule, legal and illegal, in every mirror
  * image, order of axes and numbering; the cut into simplices; the smallest gap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "number/rational.h"
-#include "solid/validate.h"
+#include "validate/overlap.h"
+#include "validate/validate.h"
 #include "fixture.h"
 
 #define MOST 400

@@ -1,0 +1,24 @@
+/* Whether a boundary meets its image, for the position of the configurations at the ends.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_VALIDATE_OVERLAP_H
+#define GRAZE_VALIDATE_OVERLAP_H
+
+#include "validate/validate.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Does any simplex of S touch any simplex of the image of S under the affine map? (Closed sets,
+ * exactly.) Containment of one boundary in the other solid is the caller's to ask.
+ * @param map d*(d+1) rationals, row by row, invertible
+ */
+graze_status boundaries_meet(int *out, graze_context *context, const soup *s, const simplices *cut,
+                             const fmpq *map);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
