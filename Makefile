@@ -22,7 +22,7 @@ NOT_UNIQUE := $(if $(findstring clang,$(CXX)),,-fno-gnu-unique)
 ALL_CXXFLAGS = -std=c++17 -frounding-math $(NOT_UNIQUE) $(COMMON) $(CXXFLAGS)
 # The programs find libgraze-png beside them, in build/, or in ../lib; libgraze.so finds it beside itself.
 RPATH = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/$(1)'
-VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze.h)
+VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze/core.h)
 SONAME := libgraze.so.0
 LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 
@@ -221,8 +221,8 @@ $B/install/libgraze.a: $(LIB_O)
 	@$(CXX) -r -nostdlib -Wl,--force-group-allocation -o $B/install/graze.o $^
 	@objcopy --strip-debug --wildcard --keep-global-symbol='graze_*' $B/install/graze.o
 	@ar rcs $@ $B/install/graze.o
-# The pages say what --help and graze.h say.
-$(PAGES): $B/graze include/graze.h $(wildcard src/install/*.awk)
+# The pages say what --help and the headers say.
+$(PAGES): $B/graze include/graze.h $(wildcard include/graze/*.h) $(wildcard src/install/*.awk)
 	@echo "  MAN  $@"
 	@src/install/pages.sh $@.new $B/graze $(VERSION)
 	@rm -rf $@ && mv $@.new $@
@@ -247,10 +247,11 @@ endef
 .PHONY: install
 install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	$(check_paths)
-	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR) $(LIBDIR)/pkgconfig $(CMAKEDIR) \
+	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR)/graze $(LIBDIR)/pkgconfig $(CMAKEDIR) \
 	  $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
 	@install -s $B/graze $B/graze-check $(MPI) $(DESTDIR)$(BINDIR)
 	@install -m 644 include/graze.h $(DESTDIR)$(INCLUDEDIR)
+	@install -m 644 include/graze/*.h $(DESTDIR)$(INCLUDEDIR)/graze
 	@install -m 644 $B/install/libgraze.a $(DESTDIR)$(LIBDIR)
 	@install -s -m 644 $B/libgraze.so $(DESTDIR)$(LIBDIR)/libgraze.so.$(VERSION)
 	@ln -sf libgraze.so.$(VERSION) $(DESTDIR)$(LIBDIR)/$(SONAME)
@@ -278,7 +279,7 @@ uninstall:
 	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION) libgraze-png-$(VERSION).so) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
 	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
 	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list
-	@rm -rf $(addprefix $(DESTDIR),$(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
+	@rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/graze $(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
 	$(REFRESH)
 
 .PHONY: deb

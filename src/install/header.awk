@@ -1,9 +1,9 @@
-# The man page graze(3) from include/graze.h. SPDX-License-Identifier: GPL-3.0-or-later
+# The man page graze(3) from the public headers. SPDX-License-Identifier: GPL-3.0-or-later
 #
-#   awk -v version=V -f roff.awk -f header.awk include/graze.h
+#   awk -v version=V -f roff.awk -f header.awk include/graze.h include/graze/core.h ...
 #
-# The comment at the head of the file is the introduction; a line of dashes with a name opens a section; every
-# declaration is shown with the comment that stands before it.
+# The comment at the head of graze.h is the introduction, that of another file opens a section, and so does a
+# line of dashes with a name; every declaration is shown with the comment before it.
 
 # The text of a comment line.
 function inner(line) {
@@ -25,12 +25,29 @@ function intro(line) {
         named = 1
     } else if (line == "") {
         print ".PP"
-    } else if (line == "Rules of use") {
-        print ".SH RULES OF USE"
+    } else if (line == "Rules of use" || line == "Example") {
+        print ".SH " toupper(line)
+        code = line == "Example"
+    } else if (code && match(line, /^    /)) {
+        print ".nf\n" roff(substr(line, RLENGTH + 1)) "\n.fi"
     } else if (match(line, /^ *[0-9]+\. /)) {
         print ".TP 4\n" substr(line, RSTART, RLENGTH) "\n" roff(substr(line, RLENGTH + 1))
     } else {
         sub(/^ +/, "", line)
+        print roff(line)
+    }
+}
+
+# The head of a part: its file and subject are the section's name.
+function section(line) {
+    if (line ~ /SPDX/)
+        return
+    if (line ~ /^graze\/.* - /) {
+        sub(/\.$/, "", line)
+        print ".SH <" substr(line, 1, index(line, " ") - 1) ">\n" roff(substr(line, index(line, " - ") + 3)) "."
+    } else if (line == "") {
+        print ".PP"
+    } else {
         print roff(line)
     }
 }
@@ -86,7 +103,13 @@ function declaration(text, n, line, k) {
     notes = ""
 }
 
-NR == 1 { state = "intro" }
+FNR == 1 { state = NR == 1 ? "intro" : "part" }
+state == "part" {
+    section(inner($0))
+    if (/\*\/ *$/)
+        state = ""
+    next
+}
 state == "intro" {
     intro(inner($0))
     if (/\*\/ *$/)

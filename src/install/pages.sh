@@ -13,7 +13,9 @@ page() { # PAGE, then arguments of awk
     awk -v version="$version" -f "$here/roff.awk" "$@" >"$folder/$page"
 }
 page graze.1 -f "$here/command.awk" "$folder/overview"
-page graze.3 -f "$here/header.awk" "$here/../../include/graze.h"
+include=$here/../../include
+parts=$(sed -n "s|^#include <\(graze/.*\)>.*|$include/\1|p" "$include/graze.h")
+page graze.3 -f "$here/header.awk" "$include/graze.h" $parts
 sed -n 's/^  graze \([a-z-]*\) .*/\1/p' "$folder/overview" | grep -v '^-' >"$folder/commands"
 while read -r command; do
     "$program" "$command" --help >"$folder/help"

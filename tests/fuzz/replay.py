@@ -75,8 +75,10 @@ def targets_held(program, folder):
 
 
 def public_functions():
-    with open("include/graze.h", encoding="utf-8") as file:
-        text = re.sub(r"/\*.*?\*/", "", file.read(), flags=re.S)
+    text = ""
+    for path in sorted(glob.glob("include/graze/*.h")):
+        with open(path, encoding="utf-8") as file:
+            text += re.sub(r"/\*.*?\*/", "", file.read(), flags=re.S)
     return [re.search(r"(graze_\w+)\s*\(", declared)[1] for declared in re.findall(r"GRAZE_API([^;{]*);", text)]
 
 

@@ -20,6 +20,7 @@ from tally import ROOT, check, output, read, run, same
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PREFIX = "/opt/graze"
+PARTS = "core report generate compare convert draw boundary certify".split()
 # c(t) = P - (8t, 0, 0): at y = z = 1 it enters the cube [0, 2]^3 at x = 2 and leaves it at x = 0; at z = 2 it
 # slides along the top; at y = 3 it passes by. Without its last facet the cube is open.
 C_OUTPUT = "regular OBIBO\nboundary OBO\nexterior O\nrefused\n7\n"
@@ -28,7 +29,7 @@ CXX_OUTPUT = "in\non\nout\nrefused\n"
 
 
 def version_of_header():
-    return re.search(r'#define GRAZE_VERSION "(.*)"', read("include", "graze.h"))[1]
+    return re.search(r'#define GRAZE_VERSION "(.*)"', read("include", "graze", "core.h"))[1]
 
 
 def files_under(folder):
@@ -41,7 +42,7 @@ def check_tree(root, version):
     files = {name for name in files_under(root) if not name.startswith(("share/graze/", "share/man/", "lib/python3/dist-packages/graze/"))}
     mpi = {"bin/graze-mpi"} if shutil.which("mpicc") else set()
     png = {f"lib/libgraze-png-{version}.so"} if os.path.exists("/usr/include/cairo/cairo.h") else set()
-    same(files, mpi | png | {"bin/graze", "bin/graze-check", "include/graze.h", "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
+    same(files, mpi | png | {"bin/graze", "bin/graze-check", "include/graze.h", *(f"include/graze/{name}.h" for name in PARTS), "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
                  f"lib/libgraze.so.{version}", "lib/pkgconfig/graze.pc", "lib/cmake/graze/grazeConfig.cmake",
                  "lib/cmake/graze/grazeConfigVersion.cmake", "share/bash-completion/completions/graze",
                  "share/doc/graze/README.md", "share/doc/graze/CHANGELOG.md", "share/doc/graze/CITATION.cff",

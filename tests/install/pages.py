@@ -9,7 +9,7 @@ import glob
 import os
 import re
 
-from tally import check, output, read, run, same
+from tally import ROOT, check, output, read, run, same
 
 
 def commands_of(graze):
@@ -95,11 +95,17 @@ def check_pages(graze, folder, commands):
     check_header(rendered(os.path.join(folder, "man3", "graze.3")))
 
 
+def headers():
+    """The text of graze.h and of its parts."""
+    return read("include", "graze.h") + "".join(read("include", "graze", name)
+                                                for name in sorted(os.listdir(os.path.join(ROOT, "include", "graze"))))
+
+
 def check_header(page):
-    """graze(3) has every function, type and value of graze.h, and all words of its comments."""
-    header = read("include", "graze.h")
+    """graze(3) has every function, type and value of the headers, and all words of their comments."""
+    header = headers()
     functions = public_functions()
-    check(len(functions) > 50, f"{len(functions)} functions in graze.h")
+    check(len(functions) > 50, f"{len(functions)} functions in the headers")
     words = set(re.findall(r"\w+", page))
     for name in functions | set(re.findall(r"\bGRAZE_[A-Z0-9_]+ =", header)):
         check(name.split()[0] in words, f"graze(3) lacks {name}")
@@ -109,8 +115,8 @@ def check_header(page):
 
 
 def public_functions():
-    """The functions that graze.h declares."""
-    header = re.sub(r"/\*.*?\*/", "", read("include", "graze.h"), flags=re.S)
+    """The functions that the headers declare."""
+    header = re.sub(r"/\*.*?\*/", "", headers(), flags=re.S)
     return set(re.findall(r"^GRAZE_API[^;{]*?\b(graze_\w+)\(", header, re.M))
 
 

@@ -21,7 +21,7 @@ HEADING = re.compile(r"^## C(\d+) .*?(?=^## C|^# |\Z)", re.M | re.S)
 # Outside proofs/ a number is cited behind the name of its document, perhaps over the end of a comment's line.
 CITED = re.compile(r"(?:claims|filter)\.md\)?,?[\s*/#]*((?:C\d+(?:[\s*/#]*(?:,|;|and|to)?[\s*/#]+(?=(?:and )?C\d)(?:and )?)?)+)")
 CHECKED = re.compile(r"^\*Machine-checked:\* (.*?)(?=\n\n|\s*\Z)", re.M | re.S)
-ELSEWHERE = ("src/**/*.[ch]", "src/**/*.[ch]pp", "src/**/*.md", "include/*.h", "tests/**/*.[ch]", "tests/**/*.py",
+ELSEWHERE = ("src/**/*.[ch]", "src/**/*.[ch]pp", "src/**/*.md", "include/**/*.h", "tests/**/*.[ch]", "tests/**/*.py",
              "tests/**/*.cpp", "tests/**/*.h", "tests/mutants.txt", "cases/**/*.md", "*.md")
 
 

@@ -69,10 +69,10 @@ def main():
         check(top <= TOP, f"top level: {sorted(top - TOP)}")
     for compiler, standard in (("gcc", "c11"), ("g++", "c++17")):
         language = "c" if compiler == "gcc" else "c++"
-        done = subprocess.run([compiler, "-x", language, f"-std={standard}", "-Wall", "-Wextra",
-                               "-pedantic", "-Werror", "-fsyntax-only", "include/graze.h"],
-                              stderr=subprocess.PIPE)
-        check(done.returncode == 0, f"graze.h alone as {standard}: {done.stderr.decode()}")
+        for path in ["include/graze.h"] + sorted(glob.glob("include/graze/*.h")):
+            done = subprocess.run([compiler, "-x", language, f"-std={standard}", "-Wall", "-Wextra", "-pedantic",
+                                   "-Werror", "-fsyntax-only", "-Iinclude", path], stderr=subprocess.PIPE)
+            check(done.returncode == 0, f"{path} alone as {standard}: {done.stderr.decode()}")
     print(f"{checks - len(failures)} passed, {len(failures)} failed")
     sys.exit(1 if failures else 0)
 
