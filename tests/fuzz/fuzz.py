@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Run the fuzz targets in turn (make fuzz), and say what came of each.
 
-What a run learns is kept in build-fuzz/corpus/TARGET and used again by the next one, which begins with that
-and the seeds of tests/fuzz/corpus. What breaks a target is written to build-fuzz/found, the log is added to
-build-fuzz/logs/TARGET; executions and edges are counted over the whole log. The exit status is 1 if
+What a run learns is kept in FOLDER/corpus/TARGET (build-fuzz) and used again by the next one, which begins with that
+and the seeds of tests/fuzz/corpus. What breaks a target is written to FOLDER/found, the log is added to
+FOLDER/logs/TARGET; executions and edges are counted over the whole log. The exit status is 1 if
 something was broken.
 
-    fuzz.py [--seconds S] [--runs N] [TARGET ...]
+    fuzz.py [--build FOLDER] [--seconds S] [--runs N] [TARGET ...]
     fuzz.py --keep [TARGET ...]     put the smallest inputs that reach all edges known into tests/fuzz/corpus
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -19,15 +19,13 @@ import subprocess
 import sys
 import tempfile
 
-BUILD = "build-fuzz"
-PROGRAM = BUILD + "/tests/fuzz/fuzz"
 SEEDS = "tests/fuzz/corpus"
 LONGEST = {"nef3": 6000, "scene": 1500, "merge": 3000, "compare": 2500, "sweep": 160}  # bytes; others 1200
 MOST_KEPT = {"nef3": 110000, "scene": 110000, "compare": 80000}  # bytes of all seeds of a target; others 60000
 
 
-def targets():
-    listed = subprocess.run([BUILD + "/tests/fuzz/replay"], stdout=subprocess.PIPE, text=True, check=True)
+def targets(build):
+    listed = subprocess.run([build + "/tests/fuzz/replay"], stdout=subprocess.PIPE, text=True, check=True)
     return listed.stdout.split()
 
 
@@ -61,12 +59,13 @@ def told(log):
 
 def fuzz(target, options):
     """True unless the target was broken."""
-    corpus, log = f"{BUILD}/corpus/{target}", f"{BUILD}/logs/{target}"
-    for folder in (corpus, BUILD + "/logs", BUILD + "/found", f"{SEEDS}/{target}"):
+    build = options.build
+    corpus, log = f"{build}/corpus/{target}", f"{build}/logs/{target}"
+    for folder in (corpus, build + "/logs", build + "/found", f"{SEEDS}/{target}"):
         os.makedirs(folder, exist_ok=True)
-    command = ["nice", "-n", "15", PROGRAM, f"-max_len={LONGEST.get(target, 1200)}", "-timeout=30",
+    command = ["nice", "-n", "15", build + "/tests/fuzz/fuzz", f"-max_len={LONGEST.get(target, 1200)}", "-timeout=30",
                "-rss_limit_mb=2500", "-close_fd_mask=3", "-print_final_stats=1", "-use_value_profile=0",
-               f"-artifact_prefix={BUILD}/found/{target}-", f"-max_total_time={options.seconds}"]
+               f"-artifact_prefix={build}/found/{target}-", f"-max_total_time={options.seconds}"]
     if options.runs:
         command.append(f"-runs={options.runs}")
     words = f"tests/fuzz/words/{target}"
@@ -78,18 +77,18 @@ def fuzz(target, options):
     runs, edges, last = told(log)
     quiet = 100 * (runs - last) // max(runs, 1)
     print(f"{target}: {runs} executions, {edges} edges, none new in the last {quiet} %"
-          + ("" if done.returncode == 0 else f"; BROKEN, see {log} and {BUILD}/found"), flush=True)
+          + ("" if done.returncode == 0 else f"; BROKEN, see {log} and {build}/found"), flush=True)
     return done.returncode == 0
 
 
-def keep(target):
+def keep(target, build):
     """The seeds of a target made anew: small inputs first, as many as there is room for."""
-    seeds, corpus = f"{SEEDS}/{target}", f"{BUILD}/corpus/{target}"
+    seeds, corpus = f"{SEEDS}/{target}", f"{build}/corpus/{target}"
     os.makedirs(seeds, exist_ok=True)
     with scratch() as folder:
         merged = os.path.join(folder, "merged")
         os.makedirs(merged)
-        subprocess.run([PROGRAM, "-set_cover_merge=1", "-close_fd_mask=3", "-timeout=30", "-rss_limit_mb=2500", merged, seeds, corpus],
+        subprocess.run([build + "/tests/fuzz/fuzz", "-set_cover_merge=1", "-close_fd_mask=3", "-timeout=30", "-rss_limit_mb=2500", merged, seeds, corpus],
                        env=environment(target, folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
         files = sorted((os.path.getsize(e.path), e.name, e.path) for e in os.scandir(merged))
         named = [e.name for e in os.scandir(seeds) if not re.fullmatch("[0-9a-f]{12}", e.name)]
@@ -107,19 +106,20 @@ def keep(target):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", default="build-fuzz")
     parser.add_argument("--seconds", type=int, default=60, help="for each target")
     parser.add_argument("--runs", type=int, default=0, help="executions at most of each target")
     parser.add_argument("--keep", action="store_true")
     parser.add_argument("target", nargs="*")
     options = parser.parse_args()
-    known = targets()
+    known = targets(options.build)
     for target in options.target:
         if target not in known:
-            sys.exit(f"{target}: is no target; right is one of {', '.join(known)}")
+            sys.exit(f"{target}: is no target; expected one of {', '.join(known)}")
     chosen = options.target or known
     if options.keep:
         for target in chosen:
-            keep(target)
+            keep(target, options.build)
         return
     broken = [target for target in chosen if not fuzz(target, options)]
     print(f"{len(chosen) - len(broken)} passed, {len(broken)} failed")
