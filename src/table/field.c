@@ -39,7 +39,7 @@ int field_count(unsigned long *out, field f, unsigned long most) {
     *out = 0;
     for (size_t k = 0; k < f.length; k++) {
         unsigned long digit = (unsigned long)f.start[k] - '0';
-        if (f.start[k] < '0' || digit > 9 || *out > most / 10 || 10 * *out > most - digit)
+        if (f.start[k] < '0' || digit > 9 || digit > most || *out > (most - digit) / 10)
             return 0;
         *out = 10 * *out + digit;
     }
