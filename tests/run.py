@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """Run every test suite and add up what they counted.
 
-A suite is a program. It ends with `N passed, N failed` or `N passed, N failed, N skipped`, or it is a cmocka
-program, whose own summary is read. A suite that dies, runs too long or counts nothing is one failure.
+A suite is a C file of tests/unit or tests/api, which is a cmocka program, or a script tests/FOLDER/*.py that runs
+when it is called (`if __name__ == "__main__"`). Its summary is `N passed, N failed` or `N passed, N failed, N
+skipped`, or cmocka's own. The tables of tests/README.md record each of them: the suites with the least number of
+checks that each must count, and the scripts that are run by hand. A suite or script without a row, a row without a
+file, a suite that counts fewer checks than recorded, dies, or runs too long is one failure.
 Lines `SKIP name: reason` are passed on. The last line of all is the sum.
 """
 import argparse
@@ -19,29 +22,40 @@ PLAIN = re.compile(r"^(?:\w+: )?(\d+) passed, (\d+) failed(?:, (\d+) skipped)?$"
 CMOCKA_PASSED = re.compile(r"\[  PASSED  \] (\d+) test")
 CMOCKA_FAILED = re.compile(r"\[  FAILED  \] (\d+) test")
 CMOCKA_SKIPPED = re.compile(r"\[  SKIPPED \] (\d+) test")
+RECORD = "tests/README.md"
+# | `folder/file` | ... | least number of checks, or `by hand` | time |
+ROW = re.compile(r"^\| `([\w./-]+)` \|.*\| (\d+|by hand) \|[^|]*\|$", re.M)
 
 
-# Suites that hold the program to a limit of memory, and how to tell them not to: sanitizers need address space.
-NO_LIMIT = {"refuse": ["--sanitizers"], "agree": ["--memory", "0"], "words": ["--memory", "0"],
-            "examples": ["--memory", "0"], "unsweep": ["--memory", "0"],
-            "compare": ["--sanitizers"], "bombs": ["--sanitizers"], "filter": ["--memory", "0"],
-            "install": ["--sanitizers"], "memory": ["--sanitizers"]}
+def found():
+    """The paths under tests/ of all suites and scripts."""
+    paths = [path for kind in ("unit", "api") for path in glob.glob(f"tests/{kind}/*.c")]
+    for path in glob.glob("tests/*/*.py"):
+        with open(path, encoding="utf-8") as file:
+            if re.search(r'^if __name__ == "__main__":', file.read(), re.M):
+                paths.append(path)
+    return sorted(path[len("tests/"):] for path in paths)
 
 
-def suites(build, scale, sanitizers):
-    graze = os.path.join(build, "graze")
-    for kind in ("unit", "api"):
-        for source in sorted(glob.glob(f"tests/{kind}/*.c")):
-            yield source, [os.path.join(build, source[:-2])]
-    for script in sorted(glob.glob("tests/*/*.py")):
-        with open(script, encoding="utf-8") as file:
-            if "# suite" in file.read(400):
-                command = [sys.executable, script, "--graze", graze]
-                if scale != 1:
-                    command += ["--scale", str(scale)]
-                if sanitizers:
-                    command += NO_LIMIT.get(script.split("/")[1], [])
-                yield script, command
+def recorded():
+    """Path -> least number of checks, None for a script that is run by hand; and the faults of the record."""
+    with open(RECORD, encoding="utf-8") as file:
+        rows = ROW.findall(file.read())
+    record = {path: None if least == "by hand" else int(least) for path, least in rows}
+    there = found()
+    faults = [f"{RECORD}: {path} has two rows" for path in record if sum(row[0] == path for row in rows) > 1]
+    faults += [f"{RECORD}: tests/{path} has no row" for path in there if path not in record]
+    faults += [f"{RECORD}: there is no suite or script tests/{path}" for path in record if path not in there]
+    faults += [f"{RECORD}: {path}: expected a number of checks above 0" for path, least in record.items() if least == 0]
+    return record, faults
+
+
+def command(path, options):
+    if path.endswith(".c"):
+        return [os.path.join(options.build, "tests", path[:-2])]
+    more = ["--scale", str(options.scale)] if options.scale != 1 else []
+    more += ["--sanitizers"] if options.sanitizers else []
+    return [sys.executable, "tests/" + path, "--graze", os.path.join(options.build, "graze"), *more]
 
 
 def count(output, status):
@@ -57,46 +71,54 @@ def count(output, status):
     return passed, failed, skipped
 
 
-def run(suite, limit):
-    name, command = suite
+def run(path, options):
     start = time.time()
     try:
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              stdin=subprocess.DEVNULL, timeout=limit)
+        done = subprocess.run(command(path, options), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              stdin=subprocess.DEVNULL, timeout=options.limit)
         output, status = done.stdout.decode("utf-8", "replace"), done.returncode
     except subprocess.TimeoutExpired as late:
-        output = (late.stdout or b"").decode("utf-8", "replace") + f"\nstopped after {limit} s\n"
+        output = (late.stdout or b"").decode("utf-8", "replace") + f"\nstopped after {options.limit} s\n"
         status = -1
-    return name, output, status, time.time() - start
+    return path, output, status, time.time() - start
+
+
+def judge(path, output, status, least):
+    """The counts of a suite and what is printed of its output. A suite that skips, or has a sanitizer (least 0),
+    counts fewer checks."""
+    passed, failed, skipped = count(output, status)
+    if passed < least and not skipped and not failed:
+        failed = 1
+        output += f"\nFAILED {path}: {passed} checks passed, expected at least {least} by {RECORD}\n"
+    shown = output[-6000:] if failed else "".join(f"  {line}\n" for line in output.splitlines()
+                                                  if line.startswith(("SKIP ", "histogram")))
+    return (passed, failed, skipped), shown
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--build", default="build")
-    parser.add_argument("--only", default="", help="run suites whose name holds this text")
-    parser.add_argument("--skip", action="append", default=[], help="leave out suites whose name holds this text")
+    parser.add_argument("--only", default="", help="run suites whose path contains this text")
+    parser.add_argument("--skip", action="append", default=[], help="leave out suites whose path contains this text")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--scale", type=int, default=1, help="multiplies random tests")
-    parser.add_argument("--sanitizers", action="store_true", help="no limits of memory")
+    parser.add_argument("--sanitizers", action="store_true", help="the build has a sanitizer: no limits of memory")
     parser.add_argument("--limit", type=float, default=900, help="seconds for one suite")
     options = parser.parse_args()
     for which in (signal.SIGINT, signal.SIGHUP):   # ignored in a shell's background; suites send them
         if signal.getsignal(which) == signal.SIG_IGN:
             signal.signal(which, signal.SIG_DFL)
-    chosen = [s for s in suites(options.build, options.scale, options.sanitizers)
-              if options.only in s[0] and not any(text in s[0] for text in options.skip)]
-    total = [0, 0, 0]
+    record, faults = recorded()
+    for fault in faults:
+        print("FAILED", fault)
+    chosen = [path for path in found() if record.get(path, 1) is not None and options.only in "tests/" + path
+              and not any(text in "tests/" + path for text in options.skip)]
+    total = [0, len(faults), 0]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for name, output, status, seconds in pool.map(lambda s: run(s, options.limit), chosen):
-            counts = count(output, status)
-            print(f"{name}: {counts[0]} passed, {counts[1]} failed, {counts[2]} skipped "
-                  f"({seconds:.1f} s)", flush=True)
-            if counts[1]:
-                print(output[-6000:], flush=True)
-            else:
-                for line in output.splitlines():
-                    if line.startswith(("SKIP ", "histogram")):
-                        print("  " + line)
+        for path, output, status, seconds in pool.map(lambda path: run(path, options), chosen):
+            counts, shown = judge(path, output, status, 0 if options.sanitizers else record.get(path, 1))
+            print(f"tests/{path}: {counts[0]} passed, {counts[1]} failed, {counts[2]} skipped ({seconds:.1f} s)")
+            print(shown, end="", flush=True)
             total = [a + b for a, b in zip(total, counts)]
     if sum(total) == 0:
         total[1] = 1

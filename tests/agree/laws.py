@@ -9,7 +9,6 @@ unsweep of the complement ([IS] eqs 19, 36), sequence against its parts, plane s
 prism. No law trusts the program: all compare one run of it with another one along a different path.
 """
 import os
-import subprocess
 import sys
 from fractions import Fraction as F
 from functools import cmp_to_key
@@ -20,7 +19,7 @@ import refine  # noqa: E402
 from agreement import Tally  # noqa: E402
 from algebra import compare as compare_roots  # noqa: E402
 from algebra import scale, sub, substitute  # noqa: E402
-from harness import Checks, Graze, exchanged, merged, options  # noqa: E402
+from program import Checks, Graze, exchanged, merged, options, run  # noqa: E402
 from motion import Motion, Piece, build, compose, constant, conjugated, cut, legs  # noqa: E402
 from motion import far, mobius, product, reversed_in_time, rotation, scaling, squared  # noqa: E402
 from motion import translate  # noqa: E402
@@ -167,7 +166,7 @@ def law_parameter(law):
         for a, b, p in zip(answers or [], law.base, s.points):
             for c, d in zip(a.contacts, b.contacts):
                 for end in ("from", "to"):
-                    law.checks.true(carried(c[end], d[end], s.motion, changes), s.name, name,
+                    law.checks.holds(carried(c[end], d[end], s.motion, changes), s.name, name,
                                     ",".join(str(x) for x in p), c[end], d[end])
 
 
@@ -194,11 +193,11 @@ def law_nef(law):
     if not s.space or "shared" in s.name:
         return
     if not os.path.exists(tool):
-        law.checks.skip(f"{s.name}: {tool} is not built", len(s.points))
+        law.checks.skip(s.name, f"{tool} is not built", len(s.points))
         return
-    out = subprocess.run([tool], input=shells_text(s.solid), capture_output=True, text=True)
+    out = run([tool], 600, input=shells_text(s.solid))
     if out.returncode:
-        law.checks.fail(out.stderr, s.name, "to_nef")
+        law.checks.fail(s.name, "to_nef", out.stderr)
         return
     path = law.graze.write("nef.nef3", out.stdout)
     law.same("nef", law.ask("nef", path, s.motion, s.points))
@@ -298,7 +297,7 @@ def law_sequence(law):
             j = len(b.contacts)
             spans[j - 1:j + 1] = [[spans[j - 1][0], spans[j][1]]]
         for x, (start, stop) in zip(a.contacts, spans):
-            law.checks.true(agrees(x["from"], *start) and agrees(x["to"], *stop), *where, x)
+            law.checks.holds(agrees(x["from"], *start) and agrees(x["to"], *stop), *where, x)
 
 
 def shifted_time(motion, k, time):

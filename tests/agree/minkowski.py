@@ -9,14 +9,13 @@ sweep as a point set must fit proofs/claims.md C18: `out` is exterior, `in` is i
 point is `on`.
 """
 import os
-import subprocess
 import sys
 from collections import Counter
 from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
-from harness import Checks, Graze, options  # noqa: E402
+from program import Checks, Graze, options, run  # noqa: E402
 from motion import legs  # noqa: E402
 from points import mixed  # noqa: E402
 from shells import shells_text  # noqa: E402
@@ -61,7 +60,7 @@ def oracle(tool, solid, path, points):
     lines = [shells_text(solid), str(len(path) - 1)]
     lines += [" ".join(str(F(x)) for x in p + q) for p, q in zip(path, path[1:])]
     lines += [str(len(points))] + [" ".join(str(x) for x in p) for p in points]
-    out = subprocess.run([tool], input="\n".join(lines) + "\n", capture_output=True, text=True)
+    out = run([tool], 600, input="\n".join(lines) + "\n")
     if out.returncode:
         raise RuntimeError(out.stderr)
     return [line.split() for line in out.stdout.splitlines()]
@@ -77,7 +76,7 @@ def main():
         motion = legs(path)
         points = mixed(solid, motion, args.random, POINTS * args.scale) + SEAM.get(name, [])
         if not os.path.exists(tool):
-            checks.skip(f"{name}: {tool} is not built", len(points))
+            checks.skip(name, f"{tool} is not built", len(points))
             continue
         answers = graze.classify(name, solid, motion, [p for _, p in points])
         positions = oracle(tool, solid, path, [p for _, p in points])
@@ -85,7 +84,7 @@ def main():
             where = (name, kind, ",".join(str(x) for x in p))
             checks.equal(answer.record["pmc"], pmc, *where, answer.word)
             allowed = {"in": ["interior"], "on": ["boundary", "interior"], "out": ["exterior"]}
-            checks.true(topological in allowed[answer.record["pmc"]], *where, answer.word,
+            checks.holds(topological in allowed[answer.record["pmc"]], *where, answer.word,
                         topological)
             if kind == "seam":
                 checks.equal((pmc, topological), ("on", "interior"), *where, "seam")

@@ -16,7 +16,7 @@ from fractions import Fraction as F
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from algebra import Root, add, between, compare, integral, roots, sign_at  # noqa: E402
-from harness import Checks, Graze, options  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from motion import build, compose, legs, rotation, translate  # noqa: E402
 from solids import Polygon, block, box_ring, joined  # noqa: E402
 from times import time_is  # noqa: E402
@@ -87,7 +87,7 @@ def facets(graze, checks, rng, d, turning):
             checks.equal(answer.word, word, *where)
             if marks is not None and checks.equal(len(answer.contacts), len(marks), *where):
                 for contact, root in zip(answer.contacts, marks):
-                    checks.true(time_is(contact["from"], root), *where, contact["from"])
+                    checks.holds(time_is(contact["from"], root), *where, contact["from"])
     if turning:
         turned(graze, checks, solid, n, y, e, d)
 

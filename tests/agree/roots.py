@@ -12,16 +12,14 @@ isolation of roots. Without gp this is one skip.
 """
 import json
 import os
-import resource
 import shutil
-import subprocess
 import sys
 import tempfile
 from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
-from harness import Checks, options  # noqa: E402
+from program import Checks, options, run  # noqa: E402
 
 SECONDS = 200
 
@@ -74,21 +72,20 @@ def spread(rng):
         yield f"random {k}", "*".join(f"(2^41*t-2^40-{r})" for r in roots) + f"-1/{rng.randrange(2, 1 << 60)}"
 
 
-def run(graze, f, memory):
+def times_of(graze, f, memory):
     """The times of the contacts, as gp reads them; or None and what went wrong."""
     with tempfile.TemporaryDirectory(prefix="graze-roots-") as folder:
         def path(name, text):
             with open(os.path.join(folder, name), "w", encoding="ascii") as file:
                 file.write(text)
             return file.name
-        limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory << 30, memory << 30))) if memory else None
-        done = subprocess.run(
+        done = run(
             [graze, "classify", "--format", "jsonl", path("s.wkt", "POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))"),
              path("m.json", json.dumps({"dimension": 2, "pieces": [
                  {"t": [0, 1], "transform": {"translate": [f, 0]}}]})), path("p.csv", "0,1\n")],
-            capture_output=True, timeout=SECONDS, preexec_fn=limit, check=False)
+            SECONDS, memory)
     if done.returncode:
-        return None, done.stderr.decode()
+        return None, done.stderr
     times = []
     for contact in json.loads(done.stdout)["contacts"]:
         at = contact["from"]
@@ -103,21 +100,20 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     if not shutil.which("gp"):
-        checks.skip("PARI's gp is not installed (Debian package pari-gp)")
+        checks.skip("gp", "PARI's gp is not installed (Debian package pari-gp)")
         checks.finish()
     script, names = GP, []
     for name, f in list(clusters()) + list(spread(args.random)):
-        times, why = run(args.graze, f, args.memory)
-        if checks.true(times is not None, name, f, why):
+        times, why = times_of(args.graze, f, args.memory)
+        if checks.holds(times is not None, name, f, why):
             names.append(name)
             script += f"check({f},{times});\n"
-    done = subprocess.run(["gp", "-q", "-f", "-s", "1G"], input=script.encode(), capture_output=True,
-                          timeout=SECONDS, check=False)
-    told = [line for line in done.stdout.decode().splitlines() if line.startswith(("SEEN", "FAIL"))]
+    done = run(["gp", "-q", "-f", "-s", "1G"], SECONDS, input=script)
+    told = [line for line in done.stdout.splitlines() if line.startswith(("SEEN", "FAIL"))]
     checks.equal(len([line for line in told if line.startswith("SEEN")]), len(names),
-                 "gp", done.stderr.decode()[-300:], told)
+                 "gp", done.stderr[-300:], told)
     for line in told:
-        checks.true(line.startswith("SEEN"), line)
+        checks.holds(line.startswith("SEEN"), line)
     checks.finish()
 
 

@@ -12,7 +12,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from agreement import Tally, compare  # noqa: E402
-from harness import Checks, Graze, options  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from points import mixed  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
 from tracer import trace  # noqa: E402

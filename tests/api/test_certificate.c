@@ -3,7 +3,6 @@
  *
  * What certificates say is tested with graze-check in tests/check.
  */
-#include <string.h>
 #include "walk.h"
 
 static graze_scene *open_files(graze_context *context, graze_solid **solid, graze_motion **motion) {

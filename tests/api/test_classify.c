@@ -3,9 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "walk.h"
+#include "../lib/random.h"
 #include <pthread.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 enum { MANY = 400, THREADS = 2 };
 
@@ -125,10 +124,10 @@ static void irrational_time(void **state) {
     scene_close(&s);
 }
 
-static void random_points(double *points, unsigned seed) {
-    srand(seed);
+static void random_points(double *points, ulong seed) {
+    random_start(seed);
     for (int k = 0; k < 2 * MANY; k++)
-        points[k] = (rand() % 97 - 8) / 8.0;
+        points[k] = (double)(random_below(97) - 8) / 8;
 }
 
 /* A point on one eighth steps is exact in both ways, so the verdicts are the same bytes. */

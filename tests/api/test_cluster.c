@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "walk.h"
-#include <stdio.h>
 #include <time.h>
 
 /* With f = x^100 - 2 (10^30 x - 1)^2 the point (0, 1) is inside where -2 < f < 0. f is -2 at 0, is

@@ -7,7 +7,6 @@
 #include <fenv.h>
 #include <locale.h>
 #include <mpfr.h>
-#include <stdlib.h>
 #if defined(__SSE2__)
 #include <pmmintrin.h>
 #include <xmmintrin.h>

@@ -3,8 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "walk.h"
-#include <stdio.h>
-#include <stdlib.h>
 
 /* Four corners of a grid of the square [0, 1]^2 that moves by 8 along x, and two further columns.
  */

@@ -10,8 +10,6 @@
 #include "walk.h"
 #include <fenv.h>
 #include <float.h>
-#include <stdio.h>
-#include <stdlib.h>
 #if defined(__SSE2__)
 #include <pmmintrin.h>
 #include <xmmintrin.h>

@@ -7,8 +7,6 @@
  * there. The names __libc_malloc and so on are those of the GNU C library.
  */
 #include "walk.h"
-#include <stdio.h>
-#include <stdlib.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SANITIZED 1

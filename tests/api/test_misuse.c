@@ -7,8 +7,6 @@
  */
 #include "walk.h"
 #include <glob.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 /* What calls are made with, and the names of the functions called so far. */
 typedef struct bench {

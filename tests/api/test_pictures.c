@@ -1,7 +1,6 @@
 /* Pictures and exported tables through the public functions: what they refuse.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdio.h>
 #include "walk.h"
 
 static const char picture[] = "never-written.svg";

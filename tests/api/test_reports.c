@@ -3,7 +3,6 @@
  */
 #include "walk.h"
 #include <sha256.h>
-#include <stdio.h>
 
 static void scene_line(char *out, size_t size, const char *canonical) {
     unsigned char hash[32];

@@ -1,12 +1,7 @@
 /* Tests of graze_motion_write_ and graze_boundary_: wrong use, and what a caller in C gets.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <string.h>
+#include "../lib/harness.h"
 #include "graze.h"
 
 static const char shift[] = "{\"dimension\": 3, \"pieces\": [{\"t\": [\"0\", \"1\"],"

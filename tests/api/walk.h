@@ -3,13 +3,8 @@
 #ifndef GRAZE_TESTS_API_WALK_H
 #define GRAZE_TESTS_API_WALK_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "../lib/harness.h"
 #include <math.h>
-#include <string.h>
 #include "graze.h"
 
 /* The square [0, 2]^2 and a translation by (8t, 0), t in [0, 1] (tests/examples/examples.txt, 1 to

@@ -11,14 +11,17 @@ bomb has is a failure, and so is a bomb of a limit that no --help names.
 it runs out of memory. To add a bomb, add a row to BOMBS.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
 import re
-import resource
 import subprocess
 import sys
 import tempfile
 import threading
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from harness import Checks, options  # noqa: E402
 
 MEMORY = 2000000 << 10
 SECONDS, SECONDS_WITHOUT = 60, 20
@@ -114,16 +117,8 @@ BOMBS = [
          "--limit bits=1000000000"),
 ]
 
-failures, passes = [], 0
-
-
-def check(holds, message):
-    global passes
-    if holds:
-        passes += 1
-    else:
-        failures.append(message)
-        print("FAILED", message)
+checks = Checks()
+check = checks.holds
 
 
 def feed(path, content, over):
@@ -163,7 +158,7 @@ def release(path):
 
 
 def run(graze, bomb, more, seconds, memory):
-    """Exit status (None: not done in time) and standard error."""
+    """Exit status and standard error."""
     over = threading.Event()
     with tempfile.TemporaryDirectory(prefix="graze-bombs-") as folder:
         files = {"cube.off": CUBE, "move.json": MOVE, **bomb.files}
@@ -173,33 +168,20 @@ def run(graze, bomb, more, seconds, memory):
             if "{" + name + "}" in bomb.command:
                 put(paths[name], content, over)
 
-        def bound():
-            if memory:
-                resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
-        with open(os.path.join(folder, "said"), "w+b") as said:
-            process = subprocess.Popen([graze, *words, *more], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                       stderr=said, preexec_fn=bound)
-            try:
-                status = process.wait(seconds)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.wait()
-                status = None
-            over.set()
-            said.seek(0)
-            text = said.read().decode("utf-8", "replace")
+        done = harness.run([graze, *words, *more], seconds, memory, stdout=subprocess.DEVNULL)
+        over.set()
         for name, content in files.items():
             if isinstance(content, Endless):
                 release(paths[name])
-    return status, text
+    return done.returncode, done.stderr
 
 
 def limits_of_help(graze):
     """The names behind --limit in the help of every command."""
-    overview = subprocess.run([graze, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    overview = harness.run([graze, "--help"]).stdout
     names = set()
     for command in re.findall(r"^  graze ([a-z]+) ", overview, re.M):
-        text = subprocess.run([graze, command, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        text = harness.run([graze, command, "--help"]).stdout
         at = re.search(r"--limit NAME=V\s+((?:.+\n(?:\s{20,}.*\n)*))", text)
         if at:
             names |= set(re.findall(r"([a-z]+) [0-9]", at[1]))
@@ -207,30 +189,23 @@ def limits_of_help(graze):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--without", action="store_true")
-    parser.add_argument("--sanitizers", action="store_true")
-    parser.add_argument("name", nargs="*")
-    options = parser.parse_args()
-    memory = 0 if options.sanitizers else MEMORY
-    chosen = [bomb for bomb in BOMBS if not options.name or bomb.name in options.name]
-    if not options.name:
-        listed, have = limits_of_help(options.graze), {bomb.limit for bomb in BOMBS}
+    args = options(__doc__, ("--without", {"action": "store_true"}), ("name", {"nargs": "*"}))
+    memory = 0 if args.sanitizers else MEMORY
+    chosen = [bomb for bomb in BOMBS if not args.name or bomb.name in args.name]
+    if not args.name:
+        listed, have = limits_of_help(args.graze), {bomb.limit for bomb in BOMBS}
         check(len(listed) >= 8, f"--help lists the limits: {sorted(listed)}")
         for limit in sorted(listed | have):
             check(limit in listed and limit in have, f"the limit {limit}: right is a row in --help and a bomb here")
     for bomb in chosen:
-        if not options.without:
-            status, text = run(options.graze, bomb, [], SECONDS, memory)
+        if not args.without:
+            status, text = run(args.graze, bomb, [], SECONDS, memory)
             check(status == bomb.ends and (status == 0 or bomb.says in text),
                   f"{bomb.name}: status {status}, right is {bomb.ends} and `{bomb.says}`; {text[:300]}")
         elif bomb.without:
-            status, text = run(options.graze, bomb, bomb.without.split(), SECONDS_WITHOUT, memory)
+            status, text = run(args.graze, bomb, bomb.without.split(), SECONDS_WITHOUT, memory)
             check(status not in (0, 1, 2, 3, LIMIT_MET), f"{bomb.name}: harmless without its limit: {status}; {text[:300]}")
-    print(f"{passes} passed, {len(failures)} failed")
-    sys.exit(1 if failures else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

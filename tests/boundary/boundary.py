@@ -6,26 +6,23 @@ The exact set gives every point's answer; a second refinement (lib/second.py) gi
 the surface must be closed, turned outwards, near the known boundary, and enclose about its volume.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import collections
 import os
 import re
-import subprocess
+import sys
 import tempfile
 from fractions import Fraction as F
 
-from files import read_faces, read_ply, read_points, read_vtk
-from second import Convex, box_set, cells_of
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from files import read_faces, read_ply, read_points, read_vtk  # noqa: E402
+from harness import Checks, options  # noqa: E402
+from second import Convex, box_set, cells_of  # noqa: E402
 
 COMMON = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "refuse", "common")
-passed = failed = 0
-
-
-def check(holds, *message):
-    global passed, failed
-    passed, failed = passed + bool(holds), failed + (not holds)
-    if not holds:
-        print("FAILED", *message)
+checks = Checks()
+check = checks.holds
 
 
 class Run:
@@ -40,8 +37,7 @@ class Run:
         command = [graze, "boundary", solid, path, *options]
         for kind, name in names.items():
             command += ["--" + kind, name]
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300,
-                              universal_newlines=True)
+        done = harness.run(command, 300)
         check(done.returncode == 0, command, done.stderr)
         self.says = done.stdout
         self.points = read_points(names["points"])
@@ -187,9 +183,9 @@ def test_vtk(graze, folder):
         solid = os.path.join(COMMON, solid)
         run = Run(graze, folder, solid, motion, "--depth", depth)
         names = [os.path.join(folder, name) for name in ("s.vtk", "p.vtk")]
-        subprocess.run([graze, "boundary", solid, os.path.join(folder, "motion.json"), "--depth",
-                        depth, "--surface", names[0], "--points", names[1]], check=True,
-                       stdout=subprocess.DEVNULL)
+        done = harness.run([graze, "boundary", solid, os.path.join(folder, "motion.json"), "--depth",
+                            depth, "--surface", names[0], "--points", names[1]])
+        check(done.returncode == 0, "boundary as VTK", done.stderr)
         d = len(run.vertices[0])
         vertices, faces, _ = read_faces(names[0], d)
         check((vertices, faces) == (run.vertices, run.faces), "surface as VTK")
@@ -247,12 +243,7 @@ def test_border(graze, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--graze", required=True)
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    graze = os.path.abspath(options.graze)
+    graze = options(__doc__).graze
     with tempfile.TemporaryDirectory() as folder:
         test_scenes(graze, folder)
         test_default_box(graze, folder)
@@ -260,9 +251,8 @@ def main():
         test_budget(graze, folder)
         test_thin(graze, folder)
         test_border(graze, folder)
-    print(f"{passed} passed, {failed} failed")
-    return failed > 0
+    checks.finish()
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    main()

@@ -8,19 +8,20 @@ words, times and cells must be those the README derives. Times are compared exac
 84 (definition, case, dimension) combinations must occur.
 """
 import json
-import subprocess
+import os
 import sys
 
-import casefile
-from tally import Tally, options
-from times import given_time, same_time
-from words import combinations
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import casefile  # noqa: E402
+from harness import ONLY, Checks, options, run  # noqa: E402
+from times import given_time, same_time  # noqa: E402
+from words import combinations  # noqa: E402
 
 
-def run(graze, case, *more):
+def classify(graze, case, *more):
     files = [case.path(f) for f in (case.solid, "motion.json", "points.csv")]
-    return subprocess.run([graze, "classify", *files, *case.options, *more],
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    return run([graze, "classify", *files, *case.options, *more], text=False)
 
 
 def cells_of(features):
@@ -32,47 +33,47 @@ def cells_of(features):
     return " ".join(out)
 
 
-def check_files(tally, case):
-    tally.equal(case.unused, [], case.name, "files that belong to no case")
+def check_files(checks, case):
+    checks.equal(case.unused, [], case.name, "files that belong to no case")
     ids = [id for id, _ in case.points]
-    tally.equal(len(set(ids)), len(ids), case.name, "each id once")
-    tally.equal(sorted(case.table), sorted(ids), case.name, "points of the README's table")
-    tally.equal([row.get("id") for row in case.expected], ids, case.name, "points of expected.csv")
+    checks.equal(len(set(ids)), len(ids), case.name, "each id once")
+    checks.equal(sorted(case.table), sorted(ids), case.name, "points of the README's table")
+    checks.equal([row.get("id") for row in case.expected], ids, case.name, "points of expected.csv")
 
 
-def check_table(tally, graze, case):
-    done = run(graze, case)
-    tally.equal(done.returncode, 0, case.name, done.stderr.decode("utf-8", "replace"))
+def check_table(checks, graze, case):
+    done = classify(graze, case)
+    checks.equal(done.returncode, 0, case.name, done.stderr.decode("utf-8", "replace"))
     lines = done.stdout.splitlines(keepends=True)
     got = [line for line in lines if not line.startswith(b"#")]
     with open(case.path("expected.csv"), "rb") as file:
         want = file.readlines()
-    tally.equal(len(got), len(want), case.name, "lines of the table")
+    checks.equal(len(got), len(want), case.name, "lines of the table")
     for g, w in zip(got, want):
-        tally.equal(g, w, case.name, "row")
+        checks.equal(g, w, case.name, "row")
 
 
-def check_record(tally, case, id, record):
+def check_record(checks, case, id, record):
     word, spans, cells = case.table.get(id, ("", [], None))
-    tally.equal(record["word"], word, case.name, id, "word")
+    checks.equal(record["word"], word, case.name, id, "word")
     contacts = record["contacts"]
-    if not tally.equal(len(contacts), len(spans), case.name, id, "number of contacts"):
+    if not checks.equal(len(contacts), len(spans), case.name, id, "number of contacts"):
         return
     for contact, (low, high) in zip(contacts, spans):
         for got, want in ((contact["from"], low), (contact["to"], high)):
-            tally.holds(same_time(given_time(got), want), f"{got} is not {want}", case.name, id)
+            checks.holds(same_time(given_time(got), want), f"{got} is not {want}", case.name, id)
     if cells:
         got = [cells_of(contact["features"]) for contact in contacts]
-        tally.equal(got, cells, case.name, id, "cells")
+        checks.equal(got, cells, case.name, id, "cells")
 
 
-def check_records(tally, graze, case):
-    done = run(graze, case, "--format", "jsonl")
-    tally.equal(done.returncode, 0, case.name, "jsonl")
+def check_records(checks, graze, case):
+    done = classify(graze, case, "--format", "jsonl")
+    checks.equal(done.returncode, 0, case.name, "jsonl")
     lines = done.stdout.decode().splitlines()
-    tally.equal(len(lines), len(case.points), case.name, "lines of JSON")
+    checks.equal(len(lines), len(case.points), case.name, "lines of JSON")
     for (id, _), line in zip(case.points, lines):
-        check_record(tally, case, id, json.loads(line))
+        check_record(checks, case, id, json.loads(line))
 
 
 def covered(case):
@@ -87,18 +88,18 @@ def covered(case):
 
 
 def main():
-    args, tally, seen, points = options(__doc__.splitlines()[0]), Tally(), set(), 0
+    args, checks, seen, points = options(__doc__, ONLY), Checks(), set(), 0
     for name in casefile.names():
         if args.only not in name:
             continue
         try:
             case = casefile.Case(name)
         except (casefile.CaseError, ValueError, OSError) as wrong:
-            tally.holds(False, str(wrong), name)
+            checks.holds(False, str(wrong), name)
             continue
-        check_files(tally, case)
-        check_table(tally, args.graze, case)
-        check_records(tally, args.graze, case)
+        check_files(checks, case)
+        check_table(checks, args.graze, case)
+        check_records(checks, args.graze, case)
         seen |= covered(case)
         points += len(case.points)
     want = combinations()
@@ -106,9 +107,9 @@ def main():
           "and dimension")
     if not args.only:
         missing = sorted(want - seen)
-        tally.equal(missing, [], "combinations that no case shows")
-        tally.equal(sorted(seen - want), [], "combinations that cannot be")
-    tally.finish()
+        checks.equal(missing, [], "combinations that no case shows")
+        checks.equal(sorted(seen - want), [], "combinations that cannot be")
+    checks.finish()
 
 
 if __name__ == "__main__":

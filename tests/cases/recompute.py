@@ -9,19 +9,19 @@ must say what follows from the word. Without gp this is one skip.
 """
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 from fractions import Fraction as F
 
-import casefile
-from motionfile import motion_of
-from solidfile import facets_of, gp_facet
-from tally import Tally, options
-from times import same_time
-from words import read, unswept
-
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "lib"))
+
+import casefile  # noqa: E402
+from harness import ONLY, Checks, options, run  # noqa: E402
+from motionfile import motion_of  # noqa: E402
+from solidfile import facets_of, gp_facet  # noqa: E402
+from times import same_time  # noqa: E402
+from words import read, unswept  # noqa: E402
 
 
 def script(case, name):
@@ -60,33 +60,33 @@ def answers_of(text):
     return out
 
 
-def check(tally, case, answers):
+def check(checks, case, answers):
     rows = {row.get("id"): row for row in case.expected}
     combined = case.option("--folds", "separate") == "combined"
     for id, point in case.points:
         where = (case.name, id)
-        if not tally.holds(where in answers, "gp gave no answer", *where):
+        if not checks.holds(where in answers, "gp gave no answer", *where):
             continue
         word, spans, cells = answers[where]
         want_word, want_spans, want_cells = case.table.get(id, ("", [], None))
-        tally.equal(word, want_word, *where, "word of the README")
+        checks.equal(word, want_word, *where, "word of the README")
         row = rows.get(id, {})
         fields = ({"pmc": unswept(word)} if case.option("--operation", "sweep") == "unsweep"
                   else read(word, combined))
         fields.update(word=word, **{axis: str(F(x)) for axis, x in zip("xyz", point)})
-        tally.equal({k: row.get(k) for k in fields}, fields, *where, "expected.csv")
+        checks.equal({k: row.get(k) for k in fields}, fields, *where, "expected.csv")
         same = len(spans) == len(want_spans) and all(
             same_time(g, w) for got, want in zip(spans, want_spans) for g, w in zip(got, want))
-        tally.holds(same, f"times {spans}, the README has {want_spans}", *where)
+        checks.holds(same, f"times {spans}, the README has {want_spans}", *where)
         if want_cells:
-            tally.equal(cells, want_cells, *where, "cells")
+            checks.equal(cells, want_cells, *where, "cells")
 
 
 def main():
-    args, tally = options(__doc__.splitlines()[0]), Tally()
+    args, checks = options(__doc__, ONLY), Checks()
     if not shutil.which("gp"):
-        tally.skip("gp", "PARI's gp is not installed (Debian package pari-gp)")
-        tally.finish()
+        checks.skip("gp", "PARI's gp is not installed (Debian package pari-gp)")
+        checks.finish()
     cases, text = [], ""
     text += "".join(f'read("{os.path.join(HERE, f)}");\n' for f in ("motion.gp", "trace.gp"))
     for name in casefile.names():
@@ -97,20 +97,18 @@ def main():
             text += script(case, name)
             cases.append(case)
         except (casefile.CaseError, ValueError, OSError, KeyError) as wrong:
-            tally.holds(False, str(wrong), name)
+            checks.holds(False, str(wrong), name)
     with tempfile.NamedTemporaryFile("w", suffix=".gp") as file:
         file.write(text)
         file.flush()
-        done = subprocess.run(["gp", "-q", "-f", "-D", "parisizemax=2G", file.name], text=True,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT)
-    answers = answers_of(done.stdout)
-    tally.equal(done.returncode, 0, "gp's exit status")
+        done = run(["gp", "-q", "-f", "-D", "parisizemax=2G", file.name], 600)
+    answers = answers_of(done.stdout + done.stderr)
+    checks.equal(done.returncode, 0, "gp's exit status")
     for case in cases:
-        check(tally, case, answers)
-    tally.holds(bool(cases), "there are cases")
+        check(checks, case, answers)
+    checks.holds(bool(cases), "there are cases")
     print(f"{len(cases)} cases, {sum(len(c.points) for c in cases)} points")
-    tally.finish()
+    checks.finish()
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import tempfile
 
 from lib_certificate import Certificate, Programs, REFUTED, UNCUT, VERIFIED, answer_options, run, write
 import casefile
-from tally import Tally, options
+from harness import ONLY, Checks, options
 
 COLUMNS = ["word", "pmc", "class", "definition", "case", "i", "t"]
 
@@ -81,8 +81,8 @@ def check_uncut(tally, programs, case):
 
 
 def main():
-    chosen = options(__doc__)
-    programs, tally = Programs(chosen.graze), Tally()
+    chosen = options(__doc__, ONLY)
+    programs, tally = Programs(chosen.graze), Checks()
     with tempfile.TemporaryDirectory() as folder:
         for n, name in enumerate(casefile.names()):
             if name in UNCUT:

@@ -5,13 +5,13 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import copy
 import hashlib
 import os
-import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-for folder in ("../agree/lib", "../cases"):  # both have a module `times`: that of the cases is meant
+for folder in ("../lib", "../agree/lib", "../cases"):  # both have a module `times`: that of the cases is meant
     sys.path.insert(0, os.path.join(HERE, folder))
 import definitions  # noqa: E402
+import harness  # noqa: E402
 
 VERIFIED, REFUTED, NOT_CHECKED = 0, 1, 2
 
@@ -108,8 +108,8 @@ ENVIRONMENT = dict(os.environ, ASAN_OPTIONS=os.environ.get("ASAN_OPTIONS", "") +
 
 def run(*command, env=None):
     """(status, standard output, standard error)"""
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=600, env=env)
-    return done.returncode, done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
+    done = harness.run(command, 600, env=env)
+    return done.returncode, done.stdout, done.stderr
 
 
 class Programs:

@@ -22,7 +22,7 @@ from fractions import Fraction
 from lib_certificate import (Certificate, NOT_CHECKED, Programs, REFUTED, UNCUT, VERIFIED, answer_options,
                              write)
 import casefile
-from tally import Tally, options
+from harness import ONLY, Checks, options
 
 # Why a mutant of this kind may be accepted.
 STILL_TRUE = {
@@ -334,8 +334,8 @@ class Judge:
 
 
 def main():
-    wanted = options(__doc__)
-    programs, tally = Programs(wanted.graze), Tally()
+    wanted = options(__doc__, ONLY)
+    programs, tally = Programs(wanted.graze), Checks()
     scenes = 0
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         judge = Judge(programs, tally, folder)

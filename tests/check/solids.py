@@ -12,7 +12,7 @@ import tempfile
 from fractions import Fraction
 
 from lib_certificate import Certificate, NOT_CHECKED, Programs, REFUTED, VERIFIED, sha256, write
-from tally import Tally, options
+from harness import ONLY, Checks, options
 
 CUBE = ([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))],
         [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)])
@@ -255,8 +255,8 @@ def check_usage(tally, programs, folder):
 
 
 def main():
-    chosen = options(__doc__)
-    programs, tally = Programs(chosen.graze), Tally()
+    chosen = options(__doc__, ONLY)
+    programs, tally = Programs(chosen.graze), Checks()
     with tempfile.TemporaryDirectory() as folder:
         check_solids(tally, programs, folder, 3, LEGAL, REFUSED)
         check_solids(tally, programs, folder, 2, LEGAL_2D, REFUSED_2D)

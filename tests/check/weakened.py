@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 import lib_certificate  # noqa: F401  (sets the path)
-from tally import Tally, options
+from harness import ONLY, Checks, options
 
 # Not listed, because no test here shows them needed yet: the signs of the motion (a row's own weight refuses the
 # motions tried), closedness and disjoint facets (the rays of the sides refuse the solids tried), a table's number of rows,
@@ -55,7 +55,7 @@ def build(folder, file, old, new):
 
 
 def main():
-    chosen, tally = options(__doc__), Tally()
+    chosen, tally = options(__doc__, ONLY), Checks()
     here = os.path.dirname(os.path.abspath(__file__))
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(os.path.abspath(chosen.graze), os.path.join(folder, "graze"))

@@ -7,33 +7,29 @@ gives are run, a long table shows that memory does not grow with rows, and both 
 compiled and judged on points whose answers are evident.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import json
 import os
 import random
-import resource
 import shlex
 import shutil
-import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from harness import Checks, options  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CASES = os.path.join(HERE, "..", "..", "cases", "candidates")
 PMC = ("in", "on", "out")
-counts = {"passed": 0, "failed": 0}
+checks = Checks()
+check = checks.holds
 
 
-def check(holds, *what):
-    counts["passed" if holds else "failed"] += 1
-    if not holds:
-        print("FAILED", *what)
-
-
-def run(*command, memory=None):
-    limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))) if memory else None
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=limit)
-    return done.returncode, done.stdout.decode(), done.stderr.decode()
+def run(*command, memory=0):
+    done = harness.run(command, 300, memory)
+    return done.returncode, done.stdout, done.stderr
 
 
 def read_table(path):
@@ -184,8 +180,8 @@ def candidates(graze, folder):
     """Both candidates compile and are right where nothing is close."""
     compiler = shutil.which("cc") or shutil.which("gcc")
     if not compiler:
-        print("SKIP candidates: there is no C compiler")
-        return 1
+        checks.skip("candidates", "there is no C compiler")
+        return
     points = os.path.join(folder, "plain.csv")
     with open(points, "w", encoding="utf-8") as file:
         # Passed by the block's foot; inside at the start; beside; above its path; inside at the end.
@@ -212,33 +208,25 @@ def candidates(graze, folder):
                             "--candidate", f"'{os.path.join(folder, 'sampled')}' 3 {{solid}} "
                             "{motion} {points} {out}")
     check(status == 1 and json.loads(out)["comparison"]["wrong"] > 20, "three samples", status, said)
-    return 0
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--graze", required=True)
-    parser.add_argument("--scale", type=float, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--sanitizers", action="store_true", help="no limit on address space")
-    options = parser.parse_args()
-    graze = os.path.abspath(options.graze)
+    args = options(__doc__, seed=1)
+    graze = args.graze
     with tempfile.TemporaryDirectory(prefix="graze compare ") as folder:
         for scene in (("ell.off", "arch.json"), ("plate.wkt", "shear.json")):
             scene = [os.path.join(CASES, f) for f in scene]
-            golden = make_golden(graze, folder, *scene, 400, options.seed)
+            golden = make_golden(graze, folder, *scene, 400, args.seed)
             names, rows = read_table(golden)
             check(len(rows) == 400, scene, len(rows))
-            for round_ in range(int(15 * options.scale)):
-                figures(graze, folder, golden, names, rows, options.seed + round_)
+            for round_ in range(int(15 * args.scale)):
+                figures(graze, folder, golden, names, rows, args.seed + round_)
             explanations(graze, folder, golden, names, rows, scene)
             order_of_rows(graze, folder, golden, names, rows)
         long_tables(graze, folder, 300000,
-                    memory=None if options.sanitizers else 180 << 20)
-        skipped = candidates(graze, folder)
-    print(f"{counts['passed']} passed, {counts['failed']} failed" +
-          (f", {skipped} skipped" if skipped else ""))
-    sys.exit(1 if counts["failed"] else 0)
+                    memory=0 if args.sanitizers else 180 << 20)
+        candidates(graze, folder)
+    checks.finish()
 
 
 if __name__ == "__main__":

@@ -8,7 +8,6 @@ classified by `graze classify` on its own, and must have the colour of its class
 counted against the counts that [EI] prints. VTK and npy files are read by small readers of this file, and must
 hold what the CSV table holds. The committed picture must be what `make pictures` draws.
 """
-import argparse
 import ast
 import csv
 import io
@@ -17,19 +16,23 @@ import os
 import re
 import shutil
 import struct
-import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 import zlib
 from fractions import Fraction as F
 
-ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from harness import ROOT, Checks, options  # noqa: E402
+
 SVG = "{http://www.w3.org/2000/svg}"
 COLOURS = {"regular": "#56b4e9", "fold": "#e69f00", "fold_boundary": "#0072b2", "boundary": "#d55e00",
            "exterior": "#ffffff", "in": "#56b4e9", "on": "#d55e00", "out": "#ffffff"}
 ENVIRONMENT = dict(os.environ)
-passed = failed = 0
+checks = Checks()
+check = checks.holds
 
 
 def excuse_fonts(folder):
@@ -40,17 +43,8 @@ def excuse_fonts(folder):
     ENVIRONMENT["LSAN_OPTIONS"] = f"suppressions={path}:print_suppressions=0"
 
 
-def check(holds, *message):
-    global passed, failed
-    passed, failed = passed + bool(holds), failed + (not holds)
-    if not holds:
-        print("FAILED", *message)
-    return holds
-
-
 def run(graze, *arguments, text=None):
-    return subprocess.run([graze, *arguments], input=text, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          timeout=300, env=ENVIRONMENT)
+    return harness.run([graze, *arguments], 300, text=False, input=text, env=ENVIRONMENT)
 
 
 def files(name):
@@ -282,8 +276,7 @@ def check_without_png(graze, folder):
 def check_pictures(graze, folder):
     """What `make pictures` draws is well-formed, and the committed picture is among it."""
     out = os.path.join(folder, "pictures")
-    done = subprocess.run([os.path.join(ROOT, "cases", "pictures.sh"), graze, out], stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, timeout=600, env=ENVIRONMENT)
+    done = harness.run([os.path.join(ROOT, "cases", "pictures.sh"), graze, out], 600, text=False, env=ENVIRONMENT)
     check(done.returncode == 0, "pictures.sh", done.stderr.decode())
     names = sorted(os.listdir(out))
     for figure in ("3", "4", "5-regular", "7", "10", "12a", "12b"):
@@ -445,12 +438,8 @@ def check_tables(graze):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1, help="multiplies the grids' sides")
-    parser.add_argument("--seed", type=int, default=0, help="for the runner's sake; nothing is random")
-    options = parser.parse_args()
-    graze, more = os.path.abspath(options.graze), options.scale
+    args = options(__doc__)
+    graze, more = args.graze, args.scale
     with tempfile.TemporaryDirectory() as folder:
         excuse_fonts(folder)
         check_cells(graze, folder, "figures-5-7-8", 48 * more, [], png=True)
@@ -464,8 +453,7 @@ def main():
         check_without_png(graze, folder)
         check_pictures(graze, folder)
     check_tables(graze)
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

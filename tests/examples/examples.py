@@ -12,7 +12,7 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
 
-from harness import Checks, Graze, options  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from times import check_canonical  # noqa: E402
 
 DEFINITION = {"regular": "5", "fold": "6", "fold_boundary": "7", "boundary": "8", "exterior": "9"}
@@ -40,11 +40,11 @@ def check_time(checks, got, want, *where):
     low, _, high = interval.partition("..")
     expected = {"poly": poly.split(), "lo": low, "hi": high}
     if not all(isinstance(t, dict) for t in got):
-        checks.fail(f"got {got}, want {want}", *where)
+        checks.fail(*where, f"got {got}, expected {want}")
         return
     for time in got:
         checks.equal({k: time[k] for k in expected}, expected, *where)
-        checks.true(check_canonical(checks, time, *where), *where, "irreducible")
+        checks.holds(check_canonical(checks, time, *where), *where, "irreducible")
 
 
 def check(checks, graze, e):

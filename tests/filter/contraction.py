@@ -12,16 +12,14 @@ import glob
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-ROOT = os.path.join(HERE, "..", "..")
 sys.path[:0] = [os.path.join(HERE, "..", *part.split("/")) for part in ("generate", "agree/lib")]
 
 from adversaries import scenes  # noqa: E402
-from harness import Checks, Graze, options  # noqa: E402
+from program import ROOT, Checks, Graze, options, run  # noqa: E402
 from sides import Sides, Way  # noqa: E402
 
 STAGES = ("filter",)
@@ -40,14 +38,9 @@ def libraries():
         return re.search(r"^LIBS := (.*)$", file.read(), re.M)[1].split()
 
 
-def run(*command):
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-
-
 def contracts(compiler):
     """Has the machine fused operations, and will the compiler use them?"""
-    done = subprocess.run([compiler, *FLAGS, "-dM", "-E", "-x", "c", "-"], input="", text=True,
-                          capture_output=True, cwd=ROOT)
+    done = run([compiler, *FLAGS, "-dM", "-E", "-x", "c", "-"], cwd=ROOT)
     return "__FMA__" in done.stdout or "__ARM_FEATURE_FMA" in done.stdout
 
 
@@ -65,12 +58,12 @@ def built(compiler, build, folder):
     made = []
     for path in sources():
         target = os.path.join(folder, re.sub(r"\W", "_", path) + ".o")
-        done = run(compiler, *FLAGS, "-c", "-o", target, path)
+        done = run([compiler, *FLAGS, "-c", "-o", target, path], cwd=ROOT)
         if done.returncode:
             return None, done.stderr
         made.append(target)
     program = os.path.join(folder, "graze_" + compiler)
-    done = run(compiler, "-o", program, *made, *objects(build), *libraries())
+    done = run([compiler, "-o", program, *made, *objects(build), *libraries()], cwd=ROOT)
     return (program if done.returncode == 0 else None), done.stderr
 
 
@@ -80,8 +73,8 @@ def main():
     graze = Graze(args, checks)
     build = os.path.dirname(args.graze)
     found = False
-    if args.memory == 0:
-        checks.skip("objects of a sanitizer build do not go with others")
+    if args.sanitizers:
+        checks.skip("contraction", "objects of a sanitizer build do not go with others")
         checks.finish()
     for k, compiler in enumerate(("gcc", "clang")):
         if not shutil.which(compiler) or not contracts(compiler) or not sources():
@@ -91,7 +84,7 @@ def main():
         found = True
         with tempfile.TemporaryDirectory() as folder:
             program, why = built(compiler, build, folder)
-            if not checks.true(program, compiler, why[:1000]):
+            if not checks.holds(program, compiler, why[:1000]):
                 continue
             sides = Sides(graze, checks, Way(f"contracted by {compiler}", program),
                           Way("exact", args.graze, ["--no-filter"]))
@@ -100,7 +93,7 @@ def main():
                     sides.scene(scene, args.random, POINTS * args.scale, args.seed)
             sides.summary()
     if not found:
-        checks.skip("no filter, no objects beside the program, or no fused operations here")
+        checks.skip("contraction", "no objects beside the program, or no fused operations here")
     checks.finish()
 
 

@@ -17,7 +17,7 @@ sys.path[:0] = [os.path.join(HERE, "..", *part.split("/"))
 
 import casefile  # noqa: E402
 from adversaries import scenes  # noqa: E402
-from harness import Checks, Graze, options  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from queries import written  # noqa: E402
 from sides import Sides, ways  # noqa: E402
 

@@ -17,7 +17,6 @@ import json
 import os
 import random
 import re
-import subprocess
 import sys
 from fractions import Fraction as F
 
@@ -26,7 +25,7 @@ sys.path[:0] = [os.path.join(HERE, "..", *part.split("/")) for part in ("generat
 
 from adversaries import Scene, places, plane_adversaries, plane_solids  # noqa: E402
 from adversaries import space_adversaries, space_solids, terrain  # noqa: E402
-from harness import Checks, Graze, options  # noqa: E402
+from program import Checks, Graze, options, run  # noqa: E402
 from queries import Maker, written  # noqa: E402
 
 SECONDS = 600     # of one run; the exact path alone takes the longest
@@ -51,16 +50,12 @@ class Query:
         self.usual = None
 
     def run(self, path, site=None, *flags):
-        """(status, output, messages); status 124 stands for a run without end."""
+        """(status, output, messages) in bytes."""
         environment = {k: v for k, v in os.environ.items() if k != "GRAZE_FLIP_SITE"}
         if site is not None:
             environment["GRAZE_FLIP_SITE"] = str(site)
-        try:
-            done = subprocess.run([path, "classify", "--jobs", "1", *flags, *self.arguments],
-                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                  timeout=SECONDS, env=environment)
-        except subprocess.TimeoutExpired:
-            return 124, b"", b""
+        done = run([path, "classify", "--jobs", "1", *flags, *self.arguments], SECONDS, text=False,
+                   env=environment)
         return done.returncode, done.stdout, done.stderr
 
 
@@ -163,7 +158,7 @@ def prepare(path, checks, query):
     query.usual = query.run(path)[:2]
     exact = query.run(path, None, "--no-filter")[:2]
     checks.equal(query.usual[0], 0, query.name, "unflipped")
-    checks.true(query.usual == exact, query.name, "unflipped, with and without the filter")
+    checks.holds(query.usual == exact, query.name, "unflipped, with and without the filter")
 
 
 def noticed(path, query, site):
@@ -184,7 +179,7 @@ def main():
     graze = Graze(args, checks)   # its folder goes when it goes
     everything = list(queries(graze, args.random, args.scale))
     found = sites(args.graze, everything[0])
-    if not checks.true(found, "no decision sites: is this a build with -DGRAZE_FLIP_SITES?"):
+    if not checks.holds(found, "no decision sites: is this a build with -DGRAZE_FLIP_SITES?"):
         checks.finish()
     for query in everything:
         prepare(args.graze, checks, query)
@@ -196,7 +191,7 @@ def main():
             if how:
                 break
         # an end by a signal or without end is noticed too, but it is no way to fail
-        checks.true(how in ("status 4", "another answer"), f"site {site} {name}:",
+        checks.holds(how in ("status 4", "another answer"), f"site {site} {name}:",
                     how or "not noticed by any file")
         if name == "direction":
             for query in everything[-2:]:

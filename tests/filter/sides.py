@@ -6,14 +6,13 @@ A way is a program with flags. Both must succeed and print whole tables; a diffe
 with the scene, the point and both rows, and the files are kept where --keep names a folder.
 """
 import json
-import os
-import subprocess
 from collections import Counter
 
-from harness import SECONDS
+from program import run
 from queries import NEAR, Maker, generated, written
 
 JSON_EVERY = 5
+SECONDS = 300   # of one run
 
 
 class Way:
@@ -36,12 +35,8 @@ class Sides:
         self.judged, self.special, self.hard = 0, 0, 0
 
     def run(self, path, *args):
-        """(status, output, message) in bytes; 124 for a run without end."""
-        try:
-            done = subprocess.run([path, *args], capture_output=True, timeout=SECONDS * 5,
-                                  preexec_fn=self.graze.limit)
-        except subprocess.TimeoutExpired:
-            return 124, b"", b"no end"
+        """(status, output, message) in bytes."""
+        done = run([path, *args], SECONDS, self.graze.memory, text=False)
         return done.returncode, done.stdout, done.stderr
 
     def both(self, command, *args):

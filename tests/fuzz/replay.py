@@ -4,7 +4,6 @@
 A seed counts as one test. Of each target some seed must be taken, not refused: seeds that are all refused at
 the door show little. SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import glob
 import os
 import re
@@ -12,33 +11,25 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from harness import Checks, options  # noqa: E402
+
 HERE = "tests/fuzz"
 MOST_BYTES = 2 << 20    # of all seeds
 SECONDS = 120           # for the seeds of one target
 BATCH = 400
 
-passed, failed = 0, 0
-
-
-def count(holds):
-    global passed, failed
-    passed, failed = passed + holds, failed + (not holds)
-
-
-def check(holds, message):
-    count(holds)
-    if not holds:
-        print("FAILED", message)
+checks = Checks()
+check = checks.holds
 
 
 def run(program, words, folder):
     """Status and output of the program."""
-    try:
-        done = subprocess.run([program, *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=SECONDS,
-                              env=dict(os.environ, GRAZE_FUZZ_FOLDER=folder))
-    except subprocess.TimeoutExpired as late:
-        return f"not done after {SECONDS} s", (late.stdout or b"").decode("utf-8", "replace")
-    return done.returncode, done.stdout.decode("utf-8", "replace")
+    done = harness.run([program, *words], SECONDS, stderr=subprocess.STDOUT,
+                       env=dict(os.environ, GRAZE_FUZZ_FOLDER=folder))
+    return done.returncode, done.stdout
 
 
 def replay(program, target, seeds, folder):
@@ -62,11 +53,8 @@ def targets_held(program, folder):
         seeds = sorted(glob.glob(f"{HERE}/corpus/{target}/*"))
         size += sum(os.path.getsize(seed) for seed in seeds)
         said = replay(program, target, seeds, folder)
-        lost = [seed for seed in seeds if seed not in said]
         for seed in seeds:
-            count(seed in said)
-        if lost:
-            print(f"FAILED {lost[0]}: broke the target; {len(lost) - 1} seeds behind it were not reached")
+            check(seed in said, f"{seed}: broke the target, or was not reached behind one that did")
         check("taken" in said.values(), f"{target}: no seed is taken")
     check(size < MOST_BYTES, f"the seeds have {size} bytes; right are less than {MOST_BYTES}")
     known = {os.path.basename(path) for path in glob.glob(f"{HERE}/corpus/*") + glob.glob(f"{HERE}/words/*")}
@@ -130,15 +118,10 @@ def table_held(targets):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    options = parser.parse_args()
-    program = os.path.join(os.path.dirname(options.graze), "tests/fuzz/replay")
+    program = os.path.join(os.path.dirname(options(__doc__).graze), "tests/fuzz/replay")
     with tempfile.TemporaryDirectory(prefix="graze-replay-") as folder:
         table_held(targets_held(program, folder))
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

@@ -12,18 +12,18 @@ pullback of a plane of the cell, and a displaced point must come back to the cel
 import json
 import math
 import os
-import subprocess
 import sys
 import tempfile
 from collections import Counter
 from fractions import Fraction as F
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "cases"))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "..", folder) for folder in ("cases", "lib")]
 
 import casefile  # noqa: E402
 import jets  # noqa: E402
+from harness import ONLY, Checks, options, run  # noqa: E402
 from places import Solid, dot  # noqa: E402
-from tally import Tally, options  # noqa: E402
 from times import given_time, value  # noqa: E402
 
 ROWS = 60
@@ -81,8 +81,8 @@ class Table:
 
 
 class Suite:
-    def __init__(self, graze, tally):
-        self.graze, self.tally = graze, tally
+    def __init__(self, graze, checks):
+        self.graze, self.checks = graze, checks
         self.folder = tempfile.TemporaryDirectory()
         self.met = Counter()
 
@@ -94,16 +94,14 @@ class Suite:
         return path
 
     def generate(self, scene, count, seed, *more):
-        done = subprocess.run([self.graze, "generate", *scene.files, *scene.flags, "-n", str(count),
-                               "--seed", str(seed), *more], capture_output=True, text=True)
-        self.tally.equal(done.returncode, 0, scene.name, seed, *more, done.stderr.strip())
+        done = run([self.graze, "generate", *scene.files, *scene.flags, "-n", count, "--seed", seed, *more])
+        self.checks.equal(done.returncode, 0, scene.name, seed, *more, done.stderr.strip())
         return done.stdout if done.returncode == 0 else None
 
     def classify(self, scene, text):
         points = self.path("points.csv", text)
-        done = subprocess.run([self.graze, "classify", *scene.files, points, *scene.flags,
-                               "--format", "jsonl"], capture_output=True, text=True)
-        self.tally.equal(done.returncode, 0, scene.name, "classify", done.stderr.strip())
+        done = run([self.graze, "classify", *scene.files, points, *scene.flags, "--format", "jsonl"])
+        self.checks.equal(done.returncode, 0, scene.name, "classify", done.stderr.strip())
         return [json.loads(line) for line in done.stdout.splitlines()]
 
 
@@ -133,28 +131,28 @@ def holds_time(contact, t):
 # --------------------------------------------------------------- the row alone
 
 def check_row(suite, scene, table, row, representable):
-    tally, where = suite.tally, (scene.name, json.dumps(row))
+    checks, where = suite.checks, (scene.name, json.dumps(row))
     point, stratum = table.point(row), row["stratum"]
     suite.met[stratum] += 1
     if representable:
-        tally.holds(all(F(float(x)) == x for x in point), "a double must hold it", *where)
+        checks.holds(all(F(float(x)) == x for x in point), "a double must hold it", *where)
     if stratum == "random":
-        tally.equal([row[k] for k in ("order", "cell", "time", "k", "side")], [""] * 5, *where)
+        checks.equal([row[k] for k in ("order", "cell", "time", "k", "side")], [""] * 5, *where)
         parts = [(x - a) / (b - a) for x, a, b in zip(point, table.low, table.high)]
-        tally.holds(all(0 <= p <= 1 and (p * 2 ** 20).denominator == 1 for p in parts),
+        checks.holds(all(0 <= p <= 1 and (p * 2 ** 20).denominator == 1 for p in parts),
                     "a multiple of 2^-20 of the box", *where)
         return
     t, cell = F(row["time"]), row["cell"]
     ends = scene.breaks[0], scene.breaks[-1]
-    tally.holds(ends[0] <= t <= ends[1], "a time of the motion", *where)
-    check_kind(tally, scene, stratum, cell, t, row, where)
+    checks.holds(ends[0] <= t <= ends[1], "a time of the motion", *where)
+    check_kind(checks, scene, stratum, cell, t, row, where)
     displaced = stratum in ("near", "miss")
-    tally.equal((row["k"] != "", row["side"] in ("in", "out")), (displaced, displaced), *where)
+    checks.equal((row["k"] != "", row["side"] in ("in", "out")), (displaced, displaced), *where)
     facets = scene.solid.facets_at(cell)
     orders = set()
     if displaced:
         k = int(row["k"])
-        tally.holds(k in (range(4, 12) if stratum == "near" else range(8, 97, 8)), "k", *where)
+        checks.holds(k in (range(4, 12) if stratum == "near" else range(8, 97, 8)), "k", *where)
         places = [(f, undisplaced(scene, point, t, f, k, row["side"], representable))
                   for f in facets]
         places = [(f, p) for f, p in places if p is not None]
@@ -165,30 +163,30 @@ def check_row(suite, scene, table, row, representable):
         if scene.solid.holds(cell, [x.terms[0] for x in c]):
             pullback = sum((n * x for n, x in zip(facet.normal, c)), jets.jet(-facet.offset))
             orders.add(pullback.order())
-    tally.holds(bool(orders), "M(t)^-1 P lies in the cell, displaced back where it was displaced",
+    checks.holds(bool(orders), "M(t)^-1 P lies in the cell, displaced back where it was displaced",
                 *where)
     order = None if row["order"] == "slide" else int(row["order"])
-    tally.holds(order in orders or (order is not None and order >= jets.TERMS and None in orders),
+    checks.holds(order in orders or (order is not None and order >= jets.TERMS and None in orders),
                 f"order of {orders}", *where)
 
 
-def check_kind(tally, scene, stratum, cell, t, row, where):
+def check_kind(checks, scene, stratum, cell, t, row, where):
     """Cell, time and order that the stratum promises."""
     flat = "face" if scene.solid.dimension == 3 else "edge"
     wanted = {"vertex": "vertex", "edge": "edge", "face": flat, "face-odd": flat, "near": flat,
               "crossing": flat, "slide": flat}.get(stratum)
     if wanted:
-        tally.holds(cell.startswith(wanted), f"a cell of kind {wanted}", *where)
+        checks.holds(cell.startswith(wanted), f"a cell of kind {wanted}", *where)
     inner = scene.breaks[1:-1]
     fits = {"start": t == scene.breaks[0], "end": t == scene.breaks[-1], "break": t in inner}
-    tally.holds(fits.get(stratum, True), "the stratum's time", *where)
+    checks.holds(fits.get(stratum, True), "the stratum's time", *where)
     order = row["order"]
     if stratum in ("slide", "crossing"):
-        tally.equal(order, {"slide": "slide", "crossing": "1"}[stratum], *where)
+        checks.equal(order, {"slide": "slide", "crossing": "1"}[stratum], *where)
     if stratum in ("face", "near"):
-        tally.holds(order != "slide" and int(order) >= 2 and int(order) % 2 == 0, "even", *where)
+        checks.holds(order != "slide" and int(order) >= 2 and int(order) % 2 == 0, "even", *where)
     if stratum == "face-odd":
-        tally.holds(order != "slide" and int(order) >= 3 and int(order) % 2 == 1, "odd", *where)
+        checks.holds(order != "slide" and int(order) >= 3 and int(order) % 2 == 1, "odd", *where)
 
 
 def undisplaced(scene, point, t, facet, k, side, representable):
@@ -208,25 +206,25 @@ def undisplaced(scene, point, t, facet, k, side, representable):
 
 def check_answer(suite, scene, row, record):
     """The contact at the row's time, its cell and its kind."""
-    tally, where = suite.tally, (scene.name, json.dumps(row))
+    checks, where = suite.checks, (scene.name, json.dumps(row))
     if row["order"] == "" or row["k"]:
         return
     t = F(row["time"])
     at = [c for c in record["contacts"] if holds_time(c, t)]
-    if not tally.equal(len(at), 1, *where, "contacts at the time", record["word"]):
+    if not checks.equal(len(at), 1, *where, "contacts at the time", record["word"]):
         return
     contact = at[0]
     cells = [cell_of(f) for f in contact["features"]]
-    tally.holds(any(same_cell(c, row["cell"]) for c in cells), f"the cell among {cells}", *where)
+    checks.holds(any(same_cell(c, row["cell"]) for c in cells), f"the cell among {cells}", *where)
     long = contact["from"] != contact["to"]
     if row["stratum"] == "slide":
-        tally.holds(long, "an interval contact", *where)
+        checks.holds(long, "an interval contact", *where)
     if row["order"] == "slide" or long or len(cells) > 1 or t in scene.breaks:
         return
     if cells[0].split()[0] == ("face" if scene.solid.dimension == 3 else "edge"):
         tangent = int(row["order"]) % 2 == 0
-        tally.equal(contact["kind"], "tangency" if tangent else "intersection", *where)
-        tally.equal(contact["left"] == contact["right"], tangent, *where)
+        checks.equal(contact["kind"], "tangency" if tangent else "intersection", *where)
+        checks.equal(contact["left"] == contact["right"], tangent, *where)
 
 
 def degenerate(scene, row, record):
@@ -246,16 +244,16 @@ def check_table(suite, scene, count, seed, *more):
     if text is None:
         return None
     table = Table(text)
-    suite.tally.equal((len(table.rows), table.whole), (count, True), scene.name, "rows")
+    suite.checks.equal((len(table.rows), table.whole), (count, True), scene.name, "rows")
     made = {s for s, w in table.strata.items() if w}
-    suite.tally.holds({r["stratum"] for r in table.rows} <= made,
+    suite.checks.holds({r["stratum"] for r in table.rows} <= made,
                       "only strata the head gives weight to", scene.name, *more)
     for row in table.rows:
         check_row(suite, scene, table, row, "--representable" in more)
     records = suite.classify(scene, text)
-    suite.tally.equal(len(records), count, scene.name, "records")
+    suite.checks.equal(len(records), count, scene.name, "records")
     for row, record in zip(table.rows, records):
-        suite.tally.equal(record["point"], [row[a] for a in table.axes], scene.name, "point")
+        suite.checks.equal(record["point"], [row[a] for a in table.axes], scene.name, "point")
         check_answer(suite, scene, row, record)
     return table, records
 
@@ -264,9 +262,9 @@ def check_defaults(suite, scene, count, seed):
     answer = check_table(suite, scene, count, seed)
     if answer is None:
         return
-    suite.tally.equal(list(answer[0].strata), STRATA, scene.name, "strata of the head")
+    suite.checks.equal(list(answer[0].strata), STRATA, scene.name, "strata of the head")
     for stratum, cannot in UNMADE.items():
-        suite.tally.equal(answer[0].strata[stratum] is None, cannot(scene), scene.name, stratum)
+        suite.checks.equal(answer[0].strata[stratum] is None, cannot(scene), scene.name, stratum)
 
 
 def check_share(suite, scene, seed):
@@ -274,24 +272,24 @@ def check_share(suite, scene, seed):
     text = suite.generate(scene, SHARE_ROWS, seed)
     records = suite.classify(scene, text)
     share = sum(degenerate(scene, *pair) for pair in zip(Table(text).rows, records))
-    suite.tally.holds(10 * share >= 7 * SHARE_ROWS,
+    suite.checks.holds(10 * share >= 7 * SHARE_ROWS,
                       f"only {share} of {SHARE_ROWS} rows are degenerate", scene.name)
 
 
 def check_bytes(suite, scene, seed):
     """Same seed, same bytes; the first rows do not depend on how many follow; also into a file."""
     text = suite.generate(scene, 60, seed)
-    suite.tally.equal(suite.generate(scene, 60, seed), text, scene.name, "again")
+    suite.checks.equal(suite.generate(scene, 60, seed), text, scene.name, "again")
     longer = suite.generate(scene, 90, seed)
-    suite.tally.equal(longer[:len(text)], text, scene.name, "first rows of more")
+    suite.checks.equal(longer[:len(text)], text, scene.name, "first rows of more")
     other = suite.generate(scene, 60, seed + 1)
     same = set(Table(text).rows[k]["x"] + "," + Table(text).rows[k]["y"] for k in range(60))
     fresh = [r for r in Table(other).rows if r["x"] + "," + r["y"] not in same]
-    suite.tally.holds(len(fresh) >= 30, "another seed gives other points", scene.name)
+    suite.checks.holds(len(fresh) >= 30, "another seed gives other points", scene.name)
     path = suite.path("out.csv")
-    suite.tally.equal(suite.generate(scene, 60, seed, "--output", path), "", scene.name, "--output")
+    suite.checks.equal(suite.generate(scene, 60, seed, "--output", path), "", scene.name, "--output")
     with open(path, encoding="utf-8") as file:
-        suite.tally.equal(file.read(), text, scene.name, "--output FILE")
+        suite.checks.equal(file.read(), text, scene.name, "--output FILE")
 
 
 def check_weights(suite, scene, seed):
@@ -301,14 +299,14 @@ def check_weights(suite, scene, seed):
     text = suite.generate(scene, count, seed, "--strata",
                           ",".join(f"{s}={w}" for s, w in weights.items()))
     table = Table(text)
-    suite.tally.equal(set(table.strata), set(weights), scene.name, "strata")
+    suite.checks.equal(set(table.strata), set(weights), scene.name, "strata")
     given = {s: w for s, w in weights.items() if table.strata[s]}
-    suite.tally.equal({s: w for s, w in table.strata.items() if w}, given, scene.name, "weights")
+    suite.checks.equal({s: w for s, w in table.strata.items() if w}, given, scene.name, "weights")
     rows = Counter(r["stratum"] for r in table.rows)
     for stratum, weight in given.items():
         share = weight / sum(given.values())
         off = abs(rows[stratum] - count * share)
-        suite.tally.holds(off <= 5 * math.sqrt(count * share * (1 - share)),
+        suite.checks.holds(off <= 5 * math.sqrt(count * share * (1 - share)),
                           f"{rows[stratum]} of {count} rows with the share {share}", scene.name,
                           stratum)
 
@@ -336,19 +334,19 @@ def check_boxes(suite):
         slack = max(b - a for a, b in zip(table.low, table.high)) / 2 ** 10
         for low, high, (a, b) in zip(table.low, table.high, extents):
             where = ("box", transform, low, high)
-            suite.tally.holds(not low.denominator & (low.denominator - 1)
+            suite.checks.holds(not low.denominator & (low.denominator - 1)
                               and not high.denominator & (high.denominator - 1), "dyadic", *where)
             if a == "1 - sqrt 2":
-                suite.tally.holds((1 - low) ** 2 >= 2 > (1 - low - slack) ** 2, a, *where)
+                suite.checks.holds((1 - low) ** 2 >= 2 > (1 - low - slack) ** 2, a, *where)
             else:
-                suite.tally.holds(a - slack <= low <= a, f"low end {a}", *where)
-            suite.tally.holds(b <= high <= b + slack, f"high end {b}", *where)
+                suite.checks.holds(a - slack <= low <= a, f"low end {a}", *where)
+            suite.checks.holds(b <= high <= b + slack, f"high end {b}", *where)
 
 
 def main():
-    args = options(__doc__.splitlines()[0])
-    tally = Tally()
-    suite = Suite(args.graze, tally)
+    args = options(__doc__, ONLY)
+    checks = Checks()
+    suite = Suite(args.graze, checks)
     check_boxes(suite)
     for name in CASES:
         if args.only in name:
@@ -361,8 +359,8 @@ def main():
             check_weights(suite, scene, args.seed)
     print("rows by stratum:", dict(suite.met))
     for stratum in STRATA:
-        tally.holds(args.only or suite.met[stratum], "is made by no scene", stratum)
-    tally.finish()
+        checks.holds(args.only or suite.met[stratum], "is made by no scene", stratum)
+    checks.finish()
 
 
 if __name__ == "__main__":

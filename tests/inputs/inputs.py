@@ -5,15 +5,19 @@ and /dev/stdin are read like files, `bytes` limits them, and a signal ends the w
 
 What comes through a pipe must give the bytes that the same file gives. SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
 import pathlib
 import shlex
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+from harness import Checks, options, run  # noqa: E402
 
 COMMON = pathlib.Path(__file__).resolve().parents[1] / "refuse" / "common"
 SECONDS = 60
@@ -24,12 +28,10 @@ POSES = b"t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,8,0,0,0,0,0,1\n"
 class Bench:
     def __init__(self, graze, folder):
         self.graze, self.folder = graze, pathlib.Path(folder)
-        self.passed = self.failed = 0
+        self.checks = Checks()
 
     def check(self, holds, what, *seen):
-        self.passed, self.failed = self.passed + bool(holds), self.failed + (not holds)
-        if not holds:
-            print("FAILED", what, *(repr(s)[:600] for s in seen))
+        self.checks.holds(holds, what, *(repr(s)[:600] for s in seen))
 
     def start(self, words, **more):
         return subprocess.Popen([self.graze, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -108,8 +110,7 @@ def check_pipes(bench, name, file, words):
     if name == "a solid":  # told by its extension, which no descriptor has
         return
     line = " ".join("<(cat %s)" % shlex.quote(str(file)) if w is None else shlex.quote(str(w)) for w in words)
-    done = subprocess.run(["bash", "-c", f"{shlex.quote(bench.graze)} {line}"], stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS)
+    done = run(["bash", "-c", f"{shlex.quote(bench.graze)} {line}"], SECONDS, text=False)
     bench.check(done.returncode == 0 and (name in ("a golden table", "a candidate's table") or done.stdout == whole),
                 f"{name}: process substitution is read", done.returncode, done.stderr)
     with open(file, "rb") as held:
@@ -185,12 +186,9 @@ def check_standard_input(bench):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    words = parser.parse_args()
+    graze = options(__doc__).graze
     with tempfile.TemporaryDirectory(prefix="graze-inputs-") as folder:
-        bench = Bench(os.path.abspath(words.graze), folder)
+        bench = Bench(graze, folder)
         for one in inputs(bench):
             check_devices(bench, *one)
             check_pipes(bench, *one)
@@ -199,9 +197,8 @@ def main():
                 check_bytes(bench, *one)
         check_parts(bench)
         check_standard_input(bench)
-    print(f"{bench.passed} passed, {bench.failed} failed")
-    return bench.failed > 0
+    bench.checks.finish()
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    main()

@@ -7,15 +7,12 @@ Needs root, debootstrap and the archive's mirror, and takes a minute or two; so 
 must find every dependency in the archive, the program must give the bracket's rows, the library must be known to
 the dynamic linker, and after the removal of the package none of its files may be left.
 """
-import argparse
 import os
 import re
 import shutil
-import sys
 import tempfile
 
-import tally
-from tally import ROOT, check, output, read, run, same
+from programs import ROOT, check, checks, options, output, read, run, same
 
 
 def release():
@@ -24,23 +21,20 @@ def release():
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--mirror", default="http://deb.debian.org/debian")
-    options = parser.parse_args()
-    build = os.path.relpath(os.path.dirname(os.path.abspath(options.graze)), ROOT)
+    args = options(__doc__, ("--mirror", {"default": "http://deb.debian.org/debian"}))
+    build = os.path.relpath(os.path.dirname(args.graze), ROOT)
     if os.geteuid() != 0 or shutil.which("debootstrap") is None:
-        print("SKIP chroot: only root can make one, with debootstrap\n0 passed, 0 failed, 1 skipped")
-        return
+        checks.skip("chroot", "only root can make one, with debootstrap")
+        checks.finish()
     package = os.path.join(ROOT, output(["make", "-s", f"B={build}", "deb"]).splitlines()[-1])
     folder = tempfile.mkdtemp()
     inside = ["chroot", folder]
     try:
-        output(["debootstrap", "--variant=minbase", release(), folder, options.mirror])
+        output(["debootstrap", "--variant=minbase", release(), folder, args.mirror])
         shutil.copy(package, os.path.join(folder, "tmp", "graze.deb"))
         output([*inside, "apt-get", "install", "-y", "--no-install-recommends", "/tmp/graze.deb"],
                DEBIAN_FRONTEND="noninteractive")
-        same(output([*inside, "graze", "--version"]), output([options.graze, "--version"]), "versions there and here")
+        same(output([*inside, "graze", "--version"]), output([args.graze, "--version"]), "versions there and here")
         cases = "/usr/share/graze/cases/bracket"
         table = output([*inside, "graze", "classify", f"{cases}/solid.off", f"{cases}/motion.json",
                         f"{cases}/points.csv"])
@@ -53,8 +47,7 @@ def main():
         check(len(files) > 300 and not left, f"left of {len(files)} files: {left}")
     finally:
         run(["rm", "-rf", "--one-file-system", folder])
-    print(f"{tally.passed} passed, {tally.failed} failed")
-    sys.exit(1 if tally.failed else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

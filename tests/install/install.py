@@ -7,16 +7,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 built with pkg-config and with CMake, man pages, completion; then `make uninstall`, after which only what was
 there before is left. `make deb`: the package's dependencies and what lies in it.
 """
-import argparse
 import os
 import re
 import shutil
 import sys
 import tempfile
 
-import tally
 from pages import check_all, public_functions
-from tally import ROOT, check, output, read, run, same
+from programs import ROOT, check, checks, options, output, read, run, same
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PREFIX = "/opt/graze"
@@ -204,13 +202,8 @@ def check_deb(make, folder, version):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--sanitizers", action="store_true", help="a build nobody links with: only what needs no compiler")
-    options = parser.parse_args()
-    build = os.path.relpath(os.path.dirname(os.path.abspath(options.graze)), ROOT)
+    args = options(__doc__)
+    build = os.path.relpath(os.path.dirname(args.graze), ROOT)
     make = ["make", "-s", f"B={build}"]
     version = version_of_header()
     with tempfile.TemporaryDirectory() as folder:
@@ -221,7 +214,7 @@ def main():
         check_tree(root, version)
         check_all(f"{root}/bin/graze", root, f"{folder}/work")
         check_citable(f"{root}/bin/graze", version)
-        if not options.sanitizers:
+        if not args.sanitizers:  # a library that needs a runtime of its own
             check_symbols(root, os.path.join(ROOT, build))
             check_pkg_config(root, stage, f"{folder}/work", version)
             check_python(root)
@@ -231,8 +224,7 @@ def main():
         same(run([*make, "install", f"DESTDIR={stage}", "PREFIX=here"])[2], 2, "a PREFIX that is no full path")
         check_blanks(make, f"{folder}/two words")
         shutil.rmtree(stage)
-    print(f"{tally.passed} passed, {tally.failed} failed")
-    sys.exit(1 if tally.failed else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

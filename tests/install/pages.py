@@ -9,7 +9,7 @@ import glob
 import os
 import re
 
-from tally import ROOT, check, output, read, run, same
+from programs import ROOT, check, output, read, run, same
 
 
 def commands_of(graze):

@@ -7,7 +7,6 @@ with status 5 and a last message about memory; then it leaves no file but whole 
 fail: those that are reached on ways that differ, and some more; with --scale all of them.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import array
 import collections
 import concurrent.futures
@@ -20,7 +19,10 @@ import subprocess
 import sys
 import tempfile
 
-import scenes
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import scenes  # noqa: E402
+from harness import Checks, options  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 MEMORY = re.compile(r"memory", re.I)
@@ -41,14 +43,14 @@ def build(folder):
 class Bench:
     """The program, the way to make it fail, and a folder."""
 
-    def __init__(self, options, folder):
-        self.graze = os.path.abspath(options.graze)
-        if options.sanitizers:
+    def __init__(self, args, folder):
+        self.graze = args.graze
+        if args.sanitizers:
             self.graze = os.path.join(os.path.dirname(self.graze), "tests", "graze-memory")
         self.folder = pathlib.Path(folder)
-        self.scale = options.scale
-        self.part = 7 if options.sanitizers else 1  # of the ways, one of so many is tried
-        self.library = None if options.sanitizers else build(folder)
+        self.scale = args.scale
+        self.part = 7 if args.sanitizers else 1  # of the ways, one of so many is tried
+        self.library = None if args.sanitizers else build(folder)
 
     def environment(self, scene, **more):
         known = self.folder / "known-leaks"  # CGAL forgets a block where the list of blocks cannot grow
@@ -181,28 +183,22 @@ def test(bench, scene, ways, runs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--sanitizers", action="store_true", help="fail.c is linked into the program")
-    parser.add_argument("names", nargs="*", help="scenes; all if none is named")
-    options = parser.parse_args()
-    passed = failed = 0
+    args = options(__doc__, ("names", {"nargs": "*", "help": "scenes; all if none is named"}))
+    checks = Checks()
     met = set()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
-        bench = Bench(options, folder)
-        every = [s for s in scenes.make(bench.graze, pathlib.Path(folder)) if (not options.names or s.name in options.names)
-                 and not (options.sanitizers and s.spared)]
+        bench = Bench(args, folder)
+        every = [s for s in scenes.make(bench.graze, pathlib.Path(folder)) if (not args.names or s.name in args.names)
+                 and not (args.sanitizers and s.spared)]
         ways = list(pool.map(lambda s: ways_of(bench, s), every))
         runs = [choose(w, met, bench) for w in ways]
         for scene, tried, (told, faults) in zip(every, runs, pool.map(lambda *a: test(bench, *a), every, ways, runs)):
             wrong = sum(len(which) for which in faults.values())
-            passed, failed = passed + max(len(tried) - wrong, 0), failed + wrong
+            checks.passed, checks.failed = checks.passed + max(len(tried) - wrong, 0), checks.failed + wrong
             print(f"{scene.name}: {len(tried)} runs, {told} with status 5, {wrong} wrong", flush=True)
             for kind, which in sorted(faults.items(), key=lambda pair: -len(pair[1]))[:SHOWN]:
                 print(f"  {len(which)} x {kind} ({', '.join(which[:3])})")
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

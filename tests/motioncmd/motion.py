@@ -7,32 +7,27 @@ definition in decimals of 100 digits. Errors are looked for at many times, among
 puts the largest ones, and must stay below the bound the program printed, which must be below the
 tolerance. SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import json
 import os
-import random
-import subprocess
+import sys
 import tempfile
 from fractions import Fraction as F
 
-from evaluate import Motion, apply, multiply, rotation_of
-from truth import dec, joint_map, norm
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from evaluate import Motion, apply, multiply, rotation_of  # noqa: E402
+from harness import Checks, options  # noqa: E402
+from truth import dec, joint_map, norm  # noqa: E402
 
 CUBE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "refuse", "common", "cube.off")
 SQUARE = os.path.join(os.path.dirname(CUBE), "square.wkt")
-passed = failed = 0
-
-
-def check(holds, *message):
-    global passed, failed
-    passed, failed = passed + bool(holds), failed + (not holds)
-    if not holds:
-        print("FAILED", *message)
+checks = Checks()
+check = checks.holds
 
 
 def run(graze, *arguments):
-    done = subprocess.run([graze, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          timeout=300, universal_newlines=True)
+    done = harness.run([graze, *arguments], 300)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -274,25 +269,18 @@ def matrices_as_they_are(graze, folder, names, rows, frames):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--graze", required=True)
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    rng = random.Random(options.seed)
-    print("seed", options.seed)
+    args = options(__doc__, seed=1)
+    graze, rng = args.graze, args.random
     check(multiply([[F(0), F(1)], [F(1), F(0)]], [[F(2), F(0)], [F(0), F(3)]]) ==
           [[F(0), F(3)], [F(2), F(0)]], "the product of matrices of this test")
     with tempfile.TemporaryDirectory() as folder:
-        graze = os.path.abspath(options.graze)
         test_rotations(graze, folder, rng)
-        test_chains(graze, folder, rng, options.scale)
+        test_chains(graze, folder, rng, args.scale)
         test_screw(graze, folder, rng)
         test_quaternions(graze, folder)
-        test_matrices(graze, folder, rng, options.scale)
-    print(f"{passed} passed, {failed} failed")
-    return failed > 0
+        test_matrices(graze, folder, rng, args.scale)
+    checks.finish()
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    main()

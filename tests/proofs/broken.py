@@ -105,13 +105,13 @@ def main():
     checks = Checks()
     files = order(os.path.join(args.build, "proofs"))
     for name in files:
-        checks.check(os.path.exists(os.path.join(args.build, "proofs", name + "o")),
+        checks.holds(os.path.exists(os.path.join(args.build, "proofs", name + "o")),
                      f"{name} is compiled unchanged")
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         found = pool.map(lambda v: try_variant(args.build, v[0], files, v[1]), enumerate(VARIANTS))
         for variant, where in zip(VARIANTS, found):
             what, _, _, _, file, lemma = variant
-            if checks.check(where == (file, lemma), f"{what}: expected a failure in {file}, {lemma}: {where}"):
+            if checks.holds(where == (file, lemma), f"{what}: expected a failure in {file}, {lemma}: {where}"):
                 print(f"{what}: fails in {file}, {lemma}")
     checks.finish()
 

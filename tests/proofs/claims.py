@@ -6,7 +6,6 @@ each claim says whether it is machine-checked, by theorems that exist and are am
 Needs no Coq; make proofs checks the theorems themselves.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import glob
 import os
 import re
@@ -14,7 +13,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from coq import ROOT, SOURCE, Checks, sources, without_comments  # noqa: E402
+from coq import ROOT, SOURCE, Checks, harness, sources, without_comments  # noqa: E402
 
 DOCUMENTS = ("proofs/claims.md", "proofs/filter.md")
 HEADING = re.compile(r"^## C(\d+) .*?(?=^## C|^# |\Z)", re.M | re.S)
@@ -40,8 +39,8 @@ def sections(checks):
     for document in DOCUMENTS:
         for match in HEADING.finditer(read(document)):
             number = int(match.group(1))
-            checks.check(number not in out, f"{document}: C{number} stands twice")
-            checks.check(number == len(out) + 1, f"{document}: C{number} comes after C{len(out)}")
+            checks.holds(number not in out, f"{document}: C{number} stands twice")
+            checks.holds(number == len(out) + 1, f"{document}: C{number} comes after C{len(out)}")
             out[number] = match.group()
     return out
 
@@ -75,50 +74,47 @@ def theorems():
 
 def check_machine(checks, number, text, proved, printed):
     found = CHECKED.findall(text)
-    if not checks.check(len(found) == 1, f"C{number}: expected one line *Machine-checked:*, found {len(found)}"):
+    if not checks.holds(len(found) == 1, f"C{number}: expected one line *Machine-checked:*, found {len(found)}"):
         return
     words = re.findall(r"`([^`]+)`", found[0])
-    checks.check(bool(words) or found[0] == "no.", f"C{number}: expected `no.` or theorems: {found[0]}")
+    checks.holds(bool(words) or found[0] == "no.", f"C{number}: expected `no.` or theorems: {found[0]}")
     file = None
     for word in words:
         if word.endswith(".v"):
             file = word
-            checks.check(file in proved, f"C{number}: there is no proofs/coq/{file}")
+            checks.holds(file in proved, f"C{number}: there is no proofs/coq/{file}")
         else:
-            checks.check(word in proved.get(file, ()), f"C{number}: {file} does not prove {word}")
-            checks.check(word in printed, f"C{number}: statements.v does not print {word}")
+            checks.holds(word in proved.get(file, ()), f"C{number}: {file} does not prove {word}")
+            checks.holds(word in printed, f"C{number}: statements.v does not print {word}")
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--graze", help="not used")
-    parser.add_argument("--scale", help="not used")
-    parser.parse_args()
+    harness.options(__doc__)
     checks = Checks()
     claims = sections(checks)
-    checks.check(len(claims) >= 38, f"{len(claims)} claims")
+    checks.holds(len(claims) >= 38, f"{len(claims)} claims")
     cited = citations(claims)
     everywhere = set().union(*cited.values())
     for path, found in cited.items():
         for number in sorted(found):
-            checks.check(number in claims, f"{path}: cites C{number}, which is not there")
+            checks.holds(number in claims, f"{path}: cites C{number}, which is not there")
     for number in claims:
-        checks.check(number in everywhere, f"C{number} is cited nowhere")
+        checks.holds(number in everywhere, f"C{number} is cited nowhere")
     proved, printed = theorems()
     for number, text in claims.items():
         check_machine(checks, number, text, proved, printed)
     all_proved = set().union(*proved.values())
     for name in sorted(printed):
-        checks.check(name in all_proved, f"statements.v prints {name}, which is not proved here")
+        checks.holds(name in all_proved, f"statements.v prints {name}, which is not proved here")
     readme = read("proofs/coq/README.md")
     for name in sorted(os.listdir(SOURCE)):
-        checks.check(f"({name})" in readme or name == "README.md", f"proofs/coq/README.md does not name {name}")
+        checks.holds(f"({name})" in readme or name == "README.md", f"proofs/coq/README.md does not name {name}")
     for name in re.findall(r"\]\(([\w.]+\.(?:v|txt))\)", readme):
-        checks.check(os.path.exists(os.path.join(SOURCE, name)), f"proofs/coq/README.md: there is no {name}")
+        checks.holds(os.path.exists(os.path.join(SOURCE, name)), f"proofs/coq/README.md: there is no {name}")
     for name in set(re.findall(r"`([a-z]\w+)`", readme)) - {"coq", "coqchk"}:
         known = name in all_proved or re.search(rf"\b{name}\b", "".join(read("proofs/coq/" + f) for f in sources())
                                                 + read("proofs/coq/statements.txt"))
-        checks.check(known, f"proofs/coq/README.md names {name}, which is nowhere in the proofs")
+        checks.holds(known, f"proofs/coq/README.md names {name}, which is nowhere in the proofs")
     checks.finish()
 
 

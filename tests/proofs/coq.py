@@ -6,29 +6,16 @@ import glob
 import os
 import re
 import shutil
-import subprocess
+import sys
 
-ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from harness import ROOT, Checks  # noqa: E402,F401  (the scripts take Checks from here)
+
 SOURCE = os.path.join(ROOT, "proofs", "coq")
 OPTIONS = ["-Q", ".", "Graze"]
 HEAD = re.compile(r"^\s*(?:Theorem|Lemma|Corollary|Definition|Fixpoint|Record|Inductive)\s+(\w+)", re.M)
-
-
-class Checks:
-    """Counts what holds and prints what does not."""
-
-    def __init__(self):
-        self.passed = self.failed = 0
-
-    def check(self, holds, message):
-        self.passed, self.failed = self.passed + bool(holds), self.failed + (not holds)
-        if not holds:
-            print("FAILED", message, flush=True)
-        return holds
-
-    def finish(self):
-        print(f"{self.passed} passed, {self.failed} failed")
-        raise SystemExit(1 if self.failed else 0)
 
 
 def sources():
@@ -44,8 +31,7 @@ def copy(folder):
 
 
 def run(folder, *command):
-    return subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True, timeout=600)
+    return harness.run(command, 600, cwd=folder)
 
 
 def order(folder):

@@ -27,17 +27,17 @@ def check_sources(checks):
     for name in sources():
         with open(os.path.join(SOURCE, name), encoding="utf-8") as file:
             text = file.read()
-        checks.check(text.startswith("(*") and "SPDX-License-Identifier: GPL-3.0-or-later" in text[:400],
+        checks.holds(text.startswith("(*") and "SPDX-License-Identifier: GPL-3.0-or-later" in text[:400],
                      f"{name}: expected a head that says what the file proves, and the licence")
-        checks.check(text.count("\n") <= 600, f"{name}: more than 600 lines")
+        checks.holds(text.count("\n") <= 600, f"{name}: more than 600 lines")
         code, depth = without_comments(text), 0
         for number, line in enumerate(code.split("\n"), 1):
             found = FORBIDDEN.search(line)
-            checks.check(not found, f"{name}, line {number}: {found and found.group()}")
+            checks.holds(not found, f"{name}, line {number}: {found and found.group()}")
             depth += bool(re.match(r"\s*Section\b", line)) - bool(re.match(r"\s*End\b", line))
             # Outside a section these are axioms.
             loose = re.match(r"\s*(Variables?|Hypothes[ie]s|Context)\b", line)
-            checks.check(not loose or depth > 0, f"{name}, line {number}: {line.strip()} in no section")
+            checks.holds(not loose or depth > 0, f"{name}, line {number}: {line.strip()} in no section")
 
 
 def check_compiles(checks, folder):
@@ -46,7 +46,7 @@ def check_compiles(checks, folder):
         start = time.time()
         done = compile_file(folder, name)
         log[name] = done.stdout
-        ok = checks.check(done.returncode == 0, f"{name}: {done.stderr}")
+        ok = checks.holds(done.returncode == 0, f"{name}: {done.stderr}")
         print(f"  COQ  {name} ({time.time() - start:.1f} s)", flush=True)
         if not ok:
             checks.finish()
@@ -56,18 +56,18 @@ def check_compiles(checks, folder):
 def check_kernel(checks, folder):
     modules = ["Graze." + name[:-2] for name in sources()]
     done = run(folder, "coqchk", "-o", "-silent", *OPTIONS, *[a for m in modules for a in ("-norec", m)])
-    if not checks.check(done.returncode == 0, f"coqchk: {done.stdout}{done.stderr}"):
+    if not checks.holds(done.returncode == 0, f"coqchk: {done.stdout}{done.stderr}"):
         return
     summary = done.stdout + done.stderr
     print(summary.strip())
     parts = dict(re.findall(r"^\* ([^\n]*?):(.*?)(?=^\* |\Z)", summary, re.M | re.S))
     axioms = set(parts.get("Axioms", "").split())
-    checks.check("Axioms" in parts and axioms, "coqchk: expected a list of axioms")
+    checks.holds("Axioms" in parts and axioms, "coqchk: expected a list of axioms")
     for axiom in sorted(axioms):
-        checks.check(not axiom.startswith("Graze."), f"coqchk: an axiom of ours: {axiom}")
+        checks.holds(not axiom.startswith("Graze."), f"coqchk: an axiom of ours: {axiom}")
     for title, text in parts.items():
         if title != "Axioms" and not title.startswith("Theory"):
-            checks.check(text.strip() == "<none>", f"coqchk: {title}: {text.strip()}")
+            checks.holds(text.strip() == "<none>", f"coqchk: {title}: {text.strip()}")
 
 
 def axioms_printed(text):
@@ -94,13 +94,13 @@ def check_statements(checks, text, record):
     with open(RECORD, encoding="utf-8") as file:
         recorded = file.read()
     same = text.split() == recorded.split()
-    checks.check(same, "statements.v prints something else than statements.txt:\n" + "\n".join(
+    checks.holds(same, "statements.v prints something else than statements.txt:\n" + "\n".join(
         difflib.unified_diff(recorded.split("\n"), text.split("\n"), "statements.txt", "printed", lineterm="")))
     found = axioms_printed(text)
-    checks.check(found, "no axiom of the library's real numbers is printed")
+    checks.holds(found, "no axiom of the library's real numbers is printed")
     for axiom in sorted(found):
-        checks.check(axiom in AXIOMS, f"an axiom that is not the library's: {axiom}")
-    checks.check(text.count("Closed under the global context") > 0, "no theorem without axioms")
+        checks.holds(axiom in AXIOMS, f"an axiom that is not the library's: {axiom}")
+    checks.holds(text.count("Closed under the global context") > 0, "no theorem without axioms")
 
 
 def main():

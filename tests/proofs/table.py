@@ -9,9 +9,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import os
 import re
-import subprocess
 
-from coq import Checks, compile_file
+from coq import Checks, compile_file, harness
 
 LONGEST = 13
 COLUMNS = ("word", "i", "t", "k", "case", "class", "pmc", "definition", "class combined", "pmc combined",
@@ -34,10 +33,9 @@ def rows_of_coq(build):
 
 
 def rows_of_c(build, words):
-    done = subprocess.run([os.path.join(build, "tests", "proofs", "table")], text=True,
-                          input="".join(word + "\n" for word in words), stdout=subprocess.PIPE)
+    done = harness.run([os.path.join(build, "tests", "proofs", "table")], input="".join(word + "\n" for word in words))
     if done.returncode:
-        print(f"FAILED the C program ended with status {done.returncode}")
+        raise SystemExit(f"the C program ended with status {done.returncode}")
     return [line.split(",") for line in done.stdout.splitlines()]
 
 
@@ -65,21 +63,21 @@ def main():
     args = parser.parse_args()
     checks = Checks()
     coq = rows_of_coq(args.build)
-    checks.check(len(coq) == sum(admissible(n) for n in range(1, LONGEST + 1)),
+    checks.holds(len(coq) == sum(admissible(n) for n in range(1, LONGEST + 1)),
                  f"{len(coq)} words of up to {LONGEST} letters")
-    checks.check(all(len(row) == len(COLUMNS) for row in coq), "every row has all columns")
+    checks.holds(all(len(row) == len(COLUMNS) for row in coq), "every row has all columns")
     c = rows_of_c(args.build, [row[0] for row in coq])
     for row in c:
-        checks.check(len(row) == len(COLUMNS), f"columns of {row}")
+        checks.holds(len(row) == len(COLUMNS), f"columns of {row}")
     found = differences(coq, c)
     for line in found[:20]:
         print("FAILED", line)
-    checks.check(not found, f"{len(found)} differences")
+    checks.holds(not found, f"{len(found)} differences")
     # A row of C that says something else in any one column is noticed.
     for column, name in enumerate(COLUMNS):
         other = [list(row) for row in c]
         other[len(c) // 2][column] += "x"
-        checks.check(len(differences(coq, other)) == len(found) + 1, f"a change of {name} goes unnoticed")
+        checks.holds(len(differences(coq, other)) == len(found) + 1, f"a change of {name} goes unnoticed")
     print(f"{len(coq)} words, {len(c)} rows of C")
     checks.finish()
 

@@ -6,18 +6,21 @@ Each test_*.py here is a set of unittest cases. They run in an interpreter of th
 it has numpy, else Debian's; where neither has, the tests with numpy are skipped and say so.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
 import re
 import subprocess
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+from harness import Checks, options, run  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SUMMARY = re.compile(r"^sum (\d+) (\d+) (\d+)$", re.M)
 
 
 def has_numpy(python):
-    return subprocess.run([python, "-c", "import numpy"], stderr=subprocess.DEVNULL).returncode == 0
+    return run([python, "-c", "import numpy"]).returncode == 0
 
 
 def instrumented(library):
@@ -27,44 +30,35 @@ def instrumented(library):
     return any(name in data for name in (b"__asan_init", b"__tsan_init", b"__ubsan_handle"))
 
 
-def part(python, way, options, library):
-    """(passed, failed, skipped) of one run of all tests, whose output is passed on."""
+def part(checks, python, way, args, library):
+    """Count one run of all tests, whose output is passed on."""
     environment = dict(os.environ, GRAZE_LIBRARY=library, PYTHONDONTWRITEBYTECODE="1")
-    command = [python, os.path.join(HERE, "part.py"), way, "--graze", options.graze,
-               "--scale", str(options.scale), "--seed", str(options.seed)]
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=environment)
-    output = done.stdout.decode("utf-8", "replace")
-    counts = SUMMARY.findall(output)
-    if not counts or done.returncode:
-        print(f"{way}: ended with status {done.returncode}")
-    print(output, end="")
-    passed, failed, skipped = map(int, counts[-1]) if counts else (0, 1, 0)
-    return passed, failed + (done.returncode != 0 and failed == 0), skipped
+    done = run([python, os.path.join(HERE, "part.py"), way, "--graze", args.graze, "--scale", args.scale,
+                "--seed", args.seed], 1500, stderr=subprocess.STDOUT, env=environment)
+    print(done.stdout, end="")
+    counts = SUMMARY.findall(done.stdout)
+    passed, failed, skipped = map(int, counts[-1]) if counts else (0, 0, 0)
+    checks.passed, checks.failed, checks.skipped = (checks.passed + passed, checks.failed + failed,
+                                                    checks.skipped + skipped)
+    if not counts or (done.returncode and not failed):
+        checks.fail(f"{way}: ended with status {done.returncode}")
+
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=20090801)
-    options = parser.parse_args()
-    options.graze = os.path.abspath(options.graze)
-    library = os.path.join(os.path.dirname(options.graze), "libgraze.so")
+    args, checks = options(__doc__, seed=20090801), Checks()
+    library = os.path.join(os.path.dirname(args.graze), "libgraze.so")
     if instrumented(library):
-        print("SKIP python: the library is built with a sanitizer, the interpreter is not")
-        print("0 passed, 0 failed, 1 skipped")
-        return
+        checks.skip("python", "the library is built with a sanitizer, the interpreter is not")
+        checks.finish()
     pythons = [python for python in (sys.executable, "/usr/bin/python3")
                if os.path.exists(python) and has_numpy(python)]
-    total = [part(sys.executable, "without-numpy", options, library)]
+    part(checks, sys.executable, "without-numpy", args, library)
     if pythons:
-        total.append(part(pythons[0], "with-numpy", options, library))
+        part(checks, pythons[0], "with-numpy", args, library)
     else:
-        print("SKIP python, with numpy: no interpreter here has numpy")
-        total.append((0, 0, 1))
-    passed, failed, skipped = map(sum, zip(*total))
-    print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
-    sys.exit(1 if failed else 0)
+        checks.skip("python, with numpy", "no interpreter here has numpy")
+    checks.finish()
 
 
 if __name__ == "__main__":

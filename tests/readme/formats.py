@@ -6,7 +6,6 @@ default, every status and every column.
 The names come from the program's own refusals and help, so that a key or limit that is added and not
 described fails here. SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import json
 import os
 import re
@@ -14,7 +13,11 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from harness import ROOT, Checks, options  # noqa: E402
+
 PAGE = os.path.join(ROOT, "src", "cli", "formats.md")
 CORNERS = ("0 0 0", "2 0 0", "2 2 0", "0 2 0", "0 0 2", "2 0 2", "2 2 2", "0 2 2")
 FACETS = ("0 3 2 1", "4 5 6 7", "0 1 5 4", "1 2 6 5", "2 3 7 6", "3 0 4 7")
@@ -31,15 +34,8 @@ UNKNOWN = [
     {"dimension": 2, "keyframes": [{"?": 1}, {"t": 1}]},
     {"dimension": 3, "relative": {"?": 1}},
 ]
-passed = failed = 0
-
-
-def check(holds, message):
-    global passed, failed
-    passed, failed = passed + bool(holds), failed + (not holds)
-    if not holds:
-        print("FAILED", message)
-    return holds
+checks = Checks()
+check = checks.holds
 
 
 class Program:
@@ -54,9 +50,8 @@ class Program:
         return path
 
     def run(self, *words):
-        done = subprocess.run([self.graze, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=120)
-        return done.stdout.decode("utf-8", "replace"), done.returncode
+        done = harness.run([self.graze, *words], 120, stderr=subprocess.STDOUT)
+        return done.stdout, done.returncode
 
     def check_motion(self, dimension, text):
         return self.run("check", self.solids[dimension], self.write("motion.json", text))
@@ -125,21 +120,17 @@ def tables(page, program):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    options = parser.parse_args()
+    graze = options(__doc__).graze
     with open(PAGE, encoding="utf-8") as file:
         page = file.read()
     with tempfile.TemporaryDirectory() as folder:
-        program = Program(os.path.abspath(options.graze), folder)
+        program = Program(graze, folder)
         shown, known = motions(page, program), known_keys(program)
         check(known <= shown, f"keys that no example of the page shows: {sorted(known - shown)}")
         check(shown <= known, f"keys of examples that no refusal lists: {sorted(shown - known)}")
         limits(page, program)
         tables(page, program)
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

@@ -18,15 +18,17 @@ lead to a file and a heading, every target, option and command named must exist,
 `graze --help` lists must be described, and README.md must stay short.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 
-ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from harness import ROOT, Checks, options  # noqa: E402
+
 DOCUMENTS = ("README.md", "src/cli/README.md")
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$(?:\n\n```text\n(.*?)^```$)?", re.M | re.S)
 # Words of the README outside its blocks.
@@ -41,15 +43,8 @@ crosses at 1\.1, face .*
 crosses at 1\.225 to 1\.590625, face .*
 touches at 1\.859375 to 2, face .*
 """
-passed = failed = 0
-
-
-def check(holds, message):
-    global passed, failed
-    passed, failed = passed + bool(holds), failed + (not holds)
-    if not holds:
-        print("FAILED", message)
-    return holds
+checks = Checks()
+check = checks.holds
 
 
 def read(*parts):
@@ -100,10 +95,9 @@ class Runner:
     def run(self, command, **environment):
         if "graze-check" in command:  # it keeps solid and motion until it ends
             environment["ASAN_OPTIONS"] = "detect_leaks=0"
-        done = subprocess.run(["/bin/sh", "-c", command], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300,
-                              env=dict(os.environ, **environment))
-        return done.stdout.decode("utf-8", "replace"), done.returncode
+        done = harness.run(["/bin/sh", "-c", command], 300, cwd=self.folder, stderr=subprocess.STDOUT,
+                           env=dict(os.environ, **environment))
+        return done.stdout, done.returncode
 
     def show(self, command, output, **environment):
         got, status = self.run(command, **environment)
@@ -214,7 +208,7 @@ def names(texts, graze):
 
 
 def asked(*command):
-    return subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout.decode()
+    return harness.run(command).stdout
 
 
 def itself():
@@ -228,12 +222,7 @@ def itself():
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    graze = os.path.abspath(options.graze)
+    graze = options(__doc__).graze
     texts = {name: read(name) for name in DOCUMENTS}
     itself()
     with tempfile.TemporaryDirectory() as folder:
@@ -247,8 +236,7 @@ def main():
     names(texts, graze)
     words = sum(bool(re.search(r"\w", word)) for word in BLOCK.sub("", texts["README.md"]).split())
     check(words <= MOST_WORDS, f"README.md has {words} words outside its blocks; right is {MOST_WORDS}")
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

@@ -6,11 +6,13 @@ and the law of time reversal holds on generated points.
 The meshes are not part of the project; without them this is one skip, `SKIP shared-data`.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
-import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+from harness import Checks, options, run  # noqa: E402
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "shared", "data")
 
@@ -28,18 +30,12 @@ BACKWARD = ('{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"compos
             '{"translate": ["1-t", "(1-t)/2", "(1-t)^2/4"]}]}}]}')
 REVERSED_CASE = {1: 1, 2: 4, 3: 7, 4: 2, 5: 5, 6: 8, 7: 3, 8: 6, 9: 9}
 
-counts = [0, 0]
-
-
-def check(holds, message):
-    counts[0 if holds else 1] += 1
-    if not holds:
-        print("FAILED", message)
+checks = Checks()
+check = checks.holds
 
 
 def graze(program, *arguments):
-    return subprocess.run([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          stdin=subprocess.DEVNULL, universal_newlines=True, timeout=600)
+    return run([program, *arguments], 600)
 
 
 def rows(table):
@@ -66,30 +62,25 @@ def reverse(program, solid, folder, points):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    options = parser.parse_args()
+    args = options(__doc__)
     if not os.path.isdir(DATA):
-        print("SKIP shared-data: the real meshes do not lie beside the checkout")
-        print("0 passed, 0 failed, 1 skipped")
-        return
+        checks.skip("shared-data", "the real meshes do not lie beside the checkout")
+        checks.finish()
     with tempfile.TemporaryDirectory() as folder:
         motion = os.path.join(folder, "motion.json")
         with open(motion, "w", encoding="ascii") as file:
             file.write(FORWARD)
         for name, facets in LEGAL.items():
             solid = os.path.join(DATA, "valid", name)
-            done = graze(options.graze, "check", solid, motion)
+            done = graze(args.graze, "check", solid, motion)
             check(done.returncode == 0 and f" {facets} facets" in done.stdout,
                   f"{name}: {done.stdout}{done.stderr}")
-            reverse(options.graze, solid, folder, 20 * options.scale)
+            reverse(args.graze, solid, folder, 20 * args.scale)
         for name, reason in ILLEGAL.items():
-            done = graze(options.graze, "check", os.path.join(DATA, "refused", name), motion)
+            done = graze(args.graze, "check", os.path.join(DATA, "refused", name), motion)
             check(done.returncode == 1 and reason in done.stderr,
                   f"{name}: exit {done.returncode}: {done.stderr}")
-    print(f"{counts[0]} passed, {counts[1]} failed")
-    sys.exit(1 if counts[1] else 0)
+    checks.finish()
 
 
 if __name__ == "__main__":

@@ -6,14 +6,18 @@ And a row that comes through a pipe is answered before the next one is asked for
 The rows come slower than one a second, so that the line must appear before the end; the counts it
 shows are those of the rows sent so far. SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
 import pathlib
 import pty
 import re
 import select
 import subprocess
+import sys
 import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+from harness import Checks, options  # noqa: E402
 
 COMMON = pathlib.Path(__file__).resolve().parent / "common"
 ROWS, PAUSE, SECONDS = 3, 1.3, 60
@@ -76,7 +80,7 @@ def on_terminal(graze):
     return status, out, shown
 
 
-def checks(graze):
+def promises(graze):
     """(what must hold, whether it does, what was seen)."""
     status, table, shown = on_terminal(graze)
     counts = [int(m[1]) for m in LINE.finditer(shown)]
@@ -95,20 +99,11 @@ def checks(graze):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1, help="taken and not used: nothing is random")
-    parser.add_argument("--seed", type=int, default=1, help="taken and not used")
-    parser.add_argument("--sanitizers", action="store_true", help="taken and not used")
-    words = parser.parse_args()
-    passed = failed = 0
-    for what, holds, seen in checks(os.path.abspath(words.graze)):
-        passed, failed = passed + bool(holds), failed + (not holds)
-        if not holds:
-            print(f"FAILED {what}: {seen!r}")
-    print(f"{passed} passed, {failed} failed")
-    return failed > 0
+    args, checks = options(__doc__), Checks()
+    for what, holds, seen in promises(args.graze):
+        checks.holds(holds, what, repr(seen))
+    checks.finish()
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    main()

@@ -26,7 +26,6 @@ NAME restricts to case or topic names. A whole run also asks messages.py which m
 source no case has reached; each is a failure.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
 import pathlib
 import resource
@@ -37,7 +36,10 @@ import sys
 import tempfile
 import time
 
-import messages
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import messages  # noqa: E402
+from harness import Checks, options  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 SECONDS, SLOWER = 30, 6  # sanitizers and counters of coverage are slower
@@ -207,34 +209,26 @@ def faults(case, status, out, err, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Run the refusal cases.")
-    parser.add_argument("--graze", required=True)
-    parser.add_argument("names", nargs="*")
-    parser.add_argument("--sanitizers", action="store_true", help="no limit on address space")
-    options = parser.parse_args()
-    graze = os.path.abspath(options.graze)
+    args, checks = options(__doc__, ("names", {"nargs": "*", "help": "cases or topics"})), Checks()
     cases = [case for path in sorted(HERE.glob("*.txt")) for case in parse(path)]
-    if options.names:
-        cases = [c for c in cases if c.name in options.names or c.topic in options.names]
-    passed, failed, said = 0, 0, []
+    if args.names:
+        cases = [c for c in cases if c.name in args.names or c.topic in args.names]
+    said = []
     for case in cases:
-        status, out, err, folder = execute(case, graze, not options.sanitizers)
+        status, out, err, folder = execute(case, args.graze, not args.sanitizers)
         said.append(err.decode("utf-8", "replace"))
         found = faults(case, status, out, err, folder)
-        passed, failed = passed + (not found), failed + bool(found)
-        if found:
-            print(f"FAIL {case.topic}.txt:{case.line}: {case.name}: " + "; ".join(found))
+        if not checks.holds(not found, f"{case.topic}.txt:{case.line}: {case.name}: " + "; ".join(found)):
             print("    run: " + case.keys["run"])
             print("    stdout: " + out[:2000].decode("utf-8", "replace").replace("\n", "\n      "))
             print("    stderr: " + err[:4000].decode("utf-8", "replace").replace("\n", "\n      "))
-    if not options.names:
+    if not args.names:
         reached, silent = messages.account("".join(said))
-        passed, failed = passed + reached, failed + len(silent)
+        checks.passed += reached
         for where, text in silent:
-            print(f"FAIL {where}: no case reaches the message {text!r}")
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed or not cases else 0
+            checks.fail(f"{where}: no case reaches the message {text!r}")
+    checks.finish()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

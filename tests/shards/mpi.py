@@ -4,15 +4,13 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
 import shutil
 import signal
 import subprocess
-import tempfile
 import time
 
-from shards import COMMON, SECONDS, Bench, random_points
+from bench import COMMON, SECONDS, harness, random_points, run_checks
 
 # mpirun asks for these before it starts anything as root; leaks of the library are not ours.
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
@@ -25,8 +23,7 @@ def command(bench, ranks, *words):
 
 def run(bench, ranks, *words, stdin=None):
     """(exit status, standard output, standard error) of graze-mpi."""
-    done = subprocess.run(command(bench, ranks, *words), input=stdin if stdin is not None else b"", env=ENVIRONMENT,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS)
+    done = harness.run(command(bench, ranks, *words), SECONDS, text=False, input=stdin, env=ENVIRONMENT)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -96,23 +93,13 @@ def check_signal(bench):
     bench.check(path.read_bytes() == whole, "what it left is continued")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    words = parser.parse_args()
-    print(f"seed {words.seed}")
-    with tempfile.TemporaryDirectory(prefix="graze-mpi-") as folder:
-        bench = Bench(os.path.abspath(words.graze), folder, words.scale, words.seed)
-        if not shutil.which("mpirun") or not os.path.exists(bench.graze + "-mpi"):
-            bench.skip("mpi", "Open MPI is not installed")
-        else:
-            for check in (check_tables, check_faults, check_signal):
-                check(bench)
-        print(f"{bench.passed} passed, {bench.failed} failed, {bench.skipped} skipped")
-        return bench.failed > 0
+def check_all(bench):
+    if not shutil.which("mpirun") or not os.path.exists(bench.graze + "-mpi"):
+        bench.checks.skip("mpi", "Open MPI is not installed")
+        return
+    for check in (check_tables, check_faults, check_signal):
+        check(bench)
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    run_checks(__doc__, [check_all])

@@ -5,15 +5,13 @@ configuration of their own and without any authentication; they end with the tes
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import argparse
 import os
 import shutil
 import socket
 import subprocess
-import tempfile
 import time
 
-from shards import COMMON, SECONDS, Bench, random_points
+from bench import COMMON, SECONDS, harness, random_points, run_checks
 
 PROGRAMS = ("slurmctld", "slurmd", "sbatch", "sinfo")
 
@@ -84,9 +82,8 @@ class Cluster:
         """Wait for the node, half a minute at the most."""
         end = time.monotonic() + 30
         while time.monotonic() < end and all(child.poll() is None for child in self.children):
-            seen = subprocess.run(["sinfo", "-h", "-o", "%T"], env=self.environment, stdout=subprocess.PIPE,
-                                  stderr=subprocess.DEVNULL, timeout=60)
-            if seen.stdout.strip() == b"idle":
+            seen = harness.run(["sinfo", "-h", "-o", "%T"], env=self.environment)
+            if seen.stdout.strip() == "idle":
                 return True
             time.sleep(0.3)
         return False
@@ -111,8 +108,8 @@ def check_array(bench, cluster):
     begun = bench.good("classify", *scene.split(), "--shard", "2/5")
     bench.file("part-2.csv", begun[:len(begun) // 2])
     bench.file("graze.sh", SCRIPT.format(graze=bench.graze, scene=scene).encode())
-    done = subprocess.run(["sbatch", "--wait", "graze.sh"], cwd=bench.folder, env=cluster.environment,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=SECONDS)
+    done = harness.run(["sbatch", "--wait", "graze.sh"], SECONDS, cwd=bench.folder, env=cluster.environment,
+                       stderr=subprocess.STDOUT)
     told = b"".join(path.read_bytes() for path in bench.folder.glob("slurm-*.out"))
     bench.check(done.returncode == 0, "the array is done", done.stdout, told)
     bench.check(told == b"", "its tasks say nothing", told)
@@ -120,30 +117,20 @@ def check_array(bench, cluster):
     bench.check(len(parts) == 5 and bench.good("merge", *parts) == whole, "five tasks merge into the whole", parts)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--scale", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
-    words = parser.parse_args()
-    print(f"seed {words.seed}")
+def check_slurm(bench):
     missing = [program for program in PROGRAMS if not shutil.which(program)]
-    with tempfile.TemporaryDirectory(prefix="graze-slurm-") as folder:
-        bench = Bench(os.path.abspath(words.graze), folder, words.scale, words.seed)
-        if missing or os.geteuid() != 0:
-            bench.skip("slurm", f"{', '.join(missing)} not installed" if missing else "slurmd wants to be root")
+    if missing or os.geteuid() != 0:
+        bench.checks.skip("slurm", f"{', '.join(missing)} not installed" if missing else "slurmd wants to be root")
+        return
+    cluster = Cluster(bench.folder)
+    try:
+        if cluster.is_up():
+            check_array(bench, cluster)
         else:
-            cluster = Cluster(bench.folder)
-            try:
-                if cluster.is_up():
-                    check_array(bench, cluster)
-                else:
-                    bench.skip("slurm", "a node of its own does not come up here")
-            finally:
-                cluster.close()
-        print(f"{bench.passed} passed, {bench.failed} failed, {bench.skipped} skipped")
-        return bench.failed > 0
+            bench.checks.skip("slurm", "a node of its own does not come up here")
+    finally:
+        cluster.close()
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    run_checks(__doc__, [check_slurm])

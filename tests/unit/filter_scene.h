@@ -7,18 +7,13 @@
 #ifndef GRAZE_TESTS_UNIT_FILTER_SCENE_H
 #define GRAZE_TESTS_UNIT_FILTER_SCENE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "../lib/harness.h"
+#include "../lib/random.h"
 
 #include "filter/curve.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include <flint/ulong_extras.h>
 #include <math.h>
 #include "number/bernstein.h"
 #include "number/rounding.h"
@@ -39,29 +34,19 @@ typedef struct scene {
     fmpq linear[9][MOST_DEGREE + 1]; /* the entries but for the last column */
     forms exact;                     /* of the curve, scaled as the carrier scales */
     curve curve;
-    flint_rand_t random;
 } scene;
-
-static long below(scene *s, long n) {
-    return (long)n_randint(s->random, (ulong)n);
-}
-
-/* In [-1, 1), with 53 random bits. */
-static double fraction(scene *s) {
-    return (double)(n_randlimb(s->random) >> 11) * 0x1p-52 - 1;
-}
 
 static void set_double(fmpq_t out, double value) {
     assert_int_equal(rational_from_double(out, NULL, value), GRAZE_OK);
 }
 
-static void random_number(fmpq_t out, scene *s, int kind) {
+static void random_number(fmpq_t out, int kind) {
     if (kind == 0)
-        fmpq_set_si(out, below(s, 17) - 8, 1);
+        fmpq_set_si(out, random_below(17) - 8, 1);
     else if (kind == 1)
-        fmpq_set_si(out, below(s, 2001) - 1000, (ulong)below(s, 998) + 1);
+        fmpq_set_si(out, random_below(2001) - 1000, (ulong)random_below(998) + 1);
     else
-        set_double(out, ldexp(fraction(s), kind == 2 ? 0 : (int)below(s, 40) - 20));
+        set_double(out, ldexp(random_fraction(), kind == 2 ? 0 : (int)random_below(40) - 20));
 }
 
 static void forms_init(forms f) {
@@ -83,10 +68,11 @@ static void forms_set(forms out, forms f) {
 }
 
 static void random_corners(scene *s) {
-    int kind = (int)below(s, 4), d = s->d, shift = below(s, 4) ? 0 : (int)below(s, 300) - 150;
+    int kind = (int)random_below(4), d = s->d,
+        shift = random_below(4) ? 0 : (int)random_below(300) - 150;
     s->bounds = (corners){.at = s->near};
     for (int k = 0; k < d * d; k++) {
-        random_number(&s->corner[k], s, kind);
+        random_number(&s->corner[k], kind);
         if (shift > 0)
             fmpq_mul_2exp(&s->corner[k], &s->corner[k], (flint_bitcnt_t)shift);
         else
@@ -101,20 +87,20 @@ static void random_corners(scene *s) {
 
 /* Control points in the simplex's plane, about a place in or near the simplex. */
 static void random_controls(scene *s) {
-    int d = s->d, weights = s->steep ? 0 : (int)below(s, 3);
-    double spread = ldexp(1, -12 * (s->steep + (int)below(s, 4))), centre[3];
+    int d = s->d, weights = s->steep ? 0 : (int)random_below(3);
+    double spread = ldexp(1, -12 * (s->steep + (int)random_below(4))), centre[3];
     fmpq_t share, rest, term;
     fmpq_init(share);
     fmpq_init(rest);
     fmpq_init(term);
     for (int v = 1; v < d; v++)
-        centre[v] = s->steep || below(s, 4) ? 0.3 : 0;
+        centre[v] = s->steep || random_below(4) ? 0.3 : 0;
     for (int k = 0; k <= s->n; k++) {
         for (int i = 0; i < d; i++)
             fmpq_zero(&s->control[i][k]);
         fmpq_one(rest);
         for (int v = d - 1; v >= 0; v--) {
-            set_double(share, v ? centre[v] + spread * fraction(s) : 0);
+            set_double(share, v ? centre[v] + spread * random_fraction() : 0);
             fmpq_sub(rest, rest, share);
             for (int i = 0; i < d; i++) {
                 fmpq_mul(term, v ? share : rest, &s->corner[v * d + i]);
@@ -122,8 +108,8 @@ static void random_controls(scene *s) {
             }
         }
         set_double(&s->control[d][k], weights == 0   ? 1
-                                      : weights == 1 ? 1 + 0.5 * fraction(s)
-                                                     : (double)below(s, 9) + 1);
+                                      : weights == 1 ? 1 + 0.5 * random_fraction()
+                                                     : (double)random_below(9) + 1);
     }
     fmpq_clear(share);
     fmpq_clear(rest);
@@ -133,10 +119,9 @@ static void random_controls(scene *s) {
 /* Any scene; or, if `steep`, a cubic with large errors. */
 static void scene_init(scene *s, ulong seed, int steep) {
     *s = (scene){.seed = seed, .steep = steep};
-    flint_randinit(s->random);
-    flint_randseed(s->random, seed, 1);
-    s->d = 2 + (int)below(s, 2);
-    s->n = steep ? 3 : 1 + (int)below(s, MOST_DEGREE);
+    random_start(seed);
+    s->d = 2 + (int)random_below(2);
+    s->n = steep ? 3 : 1 + (int)random_below(MOST_DEGREE);
     for (int k = 0; k < 9; k++)
         fmpq_init(&s->corner[k]);
     forms_init(s->control);
@@ -144,16 +129,16 @@ static void scene_init(scene *s, ulong seed, int steep) {
     curve_init(&s->curve);
     random_corners(s);
     random_controls(s);
-    int kind = s->steep ? 1 : (int)below(s, 4);
+    int kind = s->steep ? 1 : (int)random_below(4);
     for (int j = 0; j < 3; j++) {
         fmpq_init(&s->point[j]);
-        random_number(&s->point[j], s, kind);
+        random_number(&s->point[j], kind);
     }
-    kind = s->steep ? 2 : (int)below(s, 4);
+    kind = s->steep ? 2 : (int)random_below(4);
     for (int e = 0; e < 9; e++)
         for (int k = 0; k <= MOST_DEGREE; k++) {
             fmpq_init(&s->linear[e][k]);
-            random_number(&s->linear[e][k], s, kind);
+            random_number(&s->linear[e][k], kind);
             fmpq_mul_2exp(&s->linear[e][k], &s->linear[e][k], s->steep ? 10 : 0);
         }
 }
@@ -169,7 +154,6 @@ static void scene_clear(scene *s) {
     forms_clear(s->control);
     forms_clear(s->exact);
     curve_clear(&s->curve);
-    flint_randclear(s->random);
 }
 
 /* Sum of b_k C(n, k) t^k (1 - t)^(n - k), times `scale`, which makes it integral. */

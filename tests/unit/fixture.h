@@ -2,11 +2,7 @@
 #ifndef GRAZE_TESTS_UNIT_FIXTURE_H
 #define GRAZE_TESTS_UNIT_FIXTURE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "../lib/harness.h"
 #include <flint/flint.h>
 #include "context/context.h"
 

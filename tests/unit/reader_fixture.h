@@ -4,30 +4,19 @@
 #ifndef GRAZE_TESTS_UNIT_READER_FIXTURE_H
 #define GRAZE_TESTS_UNIT_READER_FIXTURE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <unistd.h>
-#include <cmocka.h>
+#include "fixture.h"
 #include "read/read.h"
 
 #define NEF "tests/refuse/common/nef3/"
 
 static char folder[] = "/tmp/graze-readers-XXXXXX";
-static graze_context *context;
-
-static int set_up(void **state) {
-    (void)state;
-    return mkdtemp(folder) == NULL || graze_context_create(&context) != GRAZE_OK;
+static int set_up_folder(void **state) {
+    return set_up(state) || mkdtemp(folder) == NULL;
 }
 
-static int tear_down(void **state) {
-    (void)state;
-    graze_context_destroy(context);
-    return rmdir(folder);
+static int tear_down_folder(void **state) {
+    return tear_down(state) || rmdir(folder);
 }
 
 /* Read bytes as a file of the extension. */

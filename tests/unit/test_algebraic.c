@@ -1,12 +1,8 @@
 /* Real algebraic numbers: roots, order and signs against polynomials built from known roots.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "../lib/harness.h"
+#include "../lib/random.h"
 
 #include "numbers.h"
 
@@ -29,11 +25,6 @@ static int known_less(known a, known b) {
     return am * bn < bm * an;
 }
 
-static ulong next_random(ulong *state) {
-    *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return *state >> 33;
-}
-
 static int is_square(slong m) {
     for (slong k = 0; k * k <= m; k++)
         if (k * k == m)
@@ -42,10 +33,9 @@ static int is_square(slong m) {
 }
 
 /* A known number in (0, 1]; the irrational ones have m/n that is no square, as neither m n is. */
-static known random_known(ulong *state) {
+static known random_known(void) {
     for (;;) {
-        known k = {(slong)(next_random(state) % 12) + 1, (slong)(next_random(state) % 12) + 1,
-                   (int)(next_random(state) % 2)};
+        known k = {random_below(12) + 1, random_below(12) + 1, (int)random_below(2)};
         if (k.m <= k.n && !(k.irrational && is_square(k.m * k.n)))
             return k;
     }
@@ -60,23 +50,23 @@ static void unit_interval(dyadic_interval *unit) {
  * and each vanishes on its own factor and on no other one's. */
 static void test_known_roots(void **unused) {
     (void)unused;
-    ulong state = 20261121;
+    random_start(20261121);
     dyadic_interval unit;
     unit_interval(&unit);
     for (int round = 0; round < 400; round++) {
         known root[5];
-        int n = (int)(next_random(&state) % 5) + 1, kept = 0;
+        int n = (int)random_below(5) + 1, kept = 0;
         fmpz_poly_t p, factor;
         fmpz_poly_init(p);
         fmpz_poly_init(factor);
         fmpz_poly_set_si(p, round % 2 ? 3 : -2);
         for (int k = 0; k < n; k++) {
-            known candidate = random_known(&state);
+            known candidate = random_known();
             int place = kept, repeated = 0;
             for (int j = 0; j < kept; j++)
                 repeated |= !known_less(root[j], candidate) && !known_less(candidate, root[j]);
             known_factor(factor, candidate);
-            for (ulong e = next_random(&state) % 3 + 1; e > 0; e--)
+            for (ulong e = random_below(3) + 1; e > 0; e--)
                 fmpz_poly_mul(p, p, factor);
             if (repeated)
                 continue;
@@ -146,16 +136,16 @@ static slong count_by_sturm(const fmpz_poly_t p) {
 
 static void test_counts_against_sturm(void **unused) {
     (void)unused;
-    ulong state = 7;
+    random_start(7);
     dyadic_interval unit;
     unit_interval(&unit);
     slong total = 0;
     for (int round = 0; round < 2000; round++) {
         fmpz_poly_t p;
         fmpz_poly_init(p);
-        slong degree = (slong)(next_random(&state) % 9) + 1;
+        slong degree = random_below(9) + 1;
         for (slong k = 0; k <= degree; k++)
-            fmpz_poly_set_coeff_si(p, k, (slong)(next_random(&state) % 41) - 20);
+            fmpz_poly_set_coeff_si(p, k, random_below(41) - 20);
         if (fmpz_poly_is_zero(p) || fmpz_is_zero(p->coeffs)) {
             fmpz_poly_clear(p);
             continue;

@@ -1,23 +1,19 @@
 /* Bernstein coefficients put together again to the polynomial they came from, on intervals of all
  * sizes, and values at dyadic and rational points. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "../lib/harness.h"
+#include "../lib/random.h"
 
 #include "number/bernstein.h"
 
 #include <flint/fmpz_vec.h>
 
-static void random_polynomial(fmpz_poly_t out, slong degree, ulong bits, flint_rand_t state) {
+static void random_polynomial(fmpz_poly_t out, slong degree, ulong bits) {
     fmpz_t c;
     fmpz_init(c);
     fmpz_poly_zero(out);
     for (slong k = 0; k <= degree; k++) {
-        fmpz_randtest(c, state, bits);
+        fmpz_randtest(c, chance, bits);
         fmpz_poly_set_coeff_fmpz(out, k, c);
     }
     fmpz_clear(c);
@@ -97,8 +93,7 @@ static void check_form(fmpz_t m, const bernstein_form *form, const fmpz_poly_t p
 /* Degrees beyond the table of binomials, intervals whose ends and widths take several limbs. */
 static void test_rebuilt(void **unused) {
     (void)unused;
-    flint_rand_t state;
-    flint_randinit(state);
+    random_start(41);
     fmpz_poly_t p;
     dyadic_interval whole, left, right;
     fmpz_t m, n;
@@ -109,14 +104,14 @@ static void test_rebuilt(void **unused) {
     fmpz_init(m);
     fmpz_init(n);
     for (int round = 0; round < 1500; round++) {
-        slong degree = (slong)n_randint(state, round % 20 ? 10 : 40);
+        slong degree = random_below(round % 20 ? 10 : 40);
         do
-            random_polynomial(p, degree, 1 + n_randint(state, 300), state);
+            random_polynomial(p, degree, 1 + (ulong)random_below(300));
         while (fmpz_poly_is_zero(p));
-        slong formal = degree + (slong)n_randint(state, 3);
-        whole.exponent = n_randint(state, 2) ? n_randint(state, 4) : n_randint(state, 400);
-        fmpz_randtest(whole.low, state, 1 + n_randint(state, 200));
-        fmpz_randtest_not_zero(whole.high, state, 1 + n_randint(state, 200));
+        slong formal = degree + random_below(3);
+        whole.exponent = (ulong)random_below(random_below(2) ? 4 : 400);
+        fmpz_randtest(whole.low, chance, 1 + (ulong)random_below(200));
+        fmpz_randtest_not_zero(whole.high, chance, 1 + (ulong)random_below(200));
         fmpz_abs(whole.high, whole.high);
         fmpz_add(whole.high, whole.low, whole.high);
         bernstein_form form, upper;
@@ -136,7 +131,6 @@ static void test_rebuilt(void **unused) {
     dyadic_interval_clear(&right);
     fmpz_clear(m);
     fmpz_clear(n);
-    flint_randclear(state);
 }
 
 /* On one point, 3/4: every coefficient of u - 1/2 is positive, and of u - 3/4 it is zero. */
@@ -163,8 +157,7 @@ static void test_point(void **unused) {
 /* Against FLINT's values in lowest terms; every other x is dyadic, and often a root. */
 static void test_values(void **unused) {
     (void)unused;
-    flint_rand_t state;
-    flint_randinit(state);
+    random_start(42);
     fmpz_poly_t p, factor;
     fmpq_t x, value, other;
     fmpz_poly_init(p);
@@ -173,9 +166,9 @@ static void test_values(void **unused) {
     fmpq_init(value);
     fmpq_init(other);
     for (int round = 0; round < 3000; round++) {
-        ulong exponent = n_randint(state, 100);
-        random_polynomial(p, (slong)n_randint(state, 8), 1 + n_randint(state, 200), state);
-        fmpq_randtest(x, state, 1 + n_randint(state, 100));
+        ulong exponent = (ulong)random_below(100);
+        random_polynomial(p, random_below(8), 1 + (ulong)random_below(200));
+        fmpq_randtest(x, chance, 1 + (ulong)random_below(100));
         if (round % 2)
             dyadic_value(x, fmpq_numref(x), exponent);
         if (round % 3 == 0) {
@@ -198,7 +191,6 @@ static void test_values(void **unused) {
     fmpq_clear(x);
     fmpq_clear(value);
     fmpq_clear(other);
-    flint_randclear(state);
 }
 
 /* Coefficients as large as their number of bits allows: with all p_i = 2^b - 1 on [0, 1] the first

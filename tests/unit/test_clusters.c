@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "fixture.h"
+#include "../lib/random.h"
 #include "numbers.h"
 
 #include <flint/arith.h>
@@ -285,25 +286,24 @@ static void test_cancel(void **unused) {
  * arithmetic. */
 static void test_signs(void **unused) {
     (void)unused;
-    flint_rand_t state;
     fmpz_t a, numerator;
     fmpz_poly_t p;
     fmpq_t x;
     int seen[3] = {0, 0, 0};
-    flint_randinit(state);
+    random_start(41);
     fmpz_init(a);
     fmpz_init(numerator);
     fmpz_poly_init(p);
     fmpq_init(x);
     for (int round = 0; round < 300; round++) {
-        ulong digits = 1 + n_randint(state, 12), exponent = 1 + n_randint(state, 3000);
+        ulong digits = 1 + (ulong)random_below(12), exponent = 1 + (ulong)random_below(3000);
         power_of_ten(a, digits);
-        mignotte(p, 10 + (slong)n_randint(state, 40), -2, a, 2);
+        mignotte(p, 10 + random_below(40), -2, a, 2);
         if (round % 2) { /* near 1/a, of any size and sign otherwise */
             fmpz_one_2exp(numerator, exponent);
             fmpz_fdiv_q(numerator, numerator, a);
         } else {
-            fmpz_randtest(numerator, state, exponent + 5);
+            fmpz_randtest(numerator, chance, exponent + 5);
         }
         if (round % 3 == 0) { /* a root that is dyadic */
             fmpz_poly_t line;
@@ -322,7 +322,6 @@ static void test_signs(void **unused) {
         seen[sign + 1]++;
     }
     assert_true(seen[0] > 20 && seen[1] > 20 && seen[2] > 20);
-    flint_randclear(state);
     fmpz_clear(a);
     fmpz_clear(numerator);
     fmpz_poly_clear(p);

@@ -2,36 +2,25 @@
  * while they were made.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "fixture.h"
+#include "../lib/random.h"
 #include <unistd.h>
-#include <cmocka.h>
 #include "compare/compare.h"
 
-static graze_context *context;
 static char golden_path[] = "/tmp/graze-test-golden-XXXXXX";
 static char candidate_path[] = "/tmp/graze-test-candidate-XXXXXX";
 
-static int set_up(void **state) {
-    (void)state;
+static int set_up_files(void **state) {
     int a = mkstemp(golden_path), b = mkstemp(candidate_path);
     close(a);
     close(b);
-    return a < 0 || b < 0 || graze_context_create(&context) != GRAZE_OK;
+    return a < 0 || b < 0 || set_up(state);
 }
 
-static int tear_down(void **state) {
-    (void)state;
+static int tear_down_files(void **state) {
     unlink(golden_path);
     unlink(candidate_path);
-    graze_context_destroy(context);
-    graze_thread_finish();
-    return 0;
+    return tear_down(state);
 }
 
 static void write_file(const char *path, const char *text) {
@@ -205,7 +194,7 @@ static void rounding_matches(void **state) {
 
 static const char *pick(unsigned long *agree, unsigned long *wrong, int golden) {
     static const char *const words[] = {"in", "on", "out"};
-    int given = rand() % 8 ? golden : (golden + 1) % 3;
+    int given = random_below(8) ? golden : (golden + 1) % 3;
     *(given == golden ? agree : wrong) += 1;
     return words[given];
 }
@@ -217,19 +206,20 @@ static void random_tables(void **state) {
     for (unsigned seed = 1; seed <= 40; seed++) {
         unsigned long agree = 0, wrong = 0, missing = 0, extra = 0, count = 3 + seed * 97;
         unsigned long gap = seed % 4 ? 0 : 1500; /* a run of missing rows longer than a window */
-        srand(seed);
+        random_start(seed);
         FILE *golden = fopen(golden_path, "w"), *candidate = fopen(candidate_path, "w");
         assert_true(golden && candidate);
         fputs(HEAD, golden);
         fputs("x,y,pmc\n", candidate);
         for (unsigned long k = 0; k < count + gap; k++) {
-            int answer = rand() % 3, drop = rand() % 10 == 0 || (k > 1 && k < 2 + gap);
+            int answer = (int)random_below(3),
+                drop = random_below(10) == 0 || (k > 1 && k < 2 + gap);
             drop = drop && k > 0;
             fprintf(golden, "%lu/7,%u%s", k, seed, rows[answer]);
             missing += (unsigned long)drop;
             if (!drop)
                 fprintf(candidate, "%lu/7,%u,%s\n", k, seed, pick(&agree, &wrong, answer));
-            if (!drop && rand() % 20 == 0) {
+            if (!drop && random_below(20) == 0) {
                 fprintf(candidate, "%lu/7,-1,in\n", k);
                 extra++;
             }
@@ -322,5 +312,5 @@ int main(void) {
         cmocka_unit_test(tallies),
         cmocka_unit_test(misuse),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_files, tear_down_files);
 }

@@ -1,40 +1,29 @@
 /* Expressions: values derived by hand, random trees evaluated a second way, refusals, rounding.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "fixture.h"
+#include "../lib/random.h"
 #include "motion/expression.h"
 #include "number/rational.h"
 #include "number/rounding.h"
 
 /* t runs from 1 to 3 while u and s run from 0 to 1. */
-static graze_context *context;
 static fmpz_poly_q_t t, s, value;
 
-static int set_up(void **state) {
-    (void)state;
+static int set_up_values(void **state) {
     fmpz_poly_q_init(t);
     fmpz_poly_q_init(s);
     fmpz_poly_q_init(value);
     fmpz_poly_q_set_str(t, "2  1 2");
     fmpz_poly_q_set_str(s, "2  0 1");
-    return graze_context_create(&context) != GRAZE_OK;
+    return set_up(state);
 }
 
-static int tear_down(void **state) {
-    (void)state;
+static int tear_down_values(void **state) {
     fmpz_poly_q_clear(t);
     fmpz_poly_q_clear(s);
     fmpz_poly_q_clear(value);
-    graze_context_destroy(context);
-    flint_cleanup();
-    return 0;
+    return tear_down(state);
 }
 
 static graze_status read(const char *text) {
@@ -192,17 +181,15 @@ typedef struct grown {
     fmpq_t value;
 } grown;
 
-static int grow(grown *out, unsigned *seed, int depth, const fmpq_t at_t, const fmpq_t at_s);
+static int grow(grown *out, int depth, const fmpq_t at_t, const fmpq_t at_s);
 
-static int grow_operation(grown *out, unsigned *seed, int depth, const fmpq_t at_t,
-                          const fmpq_t at_s) {
+static int grow_operation(grown *out, int depth, const fmpq_t at_t, const fmpq_t at_s) {
     static const char operators[] = "+-*/";
     grown *side = calloc(2, sizeof *side);
     fmpq_init(side[0].value);
     fmpq_init(side[1].value);
-    int k = (int)(rand_r(seed) % 4);
-    int ok = grow(&side[0], seed, depth - 1, at_t, at_s) &&
-             grow(&side[1], seed, depth - 1, at_t, at_s) &&
+    int k = (int)random_below(4);
+    int ok = grow(&side[0], depth - 1, at_t, at_s) && grow(&side[1], depth - 1, at_t, at_s) &&
              !(k == 3 && fmpq_is_zero(side[1].value));
     if (ok) {
         void (*const compute[])(fmpq_t, const fmpq_t, const fmpq_t) = {fmpq_add, fmpq_sub, fmpq_mul,
@@ -217,11 +204,11 @@ static int grow_operation(grown *out, unsigned *seed, int depth, const fmpq_t at
     return ok;
 }
 
-static int grow_power(grown *out, unsigned *seed, int depth, const fmpq_t at_t, const fmpq_t at_s) {
+static int grow_power(grown *out, int depth, const fmpq_t at_t, const fmpq_t at_s) {
     grown *base = calloc(1, sizeof *base);
     fmpq_init(base->value);
-    int n = (int)(rand_r(seed) % 7) - 3;
-    int ok = grow(base, seed, depth - 1, at_t, at_s) && !(n < 0 && fmpq_is_zero(base->value));
+    int n = (int)random_below(7) - 3;
+    int ok = grow(base, depth - 1, at_t, at_s) && !(n < 0 && fmpq_is_zero(base->value));
     if (ok) {
         snprintf(out->text, sizeof out->text, "-(%.3900s)^%d", base->text, n);
         fmpq_pow_si(out->value, base->value, n);
@@ -232,8 +219,8 @@ static int grow_power(grown *out, unsigned *seed, int depth, const fmpq_t at_t, 
     return ok;
 }
 
-static int grow(grown *out, unsigned *seed, int depth, const fmpq_t at_t, const fmpq_t at_s) {
-    unsigned kind = rand_r(seed) % (depth > 0 ? 8 : 3);
+static int grow(grown *out, int depth, const fmpq_t at_t, const fmpq_t at_s) {
+    unsigned kind = random_below(depth > 0 ? 8 : 3);
     if (kind == 0) {
         snprintf(out->text, sizeof out->text, "t");
         fmpq_set(out->value, at_t);
@@ -241,18 +228,18 @@ static int grow(grown *out, unsigned *seed, int depth, const fmpq_t at_t, const 
         snprintf(out->text, sizeof out->text, "s");
         fmpq_set(out->value, at_s);
     } else if (kind == 2) {
-        int n = (int)(rand_r(seed) % 100);
+        int n = (int)random_below(100);
         snprintf(out->text, sizeof out->text, "%d.%de-1", n / 10, n % 10);
         fmpq_set_si(out->value, n, 100);
     } else {
-        return (kind < 7 ? grow_operation : grow_power)(out, seed, depth, at_t, at_s);
+        return (kind < 7 ? grow_operation : grow_power)(out, depth, at_t, at_s);
     }
     return 1;
 }
 
 static void random_trees_agree(void **state) {
     (void)state;
-    unsigned seed = 20;
+    random_start(20);
     int compared = 0;
     grown *tree = calloc(1, sizeof *tree);
     fmpq_t at_t, at_s, got;
@@ -261,9 +248,9 @@ static void random_trees_agree(void **state) {
     fmpq_init(at_s);
     fmpq_init(got);
     for (int k = 0; k < 3000; k++) {
-        fmpq_set_si(at_s, (slong)(rand_r(&seed) % 100), 97);
+        fmpq_set_si(at_s, random_below(100), 97);
         quotient_at(at_t, t, at_s);
-        if (!grow(tree, &seed, 4, at_t, at_s)) {
+        if (!grow(tree, 4, at_t, at_s)) {
             continue;
         }
         graze_status status = read(tree->text);
@@ -289,12 +276,12 @@ static void random_trees_agree(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(values_by_hand, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(quotients_are_reduced, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(mistakes_are_refused, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(limits_act, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(tokens_are_rounded, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(random_trees_agree, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(values_by_hand, set_up_values, tear_down_values),
+        cmocka_unit_test_setup_teardown(quotients_are_reduced, set_up_values, tear_down_values),
+        cmocka_unit_test_setup_teardown(mistakes_are_refused, set_up_values, tear_down_values),
+        cmocka_unit_test_setup_teardown(limits_act, set_up_values, tear_down_values),
+        cmocka_unit_test_setup_teardown(tokens_are_rounded, set_up_values, tear_down_values),
+        cmocka_unit_test_setup_teardown(random_trees_agree, set_up_values, tear_down_values),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

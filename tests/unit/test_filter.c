@@ -122,7 +122,7 @@ static void check_span(scene *s, const span *piece, forms f) {
     check_hull(s, piece, f);
     fmpq_t at;
     fmpq_init(at);
-    double place = below(s, 4) ? 0.5 + 0.5 * fraction(s) : 0.5;
+    double place = random_below(4) ? 0.5 + 0.5 * random_fraction() : 0.5;
     set_double(at, place);
     check_place(s, piece, f, at, place);
     fmpq_clear(at);
@@ -285,7 +285,7 @@ static void check_curve(scene *s, tally *count, int levels) {
             break;
         assert_true(curve_cut(&s->curve, at));
         exact_cut(left, right, whole, s, half);
-        int later = (int)below(s, 2);
+        int later = (int)random_below(2);
         at = s->curve.spans[at].child + (uint32_t)later;
         forms_set(whole, later ? right : left);
     }
@@ -303,13 +303,14 @@ static void test_random(void **state) {
         double certain;
         scene_init(&s, seed, 0);
         if (prepare(&s, &certain)) {
-            int exponent = below(&s, 2) ? 0 : (int)below(&s, 50), parts = (int)below(&s, 4);
+            int exponent = random_below(2) ? 0 : (int)random_below(50),
+                parts = (int)random_below(4);
             for (int k = 0; k <= s.n; k++) {
-                double value = parts ? 2 * fraction(&s) : (double)below(&s, 3) - 1;
+                double value = parts ? 2 * random_fraction() : (double)random_below(3) - 1;
                 bend(&s, k, ldexp(certain * value, exponent));
             }
             if (scene_convert(&s))
-                check_curve(&s, &count, (int)below(&s, 20) ? (int)below(&s, 4) : 20);
+                check_curve(&s, &count, (int)random_below(20) ? (int)random_below(4) : 20);
         }
         scene_clear(&s);
     }
@@ -328,8 +329,9 @@ static void test_triple(void **state) {
         double certain;
         scene_init(&s, seed, 1);
         if (prepare(&s, &certain)) {
-            double h = 0.015 + 0.015 * fraction(&s);
-            double size = certain * (1.006 + 0.008 * fraction(&s)) * (below(&s, 2) ? 1 : -1);
+            double h = 0.015 + 0.015 * random_fraction();
+            double size =
+                certain * (1.006 + 0.008 * random_fraction()) * (random_below(2) ? 1 : -1);
             double value[] = {h - 1, 1 - h / 3, -1, 1};
             for (int k = 0; k <= 3; k++)
                 bend(&s, k, size * value[k]);

@@ -3,35 +3,24 @@
  * the definition of a box.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "solid/forms.h"
 #include "solid/locate.h"
 #include "solid/planes.h"
 #include "fixture.h"
-
-static uint64_t seed = 20260721;
-
-static uint64_t draw(uint64_t below) {
-    seed ^= seed << 13;
-    seed ^= seed >> 7;
-    seed ^= seed << 17;
-    return seed % below;
-}
+#include "../lib/random.h"
 
 /* Integers, decimals, doubles, long ratios, and coordinates that agree with one another. */
 static void draw_coordinate(fmpq_t out) {
     static const ulong denominator[] = {1, 1, 10, 1000, 7, 3037000499};
-    fmpq_set_si(out, (slong)draw(21) - 10, denominator[draw(6)]);
-    if (draw(4) == 0)
-        fmpq_div_2exp(out, out, draw(120));
-    if (draw(8) == 0)
+    fmpq_set_si(out, (slong)random_below(21) - 10, denominator[random_below(6)]);
+    if (random_below(4) == 0)
+        fmpq_div_2exp(out, out, random_below(120));
+    if (random_below(8) == 0)
         for (int k = 0; k < 12; k++) {
             fmpz_mul_ui(fmpq_denref(out), fmpq_denref(out), 1000003);
-            fmpz_add_ui(fmpq_numref(out), fmpq_numref(out), draw(1000));
+            fmpz_add_ui(fmpq_numref(out), fmpq_numref(out), random_below(1000));
         }
     fmpq_canonicalise(out);
 }
@@ -108,7 +97,7 @@ static void draw_in_plane(fmpq *x, int *sign, const fmpq *const *v, int d) {
     while (sum == 0) {
         sum = 0;
         for (int k = 0; k < d; k++) {
-            part[k] = (slong)draw(7) - 3;
+            part[k] = (slong)random_below(7) - 3;
             sum += part[k];
         }
     }
@@ -173,9 +162,9 @@ static void forms_by_definition(void **state) {
         const fmpq *v[3] = {x, x + d, x + 2 * d}, *back[3] = {v[1], v[0], v[2]};
         for (int k = 0; k < 9; k++)
             draw_coordinate(x + k);
-        if (draw(3) == 0) /* a plane along an axis */
+        if (random_below(3) == 0) /* a plane along an axis */
             for (int k = 1; k < d; k++)
-                fmpq_set(x + k * d + (int)(seed % 2), x + (int)(seed % 2));
+                fmpq_set(x + k * d + (int)(random_below(2)), x + (int)(random_below(2)));
         if (!degenerate(v, d)) {
             int facing = form_of_plane(plane, v, d);
             check_plane(plane, facing, v, d);
@@ -272,12 +261,12 @@ static void location_in_box(void **state) {
         fmpz *x = _fmpz_vec_init(4);
         for (int round = 0; round < 4000; round++) {
             int inside = 1, on = 1;
-            unsigned bits = 1 + (unsigned)draw(90);
+            unsigned bits = 1 + (unsigned)random_below(90);
             /* In units of 1/18, displaced by 2^-bits of that: the box is [0, 6]^3. */
             fmpz_set_ui(x + 3, 18);
             fmpz_mul_2exp(x + 3, x + 3, bits);
             for (int i = 0; i < 3; i++) {
-                slong k = (slong)draw(9) - 1, off = beside[draw(3)];
+                slong k = (slong)random_below(9) - 1, off = beside[random_below(3)];
                 fmpz_set_si(x + i, k);
                 fmpz_mul_2exp(x + i, x + i, bits);
                 fmpz_add_si(x + i, x + i, off);

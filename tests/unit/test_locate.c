@@ -6,12 +6,7 @@
  * never changes the sign of the volume. Coordinates are thirds, sevenths and doubles in all
  * octants.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <cmocka.h>
+#include "../lib/harness.h"
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>

@@ -1,26 +1,17 @@
 /* Common factors: the certificate against resultants and built-in factors, also where the prime
  * divides leading coefficients or whole polynomials. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "../lib/harness.h"
+#include "../lib/random.h"
 
 #include <flint/fmpz.h>
 
 #include "number/modular.h"
 
-static ulong next_random(ulong *state) {
-    *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return *state >> 33;
-}
-
-static void random_polynomial(fmpz_poly_t out, slong degree, slong size, ulong *state) {
+static void random_polynomial(fmpz_poly_t out, slong degree, slong size) {
     fmpz_poly_zero(out);
     for (slong k = 0; k <= degree; k++)
-        fmpz_poly_set_coeff_si(out, k, (slong)(next_random(state) % (ulong)(2 * size + 1)) - size);
+        fmpz_poly_set_coeff_si(out, k, random_about(size));
     if (fmpz_poly_degree(out) < degree)
         fmpz_poly_set_coeff_si(out, degree, size);
 }
@@ -37,7 +28,7 @@ static void fail_with(const fmpz_poly_t p, const fmpz_poly_t q, const char *what
  * resultant that is not zero here, as |resultant| <= (sqrt(7) 9)^12 < 2^61. */
 static void test_against_resultants(void **unused) {
     (void)unused;
-    ulong state = 31;
+    random_start(31);
     slong coprime = 0, common = 0;
     for (int round = 0; round < 4000; round++) {
         fmpz_poly_t p, q, g, exact;
@@ -48,8 +39,8 @@ static void test_against_resultants(void **unused) {
         fmpz_poly_init(exact);
         fmpz_init(resultant);
         slong size = round % 2 ? 9 : 1;
-        random_polynomial(p, (slong)(next_random(&state) % 6) + 1, size, &state);
-        random_polynomial(q, (slong)(next_random(&state) % 6) + 1, size, &state);
+        random_polynomial(p, random_below(6) + 1, size);
+        random_polynomial(q, random_below(6) + 1, size);
         fmpz_poly_resultant(resultant, p, q);
         int expected = !fmpz_is_zero(resultant);
         if (polynomials_certainly_coprime(p, q) != expected)
@@ -73,7 +64,7 @@ static void test_against_resultants(void **unused) {
  * so that it is invisible modulo the prime; the leading one; or all. */
 static void test_prime_in_the_factor(void **unused) {
     (void)unused;
-    ulong state = 61;
+    random_start(61);
     for (int round = 0; round < 3000; round++) {
         fmpz_poly_t p, q, g;
         fmpz_t prime;
@@ -81,12 +72,12 @@ static void test_prime_in_the_factor(void **unused) {
         fmpz_poly_init(q);
         fmpz_poly_init(g);
         fmpz_init_set_ui(prime, (UINT64_C(1) << 61) - 1);
-        random_polynomial(g, (slong)(next_random(&state) % 4) + 1, 5, &state);
+        random_polynomial(g, random_below(4) + 1, 5);
         slong degree = fmpz_poly_degree(g), from = round % 3 == 0 ? 1 : round % 3 == 1 ? degree : 0;
         for (slong k = from; k <= degree; k++)
             fmpz_mul(g->coeffs + k, g->coeffs + k, prime);
-        random_polynomial(p, (slong)(next_random(&state) % 5), 1000, &state);
-        random_polynomial(q, (slong)(next_random(&state) % 5), 1000, &state);
+        random_polynomial(p, random_below(5), 1000);
+        random_polynomial(q, random_below(5), 1000);
         fmpz_poly_mul(p, p, g);
         fmpz_poly_mul(q, q, g);
         if (polynomials_certainly_coprime(p, q))

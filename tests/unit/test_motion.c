@@ -5,12 +5,10 @@
  * A matrix is written row by row, b last in each row. cos = 3/5, sin = 4/5 is the angle with the
  * tangent 1/2 of its half.
  */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "motion/motion.h"
 #include "number/rational.h"
 #include "fixture.h"
+#include "../lib/random.h"
 
 enum { ENTRIES = 12, TEXT = 4000, STEPS = 7 };
 
@@ -352,16 +350,16 @@ static void check_map(const point_map *map, const char *text) {
 }
 
 /* A random transform that is legal for t in [0, 1]. */
-static void random_transform(char *out, size_t size, unsigned *seed, int d) {
-    int a = (int)(rand_r(seed) % 9) - 4, b = (int)(rand_r(seed) % 5) + 1;
+static void random_transform(char *out, size_t size, int d) {
+    int a = (int)random_below(9) - 4, b = (int)random_below(5) + 1;
     const char *axes[] = {"[0, 0, 1]", "[2, -1, 2]", "[\"1-t^2\", 0, \"2*t\"]"};
-    const char *axis = axes[rand_r(seed) % 3];
+    const char *axis = axes[random_below(3)];
     char more[80] = "";
     if (d == 3) {
         snprintf(more, sizeof more, ", \"axis\": %s", axis);
     }
     const char *third = d == 3 ? ", \"t^2-t\"" : "";
-    switch (rand_r(seed) % 6) {
+    switch (random_below(6)) {
     case 0:
         snprintf(out, size, "{\"translate\": [\"%d*t\", \"1/(t+%d)\"%s]}", a, b, third);
         break;
@@ -401,7 +399,7 @@ static void piece_text(char *out, size_t size, int d, const char *transform) {
  * steps, each read as a motion of its own and multiplied as rational matrices. */
 static void random_motions(void **state) {
     (void)state;
-    unsigned seed = 3;
+    random_start(3);
     char step[STEPS][400], all[STEPS * 400 + 100], text[TEXT], shown[TEXT];
     fmpq forward[ENTRIES], inverse[ENTRIES], product[ENTRIES], factor[ENTRIES];
     fmpq_t t;
@@ -413,10 +411,10 @@ static void random_motions(void **state) {
     for (int round = 0; round < 150; round++) {
         int d = 2 + round % 2;
         const char *identity = d == 2 ? "1 0 0 | 0 1 0" : "1 0 0 0 | 0 1 0 0 | 0 0 1 0";
-        int last = (int)(rand_r(&seed) % STEPS);
+        int last = (int)random_below(STEPS);
         size_t used = (size_t)snprintf(all, sizeof all, "{\"compose\": [");
         for (int k = 0; k <= last; k++) {
-            random_transform(step[k], sizeof step[k], &seed, d);
+            random_transform(step[k], sizeof step[k], d);
             used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", step[k],
                                      k < last ? ", " : "]}");
         }
@@ -426,7 +424,7 @@ static void random_motions(void **state) {
             check_map(&motion->piece[k].forward, text);
             check_map(&motion->piece[k].inverse, text);
         }
-        fmpq_set_si(t, (slong)(rand_r(&seed) % 61), 60);
+        fmpq_set_si(t, random_below(61), 60);
         map_at(forward, motion, t, 0);
         map_at(inverse, motion, t, 1);
         for (int k = last; k >= 0; k--) {

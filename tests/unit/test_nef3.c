@@ -3,29 +3,13 @@
  *
  * Run in the project's top folder; a file is written to a folder of the system's own.
  */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 #include "context/file.h"
 #include "number/rational.h"
-#include "read/read.h"
-#include "fixture.h"
-
-#define NEF "tests/refuse/common/nef3/"
+#include "reader_fixture.h"
 
 /* Read a text as a .nef3 file of its own. */
 static void read_copy(soup *s, const char *text) {
-    char folder[] = "/tmp/graze-nef3-XXXXXX", path[64];
-    assert_non_null(mkdtemp(folder));
-    snprintf(path, sizeof path, "%s/s.nef3", folder);
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
-    graze_status status = soup_read(s, context, path);
-    assert_int_equal(remove(path), 0);
-    assert_int_equal(rmdir(folder), 0);
+    graze_status status = read_bytes(s, ".nef3", text, strlen(text));
     if (status != GRAZE_OK) {
         fail_msg("%s", graze_context_message(context));
     }
@@ -133,5 +117,5 @@ int main(void) {
         cmocka_unit_test(test_nef_volumes),
         cmocka_unit_test(test_nef_outer_cycle_first),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_folder, tear_down_folder);
 }

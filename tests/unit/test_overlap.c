@@ -2,21 +2,13 @@
  * axes: a second method that shares nothing with the first. And cancelling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
-#include <string.h>
 #include "validate/overlap.h"
 #include "fixture.h"
+#include "../lib/random.h"
 
 typedef struct body {
     long x[4][3]; /* a tetrahedron, or a triangle with z = 0 */
 } body;
-
-static unsigned long seed;
-
-static long small(long range) {
-    seed = seed * 6364136223846793005UL + 1442695040888963407UL;
-    return (long)(seed >> 33) % (2 * range + 1) - range;
-}
 
 static void cross(long *out, const long *a, const long *b) {
     for (int j = 0; j < 3; j++)
@@ -173,7 +165,7 @@ static void random_body(body *b, int d, long range) {
         memset(b, 0, sizeof *b);
         for (int k = 0; k <= d; k++)
             for (int j = 0; j < d; j++)
-                b->x[k][j] = small(range);
+                b->x[k][j] = random_about(range);
     } while (volume(b, d) == 0);
 }
 
@@ -189,7 +181,7 @@ static void print_bodies(const body *a, const body *b, int d) {
  * No common interior: legal unless facets overlap. Strictly nested: no rule here is broken. */
 static void bodies_as_one_solid(void **state) {
     (void)state;
-    seed = 20241;
+    random_start(20241);
     size_t seen[3] = {0, 0, 0};
     for (unsigned long round = 0; round < rounds(); round++) {
         int d = 2 + (int)(round % 2), out_a, out_b, in_a, in_b;
@@ -230,7 +222,7 @@ static void bodies_as_one_solid(void **state) {
 /* A body and its image: the boundaries meet unless the bodies are apart or strictly nested. */
 static void body_and_image(void **state) {
     (void)state;
-    seed = 77;
+    random_start(77);
     size_t seen[2] = {0, 0};
     for (unsigned long round = 0; round < rounds(); round++) {
         int d = 2 + (int)(round % 2), outside, in_a, in_b, meet = -1;
@@ -240,7 +232,7 @@ static void body_and_image(void **state) {
         do {
             for (int i = 0; i < d; i++)
                 for (int j = 0; j <= d; j++)
-                    map[i][j] = j < d ? small(1 + (long)(round % 3)) : small(8);
+                    map[i][j] = j < d ? random_about(1 + (long)(round % 3)) : random_about(8);
             for (int k = 0; k <= d; k++)
                 for (int i = 0; i < d; i++) {
                     b.x[k][i] = map[i][d];

@@ -3,12 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <float.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "number/rational.h"
 #include "number/rounding.h"
 #include "fixture.h"
+#include "../lib/random.h"
 
 static graze_status parse(fmpq_t out, const char *token) {
     return rational_parse(out, context, token, strlen(token));
@@ -108,15 +106,15 @@ static void digits_are_limited(void **state) {
 }
 
 /* A decimal with a random sign, up to 25 digits, and an exponent over and past the range. */
-static void random_decimal(char *out, size_t size, unsigned *seed, int range) {
+static void random_decimal(char *out, size_t size, int range) {
     char digits[26];
-    int n = 1 + (int)(rand_r(seed) % 25);
+    int n = 1 + (int)random_below(25);
     for (int k = 0; k < n; k++) {
-        digits[k] = (char)('0' + rand_r(seed) % 10);
+        digits[k] = (char)('0' + random_below(10));
     }
     digits[n] = '\0';
-    snprintf(out, size, "%s%s.%se%d", rand_r(seed) % 2 ? "-" : "", digits,
-             rand_r(seed) % 2 ? "5" : "", (int)(rand_r(seed) % (unsigned)(2 * range)) - range);
+    snprintf(out, size, "%s%s.%se%d", random_below(2) ? "-" : "", digits,
+             random_below(2) ? "5" : "", (int)random_below(2 * range) - range);
 }
 
 static void check_rounding(const char *token, double expected, graze_rounding rounding,
@@ -142,12 +140,12 @@ static void check_rounding(const char *token, double expected, graze_rounding ro
 
 static void rounding_agrees_with_strtod(void **state) {
     (void)state;
-    unsigned seed = 7;
+    random_start(7);
     char token[80];
     for (int k = 0; k < 20000; k++) {
-        random_decimal(token, sizeof token, &seed, 345);
+        random_decimal(token, sizeof token, 345);
         check_rounding(token, strtod(token, NULL), GRAZE_ROUND_BINARY64, DBL_MAX);
-        random_decimal(token, sizeof token, &seed, 60);
+        random_decimal(token, sizeof token, 60);
         check_rounding(token, strtof(token, NULL), GRAZE_ROUND_BINARY32, FLT_MAX);
     }
 }
@@ -247,7 +245,7 @@ static void check_bounds(const char *token) {
 
 static void bounds_enclose(void **state) {
     (void)state;
-    unsigned seed = 11;
+    random_start(11);
     char token[80];
     check_bounds("0");
     check_bounds("1");
@@ -259,42 +257,42 @@ static void bounds_enclose(void **state) {
     check_bounds("1.7976931348623157081e308");
     check_bounds("1.7976931348623158e308");
     for (int k = 0; k < 20000; k++) {
-        random_decimal(token, sizeof token, &seed, 345);
+        random_decimal(token, sizeof token, 345);
         check_bounds(token);
     }
 }
 
 /* Digits of an integer at the corners of 64 bits: around 2^62, 2^63 and 2^64 (FLINT's and our
  * words end there), products of 2 and 5, some zeros before and behind, or any digits. */
-static void corner_digits(char *out, unsigned *seed) {
+static void corner_digits(char *out) {
     fmpz_t value;
     fmpz_init(value);
     out[0] = '\0';
-    switch (rand_r(seed) % 4) {
+    switch (random_below(4)) {
     case 0:
         fmpz_set_ui(value, 1);
-        fmpz_mul_2exp(value, value, 62 + rand_r(seed) % 3);
-        fmpz_add_si(value, value, (slong)(rand_r(seed) % 5) - 2);
+        fmpz_mul_2exp(value, value, 62 + random_below(3));
+        fmpz_add_si(value, value, random_below(5) - 2);
         break;
     case 1:
         fmpz_set_ui(value, 5);
-        fmpz_pow_ui(value, value, rand_r(seed) % 30);
-        fmpz_mul_2exp(value, value, rand_r(seed) % 70);
+        fmpz_pow_ui(value, value, random_below(30));
+        fmpz_mul_2exp(value, value, random_below(70));
         break;
     case 2:
-        fmpz_set_ui(value, rand_r(seed) % 1000);
+        fmpz_set_ui(value, random_below(1000));
         break;
     default:
-        for (unsigned k = 1 + rand_r(seed) % 24; k > 0; k--) {
+        for (unsigned k = 1 + random_below(24); k > 0; k--) {
             fmpz_mul_ui(value, value, 10);
-            fmpz_add_ui(value, value, rand_r(seed) % 10);
+            fmpz_add_ui(value, value, random_below(10));
         }
     }
-    for (unsigned k = rand_r(seed) % 3 ? 0 : rand_r(seed) % 25; k > 0; k--) {
+    for (unsigned k = random_below(3) ? 0 : random_below(25); k > 0; k--) {
         strcat(out, "0");
     }
     fmpz_get_str(out + strlen(out), 10, value);
-    for (unsigned k = rand_r(seed) % 3 ? 0 : rand_r(seed) % 25; k > 0; k--) {
+    for (unsigned k = random_below(3) ? 0 : random_below(25); k > 0; k--) {
         strcat(out, "0");
     }
     fmpz_clear(value);
@@ -320,25 +318,25 @@ static void check_against(const char *token, fmpq_t expected) {
 
 static void tokens_agree_with_long_arithmetic(void **state) {
     (void)state;
-    unsigned seed = 23;
+    random_start(23);
     char digits[120], more[120], token[300];
     fmpq_t expected;
     fmpz_t power;
     fmpq_init(expected);
     fmpz_init(power);
     for (int round = 0; round < 40000; round++) {
-        corner_digits(digits, &seed);
-        const char *sign = rand_r(&seed) % 3 ? "" : rand_r(&seed) % 2 ? "-" : "+";
+        corner_digits(digits);
+        const char *sign = random_below(3) ? "" : random_below(2) ? "-" : "+";
         fmpz_set_str(fmpq_numref(expected), digits, 10);
-        if (rand_r(&seed) % 4 == 0) {
+        if (random_below(4) == 0) {
             do {
-                corner_digits(more, &seed);
+                corner_digits(more);
                 fmpz_set_str(fmpq_denref(expected), more, 10);
             } while (fmpz_is_zero(fmpq_denref(expected)));
             snprintf(token, sizeof token, "%s%s/%s", sign, digits, more);
         } else {
-            size_t behind = rand_r(&seed) % (strlen(digits) + 1);
-            long exponent = rand_r(&seed) % 2 ? 0 : (long)(rand_r(&seed) % 80) - 40;
+            size_t behind = random_below(strlen(digits) + 1);
+            long exponent = random_below(2) ? 0 : random_below(80) - 40;
             snprintf(token, sizeof token, "%s%.*s.%se%ld", sign, (int)(strlen(digits) - behind),
                      digits, digits + strlen(digits) - behind, exponent);
             long shift = exponent - (long)behind;
@@ -360,20 +358,20 @@ static void tokens_agree_with_long_arithmetic(void **state) {
 /* Any two integers, the second also 0 and negative: what FLINT's gcd says. */
 static void canonical_is_what_the_gcd_says(void **state) {
     (void)state;
-    unsigned seed = 29;
+    random_start(29);
     char numerator[120], denominator[120];
     fmpq_t value;
     fmpq_init(value);
     int found = 0;
     for (int round = 0; round < 40000; round++) {
-        corner_digits(numerator, &seed);
-        corner_digits(denominator, &seed);
+        corner_digits(numerator);
+        corner_digits(denominator);
         fmpz_set_str(fmpq_numref(value), numerator, 10);
         fmpz_set_str(fmpq_denref(value), denominator, 10);
-        if (rand_r(&seed) % 2) {
+        if (random_below(2)) {
             fmpz_neg(fmpq_numref(value), fmpq_numref(value));
         }
-        if (rand_r(&seed) % 8 == 0) {
+        if (random_below(8) == 0) {
             fmpz_neg(fmpq_denref(value), fmpq_denref(value));
         }
         if (rational_is_canonical(value) != fmpq_is_canonical(value)) {

@@ -3,45 +3,34 @@
  *
  * Run in the project's top folder; files are written to a folder of the system's own.
  */
-#include <string.h>
 #include "context/file.h"
 #include "reader_fixture.h"
+#include "../lib/random.h"
 
 enum { MUTANTS = 400 };
 
-static uint64_t random_state;
-
-static uint64_t random_below(uint64_t n) {
-    random_state ^= random_state << 13;
-    random_state ^= random_state >> 7;
-    random_state ^= random_state << 17;
-    return random_state % n;
-}
-
 /* Whatever is done to a file's bytes, it is read as a soup with its indices in range, or refused
  * with a message. */
-static void mutate_and_read(const char *extension, const char *bytes, size_t size) {
+static void mutate_and_read(const char *extension, const char *bytes, size_t size, ulong seed) {
     static const char pieces[] = " \n\r\t\\#/-+.,(){}|0123456789eEnai\0\xff";
     char *copy = malloc(size + 1);
     assert_non_null(copy);
     int accepted = 0;
     for (int k = 0; k < MUTANTS; k++) {
-        uint64_t seed = random_state;
-        size_t length = random_below(4) == 0 ? random_below(size + 1) : size;
+        random_start(seed + (ulong)k);
+        size_t length = random_below(4) == 0 ? (size_t)random_below((slong)size + 1) : size;
         memcpy(copy, bytes, size);
-        for (uint64_t changes = random_below(4); changes > 0 && length > 0; changes--) {
-            copy[random_below(length)] = pieces[random_below(sizeof pieces - 1)];
+        for (slong changes = random_below(4); changes > 0 && length > 0; changes--) {
+            copy[random_below((slong)length)] = pieces[random_below(sizeof pieces - 1)];
         }
         soup s;
         graze_status status = read_bytes(&s, extension, copy, length);
         if (status != GRAZE_OK && *graze_context_message(context) == '\0') {
-            fail_msg("%s, seed %llu: refused without a message", extension,
-                     (unsigned long long)seed);
+            fail_msg("%s, seed %lu: refused without a message", extension, seed + (ulong)k);
         }
         for (size_t i = 0; status == GRAZE_OK && i < s.index_count; i++) {
             if (s.index[i] >= s.vertex_count) {
-                fail_msg("%s, seed %llu: index %zu out of range", extension,
-                         (unsigned long long)seed, i);
+                fail_msg("%s, seed %lu: index %zu out of range", extension, seed + (ulong)k, i);
             }
         }
         if (status == GRAZE_OK) {
@@ -69,9 +58,8 @@ static void test_texts(void **state) {
         {".wkt", "MULTIPOLYGON(((0 0, 0 9, 9 9, 9 0, 0 0),(1 1,2 1,2 2,1 1)),"
                  "((20 0,30 0,20 10,20 0)))"},
     };
-    random_state = 20240611;
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
-        mutate_and_read(texts[k][0], texts[k][1], strlen(texts[k][1]));
+        mutate_and_read(texts[k][0], texts[k][1], strlen(texts[k][1]), 1000 * k);
     }
 }
 
@@ -80,8 +68,7 @@ static void test_binary(void **state) {
     char stl[134] = "solid";
     stl[80] = 1;
     memcpy(stl + 110, "\x80\x3f", 2); /* x of the first corner is 1 */
-    random_state = 7;
-    mutate_and_read(".stl", stl, sizeof stl);
+    mutate_and_read(".stl", stl, sizeof stl, 10000);
     /* Vertices with an empty list, z, y, x; a face of three shorts. */
     static const char body[] = "\0\1\0\0\0\0\0"
                                "\0\2\0\0\0\0\1"
@@ -91,7 +78,7 @@ static void test_binary(void **state) {
     char ply[sizeof head + sizeof body];
     memcpy(ply, head, sizeof head - 1);
     memcpy(ply + sizeof head - 1, body, sizeof body - 1);
-    mutate_and_read(".ply", ply, sizeof head + sizeof body - 2);
+    mutate_and_read(".ply", ply, sizeof head + sizeof body - 2, 11000);
 }
 
 static void test_files(void **state) {
@@ -101,13 +88,12 @@ static void test_files(void **state) {
         {".nef3", NEF "vertex_on_facet.nef3"},
         {".nef3", NEF "edge_in_facet.nef3"},
     };
-    random_state = 99;
     for (size_t k = 0; k < sizeof paths / sizeof *paths; k++) {
         char *bytes;
         size_t size;
         unsigned char sha256[32];
         assert_int_equal(file_read(&bytes, &size, sha256, context, paths[k][1]), GRAZE_OK);
-        mutate_and_read(paths[k][0], bytes, size);
+        mutate_and_read(paths[k][0], bytes, size, 20000 + 1000 * k);
         free(bytes);
     }
 }
@@ -118,5 +104,5 @@ int main(void) {
         cmocka_unit_test(test_binary),
         cmocka_unit_test(test_files),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_folder, tear_down_folder);
 }

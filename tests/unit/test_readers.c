@@ -3,7 +3,6 @@
  *
  * Run in the project's top folder; files are written to a folder of the system's own.
  */
-#include <string.h>
 #include "number/rational.h"
 #include "reader_fixture.h"
 
@@ -460,5 +459,5 @@ int main(void) {
         cmocka_unit_test(test_wkt_turns_rings),
         cmocka_unit_test(test_limits),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, set_up_folder, tear_down_folder);
 }

@@ -2,12 +2,8 @@
  * are checked by a Tarski query, which neither narrows an interval nor takes a common factor.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
+#include "../lib/harness.h"
+#include "../lib/random.h"
 
 #include "numbers.h"
 
@@ -190,17 +186,16 @@ static void test_close_roots(void **unused) {
  * the secant's root is nearest to it. */
 static void test_dyadic_root(void **unused) {
     (void)unused;
-    flint_rand_t state;
     fmpz_poly_t p, positive;
     fmpq_t root;
-    flint_randinit(state);
+    random_start(41);
     fmpz_poly_init(p);
     fmpz_poly_init(positive);
     fmpq_init(root);
     fmpz_poly_set_str(positive, "3  5 1 1");
     for (ulong e = 3; e <= 300; e += 27) {
         algebraic_list list;
-        fmpz_randbits(fmpq_numref(root), state, e - 1);
+        fmpz_randbits(fmpq_numref(root), chance, e - 1);
         fmpz_abs(fmpq_numref(root), fmpq_numref(root));
         fmpz_setbit(fmpq_numref(root), 0);
         fmpz_one_2exp(fmpq_denref(root), e);
@@ -216,7 +211,6 @@ static void test_dyadic_root(void **unused) {
         assert_true(fmpq_equal(list.item[0].value, root));
         algebraic_list_clear(&list);
     }
-    flint_randclear(state);
     fmpz_poly_clear(p);
     fmpz_poly_clear(positive);
     fmpq_clear(root);
@@ -226,11 +220,10 @@ static void test_dyadic_root(void **unused) {
  * bits. */
 static void test_flat_and_huge(void **unused) {
     (void)unused;
-    flint_rand_t state;
     fmpz_poly_t p;
     fmpz_t c;
     size_t huge = 0;
-    flint_randinit(state);
+    random_start(42);
     fmpz_poly_init(p);
     fmpz_init(c);
     for (int round = 0; round < 60; round++) {
@@ -242,7 +235,7 @@ static void test_flat_and_huge(void **unused) {
             fmpz_sub_ui(p->coeffs + 2, p->coeffs + 2, 1);
         } else {
             for (slong k = 0; k < 6; k++) {
-                fmpz_randbits(c, state, 3000);
+                fmpz_randbits(c, chance, 3000);
                 fmpz_poly_set_coeff_fmpz(p, k, c);
             }
         }
@@ -253,18 +246,17 @@ static void test_flat_and_huge(void **unused) {
         algebraic_list_clear(&list);
     }
     assert_true(huge > 10);
-    flint_randclear(state);
     fmpz_poly_clear(p);
     fmpz_clear(c);
 }
 
-static void random_polynomial(fmpz_poly_t out, slong degree, ulong bits, flint_rand_t state) {
+static void random_polynomial(fmpz_poly_t out, slong degree, ulong bits) {
     fmpz_t c;
     fmpz_init(c);
     fmpz_poly_zero(out);
     do
         for (slong k = 0; k <= degree; k++) {
-            fmpz_randbits(c, state, 1 + n_randint(state, bits));
+            fmpz_randbits(c, chance, 1 + (ulong)random_below(bits));
             fmpz_poly_set_coeff_fmpz(out, k, c);
         }
     while (fmpz_poly_degree(out) < degree);
@@ -301,23 +293,22 @@ static void check_pair(const fmpz_poly_t p, algebraic *x, const fmpz_poly_t q, a
  * g. r and s are such that p and q have simple roots only. */
 static void test_against_tarski(void **unused) {
     (void)unused;
-    flint_rand_t state;
     fmpz_poly_t g, p, q;
     int seen[3] = {0, 0, 0};
-    flint_randinit(state);
+    random_start(43);
     fmpz_poly_init(g);
     fmpz_poly_init(p);
     fmpz_poly_init(q);
     for (int round = 0; round < 1500; round++) {
-        ulong bits = 2 + n_randint(state, 60);
-        random_polynomial(g, 1 + (slong)n_randint(state, 3), bits, state);
-        random_polynomial(p, (slong)n_randint(state, 4), bits, state);
-        random_polynomial(q, (slong)n_randint(state, 4), bits, state);
+        ulong bits = 2 + (ulong)random_below(60);
+        random_polynomial(g, 1 + random_below(3), bits);
+        random_polynomial(p, random_below(4), bits);
+        random_polynomial(q, random_below(4), bits);
         fmpz_poly_mul(p, p, g);
         if (round % 4 > 0)
             fmpz_poly_mul(q, q, g);
         if (round % 4 > 1) {
-            fmpz_poly_scalar_mul_2exp(q, q, n_randint(state, 200));
+            fmpz_poly_scalar_mul_2exp(q, q, (ulong)random_below(200));
             fmpz_add_si(q->coeffs, q->coeffs, round % 4 == 2 ? 1 : -1);
         }
         if (fmpz_poly_degree(q) < 1 || !fmpz_poly_is_squarefree(p) || !fmpz_poly_is_squarefree(q))
@@ -340,7 +331,6 @@ static void test_against_tarski(void **unused) {
         algebraic_list_clear(&y);
     }
     assert_true(seen[0] > 100 && seen[1] > 100 && seen[2] > 100);
-    flint_randclear(state);
     fmpz_poly_clear(g);
     fmpz_poly_clear(p);
     fmpz_poly_clear(q);

@@ -1,13 +1,8 @@
 /* Decimals, formulas, rows and the explanation, on traces made by hand.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdlib.h>
-#include <string.h>
+#include "../lib/harness.h"
+#include "../lib/random.h"
 #include <mpfr.h>
 #include "report/decimal.h"
 #include "report/report.h"
@@ -57,7 +52,7 @@ static void decimals_of_rationals(void **state) {
  * either on a decimal tie, which are left out, or clearly off it. */
 static void decimals_against_mpfr(void **state) {
     (void)state;
-    srand(5);
+    random_start(5);
     fmpq_t x;
     mpq_t q;
     mpfr_t value;
@@ -65,10 +60,10 @@ static void decimals_against_mpfr(void **state) {
     mpq_init(q);
     mpfr_init2(value, 2000);
     for (int round = 0; round < 3000; round++) {
-        long numerator = rand() % 2000001 - 1000000;
+        long numerator = random_below(2000001) - 1000000;
         unsigned long denominator =
-            (unsigned long)(rand() % 30000) * 10 + 3; /* no tie: ends in 3 */
-        int digits = 1 + rand() % 40;
+            (unsigned long)random_below(30000) * 10 + 3; /* no tie: ends in 3 */
+        int digits = 1 + (int)random_below(40);
         if (numerator == 0)
             continue;
         fmpq_set_si(x, numerator, denominator);

@@ -2,9 +2,6 @@
  * image, order of axes and numbering; the cut into simplices; the smallest gap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "number/rational.h"
 #include "validate/overlap.h"
 #include "validate/validate.h"

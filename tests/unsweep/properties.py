@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 import refine  # noqa: E402
 from cells import block, random_cells, sharing, shifted, solid_of, state, touch  # noqa: E402
-from harness import Checks, Graze, exchanged, merged, options  # noqa: E402
+from program import Checks, Graze, exchanged, merged, options  # noqa: E402
 from motion import Motion, build, compose, conjugated, legs, rotation, scaling  # noqa: E402
 from motion import translate  # noqa: E402
 
@@ -111,7 +111,7 @@ class Scene:
     def each(self, what, claims, points=None):
         """`claims`: one (holds, operands) per point."""
         for p, (holds, operands) in zip(points or self.points, claims):
-            self.checks.true(holds, self.name, what, text(p), operands)
+            self.checks.holds(holds, self.name, what, text(p), operands)
 
 
 def text(point):
@@ -240,7 +240,7 @@ def eq27(s):
 def eq28(s):
     """unsweep(S, M) = ∪ unsweep(S_i, M) for parts that do not touch."""
     other = shifted(random_cells(s.rng, s.d), (7,) + (0,) * (s.d - 1))
-    s.checks.true(not touch(s.cells, other), s.name, "28", "parts must not touch")
+    s.checks.holds(not touch(s.cells, other), s.name, "28", "parts must not touch")
     points = s.points + query_points(s.rng, other, s.motion)
     joint = s.words("28", s.cells | other, s.motion, points)
     first = s.words("28 S1", s.cells, s.motion, points)
@@ -333,7 +333,7 @@ def printed_30(graze, checks, d):
     checks.equal(truth, interval(0, 7, xs), "30 printed", d, "sequence")
     printed = run(3, 10, [-3], [x + 3 for x in xs])
     checks.equal(printed, interval(3, 7, xs), "30 printed", d, "right side")
-    checks.true(truth != printed, "30 printed", d, "the two sides must differ")
+    checks.holds(truth != printed, "30 printed", d, "the two sides must differ")
 
 
 EQUATIONS = [eq19, eq20, eq24_points, eq24_solids, eq25, eq25_regularised, eq25_blocks, eq27, eq28,
@@ -357,7 +357,7 @@ def main():
         seen.update(s.answers)
     print(f"{graze.runs} runs; base answers {dict(seen)}")
     for pmc in ("in", "on", "out"):
-        checks.true(20 * seen[pmc] >= sum(seen.values()), "each answer in 5 % of the points", pmc)
+        checks.holds(20 * seen[pmc] >= sum(seen.values()), "each answer in 5 % of the points", pmc)
     checks.finish()
 
 

@@ -17,7 +17,7 @@ from fractions import Fraction as F
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
 
 from definitions import TABLE, admissible, expected, holding  # noqa: E402
-from harness import Checks, Graze, options  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from motion import build, translate  # noqa: E402
 from solids import Polygon, box_ring, extruded, ring  # noqa: E402
 

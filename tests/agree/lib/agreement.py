@@ -27,7 +27,7 @@ class Tally:
         share = self.irrational / max(self.times, 1)
         print(f"{self.times} contacts, {100 * share:.0f} % at irrational times, "
               f"{self.unproven} minimal polynomials not seen to be irreducible")
-        checks.true(share >= 0.3, "share of irrational times", share)
+        checks.holds(share >= 0.3, "share of irrational times", share)
 
 
 def compare(checks, tally, answer, word, contacts, *where):
@@ -38,6 +38,6 @@ def compare(checks, tally, answer, word, contacts, *where):
         checks.equal((got["kind"], got["left"], got["right"]), (want.kind, want.left, want.right),
                      *where, "kind")
         for name, root in (("from", want.start), ("to", want.end)):
-            checks.true(time_is(got[name], root), *where, name, got[name], float(root))
+            checks.holds(time_is(got[name], root), *where, name, got[name], float(root))
         checks.equal(cells, want.cells, *where, "cells")
         tally.unproven += not check_canonical(checks, got["from"], *where)

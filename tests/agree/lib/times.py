@@ -55,17 +55,17 @@ def check_canonical(checks, time, *where):
         x = F(time)
         return checks.equal(str(x), time, *where, "lowest terms")
     p, lo, hi = polynomial(time), F(time["lo"]), F(time["hi"])
-    checks.true(len(p) > 2 and p[-1] > 0 and content(p) == 1, *where, "primitive", time)
+    checks.holds(len(p) > 2 and p[-1] > 0 and content(p) == 1, *where, "primitive", time)
     checks.equal([str(lo), str(hi)], [time["lo"], time["hi"]], *where, "lowest terms")
     width = hi - lo
     dyadic = width.numerator == 1 and width.denominator & (width.denominator - 1) == 0
-    checks.true(dyadic and (lo / width).denominator == 1, *where, "dyadic", time)
+    checks.holds(dyadic and (lo / width).denominator == 1, *where, "dyadic", time)
     chain = sturm_chain(squarefree(p))
     checks.equal(variations(chain, lo) - variations(chain, hi), 1, *where, "isolates", time)
     if width < 1:
         parent = lo - (lo / width) % 2 * width
         count = variations(chain, parent) - variations(chain, parent + 2 * width)
-        checks.true(count > 1, *where, "widest", time)
+        checks.holds(count > 1, *where, "widest", time)
     check_approximation(checks, time, p, *where)
     return surely_irreducible(p)
 
@@ -80,4 +80,4 @@ def check_approximation(checks, time, p, *where):
     checks.equal(len(digits), 17, *where, "digits", text)
     half = F(1, 2) / 10 ** len(mantissa.partition(".")[2]) * F(10) ** int(exponent or 0)
     low, high = max(F(text) - half, F(time["lo"])), min(F(text) + half, F(time["hi"]))
-    checks.true(low < high and sign_at(p, low) * sign_at(p, high) < 0, *where, "rounding", text)
+    checks.holds(low < high and sign_at(p, low) * sign_at(p, high) < 0, *where, "rounding", text)

@@ -1,4 +1,4 @@
-"""Driving the program as a user does: files in, tables and JSON Lines out; checks that count.
+"""Driving the program as a user does: files in, tables and JSON Lines out.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -6,64 +6,23 @@ One Run is one solid, one motion and a list of points in a folder of its own. Ev
 both outputs' fields; a program that fails, or prints another number of rows, is one failed check,
 never an exception of ours.
 """
-import argparse
 import csv
 import json
 import os
-import random
-import resource
-import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "lib"))
 
-SECONDS = 60     # of one run, thousands of times what any takes
+import harness  # noqa: E402
+from harness import ROOT, Checks, run  # noqa: E402,F401  (suites take them from here)
 
-
-class Checks:
-    """Counts comparisons; prints the operands of those that fail, a screenful at most."""
-
-    def __init__(self):
-        self.passed = self.failed = self.skipped = 0
-
-    def equal(self, got, want, *where):
-        if got == want:
-            self.passed += 1
-            return True
-        self.fail(f"got {got}, want {want}", *where)
-        return False
-
-    def true(self, claim, *where):
-        return self.equal(bool(claim), True, *where)
-
-    def fail(self, what, *where):
-        self.failed += 1
-        if self.failed <= 40:
-            print("FAILED", " | ".join(str(w)[:300] for w in where), "|", what[:1500])
-
-    def skip(self, what, count=1):
-        self.skipped += count
-        print("skipped:", what)
-
-    def finish(self):
-        tail = f", {self.skipped} skipped" if self.skipped else ""
-        print(f"{self.passed} passed, {self.failed} failed{tail}")
-        sys.exit(1 if self.failed else 0)
+KEEP = ("--keep", {"help": "folder that keeps the files of every run"})
 
 
 def options(description):
-    parser = argparse.ArgumentParser(description=description)
-    parser.add_argument("--graze", default="build/graze", help="the program under test")
-    parser.add_argument("--scale", type=int, default=1, help="multiplies the random part")
-    parser.add_argument("--seed", type=int, default=2008, help="of the random part")
-    parser.add_argument("--memory", type=int, default=4,
-                        help="GiB a run may map; 0 for no limit, which sanitizers need")
-    parser.add_argument("--keep", help="folder that keeps the files of every run")
-    args = parser.parse_args()
-    args.graze = os.path.abspath(args.graze)
-    args.random = random.Random(args.seed)
-    print(f"seed {args.seed}, scale {args.scale}")
-    return args
+    """Those of every suite, and --keep."""
+    return harness.options(description, KEEP)
 
 
 class Answer:
@@ -114,18 +73,9 @@ class Graze:
         return path
 
     def call(self, *args):
-        """One run; one that takes too long comes back as exit status 124, as `timeout` says it."""
+        """One run within the limits of the suite."""
         self.runs += 1
-        command = [self.path, *args]
-        try:
-            return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS,
-                                  preexec_fn=self.limit)
-        except subprocess.TimeoutExpired:
-            return subprocess.CompletedProcess(command, 124, "", f"no end after {SECONDS} s")
-
-    def limit(self):
-        if self.memory:
-            resource.setrlimit(resource.RLIMIT_AS, (self.memory << 30, self.memory << 30))
+        return run([self.path, *args], memory=self.memory)
 
     def classify(self, name, solid, motion, points, *flags, table=False):
         """Answers for the points, or None after a failed check. `solid` is an object with text()
@@ -139,7 +89,7 @@ class Graze:
         csv_path = self.write(tag + ".csv", rows)
         out = self.call("classify", solid, motion, csv_path, "--format", "jsonl", *flags)
         if out.returncode:
-            self.checks.fail(f"exit {out.returncode}: {out.stderr.strip()[:300]}", name, *flags)
+            self.checks.fail(name, *flags, f"exit {out.returncode}: {out.stderr.strip()[:300]}")
             return None
         records = [json.loads(line) for line in out.stdout.splitlines()]
         rows = [None] * len(records)
@@ -148,8 +98,7 @@ class Graze:
             lines = [x for x in out.stdout.splitlines() if not x.startswith("#")]
             rows = list(csv.DictReader(lines))
         if len(records) != len(points) or len(rows) != len(points):
-            self.checks.fail(f"{len(records)} records, {len(rows)} rows for {len(points)} points",
-                             name)
+            self.checks.fail(name, f"{len(records)} records, {len(rows)} rows for {len(points)} points")
             return None
         return [Answer(a, b) for a, b in zip(records, rows)]
 

@@ -1,17 +1,17 @@
-"""Counting checks, and running programs, for the suites of this folder. SPDX-License-Identifier: GPL-3.0-or-later"""
+"""Running programs as a user of an installation does, for the suites of this folder.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
 import os
-import subprocess
+import sys
 
-ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-passed = failed = 0
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+import harness  # noqa: E402
+from harness import ROOT, Checks, options  # noqa: E402,F401  (suites take them from here)
 
-def check(holds, message):
-    global passed, failed
-    passed, failed = passed + bool(holds), failed + (not holds)
-    if not holds:
-        print("FAILED", message)
-    return holds
+checks = Checks()
+check = checks.holds
 
 
 def same(got, want, what):
@@ -22,9 +22,8 @@ def run(command, folder=ROOT, **environment):
     """(standard output, standard error, status) of a list of words; make's own variables are taken away."""
     clean = {name: value for name, value in os.environ.items()
              if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "DESTDIR", "PREFIX")}
-    done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, timeout=600, env=dict(clean, LC_ALL="C.UTF-8", **environment))
-    return done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace"), done.returncode
+    done = harness.run(command, 600, cwd=folder, env=dict(clean, LC_ALL="C.UTF-8", **environment))
+    return done.stdout, done.stderr, done.returncode
 
 
 def output(command, folder=ROOT, **environment):

@@ -1,0 +1,107 @@
+"""What the suites in Python share: counted checks, options, bounded runs of a program.
+
+A suite ends with Checks.finish(): a summary line that tests/run.py reads, and status 1 if a check failed.
+Failed checks are printed with their operands, the first 40 of them.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import os
+import random
+import resource
+import subprocess
+import sys
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+SHOWN = 40              # failed checks that are printed
+SECONDS = 60            # of one run, thousands of times what most take
+MEMORY = 4 << 30        # bytes of address space of one run
+TOO_LATE = 124          # the exit status of a run that had to be ended, as `timeout` has it
+ONLY = ("--only", {"default": "", "help": "cases whose name contains this text"})
+
+
+class Checks:
+    """Counts of passed and failed checks and of skipped ones."""
+
+    def __init__(self):
+        self.passed = self.failed = self.skipped = 0
+
+    def holds(self, condition, *what):
+        """Count a check; `what` are a message and the operands, printed if it fails."""
+        if condition:
+            self.passed += 1
+        else:
+            self.fail(*what)
+        return condition
+
+    def equal(self, got, want, *where):
+        return self.holds(got == want, *where, f"got {got}, expected {want}")
+
+    def fail(self, *what):
+        self.failed += 1
+        if self.failed <= SHOWN:
+            print("FAILED", *(str(part)[:3000] for part in what), flush=True)
+        elif self.failed == SHOWN + 1:
+            print("FAILED further checks", flush=True)
+
+    def skip(self, name, reason, count=1):
+        self.skipped += count
+        print(f"SKIP {name}: {reason}")
+
+    def finish(self):
+        """Print the summary and end the process."""
+        skipped = f", {self.skipped} skipped" if self.skipped else ""
+        print(f"{self.passed} passed, {self.failed} failed{skipped}")
+        sys.exit(1 if self.failed or self.passed + self.skipped == 0 else 0)
+
+
+def options(description, *more, seed=2008):
+    """The options of every suite, and `more` as (name, arguments of add_argument).
+
+    In the result, `graze` is an absolute path, `random` a generator of the seed, `memory` the bytes that a
+    run may map, 0 for a build with sanitizers, which map much more.
+    """
+    parser = argparse.ArgumentParser(description=description.split("\n\n")[0].replace("%", "%%"))
+    parser.add_argument("--graze", default=os.path.join(ROOT, "build", "graze"), help="the program under test")
+    parser.add_argument("--scale", type=int, default=1, help="multiplies the random part")
+    parser.add_argument("--seed", type=int, default=seed, help="of the random part")
+    parser.add_argument("--sanitizers", action="store_true", help="the program is built with a sanitizer")
+    for name, arguments in more:
+        parser.add_argument(name, **arguments)
+    args = parser.parse_args()
+    args.graze = os.path.abspath(args.graze)
+    args.random = random.Random(args.seed)
+    args.memory = 0 if args.sanitizers else MEMORY
+    print(f"seed {args.seed}, scale {args.scale}")
+    return args
+
+
+def bounded(memory):
+    """For preexec_fn: at most so many bytes of address space; 0 is no bound."""
+    def bound():
+        if memory:
+            resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    return bound
+
+
+def run(command, seconds=SECONDS, memory=0, text=True, **more):
+    """One run of a program, as subprocess.CompletedProcess; status TOO_LATE if it had to be ended.
+
+    Without `input` or `stdin` standard input is empty. Output is text, or bytes if `text` is false.
+    """
+    command = [str(word) for word in command]
+    form = {"encoding": "utf-8", "errors": "replace"} if text else {}
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    if more.get("input") is None:
+        more.pop("input", None)
+        pipes["stdin"] = subprocess.DEVNULL
+    if memory:
+        form["preexec_fn"] = bounded(memory)
+    try:
+        return subprocess.run(command, timeout=seconds, check=False, **{**pipes, **form, **more})
+    except subprocess.TimeoutExpired as late:
+        got = [part.decode("utf-8", "replace") if text and isinstance(part, bytes) else part
+               for part in (late.stdout, late.stderr)]
+        empty = "" if text else b""
+        said = f"\nno end after {seconds} s\n"
+        return subprocess.CompletedProcess(command, TOO_LATE, got[0] or empty,
+                                           (got[1] or empty) + (said if text else said.encode()))

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# suite
+"""Runs that are ended, locked out or out of disk leave whole rows that can be continued; progress on a terminal.
+
+Every expected table is the one a single run writes.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+import pty
+import re
+import resource
+import signal
+import subprocess
+import time
+
+from bench import COMMON, SECONDS, run_checks
+
+
+def check_lock(bench):
+    """Two runs do not write one file."""
+    words = ["classify", COMMON / "square.wkt", COMMON / "move2.json", "-", "--resume", bench.folder / "held.csv"]
+    first = subprocess.Popen([bench.graze, *map(str, words)], stdin=subprocess.PIPE)
+    first.stdin.write(b"1,1\n")
+    first.stdin.flush()
+    end = time.monotonic() + SECONDS
+    while not (words[-1].exists() and b"\n1,1," in words[-1].read_bytes()) and time.monotonic() < end:
+        time.sleep(0.01)
+    status, _, err = bench.run(*words, stdin=b"1,1\n")
+    bench.check(status == 5 and b"held.csv: another run is writing it" in err, "the second run is refused", status, err)
+    first.stdin.close()
+    bench.check(first.wait(SECONDS) == 0 and words[-1].read_bytes().endswith(b"\n# complete 1\n"), "the first one ends")
+
+
+def check_signals(bench):
+    """A run that is ended in its middle leaves whole rows, and is continued."""
+    words = ["classify", COMMON / "cube.off", COMMON / "move3.json", "--grid", "60,50,40", "--jobs", 2]
+    whole = bench.good(*words)
+    path = bench.folder / "killed.csv"
+    for which in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL):
+        path.unlink(missing_ok=True)
+        ends = told = 0
+        for _ in range(40):
+            child = subprocess.Popen([bench.graze, *map(str, words), "--resume", path], stderr=subprocess.PIPE)
+            end = time.monotonic() + bench.random.uniform(0.02, 0.2)
+            size = path.stat().st_size if path.exists() else 0
+            while child.poll() is None and (time.monotonic() < end or not path.exists() or path.stat().st_size <= size):
+                time.sleep(0.005)
+            child.send_signal(which)
+            err = child.communicate(timeout=SECONDS)[1]
+            if child.returncode == 0 or path.read_bytes() == whole:
+                break
+            ends += 1
+            text = path.read_bytes()
+            rows = sum(not line.startswith(b"#") for line in text.splitlines()) - 1
+            ended = b"" if which == signal.SIGKILL else b"graze: ended by %s\n" % which.name.encode()
+            has = (b"graze: %s: has %d whole rows; the same command with --resume FILE continues a table\n"
+                   % (os.fsencode(path), rows))
+            told += err == has + ended
+            bench.check(child.returncode == -which and err in (ended, has + ended),
+                        f"{which.name} ends it as the shell sees it, and it says so", child.returncode, err, rows)
+            bench.check(which == signal.SIGKILL or text.endswith(b"\n"), f"{which.name} leaves whole rows", text[-80:])
+            bench.check(whole.startswith(text), f"{which.name} leaves a beginning of the table")
+        bench.check(ends > 0, f"{which.name} came before the end")
+        bench.check(told > 0 or which == signal.SIGKILL, f"{which.name}: how far it came is said")
+        if path.read_bytes() != whole:
+            bench.good(*words, "--resume", path)
+        bench.check(path.read_bytes() == whole, f"after {which.name} the table is that of one run")
+
+
+def check_ignored(bench):
+    """A signal that is ignored, as under nohup, does not end a run."""
+    words = ["classify", COMMON / "cube.off", COMMON / "move3.json", "-", "--output", bench.folder / "nohup.csv"]
+    child = subprocess.Popen([bench.graze, *map(str, words)], stdin=subprocess.PIPE, stderr=subprocess.PIPE,
+                             preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+    child.stdin.write(b"1,1,1\n")
+    child.stdin.flush()
+    end = time.monotonic() + SECONDS
+    while not (words[-1].exists() and b"\n1,1,1," in words[-1].read_bytes()) and time.monotonic() < end:
+        time.sleep(0.01)
+    child.send_signal(signal.SIGHUP)
+    err = child.communicate(b"2,2,2\n", timeout=SECONDS)[1]
+    bench.check(child.returncode == 0 and words[-1].read_bytes().endswith(b"\n# complete 2\n"),
+                "nohup is heeded", child.returncode, err)
+
+
+def check_full(bench):
+    """Where no more can be written, whole rows stand and can be continued; a limit of the file's size, which is
+    met in the middle of a write, stands for the full disk."""
+    words = [bench.graze, "classify", str(COMMON / "cube.off"), str(COMMON / "move3.json"), "--grid", "30,20,20"]
+    for form in ("csv", "jsonl"):
+        whole = subprocess.run([*words, "--format", form], stdout=subprocess.PIPE, check=True).stdout
+        for size in (200, 1000, 65536, 65537, 65536 + 4001, len(whole) - 3):
+            for how in ("--output", "--resume", ">"):
+                if form == "jsonl" and how == "--resume":
+                    continue
+                path = bench.folder / f"full-{form}-{size}-{how.strip('-')}"
+                path.write_bytes(b"")
+                with open(path, "wb") as file:
+                    done = subprocess.run(
+                        [*words, "--format", form, *([] if how == ">" else [how, str(path)])], timeout=SECONDS,
+                        stdout=file, stderr=subprocess.PIPE,
+                        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+                text = path.read_bytes()
+                row = max(map(len, whole.splitlines())) + 1
+                bench.check(done.returncode == 5 and b"writing failed: File too large" in done.stderr,
+                            "a write that fails is told", form, size, how, done.returncode, done.stderr)
+                bench.check(whole.startswith(text) and text[-1:] in (b"", b"\n") and size - len(text) <= row,
+                            "it leaves whole lines", form, size, how, len(text), text[-80:])
+                if how == "--resume":
+                    bench.good(*words[1:], "--resume", path)
+                    bench.check(path.read_bytes() == whole, "and is continued", size)
+
+
+def on_terminal(words):
+    """What a command shows on a terminal."""
+    master, slave = pty.openpty()
+    child = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=slave)
+    os.close(slave)
+    shown = b""
+    while True:
+        try:
+            part = os.read(master, 4096)
+        except OSError:  # how Linux says that nobody holds the other end
+            part = b""
+        if not part:
+            break
+        shown += part
+    os.close(master)
+    return child.wait(SECONDS), shown
+
+
+def check_progress(bench):
+    """Per cent and time left where the end is known; nothing with --quiet."""
+    words = [bench.graze, "classify", COMMON / "cube.off", COMMON / "move3.json", "--jobs", "1", "--grid", "90,90,90"]
+    start = time.monotonic()
+    status, shown = on_terminal(words)
+    elapsed = time.monotonic() - start
+    form = rb"(\d+) rows, (\d+) rows/s, (\d+) %(, \d+:\d\d:\d\d left)?\s*"
+    lines = [re.fullmatch(form, line) for line in shown.strip().split(b"\r")]
+    bench.check(status == 0 and all(lines), "the form of progress", shown)
+    if all(lines):
+        rows, parts = [int(m[1]) for m in lines], [int(m[3]) for m in lines]
+        bench.check(all(p == r * 100 // 90**3 for r, p in zip(rows, parts)), "per cent are those of the rows", shown)
+        # The work takes no longer than the whole run.
+        bench.check(int(lines[-1][2]) >= int(90**3 / elapsed), "the rate is that of the clock", elapsed, shown)
+        bench.check(len(lines) <= elapsed + 1, "at most a line a second and the last", elapsed, shown)
+        bench.check(rows[-1] == 90**3 and lines[-1][4] is None, "the last line is the end", shown)
+        bench.check(all(m[4] for m in lines if int(m[1]) < 90**3), "before it there is time left", shown)
+    status, shown = on_terminal(words[:-1] + ["20,20,20", "--quiet"])
+    bench.check((status, shown) == (0, b""), "--quiet shows nothing", status, shown)
+
+
+if __name__ == "__main__":
+    run_checks(__doc__, [check_lock, check_signals, check_ignored, check_full, check_progress])
