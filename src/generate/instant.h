@@ -11,15 +11,18 @@
 
 #include "scene/scene.h"
 
-/** Rows of the inverse map, the weight's last, differentiated 0, 1 or 2 times. */
-enum { INSTANT_DERIVATIVES = 3 };
+/** Derivatives of pullbacks by u: of order 1 and 2. */
+enum { INSTANT_DERIVATIVES = 2 };
 
 typedef struct instant {
     int dimension;
     size_t piece;
     fmpq_t u, t;
-    fmpq *map;                          /* M at u: d * (d + 1) */
-    fmpq *inverse[INSTANT_DERIVATIVES]; /* (d + 1) * (d + 1) each */
+    fmpq *map;     /* M at u: d * (d + 1) */
+    fmpz *inverse; /* a positive multiple of (N, W) at u: (d + 1) * (d + 1), the weight's row last */
+    /* Its derivatives of order 1 and 2 times M at u, each by a positive number: body points in,
+     * (d + 1) * (d + 1). */
+    fmpz *carried[INSTANT_DERIVATIVES];
 } instant;
 
 void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u);
@@ -28,11 +31,16 @@ void instant_clear(instant *i);
 /** P = M(u) y. */
 void instant_move(fmpq *out, const instant *i, const fmpq *y);
 
-/** The derivative of order k of the pullback of a plane form along the trajectory of P, at u. */
-void instant_pullback(fmpq_t out, const instant *i, const fmpz *form, const fmpq *point, int k);
+/**
+ * The derivative of order k of the pullback of a plane form along the trajectory of P = M(u) y, at
+ * u, as a form in (y, 1) and times a positive number that depends on the instant and k alone.
+ * @param[out] out d + 1 initialised integers
+ * @param k 1 to INSTANT_DERIVATIVES
+ */
+void instant_pullback(fmpz *out, const instant *i, const fmpz *form, int k);
 
-/** The gradient by P of the pullback of a plane form: an outward normal of the moved facet if the
- * form is positive outside. */
+/** The gradient by P of the pullback of a plane form, times a positive number: an outward normal of
+ * the moved facet if the form is positive outside. */
 void instant_normal(fmpq *out, const instant *i, const fmpz *form);
 
 #endif

@@ -86,23 +86,25 @@ static fmpz *touched_plane(int *facing, const touchpoint *p, const struct graze_
     return plane;
 }
 
-/* Derivative of order k of the plane's pullback for the body point at each corner: affine over the
- * simplex. */
+/* Derivative of order k of the plane's pullback for the body point at each corner, times a positive
+ * number that is the same for all: affine over the simplex. */
 static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_generator *g,
                              int k) {
     int d = p->when->dimension, facing;
-    fmpz *plane = touched_plane(&facing, p, g);
-    fmpq *world = _fmpq_vec_init(3);
-    fmpq_t value;
-    fmpq_init(value);
+    fmpz *plane = touched_plane(&facing, p, g), *form = _fmpz_vec_init(d + 1);
+    fmpq_t term;
+    fmpq_init(term);
+    instant_pullback(form, p->when, plane, k);
     for (int c = 0; c < d; c++) {
-        instant_move(world, p->when, corner(g, p->simplex, c));
-        instant_pullback(value, p->when, plane, world, k);
-        fmpq_set(out + c, value);
+        fmpq_set_fmpz(out + c, form + d);
+        for (int j = 0; j < d; j++) {
+            fmpq_mul_fmpz(term, corner(g, p->simplex, c) + j, form + j);
+            fmpq_add(out + c, out + c, term);
+        }
     }
     _fmpz_vec_clear(plane, d + 1);
-    _fmpq_vec_clear(world, 3);
-    fmpq_clear(value);
+    _fmpz_vec_clear(form, d + 1);
+    fmpq_clear(term);
 }
 
 /* A point where the affine function with these corner values vanishes, strictly inside the simplex:
