@@ -6,9 +6,9 @@
 #include <string.h>
 #include "api.h"
 #include "context/environment.h"
-#include "report/cut_table.h"
 #include "report/decimal.h"
 #include "report/report.h"
+#include "table/typed.h"
 #include "verdict/classify.h"
 #include "verdict/verdict.h"
 
@@ -264,6 +264,10 @@ graze_status graze_report_point(char **out, graze_context *context, const graze_
     return graze_report_points(out, &length, &done, context, scene, point, 1, format, &rest);
 }
 
+static void put_bytes(void *to, const char *bytes, size_t length) {
+    text_bytes(to, bytes, length);
+}
+
 graze_status graze_report_export(char **out, size_t *length, graze_context *context,
                                  const char *table, size_t table_length, graze_export form) {
     if (out)
@@ -276,16 +280,16 @@ graze_status graze_report_export(char **out, size_t *length, graze_context *cont
     if (form != GRAZE_EXPORT_VTK && form != GRAZE_EXPORT_NPY)
         return api_misuse(context, "graze_report_export", "there is no such form");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    cut_table cut;
+    typed_table typed;
     text bytes;
-    graze_rounding rounding = context->rounding;
-    context->rounding = GRAZE_ROUND_NONE; /* further columns are not numbers of the scene */
     text_init(&bytes);
-    graze_status status = cut_table_read(&cut, context, table, table_length);
+    typed_init(&typed, context);
+    graze_status status = typed_add(&typed, table, table_length);
     if (!status)
-        status = (form == GRAZE_EXPORT_VTK ? export_vtk : export_npy)(&bytes, context, &cut);
-    cut_table_clear(&cut);
-    context->rounding = rounding;
+        status = typed_end(&typed);
+    if (!status)
+        status = typed_write(&typed, form, (sink){put_bytes, &bytes});
+    typed_clear(&typed);
     if (status) {
         text_clear(&bytes);
         return status;

@@ -46,6 +46,22 @@ int field_count(unsigned long *out, field f, unsigned long most) {
     return f.length > 0;
 }
 
+field field_line(field *rest) {
+    const char *end = memchr(rest->start, '\n', rest->length);
+    size_t length = end ? (size_t)(end - rest->start) : rest->length, gone = length + (end != NULL);
+    field line = {rest->start, length};
+    *rest = (field){rest->start + gone, rest->length - gone};
+    return line;
+}
+
+int field_behind(field *out, field line, const char *key) {
+    size_t length = strlen(key);
+    if (line.length <= length || memcmp(line.start, key, length) != 0)
+        return 0;
+    *out = (field){line.start + length, line.length - length};
+    return 1;
+}
+
 /* The end of a field that begins at `at`; NULL if a quote in it is not closed or followed by more.
  */
 static const char *field_end(const char *at, const char *end) {

@@ -25,6 +25,11 @@ int field_equal(field a, field b);
 /** Read a whole number of digits alone, at most `most`; 0 if the field is none. */
 int field_count(unsigned long *out, field f, unsigned long most);
 
+/** Take the next line from the front of a text, without its line end. */
+field field_line(field *rest);
+/** The bytes behind a key that begins a line; 0 if another begins it, or nothing stands behind. */
+int field_behind(field *out, field line, const char *key);
+
 /**
  * Take a field from the front of a line, with the blanks and quotes it stands in. A quote opens a
  * quoted field at its beginning only.

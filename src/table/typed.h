@@ -1,0 +1,84 @@
+/* A finished table of answers, read row by row into columns of one type each.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The table is Graze's own (src/cli/formats.md, Tables): whole, with its `#` lines and one row a
+ * line. Of its text only what further columns need is kept.
+ */
+#ifndef GRAZE_TABLE_TYPED_H
+#define GRAZE_TABLE_TYPED_H
+
+#include "table/sink.h"
+#include "table/texts.h"
+
+typedef enum column_kind {
+    COLUMN_COORDINATE, /* x, y, z: rationals */
+    COLUMN_PMC,        /* in, on, out */
+    COLUMN_CLASS,
+    COLUMN_DEFINITION, /* a number, or ext */
+    COLUMN_COUNT,      /* case, i, t */
+    COLUMN_WORD,
+    COLUMN_NUMBER, /* a further column with a number in every row */
+    COLUMN_TEXT    /* any other further column */
+} column_kind;
+
+/* The values of all rows: one of the two arrays. */
+typedef struct column {
+    field name; /* in the table's column line */
+    column_kind kind;
+    size_t widest;  /* bytes of its longest field */
+    double *number; /* COORDINATE, NUMBER: the nearest double, infinite past the range */
+    uint32_t *code; /* pmc and class as in graze.h; definition, 0 for ext; counts; else the number
+                       of the text */
+    texts texts;    /* WORD, TEXT */
+    text fields;    /* NUMBER: the fields, a newline behind each, in case a later one is none */
+} column;
+
+typedef struct typed_table {
+    graze_context *context;
+    enum { TYPED_HEAD, TYPED_ROWS, TYPED_WHOLE } state; /* what has been read */
+    int dimension;
+    int boxed;            /* there is a `# box` line */
+    size_t grid[3];       /* points along each axis, 1 for an axis that is not; all 0: no grid */
+    fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
+    text names;           /* the column line */
+    size_t row_count, row_capacity, column_count;
+    size_t own; /* the first so many columns are Graze's, the others the points' */
+    column *column;
+} typed_table;
+
+/** Begin an empty table. typed_clear frees it. */
+void typed_init(typed_table *t, graze_context *context);
+void typed_clear(typed_table *t);
+
+/**
+ * Read the next lines of the table, the last of which may lack its line end only at the table's
+ * end. Numbers are not rounded as the context says: they are none of the scene.
+ * @return GRAZE_EINPUT it is no table of answers, or has another number of rows than it says;
+ * GRAZE_ELIMIT; GRAZE_ESYSTEM; where a row is wrong, the message names row and column
+ */
+graze_status typed_add(typed_table *t, const char *lines, size_t length);
+/** GRAZE_EINPUT unless the table is whole. */
+graze_status typed_end(const typed_table *t);
+
+/** Take a `#` line of the head: dimension, grid and box, each once. GRAZE_EINPUT, GRAZE_ELIMIT. */
+graze_status typed_head_line(typed_table *t, field line);
+/** GRAZE_EINPUT unless all lines that the head must have were taken. */
+graze_status typed_head_end(const typed_table *t);
+/** 1 if the grid has as many points as there are rows, or there is no grid. */
+int typed_grid_fits(const typed_table *t);
+/** GRAZE_EINPUT with the message, which says what is wrong, and what is expected. */
+graze_status typed_broken(graze_context *context, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/** The name of a column, `column` if it has none; `_2` and so on stand behind a name that occurred.
+ */
+void typed_name(text *out, const typed_table *t, size_t index);
+
+/** Write a whole table in one of the forms but GRAZE_EXPORT_NONE. GRAZE_ELIMIT, GRAZE_ESYSTEM. */
+graze_status typed_write(const typed_table *t, graze_export form, sink to);
+/** As a legacy VTK file: a grid as structured points, else vertices. */
+graze_status typed_write_vtk(const typed_table *t, sink to);
+/** As a structured numpy array. */
+graze_status typed_write_npy(const typed_table *t, sink to);
+
+#endif
