@@ -24,7 +24,7 @@ const char *note_name(note n) {
 }
 
 field table_field(const table *t, const table_row *row, column c) {
-    return t->where[c] < 0 ? (field){"", 0} : row->fields[t->where[c]];
+    return t->where[c] < 0 ? (field){"", 0} : field_content(row->cut.item[t->where[c]]);
 }
 
 digest digest_of(const char *bytes, size_t length) {
@@ -55,15 +55,13 @@ static graze_status read_complete(table *t, field value) {
     return GRAZE_OK;
 }
 
-/* A `#` line: `# key value`. */
+/* Take a `#` line. */
 static graze_status read_note(table *t, field line) {
-    field key = field_trimmed((field){line.start + 1, line.length - 1}), value = key;
-    for (key.length = 0; key.length < value.length && key.start[key.length] != ' ' &&
-                         key.start[key.length] != '\t';)
-        key.length++;
-    value.start += key.length;
-    value.length -= key.length;
-    value = field_trimmed(value);
+    field key, value;
+    if (memchr(line.start, '\0', line.length))
+        return context_fail(t->in.context, GRAZE_EINPUT, "%s:%lu: a byte 0 in a text file",
+                            t->in.name, t->in.line);
+    field_note(&key, &value, line);
     if (field_is(key, "complete"))
         return read_complete(t, value);
     for (int n = 0; n < NOTE_COUNT; n++) {
@@ -75,20 +73,7 @@ static graze_status read_note(table *t, field line) {
     return GRAZE_OK;
 }
 
-static graze_status add_field(table *t, table_row *row, field f) {
-    if (row->field_count == row->field_capacity) {
-        size_t capacity = 2 * row->field_capacity + 16;
-        field *grown = realloc(row->fields, capacity * sizeof *grown);
-        if (!grown)
-            return no_memory(t);
-        row->fields = grown;
-        row->field_capacity = capacity;
-    }
-    row->fields[row->field_count++] = f;
-    return GRAZE_OK;
-}
-
-/* Copy a line into a row and cut it at its commas. */
+/* Copy a line into a row and cut it into fields. */
 static graze_status split(table *t, table_row *row, field line) {
     if (row->capacity < line.length + 1) {
         char *grown = realloc(row->bytes, line.length + 256);
@@ -98,22 +83,10 @@ static graze_status split(table *t, table_row *row, field line) {
         row->capacity = line.length + 256;
     }
     memcpy(row->bytes, line.start, line.length);
-    row->bytes[line.length] = '\0';
-    row->field_count = 0;
     row->keyed = 0;
     row->line = t->in.line;
-    field rest = {row->bytes, line.length};
-    graze_status status = GRAZE_OK;
-    while (rest.start && !status) {
-        field f;
-        if (!field_take(&f, &rest))
-            return context_fail(t->in.context, GRAZE_EINPUT,
-                                "%s:%lu: a quoted field must end on its line, before a comma or "
-                                "the line's end",
-                                t->in.name, t->in.line);
-        status = add_field(t, row, field_content(f));
-    }
-    return status;
+    return fields_read(&row->cut, t->in.context, t->in.name, t->in.line,
+                       (field){row->bytes, line.length});
 }
 
 /* The next line that is neither blank nor a `#` line, as a row. */
@@ -138,9 +111,9 @@ static graze_status next_line(table *t, table_row *row, int *more) {
 /* The first column of a name counts in a table of Graze's own, where the points' further columns
  * come last and may be called anything. */
 static graze_status fix_columns(table *t, const table_row *row) {
-    for (size_t k = 0; k < row->field_count; k++)
+    for (size_t k = 0; k < row->cut.count; k++)
         for (int c = 0; c < COLUMN_COUNT; c++) {
-            if (!field_is(row->fields[k], column_names[c]))
+            if (!field_is(field_content(row->cut.item[k]), column_names[c]))
                 continue;
             if (t->where[c] >= 0 && !t->notes[NOTE_GRAZE])
                 return context_fail(t->in.context, GRAZE_EINPUT,
@@ -149,7 +122,7 @@ static graze_status fix_columns(table *t, const table_row *row) {
             if (t->where[c] < 0)
                 t->where[c] = (long)k;
         }
-    t->columns = row->field_count;
+    t->columns = row->cut.count;
     int has_z = t->where[COLUMN_Z] >= 0;
     if (t->where[COLUMN_X] >= 0 && t->where[COLUMN_Y] >= 0)
         t->dimension = has_z ? 3 : 2;
@@ -191,16 +164,16 @@ graze_status table_next(table *t, table_row *row, int *more) {
         return context_fail(t->in.context, GRAZE_EINPUT,
                             "%s:%lu: a row after `# complete`; right is that line last", t->in.name,
                             t->in.line);
-    if (row->field_count != t->columns)
+    if (row->cut.count != t->columns)
         return context_fail(t->in.context, GRAZE_EINPUT,
                             "%s:%lu: %zu columns; right are %zu, as on the column line", t->in.name,
-                            t->in.line, row->field_count, t->columns);
+                            t->in.line, row->cut.count, t->columns);
     row->number = ++t->rows;
     return GRAZE_OK;
 }
 
 void table_row_clear(table_row *row) {
     free(row->bytes);
-    free(row->fields);
+    fields_clear(&row->cut);
     memset(row, 0, sizeof *row);
 }

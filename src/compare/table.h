@@ -53,12 +53,12 @@ typedef struct digest {
     uint64_t high, low;
 } digest;
 
-/** A row with bytes of its own. `fields` are without blanks and quotes around them. */
+/** A row with bytes of its own. */
 typedef struct table_row {
     unsigned long line, number; /* in the file, and among the rows, from 1 */
     char *bytes;
-    field *fields;
-    size_t capacity, field_count, field_capacity;
+    size_t capacity;
+    fields cut;
     int keyed;  /* 1 once `key` is known */
     digest key; /* of the row's id or point */
 } table_row;

@@ -51,6 +51,14 @@ graze_status input_open(int *fd, graze_context *context, const char *path) {
     return status;
 }
 
+graze_status input_standard(int *fd, graze_context *context) {
+    struct stat about;
+    *fd = STDIN_FILENO;
+    return fstat(*fd, &about) == 0 && S_ISDIR(about.st_mode)
+               ? check_kind(context, "standard input", &about)
+               : GRAZE_OK;
+}
+
 graze_status input_read(size_t *got, graze_context *context, const char *name, int fd, char *to,
                         size_t room) {
     for (;;) {

@@ -13,6 +13,9 @@
  */
 graze_status input_open(int *fd, graze_context *context, const char *path);
 
+/** Take standard input instead, of any kind but a directory: GRAZE_ESYSTEM. */
+graze_status input_standard(int *fd, graze_context *context);
+
 /**
  * Read what is there, at most `room` bytes. Where nothing is there yet, wait, and ask the cancel
  * callback ten times a second.

@@ -6,43 +6,22 @@
 #include "context/file.h"
 #include "convert/poses.h"
 #include "number/rational.h"
+#include "table/stream.h"
 
 enum { TIME = 0, POSITION = 1, QUATERNION = 4, MATRIX = 8, COLUMNS = 24 };
-enum { SHOWN = 60 }; /* bytes of an unknown name */
 static const char *const names[COLUMNS] = {"t",   "x",   "y",   "z",   "qw",  "qx",  "qy",  "qz",
                                            "m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13",
                                            "m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"};
-
-/* Bytes of a file between two places. */
-typedef struct slice {
-    const char *start, *end;
-} slice;
 
 typedef struct reading {
     graze_context *context;
     pose_list *list;
     size_t capacity;
     unsigned long line;
+    fields cut;         /* of that line */
     int place[COLUMNS]; /* of each known column in the file, or -1 */
     int columns;        /* of the file */
 } reading;
-
-static slice trimmed(slice s) {
-    while (s.start < s.end && strchr(" \t\r", *s.start))
-        s.start++;
-    while (s.start < s.end && strchr(" \t\r", s.end[-1]))
-        s.end--;
-    return s;
-}
-
-/* The next field of a line, or line, up to `stop`; `rest` goes past it. */
-static slice next(slice *rest, char stop) {
-    size_t length = (size_t)(rest->end - rest->start);
-    const char *end = length ? memchr(rest->start, stop, length) : NULL;
-    slice out = {rest->start, end ? end : rest->end};
-    rest->start = end ? end + 1 : NULL;
-    return trimmed(out);
-}
 
 static graze_status misses(const reading *r, const char *what) {
     return context_fail(r->context, GRAZE_EINPUT,
@@ -62,35 +41,33 @@ static graze_status whole(const reading *r, int first, int count, int *some) {
     return found && found < count ? misses(r, names[missing]) : GRAZE_OK;
 }
 
-static graze_status read_name(reading *r, slice name) {
-    size_t length = (size_t)(name.end - name.start);
+static graze_status read_name(reading *r, field name) {
     int k = 0;
-    while (k < COLUMNS && (strlen(names[k]) != length || memcmp(names[k], name.start, length) != 0))
+    while (k < COLUMNS && !field_is(name, names[k]))
         k++;
     if (k == COLUMNS)
         return context_fail(r->context, GRAZE_EINPUT,
-                            "%s:%lu: the column '%.*s' is unknown; expected are t, then "
+                            "%s:%lu: the column '%.*s' is unknown; expected t, then "
                             "qw,qx,qy,qz with or without x,y,z, or m00 to m33, in any order",
-                            r->list->source, r->line, length > SHOWN ? SHOWN : (int)length,
-                            name.start);
+                            r->list->source, r->line, FIELD_SHOWN(name));
     if (r->place[k] >= 0)
         return context_fail(r->context, GRAZE_EINPUT,
-                            "%s:%lu: the column %s stands there twice; right is once",
+                            "%s:%lu: the column %s stands there twice; expected once",
                             r->list->source, r->line, names[k]);
     r->place[k] = r->columns++;
     return GRAZE_OK;
 }
 
-static graze_status read_names(reading *r, slice line) {
+static graze_status read_names(reading *r) {
+    graze_status status = GRAZE_OK;
     for (int k = 0; k < COLUMNS; k++)
         r->place[k] = -1;
-    while (line.start) {
-        graze_status unread = read_name(r, next(&line, ','));
-        if (unread)
-            return unread;
-    }
+    for (size_t k = 0; k < r->cut.count && !status; k++)
+        status = read_name(r, field_trimmed(r->cut.item[k]));
+    if (status)
+        return status;
     int positions = 0, quaternions = 0, matrices = 0, bottom = 0;
-    graze_status status = whole(r, POSITION, 3, &positions);
+    status = whole(r, POSITION, 3, &positions);
     if (!status)
         status = whole(r, QUATERNION, 4, &quaternions);
     if (!status)
@@ -139,11 +116,11 @@ static fmpq *target_of(pose *p, int column) {
     return column < MATRIX + 12 ? p->matrix + (column - MATRIX) : NULL;
 }
 
-static graze_status read_value(const reading *r, pose *p, int column, slice field) {
+static graze_status read_value(const reading *r, pose *p, int column) {
+    field one = field_trimmed(r->cut.item[r->place[column]]);
     fmpq_t value;
     fmpq_init(value);
-    graze_status status =
-        rational_parse(value, r->context, field.start, (size_t)(field.end - field.start));
+    graze_status status = rational_parse(value, r->context, one.start, one.length);
     fmpq *to = target_of(p, column);
     if (status)
         status =
@@ -158,25 +135,21 @@ static graze_status read_value(const reading *r, pose *p, int column, slice fiel
     return status;
 }
 
-static graze_status read_pose(reading *r, slice line) {
+static graze_status read_pose(reading *r) {
     if (r->list->count >= r->context->limits[GRAZE_LIMIT_PIECES])
         return context_limit(r->context, GRAZE_LIMIT_PIECES, "a list of poses");
+    if (r->cut.count != (size_t)r->columns)
+        return context_fail(r->context, GRAZE_EINPUT,
+                            "%s:%lu: the row has %zu fields; expected %d, as many as there are "
+                            "names",
+                            r->list->source, r->line, r->cut.count, r->columns);
     pose *p = append(r);
     if (!p)
         return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
     graze_status status = GRAZE_OK;
-    int place = 0;
-    for (; line.start && !status; place++) {
-        slice field = next(&line, ',');
-        for (int k = 0; k < COLUMNS && !status; k++)
-            if (r->place[k] == place)
-                status = read_value(r, p, k, field);
-    }
-    if (!status && place != r->columns)
-        status = context_fail(r->context, GRAZE_EINPUT,
-                              "%s:%lu: the row has %d fields; right are %d, as many as there are "
-                              "names",
-                              r->list->source, r->line, place, r->columns);
+    for (int k = 0; k < COLUMNS && !status; k++)
+        if (r->place[k] >= 0)
+            status = read_value(r, p, k);
     if (!status && r->list->count > 1 && fmpq_cmp(p[-1].time, p->time) >= 0)
         status = context_fail(r->context, GRAZE_EINPUT,
                               "%s:%lu: the time is not after that of line %lu; right are "
@@ -185,30 +158,52 @@ static graze_status read_pose(reading *r, slice line) {
     return status;
 }
 
+/* A line that is neither blank nor a comment: the names, or a pose. */
+static graze_status read_line(reading *r, int named, field line) {
+    graze_status status = fields_read(&r->cut, r->context, r->list->source, r->line, line);
+    if (status)
+        return status;
+    return named ? read_pose(r) : read_names(r);
+}
+
+static graze_status read_lines(reading *r, stream *in) {
+    int named = 0;
+    for (;;) {
+        field line;
+        graze_status status = stream_next(in, &line);
+        if (status || !line.start)
+            return status;
+        r->line = in->line;
+        while (line.length && line.start[line.length - 1] == '\r')
+            line.length--; /* of CR CR LF */
+        line = field_trimmed(line);
+        if (!line.length || *line.start == '#')
+            continue;
+        status = read_line(r, named, line);
+        if (status)
+            return status;
+        named = 1;
+    }
+}
+
 graze_status poses_read(pose_list *out, graze_context *context, const char *path) {
     memset(out, 0, sizeof *out);
     out->source = path;
     char *text = NULL;
     size_t length;
     unsigned char sha256[32];
-    graze_status status = file_read(&text, &length, sha256, context, path);
+    stream in;
     reading r = {.context = context, .list = out};
-    int named = 0;
-    size_t mark = !status && length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
-    slice rest = {status ? NULL : text + mark, status ? NULL : text + length};
-    while (rest.start && !status) {
-        r.line++;
-        slice line = next(&rest, '\n');
-        if (line.start == line.end || *line.start == '#')
-            continue;
-        status = named ? read_pose(&r, line) : read_names(&r, line);
-        named = 1;
-    }
+    graze_status status = file_read(&text, &length, sha256, context, path);
+    if (status)
+        return status;
+    stream_of_text(&in, context, path, text, length);
+    status = read_lines(&r, &in);
     if (!status && out->count < 2)
-        status =
-            context_fail(context, GRAZE_EINPUT,
-                         "%s: there are %zu poses; right are at least 2, under a line of names",
-                         path, out->count);
+        status = context_fail(context, GRAZE_EINPUT,
+                              "%s: has %zu poses; expected at least 2, under a line of names", path,
+                              out->count);
+    fields_clear(&r.cut);
     free(text);
     return status;
 }

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/context.h"
 
 static int is_blank(char byte) {
     return byte == ' ' || byte == '\t';
@@ -62,6 +63,15 @@ int field_behind(field *out, field line, const char *key) {
     return 1;
 }
 
+void field_note(field *key, field *value, field line) {
+    *value = *key = field_trimmed((field){line.start + 1, line.length - 1});
+    for (key->length = 0; key->length < value->length && !is_blank(key->start[key->length]);)
+        key->length++;
+    value->start += key->length;
+    value->length -= key->length;
+    *value = field_trimmed(*value);
+}
+
 /* The end of a field that begins at `at`; NULL if a quote in it is not closed or followed by more.
  */
 static const char *field_end(const char *at, const char *end) {
@@ -117,6 +127,23 @@ fields_result fields_cut(fields *out, field line) {
             return FIELDS_NO_MEMORY;
     }
     return FIELDS_CUT;
+}
+
+graze_status fields_read(fields *out, graze_context *context, const char *name,
+                         unsigned long number, field line) {
+    if (memchr(line.start, '\0', line.length))
+        return context_fail(context, GRAZE_EINPUT, "%s:%lu: a byte 0 in a text file", name, number);
+    switch (fields_cut(out, line)) {
+    case FIELDS_CUT:
+        return GRAZE_OK;
+    case FIELDS_OPEN_QUOTE:
+        return context_fail(context, GRAZE_EINPUT,
+                            "%s:%lu: a quoted field does not end; expected its closing quote on "
+                            "this line, before a comma or the line's end",
+                            name, number);
+    default:
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    }
 }
 
 size_t fields_count(field line) {

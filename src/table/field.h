@@ -5,6 +5,7 @@
 #define GRAZE_TABLE_FIELD_H
 
 #include <stddef.h>
+#include "graze.h"
 
 /** Bytes of a text, not ended by a NUL. */
 typedef struct field {
@@ -30,6 +31,10 @@ field field_line(field *rest);
 /** The bytes behind a key that begins a line; 0 if another begins it, or nothing stands behind. */
 int field_behind(field *out, field line, const char *key);
 
+/** The key and the value of a line `# key value`, without the blanks around them; either may be
+ * empty. */
+void field_note(field *key, field *value, field line);
+
 /**
  * Take a field from the front of a line, with the blanks and quotes it stands in. A quote opens a
  * quoted field at its beginning only.
@@ -48,6 +53,10 @@ typedef enum fields_result { FIELDS_CUT, FIELDS_OPEN_QUOTE, FIELDS_NO_MEMORY } f
 
 /** Cut a line at the commas outside quotes. The fields point into the line. */
 fields_result fields_cut(fields *out, field line);
+/** Cut line `number` of the file `name`.
+ * @return GRAZE_EINPUT a quoted field does not end, or the line holds a byte 0; GRAZE_ESYSTEM */
+graze_status fields_read(fields *out, graze_context *context, const char *name,
+                         unsigned long number, field line);
 void fields_clear(fields *f);
 /** The number of fields of a line; 0 if a quoted one does not end. */
 size_t fields_count(field line);

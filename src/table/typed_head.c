@@ -32,7 +32,7 @@ static graze_status read_grid(typed_table *t, field value) {
         good = field_count(&n[k], size[k], ~0ul) && n[k] >= 2;
     if (!good)
         return typed_broken(t->context, "# grid %.*s: expected %d whole numbers from 2 up",
-                          FIELD_SHOWN(value), t->dimension);
+                            FIELD_SHOWN(value), t->dimension);
     for (int k = 0; k < 3; k++)
         t->grid[k] = n[k];
     return GRAZE_OK;
@@ -45,7 +45,8 @@ static graze_status read_box(typed_table *t, field value) {
     if (t->boxed)
         return typed_broken(t->context, "# box stands there twice");
     if (!cut_list(number, value, 2 * d))
-        return typed_broken(t->context, "# box %.*s: expected %d numbers", FIELD_SHOWN(value), 2 * d);
+        return typed_broken(t->context, "# box %.*s: expected %d numbers", FIELD_SHOWN(value),
+                            2 * d);
     for (int k = 0; k < 2 * d && !status; k++)
         status = rational_parse(k < d ? t->low + k : t->high + (k - d), t->context, number[k].start,
                                 number[k].length);
@@ -54,7 +55,7 @@ static graze_status read_box(typed_table *t, field value) {
     for (int k = 0; k < d; k++)
         if (fmpq_cmp(t->low + k, t->high + k) >= 0)
             return typed_broken(t->context, "# box %.*s: the box is empty along axis %d",
-                              FIELD_SHOWN(value), k);
+                                FIELD_SHOWN(value), k);
     t->boxed = 1;
     return GRAZE_OK;
 }
@@ -73,8 +74,8 @@ graze_status typed_head_end(const typed_table *t) {
     if (!t->dimension)
         return typed_broken(t->context, "the table does not say its dimension");
     if (!t->grid[0] != !t->boxed)
-        return typed_broken(t->context, "the table has # %s without # %s", t->boxed ? "box" : "grid",
-                          t->boxed ? "grid" : "box");
+        return typed_broken(t->context, "the table has # %s without # %s",
+                            t->boxed ? "box" : "grid", t->boxed ? "grid" : "box");
     return GRAZE_OK;
 }
 

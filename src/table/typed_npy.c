@@ -64,9 +64,8 @@ static graze_status put_head(sink to, const typed_table *t) {
     while (!description.failed && (12 + description.length + 1) % 64)
         text_put(&description, " ");
     text_put(&description, "\n");
-    graze_status status = description.failed
-                              ? context_fail(t->context, GRAZE_ESYSTEM, "out of memory")
-                              : GRAZE_OK;
+    graze_status status =
+        description.failed ? context_fail(t->context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
     if (!status) {
         to.put(to.to, "\x93NUMPY\x03\x00", 8);
         put_number(to, description.length, 4);
