@@ -57,7 +57,7 @@ field field_line(field *rest) {
 
 int field_behind(field *out, field line, const char *key) {
     size_t length = strlen(key);
-    if (line.length <= length || memcmp(line.start, key, length) != 0)
+    if (line.length < length || memcmp(line.start, key, length) != 0)
         return 0;
     *out = (field){line.start + length, line.length - length};
     return 1;

@@ -28,7 +28,7 @@ int field_count(unsigned long *out, field f, unsigned long most);
 
 /** Take the next line from the front of a text, without its line end. */
 field field_line(field *rest);
-/** The bytes behind a key that begins a line; 0 if another begins it, or nothing stands behind. */
+/** The bytes behind a key that begins a line, perhaps none; 0 if the line begins otherwise. */
 int field_behind(field *out, field line, const char *key);
 
 /** The key and the value of a line `# key value`, without the blanks around them; either may be

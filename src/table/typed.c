@@ -332,6 +332,9 @@ graze_status typed_add(typed_table *t, const char *lines, size_t length) {
 graze_status typed_end(const typed_table *t) {
     if (t->state == TYPED_WHOLE)
         return GRAZE_OK;
+    graze_status status = t->state == TYPED_HEAD ? typed_head_end(t) : GRAZE_OK;
+    if (status)
+        return status;
     return typed_broken(t->context, "the table has no %s",
                         t->state == TYPED_ROWS ? "line # complete" : "column line");
 }

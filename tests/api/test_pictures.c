@@ -49,6 +49,7 @@ static void tables_refused(void **state) {
         const char *table, *says;
     } wrong[] = {
         {"", "dimension"},
+        {"# dimension 2\n", "no column line"},
         {"# dimension 2\nx,y,pmc\n# complete 0\n", "is not that of a table of dimension 2"},
         {"# dimension 2\nx,y,pmc,word\n1,1,in,OBIBO\n", "# complete"},
         {"# dimension 2\nx,y,pmc,word\n1,1,in,OBIBO\n# complete 2\n", "number of rows"},
