@@ -45,7 +45,7 @@ SUITES = [Suite(f"tests/{name}.py", EXACT) for name in (
 FILTERED = [Suite(suite.script, "") for suite in SUITES[:4]]
 REFUSE, REFUSE_SECONDS = "tests/refuse/run.py", 60
 UNITS = ["tests/unit/test_algebraic", "tests/unit/test_modular", "tests/unit/test_refine",
-         "tests/unit/test_forms", "tests/unit/test_locate"]
+         "tests/unit/test_forms", "tests/unit/test_locate", "tests/unit/test_locate_cells"]
 LATE_UNITS = ["tests/api/test_word", "tests/unit/test_bernstein", "tests/api/test_classify", "tests/api/test_memory",
               "tests/api/test_exact_count", "tests/api/test_handles",
               "tests/api/test_reports"]

@@ -44,13 +44,18 @@ def contracts(compiler):
     return "__FMA__" in done.stdout or "__ARM_FEATURE_FMA" in done.stdout
 
 
+def has_source(path):
+    return any(os.path.exists(os.path.join(ROOT, path[:-2] + ending)) for ending in (".c", ".cpp"))
+
+
 def objects(build):
-    """The objects of the usual build that are kept; none where they are not."""
+    """The objects of the usual build that are kept; none where they are not. An object whose source has moved is not
+    one of the build."""
     replaced = {path[:-2] + ".o" for path in sources()}
     found = [os.path.relpath(path, build)
              for path in glob.glob(os.path.join(build, "src", "**", "*.o"), recursive=True)]
     return [os.path.join(build, path) for path in found
-            if path not in replaced and not path.startswith((os.path.join("src", "mpi"), os.path.join("src", "png")))]
+            if path not in replaced and has_source(path) and not path.startswith((os.path.join("src", "mpi"), os.path.join("src", "png")))]
 
 
 def built(compiler, build, folder):

@@ -6,7 +6,8 @@
  * never changes the sign of the volume. Coordinates are thirds, sevenths and doubles in all
  * octants.
  */
-#include "../lib/harness.h"
+#include "fixture.h"
+#include "../lib/random.h"
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -14,18 +15,9 @@
 
 enum { ROUNDS = 400, POINTS = 40 };
 
-static uint64_t seed = 20260722;
-
-static uint64_t draw(uint64_t below) {
-    seed ^= seed << 13;
-    seed ^= seed >> 7;
-    seed ^= seed << 17;
-    return seed % below;
-}
-
 static void draw_coordinate(fmpq_t out) {
     static const ulong denominator[] = {1, 3, 7, 1024};
-    fmpq_set_si(out, (slong)draw(81) - 40, denominator[draw(4)]);
+    fmpq_set_si(out, (slong)random_below(81) - 40, denominator[random_below(4)]);
 }
 
 /* The sign of the volume of a tetrahedron with x in the place of vertex `k`, or its own for k = 4.
@@ -62,7 +54,7 @@ static graze_state expected_state(const fmpq *vertex, const fmpq *x) {
 
 /* A tetrahedron's facets, outward where its volume's sign is `whole`: the determinant's rows with
  * the ones behind make it negative for the usual right-handed one. */
-static graze_solid *make_solid(graze_context *context, const fmpq *vertex, int whole) {
+static graze_solid *make_solid(const fmpq *vertex, int whole) {
     static const size_t size[] = {3, 3, 3, 3};
     static const size_t facet[2][12] = {{1, 2, 3, 0, 3, 2, 0, 1, 3, 0, 2, 1},
                                         {1, 3, 2, 0, 2, 3, 0, 3, 1, 0, 1, 2}};
@@ -83,23 +75,23 @@ static graze_solid *make_solid(graze_context *context, const fmpq *vertex, int w
 /* A point on an edge or at its end, moved back along the ray, and aside by very little. */
 static void draw_point(fmpq *x, const fmpq *vertex) {
     fmpq_t share, step;
-    int aside = draw(3) != 0;
+    int aside = random_below(3) != 0;
     fmpq_init(share);
     fmpq_init(step);
-    const fmpq *a = vertex + 3 * draw(4), *b = vertex + 3 * draw(4);
-    fmpq_set_si(share, (slong)draw(6), 5);
+    const fmpq *a = vertex + 3 * random_below(4), *b = vertex + 3 * random_below(4);
+    fmpq_set_si(share, (slong)random_below(6), 5);
     for (int j = 0; j < 3; j++) {
         fmpq_sub(x + j, b + j, a + j);
         fmpq_mul(x + j, x + j, share);
         fmpq_add(x + j, x + j, a + j);
     }
-    fmpq_set_si(step, (slong)draw(4), 1);
-    if (draw(2))
+    fmpq_set_si(step, (slong)random_below(4), 1);
+    if (random_below(2))
         fmpq_div_2exp(step, step, 50);
     fmpq_sub(x, x, step);
     for (int j = 1; j < 3 && aside; j++) {
-        fmpq_set_si(step, (slong)draw(7) - 3, 1);
-        fmpq_div_2exp(step, step, 46 + draw(12));
+        fmpq_set_si(step, (slong)random_below(7) - 3, 1);
+        fmpq_div_2exp(step, step, 46 + random_below(12));
         fmpq_add(x + j, x + j, step);
     }
     fmpq_clear(share);
@@ -129,17 +121,16 @@ static void check_point(const graze_solid *solid, const fmpq *vertex, const fmpq
 
 static void tetrahedra(void **state) {
     (void)state;
-    graze_context *context;
     size_t met[3] = {0, 0, 0};
     fmpq *vertex = _fmpq_vec_init(12), *x = _fmpq_vec_init(3);
-    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    random_start(20260722);
     for (int round = 0; round < ROUNDS; round++) {
         for (int k = 0; k < 12; k++)
             draw_coordinate(vertex + k);
         int whole = volume_sign(vertex, x, 4);
         if (whole == 0)
             continue;
-        graze_solid *solid = make_solid(context, vertex, whole);
+        graze_solid *solid = make_solid(vertex, whole);
         for (int n = 0; n < POINTS; n++) {
             draw_point(x, vertex);
             check_point(solid, vertex, x);
@@ -153,10 +144,9 @@ static void tetrahedra(void **state) {
         assert_true(met[k] > ROUNDS * POINTS / 50);
     _fmpq_vec_clear(vertex, 12);
     _fmpq_vec_clear(x, 3);
-    graze_context_destroy(context);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tetrahedra)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, set_up, tear_down);
 }
