@@ -39,13 +39,13 @@ PACKAGES_PROOFS := $(PACKAGES_BUILD) coq python3
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 comma   := ,
-LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/mpi/% src/png/% src/check/%,$(wildcard src/*/*.c))
+LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/run/% src/mpi/% src/png/% src/check/%,$(wildcard src/*/*.c))
 LIB_CXX := $(wildcard src/*/*.cpp)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
-CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c))
-# graze-mpi is the command line with other hands to answer rows; it is built where Open MPI is.
+CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c src/run/*.c))
+# graze-mpi is graze classify with ranks that answer rows, built where Open MPI is.
 MPI     := $(if $(shell command -v mpicc),$B/graze-mpi)
-MPI_O   := $(filter-out %/main.o %/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/mpi/*.c))
+MPI_O   := $(filter-out %/main.o %/run/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/mpi/*.c))
 # PNG pictures need cairo, which nothing else does: a shared object loaded at need, built where cairo is.
 PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION).so)
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))

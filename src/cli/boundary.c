@@ -3,12 +3,14 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "cli/boundary_files.h"
-#include "cli/cli.h"
-#include "cli/numbers.h"
-#include "cli/output.h"
+#include "cli/commands.h"
+#include "cli/values.h"
+#include "run/boundary_files.h"
+#include "run/load.h"
+#include "run/numbers.h"
+#include "run/output.h"
 
-static const char help[] =
+static const char boundary_help[] =
     "graze boundary SOLID MOTION --depth N: the boundary of the sweep by adaptive sampling\n"
     "\n"
     "Cuts a box around the sweep into 2^d cells, again and again: all of them down to a coarse\n"
@@ -35,37 +37,40 @@ static const char help[] =
     "\n"
     "Example: graze boundary cube.off move.json --depth 6 --surface sweep.ply\n";
 
-enum { DEPTH, COARSE, BUDGET, CONTACTS, SURFACE, CELLS };
+typedef struct boundary_given {
+    scene_options scene;
+    const char *depth, *coarse, *budget, *contacts, *box;
+    seed_value seed;
+    const char *surface, *cells, *points; /* files to write */
+} boundary_given;
 
-static output out;
-
-static int read_count(unsigned long *to, const options *o, int which, const char *name,
-                      unsigned long most) {
-    if (o->own[which] && (!numbers_count(to, o->own[which], 0) || *to > most))
-        return complain(EXIT_USAGE, "--%s %s: right is a whole number up to %lu", name,
-                        o->own[which], most);
+static int read_most(unsigned long *to, const char *name, const char *value, unsigned long most) {
+    if (value && (!numbers_count(to, value, 0) || *to > most))
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number up to %lu", name, value,
+                        most);
     return EXIT_DONE;
 }
 
-static int read_counts(graze_boundary_options *to, const options *o, int dimension) {
+static int read_boundary_counts(graze_boundary_options *to, const boundary_given *o,
+                                int dimension) {
     unsigned long depth = 0, coarse = dimension == 2 ? 5 : 4;
     *to = (graze_boundary_options){.budget = 1000000, .contacts = 1000, .seed = 1};
-    int status = read_count(&depth, o, DEPTH, "depth", 19);
+    int status = read_most(&depth, "depth", o->depth, 19);
     coarse = coarse > depth ? depth : coarse;
     if (!status)
-        status = read_count(&coarse, o, COARSE, "coarse", depth);
+        status = read_most(&coarse, "coarse", o->coarse, depth);
     if (!status)
-        status = read_count(&to->budget, o, BUDGET, "budget", 1000000000000);
+        status = read_most(&to->budget, "budget", o->budget, 1000000000000);
     if (!status)
-        status = read_count(&to->contacts, o, CONTACTS, "contacts", 1000000000);
+        status = read_most(&to->contacts, "contacts", o->contacts, 1000000000);
     to->depth = (unsigned)depth;
     to->coarse = (unsigned)coarse;
-    if (o->seeded)
-        to->seed = o->seed;
+    if (o->seed.given)
+        to->seed = o->seed.seed;
     return status;
 }
 
-static int summarize(const graze_boundary *b) {
+static int summarize_boundary(const graze_boundary *b) {
     graze_boundary_summary s = graze_boundary_summarize(b);
     char text[1024];
     snprintf(text, sizeof text,
@@ -79,27 +84,25 @@ static int summarize(const graze_boundary *b) {
              s.points, s.in, s.on, s.out, s.contacts, s.contacts_on, s.cells, s.level, s.vertices,
              s.faces, s.closed ? "closed" : "open at the border of the box",
              s.complete ? "enough" : "spent before the depth was reached", s.missed);
-    int status = output_open(&out, NULL);
-    output_put(&out, text);
-    return status ? status : output_close(&out);
+    return output_text(NULL, text);
 }
 
-static int write_all(const graze_boundary *b, const options *o, int dimension) {
+static int write_boundary(const graze_boundary *b, const boundary_given *o, int dimension) {
     int status = EXIT_DONE;
-    if (o->own[SURFACE])
-        status = boundary_write_surface(o->own[SURFACE], b, dimension);
-    if (!status && o->own[CELLS])
-        status = boundary_write_cells(o->own[CELLS], b, dimension);
+    if (o->surface)
+        status = boundary_write_surface(o->surface, b, dimension);
+    if (!status && o->cells)
+        status = boundary_write_cells(o->cells, b, dimension);
     if (!status && o->points)
         status = boundary_write_points(o->points, b, dimension);
-    return status ? status : summarize(b);
+    return status ? status : summarize_boundary(b);
 }
 
-static int sample(const loaded *l, const options *o, mpq_t *box) {
+static int sample_boundary(const loaded *l, const boundary_given *o, mpq_t *box) {
     int dimension = graze_scene_dimension(l->scene);
     graze_boundary_options how;
     graze_boundary *b = NULL;
-    int status = read_counts(&how, o, dimension);
+    int status = read_boundary_counts(&how, o, dimension);
     if (!status && o->box)
         status = numbers_read(box, l->context, "--box", o->box, strlen(o->box), 2 * dimension);
     if (status)
@@ -107,33 +110,56 @@ static int sample(const loaded *l, const options *o, mpq_t *box) {
     how.low = o->box ? (const mpq_t *)box : NULL;
     how.high = o->box ? (const mpq_t *)box + dimension : NULL;
     graze_status made = graze_boundary_create(&b, l->context, l->scene, &how);
-    status = made == GRAZE_EUSE ? complain(EXIT_USAGE, "%s", graze_context_message(l->context))
-                                : complain_of(made, l->context);
+    status = complain_of_use(made, l->context);
     if (!status)
-        status = write_all(b, o, dimension);
+        status = write_boundary(b, o, dimension);
     graze_boundary_destroy(b);
     return status;
 }
 
-static int run(const options *o) {
-    if (o->operand_count != 2 || !o->own[DEPTH])
+static const option_entry boundary_table[] = {
+    OPTION("depth", boundary_given, depth, value_text),
+    OPTION("coarse", boundary_given, coarse, value_text),
+    OPTION("budget", boundary_given, budget, value_text),
+    OPTION("contacts", boundary_given, contacts, value_text),
+    OPTION("seed", boundary_given, seed, value_seed),
+    OPTION("box", boundary_given, box, value_text),
+    OPTION("surface", boundary_given, surface, value_text),
+    OPTION("cells", boundary_given, cells, value_text),
+    OPTION("points", boundary_given, points, value_text),
+    OPTION("round", boundary_given, scene.context.rounding, value_rounding),
+    FLAG("triangulate", boundary_given, scene.solid_flags, value_triangulate),
+    OPTION("operation", boundary_given, scene.scene.operation, value_operation),
+    OPTION("overlap", boundary_given, scene.scene.overlap, value_overlap),
+    OPTION("limit", boundary_given, scene.context.limits, value_limit),
+    FLAG("no-filter", boundary_given, scene.context.exact_only, value_flag),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_boundary(void *options, const operands *given) {
+    boundary_given *o = options;
+    if (given->count != 2 || !o->depth)
         return complain(EXIT_USAGE, "boundary takes SOLID, MOTION and --depth N; see graze "
                                     "boundary --help");
-    int status = boundary_check_names(o->own[SURFACE], o->own[CELLS], o->points);
+    int status = boundary_check_names(o->surface, o->cells, o->points);
     if (status)
         return status;
     mpq_t box[6];
     for (int k = 0; k < 6; k++)
         mpq_init(box[k]);
     loaded l;
-    status = load(&l, o, EXIT_INPUT, NULL);
+    o->scene.solid = given->item[0];
+    o->scene.motion = given->item[1];
+    status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
     if (!status)
-        status = sample(&l, o, box);
-    unload(&l);
+        status = sample_boundary(&l, o, box);
+    loaded_clear(&l);
     for (int k = 0; k < 6; k++)
         mpq_clear(box[k]);
     return status;
 }
 
-const command command_boundary = {
-    "boundary", "rltvpbsPx depth= coarse= budget= contacts= surface= cells=", help, run};
+const command command_boundary = {.name = "boundary",
+                                  .options = boundary_table,
+                                  .size = sizeof(boundary_given),
+                                  .help = boundary_help,
+                                  .run = run_boundary};

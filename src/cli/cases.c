@@ -7,10 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "cli/cli.h"
-#include "cli/output.h"
+#include "cli/commands.h"
+#include "cli/values.h"
+#include "run/output.h"
+#include "run/status.h"
 
-static const char help[] =
+static const char cases_help[] =
     "graze cases: the golden cases, each with what it shows\n"
     "\n"
     "A case is a folder with README.md, the solid, motion.json, points.csv and expected.csv, the\n"
@@ -21,15 +23,15 @@ static const char help[] =
     "\n"
     "Example: graze cases --folder /usr/share/graze/cases\n";
 
-static output out;
+static output list;
 
-static int by_name(const struct dirent **a, const struct dirent **b) {
+static int by_case_name(const struct dirent **a, const struct dirent **b) {
     return strcmp((*a)->d_name, (*b)->d_name);
 }
 
 /* The case `name`: its name and title; nothing where README.md or motion.json is missing.
  * Returns 1 if it is a case, 0 if not, -1 (and says why) if it cannot be read. */
-static int list_one(const char *folder, const char *name) {
+static int list_case(const char *folder, const char *name) {
     char line[512] = ""; /* a longer title is cut */
     size_t size = strlen(folder) + strlen(name) + sizeof "//motion.json";
     char *path = malloc(size);
@@ -54,24 +56,24 @@ static int list_one(const char *folder, const char *name) {
     free(path);
     if (result > 0) {
         line[strcspn(line, "\r\n")] = '\0';
-        output_put(&out, name);
-        output_put(&out, ": ");
-        output_put(&out, line + strspn(line, "# "));
-        output_put(&out, "\n");
+        output_put(&list, name);
+        output_put(&list, ": ");
+        output_put(&list, line + strspn(line, "# "));
+        output_put(&list, "\n");
     }
     return result;
 }
 
 /* `named` is 0 for the folder that is looked for where none is named. */
-static int list(const char *folder, int named) {
+static int list_cases(const char *folder, int named) {
     struct dirent **entries;
-    int n = scandir(folder, &entries, NULL, by_name), cases = 0, failed = 0;
+    int n = scandir(folder, &entries, NULL, by_case_name), cases = 0, failed = 0;
     if (n < 0)
         return complain(EXIT_IO, "%s: cannot be listed: %s%s", folder, strerror(errno),
                         named ? "" : "; say where the cases are with --folder FOLDER");
     for (int k = 0; k < n; k++) {
         int hidden = entries[k]->d_name[0] == '.';
-        int one = failed || hidden ? 0 : list_one(folder, entries[k]->d_name);
+        int one = failed || hidden ? 0 : list_case(folder, entries[k]->d_name);
         failed |= one < 0;
         cases += one > 0;
         free(entries[k]);
@@ -81,7 +83,7 @@ static int list(const char *folder, int named) {
         return EXIT_IO;
     if (cases == 0)
         return complain(EXIT_INPUT,
-                        "%s: holds no case; right is a folder of folders with README.md and "
+                        "%s: holds no case; expected a folder of folders with README.md and "
                         "motion.json",
                         folder);
     return EXIT_DONE;
@@ -89,7 +91,7 @@ static int list(const char *folder, int named) {
 
 /* Where `make install` puts them, seen from the program: PREFIX/bin and PREFIX/share. NULL if it
  * cannot be told or they are not there. */
-static const char *installed(void) {
+static const char *installed_cases(void) {
     static char path[PATH_MAX];
     const char tail[] = "/share/graze/cases";
     ssize_t length = readlink("/proc/self/exe", path, sizeof path - sizeof tail);
@@ -106,20 +108,32 @@ static const char *installed(void) {
     return access(path, R_OK) == 0 ? path : NULL;
 }
 
-static int run(const options *o) {
-    if (o->operand_count)
+typedef struct cases_options {
+    const char *folder; /* NULL: the one here, or else the installed one */
+} cases_options;
+
+static const option_entry cases_table[] = {OPTION("folder", cases_options, folder, value_text),
+                                           {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_cases(void *options, const operands *given) {
+    const cases_options *o = options;
+    const char *folder = o->folder;
+    if (given->count)
         return complain(EXIT_USAGE,
-                        "cases takes no operand, %d given; right is graze cases --folder %s",
-                        o->operand_count, o->operands[0]);
-    int status = output_open(&out, NULL);
+                        "cases takes no operand, %d given; expected graze cases --folder %s",
+                        given->count, given->item[0]);
+    int status = output_open(&list, NULL);
     if (status)
         return status;
-    const char *folder = o->folder;
     if (!folder && access("cases", F_OK) != 0)
-        folder = installed();
-    status = list(folder ? folder : "cases", folder != NULL);
-    int closed = output_close(&out);
+        folder = installed_cases();
+    status = list_cases(folder ? folder : "cases", folder != NULL);
+    int closed = output_close(&list);
     return status ? status : closed;
 }
 
-const command command_cases = {"cases", "d", help, run};
+const command command_cases = {.name = "cases",
+                               .options = cases_table,
+                               .size = sizeof(cases_options),
+                               .help = cases_help,
+                               .run = run_cases};

@@ -1,11 +1,12 @@
 /* graze check: is a pair of solid and motion legal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
-#include "cli/cli.h"
-#include "cli/output.h"
-#include "cli/receipt.h"
+#include "cli/commands.h"
+#include "cli/values.h"
+#include "run/output.h"
+#include "run/receipt.h"
 
-static const char help[] =
+static const char check_help[] =
     "graze check SOLID MOTION: is the pair legal, and why not\n"
     "\n"
     "Reads both, checks them exactly, and says what they are. Exit status 0: legal; 1: readable\n"
@@ -22,14 +23,12 @@ static const char help[] =
     "\n"
     "Example: graze check cube.off move.json\n";
 
-static output out;
-
 static const char *plural(size_t count, const char *one, const char *many) {
     return count == 1 ? one : many;
 }
 
-static int report(const loaded *l) {
-    int d = graze_scene_dimension(l->scene), status = output_open(&out, NULL);
+static int describe_scene(const loaded *l) {
+    int d = graze_scene_dimension(l->scene);
     size_t vertices = graze_solid_vertex_count(l->solid);
     size_t facets = graze_solid_facet_count(l->solid);
     size_t components = graze_solid_component_count(l->solid);
@@ -45,23 +44,43 @@ static int report(const loaded *l) {
              plural(components, "component", "components"), pieces,
              plural(pieces, "piece", "pieces"),
              graze_scene_ends_meet(l->scene) ? "meet" : "do not meet");
-    output_put(&out, text);
-    return status ? status : output_close(&out);
+    return output_text(NULL, text);
 }
 
-static int run(const options *o) {
-    if (o->operand_count != 2)
+typedef struct check_options {
+    scene_options scene;
+    const char *receipt; /* to write, or NULL */
+} check_options;
+
+static const option_entry check_table[] = {
+    FLAG("triangulate", check_options, scene.solid_flags, value_triangulate),
+    OPTION("overlap", check_options, scene.scene.overlap, value_overlap),
+    OPTION("operation", check_options, scene.scene.operation, value_operation),
+    OPTION("round", check_options, scene.context.rounding, value_rounding),
+    OPTION("receipt", check_options, receipt, value_text),
+    OPTION("limit", check_options, scene.context.limits, value_limit),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_check(void *options, const operands *given) {
+    check_options *o = options;
+    loaded l;
+    if (given->count != 2)
         return complain(EXIT_USAGE,
                         "check takes SOLID and MOTION, %d given; see graze check --help",
-                        o->operand_count);
-    loaded l;
-    int status = load(&l, o, EXIT_NO, NULL);
+                        given->count);
+    o->scene.solid = given->item[0];
+    o->scene.motion = given->item[1];
+    int status = loaded_read(&l, &o->scene, EXIT_NO, NULL);
     if (!status && o->receipt)
-        status = receipt_write(&l, o);
+        status = receipt_write(o->receipt, &l, &o->scene);
     if (!status)
-        status = report(&l);
-    unload(&l);
+        status = describe_scene(&l);
+    loaded_clear(&l);
     return status;
 }
 
-const command command_check = {"check", "rltvpY", help, run};
+const command command_check = {.name = "check",
+                               .options = check_table,
+                               .size = sizeof(check_options),
+                               .help = check_help,
+                               .run = run_check};

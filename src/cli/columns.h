@@ -4,7 +4,7 @@
 #ifndef GRAZE_CLI_COLUMNS_H
 #define GRAZE_CLI_COLUMNS_H
 
-#include "cli/block.h"
+#include "run/block.h"
 
 /** `count` is 0 until the first line has fixed them; nothing changes afterwards. */
 typedef struct columns {

@@ -1,10 +1,12 @@
 /* graze compare: a candidate's answers against a golden table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
-#include "cli/cli.h"
-#include "cli/output.h"
+#include "cli/commands.h"
+#include "cli/values.h"
+#include "run/load.h"
+#include "run/output.h"
 
-static const char help[] =
+static const char compare_help[] =
     "graze compare GOLDEN CANDIDATE: a candidate's answers against a golden table\n"
     "\n"
     "GOLDEN is a whole table of graze classify. CANDIDATE is CSV with a line of column names: x, "
@@ -34,51 +36,71 @@ static const char help[] =
     "\n"
     "Example: graze compare golden.csv mine.csv --solid cube.off --motion move.json\n";
 
-static output out;
-
 /* 1 if the tables differ. */
 static int differ(const graze_comparison *c) {
     graze_comparison_counts n = graze_comparison_count(c);
     return n.wrong + n.missing + n.extra > 0;
 }
 
-static int put_report(const options *o, graze_context *context, const graze_comparison *c) {
+typedef struct compare_options {
+    context_options context;
+    graze_compare_options compare;
+    graze_comparison_format format;
+    const char *output;
+} compare_options;
+
+static int report_comparison(const compare_options *o, graze_context *context,
+                             const graze_comparison *c) {
     char *text = NULL;
-    graze_status made = graze_comparison_report(&text, context, c, o->report);
+    graze_status made = graze_comparison_report(&text, context, c, o->format);
     int status = complain_of(made, context);
     if (!status)
-        status = output_open(&out, o->output);
-    if (!status) {
-        output_put(&out, text);
-        status = output_close(&out);
-    }
+        status = output_text(o->output, text);
     graze_free(text);
     return status ? status : differ(c) ? EXIT_NO : EXIT_DONE;
 }
 
-static int run(const options *o) {
-    if (o->operand_count != 2)
+static const option_entry compare_table[] = {
+    OPTION("question", compare_options, compare.question, value_question),
+    OPTION("on-as", compare_options, compare.on_as, value_on_as),
+    OPTION("candidate-has", compare_options, compare.has, value_has),
+    OPTION("round", compare_options, context.rounding, value_rounding),
+    OPTION("show", compare_options, compare.show, value_show),
+    OPTION("solid", compare_options, compare.solid, value_text),
+    OPTION("motion", compare_options, compare.motion, value_text),
+    OPTION("format", compare_options, format, value_report),
+    OPTION("output", compare_options, output, value_text),
+    OPTION("o", compare_options, output, value_text),
+    OPTION("limit", compare_options, context.limits, value_limit),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_compare(void *options, const operands *given) {
+    const compare_options *o = options;
+    if (given->count != 2)
         return complain(EXIT_USAGE,
                         "compare takes GOLDEN and CANDIDATE, %d given; see graze compare --help",
-                        o->operand_count);
-    if (strcmp(o->operands[0], "-") == 0 && strcmp(o->operands[1], "-") == 0)
+                        given->count);
+    if (strcmp(given->item[0], "-") == 0 && strcmp(given->item[1], "-") == 0)
         return complain(EXIT_USAGE, "GOLDEN and CANDIDATE cannot both be standard input");
     graze_context *context = NULL;
     graze_comparison *c = NULL;
-    graze_status status = context_for(&context, o);
-    if (!context)
-        return complain(EXIT_IO, "out of memory");
-    int code;
-    if (status) {
-        code = complain(EXIT_USAGE, "%s", graze_context_message(context));
-    } else {
-        status = graze_compare(&c, context, o->operands[0], o->operands[1], &o->compare);
-        code = status ? complain_of(status, context) : put_report(o, context, c);
-    }
+    int status = context_make(&context, &o->context);
+    if (!status)
+        status = complain_of(
+            graze_compare(&c, context, given->item[0], given->item[1], &o->compare), context);
+    if (!status)
+        status = report_comparison(o, context, c);
     graze_comparison_destroy(c);
     graze_context_destroy(context);
     graze_thread_finish();
-    return code;
+    return status;
 }
 
-const command command_compare = {"compare", "rlmFoqAHSDM", help, run};
+static const compare_options ten_shown = {.compare.show = 10};
+
+const command command_compare = {.name = "compare",
+                                 .options = compare_table,
+                                 .size = sizeof(compare_options),
+                                 .initial = &ten_shown,
+                                 .help = compare_help,
+                                 .run = run_compare};

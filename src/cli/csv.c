@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "cli/interrupt.h"
+#include "run/interrupt.h"
 #include "cli/rows.h"
 #include "cli/source.h"
 

@@ -4,13 +4,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/numbers.h"
+#include "cli/commands.h"
 #include "cli/rows.h"
+#include "cli/values.h"
+#include "run/grid.h"
+#include "run/load.h"
+#include "run/numbers.h"
 
-/* Options of its own. */
-enum { TITLE, TIMES, PLANE, VIEW };
-
-static const char help[] =
+static const char draw_help[] =
     "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
     "\n"
     "FILE is .svg or .png. Square cells are coloured by the class of their centres, classified\n"
@@ -30,6 +31,12 @@ static const char help[] =
     "  --no-filter           as in graze classify\n"
     "\n"
     "Example: graze draw gear.wkt roll.json -p 1,2 -p 3,1/2 --times 9 -o gear.svg\n";
+
+typedef struct draw_given {
+    scene_options scene;
+    const char *points; /* a file, or NULL */
+    const char *output, *grid, *times, *box, *plane, *view, *title;
+} draw_given;
 
 /* The points of a picture with their names; both grow together. */
 typedef struct marks {
@@ -98,7 +105,7 @@ static int id_column(long *found, const char *columns) {
 }
 
 /* The name of a row: its id, or its number. NULL where memory is short. */
-static char *row_name(const char *rest, long id, size_t number) {
+static char *mark_name(const char *rest, long id, size_t number) {
     fields cut = {NULL, 0, 0};
     char *name = NULL;
     if (id < 0)
@@ -111,7 +118,7 @@ static char *row_name(const char *rest, long id, size_t number) {
     return name;
 }
 
-static int read_block(marks *m, csv *points, const block *b, graze_context *context) {
+static int read_marks_block(marks *m, csv *points, const block *b, graze_context *context) {
     fault f = {EXIT_DONE, NULL};
     reader r = {.context = context};
     long id;
@@ -125,14 +132,14 @@ static int read_block(marks *m, csv *points, const block *b, graze_context *cont
                              &r, b, k))
             status = fault_tell(&f);
         else
-            status = marks_take(m, row_name(r.rest, id, m->count + 1));
+            status = marks_take(m, mark_name(r.rest, id, m->count + 1));
     }
     reader_clear(&r);
     fault_clear(&f);
     return status;
 }
 
-static int read_file(marks *m, const char *path, graze_context *context) {
+static int read_marks_file(marks *m, const char *path, graze_context *context) {
     csv *points = NULL;
     block *b = block_create();
     int status = b ? csv_open(&points, path, m->dimension, (shard){0, 1}, context)
@@ -141,7 +148,7 @@ static int read_file(marks *m, const char *path, graze_context *context) {
         block_reset(b, 0);
         int read = csv_fill(points, b, BLOCK_ROWS);
         more = b->count > 0;
-        status = read_block(m, points, b, context);
+        status = read_marks_block(m, points, b, context);
         if (!status && read)
             status = read == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(points));
     }
@@ -150,16 +157,17 @@ static int read_file(marks *m, const char *path, graze_context *context) {
     return status;
 }
 
-static int read_marks(marks *m, const options *o, graze_context *context) {
-    int status = o->operand_count > 2 ? read_file(m, o->operands[2], context) : EXIT_DONE;
-    for (int k = 0; k < o->mark_count && !status; k++) {
+static int read_marks(marks *m, const draw_given *o, const operands *given,
+                      graze_context *context) {
+    int status = o->points ? read_marks_file(m, o->points, context) : EXIT_DONE;
+    for (int k = 0; k < given->repeated_count && !status; k++) {
         if (!marks_grow(m))
             return complain(EXIT_IO, "out of memory");
         status = numbers_read(m->value + m->count * (size_t)m->dimension, context, "-p",
-                              o->marks[k], strlen(o->marks[k]), m->dimension);
+                              given->repeated[k], strlen(given->repeated[k]), m->dimension);
         if (!status)
-            status =
-                marks_take(m, o->mark_count > 1 ? number_name("P", (size_t)k + 1) : strdup("P"));
+            status = marks_take(m, given->repeated_count > 1 ? number_name("P", (size_t)k + 1)
+                                                             : strdup("P"));
     }
     return status;
 }
@@ -169,97 +177,123 @@ typedef struct frame {
     mpq_t low[3], high[3], plane, view[3];
 } frame;
 
-static int read_frame(graze_draw_options *out, frame *f, const options *o, int d,
+static int read_frame(graze_draw_options *out, frame *f, const draw_given *o, int d,
                       graze_context *context) {
     int status = EXIT_DONE;
-    if (d == 2 && (o->own[PLANE] || o->own[VIEW]))
+    if (d == 2 && (o->plane || o->view))
         return complain(EXIT_USAGE, "--%s goes with a solid of dimension 3",
-                        o->own[PLANE] ? "plane" : "view");
+                        o->plane ? "plane" : "view");
     if (o->box) {
         status = box_read(f->low, f->high, o->box, d, context);
         out->low = (const mpq_t *)f->low;
         out->high = (const mpq_t *)f->high;
     }
-    if (o->own[PLANE] && !status) {
-        char axis = o->own[PLANE][0];
-        if (axis < 'x' || axis > 'z' || o->own[PLANE][1] != '=')
-            return complain(EXIT_USAGE, "--plane %s: right is x=, y= or z= and a number",
-                            o->own[PLANE]);
+    if (o->plane && !status) {
+        char axis = o->plane[0];
+        if (axis < 'x' || axis > 'z' || o->plane[1] != '=')
+            return complain(EXIT_USAGE, "--plane %s: expected x=, y= or z= and a number", o->plane);
         out->plane_axis = axis - 'x';
         out->plane = (const mpq_t *)&f->plane;
-        status = numbers_read(&f->plane, context, "--plane", o->own[PLANE] + 2,
-                              strlen(o->own[PLANE] + 2), 1);
+        status = numbers_read(&f->plane, context, "--plane", o->plane + 2, strlen(o->plane + 2), 1);
     }
-    if (o->own[VIEW] && !status) {
-        status = numbers_read(f->view, context, "--view", o->own[VIEW], strlen(o->own[VIEW]), 3);
+    if (o->view && !status) {
+        status = numbers_read(f->view, context, "--view", o->view, strlen(o->view), 3);
         for (int k = 0; k < 3; k++)
             out->view[k] = mpq_get_d(f->view[k]);
         if (!status && !mpq_sgn(f->view[0]) && !mpq_sgn(f->view[1]) && !mpq_sgn(f->view[2]))
-            status = complain(EXIT_USAGE, "--view %s: right is a direction that is not zero",
-                              o->own[VIEW]);
+            status =
+                complain(EXIT_USAGE, "--view %s: expected a direction that is not zero", o->view);
     }
     return status;
 }
 
 /* A whole number from 2 to `most`; nothing where there is no text. */
-static int read_size(unsigned long *out, const char *option, const char *text, unsigned long most) {
+static int read_picture_size(unsigned long *out, const char *option, const char *text,
+                             unsigned long most) {
     char *end = NULL;
     if (!text)
         return EXIT_DONE;
     *out = isdigit((unsigned char)*text) ? strtoul(text, &end, 10) : 0;
     if (!end || *end || *out < 2 || *out > most)
-        return complain(EXIT_USAGE, "%s %s: right is a whole number from 2 to %lu", option, text,
+        return complain(EXIT_USAGE, "%s %s: expected a whole number from 2 to %lu", option, text,
                         most);
     return EXIT_DONE;
 }
 
-static int draw(const loaded *l, const options *o, marks *m, frame *f) {
-    graze_draw_options what = {.title = o->own[TITLE]};
+static int draw_scene(const loaded *l, const draw_given *o, const operands *given, marks *m,
+                      frame *f) {
+    graze_draw_options what = {.title = o->title};
     char title[512];
-    const char *solid = strrchr(o->operands[0], '/'), *motion = strrchr(o->operands[1], '/');
-    snprintf(title, sizeof title, "%s, %s", solid ? solid + 1 : o->operands[0],
-             motion ? motion + 1 : o->operands[1]);
-    if (!o->own[TITLE])
+    const char *solid = strrchr(o->scene.solid, '/'), *motion = strrchr(o->scene.motion, '/');
+    snprintf(title, sizeof title, "%s, %s", solid ? solid + 1 : o->scene.solid,
+             motion ? motion + 1 : o->scene.motion);
+    if (!o->title)
         what.title = title;
-    int status = read_size(&what.grid, "--grid", o->grid, 10000);
+    int status = read_picture_size(&what.grid, "--grid", o->grid, 10000);
     if (!status)
-        status = read_size(&what.times, "--times", o->own[TIMES], 64);
+        status = read_picture_size(&what.times, "--times", o->times, 64);
     if (!status)
         status = read_frame(&what, f, o, m->dimension, l->context);
     if (!status)
-        status = read_marks(m, o, l->context);
+        status = read_marks(m, o, given, l->context);
     what.points = (const mpq_t *)m->value;
     what.point_count = m->count;
     what.names = (const char *const *)m->name;
     if (status)
         return status;
     graze_status drawn = graze_draw(l->context, l->scene, o->output, &what);
-    return drawn == GRAZE_EUSE ? complain(EXIT_USAGE, "%s", graze_context_message(l->context))
-                               : complain_of(drawn, l->context);
+    return complain_of_use(drawn, l->context);
 }
 
-static int run(const options *o) {
-    if (o->operand_count < 2 || o->operand_count > 3)
+static const option_entry draw_table[] = {
+    OPTION("output", draw_given, output, value_text),
+    OPTION("o", draw_given, output, value_text),
+    {"p", OPTION_VALUE, NULL, 0},
+    OPTION("grid", draw_given, grid, value_text),
+    OPTION("times", draw_given, times, value_text),
+    OPTION("box", draw_given, box, value_text),
+    OPTION("plane", draw_given, plane, value_text),
+    OPTION("view", draw_given, view, value_text),
+    OPTION("title", draw_given, title, value_text),
+    OPTION("operation", draw_given, scene.scene.operation, value_operation),
+    OPTION("folds", draw_given, scene.scene.folds, value_folds),
+    OPTION("overlap", draw_given, scene.scene.overlap, value_overlap),
+    FLAG("triangulate", draw_given, scene.solid_flags, value_triangulate),
+    OPTION("round", draw_given, scene.context.rounding, value_rounding),
+    OPTION("limit", draw_given, scene.context.limits, value_limit),
+    FLAG("no-filter", draw_given, scene.context.exact_only, value_flag),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_draw(void *options, const operands *given) {
+    draw_given *o = options;
+    if (given->count < 2 || given->count > 3)
         return complain(EXIT_USAGE,
                         "draw takes SOLID, MOTION and perhaps POINTS, %d operands given; see graze "
                         "draw --help",
-                        o->operand_count);
+                        given->count);
     if (!o->output)
         return complain(EXIT_USAGE, "draw needs -o FILE, a name in .svg or .png; see graze draw "
                                     "--help");
+    o->scene.solid = given->item[0];
+    o->scene.motion = given->item[1];
+    o->points = given->item[2];
     loaded l;
     frame f;
     mpq_inits(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.plane, f.view[0],
               f.view[1], f.view[2], NULL);
-    int status = load(&l, o, EXIT_INPUT, NULL);
+    int status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
     marks m = {.dimension = graze_scene_dimension(l.scene)};
     if (!status)
-        status = draw(&l, o, &m, &f);
+        status = draw_scene(&l, o, given, &m, &f);
     marks_clear(&m);
-    unload(&l);
+    loaded_clear(&l);
     mpq_clears(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.plane, f.view[0],
                f.view[1], f.view[2], NULL);
     return status;
 }
 
-const command command_draw = {"draw", "rltvfpgbox@ title= times= plane= view=", help, run};
+const command command_draw = {.name = "draw",
+                              .options = draw_table,
+                              .size = sizeof(draw_given),
+                              .help = draw_help,
+                              .run = run_draw};

@@ -1,10 +1,12 @@
 /* graze explain: the whole reasoning for one point.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
-#include "cli/cli.h"
-#include "cli/output.h"
+#include "cli/commands.h"
+#include "cli/values.h"
+#include "run/load.h"
+#include "run/output.h"
 
-static const char help[] =
+static const char explain_help[] =
     "graze explain SOLID MOTION X Y [Z]: the whole reasoning for one point\n"
     "\n"
     "Says where the point is at the ends of the motion, its inverted trajectory, each contact\n"
@@ -20,35 +22,29 @@ static const char help[] =
     "\n"
     "Example: graze explain cube.off move.json 1/2 -1 0.25\n";
 
-static output out;
-
-static int explain(const loaded *l, const mpq_t *point) {
+static int explain_point(const loaded *l, const mpq_t *point) {
     graze_trace *trace = NULL;
     char *text = NULL;
     graze_status status = graze_trace_create(&trace, l->context, l->scene, point);
     if (!status)
         status = graze_report_explain(&text, l->context, l->scene, point, trace);
     int code = complain_of(status, l->context);
-    if (!status)
-        code = output_open(&out, NULL);
-    if (!code) {
-        output_put(&out, text);
-        code = output_close(&out);
-    }
+    if (!code)
+        code = output_text(NULL, text);
     graze_free(text);
     graze_trace_destroy(trace);
     return code;
 }
 
 /* The coordinates from the command line. */
-static int read_point(mpq_t *point, const loaded *l, const options *o) {
+static int read_coordinates(mpq_t *point, const loaded *l, const operands *given) {
     static const char *const names[] = {"X", "Y", "Z"};
     int d = graze_scene_dimension(l->scene);
-    if (o->operand_count != 2 + d)
-        return complain(EXIT_USAGE, "the scene has dimension %d: right is SOLID MOTION %s", d,
+    if (given->count != 2 + d)
+        return complain(EXIT_USAGE, "the scene has dimension %d: expected SOLID MOTION %s", d,
                         d == 2 ? "X Y" : "X Y Z");
     for (int k = 0; k < d; k++) {
-        const char *word = o->operands[2 + k];
+        const char *word = given->item[2 + k];
         graze_status status = graze_number_parse(point[k], l->context, word, strlen(word));
         if (status)
             return complain(exit_for(status, EXIT_USAGE), "%s: %s", names[k],
@@ -57,25 +53,40 @@ static int read_point(mpq_t *point, const loaded *l, const options *o) {
     return EXIT_DONE;
 }
 
-static int run(const options *o) {
-    if (o->operand_count < 4 || o->operand_count > 5)
+static const option_entry explain_table[] = {
+    FLAG("triangulate", scene_options, solid_flags, value_triangulate),
+    OPTION("round", scene_options, context.rounding, value_rounding),
+    OPTION("overlap", scene_options, scene.overlap, value_overlap),
+    OPTION("limit", scene_options, context.limits, value_limit),
+    FLAG("no-filter", scene_options, context.exact_only, value_flag),
+    OPTION("folds", scene_options, scene.folds, value_folds),
+    OPTION("operation", scene_options, scene.operation, value_operation),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_explain(void *options, const operands *given) {
+    scene_options *o = options;
+    loaded l;
+    mpq_t point[3];
+    if (given->count < 4 || given->count > 5)
         return complain(EXIT_USAGE,
                         "explain takes SOLID, MOTION and 2 or 3 coordinates, %d operands given; "
                         "see graze explain --help",
-                        o->operand_count);
-    loaded l;
-    mpq_t point[3];
-    for (int k = 0; k < 3; k++)
-        mpq_init(point[k]);
-    int status = load(&l, o, EXIT_INPUT, NULL);
+                        given->count);
+    o->solid = given->item[0];
+    o->motion = given->item[1];
+    mpq_inits(point[0], point[1], point[2], NULL);
+    int status = loaded_read(&l, o, EXIT_INPUT, NULL);
     if (!status)
-        status = read_point(point, &l, o);
+        status = read_coordinates(point, &l, given);
     if (!status)
-        status = explain(&l, point);
-    for (int k = 0; k < 3; k++)
-        mpq_clear(point[k]);
-    unload(&l);
+        status = explain_point(&l, (const mpq_t *)point);
+    mpq_clears(point[0], point[1], point[2], NULL);
+    loaded_clear(&l);
     return status;
 }
 
-const command command_explain = {"explain", "rltvfpx", help, run};
+const command command_explain = {.name = "explain",
+                                 .options = explain_table,
+                                 .size = sizeof(scene_options),
+                                 .help = explain_help,
+                                 .run = run_explain};

@@ -1,15 +1,12 @@
 /* graze generate: query points, most of them degenerate by construction.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include "cli/cli.h"
-#include "cli/interrupt.h"
-#include "cli/output.h"
-#include "cli/progress.h"
+#include "run/generate.h"
 
-static const char help[] =
+#include "cli/commands.h"
+#include "cli/values.h"
+
+static const char generate_help[] =
     "graze generate SOLID MOTION -n N --seed K: query points, most of them degenerate\n"
     "\n"
     "A point is P = M(t) y with y on the boundary and t rational, so that its trajectory is at y "
@@ -32,173 +29,39 @@ static const char help[] =
     "\n"
     "Example: graze generate cube.off move.json -n 1000 --seed 1 > points.csv\n";
 
-typedef struct maker {
-    loaded l;
-    graze_generator *generator;
-    unsigned long weights[GRAZE_STRATUM_COUNT];
-    mpq_t point[3], time;
-    output out;
-    int opened;
-} maker;
+typedef struct generate_given {
+    generate_options run;
+    seed_value seed;
+} generate_given;
 
-/* NAME=W of a list; `length` characters. */
-static int read_weight(unsigned long *weights, const char *text, size_t length) {
-    const char *equals = memchr(text, '=', length);
-    size_t name = equals ? (size_t)(equals - text) : length;
-    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
-        const char *known = graze_stratum_name((graze_stratum)k);
-        if (strlen(known) != name || memcmp(known, text, name) != 0)
-            continue;
-        char *end;
-        unsigned long weight = equals ? strtoul(equals + 1, &end, 10) : 1;
-        if (equals &&
-            (equals[1] < '0' || equals[1] > '9' || end != text + length || weight > 1000000))
-            return complain(EXIT_USAGE,
-                            "--strata %.*s: a weight is a whole number from 0 to 1000000",
-                            (int)length, text);
-        weights[k] = weight;
-        return EXIT_DONE;
-    }
-    return complain(EXIT_USAGE,
-                    "--strata %.*s: there is no such stratum; see graze generate --help",
-                    (int)length, text);
-}
+static const option_entry generate_table[] = {
+    OPTION("n", generate_given, run.count, value_count),
+    OPTION("seed", generate_given, seed, value_seed),
+    OPTION("strata", generate_given, run.strata, value_text),
+    OPTION("representable", generate_given, run.representable, value_binary64),
+    OPTION("output", generate_given, run.output, value_text),
+    OPTION("o", generate_given, run.output, value_text),
+    OPTION("round", generate_given, run.scene.context.rounding, value_rounding),
+    FLAG("triangulate", generate_given, run.scene.solid_flags, value_triangulate),
+    OPTION("overlap", generate_given, run.scene.scene.overlap, value_overlap),
+    OPTION("operation", generate_given, run.scene.scene.operation, value_operation),
+    OPTION("limit", generate_given, run.scene.context.limits, value_limit),
+    FLAG("quiet", generate_given, run.quiet, value_flag),
+    {NULL, OPTION_FLAG, NULL, 0}};
 
-static int read_strata(unsigned long *weights, const char *list) {
-    int status = EXIT_DONE;
-    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
-        weights[k] = list ? 0 : graze_stratum_default_weight((graze_stratum)k);
-    while (list && !status) {
-        size_t length = strcspn(list, ",");
-        status = read_weight(weights, list, length);
-        list = list[length] ? list + length + 1 : NULL;
-    }
-    return status;
-}
-
-static void put_box(maker *m) {
-    int d = graze_scene_dimension(m->l.scene);
-    mpq_t high[3];
-    for (int i = 0; i < 3; i++)
-        mpq_init(high[i]);
-    graze_generator_box(m->point, high, m->generator);
-    output_put(&m->out, "# box");
-    for (int i = 0; i < 2 * d; i++) {
-        output_put(&m->out, i == 0 ? " " : ",");
-        output_number(&m->out, i < d ? m->point[i] : high[i - d]);
-    }
-    output_put(&m->out, "\n");
-    for (int i = 0; i < 3; i++)
-        mpq_clear(high[i]);
-}
-
-static void put_header(maker *m, const options *o) {
-    char line[128];
-    snprintf(line, sizeof line, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
-             GRAZE_VERSION, o->seed, o->representable ? "binary64" : "no");
-    output_put(&m->out, line);
-    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
-        unsigned long weight = graze_generator_weight(m->generator, (graze_stratum)k);
-        if (m->weights[k] == 0)
-            continue;
-        snprintf(line, sizeof line, weight ? "# stratum %s %lu\n" : "# stratum %s cannot be made\n",
-                 graze_stratum_name((graze_stratum)k), weight);
-        output_put(&m->out, line);
-    }
-    put_box(m);
-    output_put(&m->out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
-    output_put(&m->out, "stratum,order,cell,time,k,side\n");
-}
-
-static void put_cell(output *out, const graze_cell *cell) {
-    static const char *const names[] = {"", "face", "edge", "vertex"};
-    char text[96];
-    if (cell->kind == GRAZE_CELL_EDGE)
-        snprintf(text, sizeof text, "edge %zu-%zu", cell->a, cell->b);
-    else
-        snprintf(text, sizeof text, "%s %zu", names[cell->kind], cell->a);
-    output_put(out, text);
-}
-
-static int put_row(maker *m, unsigned long row) {
-    graze_sample made;
-    graze_status status =
-        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, row);
-    if (status)
-        return complain_of(status, m->l.context);
-    for (int i = 0; i < graze_scene_dimension(m->l.scene); i++) {
-        output_number(&m->out, m->point[i]);
-        output_put(&m->out, ",");
-    }
-    char text[48];
-    output_put(&m->out, graze_stratum_name(made.stratum));
-    if (made.order == 0) {
-        output_put(&m->out, ",,,,,\n");
-        return EXIT_DONE;
-    }
-    snprintf(text, sizeof text, made.order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made.order);
-    output_put(&m->out, text);
-    put_cell(&m->out, &made.cell);
-    output_put(&m->out, ",");
-    output_number(&m->out, m->time);
-    snprintf(text, sizeof text, made.k ? ",%d,%s\n" : ",,\n", made.k, made.outward ? "out" : "in");
-    output_put(&m->out, text);
-    return EXIT_DONE;
-}
-
-static int put_rows(maker *m, const options *o) {
-    int status = EXIT_DONE;
-    progress line;
-    progress_start(&line, o->quiet, 0, (portion){0, o->count});
-    unsigned long row = 0;
-    for (; row < o->count && !status && !m->out.error; row++) {
-        status = interrupt_signal() ? EXIT_SIGNAL : put_row(m, row);
-        if (row % 1024 == 0)
-            progress_show(&line, row, (portion){row, o->count});
-    }
-    progress_end(&line, row, (portion){row, o->count});
-    return status;
-}
-
-static int make(maker *m, const options *o) {
-    int status = load(&m->l, o, EXIT_INPUT, NULL);
-    if (status)
-        return status;
-    graze_status made =
-        graze_generator_create(&m->generator, m->l.context, m->l.scene, o->seed, m->weights,
-                               o->representable ? GRAZE_GENERATE_REPRESENTABLE : 0);
-    if (made == GRAZE_EUSE)
-        return complain(EXIT_USAGE, "%s", graze_context_message(m->l.context));
-    if (made)
-        return complain_of(made, m->l.context);
-    status = output_open(&m->out, o->output);
-    m->opened = !status;
-    if (status)
-        return status;
-    put_header(m, o);
-    return put_rows(m, o);
-}
-
-static int run(const options *o) {
-    if (o->operand_count != 2 || !o->count || !o->seeded)
+static int run_generate(void *options, const operands *given) {
+    generate_given *o = options;
+    if (given->count != 2 || !o->run.count || !o->seed.given)
         return complain(EXIT_USAGE, "generate takes SOLID, MOTION, -n N and --seed K; see graze "
                                     "generate --help");
-    maker *m = calloc(1, sizeof *m);
-    if (!m)
-        return complain(EXIT_IO, "out of memory");
-    mpq_inits(m->point[0], m->point[1], m->point[2], m->time, NULL);
-    int status = read_strata(m->weights, o->strata);
-    if (!status)
-        status = make(m, o);
-    if (m->opened) {
-        int closed = output_close(&m->out);
-        status = closed ? closed : status;
-    }
-    graze_generator_destroy(m->generator);
-    unload(&m->l);
-    mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);
-    free(m);
-    return status;
+    o->run.scene.solid = given->item[0];
+    o->run.scene.motion = given->item[1];
+    o->run.seed = o->seed.seed;
+    return generate_run(&o->run);
 }
 
-const command command_generate = {"generate", "rltpnsaeovQ", help, run};
+const command command_generate = {.name = "generate",
+                                  .options = generate_table,
+                                  .size = sizeof(generate_given),
+                                  .help = generate_help,
+                                  .run = run_generate};

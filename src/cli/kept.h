@@ -8,8 +8,9 @@
 #define GRAZE_CLI_KEPT_H
 
 #include "cli/results.h"
-#include "cli/row.h"
+#include "run/row.h"
 #include "cli/rows.h"
+#include "run/answer.h"
 
 typedef struct kept {
     graze_context *context; /* borrowed */

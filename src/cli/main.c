@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdio.h>
 #include <string.h>
-#include "cli/cli.h"
-#include "cli/interrupt.h"
-#include "cli/memory.h"
-#include "cli/output.h"
+#include "cli/commands.h"
+#include "run/interrupt.h"
+#include "run/memory.h"
+#include "run/output.h"
 
 static const command *const commands[] = {&command_check,    &command_classify, &command_merge,
                                           &command_explain,  &command_generate, &command_cases,
@@ -36,14 +36,6 @@ static const char overview[] =
     "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 a fault of graze,\n"
     "5 reading or writing failed, or memory ran out, 6 a limit was met.\n";
 
-static output page;
-
-static int show(const char *text) {
-    int status = output_open(&page, NULL);
-    output_put(&page, text);
-    return status ? status : output_close(&page);
-}
-
 /* The names of the commands, as in `a, b or c`. */
 static const char *command_names(void) {
     static char names[256];
@@ -56,15 +48,6 @@ static const char *command_names(void) {
     return names;
 }
 
-static int run(const command *c, int argc, char **argv) {
-    options o;
-    int help, status = options_read(&o, &help, c, argc, argv);
-    if (!status)
-        status = help ? show(c->help) : c->run(&o);
-    options_clear(&o);
-    return status;
-}
-
 int main(int argc, char **argv) {
     memory_guard();
     output_guard_standard();
@@ -73,17 +56,16 @@ int main(int argc, char **argv) {
     if (argc < 2)
         return complain(EXIT_USAGE, "a command is missing: %s; see graze --help", command_names());
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
-        return show(overview);
+        return output_text(NULL, overview);
     if (strcmp(argv[1], "--version") == 0)
-        return show(graze_version());
+        return output_text(NULL, graze_version());
     for (size_t k = 0; k < COMMANDS; k++) {
         if (strcmp(argv[1], commands[k]->name) != 0)
             continue;
-        int status = run(commands[k], argc - 1, argv + 1);
+        int status = command_run(commands[k], argc - 1, argv + 1);
         if (status == EXIT_SIGNAL)
             interrupt_die();
         return status;
     }
-    return complain(EXIT_USAGE, "%s: there is no such command; right is %s", argv[1],
-                    command_names());
+    return complain(EXIT_USAGE, "%s: expected a command: %s", argv[1], command_names());
 }

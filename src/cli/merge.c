@@ -8,12 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include "cli/cli.h"
-#include "cli/interrupt.h"
+#include "cli/commands.h"
 #include "cli/part.h"
-#include "cli/progress.h"
+#include "cli/values.h"
+#include "run/interrupt.h"
+#include "run/progress.h"
+#include "run/status.h"
 
-static const char help[] =
+static const char merge_help[] =
     "graze merge PART...: one table of the tables of all shards\n"
     "\n"
     "The parts may come in any order. All n of them must be there, each once, whole, and of one\n"
@@ -26,6 +28,11 @@ static const char help[] =
     "\n"
     "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
 
+typedef struct merge_options {
+    const char *output; /* NULL: standard output */
+    int quiet;
+} merge_options;
+
 typedef struct merger {
     part *parts; /* part i is that of shard i */
     size_t count;
@@ -35,7 +42,7 @@ typedef struct merger {
 } merger;
 
 /* Where two parts of one run cannot differ. */
-static int compare(const part *a, const part *b) {
+static int compare_heads(const part *a, const part *b) {
     const char *x = a->head, *y = b->head;
     if (a->shard.count != b->shard.count)
         return complain(EXIT_INPUT, "%s is a shard of %lu and %s one of %lu: of different runs",
@@ -55,14 +62,14 @@ static int compare(const part *a, const part *b) {
 }
 
 /* Open the parts in the order given, and put them into that of the shards. */
-static int open_parts(merger *m, const options *o) {
-    m->parts = calloc((size_t)o->operand_count, sizeof *m->parts);
+static int open_parts(merger *m, const operands *given) {
+    m->parts = calloc((size_t)given->count, sizeof *m->parts);
     if (!m->parts)
         return complain(EXIT_IO, "out of memory");
-    for (int k = 0; k < o->operand_count; k++) {
-        int status = part_open(&m->parts[m->count++], o->operands[k]);
+    for (int k = 0; k < given->count; k++) {
+        int status = part_open(&m->parts[m->count++], given->item[k]);
         if (!status && k > 0)
-            status = compare(&m->parts[0], &m->parts[k]);
+            status = compare_heads(&m->parts[0], &m->parts[k]);
         if (status)
             return status;
     }
@@ -90,7 +97,7 @@ static int check_parts(merger *m) {
 }
 
 /* The output must not empty a part. */
-static int check_output(const merger *m, const char *path) {
+static int check_merged(const merger *m, const char *path) {
     struct stat out, in;
     if (!path || stat(path, &out) != 0)
         return EXIT_DONE;
@@ -100,7 +107,7 @@ static int check_output(const merger *m, const char *path) {
     return EXIT_DONE;
 }
 
-static int put_rows(merger *m, const options *o) {
+static int copy_rows(merger *m, const merge_options *o) {
     unsigned long rows = m->parts[0].rows_of_all, row = 0;
     int status = EXIT_DONE;
     progress line;
@@ -117,21 +124,21 @@ static int put_rows(merger *m, const options *o) {
     return status;
 }
 
-static int merge(merger *m, const options *o) {
+static int merge(merger *m, const merge_options *o, const operands *given) {
     int status = graze_context_create(&m->context) ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
     if (!status)
-        status = open_parts(m, o);
+        status = open_parts(m, given);
     if (!status)
         status = check_parts(m);
     if (!status)
-        status = check_output(m, o->output);
+        status = check_merged(m, o->output);
     if (!status)
         status = output_open(&m->out, o->output);
     m->opened = !status;
     if (status)
         return status;
     output_put(&m->out, m->parts[0].head);
-    status = put_rows(m, o);
+    status = copy_rows(m, o);
     char text[40];
     snprintf(text, sizeof text, "# complete %lu\n", m->parts[0].rows_of_all);
     if (!status)
@@ -139,13 +146,18 @@ static int merge(merger *m, const options *o) {
     return status;
 }
 
-static int run(const options *o) {
-    if (o->operand_count < 1)
+static const option_entry merge_table[] = {OPTION("output", merge_options, output, value_text),
+                                           OPTION("o", merge_options, output, value_text),
+                                           FLAG("quiet", merge_options, quiet, value_flag),
+                                           {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_merge(void *options, const operands *given) {
+    if (given->count < 1)
         return complain(EXIT_USAGE, "merge takes the parts of a table; see graze merge --help");
     merger *m = calloc(1, sizeof *m);
     if (!m)
         return complain(EXIT_IO, "out of memory");
-    int status = merge(m, o);
+    int status = merge(m, options, given);
     if (m->opened) {
         int closed = output_close(&m->out);
         status = closed ? closed : status;
@@ -158,4 +170,8 @@ static int run(const options *o) {
     return status;
 }
 
-const command command_merge = {"merge", "oQ", help, run};
+const command command_merge = {.name = "merge",
+                               .options = merge_table,
+                               .size = sizeof(merge_options),
+                               .help = merge_help,
+                               .run = run_merge};

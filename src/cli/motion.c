@@ -4,11 +4,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/cli.h"
-#include "cli/numbers.h"
-#include "cli/output.h"
+#include "cli/commands.h"
+#include "cli/values.h"
+#include "run/load.h"
+#include "run/numbers.h"
+#include "run/output.h"
 
-static const char help[] =
+static const char motion_help[] =
     "graze motion KIND ...: an exact motion file from what you have, its error proved and printed\n"
     "\n"
     "  rotate --degrees A [--axis X,Y,Z] [--center ...]   a turn that ends near the angle; exact\n"
@@ -34,17 +36,42 @@ static const char help[] =
     "\n"
     "Example: graze motion rotate --degrees 37.5 --axis 0,0,1 > move.json\n";
 
-enum { DEGREES, AXIS, CENTER, PITCH, TOLERANCE, RADIUS, AFFINE, NUMBERS, DIMENSION, REPORT };
+/* Options that only some kinds take. */
+enum { DEGREES, AXIS, CENTER, PITCH, TOLERANCE, RADIUS, AFFINE, NUMBERS, DIMENSION, REPORT, OWN };
+
+typedef struct motion_options {
+    context_options context;
+    const char *own[OWN]; /* NULL: not given */
+    const char *output;
+} motion_options;
+
+static const option_entry motion_table[] = {
+    [DEGREES] = OPTION("degrees", motion_options, own[DEGREES], value_text),
+    [AXIS] = OPTION("axis", motion_options, own[AXIS], value_text),
+    [CENTER] = OPTION("center", motion_options, own[CENTER], value_text),
+    [PITCH] = OPTION("pitch", motion_options, own[PITCH], value_text),
+    [TOLERANCE] = OPTION("tolerance", motion_options, own[TOLERANCE], value_text),
+    [RADIUS] = OPTION("radius", motion_options, own[RADIUS], value_text),
+    [AFFINE] = FLAG("affine", motion_options, own[AFFINE], value_text),
+    [NUMBERS] = OPTION("numbers", motion_options, own[NUMBERS], value_text),
+    [DIMENSION] = OPTION("dimension", motion_options, own[DIMENSION], value_text),
+    [REPORT] = OPTION("report", motion_options, own[REPORT], value_text),
+    [OWN] = OPTION("output", motion_options, output, value_text),
+    OPTION("o", motion_options, output, value_text),
+    OPTION("limit", motion_options, context.limits, value_limit),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
 enum { NUMBERS_OF_JOINT = 8 }; /* degrees, pitch, axis, center */
 
-/** A joint's numbers and the joint made of them. */
+/* A joint's numbers and the joint made of them. */
 typedef struct own_joint {
     mpq_t number[NUMBERS_OF_JOINT];
     graze_joint joint;
 } own_joint;
 
 typedef struct job {
-    const options *o;
+    const motion_options *o;
+    const operands *given;
     graze_context *context;
     int dimension;
     size_t count;
@@ -52,8 +79,6 @@ typedef struct job {
     mpq_t tolerance, radius;
     char *json, *report;
 } job;
-
-static output out;
 
 static void set_turn(own_joint *w, int dimension, int centered) {
     w->joint.kind = GRAZE_JOINT_TURN;
@@ -68,9 +93,11 @@ static void set_turn(own_joint *w, int dimension, int centered) {
 static int read_joint(job *j, own_joint *w, const char *word) {
     int slide = strncmp(word, "slide:", 6) == 0, screw = strncmp(word, "screw:", 6) == 0;
     if (!slide && !screw && strncmp(word, "turn:", 5) != 0)
-        return complain(EXIT_USAGE, "%s: there is no such joint; see graze motion --help", word);
+        return complain(EXIT_USAGE,
+                        "%s: expected a joint: turn, slide or screw; see graze motion --help",
+                        word);
     if (screw && j->dimension == 2)
-        return complain(EXIT_USAGE, "%s: a screw is for dimension 3; right is turn or slide", word);
+        return complain(EXIT_USAGE, "%s: a screw is for dimension 3; expected turn or slide", word);
     int place[4] = {0, 2, 5, -1}, fields = 0, status = EXIT_DONE; /* where fields go in `number` */
     if (slide)
         place[0] = 2, place[1] = -1;
@@ -102,7 +129,7 @@ static int read_joint(job *j, own_joint *w, const char *word) {
 }
 
 /* The one joint that the options of rotate and screw describe. */
-static int read_options(job *j, own_joint *w, int screw) {
+static int read_turn(job *j, own_joint *w, int screw) {
     const char *const *own = j->o->own;
     int d = j->dimension;
     if (!own[DEGREES] || (d == 3) != (own[AXIS] != NULL) || (own[PITCH] && (!screw || d == 2)))
@@ -134,7 +161,7 @@ static int joints_init(job *j, size_t count) {
     return EXIT_DONE;
 }
 
-static int read_goal(job *j, const char *tolerance) {
+static int read_motion_goal(job *j, const char *tolerance) {
     const char *const *own = j->o->own;
     const char *radius = own[RADIUS] ? own[RADIUS] : "1";
     tolerance = own[TOLERANCE] ? own[TOLERANCE] : tolerance;
@@ -144,40 +171,35 @@ static int read_goal(job *j, const char *tolerance) {
                   : numbers_read(&j->radius, j->context, "--radius", radius, strlen(radius), 1);
 }
 
-/* What the library says; wrong use is the command line's. */
-static int answer(job *j, graze_status status) {
-    return status == GRAZE_EUSE ? complain(EXIT_USAGE, "%s", graze_context_message(j->context))
-                                : complain_of(status, j->context);
-}
-
-static int turn(job *j, int screw) {
-    if (j->o->operand_count != 1)
+static int make_turn(job *j, int screw) {
+    if (j->given->count != 1)
         return complain(EXIT_USAGE, "%s takes options alone; see graze motion --help",
                         screw ? "screw" : "rotate");
     int status = joints_init(j, 1);
     if (!status)
-        status = read_options(j, j->joints, screw);
+        status = read_turn(j, j->joints, screw);
     if (!status)
-        status = read_goal(j, screw ? "1e-6" : "1e-9");
+        status = read_motion_goal(j, screw ? "1e-6" : "1e-9");
     if (status)
         return status;
     const graze_joint *joint = &j->joints->joint;
-    return answer(
-        j, screw ? graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension, joint,
-                                             1, j->tolerance, j->radius)
-                 : graze_motion_write_rotation(&j->json, &j->report, j->context, j->dimension,
-                                               joint, j->tolerance, j->radius));
+    graze_status made =
+        screw ? graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension, joint, 1,
+                                          j->tolerance, j->radius)
+              : graze_motion_write_rotation(&j->json, &j->report, j->context, j->dimension, joint,
+                                            j->tolerance, j->radius);
+    return complain_of_use(made, j->context);
 }
 
-static int joints(job *j) {
-    size_t count = (size_t)j->o->operand_count - 1;
+static int make_joints(job *j) {
+    size_t count = (size_t)j->given->count - 1;
     if (count == 0)
         return complain(EXIT_USAGE, "joints takes one joint or more; see graze motion --help");
     int status = joints_init(j, count);
     for (size_t i = 0; i < count && !status; i++)
-        status = read_joint(j, j->joints + i, j->o->operands[1 + i]);
+        status = read_joint(j, j->joints + i, j->given->item[1 + i]);
     if (!status)
-        status = read_goal(j, "1e-6");
+        status = read_motion_goal(j, "1e-6");
     if (status)
         return status;
     graze_joint *chain = malloc(count * sizeof *chain);
@@ -185,36 +207,36 @@ static int joints(job *j) {
         return complain(EXIT_IO, "out of memory");
     for (size_t i = 0; i < count; i++)
         chain[i] = j->joints[i].joint;
-    status = answer(j, graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension,
-                                                 chain, count, j->tolerance, j->radius));
+    graze_status made = graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension,
+                                                  chain, count, j->tolerance, j->radius);
     free(chain);
-    return status;
+    return complain_of_use(made, j->context);
 }
 
-static int poses(job *j) {
+static int make_poses(job *j) {
     const char *numbers = j->o->own[NUMBERS];
     int written = numbers && strcmp(numbers, "written") == 0;
-    if (j->o->operand_count != 2)
+    if (j->given->count != 2)
         return complain(EXIT_USAGE, "poses takes one FILE; see graze motion --help");
     if (numbers && !written && strcmp(numbers, "binary64") != 0)
-        return complain(EXIT_USAGE, "--numbers %s: right is binary64 or written", numbers);
-    int status = read_goal(j, "1e-6");
+        return complain(EXIT_USAGE, "--numbers %s: expected binary64 or written", numbers);
+    int status = read_motion_goal(j, "1e-6");
     if (status)
         return status;
     graze_status set =
         graze_context_set_rounding(j->context, written ? GRAZE_ROUND_NONE : GRAZE_ROUND_BINARY64);
     if (!set)
-        set = graze_motion_write_poses(&j->json, &j->report, j->context, j->o->operands[1],
+        set = graze_motion_write_poses(&j->json, &j->report, j->context, j->given->item[1],
                                        j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0, j->tolerance);
-    return answer(j, set);
+    return complain_of_use(set, j->context);
 }
 
-static int rotate(job *j) {
-    return turn(j, 0);
+static int make_rotation(job *j) {
+    return make_turn(j, 0);
 }
 
-static int screw(job *j) {
-    return turn(j, 1);
+static int make_screw(job *j) {
+    return make_turn(j, 1);
 }
 
 enum {
@@ -228,62 +250,54 @@ static const struct {
     const char *name;
     int (*make)(job *);
     unsigned taken;
-} kinds[] = {{"rotate", rotate, TAKEN_BY_TURNS},
-             {"screw", screw, TAKEN_BY_TURNS},
-             {"joints", joints, TAKEN_BY_JOINTS},
-             {"poses", poses, TAKEN_BY_POSES}};
+} kinds[] = {{"rotate", make_rotation, TAKEN_BY_TURNS},
+             {"screw", make_screw, TAKEN_BY_TURNS},
+             {"joints", make_joints, TAKEN_BY_JOINTS},
+             {"poses", make_poses, TAKEN_BY_POSES}};
 
-static int check_options(const options *o, const char *kind, unsigned taken) {
-    static const char *const names[] = {"degrees", "axis",   "center",  "pitch",     "tolerance",
-                                        "radius",  "affine", "numbers", "dimension", "report"};
-    for (int k = DEGREES; k <= REPORT; k++)
+static int check_own_options(const motion_options *o, const char *kind, unsigned taken) {
+    for (int k = 0; k < OWN; k++)
         if (o->own[k] && !(taken >> k & 1))
             return complain(EXIT_USAGE, "%s takes no --%s; see graze motion --help", kind,
-                            names[k]);
+                            motion_table[k].name);
     return EXIT_DONE;
 }
 
-static int convert(job *j) {
-    const char *name = j->o->operand_count ? j->o->operands[0] : "";
+static int convert_motion(job *j) {
+    const char *name = j->given->count ? j->given->item[0] : "";
     const char *dimension = j->o->own[DIMENSION];
     if (dimension && strcmp(dimension, "2") != 0 && strcmp(dimension, "3") != 0)
-        return complain(EXIT_USAGE, "--dimension %s: right is 2 or 3", dimension);
+        return complain(EXIT_USAGE, "--dimension %s: expected 2 or 3", dimension);
     j->dimension = dimension && *dimension == '2' ? 2 : 3;
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         if (strcmp(name, kinds[k].name) != 0)
             continue;
-        int status = check_options(j->o, name, kinds[k].taken);
+        int status = check_own_options(j->o, name, kinds[k].taken);
         return status ? status : kinds[k].make(j);
     }
     return complain(EXIT_USAGE, "motion takes rotate, screw, joints or poses; see graze motion "
                                 "--help");
 }
 
-static int put(const char *path, const char *text) {
-    int status = output_open(&out, path);
-    if (status)
-        return status;
-    output_put(&out, text);
-    return output_close(&out);
+static int write_motion(const job *j) {
+    const char *report = j->o->own[REPORT];
+    int status = EXIT_DONE;
+    if (report)
+        status = output_text(report, j->report);
+    else
+        fputs(j->report, stderr);
+    return status ? status : output_text(j->o->output, j->json);
 }
 
-static int run(const options *o) {
-    job j = {.o = o};
-    int status;
-    if (context_for(&j.context, o))
-        status = j.context ? complain(EXIT_USAGE, "%s", graze_context_message(j.context))
-                           : complain(EXIT_IO, "out of memory");
-    else {
-        mpq_inits(j.tolerance, j.radius, NULL);
-        status = convert(&j);
-        mpq_clears(j.tolerance, j.radius, NULL);
-    }
-    if (!status && !o->own[REPORT])
-        fputs(j.report, stderr);
-    if (!status && o->own[REPORT])
-        status = put(o->own[REPORT], j.report);
+static int run_motion(void *options, const operands *given) {
+    job j = {.o = options, .given = given};
+    int status = context_make(&j.context, &j.o->context);
+    mpq_inits(j.tolerance, j.radius, NULL);
     if (!status)
-        status = put(o->output, j.json);
+        status = convert_motion(&j);
+    if (!status)
+        status = write_motion(&j);
+    mpq_clears(j.tolerance, j.radius, NULL);
     for (size_t i = 0; i < j.count; i++)
         for (int k = 0; k < NUMBERS_OF_JOINT; k++)
             mpq_clear(j.joints[i].number[k]);
@@ -295,7 +309,8 @@ static int run(const options *o) {
     return status;
 }
 
-const command command_motion = {"motion",
-                                "lo degrees= axis= center= pitch= tolerance= radius= affine "
-                                "numbers= dimension= report=",
-                                help, run};
+const command command_motion = {.name = "motion",
+                                .options = motion_table,
+                                .size = sizeof(motion_options),
+                                .help = motion_help,
+                                .run = run_motion};

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include "cli/cli.h"
-#include "cli/numbers.h"
+#include "run/status.h"
+#include "run/numbers.h"
 
 enum { BUFFER = 1 << 14, TAIL = 256 };
 

@@ -8,9 +8,9 @@
 #ifndef GRAZE_CLI_PART_H
 #define GRAZE_CLI_PART_H
 
-#include "cli/output.h"
-#include "cli/row.h"
-#include "cli/shard.h"
+#include "run/output.h"
+#include "run/row.h"
+#include "run/shard.h"
 
 typedef struct part {
     const char *path;

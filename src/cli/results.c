@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/cli.h"
+#include "run/status.h"
 
 static int keep_head(results *t, const char *line, size_t length) {
     char *grown = realloc(t->head, t->head_length + length + 1);

@@ -9,8 +9,8 @@
 #define GRAZE_CLI_RESULTS_H
 
 #include <stdio.h>
+#include "run/output.h"
 #include "table/field.h"
-#include "cli/output.h"
 
 typedef struct results {
     output out;

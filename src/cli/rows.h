@@ -8,13 +8,8 @@
 #define GRAZE_CLI_ROWS_H
 
 #include "cli/columns.h"
-#include "cli/progress.h"
-
-/** After a signal that many looks, so many milliseconds apart, are taken for rows that are nearly
- * answered. */
-enum { LAST_LOOKS = 10, LOOK_MILLISECONDS = 20 };
-
-/* -------------------------------------------------------------------------------- CSV files */
+#include "run/progress.h"
+#include "run/shard.h"
 
 typedef struct csv csv;
 
@@ -41,76 +36,5 @@ portion csv_portion(const csv *c);
 /** Rows read so far, those of other shards too, and a checksum of their text. */
 unsigned long csv_rows(const csv *c);
 unsigned long long csv_checksum(const csv *c);
-
-/* -------------------------------------------------------------------------------------- grid */
-
-typedef struct grid grid;
-
-/** Read a value of --box into d initialised rationals each. On failure says why. */
-int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *context);
-/** Read --grid and --box, or ask for the scene's box. On failure says why. */
-int grid_open(grid **out, const options *o, graze_context *context, const graze_scene *scene);
-void grid_close(grid *g);
-/** The number of its points. */
-unsigned long grid_count(const grid *g);
-/** Fill a block with a shard's next points, at most `most`; an empty block means the end. */
-void grid_fill(const grid *g, shard part, block *b, unsigned long most);
-/** Make `count` points of a shard from its point `first` on, x running fastest in the whole grid.
- * Any thread may ask. `points` has room for three coordinates a point and uses as many as there
- * are, point after point. */
-void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count);
-/** `# grid` and `# box` lines, malloc'ed; NULL when out of memory. */
-char *grid_notes(const grid *g);
-
-/* ----------------------------------------------------------------------------------- answers */
-
-/** Where the rows of the blocks come from: one is NULL. */
-typedef struct row_source {
-    const columns *columns;
-    const grid *grid;
-    shard part;
-} row_source;
-
-/** As many rows as one run has at the most. */
-enum { RUN_ROWS = 64 };
-
-/** What a thread answers rows with. Its context is its own. */
-typedef struct answerer {
-    const graze_scene *scene;
-    row_source source;
-    graze_format format;
-    graze_context *context;
-    reader reader;
-    mpq_t points[3 * RUN_ROWS];
-    size_t rest_at[RUN_ROWS];
-    const char *rest[RUN_ROWS];
-} answerer;
-
-/** Make an answerer; answerer_clear frees it in either case. On failure says why. */
-int answerer_init(answerer *a, const options *o, const graze_scene *scene, row_source source);
-void answerer_clear(answerer *a);
-/** Answer the run that begins at row `first` of a block, into a run whose `taken` is set and that
- * is zeroed otherwise. */
-void answer(answerer *a, row_run *r, const block *b, size_t first);
-
-/* -------------------------------------------------------------------------------------- jobs */
-
-typedef struct jobs jobs;
-
-/** How many answer rows at one time. */
-int jobs_width(const options *o);
-/** Start the threads, each with a context of its own. On failure says why. */
-int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source);
-/** Hand a block over; it is answered after those before it and must stay until jobs_wait. */
-void jobs_submit(jobs *j, block *b);
-/** Wait until all rows of a block are answered, or those a signal leaves time for: a moment for
- * what is under way. Runs without an answer have the fault EXIT_SIGNAL. */
-void jobs_wait(jobs *j, const block *b);
-/**
- * End all threads, after the runs they are at. NULL is harmless.
- * @return 0 if a signal came and some are still at a row: then nothing that they use may be freed,
- * and the process is to end by the signal
- */
-int jobs_stop(jobs *j);
 
 #endif

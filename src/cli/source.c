@@ -8,8 +8,8 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "cli/cli.h"
-#include "cli/interrupt.h"
+#include "run/status.h"
+#include "run/interrupt.h"
 
 static int check_kind(const char *path, const struct stat *about) {
     int directory = S_ISDIR(about->st_mode);

@@ -9,12 +9,15 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "cli/candidate.h"
-#include "cli/cli.h"
-#include "cli/memory.h"
-#include "cli/output.h"
+#include "cli/commands.h"
+#include "cli/values.h"
+#include "run/candidate.h"
+#include "run/generate.h"
+#include "run/memory.h"
+#include "run/numbers.h"
+#include "run/output.h"
 
-static const char help[] =
+static const char validate_help[] =
     "graze validate SOLID MOTION --candidate 'CMD {solid} {motion} {points} {out}'\n"
     "\n"
     "Makes points (graze generate), classifies them, runs CMD on them, compares the table it "
@@ -41,6 +44,19 @@ static const char help[] =
 
 enum { POINTS, GOLDEN, ANSWERS, FILE_COUNT };
 
+typedef struct validate_options {
+    const char *candidate;
+    const char *points; /* NULL: points are generated */
+    const char *keep;   /* NULL: a folder that goes when all is done */
+    const char *output;
+    unsigned long timeout; /* seconds; 0: an hour */
+    seed_value seed;
+    generate_options generate;
+    classify_options classify;
+    graze_compare_options compare;
+    graze_comparison_format format;
+} validate_options;
+
 typedef struct validation {
     char *folder;
     int temporary;           /* the folder goes when all is done */
@@ -52,16 +68,17 @@ typedef struct validation {
     output out;
 } validation;
 
-static char *joined(const char *a, const char *b) {
+static char *joined_texts(const char *a, const char *b) {
     char *text = malloc(strlen(a) + strlen(b) + 1);
     return text ? strcat(strcpy(text, a), b) : NULL;
 }
 
 /* The folder for the files: the one to keep, or a fresh one. */
-static int make_folder(validation *v, const options *o) {
+static int make_work_folder(validation *v, const validate_options *o) {
     static const char *const names[FILE_COUNT] = {"/points.csv", "/golden.csv", "/candidate.csv"};
     const char *base = getenv("TMPDIR");
-    v->folder = o->keep ? strdup(o->keep) : joined(base && *base ? base : "/tmp", "/graze-XXXXXX");
+    v->folder =
+        o->keep ? strdup(o->keep) : joined_texts(base && *base ? base : "/tmp", "/graze-XXXXXX");
     if (!v->folder)
         return complain(EXIT_IO, "out of memory");
     v->temporary = !o->keep && mkdtemp(v->folder) != NULL;
@@ -69,12 +86,12 @@ static int make_folder(validation *v, const options *o) {
     if (failed)
         return complain(EXIT_IO, "%s: cannot be made: %s", v->folder, strerror(errno));
     for (int k = 0; k < FILE_COUNT; k++)
-        if (!(v->files[k] = joined(v->folder, names[k])))
+        if (!(v->files[k] = joined_texts(v->folder, names[k])))
             return complain(EXIT_IO, "out of memory");
     return EXIT_DONE;
 }
 
-static void remove_folder(validation *v) {
+static void remove_work_folder(validation *v) {
     for (int k = 0; v->temporary && k < FILE_COUNT; k++)
         if (v->files[k])
             unlink(v->files[k]);
@@ -85,45 +102,42 @@ static void remove_folder(validation *v) {
 /* Before a sudden end. */
 static validation *at_work;
 
-static void remove_at_work(void) {
-    remove_folder(at_work);
+static void remove_folder_at_work(void) {
+    remove_work_folder(at_work);
 }
 
-static const char *points_of(const validation *v, const options *o) {
+static const char *points_of(const validation *v, const validate_options *o) {
     return o->points ? o->points : v->files[POINTS];
 }
 
-/* Points and golden table, by the commands that make them. */
-static int make_golden(const validation *v, const options *o) {
-    char *operands[] = {o->operands[0], o->operands[1], (char *)points_of(v, o), NULL};
-    options step = *o;
-    step.operands = operands;
-    step.operand_count = 2;
-    step.output = v->files[POINTS];
-    step.count = o->count ? o->count : 10000;
-    step.seed = o->seeded ? o->seed : 1;
-    step.seeded = 1;
-    int status = o->points ? EXIT_DONE : command_generate.run(&step);
-    step.operand_count = 3;
-    step.output = v->files[GOLDEN];
-    step.strata = NULL;
-    return status ? status : command_classify.run(&step);
+/* Points and golden table, as graze generate and graze classify make them. */
+static int make_golden(const validation *v, const validate_options *o) {
+    generate_options points = o->generate;
+    classify_options golden = o->classify;
+    points.scene = golden.scene;
+    points.count = points.count ? points.count : 10000;
+    points.seed = o->seed.given ? o->seed.seed : 1;
+    points.output = v->files[POINTS];
+    points.quiet = golden.quiet;
+    golden.points = points_of(v, o);
+    golden.output = v->files[GOLDEN];
+    int status = o->points ? EXIT_DONE : generate_run(&points);
+    return status ? status : classify_run(&golden);
 }
 
-static int compare(validation *v, const options *o) {
+static int compare_answers(validation *v, const validate_options *o) {
     graze_compare_options chosen = o->compare;
-    chosen.solid = o->operands[0];
-    chosen.motion = o->operands[1];
-    graze_status status = context_for(&v->context, o);
-    if (!v->context)
-        return complain(EXIT_IO, "out of memory");
-    if (!status)
-        status =
-            graze_compare(&v->comparison, v->context, v->files[GOLDEN], v->files[ANSWERS], &chosen);
-    return complain_of(status, v->context);
+    chosen.solid = o->classify.scene.solid;
+    chosen.motion = o->classify.scene.motion;
+    int status = context_make(&v->context, &o->classify.scene.context);
+    if (status)
+        return status;
+    return complain_of(
+        graze_compare(&v->comparison, v->context, v->files[GOLDEN], v->files[ANSWERS], &chosen),
+        v->context);
 }
 
-static void put_verdict(char *out, size_t size, const graze_comparison_counts *n) {
+static void put_validation_verdict(char *out, size_t size, const graze_comparison_counts *n) {
     if (n->wrong + n->missing + n->extra == 0)
         snprintf(out, size, "no difference in %lu rows%s", n->rows,
                  n->apart ? ", those apart not judged" : "");
@@ -151,18 +165,18 @@ static void put_named(output *out, const char *name, const char *value) {
 }
 
 /* Whole numbers keep the locale's decimal comma out. */
-static void put_report(validation *v, const options *o, const char *body,
-                       graze_comparison_format format) {
+static void put_validation(validation *v, const validate_options *o, const char *body,
+                           graze_comparison_format format) {
     graze_comparison_counts n = graze_comparison_count(v->comparison);
     unsigned long milliseconds = (unsigned long)(1000 * v->seconds + 0.5);
     unsigned long rate = milliseconds ? (unsigned long)((double)n.rows / v->seconds + 0.5) : 0;
     char verdict[160], line[96];
-    put_verdict(verdict, sizeof verdict, &n);
+    put_validation_verdict(verdict, sizeof verdict, &n);
     if (format == GRAZE_COMPARISON_JSON) {
         output_put(&v->out, "{\n");
         put_named(&v->out, "command", o->candidate);
-        put_named(&v->out, "solid", o->operands[0]);
-        put_named(&v->out, "motion", o->operands[1]);
+        put_named(&v->out, "solid", o->classify.scene.solid);
+        put_named(&v->out, "motion", o->classify.scene.motion);
         put_named(&v->out, "verdict", verdict);
         snprintf(line, sizeof line, "\"milliseconds\": %lu,\n\"rows-per-second\": %lu,\n",
                  milliseconds, rate);
@@ -175,9 +189,9 @@ static void put_report(validation *v, const options *o, const char *body,
     const char *const parts[] = {"# Validation\n\ncommand: `",
                                  o->candidate,
                                  "`\nsolid: ",
-                                 o->operands[0],
+                                 o->classify.scene.solid,
                                  "\nmotion: ",
-                                 o->operands[1],
+                                 o->classify.scene.motion,
                                  "\nverdict: ",
                                  verdict,
                                  "\n"};
@@ -190,9 +204,9 @@ static void put_report(validation *v, const options *o, const char *body,
 }
 
 /* One report to a file NAME + suffix, or to standard output. */
-static int write_report(validation *v, const options *o, const char *suffix,
-                        graze_comparison_format format) {
-    char *body = NULL, *path = o->output ? joined(o->output, suffix) : NULL;
+static int write_validation(validation *v, const validate_options *o, const char *suffix,
+                            graze_comparison_format format) {
+    char *body = NULL, *path = o->output ? joined_texts(o->output, suffix) : NULL;
     graze_status made = graze_comparison_report(&body, v->context, v->comparison, format);
     int status = complain_of(made, v->context);
     if (!status && o->output && !path)
@@ -200,7 +214,7 @@ static int write_report(validation *v, const options *o, const char *suffix,
     if (!status)
         status = output_open(&v->out, path);
     if (!status) {
-        put_report(v, o, body, format);
+        put_validation(v, o, body, format);
         status = output_close(&v->out);
     }
     graze_free(body);
@@ -208,20 +222,21 @@ static int write_report(validation *v, const options *o, const char *suffix,
     return status;
 }
 
-static int report(validation *v, const options *o) {
+static int report_validation(validation *v, const validate_options *o) {
     graze_comparison_counts n = graze_comparison_count(v->comparison);
-    int status = o->output ? write_report(v, o, ".md", GRAZE_COMPARISON_TEXT)
-                           : write_report(v, o, "", o->report);
+    int status = o->output ? write_validation(v, o, ".md", GRAZE_COMPARISON_TEXT)
+                           : write_validation(v, o, "", o->format);
     if (!status && o->output)
-        status = write_report(v, o, ".json", GRAZE_COMPARISON_JSON);
+        status = write_validation(v, o, ".json", GRAZE_COMPARISON_JSON);
     return status ? status : n.wrong + n.missing + n.extra ? EXIT_NO : EXIT_DONE;
 }
 
-static int validate(validation *v, const options *o) {
-    int status = make_folder(v, o);
+static int validate(validation *v, const validate_options *o) {
+    int status = make_work_folder(v, o);
     if (status)
         return status;
-    candidate_paths paths = {o->operands[0], o->operands[1], points_of(v, o), v->files[ANSWERS]};
+    candidate_paths paths = {o->classify.scene.solid, o->classify.scene.motion, points_of(v, o),
+                             v->files[ANSWERS]};
     status = candidate_split(&v->words, o->candidate, &paths);
     if (!status)
         status = make_golden(v, o);
@@ -233,27 +248,63 @@ static int validate(validation *v, const options *o) {
         status =
             complain(EXIT_INPUT, "the candidate %s has written no table to {out}", v->words[0]);
     if (!status)
-        status = compare(v, o);
-    return status ? status : report(v, o);
+        status = compare_answers(v, o);
+    return status ? status : report_validation(v, o);
 }
 
-static int run(const options *o) {
-    if (o->operand_count != 2 || !o->candidate)
+static int value_seconds(void *to, const char *name, const char *value) {
+    if (!numbers_count(to, value, 1))
+        return complain(EXIT_USAGE, "--%s %s: expected whole seconds from 1 up", name, value);
+    return EXIT_DONE;
+}
+
+static const option_entry validate_table[] = {
+    OPTION("candidate", validate_options, candidate, value_text),
+    OPTION("n", validate_options, generate.count, value_count),
+    OPTION("seed", validate_options, seed, value_seed),
+    OPTION("strata", validate_options, generate.strata, value_text),
+    OPTION("representable", validate_options, generate.representable, value_binary64),
+    OPTION("points", validate_options, points, value_text),
+    OPTION("timeout", validate_options, timeout, value_seconds),
+    OPTION("keep", validate_options, keep, value_text),
+    OPTION("output", validate_options, output, value_text),
+    OPTION("o", validate_options, output, value_text),
+    OPTION("question", validate_options, compare.question, value_question),
+    OPTION("on-as", validate_options, compare.on_as, value_on_as),
+    OPTION("candidate-has", validate_options, compare.has, value_has),
+    OPTION("round", validate_options, classify.scene.context.rounding, value_rounding),
+    OPTION("show", validate_options, compare.show, value_show),
+    OPTION("format", validate_options, format, value_report),
+    OPTION("overlap", validate_options, classify.scene.scene.overlap, value_overlap),
+    OPTION("folds", validate_options, classify.scene.scene.folds, value_folds),
+    OPTION("operation", validate_options, classify.scene.scene.operation, value_operation),
+    FLAG("triangulate", validate_options, classify.scene.solid_flags, value_triangulate),
+    OPTION("jobs", validate_options, classify.threads, value_jobs),
+    OPTION("limit", validate_options, classify.scene.context.limits, value_limit),
+    FLAG("quiet", validate_options, classify.quiet, value_flag),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_validate(void *options, const operands *given) {
+    validate_options *o = options;
+    if (given->count != 2 || !o->candidate)
         return complain(EXIT_USAGE, "validate takes SOLID, MOTION and --candidate; see graze "
                                     "validate --help");
-    if (o->points && (o->count || o->seeded || o->strata || o->representable))
+    if (o->points &&
+        (o->generate.count || o->seed.given || o->generate.strata || o->generate.representable))
         return complain(EXIT_USAGE, "--points takes the place of -n, --seed, --strata and "
                                     "--representable");
     if (o->points && strcmp(o->points, "-") == 0)
-        return complain(EXIT_USAGE, "--points -: right is a file, it is read twice");
+        return complain(EXIT_USAGE, "--points -: expected a file, it is read twice");
+    o->classify.scene.solid = given->item[0];
+    o->classify.scene.motion = given->item[1];
     validation *v = calloc(1, sizeof *v);
     if (!v)
         return complain(EXIT_IO, "out of memory");
     at_work = v;
-    memory_before_end(remove_at_work);
+    memory_before_end(remove_folder_at_work);
     int status = validate(v, o);
     memory_before_end(NULL);
-    remove_folder(v);
+    remove_work_folder(v);
     candidate_free(v->words);
     for (int k = 0; k < FILE_COUNT; k++)
         free(v->files[k]);
@@ -265,4 +316,11 @@ static int run(const options *o) {
     return status;
 }
 
-const command command_validate = {"validate", "rltvfpnsaejomFqAHSCPKTQ", help, run};
+static const validate_options ten_shown = {.classify.shard.part = {0, 1}, .compare.show = 10};
+
+const command command_validate = {.name = "validate",
+                                  .options = validate_table,
+                                  .size = sizeof(validate_options),
+                                  .initial = &ten_shown,
+                                  .help = validate_help,
+                                  .run = run_validate};

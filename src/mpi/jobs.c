@@ -1,4 +1,4 @@
-/* The jobs of rows.h, done by the other ranks; and what such a rank does.
+/* The jobs of run/jobs.h, done by the other ranks; and the work of such a rank.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A rank has a second run at hand when it has answered the first one. Nothing is sent by a call
@@ -8,10 +8,12 @@
 #include <mpi.h>
 #include <stdlib.h>
 #include <time.h>
-#include "cli/interrupt.h"
-#include "cli/receipt.h"
 #include "mpi/message.h"
 #include "mpi/ranks.h"
+#include "run/interrupt.h"
+#include "run/jobs.h"
+#include "run/queue.h"
+#include "run/receipt.h"
 
 enum { AHEAD = 2, LOOKS = 50 };
 
@@ -32,14 +34,13 @@ typedef struct errands {
 struct jobs {
     answerer alone; /* where there is no other rank */
     const columns *columns;
-    block *first, *last; /* blocks with rows that nobody has, in order */
-    size_t left;         /* the number of those rows */
-    int ranks;           /* other than this one */
-    int serving;         /* they wait for runs */
-    int failed;          /* memory ran short */
-    int looks;           /* since a signal came */
-    message message;     /* an answer */
-    errands sent[];      /* to rank k at k - 1 */
+    queue queue;
+    int ranks;       /* other than this one */
+    int serving;     /* they wait for runs */
+    int failed;      /* memory ran short */
+    int looks;       /* since a signal came */
+    message message; /* an answer */
+    errands sent[];  /* to rank k at k - 1 */
 };
 
 static int told;
@@ -61,20 +62,21 @@ static int rank_count(void) {
     return size;
 }
 
-int jobs_width(const options *o) {
-    (void)o;
+int jobs_width(int threads) {
+    (void)threads;
     return rank_count();
 }
 
-int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_source source) {
+int jobs_start(jobs **out, int threads, const answer_task *task) {
+    (void)threads;
     int others = rank_count() - 1, mine = EXIT_DONE, worst;
     jobs *j = calloc(1, sizeof *j + (size_t)others * sizeof(errands));
     *out = j;
     if (!j)
         return complain(EXIT_IO, "out of memory");
     j->ranks = others;
-    j->columns = source.columns;
-    int status = answerer_init(&j->alone, o, scene, source);
+    j->columns = task->source.columns;
+    int status = answerer_init(&j->alone, task);
     ranks_release(status);
     if (status)
         return status;
@@ -84,36 +86,14 @@ int jobs_start(jobs **out, const options *o, const graze_scene *scene, row_sourc
 }
 
 void jobs_submit(jobs *j, block *b) {
-    if (j->first)
-        j->last->after = b;
-    else
-        j->first = b;
-    j->last = b;
-    j->left += b->count;
-}
-
-/* Take the next rows that nobody has: many at first, few towards the end. The number of the first
- * one in its block. */
-static size_t take(jobs *j, block **of) {
-    block *b = *of = j->first;
-    size_t share = j->left / (4 * (size_t)(j->ranks ? j->ranks : 1)), in_block = b->count - b->next;
-    size_t first = b->next;
-    share = share < 1 ? 1 : share < RUN_ROWS ? share : RUN_ROWS;
-    share = share < in_block ? share : in_block;
-    b->runs[first] = (row_run){.taken = share, .fault = {EXIT_SIGNAL, NULL}};
-    b->next += share;
-    b->busy++;
-    j->left -= share;
-    if (share == in_block)
-        j->first = b->after;
-    return first;
+    queue_add(&j->queue, b);
 }
 
 /* One run more for rank k + 1; 0 when memory is short. */
 static int send_run(jobs *j, int k) {
     errands *of = &j->sent[k];
     errand *e = &of->item[(of->oldest + of->count) % AHEAD];
-    e->first = take(j, &e->block);
+    e->first = queue_take(&j->queue, &e->block, j->ranks);
     if (!message_put_run(&e->message, e->block, e->first, j->columns)) {
         fault_set(&e->block->runs[e->first].fault, EXIT_IO, "out of memory");
         e->block->busy--;
@@ -125,15 +105,15 @@ static int send_run(jobs *j, int k) {
     return 1;
 }
 
-static void hand_out(jobs *j) {
+static void hand_out_runs(jobs *j) {
     for (int ahead = 1; ahead <= AHEAD; ahead++)
-        for (int k = 0; k < j->ranks && j->first && !interrupt_signal() && !j->failed; k++)
+        for (int k = 0; k < j->ranks && j->queue.first && !interrupt_signal() && !j->failed; k++)
             if (j->sent[k].count < ahead)
                 j->failed = !send_run(j, k);
 }
 
 /* MPI's own waiting may keep a core busy, which another rank could use. */
-static void await(int from, MPI_Status *about) {
+static void wait_for_message(int from, MPI_Status *about) {
     int there = 0;
     for (int looks = 0; !there; looks++) {
         if (looks > LOOKS)
@@ -143,7 +123,7 @@ static void await(int from, MPI_Status *about) {
 }
 
 /* Wait for an answer; 0 if a signal came and none does for as long as is left. */
-static int answer_comes(jobs *j) {
+static int wait_for_answer(jobs *j) {
     int there = 0;
     MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE);
     for (int looks = 0; !there && j->looks <= LAST_LOOKS; looks++) {
@@ -157,10 +137,10 @@ static int answer_comes(jobs *j) {
 }
 
 /* Receive a message from anyone or from one rank; its sender, or -1 when memory is short. */
-static int receive(message *m, int from, int *kind) {
+static int receive_message(message *m, int from, int *kind) {
     MPI_Status about;
     int length;
-    await(from, &about);
+    wait_for_message(from, &about);
     MPI_Get_count(&about, MPI_BYTE, &length);
     if (!message_reserve(m, (size_t)length))
         return -1;
@@ -172,20 +152,20 @@ static int receive(message *m, int from, int *kind) {
 }
 
 /* Out of memory between two ranks leaves neither a way to say so. */
-static void give_up(void) {
+static void abort_all_ranks(void) {
     complain(EXIT_IO, "out of memory");
     MPI_Abort(MPI_COMM_WORLD, EXIT_IO);
 }
 
 /* 0 if none comes. */
-static int take_answer(jobs *j) {
-    if (!answer_comes(j)) {
+static int take_rank_answer(jobs *j) {
+    if (!wait_for_answer(j)) {
         abandoned = 1;
         return 0;
     }
-    int kind, rank = receive(&j->message, MPI_ANY_SOURCE, &kind);
+    int kind, rank = receive_message(&j->message, MPI_ANY_SOURCE, &kind);
     if (rank < 1) {
-        give_up();
+        abort_all_ranks();
     } else {
         errands *of = &j->sent[rank - 1];
         errand *done = &of->item[of->oldest];
@@ -204,12 +184,12 @@ static int take_answer(jobs *j) {
 void jobs_wait(jobs *j, const block *b) {
     while (!abandoned && (b->busy || (b->next < b->count && !interrupt_signal() && !j->failed))) {
         if (j->ranks) {
-            hand_out(j);
+            hand_out_runs(j);
             if (b->busy)
-                (void)take_answer(j);
+                (void)take_rank_answer(j);
         } else {
             block *mine;
-            size_t first = take(j, &mine);
+            size_t first = queue_take(&j->queue, &mine, 1);
             fault_clear(&mine->runs[first].fault);
             answer(&j->alone, &mine->runs[first], mine, first);
             mine->busy--;
@@ -222,7 +202,7 @@ int jobs_stop(jobs *j) {
         return 1;
     for (int k = 0; k < j->ranks; k++)
         while (j->sent[k].count)
-            if (abandoned || !take_answer(j))
+            if (abandoned || !take_rank_answer(j))
                 return 0;
     for (int k = 0; j->serving && k < j->ranks; k++)
         MPI_Send(NULL, 0, MPI_BYTE, k + 1, MESSAGE_STOP, MPI_COMM_WORLD);
@@ -249,25 +229,25 @@ static int serve_run(answerer *a, columns *c, block *b, const message *run, mess
 }
 
 /* Answer one run after another until rank 0 says that it was the last. */
-static void serve(answerer *a, columns *c) {
+static void serve_rank(answerer *a, columns *c) {
     message run = {NULL, 0, 0}, reply = {NULL, 0, 0};
     MPI_Request under_way = MPI_REQUEST_NULL;
     block *b = block_create();
     int kind = MESSAGE_RUN, good = b != NULL;
     while (good && kind != MESSAGE_STOP) {
-        good = receive(&run, 0, &kind) == 0;
+        good = receive_message(&run, 0, &kind) == 0;
         if (good && kind == MESSAGE_RUN)
             good = serve_run(a, c, b, &run, &reply, &under_way);
     }
     if (!good)
-        give_up();
+        abort_all_ranks();
     MPI_Wait(&under_way, MPI_STATUS_IGNORE);
     block_destroy(b);
     message_clear(&run);
     message_clear(&reply);
 }
 
-int ranks_serve(const options *o) {
+int ranks_serve(const classify_options *o) {
     int first, worst;
     MPI_Bcast(&first, 1, MPI_INT, 0, MPI_COMM_WORLD);
     if (first)
@@ -275,22 +255,26 @@ int ranks_serve(const options *o) {
     loaded l;
     grid *g = NULL;
     answerer a;
-    columns c = {o->grid ? "" : o->operands[2], 0, 0, {0, 0, 0}, NULL};
-    int status = o->receipt ? receipt_load(&l, o) : load(&l, o, EXIT_INPUT, NULL);
+    columns c = {o->grid.sizes ? "" : o->points, 0, 0, {0, 0, 0}, NULL};
+    int status = receipt_load(&l, o->receipt, &o->scene);
     int ready = 0;
-    if (!status && o->grid)
-        status = grid_open(&g, o, l.context, l.scene);
+    if (!status && o->grid.sizes)
+        status = grid_open(&g, &o->grid, l.context, l.scene);
     if (!status) {
         c.dimension = graze_scene_dimension(l.scene);
-        status = answerer_init(&a, o, l.scene, (row_source){o->grid ? NULL : &c, g, o->part});
+        answer_task task = {.context = &o->scene.context,
+                            .scene = l.scene,
+                            .source = {g ? NULL : &c, g, o->shard.part},
+                            .format = o->format.rows};
+        status = answerer_init(&a, &task);
         ready = 1;
     }
     MPI_Allreduce(&status, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     if (!worst)
-        serve(&a, &c);
+        serve_rank(&a, &c);
     if (ready)
         answerer_clear(&a);
     grid_close(g);
-    unload(&l);
+    loaded_clear(&l);
     return status;
 }

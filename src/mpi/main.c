@@ -5,12 +5,13 @@
 #include <mpi.h>
 #include <stdio.h>
 #include <unistd.h>
-#include "cli/interrupt.h"
-#include "cli/memory.h"
-#include "cli/output.h"
+#include "cli/classify.h"
 #include "mpi/ranks.h"
+#include "run/interrupt.h"
+#include "run/memory.h"
+#include "run/output.h"
 
-static const char help[] =
+static const char mpi_help[] =
     "mpirun -n N graze-mpi SOLID MOTION POINTS: graze classify on N ranks\n"
     "\n"
     "Rank 0 reads the points and writes the table; the other ranks answer rows, a few at a time,\n"
@@ -20,12 +21,15 @@ static const char help[] =
     "\n"
     "Example: mpirun -n 17 graze-mpi cube.off move.json points.csv --output table.csv\n";
 
-/* All ranks have the same options, of whose faults the first one tells. */
-static int read_options(options *o, int *show_help, int rank, int argc, char **argv) {
+/* All ranks have the same words; the first one alone complains of them. */
+static int read_words(operands *given, classify_options *o, int *show_help, int rank, int argc,
+                      char **argv) {
     int kept = rank ? dup(STDERR_FILENO) : -1, none = rank ? open("/dev/null", O_WRONLY) : -1;
     if (kept >= 0 && none >= 0)
         dup2(none, STDERR_FILENO);
-    int status = options_read(o, show_help, &command_classify, argc, argv);
+    int status = command_read(given, o, show_help, &command_classify, argc, argv);
+    if (!status && !*show_help)
+        status = classify_take(o, given);
     if (kept >= 0 && none >= 0)
         dup2(kept, STDERR_FILENO);
     if (kept >= 0)
@@ -35,9 +39,9 @@ static int read_options(options *o, int *show_help, int rank, int argc, char **a
     return status;
 }
 
-/* The first rank tells the others how it went if it never came to ask them for rows. */
-static int run(const options *o, int rank) {
-    int status = rank ? ranks_serve(o) : command_classify.run(o);
+/* The first rank sends its status to the others if it never came to ask them for rows. */
+static int run_rank(const classify_options *o, int rank) {
+    int status = rank ? ranks_serve(o) : classify_run(o);
     if (!rank)
         ranks_release(status ? status : EXIT_FAULT);
     return status;
@@ -45,18 +49,19 @@ static int run(const options *o, int rank) {
 
 int main(int argc, char **argv) {
     int rank, show_help, status;
-    options o;
+    classify_options o;
+    operands given;
     memory_guard();
     output_guard_standard();
     if (MPI_Init(&argc, &argv) != MPI_SUCCESS || interrupt_watch() != 0)
         return complain(EXIT_IO, "MPI cannot begin");
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-    status = read_options(&o, &show_help, rank, argc, argv);
+    status = read_words(&given, &o, &show_help, rank, argc, argv);
     if (!status && show_help && rank == 0)
-        fputs(help, stdout);
+        fputs(mpi_help, stdout);
     if (!status && !show_help)
-        status = run(&o, rank);
-    options_clear(&o);
+        status = run_rank(&o, rank);
+    operands_clear(&given);
     if (!ranks_abandoned())
         MPI_Finalize();
     if (status == EXIT_SIGNAL && rank == 0)

@@ -4,7 +4,7 @@
 #ifndef GRAZE_MPI_MESSAGE_H
 #define GRAZE_MPI_MESSAGE_H
 
-#include "cli/rows.h"
+#include "run/answer.h"
 
 /** What a message is; a message of kind STOP is empty. */
 enum { MESSAGE_RUN = 1, MESSAGE_ANSWER = 2, MESSAGE_STOP = 3 };

@@ -1,14 +1,14 @@
 /* The ranks of graze-mpi: rank 0 reads points and writes the table, the others answer rows.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Rank 0 runs graze classify with the jobs of rows.h made of ranks in place of threads. A rank is
- * handed one run of rows at a time and gets the next one when its answer is there, so that none
+ * Rank 0 runs graze classify with the jobs of run/jobs.h made of ranks in place of threads. A rank
+ * is handed one run of rows at a time and gets the next one when its answer is there, so that none
  * waits for a slower one.
  */
 #ifndef GRAZE_MPI_RANKS_H
 #define GRAZE_MPI_RANKS_H
 
-#include "cli/cli.h"
+#include "run/classify.h"
 
 /** Rank 0: tell the other ranks how it went before any rows were asked for, unless jobs_start has
  * told them that all is well. */
@@ -20,6 +20,6 @@ int ranks_abandoned(void);
 
 /** Other ranks: load the scene once rank 0 has, and answer until there is nothing left. Returns an
  * exit status and says what is wrong here and not on rank 0. */
-int ranks_serve(const options *o);
+int ranks_serve(const classify_options *o);
 
 #endif

@@ -15,25 +15,20 @@ from programs import ROOT, check, output, read, run, same
 def commands_of(graze):
     """The commands, from the complaint about one that is none."""
     complaint = run([graze, "nothing"])[1]
-    return re.split(r", | or ", re.search(r"right is (.*)\n", complaint)[1])
+    return re.split(r", | or ", re.search(r"expected a command: (.*)\n", complaint)[1])
 
 
 def accepted(graze, command, folder):
     """{option: words it takes, or None} by the complaints about each option of the program."""
-    names = re.findall(r'\{"([a-z-]+)", (no|required)_argument', read("src", "cli", "options.c"))
-    check(len(names) > 20 and ("help", "no") in names, f"long options of the program: {names}")
-    # Options of one command alone stand behind its letters, those that take a value with a sign of equality.
-    source = "".join(read("src", "cli", os.path.basename(path)) for path in sorted(glob.glob(os.path.join("src", "cli", "*.c"))))
-    own = re.search(rf'command_{command} =\s*\{{\s*"{command}",\s*((?:"[^"]*"\s*)+)', source)
-    check(own is not None, f"the table entry of {command}")
-    for word in "".join(re.findall(r'"([^"]*)"', own[1])).split()[1:] if own else []:
-        names.append((word.rstrip("="), "required" if word.endswith("=") else "no"))
+    source = "".join(read(path) for path in sorted(glob.glob(os.path.join("src", "cli", "*.c"))))
+    names = set(re.findall(r'\b(OPTION|FLAG)\("([a-z-]{2,})"', source)) | {("FLAG", "help")}
+    check(len(names) > 20, f"long options of the program: {names}")
     found = {}
-    for name, argument in names:
-        complaint = run([graze, command, f"--{name}" + ("=zzz" if argument == "required" else "")], folder)[1]
-        if "has no option" in complaint or "there is no such option" in complaint:
+    for kind, name in sorted(names):
+        complaint = run([graze, command, f"--{name}" + ("" if kind == "FLAG" else "=zzz")], folder)[1]
+        if "has no such option" in complaint:
             continue
-        words = re.search(r"zzz: right is ([a-z0-9]+(?:(?:, | or )[a-z0-9]+)*)\n", complaint)
+        words = re.search(r"zzz: expected ([a-z0-9]+(?:(?:, | or )[a-z0-9]+)*)\n", complaint)
         found["--" + name] = set(re.split(r", | or ", words[1])) if words else None
     return found
 

@@ -1,0 +1,17 @@
+/* graze classify, as graze-mpi and others start it too.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CLI_CLASSIFY_H
+#define GRAZE_CLI_CLASSIFY_H
+
+#include "cli/command.h"
+#include "run/classify.h"
+
+/** Its options are a classify_options. */
+extern const command command_classify;
+
+/** Take the operands over, and check that they and the options go together. Returns an exit status
+ * and says what is wrong. */
+int classify_take(classify_options *o, const operands *given);
+
+#endif

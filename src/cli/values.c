@@ -1,0 +1,126 @@
+/* Reads values of options.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "cli/values.h"
+
+#include <string.h>
+#include "run/numbers.h"
+#include "run/status.h"
+
+int value_text(void *to, const char *name, const char *value) {
+    (void)name;
+    *(const char **)to = value;
+    return EXIT_DONE;
+}
+
+int value_flag(void *to, const char *name, const char *value) {
+    (void)name;
+    (void)value;
+    *(int *)to = 1;
+    return EXIT_DONE;
+}
+
+int value_triangulate(void *to, const char *name, const char *value) {
+    (void)name;
+    (void)value;
+    *(unsigned *)to |= GRAZE_SOLID_TRIANGULATE;
+    return EXIT_DONE;
+}
+
+int value_choice(int *out, const char *name, const char *value, const char *const *words,
+                 int count) {
+    char list[64] = "";
+    for (int k = 0; k < count; k++) {
+        if (strcmp(value, words[k]) == 0) {
+            *out = k;
+            return EXIT_DONE;
+        }
+        strcat(list, k == 0 ? "" : k + 1 < count ? ", " : " or ");
+        strcat(list, words[k]);
+    }
+    return complain(EXIT_USAGE, "--%s %s: expected %s", name, value, list);
+}
+
+/* A reader of an enumeration whose values 0, 1, ... have these words. */
+#define VALUE_OF_WORDS(reader, type, ...)                                                          \
+    int reader(void *to, const char *name, const char *value) {                                    \
+        static const char *const words[] = {__VA_ARGS__};                                          \
+        int chosen = 0;                                                                            \
+        int status = value_choice(&chosen, name, value, words, sizeof words / sizeof *words);      \
+        *(type *)to = (type)chosen;                                                                \
+        return status;                                                                             \
+    }
+
+VALUE_OF_WORDS(value_rounding, graze_rounding, "none", "binary64", "binary32")
+VALUE_OF_WORDS(value_overlap, graze_overlap, "extend", "reject")
+VALUE_OF_WORDS(value_folds, graze_folds, "separate", "combined")
+VALUE_OF_WORDS(value_operation, graze_operation, "sweep", "unsweep")
+VALUE_OF_WORDS(value_report, graze_comparison_format, "text", "json")
+VALUE_OF_WORDS(value_question, graze_question, "open", "closed")
+VALUE_OF_WORDS(value_on_as, graze_on_as, "on", "any", "in", "out")
+VALUE_OF_WORDS(value_has, graze_candidate_has, "columns", "sdf")
+
+static int complain_of_limit(const char *value) {
+    char list[256] = "";
+    for (int k = 0; k < GRAZE_LIMIT_COUNT; k++) {
+        strcat(list, k ? ", " : "");
+        strcat(list, graze_limit_name((graze_limit)k));
+    }
+    return complain(EXIT_USAGE, "--limit %s: expected NAME=V, NAME one of %s", value, list);
+}
+
+int value_limit(void *to, const char *name, const char *value) {
+    unsigned long *limits = to;
+    const char *equals = strchr(value, '=');
+    (void)name;
+    for (int k = 0; equals && k < GRAZE_LIMIT_COUNT; k++) {
+        const char *known = graze_limit_name((graze_limit)k);
+        size_t length = strlen(known);
+        if (length != (size_t)(equals - value) || memcmp(known, value, length) != 0)
+            continue;
+        if (!numbers_count(&limits[k], equals + 1, 1))
+            return complain(EXIT_USAGE, "--limit %s: expected a whole number from 1 up", value);
+        return EXIT_DONE;
+    }
+    return complain_of_limit(value);
+}
+
+int value_count(void *to, const char *name, const char *value) {
+    if (!numbers_count(to, value, 1))
+        return complain(EXIT_USAGE, "%s%s %s: expected a whole number from 1 up",
+                        name[1] ? "--" : "-", name, value);
+    return EXIT_DONE;
+}
+
+int value_seed(void *to, const char *name, const char *value) {
+    seed_value *out = to;
+    unsigned long seed;
+    if (!numbers_count(&seed, value, 0))
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 0 to 2^64 - 1", name,
+                        value);
+    *out = (seed_value){1, seed};
+    return EXIT_DONE;
+}
+
+int value_binary64(void *to, const char *name, const char *value) {
+    if (strcmp(value, "binary64") != 0)
+        return complain(EXIT_USAGE, "--%s %s: expected binary64", name, value);
+    *(int *)to = 1;
+    return EXIT_DONE;
+}
+
+int value_jobs(void *to, const char *name, const char *value) {
+    unsigned long jobs;
+    if (!numbers_count(&jobs, value, 1) || jobs > 1024)
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to 1024", name, value);
+    *(int *)to = (int)jobs;
+    return EXIT_DONE;
+}
+
+int value_show(void *to, const char *name, const char *value) {
+    unsigned long count;
+    if (!numbers_count(&count, value, 0) || count > 1000000)
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number up to 1000000", name, value);
+    *(size_t *)to = count;
+    return EXIT_DONE;
+}

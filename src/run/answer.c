@@ -1,0 +1,60 @@
+/* Answers runs of rows: reads their numbers, classifies them and writes them into one text.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "run/answer.h"
+
+#include <string.h>
+#include "run/status.h"
+
+/* Make the points of a run's rows; returns how many before a fault. */
+static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t first) {
+    const row_source *from = &a->task.source;
+    size_t d = (size_t)graze_scene_dimension(a->task.scene), n = 0;
+    if (from->grid) {
+        grid_points(a->points, from->grid, from->part, b->before + first, r->taken);
+        return r->taken;
+    }
+    a->reader.rest_length = 0;
+    for (; n < r->taken; n++) {
+        a->rest_at[n] = a->reader.rest_length;
+        if (columns_row(a->points + n * d, &r->fault, from->columns, &a->reader, b, first + n))
+            break;
+    }
+    /* Without other columns there is no text of them, and NULL has no places. */
+    for (size_t k = 0; a->reader.rest && k < n; k++)
+        a->rest[k] = a->reader.rest + a->rest_at[k];
+    return n;
+}
+
+void answer(answerer *a, row_run *r, const block *b, size_t first) {
+    size_t n = make_run_points(a, r, b, first);
+    int has_rest = a->task.source.columns && a->task.source.columns->others;
+    graze_status status =
+        graze_report_points(&r->text, &r->length, &r->done, a->context, a->task.scene,
+                            (const mpq_t *)a->points, n, a->task.format, has_rest ? a->rest : NULL);
+    if (status)
+        fault_clear(&r->fault);
+    if (status == GRAZE_ECANCELED)
+        r->fault.status = EXIT_SIGNAL;
+    else if (status)
+        fault_set(&r->fault, exit_for(status, EXIT_FAULT), "row %lu: %s",
+                  shard_place(a->task.source.part, b->before + first + r->done) + 1,
+                  graze_context_message(a->context));
+}
+
+int answerer_init(answerer *a, const answer_task *task) {
+    memset(a, 0, sizeof *a);
+    a->task = *task;
+    for (size_t p = 0; p < 3 * RUN_ROWS; p++)
+        mpq_init(a->points[p]);
+    int status = context_make(&a->context, task->context);
+    a->reader.context = a->context;
+    return status;
+}
+
+void answerer_clear(answerer *a) {
+    for (size_t p = 0; p < 3 * RUN_ROWS; p++)
+        mpq_clear(a->points[p]);
+    reader_clear(&a->reader);
+    graze_context_destroy(a->context);
+}

@@ -1,0 +1,43 @@
+/* Runs of rows answered: their numbers read, their points classified, all of it written as one
+ * text. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_RUN_ANSWER_H
+#define GRAZE_RUN_ANSWER_H
+
+#include "cli/columns.h"
+#include "run/grid.h"
+#include "run/load.h"
+
+/** Source of the rows of the blocks: one is NULL. */
+typedef struct row_source {
+    const columns *columns;
+    const grid *grid;
+    shard part;
+} row_source;
+
+/** What rows are answered from. All is borrowed, and only read. */
+typedef struct answer_task {
+    const context_options *context;
+    const graze_scene *scene;
+    row_source source;
+    graze_format format;
+} answer_task;
+
+/** The state of one thread that answers rows. Its context is its own. */
+typedef struct answerer {
+    answer_task task;
+    graze_context *context;
+    reader reader;
+    mpq_t points[3 * RUN_ROWS];
+    size_t rest_at[RUN_ROWS];
+    const char *rest[RUN_ROWS];
+} answerer;
+
+/** Make an answerer; answerer_clear frees it in either case. On failure says why. */
+int answerer_init(answerer *a, const answer_task *task);
+void answerer_clear(answerer *a);
+/** Answer the run that begins at row `first` of a block, into a run whose `taken` is set and that
+ * is zeroed otherwise. */
+void answer(answerer *a, row_run *r, const block *b, size_t first);
+
+#endif

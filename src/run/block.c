@@ -1,0 +1,72 @@
+/* Blocks of rows, and faults.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/block.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int fault_set(fault *f, int status, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    f->status = status;
+    f->message = length < 0 ? NULL : malloc((size_t)length + 1);
+    if (f->message) {
+        va_start(arguments, format);
+        vsnprintf(f->message, (size_t)length + 1, format, arguments);
+        va_end(arguments);
+    }
+    return status;
+}
+
+int fault_tell(const fault *f) {
+    if (f->status == EXIT_DONE || f->status == EXIT_SIGNAL)
+        return f->status;
+    return complain(f->status, "%s", f->message ? f->message : "out of memory");
+}
+
+void fault_clear(fault *f) {
+    free(f->message);
+    *f = (fault){EXIT_DONE, NULL};
+}
+
+block *block_create(void) {
+    return calloc(1, sizeof(block));
+}
+
+int block_add(block *b, field text, unsigned long number) {
+    if (b->capacity - b->used < text.length) {
+        size_t capacity = 2 * (b->used + text.length);
+        char *grown = realloc(b->bytes, capacity);
+        if (!grown)
+            return 0;
+        b->bytes = grown;
+        b->capacity = capacity;
+    }
+    memcpy(b->bytes + b->used, text.start, text.length);
+    b->lines[b->count++] = (line){b->used, text.length, number};
+    b->used += text.length;
+    return 1;
+}
+
+void block_reset(block *b, unsigned long before) {
+    for (size_t r = 0; r < b->count; r++) {
+        graze_free(b->runs[r].text);
+        fault_clear(&b->runs[r].fault);
+        memset(&b->runs[r], 0, sizeof b->runs[r]);
+    }
+    b->before = before;
+    b->count = b->used = b->next = b->busy = 0;
+    b->after = NULL;
+}
+
+void block_destroy(block *b) {
+    if (!b)
+        return;
+    block_reset(b, 0);
+    free(b->bytes);
+    free(b);
+}

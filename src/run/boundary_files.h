@@ -1,0 +1,19 @@
+/* Boundaries by sampling as files: PLY, legacy VTK, CSV.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_RUN_BOUNDARY_FILES_H
+#define GRAZE_RUN_BOUNDARY_FILES_H
+
+#include "graze.h"
+
+/** EXIT_USAGE unless each name that is not NULL has an extension that its kind can be written in.
+ */
+int boundary_check_names(const char *surface, const char *cells, const char *points);
+
+/** Write a file, its form told by the extension. Coordinates are binary64, in CSV exact. Each
+ * returns an exit status and says what is wrong. */
+int boundary_write_surface(const char *path, const graze_boundary *b, int dimension);
+int boundary_write_cells(const char *path, const graze_boundary *b, int dimension);
+int boundary_write_points(const char *path, const graze_boundary *b, int dimension);
+
+#endif

@@ -1,0 +1,33 @@
+/* A candidate's command: cut into words, its placeholders filled, run and timed.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * No shell is asked. Words are parted by blanks; '...' is taken as it is, in "..." a backslash
+ * stands before " and \, elsewhere before any byte. Nothing is expanded. A placeholder is a word of
+ * its own and becomes one argument, whatever the path holds.
+ */
+#ifndef GRAZE_RUN_CANDIDATE_H
+#define GRAZE_RUN_CANDIDATE_H
+
+/** What {solid}, {motion}, {points}, {out} stand for. */
+typedef struct candidate_paths {
+    const char *solid, *motion, *points, *out;
+} candidate_paths;
+
+/**
+ * Cut a command into words and fill its placeholders.
+ * @param[out] words NULL-ended, for candidate_free; NULL on failure
+ * @return EXIT_USAGE a quote left open, a placeholder inside a word or unknown, {points} or {out}
+ * missing
+ */
+int candidate_split(char ***words, const char *command, const candidate_paths *paths);
+void candidate_free(char **words);
+
+/**
+ * Run the words and wait, at most `timeout` seconds. Its standard output goes to our standard
+ * error.
+ * @param[out] seconds of the clock, from start to end
+ * @return EXIT_INPUT it cannot be run, fails or takes too long; EXIT_SIGNAL
+ */
+int candidate_run(double *seconds, char **words, unsigned long timeout);
+
+#endif

@@ -1,0 +1,176 @@
+/* Writes tables of query points.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "run/generate.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "run/interrupt.h"
+#include "run/output.h"
+#include "run/progress.h"
+
+typedef struct maker {
+    loaded l;
+    graze_generator *generator;
+    unsigned long weights[GRAZE_STRATUM_COUNT];
+    mpq_t point[3], time;
+    output out;
+    int opened;
+} maker;
+
+/* NAME=W of a list; `length` characters. */
+static int read_stratum_weight(unsigned long *weights, const char *text, size_t length) {
+    const char *equals = memchr(text, '=', length);
+    size_t name = equals ? (size_t)(equals - text) : length;
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
+        const char *known = graze_stratum_name((graze_stratum)k);
+        if (strlen(known) != name || memcmp(known, text, name) != 0)
+            continue;
+        char *end;
+        unsigned long weight = equals ? strtoul(equals + 1, &end, 10) : 1;
+        if (equals &&
+            (equals[1] < '0' || equals[1] > '9' || end != text + length || weight > 1000000))
+            return complain(
+                EXIT_USAGE,
+                "--strata %.*s: expected a weight that is a whole number from 0 to 1000000",
+                (int)length, text);
+        weights[k] = weight;
+        return EXIT_DONE;
+    }
+    return complain(EXIT_USAGE,
+                    "--strata %.*s: expected the name of a stratum; see graze generate --help",
+                    (int)length, text);
+}
+
+static int read_strata(unsigned long *weights, const char *list) {
+    int status = EXIT_DONE;
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        weights[k] = list ? 0 : graze_stratum_default_weight((graze_stratum)k);
+    while (list && !status) {
+        size_t length = strcspn(list, ",");
+        status = read_stratum_weight(weights, list, length);
+        list = list[length] ? list + length + 1 : NULL;
+    }
+    return status;
+}
+
+static void put_points_box(maker *m) {
+    int d = graze_scene_dimension(m->l.scene);
+    mpq_t high[3];
+    for (int i = 0; i < 3; i++)
+        mpq_init(high[i]);
+    graze_generator_box(m->point, high, m->generator);
+    output_put(&m->out, "# box");
+    for (int i = 0; i < 2 * d; i++) {
+        output_put(&m->out, i == 0 ? " " : ",");
+        output_number(&m->out, i < d ? m->point[i] : high[i - d]);
+    }
+    output_put(&m->out, "\n");
+    for (int i = 0; i < 3; i++)
+        mpq_clear(high[i]);
+}
+
+static void put_points_head(maker *m, const generate_options *o) {
+    char line[128];
+    snprintf(line, sizeof line, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
+             GRAZE_VERSION, o->seed, o->representable ? "binary64" : "no");
+    output_put(&m->out, line);
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
+        unsigned long weight = graze_generator_weight(m->generator, (graze_stratum)k);
+        if (m->weights[k] == 0)
+            continue;
+        snprintf(line, sizeof line, weight ? "# stratum %s %lu\n" : "# stratum %s cannot be made\n",
+                 graze_stratum_name((graze_stratum)k), weight);
+        output_put(&m->out, line);
+    }
+    put_points_box(m);
+    output_put(&m->out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
+    output_put(&m->out, "stratum,order,cell,time,k,side\n");
+}
+
+static void put_sample_cell(output *out, const graze_cell *cell) {
+    static const char *const names[] = {"", "face", "edge", "vertex"};
+    char text[96];
+    if (cell->kind == GRAZE_CELL_EDGE)
+        snprintf(text, sizeof text, "edge %zu-%zu", cell->a, cell->b);
+    else
+        snprintf(text, sizeof text, "%s %zu", names[cell->kind], cell->a);
+    output_put(out, text);
+}
+
+static int put_sample(maker *m, unsigned long row) {
+    graze_sample made;
+    graze_status status =
+        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, row);
+    if (status)
+        return complain_of(status, m->l.context);
+    for (int i = 0; i < graze_scene_dimension(m->l.scene); i++) {
+        output_number(&m->out, m->point[i]);
+        output_put(&m->out, ",");
+    }
+    char text[48];
+    output_put(&m->out, graze_stratum_name(made.stratum));
+    if (made.order == 0) {
+        output_put(&m->out, ",,,,,\n");
+        return EXIT_DONE;
+    }
+    snprintf(text, sizeof text, made.order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made.order);
+    output_put(&m->out, text);
+    put_sample_cell(&m->out, &made.cell);
+    output_put(&m->out, ",");
+    output_number(&m->out, m->time);
+    snprintf(text, sizeof text, made.k ? ",%d,%s\n" : ",,\n", made.k, made.outward ? "out" : "in");
+    output_put(&m->out, text);
+    return EXIT_DONE;
+}
+
+static int put_samples(maker *m, const generate_options *o) {
+    int status = EXIT_DONE;
+    progress line;
+    progress_start(&line, o->quiet, 0, (portion){0, o->count});
+    unsigned long row = 0;
+    for (; row < o->count && !status && !m->out.error; row++) {
+        status = interrupt_signal() ? EXIT_SIGNAL : put_sample(m, row);
+        if (row % 1024 == 0)
+            progress_show(&line, row, (portion){row, o->count});
+    }
+    progress_end(&line, row, (portion){row, o->count});
+    return status;
+}
+
+static int write_points(maker *m, const generate_options *o) {
+    int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
+    if (status)
+        return status;
+    graze_status made =
+        graze_generator_create(&m->generator, m->l.context, m->l.scene, o->seed, m->weights,
+                               o->representable ? GRAZE_GENERATE_REPRESENTABLE : 0);
+    if (made)
+        return complain_of_use(made, m->l.context);
+    status = output_open(&m->out, o->output);
+    m->opened = !status;
+    if (status)
+        return status;
+    put_points_head(m, o);
+    return put_samples(m, o);
+}
+
+int generate_run(const generate_options *o) {
+    maker *m = calloc(1, sizeof *m);
+    if (!m)
+        return complain(EXIT_IO, "out of memory");
+    mpq_inits(m->point[0], m->point[1], m->point[2], m->time, NULL);
+    int status = read_strata(m->weights, o->strata);
+    if (!status)
+        status = write_points(m, o);
+    if (m->opened) {
+        int closed = output_close(&m->out);
+        status = closed ? closed : status;
+    }
+    graze_generator_destroy(m->generator);
+    loaded_clear(&m->l);
+    mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);
+    free(m);
+    return status;
+}

@@ -1,0 +1,52 @@
+/* Makes contexts, and scenes from two files.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "run/load.h"
+
+#include <string.h>
+#include "run/interrupt.h"
+
+static int signal_came(void *data) {
+    (void)data;
+    return interrupt_signal() != 0;
+}
+
+int context_make(graze_context **out, const context_options *o) {
+    graze_status status = graze_context_create(out);
+    if (status)
+        return complain(EXIT_IO, "out of memory");
+    graze_context_set_cancel(*out, signal_came, NULL);
+    graze_context_set_filter(*out, !o->exact_only);
+    status = graze_context_set_rounding(*out, o->rounding);
+    for (int k = 0; k < GRAZE_LIMIT_COUNT && !status; k++)
+        if (o->limits[k])
+            status = graze_context_set_limit(*out, (graze_limit)k, o->limits[k]);
+    return status ? complain(EXIT_USAGE, "%s", graze_context_message(*out)) : EXIT_DONE;
+}
+
+int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted) {
+    memset(out, 0, sizeof *out);
+    int code = context_make(&out->context, &o->context);
+    if (code)
+        return code;
+    graze_status status =
+        trusted
+            ? graze_solid_read_trusted(&out->solid, out->context, o->solid, o->solid_flags, trusted)
+            : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
+    if (!status && *graze_solid_note(out->solid))
+        complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
+    if (!status)
+        status = graze_motion_read(&out->motion, out->context, o->motion);
+    if (!status)
+        status = graze_scene_create(&out->scene, out->context, out->solid, out->motion, &o->scene);
+    code = complain_of(status, out->context);
+    return status == GRAZE_EILLEGAL ? illegal : code;
+}
+
+void loaded_clear(loaded *l) {
+    graze_scene_destroy(l->scene);
+    graze_motion_destroy(l->motion);
+    graze_solid_destroy(l->solid);
+    graze_context_destroy(l->context);
+    graze_thread_finish();
+}

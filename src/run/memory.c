@@ -1,0 +1,66 @@
+/* Memory for GMP, MPFR and FLINT, which cannot go on without it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The end is immediate: other threads may be at work, and what they hold cannot be given back.
+ * What is not yet written of a table is lost, so that the table lacks its last line.
+ */
+#include "run/memory.h"
+
+#include <flint/flint.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <unistd.h>
+#include "run/status.h"
+
+static void (*before_end)(void);
+
+void memory_before_end(void (*what)(void)) {
+    before_end = what;
+}
+
+/* One message, however many threads come here. */
+static _Noreturn void end(void) {
+    static atomic_flag told = ATOMIC_FLAG_INIT;
+    static const char message[] = "graze: out of memory\n";
+    while (atomic_flag_test_and_set(&told))
+        pause();
+    ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
+    (void)ignored;
+    if (before_end)
+        before_end();
+    _exit(EXIT_IO);
+}
+
+static void *checked(void *memory) {
+    if (!memory)
+        end();
+    return memory;
+}
+
+/* No size is 0, for which NULL would be a right answer. */
+static void *allocate(size_t size) {
+    return checked(malloc(size + !size));
+}
+
+static void *allocate_zeroed(size_t count, size_t size) {
+    return checked(calloc(count + !count, size + !size));
+}
+
+static void *resize(void *memory, size_t size) {
+    return checked(realloc(memory, size + !size));
+}
+
+static void *resize_known(void *memory, size_t before, size_t size) {
+    (void)before;
+    return resize(memory, size);
+}
+
+static void release_known(void *memory, size_t size) {
+    (void)size;
+    free(memory);
+}
+
+void memory_guard(void) {
+    mp_set_memory_functions(allocate, resize_known, release_known);
+    __flint_set_memory_functions(allocate, allocate_zeroed, resize, free);
+}

@@ -1,0 +1,21 @@
+/* Numbers on the command line.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_RUN_NUMBERS_H
+#define GRAZE_RUN_NUMBERS_H
+
+#include "graze.h"
+
+/**
+ * Read `count` numbers between commas.
+ * @param[out] out     initialised rationals
+ * @param name         what they are for, in the message
+ * @return EXIT_USAGE, EXIT_LIMIT
+ */
+int numbers_read(mpq_t *out, graze_context *context, const char *name, const char *text,
+                 size_t length, int count);
+
+/** A whole number from `low` up; digits only. 1 if it is one. */
+int numbers_count(unsigned long *out, const char *text, unsigned long low);
+
+#endif

@@ -1,0 +1,56 @@
+/* Buffered output to standard output or a file, whose every failure is noticed.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_RUN_OUTPUT_H
+#define GRAZE_RUN_OUTPUT_H
+
+#include <gmp.h>
+#include <stddef.h>
+
+/** Once a write has failed `error` holds its errno and nothing more is written; a plain file is cut
+ * off after its last whole line then. */
+typedef struct output {
+    int fd;
+    const char *name; /* for messages */
+    int error;
+    char *kept; /* what output_keep holds back */
+    size_t kept_length, kept_capacity;
+    int keeps;
+    size_t open_line; /* bytes of the line that what is written so far ends in */
+    size_t used;
+    char buffer[1 << 16];
+} output;
+
+/** Open `path`, or standard output where it is NULL; an existing file is emptied. Returns an exit
+ * status and says what is wrong. */
+int output_open(output *out, const char *path);
+/** Open a file without changing it, to go on from a place in it; it is made if it is not there.
+ * Returns an exit status and says what is wrong. */
+int output_continue(output *out, const char *path);
+/** Hold the file against others who ask for this too, until it or any other descriptor of it is
+ * closed. EXIT_IO: another holds it. */
+int output_lock(output *out);
+/** Go on from that byte of the file and cut off what stands there. */
+void output_from(output *out, long long byte);
+void output_put(output *out, const char *text);
+void output_bytes(output *out, const char *text, size_t length);
+/** An integer, or a ratio in lowest terms. */
+void output_number(output *out, const mpq_t value);
+void output_flush(output *out);
+/** From now on keep in memory what is put, instead of writing it. */
+void output_keep(output *out);
+/** Hand over what was kept, malloc'ed, and write again what is put from now on. NULL when memory
+ * ran short, or nothing was put. */
+char *output_release(output *out, size_t *length);
+/** Flush and close. Returns an exit status and says what went wrong since it was opened. */
+int output_close(output *out);
+
+/** Write a text to `path`, or to standard output where it is NULL. Returns an exit status and says
+ * what is wrong. */
+int output_text(const char *path, const char *text);
+
+/** Make sure that file descriptors 0, 1 and 2 are in use, so that no file opened later takes the
+ * place of a closed one; reading or writing one that was closed fails. */
+void output_guard_standard(void);
+
+#endif

@@ -1,0 +1,21 @@
+/* Receipts: graze check says in a file what it found legal, so that graze classify need not look
+ * for facets that meet again.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A receipt is a text that the scene and the options that shape it determine: version, hashes of
+ * both files and of the scene, rounding, triangulation; and last a checksum of itself, against
+ * accidents. It holds for a run that would write the same one.
+ */
+#ifndef GRAZE_RUN_RECEIPT_H
+#define GRAZE_RUN_RECEIPT_H
+
+#include "run/load.h"
+
+/** Write the receipt of a legal scene to a file. */
+int receipt_write(const char *path, const loaded *l, const scene_options *o);
+
+/** Read a scene, sparing what its receipt answers for; all of it where `path` is NULL. EXIT_INPUT:
+ * the file is no receipt, or not one of this scene. `out` is for loaded_clear in either case. */
+int receipt_load(loaded *out, const char *path, const scene_options *o);
+
+#endif

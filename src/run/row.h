@@ -1,0 +1,37 @@
+/* The form of a table's rows, and what of a row can be checked without making it again.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_RUN_ROW_H
+#define GRAZE_RUN_ROW_H
+
+#include "table/field.h"
+#include "graze.h"
+
+/** What the head of a table says of its rows. */
+typedef struct row_form {
+    int dimension;
+    graze_options options; /* operation and folds */
+    size_t others;         /* further columns */
+} row_form;
+
+/** A row's point and further columns, as they stand in it; without the commas beside the answers.
+ */
+typedef struct row_parts {
+    field point, rest;
+} row_parts;
+
+/** Read it from a head, up to the column line; 0 if that is none of graze classify. */
+int row_form_read(row_form *out, const char *head);
+
+/**
+ * Check a row, without its line end: a point, the answers that belong to its word and to no other,
+ * and further columns only where the table has some. How many those are is left to the caller.
+ * @return NULL, or what is expected
+ */
+const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row);
+
+/** Is each coordinate an integer or a ratio as graze classify writes it? Whether a ratio could be
+ * reduced is not looked at. */
+int row_point_is_written(field point, int dimension);
+
+#endif

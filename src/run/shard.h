@@ -1,0 +1,34 @@
+/* Shards: the rows of one run dealt out to several.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Rows are dealt like cards, one to each shard in turn: shard i of n has the rows i, i + n,
+ * i + 2n, ... of the whole run, counted from 1. So nobody need know how many there are, easy and
+ * hard regions are shared evenly, and the whole is put together by taking rows in turn again.
+ */
+#ifndef GRAZE_RUN_SHARD_H
+#define GRAZE_RUN_SHARD_H
+
+/** Lines of a shard's table that a whole one lacks: which it is, in the head; and before the last
+ * line how many rows all shards have, and a checksum of their points (0 for a grid). */
+#define SHARD_LINE "# shard "
+#define SHARD_ROWS "# rows-of-all-shards "
+#define SHARD_POINTS "# points-checksum "
+
+/** Shard `index` < `count`; one shard is the whole run. */
+typedef struct shard {
+    unsigned long index, count;
+} shard;
+
+/** The most shards a run is cut into. */
+enum { SHARDS_MOST = 100000 };
+
+/** Read `i/n`, 1 <= i <= n; 0 if the text is none. */
+int shard_read(shard *out, const char *text);
+
+/** The place in the whole run of the shard's row `row`; both from 0. */
+unsigned long shard_place(shard s, unsigned long row);
+
+/** How many of the first `rows` rows of the whole run are the shard's. */
+unsigned long shard_rows(shard s, unsigned long rows);
+
+#endif
