@@ -11,6 +11,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import argparse
 import collections
 import concurrent.futures
+import glob
 import os
 import queue
 import re
@@ -102,9 +103,8 @@ class Parts:
         main, replay = os.path.join(folder, "main.o"), os.path.join(folder, "replay.o")
         compile_c(main, "src/cli/main.c", "-Dmain=graze_main")
         compile_c(replay, "tests/mutation/replay.c")
-        cli = f"{build}/src/cli"
-        self.program = [main, replay] + [os.path.join(cli, name) for name in os.listdir(cli)
-                                         if name.endswith(".o") and name != "main.o"]
+        sources = sorted(glob.glob("src/cli/*.c") + glob.glob("src/run/*.c"))
+        self.program = [main, replay] + [f"{build}/{name[:-2]}.o" for name in sources if name != "src/cli/main.c"]
         self.build, self.folder = build, folder
 
     def bench(self, name):

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
-#include "cli/rows.h"
+#include "run/csv.h"
 #include "cli/values.h"
 #include "run/grid.h"
 #include "run/load.h"

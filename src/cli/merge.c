@@ -9,7 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "cli/commands.h"
-#include "cli/part.h"
+#include "run/part.h"
 #include "cli/values.h"
 #include "run/interrupt.h"
 #include "run/progress.h"

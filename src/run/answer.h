@@ -4,7 +4,7 @@
 #ifndef GRAZE_RUN_ANSWER_H
 #define GRAZE_RUN_ANSWER_H
 
-#include "cli/columns.h"
+#include "run/columns.h"
 #include "run/grid.h"
 #include "run/load.h"
 

@@ -21,11 +21,11 @@ static int ends_in(const char *path, const char *extension) {
 
 int boundary_check_names(const char *surface, const char *cells, const char *points) {
     if (surface && !ends_in(surface, ".ply") && !ends_in(surface, ".vtk"))
-        return complain(EXIT_USAGE, "--surface %s: right is a name in .ply or .vtk", surface);
+        return complain(EXIT_USAGE, "--surface %s: expected a name in .ply or .vtk", surface);
     if (cells && !ends_in(cells, ".vtk"))
-        return complain(EXIT_USAGE, "--cells %s: right is a name in .vtk", cells);
+        return complain(EXIT_USAGE, "--cells %s: expected a name in .vtk", cells);
     if (points && !ends_in(points, ".csv") && !ends_in(points, ".vtk"))
-        return complain(EXIT_USAGE, "--points %s: right is a name in .csv or .vtk", points);
+        return complain(EXIT_USAGE, "--points %s: expected a name in .csv or .vtk", points);
     return EXIT_DONE;
 }
 

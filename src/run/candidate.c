@@ -47,7 +47,7 @@ static const char *fill(const char *word, const candidate_paths *paths, int *see
             return values[k];
         }
         if (strstr(word, names[k])) {
-            complain(EXIT_USAGE, "--candidate: %s inside the word '%s'; right is a word of its own",
+            complain(EXIT_USAGE, "--candidate: %s inside the word '%s'; expected a word of its own",
                      names[k], word);
             return NULL;
         }
@@ -75,7 +75,7 @@ static int add_words(char **words, const char *command, char *buffer,
     }
     if (!seen[2] || !seen[3])
         return complain(EXIT_USAGE,
-                        "--candidate: %s is missing; right is 'CMD {solid} {motion} "
+                        "--candidate: %s is missing; expected 'CMD {solid} {motion} "
                         "{points} {out}'",
                         seen[2] ? "{out}" : "{points}");
     return EXIT_DONE;
@@ -160,7 +160,7 @@ static int wait_for(double *seconds, const char *name, pid_t child, unsigned lon
         return complain(EXIT_INPUT, "the candidate %s was ended by signal %d", name,
                         WTERMSIG(state));
     if (WEXITSTATUS(state))
-        return complain(EXIT_INPUT, "the candidate %s ended with status %d; right is 0", name,
+        return complain(EXIT_INPUT, "the candidate %s ended with status %d; expected 0", name,
                         WEXITSTATUS(state));
     return EXIT_DONE;
 }

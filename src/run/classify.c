@@ -9,9 +9,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/kept.h"
-#include "cli/results.h"
-#include "cli/rows.h"
+#include "run/kept.h"
+#include "run/results.h"
+#include "run/csv.h"
 #include "run/interrupt.h"
 #include "run/jobs.h"
 #include "run/progress.h"
@@ -45,7 +45,8 @@ static char *make_head_notes(const run_state *s, const classify_options *o) {
     const char *cut = o->scene.solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n"
                                                                      : "# triangulate no\n";
     if (o->shard.given)
-        snprintf(shard, sizeof shard, SHARD_LINE "%lu/%lu\n", o->shard.part.index + 1, o->shard.part.count);
+        snprintf(shard, sizeof shard, SHARD_LINE "%lu/%lu\n", o->shard.part.index + 1,
+                 o->shard.part.count);
     char *notes = grid ? malloc(strlen(cut) + strlen(grid) + strlen(shard) + 1) : NULL;
     if (notes)
         strcat(strcat(strcpy(notes, cut), grid), shard);
@@ -210,10 +211,11 @@ static int prepare_run(run_state *s, const classify_options *o) {
         status = check_points_file(s, o);
     if (!status)
         status = make_ring(s, ring_size(o));
-    answer_task task = {.context = &o->scene.context,
-                        .scene = s->l.scene,
-                        .source = {s->points ? csv_columns(s->points) : NULL, s->grid, o->shard.part},
-                        .format = o->format.rows};
+    answer_task task = {
+        .context = &o->scene.context,
+        .scene = s->l.scene,
+        .source = {s->points ? csv_columns(s->points) : NULL, s->grid, o->shard.part},
+        .format = o->format.rows};
     if (!status)
         status = jobs_start(&s->jobs, o->threads, &task);
     if (!status)

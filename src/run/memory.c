@@ -37,7 +37,7 @@ static void *checked(void *memory) {
     return memory;
 }
 
-/* No size is 0, for which NULL would be a right answer. */
+/* No size is 0, for which NULL would not mean a failure. */
 static void *allocate(size_t size) {
     return checked(malloc(size + !size));
 }

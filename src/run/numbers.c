@@ -16,8 +16,7 @@ int numbers_read(mpq_t *out, graze_context *context, const char *name, const cha
         const char *comma = text <= end ? memchr(text, ',', (size_t)(end - text)) : NULL;
         const char *stop = comma ? comma : end;
         if (text > end || (k + 1 < count) != (comma != NULL))
-            return complain(EXIT_USAGE, "%s: the right count of numbers is %d, between commas",
-                            name, count);
+            return complain(EXIT_USAGE, "%s: expected %d numbers between commas", name, count);
         graze_status status = graze_number_parse(out[k], context, text, (size_t)(stop - text));
         if (status)
             return complain(exit_for(status, EXIT_USAGE), "%s: %s", name,

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "run/output.h"
-#include "cli/source.h"
+#include "run/source.h"
 
 /* A receipt has fewer bytes than that. */
 enum { RECEIPT = 1024, HASH = 32 };

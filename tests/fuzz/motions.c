@@ -5,7 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/cli.h"
+#include "cli/commands.h"
+#include "run/status.h"
 #include "fuzz.h"
 #include "motion/expression.h"
 
@@ -151,8 +152,7 @@ int fuzz_poses(const uint8_t *data, size_t size) {
 /* The words of `graze motion`, one a line. */
 int fuzz_joints(const uint8_t *data, size_t size) {
     words w;
-    options o;
-    int help, limits, taken = 0;
+    int limits, taken = 0;
     fuzz_words(&w, "motion", (section){data, size});
     const char *const *limit = fuzz_limit_words(&limits);
     char *argv[FUZZ_WORDS + 2 * GRAZE_LIMIT_COUNT + 8];
@@ -167,13 +167,10 @@ int fuzz_joints(const uint8_t *data, size_t size) {
     argv[argc++] = "--output";
     argv[argc++] = (char *)json;
     argv[argc] = NULL;
-    int status = options_read(&o, &help, &command_motion, argc, argv);
-    if (!status && !help) {
-        status = command_motion.run(&o);
-        EXPECT(status == EXIT_DONE || status == EXIT_USAGE || status == EXIT_INPUT ||
-               status == EXIT_LIMIT);
-        taken = status == EXIT_DONE;
-    }
+    int status = command_run(&command_motion, argc, argv);
+    EXPECT(status == EXIT_DONE || status == EXIT_USAGE || status == EXIT_INPUT ||
+           status == EXIT_LIMIT);
+    taken = status == EXIT_DONE;
     if (taken) {
         size_t length;
         char *text = fuzz_read(json, &length), *said = fuzz_read(report, &length);
@@ -184,7 +181,6 @@ int fuzz_joints(const uint8_t *data, size_t size) {
         free(text);
         free(said);
     }
-    options_clear(&o);
     free(w.text);
     return taken;
 }

@@ -71,9 +71,9 @@ def public_functions():
 
 
 def bodies():
-    """What stands in each function of the targets, by its name; of a command all of its file."""
+    """Bodies of the functions of targets and runs, by name; a command is all of its file."""
     found = {}
-    for path in glob.glob(f"{HERE}/*.c"):
+    for path in glob.glob(f"{HERE}/*.c") + glob.glob("src/run/*.c"):
         with open(path, encoding="utf-8") as file:
             text = re.sub(r"/\*.*?\*/", "", file.read(), flags=re.S)
         for head, body in re.findall(r"^(\w[^;={}]*\))\s*\{\n(.*?)^\}", text, re.M | re.S):

@@ -3,16 +3,17 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "cli/rows.h"
+#include "cli/commands.h"
+#include "run/answer.h"
+#include "run/csv.h"
 #include "fuzz.h"
 
 /* The limits as the options hold them. */
-static void low_limits(options *o) {
+static void low_limits(context_options *o) {
     graze_context *context = fuzz_context();
     memset(o, 0, sizeof *o);
     for (int k = 0; k < GRAZE_LIMIT_COUNT; k++)
         o->limits[k] = graze_context_limit(context, (graze_limit)k);
-    o->part.count = 1;
     graze_context_destroy(context);
 }
 
@@ -42,20 +43,19 @@ static size_t answer_block(answerer *a, block *b) {
 /* Points of a file, in both dimensions, whole and as a shard, answered in both formats. */
 static int read_points(const char *path, int dimension, shard part, graze_format format) {
     static block *b;
-    options o;
+    context_options o;
     csv *points;
     answerer a;
     size_t rows = 0;
     low_limits(&o);
-    o.format = format;
     graze_context *context = fuzz_context();
     const graze_scene *scene = fuzz_still_scene(dimension);
     if (!b)
         b = block_create();
     EXPECT(b != NULL);
     EXPECT(csv_open(&points, path, dimension, part, context) == EXIT_DONE);
-    EXPECT(answerer_init(&a, &o, scene, (row_source){csv_columns(points), NULL, part}) ==
-           EXIT_DONE);
+    answer_task task = {&o, scene, {csv_columns(points), NULL, part}, format};
+    EXPECT(answerer_init(&a, &task) == EXIT_DONE);
     block_reset(b, 0);
     int status = csv_fill(points, b, BLOCK_ROWS);
     EXPECT(status == EXIT_DONE || status == EXIT_INPUT || status == EXIT_LIMIT);
@@ -100,7 +100,7 @@ static void check_grid(const grid *g, int d, const mpq_t *low, const mpq_t *high
 
 int fuzz_grid(const uint8_t *data, size_t size) {
     section s[3];
-    options o;
+    grid_options o;
     grid *g = NULL;
     fuzz_sections(s, 3, data, size);
     int d = s[2].size > 0 && s[2].data[0] == '3' ? 3 : 2, taken;
@@ -110,8 +110,7 @@ int fuzz_grid(const uint8_t *data, size_t size) {
     mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
     sizes[strcspn(sizes, "\n")] = '\0';
     box[strcspn(box, "\n")] = '\0';
-    low_limits(&o);
-    o.grid = sizes;
+    o.sizes = sizes;
     o.box = s[1].size ? box : NULL;
     int status = grid_open(&g, &o, context, fuzz_still_scene(d));
     EXPECT(status == EXIT_DONE || status == EXIT_USAGE || status == EXIT_LIMIT);
@@ -140,18 +139,21 @@ int fuzz_options(const uint8_t *data, size_t size) {
     static const command *const commands[] = {
         &command_check,  &command_classify, &command_explain,  &command_generate,
         &command_cases,  &command_compare,  &command_validate, &command_merge,
-        &command_motion, &command_boundary, &command_draw};
+        &command_motion, &command_boundary, &command_draw,     &command_certify};
     words w;
-    options o;
+    operands given;
     int help, taken = 0;
     fuzz_words(&w, "graze", (section){data, size});
     for (size_t k = 0; k < sizeof commands / sizeof *commands && w.count > 1; k++) {
         if (strcmp(w.word[1], commands[k]->name) != 0)
             continue;
-        int status = options_read(&o, &help, commands[k], w.count - 1, w.word + 1);
+        void *options = malloc(commands[k]->size);
+        EXPECT(options != NULL);
+        int status = command_read(&given, options, &help, commands[k], w.count - 1, w.word + 1);
         EXPECT(status == EXIT_DONE || status == EXIT_USAGE);
-        EXPECT(o.operand_count < w.count);
-        options_clear(&o);
+        EXPECT(given.count < w.count);
+        operands_clear(&given);
+        free(options);
         taken = status == EXIT_DONE;
     }
     free(w.text);

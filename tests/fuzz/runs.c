@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/receipt.h"
+#include "cli/classify.h"
+#include "run/receipt.h"
 #include "fuzz.h"
 
 static const char cube_text[] =
@@ -24,11 +25,7 @@ static void put_scene(char *argv[3]) {
 
 /* Run classify: 1 if there is a table, 0 if it was refused. */
 static int run(char **argv, int argc) {
-    options o;
-    int help, status = options_read(&o, &help, &command_classify, argc, argv);
-    EXPECT(status == EXIT_DONE && !help);
-    status = command_classify.run(&o);
-    options_clear(&o);
+    int status = command_run(&command_classify, argc, argv);
     EXPECT(status == EXIT_DONE || status == EXIT_INPUT || status == EXIT_LIMIT);
     return status == EXIT_DONE;
 }
@@ -101,12 +98,12 @@ static const char *good_receipt(char *scene[3]) {
     if (!text) {
         size_t length;
         loaded l;
-        options o = {.operands = scene, .operand_count = 2};
-        o.receipt = fuzz_file("receipt", NULL, 0);
-        EXPECT(load(&l, &o, EXIT_NO, NULL) == EXIT_DONE);
-        EXPECT(receipt_write(&l, &o) == EXIT_DONE);
-        unload(&l);
-        text = fuzz_read(o.receipt, &length);
+        scene_options o = {.solid = scene[0], .motion = scene[1]};
+        const char *path = fuzz_file("receipt", NULL, 0);
+        EXPECT(loaded_read(&l, &o, EXIT_NO, NULL) == EXIT_DONE);
+        EXPECT(receipt_write(path, &l, &o) == EXIT_DONE);
+        loaded_clear(&l);
+        text = fuzz_read(path, &length);
         EXPECT(strstr(text, "\nchecksum ") != NULL);
         *strstr(text, "\nchecksum ") = '\0';
     }

@@ -3,7 +3,8 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "cli/cli.h"
+#include "cli/commands.h"
+#include "run/status.h"
 #include "fuzz.h"
 
 /* What a comparison says of itself fits together, in both forms. */
@@ -70,11 +71,7 @@ int fuzz_export(const uint8_t *data, size_t size) {
 
 /* A command that writes a file. */
 static int run(const command *c, char **argv, int argc) {
-    options o;
-    int help, status = options_read(&o, &help, c, argc, argv);
-    EXPECT(status == EXIT_DONE && !help);
-    status = c->run(&o);
-    options_clear(&o);
+    int status = command_run(c, argc, argv);
     EXPECT(status == EXIT_DONE || status == EXIT_INPUT || status == EXIT_LIMIT);
     return status == EXIT_DONE;
 }

@@ -24,7 +24,7 @@ UNREACHED = {
     "out of memory": "an allocation fails only under fault injection",
     "no memory ": "an allocation fails only under fault injection",
     "memory ran out": "an allocation fails only under fault injection",
-    "cannot be started, for want of memory or of threads; right is a smaller --jobs": "the system refuses a thread",
+    "cannot be started, for want of memory or of threads; expected a smaller --jobs": "the system refuses a thread",
     "signals cannot be watched": "the system refuses a pipe",
     "as many as can be numbered": "needs 2^32 vertices",
     "is none of the %d there are": "the command line knows the limits; tests/api reaches it",

@@ -5,8 +5,8 @@
  * (kept.h), and its last whole row is the one this run makes of the same point. Until all that is
  * known nothing in the file changes.
  */
-#ifndef GRAZE_CLI_RESULTS_H
-#define GRAZE_CLI_RESULTS_H
+#ifndef GRAZE_RUN_RESULTS_H
+#define GRAZE_RUN_RESULTS_H
 
 #include <stdio.h>
 #include "run/output.h"

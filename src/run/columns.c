@@ -4,7 +4,7 @@
  * The first line is a header if it has a field x, y or (in E^3) z; else the first d columns are the
  * coordinates. Further columns are handed on as the bytes they were.
  */
-#include "cli/columns.h"
+#include "run/columns.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -92,7 +92,7 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
                              number, 'x' + k);
     if (first->count < (size_t)c->dimension)
         return fault_set(
-            f, EXIT_INPUT, "%s:%lu: %zu columns; right are at least %d, or a header naming x, y%s",
+            f, EXIT_INPUT, "%s:%lu: %zu columns; expected at least %d, or a header naming x, y%s",
             c->name, number, first->count, c->dimension, c->dimension == 3 ? ", z" : "");
     int status = name_others(f, c, first, !*header);
     if (!status)
@@ -141,7 +141,7 @@ int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block
     if (status)
         return status;
     if (r->cut.count != c->count)
-        return fault_set(f, EXIT_INPUT, "%s:%lu: %zu columns; right are %zu, as on the first line",
+        return fault_set(f, EXIT_INPUT, "%s:%lu: %zu columns; expected %zu, as on the first line",
                          c->name, l->number, r->cut.count, c->count);
     for (int k = 0; k < c->dimension; k++) {
         field token = field_content(r->cut.item[c->where[k]]);

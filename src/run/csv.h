@@ -1,13 +1,12 @@
-/* Rows of query points: taken from a file or a grid in blocks, read and answered by threads.
+/* Files of query points, cut into lines and handed out in blocks.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The first thread cuts a file into lines and does nothing else with them; a thread that answers
- * takes a run of rows, reads their numbers, classifies them and writes them into one text.
+ * The first thread cuts a file into lines and does nothing else with them; columns.h reads them.
  */
-#ifndef GRAZE_CLI_ROWS_H
-#define GRAZE_CLI_ROWS_H
+#ifndef GRAZE_RUN_CSV_H
+#define GRAZE_RUN_CSV_H
 
-#include "cli/columns.h"
+#include "run/columns.h"
 #include "run/progress.h"
 #include "run/shard.h"
 

@@ -1,8 +1,8 @@
 /* Opens what the commands read themselves.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef GRAZE_CLI_SOURCE_H
-#define GRAZE_CLI_SOURCE_H
+#ifndef GRAZE_RUN_SOURCE_H
+#define GRAZE_RUN_SOURCE_H
 
 #include <stddef.h>
 

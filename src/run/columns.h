@@ -1,8 +1,8 @@
 /* The columns of a file of points: which hold the coordinates, and what the others are called.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef GRAZE_CLI_COLUMNS_H
-#define GRAZE_CLI_COLUMNS_H
+#ifndef GRAZE_RUN_COLUMNS_H
+#define GRAZE_RUN_COLUMNS_H
 
 #include "run/block.h"
 

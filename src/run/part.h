@@ -5,8 +5,8 @@
  * many there are. What its head and its last lines say is known before its rows are read, and the
  * rows are held to it: their number, their form, and the answers that belong to their words.
  */
-#ifndef GRAZE_CLI_PART_H
-#define GRAZE_CLI_PART_H
+#ifndef GRAZE_RUN_PART_H
+#define GRAZE_RUN_PART_H
 
 #include "run/output.h"
 #include "run/row.h"

@@ -1,7 +1,7 @@
 /* Opens files and pipes; refuses directories and devices by name.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "cli/source.h"
+#include "run/source.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 /* Reads a part of a table (part.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "cli/part.h"
+#include "run/part.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -34,7 +34,7 @@ static int refill(part *p) {
 }
 
 static int complain_of_row(const part *p) {
-    return complain(EXIT_INPUT, "%s: does not have the %lu rows it says it has", p->path, p->rows);
+    return complain(EXIT_INPUT, "%s: has other rows than the %lu it counts", p->path, p->rows);
 }
 
 /* The rest of the line at hand, as far as it is in the buffer; *ended if its end is. */
@@ -165,10 +165,10 @@ static int read_head(part *p, FILE *file) {
     if (status)
         return status;
     if (p->at == 0)
-        return complain(EXIT_INPUT, "%s: is no table of graze classify", p->path);
+        return complain(EXIT_INPUT, "%s: expected a table of graze classify", p->path);
     if (!named)
         return complain(EXIT_INPUT,
-                        "%s: has no line `" SHARD_LINE "i/n` in its head: right is a "
+                        "%s: has no line `" SHARD_LINE "i/n` in its head; expected a "
                         "table of graze classify --shard i/n",
                         p->path);
     if (!row_form_read(&p->form, p->head ? p->head : ""))
@@ -221,10 +221,10 @@ static int read_tail(part *p, FILE *file) {
                         p->path);
     size_t n = points.length;
     memcpy(p->checksum, points.start, n < sizeof p->checksum ? n : sizeof p->checksum - 1);
-    unsigned long right = shard_rows(p->shard, p->rows_of_all);
-    if (p->rows != right)
-        return complain(EXIT_INPUT, "%s: says it has %lu rows; of %lu in all its shard has %lu",
-                        p->path, p->rows, p->rows_of_all, right);
+    unsigned long dealt = shard_rows(p->shard, p->rows_of_all);
+    if (p->rows != dealt)
+        return complain(EXIT_INPUT, "%s: counts %lu rows; expected %lu of %lu in all", p->path,
+                        p->rows, dealt, p->rows_of_all);
     return EXIT_DONE;
 }
 
@@ -234,8 +234,8 @@ int part_open(part *p, const char *path) {
     p->path = path;
     if (stat(path, &about) == 0 && !S_ISREG(about.st_mode))
         return complain(EXIT_IO,
-                        "%s: is no plain file; parts are read in turn, and of a pipe "
-                        "that cannot be done",
+                        "%s: expected a plain file; parts are read in turn, which a pipe "
+                        "does not allow",
                         path);
     FILE *file = fopen(path, "r");
     if (!file)

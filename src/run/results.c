@@ -1,7 +1,7 @@
 /* Writes a table, and continues one.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "cli/results.h"
+#include "run/results.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -64,7 +64,7 @@ static int scan(results *t) {
         status = complain_of_reading(t);
     if (!status && complete)
         status =
-            complain(EXIT_INPUT, "%s: is complete with its %lu rows; there is nothing to continue",
+            complain(EXIT_INPUT, "%s: is complete with its %lu rows; expected an interrupted table",
                      t->resumed, t->rows);
     free(line);
     if (!status && fseeko(t->file, (off_t)t->next_start, SEEK_SET) != 0)
@@ -104,8 +104,8 @@ int results_next(results *t, field *row) {
 
 int results_refuse(const results *t, field there, const char *expected, field here) {
     return complain(EXIT_INPUT,
-                    "%s:%lu: `%.*s` stands there; expected %s%.*s: right are the points the table "
-                    "was begun with, and its rows as they were written",
+                    "%s:%lu: `%.*s` stands there; expected %s%.*s, as in a table of these points "
+                    "that was not changed",
                     t->resumed, t->line_number, there.length < 200 ? (int)there.length : 200,
                     there.start, expected, here.length < 200 ? (int)here.length : 200, here.start);
 }
@@ -120,11 +120,12 @@ static int complain_of_head(const results *t, const char *here) {
         while (m < left && there[m] != '\n')
             m++;
         if (n != m || memcmp(here, there, n) != 0 || !here[n])
-            return complain(EXIT_INPUT,
-                            "%s:%lu: `%.*s` stands in the file and `%.*s` is this run's: it is the "
-                            "table of another run, which cannot be continued",
-                            t->resumed, number, (int)(m < 200 ? m : 200), there,
-                            (int)(n < 200 ? n : 200), here);
+            return complain(
+                EXIT_INPUT,
+                "%s:%lu: `%.*s` stands in the file and `%.*s` is this run's: expected a "
+                "table of this run",
+                t->resumed, number, (int)(m < 200 ? m : 200), there, (int)(n < 200 ? n : 200),
+                here);
         here += n + 1;
         m += m < left;
         there += m;
@@ -157,10 +158,11 @@ int results_add(results *t, const char *text, size_t length, unsigned long rows)
     }
     if (t->last && rows) {
         if (length < t->last_length || memcmp(text, t->last, t->last_length) != 0)
-            return complain(EXIT_INPUT,
-                            "%s: its last row, %lu, is not what this run makes of its point: right "
-                            "are the points the table was begun with",
-                            t->resumed, t->rows);
+            return complain(
+                EXIT_INPUT,
+                "%s: its last row, %lu, is not what this run makes of its point; expected "
+                "the points the table was begun with",
+                t->resumed, t->rows);
         output_from(&t->out, t->last_start);
         free(t->last);
         t->last = NULL;
@@ -175,7 +177,7 @@ int results_end(results *t) {
     if (!t->last)
         return EXIT_DONE;
     return complain(EXIT_INPUT,
-                    "%s: has %lu rows already, more than there are points: right are the points "
+                    "%s: has %lu rows already, more than there are points; expected the points "
                     "the table was begun with",
                     t->resumed, t->rows);
 }

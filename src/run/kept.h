@@ -4,12 +4,11 @@
  * They are not made again but the last (results.h). Of the others all is checked that their points
  * and words tell: point, further columns, and the answers that belong to the word.
  */
-#ifndef GRAZE_CLI_KEPT_H
-#define GRAZE_CLI_KEPT_H
+#ifndef GRAZE_RUN_KEPT_H
+#define GRAZE_RUN_KEPT_H
 
-#include "cli/results.h"
+#include "run/results.h"
 #include "run/row.h"
-#include "cli/rows.h"
 #include "run/answer.h"
 
 typedef struct kept {

@@ -4,6 +4,8 @@
  * Lines are found and handed on as they are (columns.h reads them); those of other shards are only
  * counted. One buffer's worth of the file and one block are in memory.
  */
+#include "run/csv.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,8 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "run/interrupt.h"
-#include "cli/rows.h"
-#include "cli/source.h"
+#include "run/source.h"
 
 struct csv {
     int fd, ended;

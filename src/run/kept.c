@@ -1,7 +1,7 @@
 /* Checks rows that a table has already.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "cli/kept.h"
+#include "run/kept.h"
 
 #include <stdlib.h>
 #include <string.h>
