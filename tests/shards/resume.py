@@ -48,7 +48,7 @@ def check_resume_refusals(bench):
         bench.check(seen == status and out == b"" and err.count(b"\n") == 1 and path.read_bytes() == content and
                     says in err, f"resume refuses and changes nothing: {what}", seen, err)
 
-    other = b"the table of another run"
+    other = b"expected a table of this run"
     refused("a complete table", b"is complete with its 50 rows", whole, points)
     refused("other options", b"`# folds combined` is this run's", half, points, "--folds", "combined")
     refused("a shard of it", b"`# shard 1/2` is this run's", half, points, "--shard", "1/2")
@@ -100,7 +100,7 @@ def check_kept_rows(bench):
         path = bench.file("begun.csv", begun)
         other = bench.file("others.csv", b"".join(lines[:2] + [line] + lines[3:]))
         status, out, err = bench.run(*words, other, "--resume", path)
-        bench.check(status == 3 and out == b"" and b"right are the points the table was begun with" in err and
+        bench.check(status == 3 and out == b"" and b"as in a table of these points" in err and
                     path.read_bytes() == begun, f"the points have {what}", status, err)
 
 
@@ -135,9 +135,9 @@ def check_receipts(bench):
     refused("another way to cut facets", b"this run has `triangulate yes`", cube, move, "--triangulate")
     for k in bench.random.sample(range(len(content)), 40):
         receipt.write_bytes(content[:k] + bytes([content[k] ^ 1]) + content[k + 1:])
-        refused(f"byte {k} is another", b"is no receipt of graze check")
+        refused(f"byte {k} is another", b"expected a receipt as graze check")
     receipt.write_bytes(content[:-9])
-    refused("it is cut", b"is no receipt of graze check")
+    refused("it is cut", b"expected a receipt as graze check")
     receipt.unlink()
     crossed = bench.file("crossed.off", cube.read_bytes().replace(b"2 2 2", b"2 2 -1"))
     status, _, _ = bench.run("check", "--receipt", receipt, crossed, move)
