@@ -26,7 +26,7 @@ def accepted(graze, command, folder):
     check(len(names) > 20 and own, f"long options of the program: {names}")
     found = {}
     for kind, name in sorted(names):
-        if any(name != longer and longer.startswith(name) for longer in own):  # taken for the longer one
+        if name not in own and any(longer.startswith(name) for longer in own):  # taken for the longer one
             continue
         complaint = run([graze, command, f"--{name}" + ("" if kind == "FLAG" else "=zzz")], folder)[1]
         if "has no such option" in complaint:
