@@ -152,7 +152,9 @@ int fuzz_poses(const uint8_t *data, size_t size) {
 /* The words of `graze motion`, one a line. */
 int fuzz_joints(const uint8_t *data, size_t size) {
     words w;
-    int limits, taken = 0;
+    int limits, help, taken = 0;
+    operands given;
+    void *options = malloc(command_motion.size);
     fuzz_words(&w, "motion", (section){data, size});
     const char *const *limit = fuzz_limit_words(&limits);
     char *argv[FUZZ_WORDS + 2 * GRAZE_LIMIT_COUNT + 8];
@@ -167,10 +169,14 @@ int fuzz_joints(const uint8_t *data, size_t size) {
     argv[argc++] = "--output";
     argv[argc++] = (char *)json;
     argv[argc] = NULL;
-    int status = command_run(&command_motion, argc, argv);
-    EXPECT(status == EXIT_DONE || status == EXIT_USAGE || status == EXIT_INPUT ||
-           status == EXIT_LIMIT);
-    taken = status == EXIT_DONE;
+    EXPECT(options != NULL);
+    int status = command_read(&given, options, &help, &command_motion, argc, argv);
+    if (!status && !help) {
+        status = command_motion.run(options, &given);
+        EXPECT(status == EXIT_DONE || status == EXIT_USAGE || status == EXIT_INPUT ||
+               status == EXIT_LIMIT);
+        taken = status == EXIT_DONE;
+    }
     if (taken) {
         size_t length;
         char *text = fuzz_read(json, &length), *said = fuzz_read(report, &length);
@@ -181,6 +187,8 @@ int fuzz_joints(const uint8_t *data, size_t size) {
         free(text);
         free(said);
     }
+    operands_clear(&given);
+    free(options);
     free(w.text);
     return taken;
 }
