@@ -5,7 +5,7 @@
 #include "api.h"
 #include "context/environment.h"
 #include "convert/convert.h"
-#include "motion/motion.h"
+#include "motion/motion_read.h"
 
 /* Read what was made: it is handed out only if it is a legal motion. */
 static graze_status finish(char **json, char **report, graze_context *context, conversion *made,

@@ -3,7 +3,7 @@
  */
 #include "api.h"
 #include "context/environment.h"
-#include "motion/motion.h"
+#include "motion/motion_read.h"
 
 graze_status graze_motion_read(graze_motion **out, graze_context *context, const char *path) {
     if (out)

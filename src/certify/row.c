@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include "certify/certify.h"
 #include "certify/prove.h"
+#include "number/order.h"
 #include "solid/locate.h"
 #include "trace/search.h"
 #include "trace/touch.h"

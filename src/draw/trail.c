@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "number/refine.h"
 #include "verdict/classify.h"
 #include "verdict/verdict.h"
 

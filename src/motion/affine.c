@@ -189,21 +189,6 @@ void affine_at_time(affine *out, const affine *a, const fmpq_t u) {
     fmpq_clear(value);
 }
 
-void point_map_init(point_map *map, int dimension) {
-    map->dimension = dimension;
-    fmpz_poly_init(map->weight);
-    for (int k = 0; k < AFFINE_ENTRIES; k++) {
-        fmpz_poly_init(&map->entry[k]);
-    }
-}
-
-void point_map_clear(point_map *map) {
-    fmpz_poly_clear(map->weight);
-    for (int k = 0; k < AFFINE_ENTRIES; k++) {
-        fmpz_poly_clear(&map->entry[k]);
-    }
-}
-
 /* The value of the weight at 0, where it does not vanish, tells its sign on all of [0, 1]. */
 static void make_weight(calculation *c, fmpz_poly_q_t weight, const affine *a) {
     fmpz_poly_struct *h = fmpz_poly_q_numref(weight);

@@ -7,7 +7,7 @@
 #include "motion/motion.h"
 #include "motion/quotient.h"
 
-enum { AFFINE_ENTRIES = 12 };
+enum { AFFINE_ENTRIES = POINT_MAP_ENTRIES };
 
 /** P -> A P + b: d rows of d + 1 entries, b last in each row. */
 typedef struct affine {
@@ -28,10 +28,6 @@ const fmpz_poly_q_struct *affine_get(const affine *a, int i, int j);
 
 /** out = a after b, that is, the matrix a b. `out` may be either. */
 void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b);
-/** The determinant of the linear part. */
-void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a);
-/** The inverse map; the determinant is not the zero function. `out` is not `a`. */
-void affine_inverse(calculation *c, affine *out, const affine *a);
 /** Put `center` (d functions) in the place of the origin: b += center - A center. */
 void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center);
 /** out(u) = a(low + (high - low) u). `out` is not `a`. */
@@ -47,7 +43,5 @@ void affine_at_time(affine *out, const affine *a, const fmpq_t u);
  * @param[out] out initialised
  */
 void point_map_from_affine(calculation *c, point_map *out, const affine *a);
-void point_map_init(point_map *map, int dimension);
-void point_map_clear(point_map *map);
 
 #endif

@@ -1,8 +1,10 @@
 /* Motions in the making: pieces with rational functions as entries, not yet point maps.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "motion/draft.h"
+
+#include <stdlib.h>
+#include "motion/affine_inverse.h"
 
 void draft_init(draft *d, int dimension) {
     *d = (draft){.dimension = dimension};
@@ -188,7 +190,7 @@ graze_status draft_finish(graze_motion **out, graze_context *context, const draf
         motion->piece_count++;
     }
     if (status != GRAZE_OK) {
-        graze_motion_destroy(motion);
+        motion_destroy(motion);
         return status;
     }
     *out = motion;

@@ -1,57 +1,23 @@
-/* Motions from files and texts, and values of point maps.
+/* Checked motions: freed, and the values of their point maps.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "motion/motion.h"
+
 #include <stdlib.h>
-#include "context/file.h"
-#include "motion/affine.h"
-#include "motion/motion_read.h"
 
-static graze_status read_text(graze_motion **out, graze_context *context, const char *source,
-                              const char *text, size_t length) {
-    json_document document;
-    draft made;
-    draft_init(&made, 0);
-    *out = NULL;
-    context->work = 0;
-    graze_status status = json_parse(&document, context, source, text, length);
-    if (status == GRAZE_OK) {
-        status = motion_read_draft(&made, context, document.root, 0);
+void point_map_init(point_map *map, int dimension) {
+    map->dimension = dimension;
+    fmpz_poly_init(map->weight);
+    for (int k = 0; k < POINT_MAP_ENTRIES; k++) {
+        fmpz_poly_init(&map->entry[k]);
     }
-    if (status == GRAZE_OK) {
-        status = draft_finish(out, context, &made);
-        if (status != GRAZE_OK) {
-            context_at(context, status, "%s", source);
-        }
-    }
-    draft_clear(&made);
-    json_clear(&document);
-    return status;
 }
 
-graze_status motion_from_file(graze_motion **out, graze_context *context, const char *path) {
-    char *text;
-    size_t length;
-    unsigned char sha256[32];
-    *out = NULL;
-    graze_status status = file_read(&text, &length, sha256, context, path);
-    if (status != GRAZE_OK) {
-        return status;
+void point_map_clear(point_map *map) {
+    fmpz_poly_clear(map->weight);
+    for (int k = 0; k < POINT_MAP_ENTRIES; k++) {
+        fmpz_poly_clear(&map->entry[k]);
     }
-    status = read_text(out, context, path, text, length);
-    free(text);
-    for (int k = 0; k < 32 && *out != NULL; k++) {
-        (*out)->sha256[k] = sha256[k];
-    }
-    return status;
-}
-
-graze_status motion_from_text(graze_motion **out, graze_context *context, const char *text,
-                              size_t length) {
-    graze_status status = read_text(out, context, "motion", text, length);
-    if (status == GRAZE_OK) {
-        file_sha256((*out)->sha256, text, length);
-    }
-    return status;
 }
 
 void motion_destroy(graze_motion *motion) {

@@ -12,6 +12,9 @@
 #include <flint/fmpz_poly.h>
 #include "context/context.h"
 
+/** dimension * (dimension + 1), at most. */
+enum { POINT_MAP_ENTRIES = 12 };
+
 /**
  * A point map with polynomial entries: image i of a point is (sum_j entry[i*(d+1)+j] P_j +
  * entry[i*(d+1)+d]) / weight. Invariant: weight > 0 on all of [0, 1]; the entries and the weight
@@ -19,7 +22,7 @@
  */
 typedef struct point_map {
     int dimension;
-    fmpz_poly_struct entry[12]; /* dimension*(dimension+1) in use, row by row */
+    fmpz_poly_struct entry[POINT_MAP_ENTRIES]; /* dimension*(dimension+1) in use, row by row */
     fmpz_poly_t weight;
 } point_map;
 
@@ -42,17 +45,13 @@ const point_map *motion_tracing(const motion_piece *piece, graze_operation opera
  */
 const point_map *motion_placing(const motion_piece *piece, graze_operation operation);
 
+void point_map_init(point_map *map, int dimension);
+void point_map_clear(point_map *map);
+
 /** The value at u = numerator/denominator of a point map as an affine map with rational entries,
  * d*(d+1) initialised fmpq. */
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);
 
-/**
- * Read a motion file, or a text in its form (src/cli/formats.md, Motions).
- * @return GRAZE_ESYSTEM, GRAZE_EINPUT, GRAZE_EILLEGAL, GRAZE_ELIMIT, GRAZE_ECANCELED
- */
-graze_status motion_from_file(graze_motion **out, graze_context *context, const char *path);
-graze_status motion_from_text(graze_motion **out, graze_context *context, const char *text,
-                              size_t length);
 void motion_destroy(graze_motion *motion);
 
 #endif

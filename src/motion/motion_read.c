@@ -2,7 +2,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "motion/motion_read.h"
+
+#include <stdlib.h>
+#include "context/file.h"
 #include "motion/entry.h"
+#include "motion/pieces.h"
 
 enum { DIMENSION, PIECES, KEYFRAMES, RELATIVE, SEQUENCE, KEYS };
 
@@ -139,6 +143,54 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
     if (status == GRAZE_OK) {
         out->dimension = own;
         status = read[form](out, context, member[form]);
+    }
+    return status;
+}
+
+static graze_status read_text(graze_motion **out, graze_context *context, const char *source,
+                              const char *text, size_t length) {
+    json_document document;
+    draft made;
+    draft_init(&made, 0);
+    *out = NULL;
+    context->work = 0;
+    graze_status status = json_parse(&document, context, source, text, length);
+    if (status == GRAZE_OK) {
+        status = motion_read_draft(&made, context, document.root, 0);
+    }
+    if (status == GRAZE_OK) {
+        status = draft_finish(out, context, &made);
+        if (status != GRAZE_OK) {
+            context_at(context, status, "%s", source);
+        }
+    }
+    draft_clear(&made);
+    json_clear(&document);
+    return status;
+}
+
+graze_status motion_from_file(graze_motion **out, graze_context *context, const char *path) {
+    char *text;
+    size_t length;
+    unsigned char sha256[32];
+    *out = NULL;
+    graze_status status = file_read(&text, &length, sha256, context, path);
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    status = read_text(out, context, path, text, length);
+    free(text);
+    for (int k = 0; k < 32 && *out != NULL; k++) {
+        (*out)->sha256[k] = sha256[k];
+    }
+    return status;
+}
+
+graze_status motion_from_text(graze_motion **out, graze_context *context, const char *text,
+                              size_t length) {
+    graze_status status = read_text(out, context, "motion", text, length);
+    if (status == GRAZE_OK) {
+        file_sha256((*out)->sha256, text, length);
     }
     return status;
 }

@@ -17,8 +17,12 @@
 graze_status motion_read_draft(draft *out, graze_context *context, const json *value,
                                int dimension);
 
-/** The two forms made of frames and of pieces; `out` is empty and has its dimension. */
-graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces);
-graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes);
+/**
+ * Read a motion file, or a text in its form (src/cli/formats.md, Motions).
+ * @return GRAZE_ESYSTEM, GRAZE_EINPUT, GRAZE_EILLEGAL, GRAZE_ELIMIT, GRAZE_ECANCELED
+ */
+graze_status motion_from_file(graze_motion **out, graze_context *context, const char *path);
+graze_status motion_from_text(graze_motion **out, graze_context *context, const char *text,
+                              size_t length);
 
 #endif

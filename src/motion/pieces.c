@@ -1,10 +1,13 @@
 /* Motions from parsed JSON: pieces and keyframes, and what makes a piece legal.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "motion/pieces.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include "motion/entry.h"
-#include "motion/motion_read.h"
+#include "motion/affine_inverse.h"
+#include "motion/rotation.h"
 #include "motion/transform.h"
 #include "number/rational.h"
 

@@ -4,6 +4,8 @@
 #include "motion/quotient.h"
 #include <stdlib.h>
 #include "number/algebraic.h"
+#include "number/isolate.h"
+#include "number/refine.h"
 
 enum { OPERATION_WORK = 8 }; /* what an operation costs beside the words of its result */
 enum { LONG_WORDS = 64 };    /* from here on a common divisor costs more than a word's time each */

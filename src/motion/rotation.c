@@ -4,7 +4,7 @@
  * All become a quaternion of no particular length. The angle n 2 atan(p/q) about the axis v has the
  * half angle of the complex number (q + ip)^n = a + ib, so its quaternion is (a |v|, b v).
  */
-#include "motion/transform.h"
+#include "motion/rotation.h"
 
 static void init4(fmpz_poly_q_t q[4]) {
     for (int k = 0; k < 4; k++) {

@@ -1,8 +1,11 @@
 /* Transforms of a motion file: JSON to affine maps over a stretch of a piece.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "motion/transform.h"
+
+#include <stdlib.h>
+#include "motion/affine_inverse.h"
+#include "motion/rotation.h"
 
 enum { MATRIX, TRANSLATE, ROTATE, TURN, QUATERNION, SCALE, COMPOSE, KINDS, CENTER = KINDS, KEYS };
 

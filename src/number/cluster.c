@@ -4,9 +4,11 @@
  * interval but its ends and the signs there.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "number/cluster.h"
+
 #include <limits.h>
 #include "number/local.h"
-#include "number/search.h"
+#include "number/refine.h"
 
 /* Bits by which the largest coefficient exceeds the error, beyond those of the degree; binary
  * places to begin with; and the least leap, to half the width. */
@@ -284,6 +286,13 @@ static void push_first(cluster *c, const dyadic_interval *interval, int low_sign
     first->gain = LEAST_GAIN;
     first->precision = FIRST_PRECISION;
     fmpz_clear(width);
+}
+
+void root_search_append(const root_search *s, const dyadic_interval *interval, int low_sign) {
+    algebraic *x = algebraic_list_append(s->list);
+    fmpz_poly_set(x->poly, s->poly);
+    dyadic_interval_set(&x->where, interval);
+    x->low_sign = low_sign;
 }
 
 graze_status root_search_cluster(const root_search *s, const dyadic_interval *interval,

@@ -2,7 +2,7 @@
  * is first known to a few binary places, then to more (proofs/separation.md C40).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "number/bernstein.h"
+#include "number/dyadic.h"
 
 /* Bits of an exact value that cost less than looking for fewer. */
 enum { SHORT_VALUE = 8192, FIRST_PLACES = 64 };
@@ -128,4 +128,54 @@ int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x) {
     fmpz_clear(a);
     fmpz_clear(b);
     return order > 0 ? 1 : -(order < 0);
+}
+
+void dyadic_interval_init(dyadic_interval *interval) {
+    fmpz_init(interval->low);
+    fmpz_init(interval->high);
+    interval->exponent = 0;
+}
+
+void dyadic_interval_clear(dyadic_interval *interval) {
+    fmpz_clear(interval->low);
+    fmpz_clear(interval->high);
+}
+
+void dyadic_interval_set(dyadic_interval *interval, const dyadic_interval *other) {
+    fmpz_set(interval->low, other->low);
+    fmpz_set(interval->high, other->high);
+    interval->exponent = other->exponent;
+}
+
+void dyadic_interval_swap(dyadic_interval *interval, dyadic_interval *other) {
+    fmpz_swap(interval->low, other->low);
+    fmpz_swap(interval->high, other->high);
+    ulong exponent = interval->exponent;
+    interval->exponent = other->exponent;
+    other->exponent = exponent;
+}
+
+void dyadic_interval_set_si(dyadic_interval *interval, slong low, slong high) {
+    fmpz_set_si(interval->low, low);
+    fmpz_set_si(interval->high, high);
+    interval->exponent = 0;
+}
+
+void dyadic_interval_halves(dyadic_interval *left, dyadic_interval *right,
+                            const dyadic_interval *interval) {
+    fmpz_t low, middle, high;
+    fmpz_init(low);
+    fmpz_init(middle);
+    fmpz_init(high);
+    fmpz_mul_2exp(low, interval->low, 1);
+    fmpz_add(middle, interval->low, interval->high);
+    fmpz_mul_2exp(high, interval->high, 1);
+    left->exponent = right->exponent = interval->exponent + 1;
+    fmpz_swap(left->low, low);
+    fmpz_set(left->high, middle);
+    fmpz_swap(right->low, middle);
+    fmpz_swap(right->high, high);
+    fmpz_clear(low);
+    fmpz_clear(middle);
+    fmpz_clear(high);
 }

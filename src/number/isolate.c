@@ -3,15 +3,12 @@
  * halvings are made with exact coefficients; what they leave goes to cluster.c.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "number/modular.h"
-#include "number/search.h"
+#include "number/isolate.h"
 
-void root_search_append(const root_search *s, const dyadic_interval *interval, int low_sign) {
-    algebraic *x = algebraic_list_append(s->list);
-    fmpz_poly_set(x->poly, s->poly);
-    dyadic_interval_set(&x->where, interval);
-    x->low_sign = low_sign;
-}
+#include "number/bernstein.h"
+#include "number/cluster.h"
+#include "number/modular.h"
+#include "number/refine.h"
 
 static graze_status roots_inside(const root_search *s, bernstein_form *form,
                                  const dyadic_interval *interval);

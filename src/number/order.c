@@ -1,8 +1,10 @@
 /* The order of real algebraic numbers: by refinement, equality by gcd; and what lies between two.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "number/order.h"
+
 #include "number/modular.h"
-#include "number/search.h"
+#include "number/refine.h"
 
 /* Bring two dyadic intervals to one exponent, so that their ends compare as integers. */
 static void align(dyadic_interval *a, dyadic_interval *b) {

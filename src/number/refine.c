@@ -1,7 +1,7 @@
 /* Narrowing the interval of a real algebraic number: by halves, and by secants once the polynomial
  * is nearly straight on it (proofs/claims.md C30). SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "number/search.h"
+#include "number/refine.h"
 
 void algebraic_refine(algebraic *x) {
     if (algebraic_is_rational(x))

@@ -8,6 +8,8 @@
 
 #include <mpfr.h>
 #include <string.h>
+#include "number/refine.h"
+#include "number/text.h"
 
 int time_is_rational(const graze_time *time) {
     /* Without a context nothing ends it. */

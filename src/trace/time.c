@@ -3,6 +3,9 @@
  * proofs/separation.md C44).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "number/isolate.h"
+#include "number/order.h"
+#include "number/refine.h"
 #include "trace/trace.h"
 
 #include <flint/fmpz_poly_factor.h>

@@ -5,6 +5,9 @@
 #include "trace/touch.h"
 
 #include <stdlib.h>
+#include "number/isolate.h"
+#include "number/order.h"
+#include "number/sign.h"
 #include "solid/planes.h"
 
 typedef struct finder {

@@ -4,6 +4,7 @@
 #include "trace/word.h"
 
 #include <stdlib.h>
+#include "number/order.h"
 #include "trace/contact.h"
 
 static graze_status locate_between(graze_state *out, tracer *r, graze_time *before,

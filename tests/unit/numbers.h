@@ -5,6 +5,9 @@
 #define GRAZE_TESTS_UNIT_NUMBERS_H
 
 #include "number/algebraic.h"
+#include "number/isolate.h"
+#include "number/order.h"
+#include "number/sign.h"
 
 static inline void append_roots(algebraic_list *list, const fmpz_poly_t p,
                                 const dyadic_interval *interval) {

@@ -4,6 +4,7 @@
 #include "../lib/harness.h"
 #include "../lib/random.h"
 
+#include "number/order.h"
 #include "numbers.h"
 
 /* A root known in advance: p/q, or the positive root of n x^2 = m, that is sqrt(m/n). */

@@ -5,7 +5,10 @@
  * A matrix is written row by row, b last in each row. cos = 3/5, sin = 4/5 is the angle with the
  * tangent 1/2 of its half.
  */
-#include "motion/motion.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "motion/motion_read.h"
 #include "number/rational.h"
 #include "fixture.h"
 #include "../lib/random.h"

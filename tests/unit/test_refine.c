@@ -5,6 +5,7 @@
 #include "../lib/harness.h"
 #include "../lib/random.h"
 
+#include "number/refine.h"
 #include "numbers.h"
 
 #include <flint/fmpq_poly.h>

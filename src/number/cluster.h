@@ -1,22 +1,14 @@
-/* What the isolation of one polynomial's roots carries along. Inside src/number only.
+/* Isolation of roots that lie close together.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef GRAZE_NUMBER_SEARCH_H
-#define GRAZE_NUMBER_SEARCH_H
+#ifndef GRAZE_NUMBER_CLUSTER_H
+#define GRAZE_NUMBER_CLUSTER_H
 
 #include "number/algebraic.h"
 
 /** Halvings of the first interval that are made with exact coefficients. The degree is less than
  * 2^(EXACT_HALVINGS - 4), so that what is left is short for it (proofs/separation.md C41). */
 enum { EXACT_HALVINGS = 32 };
-
-/** GRAZE_ELIMIT: an interval has as many binary places as are allowed. */
-graze_status algebraic_bits_limit(graze_context *context);
-
-/** The sign at the lower end of an interval of a polynomial g that divides that of a number
- * isolated there, if g vanishes at the number, else 0. The ends are no roots of g, and it has at
- * most that one root there, and a simple one. */
-int algebraic_sign_before(const fmpz_poly_t g, const dyadic_interval *interval);
 
 /** The roots of `poly` found so far in the interval `whole`. `poly` has only simple roots in the
  * open interval whenever a branch goes on with two sign changes or more. */

@@ -1,0 +1,48 @@
+/* Intervals with dyadic ends, and integer polynomials at dyadic numbers.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_NUMBER_DYADIC_H
+#define GRAZE_NUMBER_DYADIC_H
+
+#include <flint/fmpq.h>
+#include <flint/fmpz_poly.h>
+
+/** A closed interval [low / 2^exponent, high / 2^exponent], low <= high. */
+typedef struct dyadic_interval {
+    fmpz_t low, high;
+    ulong exponent;
+} dyadic_interval;
+
+void dyadic_interval_init(dyadic_interval *interval);
+void dyadic_interval_clear(dyadic_interval *interval);
+void dyadic_interval_set(dyadic_interval *interval, const dyadic_interval *other);
+void dyadic_interval_swap(dyadic_interval *interval, dyadic_interval *other);
+/** The interval [low, high] of integers. */
+void dyadic_interval_set_si(dyadic_interval *interval, slong low, slong high);
+/** Both halves; either may be the interval itself, but not both. */
+void dyadic_interval_halves(dyadic_interval *left, dyadic_interval *right,
+                            const dyadic_interval *interval);
+
+/** The rational numerator / 2^exponent in lowest terms. */
+void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent);
+
+/** p(numerator / 2^exponent) 2^(exponent degree(p)), an integer; 0 if p is zero. */
+void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ulong exponent);
+
+/**
+ * 2^places p(numerator / 2^exponent), within `error` of it (proofs/separation.md C40).
+ * @param[out] out, error initialised, neither the numerator
+ */
+void dyadic_approximate(fmpz_t out, fmpz_t error, const fmpz_poly_t p, const fmpz_t numerator,
+                        ulong exponent, ulong places);
+
+/** Sign of p at numerator / 2^exponent. */
+int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent);
+
+/** Sign of p at a rational. */
+int rational_sign(const fmpz_poly_t p, const fmpq_t x);
+
+/** Sign of numerator / 2^exponent - x. */
+int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x);
+
+#endif

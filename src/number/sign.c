@@ -1,0 +1,92 @@
+/* The sign of a polynomial at a real algebraic number, by refinement; a zero, by gcd.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "number/sign.h"
+
+#include "number/bernstein.h"
+#include "number/modular.h"
+#include "number/refine.h"
+
+/* Digits of an interval's ends up to which Bernstein coefficients are cheap. */
+enum { COARSE = 63 };
+
+/* Sign of q on the interval if its value at the lower end is more than q can change by on the way
+ * to the upper one, else 0 (proofs/claims.md C31). The value is known to two binary places more
+ * than the interval's ends have. */
+static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
+    slong degree = fmpz_poly_degree(q);
+    ulong reach = FLINT_MAX(fmpz_bits(where->low), fmpz_bits(where->high));
+    reach = reach > where->exponent ? reach - where->exponent : 0;
+    fmpz_t value, error, change, term;
+    fmpz_init(value);
+    fmpz_init(error);
+    fmpz_init(change);
+    fmpz_init(term);
+    for (slong i = 1; i <= degree; i++) {
+        fmpz_mul_ui(term, q->coeffs + i, (ulong)i);
+        fmpz_abs(term, term);
+        fmpz_mul_2exp(term, term, reach * (ulong)(i - 1));
+        fmpz_add(change, change, term);
+    }
+    fmpz_sub(term, where->high, where->low);
+    fmpz_mul(change, change, term);
+    fmpz_mul_2exp(change, change, 2);
+    dyadic_approximate(value, error, q, where->low, where->exponent, where->exponent + 2);
+    fmpz_add(change, change, error);
+    int sign = fmpz_cmpabs(value, change) > 0 ? fmpz_sgn(value) : 0;
+    fmpz_clear(value);
+    fmpz_clear(error);
+    fmpz_clear(change);
+    fmpz_clear(term);
+    return sign;
+}
+
+/* Sign of q at an irrational x if the interval tells, else 0. */
+static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
+    if (x->where.exponent > COARSE)
+        return sign_by_slope(q, &x->where);
+    bernstein_form form;
+    bernstein_form_init(&form, q, fmpz_poly_degree(q), &x->where);
+    int sign = bernstein_one_sign(&form);
+    bernstein_form_clear(&form);
+    return sign;
+}
+
+/* If q vanishes at the irrational x, reduce x's polynomial to the common factor. */
+static int vanishes_at(const fmpz_poly_t q, algebraic *x) {
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    common_factor(g, x->poly, q);
+    int low_sign = algebraic_sign_before(g, &x->where);
+    if (low_sign != 0) {
+        fmpz_poly_swap(x->poly, g);
+        x->low_sign = low_sign;
+    }
+    fmpz_poly_clear(g);
+    return low_sign != 0;
+}
+
+graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly_t q,
+                               algebraic *x) {
+    slong degree = fmpz_poly_degree(q);
+    *out = degree < 0 ? 0 : fmpz_sgn(q->coeffs);
+    if (degree <= 0)
+        return GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    graze_status status = GRAZE_OK;
+    for (int halvings = 0; !algebraic_is_rational(x) && status == GRAZE_OK; halvings++) {
+        *out = sign_on_interval(q, x);
+        if (*out != 0)
+            return GRAZE_OK;
+        if (halvings == CHEAP_HALVINGS) {
+            status = common_factor_work(context, q, x->poly);
+            if (status == GRAZE_OK && vanishes_at(q, x))
+                return GRAZE_OK;
+        }
+        if (status == GRAZE_OK)
+            status = algebraic_narrow(context, x, halvings, &gain);
+    }
+    if (status == GRAZE_OK)
+        *out = rational_sign(q, x->value);
+    return status;
+}

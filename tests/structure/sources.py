@@ -1,0 +1,95 @@
+"""The sources as text: what a file includes, which functions it defines at file scope, which ones a header declares."""
+import glob
+import os
+import re
+
+COMMENT_OR_LITERAL = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
+DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.M)
+ATTRIBUTE = re.compile(r"__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\)")
+# What opens a scope that is no function's: functions inside it are still at file scope.
+TRANSPARENT = re.compile(r'(?:extern\s*L|namespace(?:\s+[\w:]+)?)\s*$')
+
+
+def sources():
+    """All C and C++ files of src/ and the public headers."""
+    found = []
+    for pattern in ("src/**/*.[ch]", "src/**/*.[ch]pp", "include/**/*.h"):
+        found += glob.glob(pattern, recursive=True)
+    return sorted(found)
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def room_of(path):
+    """The folder below src/, or `api` for the files of src/ itself and the public headers."""
+    parts = path.split("/")
+    return parts[1] if parts[0] == "src" and len(parts) > 2 else "api"
+
+
+def unit_of(path):
+    """A source and its own header are one unit."""
+    return os.path.splitext(path)[0]
+
+
+def is_public(path):
+    return path.startswith("include/")
+
+
+def included(path, text):
+    """The files of the project that a file includes, each as (the name as written, its path or None)."""
+    for name in re.findall(r'^\s*#\s*include\s+"([^"]+)"', text, re.M):
+        places = (f"src/{name}", f"include/{name}", f"{os.path.dirname(path)}/{name}")
+        yield name, next((place for place in places if os.path.exists(place)), None)
+
+
+def bare(text):
+    """The text without comments, preprocessor lines and attributes; each literal is an L."""
+    text = COMMENT_OR_LITERAL.sub(lambda m: " " if m.group().startswith("/") else "L", text)
+    return ATTRIBUTE.sub(" ", DIRECTIVE.sub(" ", text))
+
+
+def chunks(text):
+    """The declarations at file scope, each as (text, what ends it: `{` or `;`)."""
+    depth = start = 0
+    opened = []   # of each brace, whether it is transparent
+    for place in re.finditer(r"[{};]", text):
+        mark = place.group()
+        if mark == "{":
+            chunk = text[start:place.start()]
+            transparent = depth == 0 and TRANSPARENT.search(chunk) is not None
+            if depth == 0 and not transparent:
+                yield chunk, mark
+            opened.append(transparent)
+            depth += not transparent
+        elif mark == "}":
+            depth -= not opened.pop()
+        elif depth == 0:
+            yield text[start:place.start()], mark
+        if depth == 0:
+            start = place.end()
+
+
+def function_name(chunk):
+    """The function that a declaration declares or defines, or None."""
+    if "=" in re.sub(r"operator\s*\S+", "", chunk.split("(")[0]) or "typedef" in chunk:
+        return None
+    # A macro in front, such as GRAZE_API, has no parentheses of its own.
+    head = re.search(r"([\w:~]+)\s*\(", chunk)
+    if not head or head.group(1) in ("if", "for", "while", "switch", "_Static_assert", "static_assert"):
+        return None
+    before = chunk[:head.start()].strip()
+    return head.group(1).split("::")[-1] if before else None
+
+
+def defined(text):
+    """Names of the functions that a file defines at file scope."""
+    return {name for chunk, end in chunks(bare(text)) if end == "{"
+            for name in [function_name(chunk)] if name}
+
+
+def declared(text):
+    """Names of the functions that a header declares, and of those it defines."""
+    return {name for chunk, _ in chunks(bare(text)) for name in [function_name(chunk)] if name}
