@@ -4,7 +4,7 @@
 #ifndef GRAZE_CONTEXT_H
 #define GRAZE_CONTEXT_H
 
-#include "graze.h"
+#include "graze/core.h"
 
 #ifdef __cplusplus
 extern "C" {

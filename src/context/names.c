@@ -1,6 +1,6 @@
 /* The words of the formats for verdicts.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "graze.h"
+#include "graze/core.h"
 
 const char *graze_pmc_name(graze_pmc pmc) {
     switch (pmc) {

@@ -7,7 +7,7 @@
 #ifndef GRAZE_SOUP_NAMES_H
 #define GRAZE_SOUP_NAMES_H
 
-#include "graze.h"
+#include "graze/core.h"
 
 #ifdef __cplusplus
 extern "C" {

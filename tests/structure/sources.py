@@ -40,7 +40,7 @@ def is_public(path):
 
 def included(path, text):
     """The files of the project that a file includes, each as (the name as written, its path or None)."""
-    for name in re.findall(r'^\s*#\s*include\s+"([^"]+)"', text, re.M):
+    for name in re.findall(r'^\s*#\s*include\s+(?:"|<(?=graze))([^">]+)[">]', text, re.M):
         places = (f"src/{name}", f"include/{name}", f"{os.path.dirname(path)}/{name}")
         yield name, next((place for place in places if os.path.exists(place)), None)
 
