@@ -16,6 +16,7 @@
 #include <yajl/yajl_version.h>
 #include "number/rational.h"
 #include "number/rounding.h"
+#include "scene/box.h"
 #include "scene/scene.h"
 #include "validate/validate.h"
 #include "verdict/classify.h"

@@ -3,6 +3,7 @@
 #ifndef GRAZE_API_INTERNAL_H
 #define GRAZE_API_INTERNAL_H
 
+#include "graze.h"
 #include <flint/fmpq.h>
 #include "context/context.h"
 #include "scene/scene.h"

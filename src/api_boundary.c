@@ -6,6 +6,7 @@
 #include <string.h>
 #include "api.h"
 #include "boundary/boundary.h"
+#include "boundary/contacts.h"
 #include "context/environment.h"
 
 /* The caller's box, if there is one, as rationals. */

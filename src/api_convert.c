@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include "api.h"
 #include "context/environment.h"
-#include "convert/convert.h"
+#include "convert/poses.h"
+#include "convert/rotation.h"
+#include "convert/uniform.h"
 #include "motion/motion_read.h"
 
 /* Read what was made: it is handed out only if it is a legal motion. */

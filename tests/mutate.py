@@ -30,9 +30,9 @@ from changes import known_equivalents, mutants  # noqa: E402
 from corpus import Suite  # noqa: E402
 
 FILES = [
-    "src/verdict/verdict.c", "src/trace/trace.c", "src/trace/tracer.c", "src/trace/parity.c",
+    "src/verdict/verdict.c", "src/trace/point.c", "src/trace/trace.c", "src/trace/tracer.c", "src/trace/crosscheck.c",
     "src/trace/word.c", "src/trace/contact.c", "src/trace/touch.c", "src/trace/time.c",
-    "src/trace/trajectory.c", "src/trace/search.c", "src/solid/locate.c",
+    "src/trace/trajectory.c", "src/trace/candidates.c", "src/solid/locate.c",
     "src/solid/create.c", "src/solid/solid.c", "src/solid/forms.c", "src/solid/planes.c", "src/solid/tree.c",
     "src/number/algebraic.c", "src/number/isolate.c", "src/number/bernstein.c",
     "src/number/order.c", "src/number/dyadic.c", "src/number/modular.c", "src/number/refine.c",

@@ -5,6 +5,10 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "boundary/contacts.h"
+#include "boundary/refine.h"
+#include "boundary/surface.h"
+#include "scene/box.h"
 
 /* The box asked for, or the scene's with a margin. */
 static graze_status set_box(struct graze_boundary *b, graze_context *context, const fmpq *low,

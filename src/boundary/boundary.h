@@ -9,44 +9,8 @@
 #ifndef GRAZE_BOUNDARY_BOUNDARY_H
 #define GRAZE_BOUNDARY_BOUNDARY_H
 
-#include <stdint.h>
-#include "boundary/table.h"
-#include "scene/scene.h"
-
-enum { BOUNDARY_DEPTH = 19 }; /* 21 bits for each coordinate of a lattice point */
-
-/** A cell: `at` counts cells of its level along each axis. */
-typedef struct cell {
-    uint32_t at[3];
-    unsigned level;
-    size_t child; /* the first of 2^d; 0 for a leaf */
-} cell;
-
-struct graze_boundary {
-    const graze_scene *scene; /* borrowed */
-    int dimension;
-    unsigned coarse, depth;
-    unsigned long budget;
-    fmpq low[3], side[3];
-    fmpq point[3];          /* the point at hand */
-    table points;           /* lattice points and their pmc */
-    unsigned long known[4]; /* points by pmc */
-    cell *cells;
-    size_t cell_count, cell_capacity, leaf_count;
-    size_t *leaves;
-    uint64_t *contacts; /* places of the smallest cells that hold one, sorted */
-    size_t contact_count;
-    unsigned long asked; /* contact points made; they count as points of the budget */
-    size_t *work;        /* cells to look at */
-    size_t work_count, work_capacity;
-    unsigned reached; /* the level the surface is of */
-    int complete;     /* the budget lasted */
-    int closed;       /* the surface has no border */
-    unsigned long missed;
-    table vertices;  /* lattice points of the surface */
-    size_t *corners; /* of the surface's faces, d each */
-    size_t face_count, corner_capacity;
-};
+#include "graze/boundary.h"
+#include "boundary/lattice.h"
 
 /**
  * Sample a scene (graze_boundary_create); `out` is cleared by boundary_clear in either case.
@@ -57,41 +21,5 @@ graze_status boundary_make(struct graze_boundary *out, graze_context *context,
                            const graze_scene *scene, const graze_boundary_options *options,
                            const fmpq *low, const fmpq *high);
 void boundary_clear(struct graze_boundary *b);
-
-/** Grow an array to hold `count` items of `size` bytes; GRAZE_ESYSTEM when memory is short. */
-graze_status boundary_grow(void **array, size_t *capacity, size_t count, size_t size,
-                           graze_context *context);
-
-/** The key of a lattice point. */
-uint64_t lattice_key(const uint32_t at[3]);
-/** Set the coordinates of a lattice point. */
-void lattice_point(fmpq *out, const struct graze_boundary *b, uint64_t key);
-/** The lattice point of corner `index` of a cell: bit k is the side along axis k. */
-uint64_t cell_corner(const struct graze_boundary *b, const cell *c, unsigned index);
-/** The pmc of a lattice point that is known, else GRAZE_PMC_NONE. */
-graze_pmc lattice_known(const struct graze_boundary *b, uint64_t key);
-/**
- * Classify a lattice point unless it is known. `out` stays NONE where the budget is spent; then
- * b->complete is 0.
- */
-graze_status lattice_classify(graze_pmc *out, graze_context *context, struct graze_boundary *b,
-                              uint64_t key);
-/** 1 if a part of the cell's corners is out and another not. */
-int cell_mixed(const struct graze_boundary *b, const cell *c);
-
-/** Make contact points and keep the places of those that are `on` (contacts.c). */
-graze_status boundary_contacts(graze_context *context, struct graze_boundary *b,
-                               unsigned long count, unsigned long long seed);
-/** 1 if the cell holds such a point. */
-int cell_has_contact(const struct graze_boundary *b, const cell *c);
-
-/** Refuse a budget that does not suffice for `contacts` points and all cells of the coarse level.
- */
-graze_status boundary_refuse_budget(graze_context *context, const struct graze_boundary *b,
-                                    unsigned long contacts);
-/** Cut the box, level by level (refine.c). */
-graze_status boundary_refine(graze_context *context, struct graze_boundary *b);
-/** The surface between `out` and the rest at the level reached (surface.c). */
-graze_status boundary_surface(graze_context *context, struct graze_boundary *b);
 
 #endif

@@ -1,9 +1,10 @@
 /* Contact points, which lead to parts that are thinner than the lattice.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "boundary/contacts.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include "boundary/boundary.h"
 #include "generate/generate.h"
 #include "verdict/classify.h"
 

@@ -1,8 +1,9 @@
 /* Lattice points and cells, and the exact answers at points.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "boundary/lattice.h"
+
 #include <stdlib.h>
-#include "boundary/boundary.h"
 #include "verdict/classify.h"
 
 graze_status boundary_grow(void **array, size_t *capacity, size_t count, size_t size,

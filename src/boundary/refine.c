@@ -6,8 +6,10 @@
  * then every edge of the level between `out` and the rest has all its cells, and the surface no
  * border inside the box.
  */
+#include "boundary/refine.h"
+
 #include <string.h>
-#include "boundary/boundary.h"
+#include "boundary/contacts.h"
 
 static graze_status push(graze_context *context, struct graze_boundary *b, size_t index) {
     graze_status status = boundary_grow((void **)&b->work, &b->work_capacity, b->work_count + 1,

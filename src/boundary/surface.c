@@ -7,7 +7,9 @@
  * one segment (d = 2), or one triangle or parallelogram (d = 3), which `out` lies to the right or
  * on the outer side of.
  */
-#include "boundary/boundary.h"
+#include "boundary/surface.h"
+
+#include "boundary/contacts.h"
 
 /* A simplex's corners with those in `out` last. */
 typedef struct corner_simplex {

@@ -10,7 +10,7 @@
 #include "certify/prove.h"
 #include "number/order.h"
 #include "solid/locate.h"
-#include "trace/search.h"
+#include "trace/candidates.h"
 #include "trace/touch.h"
 #include "trace/trace.h"
 #include "verdict/classify.h"
@@ -127,7 +127,7 @@ static graze_status find_gaps(piece_row *r) {
 
 static graze_status find_events(piece_row *r) {
     candidates list = {0, 0, NULL};
-    graze_status status = search_candidates(&list, r->context, r->with->solid, &r->c);
+    graze_status status = candidates_find(&list, r->context, r->with->solid, &r->c);
     if (!status)
         status = touches_find(&r->t, r->context, r->with->solid, &r->c, &list);
     if (!status)

@@ -7,6 +7,7 @@
 #ifndef GRAZE_COMPARE_COMPARE_H
 #define GRAZE_COMPARE_COMPARE_H
 
+#include "graze/compare.h"
 #include "compare/table.h"
 #include "number/text.h"
 

@@ -7,7 +7,9 @@
 #include "convert/poses.h"
 
 #include <math.h>
-#include "convert/convert.h"
+#include "convert/joint.h"
+#include "convert/poses_nearest.h"
+#include "convert/poses_read.h"
 #include "number/rounding.h"
 
 static graze_status refuse(graze_context *context, const pose_list *list, const pose *p,

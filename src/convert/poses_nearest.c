@@ -1,8 +1,9 @@
 /* The rotation nearest to a matrix, and how near it is.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "convert/poses_nearest.h"
+
 #include <math.h>
-#include "convert/poses.h"
 
 /* The symmetric matrix K with x K x = (trace of R(x)^T A) |x|^2 for every quaternion x. */
 static void horn(double k[4][4], const double a[9]) {

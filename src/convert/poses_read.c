@@ -1,10 +1,11 @@
 /* Reads lists of poses.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "convert/poses_read.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include "context/file.h"
-#include "convert/poses.h"
 #include "number/rational.h"
 #include "table/stream.h"
 

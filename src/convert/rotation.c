@@ -6,7 +6,9 @@
  * half is approximated by a convergent. Every position on the way is exactly one of the turn asked
  * for, only the last one overshoots or falls short.
  */
-#include "convert/convert.h"
+#include "convert/rotation.h"
+
+#include "convert/uniform.h"
 
 /* `degrees` without its whole quarters, whose number has the same sign. */
 static void split_quarters(fmpq_t rest, fmpz_t quarters, const fmpq_t degrees) {

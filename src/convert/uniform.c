@@ -7,8 +7,9 @@
  * until the bounds of all joints add up to the tolerance at most: the joints before and after one
  * keep distances, so errors of displacement add.
  */
+#include "convert/uniform.h"
+
 #include <stdlib.h>
-#include "convert/convert.h"
 
 void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n) {
     fmpz_t factor;

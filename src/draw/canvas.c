@@ -3,7 +3,6 @@
  */
 #include "draw/canvas.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,35 +25,6 @@ void path_to(path *p, char verb, double x, double y) {
     }
     if (!p->failed)
         p->node[p->count++] = (path_node){verb, x, y};
-}
-
-static int has_extension(const char *file, const char *extension) {
-    const char *dot = strrchr(file, '.');
-    if (!dot || strlen(dot + 1) != strlen(extension))
-        return 0;
-    for (size_t k = 0; extension[k]; k++)
-        if (tolower((unsigned char)dot[k + 1]) != extension[k])
-            return 0;
-    return 1;
-}
-
-graze_status canvas_check(graze_context *context, const char *file) {
-    if (has_extension(file, "png"))
-        return canvas_check_png(context);
-    if (has_extension(file, "svg"))
-        return GRAZE_OK;
-    return context_fail(context, GRAZE_EUSE,
-                        "%s: the extension tells the kind of picture; expected .svg or .png", file);
-}
-
-graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
-                           double height) {
-    *out = NULL;
-    graze_status status = canvas_check(context, file);
-    if (status)
-        return status;
-    return (has_extension(file, "png") ? canvas_create_png : canvas_create_svg)(out, context, width,
-                                                                                height);
 }
 
 static graze_status write_file(graze_context *context, const char *file, const text *bytes) {

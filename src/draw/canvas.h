@@ -50,12 +50,6 @@ typedef struct lettering {
 
 typedef struct canvas canvas;
 
-/** Whether canvas_create will know what to make, before anything long is done: GRAZE_EUSE an
- * extension but .svg and .png, GRAZE_ESYSTEM no library for the latter. */
-graze_status canvas_check(graze_context *context, const char *file);
-/** The kind of a path's extension, .svg or .png; what canvas_check returns, or GRAZE_ESYSTEM. */
-graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
-                           double height);
 /** Write the file and free the canvas, or only free it where `write` is 0. NULL is harmless. */
 graze_status canvas_finish(canvas *c, graze_context *context, const char *file, int write);
 
@@ -98,11 +92,6 @@ struct canvas {
     double width, height;
     int failed; /* memory ran short */
 };
-
-graze_status canvas_create_svg(canvas **out, graze_context *context, double width, double height);
-/** Whether canvas_create_png finds what it needs. */
-graze_status canvas_check_png(graze_context *context);
-graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height);
 
 /** Dark ink, used for texts. */
 #define INK 0x222222u

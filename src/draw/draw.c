@@ -7,7 +7,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "draw/file.h"
 #include "draw/views.h"
+#include "scene/box.h"
 
 /* The scene's box with a margin of 1/16 of its longest side. */
 static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,

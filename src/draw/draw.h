@@ -4,22 +4,8 @@
 #ifndef GRAZE_DRAW_DRAW_H
 #define GRAZE_DRAW_DRAW_H
 
+#include "draw/request.h"
 #include "scene/scene.h"
-
-/** What to draw; see graze_draw_options, whose numbers these are, checked and with their defaults.
- */
-typedef struct draw_request {
-    const char *title;
-    unsigned long grid;     /* 0: two pixels a cell */
-    unsigned long times;    /* at least 2 */
-    const fmpq *low, *high; /* d each, low < high; both NULL: around the scene */
-    int plane_axis;         /* E^3 */
-    const fmpq *plane;      /* NULL: the middle of the box */
-    double view[3];         /* not zero */
-    const fmpq *points;     /* d each */
-    size_t point_count;
-    const char *const *names; /* one a point */
-} draw_request;
 
 /** Make a picture and write it to a file. @return what graze_draw does */
 graze_status draw_picture(graze_context *context, const graze_scene *scene, const char *file,

@@ -12,4 +12,8 @@
 /** Its function: a new canvas of a size in pixels, or NULL without memory. */
 canvas *graze_png_create(double width, double height);
 
+/** Whether canvas_create_png finds what it needs. */
+graze_status canvas_check_png(graze_context *context);
+graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height);
+
 #endif

@@ -4,9 +4,10 @@
  * Coordinates have two decimals and are written with integers alone, so that the same picture is
  * the same bytes in any locale.
  */
+#include "draw/svg.h"
+
 #include <math.h>
 #include <stdlib.h>
-#include "draw/canvas.h"
 
 typedef struct svg_canvas {
     canvas base;

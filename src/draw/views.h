@@ -4,10 +4,10 @@
 #ifndef GRAZE_DRAW_VIEWS_H
 #define GRAZE_DRAW_VIEWS_H
 
-#include "draw/trail.h"
-#include "draw/draw.h"
 #include "draw/marks.h"
+#include "draw/request.h"
 #include "draw/shape.h"
+#include "draw/trail.h"
 
 /** All that a picture shows, made before the canvas is, whose size follows from it. */
 typedef struct picture {

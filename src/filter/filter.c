@@ -33,13 +33,6 @@ void filter_clear(filter *f) {
     *f = (filter){.solid = NULL};
 }
 
-static void findings_clear(findings *found) {
-    free(found->crossing);
-    free(found->asked.item);
-    free(found->window);
-    *found = (findings){.crossing_count = 0};
-}
-
 static void workspace_free(void *memory) {
     filter_workspace *w = memory;
     curve_clear(&w->curve);
@@ -69,19 +62,6 @@ static int compare_crossings(const void *left, const void *right) {
     return a->from < b->from ? -1 : a->from > b->from;
 }
 
-static int append_window(findings *found, exact_window item) {
-    if (found->window_count == found->window_capacity) {
-        size_t capacity = found->window_capacity ? 2 * found->window_capacity : 16;
-        exact_window *items = realloc(found->window, capacity * sizeof *items);
-        if (!items)
-            return 0;
-        found->window = items;
-        found->window_capacity = capacity;
-    }
-    found->window[found->window_count++] = item;
-    return 1;
-}
-
 /* Windows that have a point in common become one. */
 static int unite_windows(findings *found) {
     found->window_count = 0;
@@ -93,7 +73,7 @@ static int unite_windows(findings *found) {
         if (last && !flip(FLIP_APART, next->from > last->to)) {
             last->to = next->to > last->to ? next->to : last->to;
             last->count++;
-        } else if (!append_window(found, (exact_window){next->from, next->to, k, 1})) {
+        } else if (!findings_add_window(found, (exact_window){next->from, next->to, k, 1})) {
             return 0;
         }
     }

@@ -8,6 +8,7 @@
 #define GRAZE_FILTER_FILTER_H
 
 #include "filter/curve.h"
+#include "filter/findings.h"
 #include "solid/solid.h"
 
 /** What a filter keeps of a scene; immutable, shared by threads. */
@@ -23,45 +24,6 @@ typedef struct filter {
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation);
 void filter_clear(filter *f);
-
-/** The trajectory may meet the simplex within the closed window, in units of 2^-WINDOW_LEVELS. */
-typedef struct candidate {
-    uint32_t simplex;
-    uint32_t from, to;
-} candidate;
-
-typedef struct candidates {
-    size_t count, capacity;
-    candidate *item;
-} candidates;
-
-/** Append; 0 without memory. */
-int candidates_append(candidates *list, candidate item);
-
-/** A certain crossing: once, at some time of the window, which is in units of a piece, the curve
- * goes through the relative interior of the simplex; `enters`: from outside to inside. */
-typedef struct crossing {
-    double from, to;
-    uint32_t simplex;
-    int enters;
-} crossing;
-
-/** Candidates first ... first + count - 1 with overlapping windows: the exact path answers for all
- * of [from, to] at once. */
-typedef struct exact_window {
-    uint32_t from, to;
-    size_t first, count;
-} exact_window;
-
-/** What the filter found on one piece: crossings and windows, each in order of time, none touching
- * another. All other times are off the boundary. */
-typedef struct findings {
-    size_t crossing_count, crossing_capacity;
-    crossing *crossing;
-    candidates asked;
-    size_t window_count, window_capacity;
-    exact_window *window;
-} findings;
 
 /** Memory of one thread, used again from query to query. */
 typedef struct filter_workspace {
@@ -85,12 +47,5 @@ void filter_begin(filter_workspace *w);
  * search
  */
 int filter_search(filter_workspace *w, const filter *f, size_t piece, const filter_point *point);
-
-/**
- * The state at u of a piece.
- * @return GRAZE_STATE_I or GRAZE_STATE_O, or GRAZE_STATE_ABSENT: ask the exact location
- */
-graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
-                          const filter_point *point, double u);
 
 #endif

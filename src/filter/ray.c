@@ -1,8 +1,9 @@
 /* Point location: the first crossing of a segment that leaves the solid's box tells the side it
  * comes from. SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "filter/ray.h"
+
 #include <math.h>
-#include "filter/filter.h"
 #include "filter/flip.h"
 #include "filter/search.h"
 

@@ -18,32 +18,6 @@ typedef struct searcher {
     int failed; /* without memory, or the weight's sign is not certain */
 } searcher;
 
-int candidates_append(candidates *list, candidate item) {
-    if (list->count == list->capacity) {
-        size_t capacity = list->capacity ? 2 * list->capacity : 32;
-        candidate *items = realloc(list->item, capacity * sizeof *items);
-        if (!items)
-            return 0;
-        list->item = items;
-        list->capacity = capacity;
-    }
-    list->item[list->count++] = item;
-    return 1;
-}
-
-static int append_crossing(findings *out, crossing item) {
-    if (out->crossing_count == out->crossing_capacity) {
-        size_t capacity = out->crossing_capacity ? 2 * out->crossing_capacity : 16;
-        crossing *items = realloc(out->crossing, capacity * sizeof *items);
-        if (!items)
-            return 0;
-        out->crossing = items;
-        out->crossing_capacity = capacity;
-    }
-    out->crossing[out->crossing_count++] = item;
-    return 1;
-}
-
 /* A window of a span's own parameter, outward, in units of 2^-WINDOW_LEVELS. */
 static candidate whole_units(uint32_t simplex, const span *piece, const meet_window *w) {
     double length = (double)(UINT32_C(1) << (WINDOW_LEVELS - piece->level));
@@ -86,7 +60,7 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     if (found == MEET_CUT && piece->level < SIMPLEX_LEVELS)
         cut_and_descend(s, node, span_index);
     else if (found == MEET_CROSSING)
-        kept = append_crossing(s->out, whole_crossing(simplex, piece, &window));
+        kept = findings_add_crossing(s->out, whole_crossing(simplex, piece, &window));
     else if (found != MEET_NONE)
         kept = candidates_append(&s->out->asked, whole_units(simplex, piece, &window));
     s->failed |= !kept;

@@ -4,7 +4,9 @@
 #ifndef GRAZE_FILTER_SEARCH_H
 #define GRAZE_FILTER_SEARCH_H
 
-#include "filter/filter.h"
+#include "filter/curve.h"
+#include "filter/findings.h"
+#include "solid/solid.h"
 
 /** Find all certain crossings and candidates of a curve; not sorted yet. 0 without memory. */
 int search_curve(findings *out, curve *c, const graze_solid *solid);

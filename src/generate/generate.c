@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "scene/box.h"
 
 /* Times drawn from, tries for one row, and rows tried before a stratum is given up. */
 enum { INSTANTS = 512, TIME_BITS = 10, TRIES = 200, TRIAL_ROWS = 24 };

@@ -1,7 +1,7 @@
 /* One try at a point of each stratum. A try draws its numbers from the row's stream and may fail.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "generate/generate.h"
+#include "generate/strata.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>

@@ -7,6 +7,7 @@
 #ifndef GRAZE_REPORT_REPORT_H
 #define GRAZE_REPORT_REPORT_H
 
+#include "graze/report.h"
 #include "number/text.h"
 #include "scene/scene.h"
 #include "trace/trace.h"

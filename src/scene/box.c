@@ -7,7 +7,7 @@
  * Intervals whose bound exceeds what is known to be attained by more than the slack, or whose
  * weight has a coefficient that is not positive, are halved.
  */
-#include "scene/scene.h"
+#include "scene/box.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>

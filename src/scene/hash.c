@@ -1,9 +1,9 @@
-/* The canonical text of a scene and its SHA-256 (scene.h says what the text is).
+/* The canonical text of a scene and its SHA-256 (hash.h says what the text is).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The text is hashed as it is written and never held as a whole.
  */
-#include "scene/scene.h"
+#include "scene/hash.h"
 
 #include <flint/fmpz_vec.h>
 #include <sha256.h>

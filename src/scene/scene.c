@@ -15,6 +15,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "scene/hash.h"
 #include "solid/locate.h"
 #include "validate/overlap.h"
 

@@ -6,52 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u) {
-    graze_time *time = malloc(sizeof *time);
-    if (!time)
-        return NULL;
-    time->piece = piece;
-    time->motion = motion;
-    time->canonical = 0;
-    algebraic_init(&time->u);
-    algebraic_set(&time->u, u);
-    fmpz_poly_init(time->poly);
-    fmpq_init(time->low);
-    fmpq_init(time->high);
-    return time;
-}
-
-static void time_destroy(graze_time *time) {
-    if (!time)
-        return;
-    algebraic_clear(&time->u);
-    fmpz_poly_clear(time->poly);
-    fmpq_clear(time->low);
-    fmpq_clear(time->high);
-    free(time);
-}
-
-void contact_clear(contact *c) {
-    if (c->to != c->from)
-        time_destroy(c->to);
-    time_destroy(c->from);
-    free(c->cell);
-}
-
-int time_is_start(const graze_time *time) {
-    return time && time->piece == 0 && algebraic_is_rational(&time->u) &&
-           fmpq_is_zero(time->u.value);
-}
-
-/* Whether a time is the end of its piece. */
-static int is_piece_end(const graze_time *time) {
-    return algebraic_is_rational(&time->u) && fmpq_is_one(time->u.value);
-}
-
-int time_is_end(const graze_time *time) {
-    return time && time->piece + 1 == time->motion->piece_count && is_piece_end(time);
-}
-
 /* Sort the cells of a contact; each once. */
 static void order_cells(contact *c) {
     size_t kept = c->cell_count > 0;
@@ -138,7 +92,7 @@ static contact *append_timed(graze_trace *trace, graze_time *from, graze_time *t
 
 /* Whether a contact, or none, ends where a piece begins. */
 static int ends_before(const contact *last, size_t piece) {
-    return last && last->to && last->to->piece + 1 == piece && is_piece_end(last->to);
+    return last && last->to && last->to->piece + 1 == piece && time_is_piece_end(last->to);
 }
 
 /* One maximal run of touches, from rank `from` to rank `to`, in a piece. */

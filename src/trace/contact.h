@@ -21,10 +21,4 @@ graze_status contacts_append_crossing(graze_trace *trace, graze_context *context
 /** Name the cells of all contacts, which are in, as the input does. */
 graze_status contacts_name(graze_trace *trace, graze_context *context, const cell_names *names);
 
-void contact_clear(contact *c);
-
-/** Whether a time is t0, t1. */
-int time_is_start(const graze_time *time);
-int time_is_end(const graze_time *time);
-
 #endif

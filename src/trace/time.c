@@ -3,14 +3,53 @@
  * proofs/separation.md C44).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "number/isolate.h"
-#include "number/order.h"
-#include "number/refine.h"
-#include "trace/trace.h"
+#include "trace/time.h"
 
 #include <flint/fmpz_poly_factor.h>
+#include <stdlib.h>
 #include "context/environment.h"
+#include "number/isolate.h"
 #include "number/modular.h"
+#include "number/order.h"
+#include "number/refine.h"
+
+graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u) {
+    graze_time *time = malloc(sizeof *time);
+    if (!time)
+        return NULL;
+    time->piece = piece;
+    time->motion = motion;
+    time->canonical = 0;
+    algebraic_init(&time->u);
+    algebraic_set(&time->u, u);
+    fmpz_poly_init(time->poly);
+    fmpq_init(time->low);
+    fmpq_init(time->high);
+    return time;
+}
+
+void time_destroy(graze_time *time) {
+    if (!time)
+        return;
+    algebraic_clear(&time->u);
+    fmpz_poly_clear(time->poly);
+    fmpq_clear(time->low);
+    fmpq_clear(time->high);
+    free(time);
+}
+
+int time_is_start(const graze_time *time) {
+    return time && time->piece == 0 && algebraic_is_rational(&time->u) &&
+           fmpq_is_zero(time->u.value);
+}
+
+int time_is_piece_end(const graze_time *time) {
+    return time && algebraic_is_rational(&time->u) && fmpq_is_one(time->u.value);
+}
+
+int time_is_end(const graze_time *time) {
+    return time && time->piece + 1 == time->motion->piece_count && time_is_piece_end(time);
+}
 
 /* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a
  * positive number, as a polynomial in t. */
@@ -209,17 +248,5 @@ graze_status time_canonicalise(graze_time *time, graze_context *context) {
     time->canonical = status == GRAZE_OK;
     fmpq_clear(low);
     fmpq_clear(high);
-    return status;
-}
-
-graze_status trace_canonicalise(const graze_trace *trace, graze_context *context) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < trace->contact_count && status == GRAZE_OK; k++) {
-        const contact *c = &trace->contact[k];
-        if (c->from)
-            status = time_canonicalise(c->from, context);
-        if (c->to && status == GRAZE_OK)
-            status = time_canonicalise(c->to, context);
-    }
     return status;
 }

@@ -5,6 +5,7 @@
 #include "trace/touch.h"
 
 #include <stdlib.h>
+#include "filter/curve.h"
 #include "number/isolate.h"
 #include "number/order.h"
 #include "number/sign.h"

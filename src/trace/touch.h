@@ -5,7 +5,7 @@
 #define GRAZE_TRACE_TOUCH_H
 
 #include "number/algebraic.h"
-#include "trace/search.h"
+#include "trace/candidates.h"
 
 /**
  * The trajectory is in the relative interior of `cell` at the instant time[from] = time[to], or on

@@ -7,6 +7,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "filter/ray.h"
 #include "number/rounding.h"
 #include "solid/locate.h"
 

@@ -1,6 +1,7 @@
 /* Traces points and decides them. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "verdict/classify.h"
 
+#include "trace/point.h"
 #include "verdict/verdict.h"
 
 graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,

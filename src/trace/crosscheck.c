@@ -1,5 +1,5 @@
 /* Parity against the exact path. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "trace/parity.h"
+#include "trace/crosscheck.h"
 
 static const uint32_t WHOLE = UINT32_C(1) << WINDOW_LEVELS;
 
@@ -16,7 +16,7 @@ static graze_status expect(tracer *r, size_t piece, uint32_t at, graze_state exp
     return status;
 }
 
-graze_status parity_crossing(tracer *r, size_t piece, int enters) {
+graze_status crosscheck_crossing(tracer *r, size_t piece, int enters) {
     last_seen last = r->last;
     r->last = (last_seen){1, piece, enters ? GRAZE_STATE_I : GRAZE_STATE_O, 0};
     if (!last.any || last.after != GRAZE_STATE_ABSENT)
@@ -26,7 +26,7 @@ graze_status parity_crossing(tracer *r, size_t piece, int enters) {
                   enters ? GRAZE_STATE_O : GRAZE_STATE_I);
 }
 
-graze_status parity_window(tracer *r, size_t piece, uint32_t from, uint32_t to) {
+graze_status crosscheck_window(tracer *r, size_t piece, uint32_t from, uint32_t to) {
     last_seen last = r->last;
     r->last = (last_seen){1, piece, GRAZE_STATE_ABSENT, to};
     if (!last.any || last.after == GRAZE_STATE_ABSENT)

@@ -2,11 +2,12 @@
  * the exact tests to answer. Pieces of the curve are cut when first asked for and kept for all
  * branches of the tree. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "trace/search.h"
+#include "trace/candidates.h"
 
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "filter/curve.h"
 
 /* The piece [start, start + 2^(LEVELS - level)] of the curve. */
 typedef struct exact_span {
@@ -132,8 +133,8 @@ static void join_windows(candidates *list) {
     list->count = kept;
 }
 
-graze_status search_candidates(candidates *out, graze_context *context, const graze_solid *solid,
-                               const trajectory *c) {
+graze_status candidates_find(candidates *out, graze_context *context, const graze_solid *solid,
+                             const trajectory *c) {
     searcher s = {.solid = solid, .c = c, .out = out};
     out->count = 0;
     if (reserve_spans(&s)) {

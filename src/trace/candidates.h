@@ -1,10 +1,10 @@
 /* Which simplices a trajectory can meet, and when: a search of the solid's tree with pieces of the
  * curve. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef GRAZE_TRACE_SEARCH_H
-#define GRAZE_TRACE_SEARCH_H
+#ifndef GRAZE_TRACE_CANDIDATES_H
+#define GRAZE_TRACE_CANDIDATES_H
 
-#include "filter/filter.h"
+#include "filter/findings.h"
 #include "number/bernstein.h"
 #include "solid/solid.h"
 #include "trace/trajectory.h"
@@ -14,7 +14,7 @@
  * other.
  * @param[out] out initialised to zero, or used before; freed by the caller
  */
-graze_status search_candidates(candidates *out, graze_context *context, const graze_solid *solid,
-                               const trajectory *c);
+graze_status candidates_find(candidates *out, graze_context *context, const graze_solid *solid,
+                             const trajectory *c);
 
 #endif

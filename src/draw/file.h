@@ -1,0 +1,16 @@
+/* The kind of a picture, by the extension of its file.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_DRAW_FILE_H
+#define GRAZE_DRAW_FILE_H
+
+#include "draw/canvas.h"
+
+/** Whether canvas_create will know what to make, before anything long is done: GRAZE_EUSE an
+ * extension but .svg and .png, GRAZE_ESYSTEM no library for the latter. */
+graze_status canvas_check(graze_context *context, const char *file);
+/** The kind of a path's extension, .svg or .png; what canvas_check returns, or GRAZE_ESYSTEM. */
+graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
+                           double height);
+
+#endif

@@ -1,0 +1,25 @@
+/* What a picture is to show.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_DRAW_REQUEST_H
+#define GRAZE_DRAW_REQUEST_H
+
+#include <flint/fmpq.h>
+#include <stddef.h>
+
+/** What to draw; see graze_draw_options, whose numbers these are, checked and with their defaults.
+ */
+typedef struct draw_request {
+    const char *title;
+    unsigned long grid;     /* 0: two pixels a cell */
+    unsigned long times;    /* at least 2 */
+    const fmpq *low, *high; /* d each, low < high; both NULL: around the scene */
+    int plane_axis;         /* E^3 */
+    const fmpq *plane;      /* NULL: the middle of the box */
+    double view[3];         /* not zero */
+    const fmpq *points;     /* d each */
+    size_t point_count;
+    const char *const *names; /* one a point */
+} draw_request;
+
+#endif

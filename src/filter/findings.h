@@ -1,0 +1,53 @@
+/* What a search of the filter finds: certain crossings, and candidates for the exact path.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_FINDINGS_H
+#define GRAZE_FILTER_FINDINGS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/** The trajectory may meet the simplex within the closed window, in units of 2^-WINDOW_LEVELS. */
+typedef struct candidate {
+    uint32_t simplex;
+    uint32_t from, to;
+} candidate;
+
+typedef struct candidates {
+    size_t count, capacity;
+    candidate *item;
+} candidates;
+
+/** Append; 0 without memory. */
+int candidates_append(candidates *list, candidate item);
+
+/** A certain crossing: once, at some time of the window, which is in units of a piece, the curve
+ * goes through the relative interior of the simplex; `enters`: from outside to inside. */
+typedef struct crossing {
+    double from, to;
+    uint32_t simplex;
+    int enters;
+} crossing;
+
+/** Candidates first ... first + count - 1 with overlapping windows: the exact path answers for all
+ * of [from, to] at once. */
+typedef struct exact_window {
+    uint32_t from, to;
+    size_t first, count;
+} exact_window;
+
+/** What the filter found on one piece: crossings and windows, each in order of time, none touching
+ * another. All other times are off the boundary. */
+typedef struct findings {
+    size_t crossing_count, crossing_capacity;
+    crossing *crossing;
+    candidates asked;
+    size_t window_count, window_capacity;
+    exact_window *window;
+} findings;
+
+int findings_add_crossing(findings *found, crossing item);
+int findings_add_window(findings *found, exact_window item);
+void findings_clear(findings *found);
+
+#endif
