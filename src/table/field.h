@@ -5,7 +5,7 @@
 #define GRAZE_TABLE_FIELD_H
 
 #include <stddef.h>
-#include "graze.h"
+#include "graze/core.h"
 
 /** Bytes of a text, not ended by a NUL. */
 typedef struct field {

@@ -4,7 +4,7 @@
 #ifndef GRAZE_TABLE_STREAM_H
 #define GRAZE_TABLE_STREAM_H
 
-#include "graze.h"
+#include "graze/core.h"
 #include "table/field.h"
 
 typedef struct stream {

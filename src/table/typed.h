@@ -7,6 +7,7 @@
 #ifndef GRAZE_TABLE_TYPED_H
 #define GRAZE_TABLE_TYPED_H
 
+#include "graze/report.h"
 #include "table/sink.h"
 #include "table/texts.h"
 
