@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Mutation test of the code that decides contacts, counts and classes.
+"""Mutation test of the code that decides contacts, counts and classes, and of a sample of the code around it.
 
 Every comparison, logical connective and sign in the files below is changed, one at a time. Each mutant is put to the tables
 of the cases, the unit tests and the suites below until one notices it. The exact path is asked (--no-filter), and for
 src/trace also what lies between it and the filter. A mutant that no suite notices is an error unless tests/mutants.txt lists
-it with the reason why it is equivalent. `--sample K/N` takes every N-th mutant from K on. Wants a finished `make test`.
+it with the reason why it is equivalent. Of the filter, comparison, reports, conversion and tables a sample is
+asked, as mutation/glue.py says. `--sample K/N` takes every N-th mutant from K on. Wants a finished `make test`.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -26,6 +27,7 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutation"))
 
 import corpus  # noqa: E402
+import glue  # noqa: E402
 from changes import known_equivalents, mutants  # noqa: E402
 from corpus import Suite  # noqa: E402
 
@@ -135,6 +137,7 @@ class Worker:
 
     def __init__(self, parts, name, suites, cases):
         self.parts, self.suites, self.cases = parts, suites, cases
+        self.filtered_cases = corpus.cases_list(os.path.join(parts.folder, "filtered-cases"), "")
         self.folder, self.plain = parts.bench(name), {}
         self.graze = os.path.join(self.folder, "graze")
         self.object = os.path.join(self.folder, "mutant.o")
@@ -148,8 +151,26 @@ class Worker:
     def suite(self, script, flag, seconds):
         return suite_is_red(script, self.wrappers[flag], seconds)
 
+    def is_noticed_by(self, asker):
+        """Whether one of those asked about the code around the kernel notices the program as it is linked now."""
+        if asker == glue.CASES:
+            return corpus.replay(self.graze, self.filtered_cases)
+        if ".py" in asker:
+            return is_red([sys.executable, *asker.split(), "--graze", self.graze], glue.SECONDS)
+        return self.unit(asker)
+
+    def red_unchanged(self, folder):
+        """Those of a folder's askers that are red without any mutant."""
+        path = sorted(glob.glob(folder + "/*.c"))[0]
+        with open(path, encoding="utf-8") as file:
+            self.compiled(file.read())
+        link(self.graze, *self.parts.program, self.object, self.parts.archive)
+        return [asker for asker in glue.GLUE[folder] if self.is_noticed_by(asker)]
+
     def killer(self, path):
         """Which suite notices the program as it is linked now; None if none does."""
+        if glue.askers(path):
+            return next(filter(self.is_noticed_by, glue.askers(path)), None)
         if corpus.replay(self.graze, self.cases):
             return "tests/cases/cases.py"
         for name in UNITS if not path.startswith("src/trace") else []:
@@ -198,7 +219,7 @@ class Worker:
         return self.killer(mutant.path)
 
 
-def prepare(parts, folder, suites):
+def prepare(parts, folder, suites, kernel):
     """Record the suites on the unchanged program; the list of the cases, or None if one is red."""
     bench = parts.bench("unchanged")
     graze = os.path.join(bench, "graze")
@@ -211,7 +232,7 @@ def prepare(parts, folder, suites):
         if not corpus.record(folder, suite, graze):
             print(f"{suite.name} is red without any mutant")
             return None
-    if refuses_badly(bench, graze):
+    if kernel and refuses_badly(bench, graze):
         print(f"{REFUSE} is red without any mutant")
         return None
     return cases
@@ -219,13 +240,19 @@ def prepare(parts, folder, suites):
 
 def run(parts, folder, options, chosen):
     """(mutant, its fate) for each mutant, in the order of their ends."""
-    suites = SUITES + (FILTERED if any("src/trace" in m.path for m in chosen) else [])
-    cases = prepare(parts, folder, suites)
+    kernel = any(not glue.askers(m.path) for m in chosen)
+    suites = SUITES + (FILTERED if any("src/trace" in m.path for m in chosen) else []) if kernel else []
+    cases = prepare(parts, folder, suites, kernel)
     if cases is None:
         return
+    workers = [Worker(parts, f"worker-{k}", suites, cases) for k in range(options.jobs)]
     idle = queue.Queue()
-    for k in range(options.jobs):
-        idle.put(Worker(parts, f"worker-{k}", suites, cases))
+    for worker in workers:
+        idle.put(worker)
+    for folder_of in sorted({os.path.dirname(m.path) for m in chosen if glue.askers(m.path)}):
+        for asker in workers[0].red_unchanged(folder_of):
+            print(f"{asker} is red without any mutant")
+            return
 
     def one(mutant):
         worker = idle.get()
@@ -250,7 +277,7 @@ def main():
     options = parser.parse_args()
     first, step = (int(n) for n in options.sample.split("/"))
     known = known_equivalents("tests/mutants.txt")
-    everything = [m for path in FILES for m in mutants(path)
+    everything = [m for m in [*(m for path in FILES for m in mutants(path)), *glue.sample()]
                   if re.search(options.only, f"{m.path}:{m.line}:")]
     chosen = everything[first::step]
     fates, start = collections.Counter(), time.time()
