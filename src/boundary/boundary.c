@@ -9,6 +9,7 @@
 #include "boundary/refine.h"
 #include "boundary/surface.h"
 #include "scene/box.h"
+#include "context/array.h"
 
 /* The box asked for, or the scene's with a margin. */
 static graze_status set_box(struct graze_boundary *b, graze_context *context, const fmpq *low,
@@ -38,8 +39,8 @@ static graze_status list_leaves(struct graze_boundary *b, graze_context *context
     for (size_t i = 0; i < b->cell_count && !status; i++) {
         if (b->cells[i].child)
             continue;
-        status = boundary_grow((void **)&b->leaves, &capacity, b->leaf_count + 1, sizeof *b->leaves,
-                               context);
+        status = array_grow(context, &b->leaves, &capacity, b->leaf_count + 1, sizeof *b->leaves,
+                            "the cells of a boundary");
         if (!status)
             b->leaves[b->leaf_count++] = i;
     }

@@ -6,20 +6,6 @@
 #include <stdlib.h>
 #include "verdict/classify.h"
 
-graze_status boundary_grow(void **array, size_t *capacity, size_t count, size_t size,
-                           graze_context *context) {
-    if (count <= *capacity)
-        return GRAZE_OK;
-    size_t more = *capacity ? 2 * *capacity : 256;
-    more = more < count ? count : more;
-    void *grown = realloc(*array, more * size);
-    if (!grown)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a boundary");
-    *array = grown;
-    *capacity = more;
-    return GRAZE_OK;
-}
-
 uint64_t lattice_key(const uint32_t at[3]) {
     return (uint64_t)at[0] | (uint64_t)at[1] << 21 | (uint64_t)at[2] << 42;
 }

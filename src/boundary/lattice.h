@@ -43,10 +43,6 @@ struct graze_boundary {
     size_t face_count, corner_capacity;
 };
 
-/** Grow an array to hold `count` items of `size` bytes; GRAZE_ESYSTEM when memory is short. */
-graze_status boundary_grow(void **array, size_t *capacity, size_t count, size_t size,
-                           graze_context *context);
-
 /** The key of a lattice point. */
 uint64_t lattice_key(const uint32_t at[3]);
 /** Set the coordinates of a lattice point. */

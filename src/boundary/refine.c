@@ -10,10 +10,11 @@
 
 #include <string.h>
 #include "boundary/contacts.h"
+#include "context/array.h"
 
 static graze_status push(graze_context *context, struct graze_boundary *b, size_t index) {
-    graze_status status = boundary_grow((void **)&b->work, &b->work_capacity, b->work_count + 1,
-                                        sizeof *b->work, context);
+    graze_status status = array_grow(context, &b->work, &b->work_capacity, b->work_count + 1,
+                                     sizeof *b->work, "the cells of a boundary");
     if (!status)
         b->work[b->work_count++] = index;
     return status;
@@ -46,8 +47,8 @@ static graze_status split(graze_context *context, struct graze_boundary *b, size
             return GRAZE_OK;
     }
     if (!status)
-        status = boundary_grow((void **)&b->cells, &b->cell_capacity, b->cell_count + parts,
-                               sizeof *b->cells, context);
+        status = array_grow(context, &b->cells, &b->cell_capacity, b->cell_count + parts,
+                            sizeof *b->cells, "the cells of a boundary");
     if (status)
         return status;
     b->cells[index].child = b->cell_count;
@@ -146,8 +147,8 @@ graze_status boundary_refuse_budget(graze_context *context, const struct graze_b
 }
 
 static graze_status start(graze_context *context, struct graze_boundary *b) {
-    graze_status status =
-        boundary_grow((void **)&b->cells, &b->cell_capacity, 1, sizeof *b->cells, context);
+    graze_status status = array_grow(context, &b->cells, &b->cell_capacity, 1, sizeof *b->cells,
+                                     "the cells of a boundary");
     if (status)
         return status;
     memset(b->cells, 0, sizeof *b->cells);

@@ -10,6 +10,7 @@
 #include "boundary/surface.h"
 
 #include "boundary/contacts.h"
+#include "context/array.h"
 
 /* A simplex's corners with those in `out` last. */
 typedef struct corner_simplex {
@@ -54,8 +55,9 @@ static int side_of(uint32_t (*face)[3], const uint32_t out[3], int dimension) {
 static graze_status add_face(graze_context *context, struct graze_boundary *b, uint32_t (*face)[3],
                              const uint32_t out[3]) {
     size_t d = (size_t)b->dimension, index[3];
-    graze_status status = boundary_grow((void **)&b->corners, &b->corner_capacity,
-                                        (b->face_count + 1) * d, sizeof *b->corners, context);
+    graze_status status =
+        array_grow(context, &b->corners, &b->corner_capacity, (b->face_count + 1) * d,
+                   sizeof *b->corners, "the cells of a boundary");
     for (size_t k = 0; k < d && !status; k++)
         status = vertex(index + k, context, b, face[k]);
     if (status)

@@ -4,6 +4,7 @@
 #include "boundary/table.h"
 
 #include <stdlib.h>
+#include "context/array.h"
 
 void table_clear(table *t) {
     free(t->key);
@@ -28,15 +29,10 @@ size_t table_find(const table *t, uint64_t key) {
 }
 
 static int grow(table *t) {
-    size_t capacity = t->capacity ? 2 * t->capacity : 1024;
-    uint64_t *key = realloc(t->key, capacity * sizeof *key);
-    if (!key)
+    size_t capacity = t->capacity, values = t->capacity;
+    if (!array_reserve(&t->key, &capacity, t->count + 1, sizeof *t->key) ||
+        !array_reserve(&t->value, &values, capacity, sizeof *t->value))
         return 0;
-    t->key = key;
-    unsigned char *value = realloc(t->value, capacity);
-    if (!value)
-        return 0;
-    t->value = value;
     size_t *slot = calloc(2 * capacity, sizeof *slot);
     if (!slot)
         return 0;

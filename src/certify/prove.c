@@ -6,6 +6,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "context/array.h"
 
 enum { UNKNOWN = 2 };
 
@@ -35,16 +36,10 @@ void enclosure_clear(enclosure *e) {
 }
 
 static void add_near(enclosure *e, uint32_t simplex) {
-    if (e->count == e->capacity) {
-        size_t capacity = 2 * e->capacity + 16;
-        uint32_t *larger = realloc(e->near, capacity * sizeof *larger);
-        e->out_of_memory = e->out_of_memory || !larger;
-        if (!larger)
-            return;
-        e->near = larger;
-        e->capacity = capacity;
-    }
-    e->near[e->count++] = simplex;
+    if (array_reserve(&e->near, &e->capacity, e->count + 1, sizeof *e->near))
+        e->near[e->count++] = simplex;
+    else
+        e->out_of_memory = 1;
 }
 
 /* So many near simplices that a shorter interval is cheaper; no bound in the end. */

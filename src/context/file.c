@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include <sha256.h>
 #include "context/file.h"
+#include "context/array.h"
 #include "context/input.h"
 
 void file_sha256(unsigned char sha256[32], const char *text, size_t length) {
@@ -19,25 +20,21 @@ void file_sha256(unsigned char sha256[32], const char *text, size_t length) {
     SHA256_Final(sha256, &state);
 }
 
-/* Read to the end of `file`; `capacity` is a first guess that is right for files that do not grow.
- * Room for the NUL is always kept. */
+/* Read to the end of `file`; `guess` is enough room for files that do not grow. Room for the NUL is
+ * always kept. */
 static graze_status read_all(char **text, size_t *length, graze_context *context, const char *path,
-                             int file, size_t capacity) {
+                             int file, size_t guess) {
+    size_t capacity = 0;
     for (;;) {
         if (*length > context->limits[GRAZE_LIMIT_BYTES]) {
             return context_limit(context, GRAZE_LIMIT_BYTES, path);
         }
-        if (*text == NULL || *length + 1 >= capacity) {
-            capacity = *text == NULL ? capacity : 2 * capacity;
-            char *larger = realloc(*text, capacity);
-            if (larger == NULL) {
-                return context_fail(context, GRAZE_ESYSTEM, "%s: out of memory", path);
-            }
-            *text = larger;
-        }
-        size_t n;
         graze_status status =
-            input_read(&n, context, path, file, *text + *length, capacity - *length - 1);
+            array_grow(context, text, &capacity, capacity ? *length + 2 : guess, 1, path);
+        size_t n;
+        if (status == GRAZE_OK) {
+            status = input_read(&n, context, path, file, *text + *length, capacity - *length - 1);
+        }
         if (status != GRAZE_OK) {
             return status;
         }

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 
 void path_clear(path *p) {
     free(p->node);
@@ -14,15 +15,8 @@ void path_clear(path *p) {
 }
 
 void path_to(path *p, char verb, double x, double y) {
-    if (p->count == p->capacity && !p->failed) {
-        size_t capacity = 2 * p->capacity + 64;
-        path_node *grown = realloc(p->node, capacity * sizeof *grown);
-        p->failed = !grown;
-        if (grown) {
-            p->node = grown;
-            p->capacity = capacity;
-        }
-    }
+    if (!p->failed)
+        p->failed = !array_reserve(&p->node, &p->capacity, p->count + 1, sizeof *p->node);
     if (!p->failed)
         p->node[p->count++] = (path_node){verb, x, y};
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "context/array.h"
 
 void labels_clear(labels *l) {
     free(l->item);
@@ -13,15 +14,8 @@ void labels_clear(labels *l) {
 }
 
 static void add(labels *l, obstacle o) {
-    if (l->count == l->capacity && !l->failed) {
-        size_t capacity = 2 * l->capacity + 64;
-        obstacle *grown = realloc(l->item, capacity * sizeof *grown);
-        l->failed = !grown;
-        if (grown) {
-            l->item = grown;
-            l->capacity = capacity;
-        }
-    }
+    if (!l->failed)
+        l->failed = !array_reserve(&l->item, &l->capacity, l->count + 1, sizeof *l->item);
     if (!l->failed)
         l->item[l->count++] = o;
 }

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "number/refine.h"
+#include "context/array.h"
 #include "verdict/classify.h"
 #include "verdict/verdict.h"
 
@@ -28,17 +29,10 @@ typedef struct follower {
 
 static void add_place(follower *f, const double at[3]) {
     trail *c = f->out;
-    if (c->place_count == c->place_capacity) {
-        size_t capacity = 2 * c->place_capacity + 64;
-        double *grown = realloc(c->at, capacity * 3 * sizeof *grown);
-        if (!grown) {
-            f->failed = 1;
-            return;
-        }
-        c->at = grown;
-        c->place_capacity = capacity;
-    }
-    memcpy(c->at + 3 * c->place_count++, at, 3 * sizeof *at);
+    if (array_reserve(&c->at, &c->place_capacity, c->place_count + 1, 3 * sizeof *c->at))
+        memcpy(c->at + 3 * c->place_count++, at, 3 * sizeof *at);
+    else
+        f->failed = 1;
 }
 
 /* c(u), u taken to 2^-30. */

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 #include "filter/flip.h"
 
 #define U UNIT_ROUNDING
@@ -35,24 +36,10 @@ const double *curve_coefficients(const curve *c, const span *piece, int i) {
 
 /* Room for two more spans; 0 if there is no memory. */
 static int reserve(curve *c) {
-    if (c->count + 2 > c->capacity) {
-        size_t capacity = c->capacity ? 2 * c->capacity : 32;
-        span *spans = realloc(c->spans, capacity * sizeof *spans);
-        if (spans) {
-            c->spans = spans;
-            c->capacity = capacity;
-        }
-        c->out_of_memory |= !spans;
-    }
-    if ((c->count + 2) * c->stride > c->room) {
-        size_t room = 2 * (c->count + 2) * c->stride;
-        double *coefficients = realloc(c->coefficients, room * sizeof *coefficients);
-        if (coefficients) {
-            c->coefficients = coefficients;
-            c->room = room;
-        }
-        c->out_of_memory |= !coefficients;
-    }
+    size_t count = c->count + 2;
+    if (!array_reserve(&c->spans, &c->capacity, count, sizeof *c->spans) ||
+        !array_reserve(&c->coefficients, &c->room, count * c->stride, sizeof *c->coefficients))
+        c->out_of_memory = 1;
     return !c->out_of_memory;
 }
 

@@ -4,42 +4,25 @@
 #include "filter/findings.h"
 
 #include <stdlib.h>
+#include "context/array.h"
 
 int candidates_append(candidates *list, candidate item) {
-    if (list->count == list->capacity) {
-        size_t capacity = list->capacity ? 2 * list->capacity : 32;
-        candidate *items = realloc(list->item, capacity * sizeof *items);
-        if (!items)
-            return 0;
-        list->item = items;
-        list->capacity = capacity;
-    }
+    if (!array_reserve(&list->item, &list->capacity, list->count + 1, sizeof *list->item))
+        return 0;
     list->item[list->count++] = item;
     return 1;
 }
 
 int findings_add_crossing(findings *found, crossing item) {
-    if (found->crossing_count == found->crossing_capacity) {
-        size_t capacity = found->crossing_capacity ? 2 * found->crossing_capacity : 16;
-        crossing *items = realloc(found->crossing, capacity * sizeof *items);
-        if (!items)
-            return 0;
-        found->crossing = items;
-        found->crossing_capacity = capacity;
-    }
+    if (!array_reserve(&found->crossing, &found->crossing_capacity, found->crossing_count + 1, sizeof *found->crossing))
+        return 0;
     found->crossing[found->crossing_count++] = item;
     return 1;
 }
 
 int findings_add_window(findings *found, exact_window item) {
-    if (found->window_count == found->window_capacity) {
-        size_t capacity = found->window_capacity ? 2 * found->window_capacity : 16;
-        exact_window *items = realloc(found->window, capacity * sizeof *items);
-        if (!items)
-            return 0;
-        found->window = items;
-        found->window_capacity = capacity;
-    }
+    if (!array_reserve(&found->window, &found->window_capacity, found->window_count + 1, sizeof *found->window))
+        return 0;
     found->window[found->window_count++] = item;
     return 1;
 }

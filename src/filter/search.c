@@ -4,7 +4,6 @@
 #include "filter/search.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include "filter/flip.h"
 #include "filter/meet.h"
 

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
 #include <stdlib.h>
+#include "context/array.h"
 #include "solid/planes.h"
 
 /* Planes times pieces looked at, and special instants kept. */
@@ -66,15 +67,10 @@ static void normal_velocity(fmpz_poly_t out, const graze_scene *scene, size_t pi
 
 static graze_status append(specials *out, graze_context *context, const graze_scene *scene,
                            size_t piece, const fmpq_t u, size_t simplex, int slides) {
-    if (out->count == out->capacity) {
-        size_t capacity = out->capacity ? 2 * out->capacity : 16;
-        special *item = realloc(out->item, capacity * sizeof *item);
-        if (!item)
-            return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu special times",
-                                capacity);
-        out->item = item;
-        out->capacity = capacity;
-    }
+    graze_status status = array_grow(context, &out->item, &out->capacity, out->count + 1,
+                                     sizeof *out->item, "the special times");
+    if (status)
+        return status;
     special *added = &out->item[out->count++];
     instant_init(&added->when, scene, piece, u);
     added->simplex = simplex;

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "motion/draft.h"
+#include "context/array.h"
 
 #include <stdlib.h>
 #include "motion/affine_inverse.h"
@@ -21,18 +22,15 @@ void draft_clear(draft *d) {
 }
 
 static graze_status grow(graze_context *context, draft *d) {
-    size_t capacity = d->capacity == 0 ? 4 : 2 * d->capacity;
-    draft_piece *larger = realloc(d->piece, capacity * sizeof *larger);
-    if (larger == NULL) {
-        return context_fail(context, GRAZE_ESYSTEM, "no memory for the pieces of a motion");
+    size_t first = d->capacity;
+    graze_status status = array_grow(context, &d->piece, &d->capacity, d->count + 1,
+                                     sizeof *d->piece, "the pieces of a motion");
+    for (size_t k = first; k < d->capacity; k++) {
+        fmpq_init(d->piece[k].lo);
+        fmpq_init(d->piece[k].hi);
+        affine_init(&d->piece[k].map, d->dimension);
     }
-    d->piece = larger;
-    for (; d->capacity < capacity; d->capacity++) {
-        fmpq_init(larger[d->capacity].lo);
-        fmpq_init(larger[d->capacity].hi);
-        affine_init(&larger[d->capacity].map, d->dimension);
-    }
-    return GRAZE_OK;
+    return status;
 }
 
 graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
@@ -40,7 +38,7 @@ graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
         return context_limit(context, GRAZE_LIMIT_PIECES, "pieces of a motion");
     }
     graze_status status = context_poll(context);
-    if (status == GRAZE_OK && d->count == d->capacity) {
+    if (status == GRAZE_OK) {
         status = grow(context, d);
     }
     if (status == GRAZE_OK) {

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "motion/transform.h"
+#include "context/array.h"
 
 #include <stdlib.h>
 #include "motion/affine_inverse.h"
@@ -65,21 +66,16 @@ void cut_list_clear(cut_list *cuts) {
 
 /* Append 0/n, 1/n, ..., n/n. */
 static graze_status add_cuts(cut_list *cuts, graze_context *context, size_t n) {
-    if (cuts->count + n + 1 > cuts->capacity) {
-        size_t capacity = 2 * cuts->capacity + n + 1;
-        fmpq *larger = realloc(cuts->place, capacity * sizeof *larger);
-        if (larger == NULL) {
-            return context_fail(context, GRAZE_ESYSTEM, "no memory for the cuts of a piece");
-        }
-        cuts->place = larger;
-        for (; cuts->capacity < capacity; cuts->capacity++) {
-            fmpq_init(&larger[cuts->capacity]);
-        }
+    size_t first = cuts->capacity;
+    graze_status status = array_grow(context, &cuts->place, &cuts->capacity, cuts->count + n + 1,
+                                     sizeof *cuts->place, "the cuts of a piece");
+    for (size_t k = first; k < cuts->capacity; k++) {
+        fmpq_init(&cuts->place[k]);
     }
-    for (size_t k = 0; k <= n; k++) {
+    for (size_t k = 0; k <= n && status == GRAZE_OK; k++) {
         fmpq_set_si(&cuts->place[cuts->count++], (slong)k, n);
     }
-    return GRAZE_OK;
+    return status;
 }
 
 static int compare_places(const void *a, const void *b) {

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 #include "number/rational.h"
 
 void text_init(text *t) {
@@ -19,15 +20,8 @@ void text_clear(text *t) {
 
 /* Room for `length` more bytes and a NUL; 0 where there is none. */
 static int reserve(text *t, size_t length) {
-    if (!t->failed && t->capacity - t->length <= length) {
-        size_t capacity = 2 * (t->length + length) + 64;
-        char *data = realloc(t->data, capacity);
-        t->failed = !data;
-        if (data) {
-            t->data = data;
-            t->capacity = capacity;
-        }
-    }
+    if (!t->failed)
+        t->failed = !array_reserve(&t->data, &t->capacity, t->length + length + 1, 1);
     return !t->failed;
 }
 

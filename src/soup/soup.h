@@ -28,6 +28,7 @@ typedef struct soup {
     size_t facet_count;
     uint32_t *facet_start;    /* facet_count + 1 offsets into cycles */
     unsigned char sha256[32]; /* of the file's bytes; zero for arrays */
+    size_t coordinate_capacity, index_capacity, cycle_capacity, facet_capacity;
 } soup;
 
 /** An empty soup; grows by the functions below, which obey the cells limit and end with

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "filter/curve.h"
+#include "context/array.h"
 
 /* The piece [start, start + 2^(LEVELS - level)] of the curve. */
 typedef struct exact_span {
@@ -48,16 +49,9 @@ static int can_shrink(const exact_span *piece) {
 
 /* Room for two more spans; 0 if there is no memory. */
 static int reserve_spans(searcher *s) {
-    if (s->count + 2 > s->capacity) {
-        size_t capacity = s->capacity ? 2 * s->capacity : 64;
-        exact_span *spans = realloc(s->spans, capacity * sizeof *spans);
-        s->out_of_memory = s->out_of_memory || !spans;
-        if (!spans)
-            return 0;
-        s->spans = spans;
-        s->capacity = capacity;
-    }
-    return 1;
+    int enough = array_reserve(&s->spans, &s->capacity, s->count + 2, sizeof *s->spans);
+    s->out_of_memory = s->out_of_memory || !enough;
+    return enough;
 }
 
 static void add_span(searcher *s, uint32_t start, int level, fmpz *bernstein) {

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 
 /* Sort the cells of a contact; each once. */
 static void order_cells(contact *c) {
@@ -18,12 +19,10 @@ static void order_cells(contact *c) {
 
 /* Add cells of touches to a contact, in order and each once; 0 without memory. */
 static int add_cells(contact *c, const touch *item, size_t count) {
-    graze_cell *cell = realloc(c->cell, (c->cell_count + count) * sizeof *cell);
-    if (!cell)
+    if (!array_reserve(&c->cell, &c->cell_capacity, c->cell_count + count, sizeof *c->cell))
         return 0;
-    c->cell = cell;
     for (size_t k = 0; k < count; k++)
-        cell[c->cell_count++] = item[k].cell;
+        c->cell[c->cell_count++] = item[k].cell;
     order_cells(c);
     return 1;
 }
@@ -33,8 +32,9 @@ static int name_contact(contact *c, const cell_names *names) {
     size_t count = 0, n;
     for (size_t k = 0; k < c->cell_count; k++, count += n)
         cell_names_of(&n, names, &c->cell[k]);
-    graze_cell *cell = malloc((count + 1) * sizeof *cell);
-    if (!cell)
+    graze_cell *cell = NULL;
+    size_t capacity = 0;
+    if (!array_reserve(&cell, &capacity, count + 1, sizeof *cell))
         return 0;
     count = 0;
     for (size_t k = 0; k < c->cell_count; k++, count += n) {
@@ -44,6 +44,7 @@ static int name_contact(contact *c, const cell_names *names) {
     free(c->cell);
     c->cell = cell;
     c->cell_count = count;
+    c->cell_capacity = capacity;
     order_cells(c);
     return 1;
 }
@@ -68,12 +69,12 @@ static int prolong(contact *last, graze_time *to) {
 
 /* One more contact, all zero; NULL without memory. */
 static contact *append_contact(graze_trace *trace) {
-    contact *list = realloc(trace->contact, (trace->contact_count + 1) * sizeof *list);
-    if (!list)
+    if (!array_reserve(&trace->contact, &trace->contact_capacity, trace->contact_count + 1,
+                       sizeof *trace->contact))
         return NULL;
-    trace->contact = list;
-    list[trace->contact_count] = (contact){.from = NULL};
-    return &list[trace->contact_count++];
+    contact *added = &trace->contact[trace->contact_count++];
+    *added = (contact){.from = NULL};
+    return added;
 }
 
 /* A contact with times, which it takes over; NULL if one of them is, or without memory. */

@@ -9,6 +9,7 @@
 #include "number/isolate.h"
 #include "number/order.h"
 #include "number/sign.h"
+#include "context/array.h"
 #include "solid/planes.h"
 
 typedef struct finder {
@@ -46,17 +47,10 @@ void touches_clear(touches *t) {
 
 static void add_touch(finder *f, size_t from, size_t to, graze_cell cell) {
     touches *out = f->out;
-    if (out->count == out->capacity) {
-        size_t capacity = out->capacity ? 2 * out->capacity : 16;
-        touch *item = realloc(out->item, capacity * sizeof *item);
-        if (!item) {
-            run_out_of_memory(f);
-            return;
-        }
-        out->item = item;
-        out->capacity = capacity;
-    }
-    out->item[out->count++] = (touch){from, to, cell};
+    if (array_reserve(&out->item, &out->capacity, out->count + 1, sizeof *out->item))
+        out->item[out->count++] = (touch){from, to, cell};
+    else
+        run_out_of_memory(f);
 }
 
 static size_t add_time(finder *f, const algebraic *time) {

@@ -13,12 +13,12 @@ typedef struct contact {
     graze_time *from, *to;   /* the same pointer for an instant; owned by the trace; both NULL for a
                                 crossing whose time was not asked for */
     graze_cell *cell;
-    size_t cell_count;
+    size_t cell_count, cell_capacity;
 } contact;
 
 struct graze_trace {
     graze_state first, last; /* states at t0 and t1: I, B or O */
-    size_t contact_count;
+    size_t contact_count, contact_capacity;
     contact *contact;
     char *word;
     graze_verdict verdict; /* filled by the verdict stage */
