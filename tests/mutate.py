@@ -38,7 +38,7 @@ FILES = [
     "src/solid/create.c", "src/solid/solid.c", "src/solid/forms.c", "src/solid/planes.c", "src/solid/tree.c",
     "src/number/algebraic.c", "src/number/isolate.c", "src/number/bernstein.c",
     "src/number/order.c", "src/number/dyadic.c", "src/number/modular.c", "src/number/refine.c",
-    "src/number/wide.c", "src/number/sign.c",
+    "src/number/wide.c", "src/number/sign.c", "src/number/cross.c",
 ]
 EXACT = "--no-filter"
 SUITES = [Suite(f"tests/{name}.py", EXACT) for name in (

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "certify/certify.h"
+#include "number/cross.h"
 #include "solid/create.h"
 
 enum { MOST_CORNERS = 500 }; /* as in the checker */
@@ -21,22 +22,6 @@ static const fmpq *position(const soup *s, size_t vertex) {
     return s->coordinates + 3 * vertex;
 }
 
-/* out = (q - p) x (r - p), its component along the axis that b and c leave. */
-static void area(fmpq_t out, const fmpq *p, const fmpq *q, const fmpq *r, int b, int c) {
-    fmpq_t u, v;
-    fmpq_init(u);
-    fmpq_init(v);
-    fmpq_sub(u, q + b, p + b);
-    fmpq_sub(v, r + c, p + c);
-    fmpq_mul(out, u, v);
-    fmpq_sub(u, q + c, p + c);
-    fmpq_sub(v, r + b, p + b);
-    fmpq_mul(u, u, v);
-    fmpq_sub(out, out, u);
-    fmpq_clear(u);
-    fmpq_clear(v);
-}
-
 /* The sum of the areas of a fan, for each axis: the normal. */
 static void find_normal(fmpq *normal, const outline *o) {
     fmpq_t part;
@@ -44,8 +29,8 @@ static void find_normal(fmpq *normal, const outline *o) {
     for (int axis = 0; axis < 3; axis++) {
         fmpq_zero(normal + axis);
         for (size_t k = 1; k + 1 < o->count; k++) {
-            area(part, position(o->s, o->corner[0]), position(o->s, o->corner[k]),
-                 position(o->s, o->corner[k + 1]), (axis + 1) % 3, (axis + 2) % 3);
+            cross_rationals(part, position(o->s, o->corner[0]), position(o->s, o->corner[k]),
+                            position(o->s, o->corner[k + 1]), (axis + 1) % 3, (axis + 2) % 3);
             fmpq_add(normal + axis, normal + axis, part);
         }
     }
@@ -85,7 +70,7 @@ static int look_along(outline *o) {
 static int turn(const outline *o, size_t p, size_t q, size_t r) {
     fmpq_t a;
     fmpq_init(a);
-    area(a, position(o->s, p), position(o->s, q), position(o->s, r), o->b, o->c);
+    cross_rationals(a, position(o->s, p), position(o->s, q), position(o->s, r), o->b, o->c);
     int sign = o->sign * fmpq_sgn(a);
     fmpq_clear(a);
     return sign;

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "context/array.h"
 #include "solid/planes.h"
@@ -15,22 +16,15 @@ enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512, FACTORED_DEGREE = 40 };
 /* The homogeneous position of a body point, d + 1 polynomials in u. */
 static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq *y) {
     int d = map->dimension;
-    fmpz_t common, c;
-    fmpz_init_set_ui(common, 1);
-    fmpz_init(c);
-    for (int j = 0; j < d; j++)
-        fmpz_lcm(common, common, fmpq_denref(y + j));
+    fmpz *x = _fmpz_vec_init(d + 1);
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, y, d);
     for (int i = 0; i < d; i++) {
-        fmpz_poly_scalar_mul_fmpz(&out[i], &map->entry[i * (d + 1) + d], common);
-        for (int j = 0; j < d; j++) {
-            fmpz_divexact(c, common, fmpq_denref(y + j));
-            fmpz_mul(c, c, fmpq_numref(y + j));
-            fmpz_poly_scalar_addmul_fmpz(&out[i], &map->entry[i * (d + 1) + j], c);
-        }
+        fmpz_poly_zero(&out[i]);
+        for (int j = 0; j <= d; j++)
+            fmpz_poly_scalar_addmul_fmpz(&out[i], &map->entry[i * (d + 1) + j], x + j);
     }
-    fmpz_poly_scalar_mul_fmpz(&out[d], map->weight, common);
-    fmpz_clear(common);
-    fmpz_clear(c);
+    fmpz_poly_scalar_mul_fmpz(&out[d], map->weight, x + d);
+    _fmpz_vec_clear(x, d + 1);
 }
 
 /* The derivative by u of the pullback of `form` along the trajectory of P = M(u) y, at u itself:

@@ -19,8 +19,13 @@ typedef struct binary_format {
     mpfr_exp_t least, largest;
 } binary_format;
 
-static const binary_format formats[] = {[GRAZE_ROUND_BINARY64] = {"binary64", 53, -1073, 1024},
+static const binary_format formats[] = {[GRAZE_ROUND_NONE] = {.name = "none"},
+                                        [GRAZE_ROUND_BINARY64] = {"binary64", 53, -1073, 1024},
                                         [GRAZE_ROUND_BINARY32] = {"binary32", 24, -148, 128}};
+
+const char *rounding_name(graze_rounding rounding) {
+    return formats[rounding].name;
+}
 
 /* integer 2^shift, with a sign, as a rational. */
 static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negative) {
@@ -37,19 +42,11 @@ static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negati
 
 /* The finite number `x` as a rational. */
 static void set_mpfr(fmpq_t out, const mpfr_t x) {
-    mpz_t significand;
-    fmpz_t integer;
-    if (mpfr_zero_p(x)) {
-        fmpq_zero(out);
-        return;
-    }
-    mpz_init(significand);
-    fmpz_init(integer);
-    mpfr_exp_t shift = mpfr_get_z_2exp(significand, x);
-    fmpz_set_mpz(integer, significand);
-    set_scaled(out, integer, shift, 0);
-    fmpz_clear(integer);
-    mpz_clear(significand);
+    mpq_t value;
+    mpq_init(value);
+    mpfr_get_q(value, x);
+    fmpq_set_mpq(out, value);
+    mpq_clear(value);
 }
 
 graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding) {

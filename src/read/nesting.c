@@ -10,6 +10,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "number/cross.h"
 #include "validate/crossing.h"
 
 typedef struct ring {
@@ -27,14 +28,7 @@ static const fmpq *at(const soup *s, const ring *r, size_t k) {
 
 /* The cross product (b - a) x (p - a); returns its sign. */
 static int turn(fmpq_t out, const fmpq *a, const fmpq *b, const fmpq *p) {
-    fmpq *v = _fmpq_vec_init(4);
-    fmpq_sub(v, b, a);
-    fmpq_sub(v + 1, b + 1, a + 1);
-    fmpq_sub(v + 2, p, a);
-    fmpq_sub(v + 3, p + 1, a + 1);
-    fmpq_mul(out, v, v + 3);
-    fmpq_submul(out, v + 1, v + 2);
-    _fmpq_vec_clear(v, 4);
+    cross_rationals(out, a, b, p, 0, 1);
     return fmpq_sgn(out);
 }
 

@@ -3,6 +3,8 @@
  */
 #include "report/report.h"
 
+#include "number/rounding.h"
+
 static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     int given = 0;
     for (int k = 0; k < 32; k++)
@@ -11,12 +13,6 @@ static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     for (int k = 0; given && k < 32; k++)
         text_format(t, "%02x", sha256[k]);
     text_put(t, given ? "\n" : "none\n");
-}
-
-static const char *rounding_name(graze_rounding rounding) {
-    return rounding == GRAZE_ROUND_BINARY64   ? "binary64"
-           : rounding == GRAZE_ROUND_BINARY32 ? "binary32"
-                                              : "none";
 }
 
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,

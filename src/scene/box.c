@@ -10,45 +10,45 @@
 #include "scene/box.h"
 
 #include <flint/fmpq_vec.h>
-#include <stdlib.h>
+#include <flint/fmpz_vec.h>
+#include "number/bernstein.h"
 
-enum { CORNERS = 8, SIGNIFICANT_BITS = 12 };
+enum { CORNERS = 8, POLYNOMIALS = 3 * CORNERS + 1, SIGNIFICANT_BITS = 12 };
 
-/* The images of all corners on one interval of u, brought to [0, 1]. */
+/* The images of all corners on one interval of u: Bernstein coefficients, degree + 1 of each
+ * polynomial, all multiplied by one positive integer. */
 typedef struct images {
-    fmpz_poly_struct value[3 * CORNERS]; /* coordinate i of corner c at i * CORNERS + c */
-    fmpz_poly_t weight;
+    int corners;
+    slong count, degree; /* polynomials: the coordinates, then the weight */
+    fmpz *coefficient;
 } images;
 
 typedef struct search {
     graze_context *context;
-    int dimension, corners;
-    slong degree;
+    int dimension;
     fmpq reached_low[3], reached_high[3]; /* attained by points of the set bounded */
     fmpq low[3], high[3];                 /* bounds of the intervals done so far */
     fmpq_t slack;
 } search;
 
-static void images_init(images *m) {
-    for (int k = 0; k < 3 * CORNERS; k++)
-        fmpz_poly_init(&m->value[k]);
-    fmpz_poly_init(m->weight);
+static void images_init(images *m, int dimension, slong degree) {
+    m->corners = 1 << dimension;
+    m->count = dimension * m->corners + 1;
+    m->degree = degree;
+    m->coefficient = _fmpz_vec_init(m->count * (degree + 1));
 }
 
 static void images_clear(images *m) {
-    for (int k = 0; k < 3 * CORNERS; k++)
-        fmpz_poly_clear(&m->value[k]);
-    fmpz_poly_clear(m->weight);
+    _fmpz_vec_clear(m->coefficient, m->count * (m->degree + 1));
 }
 
-/* Binomial multiples of the Bernstein coefficients on [0, 1]: the substitution u = 1/(1 + x)
- * multiplied by (1 + x)^n. Quotients of two such lists are quotients of the coefficients. */
-static void bernstein_multiples(fmpz_poly_t out, const fmpz_poly_t p, slong degree) {
-    fmpz_t one;
-    fmpz_init_set_ui(one, 1);
-    fmpz_poly_reverse(out, p, degree + 1);
-    fmpz_poly_taylor_shift(out, out, one);
-    fmpz_clear(one);
+static fmpz *weight_of(const images *m) {
+    return m->coefficient + (m->count - 1) * (m->degree + 1);
+}
+
+/* Coordinate i of a corner's image. */
+static fmpz *value_of(const images *m, int i, int corner) {
+    return m->coefficient + (i * m->corners + corner) * (m->degree + 1);
 }
 
 static void widen(fmpq *low, fmpq *high, const fmpq_t value, int fresh) {
@@ -60,35 +60,27 @@ static void widen(fmpq *low, fmpq *high, const fmpq_t value, int fresh) {
 
 /* Bounds of coordinate i on the interval, and what its two ends attain. The quotients are compared
  * as they come and reduced only once chosen. */
-static void bound(search *s, fmpq *low, fmpq *high, const images *m, const fmpz_poly_t weight,
-                  int i) {
-    fmpz_poly_t c;
+static void bound(search *s, fmpq *low, fmpq *high, const images *m, int i) {
     fmpq_t ratio;
-    fmpz_poly_init(c);
     fmpq_init(ratio);
-    for (int corner = 0; corner < s->corners; corner++) {
-        bernstein_multiples(c, &m->value[i * CORNERS + corner], s->degree);
-        for (slong k = 0; k <= s->degree; k++) {
-            fmpz_poly_get_coeff_fmpz(fmpq_numref(ratio), c, k);
-            fmpz_poly_get_coeff_fmpz(fmpq_denref(ratio), weight, k);
+    for (int corner = 0; corner < m->corners; corner++)
+        for (slong k = 0; k <= m->degree; k++) {
+            fmpz_set(fmpq_numref(ratio), value_of(m, i, corner) + k);
+            fmpz_set(fmpq_denref(ratio), weight_of(m) + k);
             widen(low, high, ratio, corner == 0 && k == 0);
-            if (k == 0 || k == s->degree)
+            if (k == 0 || k == m->degree)
                 widen(&s->reached_low[i], &s->reached_high[i], ratio, 0);
         }
-    }
     fmpq_canonicalise(low);
     fmpq_canonicalise(high);
     fmpq_canonicalise(&s->reached_low[i]);
     fmpq_canonicalise(&s->reached_high[i]);
-    fmpz_poly_clear(c);
     fmpq_clear(ratio);
 }
 
-static int all_positive(const fmpz_poly_t weight, slong degree) {
-    if (fmpz_poly_length(weight) <= degree)
-        return 0;
-    for (slong k = 0; k <= degree; k++)
-        if (fmpz_sgn(fmpz_poly_get_coeff_ptr(weight, k)) <= 0)
+static int weight_is_positive(const images *m) {
+    for (slong k = 0; k <= m->degree; k++)
+        if (fmpz_sgn(weight_of(m) + k) <= 0)
             return 0;
     return 1;
 }
@@ -105,39 +97,23 @@ static int tight(const search *s, const fmpq *low, const fmpq *high, int i) {
     return yes;
 }
 
-/* p(u) -> 2^n p(u/2), then p(u) -> p(u + 1). */
-static void left_half(fmpz_poly_t out, const fmpz_poly_t p, slong degree) {
-    fmpz_t c;
-    fmpz_init(c);
-    fmpz_poly_zero(out);
-    for (slong k = fmpz_poly_degree(p); k >= 0; k--) {
-        fmpz_poly_get_coeff_fmpz(c, p, k);
-        fmpz_mul_2exp(c, c, (ulong)(degree - k));
-        fmpz_poly_set_coeff_fmpz(out, k, c);
-    }
-    fmpz_clear(c);
-}
-
 /* Enclose the coordinates whose bit is set in `open` over the interval. */
 static graze_status enclose(search *s, const images *m, unsigned open);
 
 static graze_status enclose_halves(search *s, const images *m, unsigned open) {
-    images half;
-    fmpz_t one;
-    fmpz_init_set_ui(one, 1);
-    images_init(&half);
-    for (int k = 0; k < 3 * CORNERS; k++)
-        left_half(&half.value[k], &m->value[k], s->degree);
-    left_half(half.weight, m->weight, s->degree);
-    graze_status status = enclose(s, &half, open);
-    if (!status) {
-        for (int k = 0; k < 3 * CORNERS; k++)
-            fmpz_poly_taylor_shift(&half.value[k], &half.value[k], one);
-        fmpz_poly_taylor_shift(half.weight, half.weight, one);
-        status = enclose(s, &half, open);
+    images left, right;
+    images_init(&left, s->dimension, m->degree);
+    images_init(&right, s->dimension, m->degree);
+    for (slong k = 0; k < m->count; k++) {
+        slong at = k * (m->degree + 1);
+        bernstein_split(left.coefficient + at, right.coefficient + at, m->coefficient + at,
+                        m->degree);
     }
-    images_clear(&half);
-    fmpz_clear(one);
+    graze_status status = enclose(s, &left, open);
+    if (!status)
+        status = enclose(s, &right, open);
+    images_clear(&left);
+    images_clear(&right);
     return status;
 }
 
@@ -145,80 +121,70 @@ static graze_status enclose(search *s, const images *m, unsigned open) {
     graze_status status = context_poll(s->context);
     if (status)
         return status;
-    fmpz_poly_t weight;
     fmpq *low = _fmpq_vec_init(1), *high = _fmpq_vec_init(1);
-    fmpz_poly_init(weight);
-    bernstein_multiples(weight, m->weight, s->degree);
-    int bounded = all_positive(weight, s->degree);
+    int bounded = weight_is_positive(m);
     for (int i = 0; bounded && i < s->dimension; i++) {
         if (!(open >> i & 1))
             continue;
-        bound(s, low, high, m, weight, i);
+        bound(s, low, high, m, i);
         if (!tight(s, low, high, i))
             continue;
         open &= ~(1u << i);
         widen(&s->low[i], &s->high[i], low, 0);
         widen(&s->low[i], &s->high[i], high, 0);
     }
-    fmpz_poly_clear(weight);
     _fmpq_vec_clear(low, 1);
     _fmpq_vec_clear(high, 1);
     return open ? enclose_halves(s, m, open) : GRAZE_OK;
 }
 
-/* The images of the corners of the box [low, high] under a map; all multiplied by one positive
- * integer that clears the corners' denominators. */
-static void images_set(images *m, search *s, const point_map *map, const fmpq *low,
-                       const fmpq *high) {
-    int d = s->dimension;
-    fmpz_t common, c;
-    fmpz_poly_t term;
-    fmpz_init_set_ui(common, 1);
-    fmpz_init(c);
-    fmpz_poly_init(term);
-    for (int j = 0; j < d; j++) {
-        fmpz_lcm(common, common, fmpq_denref(low + j));
-        fmpz_lcm(common, common, fmpq_denref(high + j));
-    }
-    s->degree = fmpz_poly_degree(map->weight);
-    fmpz_poly_scalar_mul_fmpz(m->weight, map->weight, common);
+/* The images of the corners of a box under a map, in powers of u: coordinates, then the weight, all
+ * multiplied by one positive integer that clears the corners' denominators. Returns the degree. */
+static slong move_corners(fmpz_poly_struct *out, const point_map *map, const fmpq *box) {
+    int d = map->dimension, corners = 1 << d;
+    fmpz *x = _fmpz_vec_init(2 * d + 1), *common = x + 2 * d;
+    _fmpq_vec_get_fmpz_vec_fmpz(x, common, box, 2 * d);
+    slong degree = fmpz_poly_degree(map->weight);
+    fmpz_poly_scalar_mul_fmpz(out + d * corners, map->weight, common);
     for (int i = 0; i < d; i++)
-        for (int corner = 0; corner < s->corners; corner++) {
-            fmpz_poly_struct *sum = &m->value[i * CORNERS + corner];
+        for (int corner = 0; corner < corners; corner++) {
+            fmpz_poly_struct *sum = out + i * corners + corner;
             const fmpz_poly_struct *row = map->entry + i * (d + 1);
             fmpz_poly_scalar_mul_fmpz(sum, row + d, common);
-            for (int j = 0; j < d; j++) {
-                const fmpq *x = ((corner >> j) & 1 ? high : low) + j;
-                fmpz_divexact(c, common, fmpq_denref(x));
-                fmpz_mul(c, c, fmpq_numref(x));
-                fmpz_poly_scalar_mul_fmpz(term, row + j, c);
-                fmpz_poly_add(sum, sum, term);
-            }
-            slong degree = fmpz_poly_degree(sum);
-            s->degree = degree > s->degree ? degree : s->degree;
+            for (int j = 0; j < d; j++)
+                fmpz_poly_scalar_addmul_fmpz(sum, row + j, x + (corner >> j & 1 ? d + j : j));
+            degree = FLINT_MAX(degree, fmpz_poly_degree(sum));
         }
-    fmpz_poly_clear(term);
-    fmpz_clear(common);
-    fmpz_clear(c);
+    _fmpz_vec_clear(x, 2 * d + 1);
+    return degree;
+}
+
+/* The images of the corners of a box, d lower ends and d upper ends, under a map. */
+static void images_make(images *m, const point_map *map, const fmpq *box) {
+    fmpz_poly_struct power[POLYNOMIALS];
+    dyadic_interval unit;
+    for (int k = 0; k < POLYNOMIALS; k++)
+        fmpz_poly_init(&power[k]);
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    images_init(m, map->dimension, move_corners(power, map, box));
+    for (slong k = 0; k < m->count; k++)
+        bernstein_from_poly(m->coefficient + k * (m->degree + 1), &power[k], m->degree, &unit);
+    dyadic_interval_clear(&unit);
+    for (int k = 0; k < POLYNOMIALS; k++)
+        fmpz_poly_clear(&power[k]);
 }
 
 /* What the corners attain at u = 0: a first idea of the size, never an empty box. */
 static void start(search *s, const images *m) {
-    fmpz_t p, w;
     fmpq_t value;
-    fmpz_init(p);
-    fmpz_init(w);
     fmpq_init(value);
-    fmpz_poly_get_coeff_fmpz(w, m->weight, 0);
     for (int i = 0; i < s->dimension; i++)
-        for (int corner = 0; corner < s->corners; corner++) {
-            fmpz_poly_get_coeff_fmpz(p, &m->value[i * CORNERS + corner], 0);
-            fmpq_set_fmpz_frac(value, p, w);
+        for (int corner = 0; corner < m->corners; corner++) {
+            fmpq_set_fmpz_frac(value, value_of(m, i, corner), weight_of(m));
             widen(&s->reached_low[i], &s->reached_high[i], value, corner == 0);
             widen(&s->low[i], &s->high[i], value, corner == 0);
         }
-    fmpz_clear(p);
-    fmpz_clear(w);
     fmpq_clear(value);
 }
 
@@ -291,7 +257,6 @@ static void point_map_free(point_map *map) {
 static void search_init(search *s, graze_context *context, int dimension) {
     s->context = context;
     s->dimension = dimension;
-    s->corners = 1 << dimension;
     for (int i = 0; i < 3; i++) {
         fmpq_init(&s->reached_low[i]);
         fmpq_init(&s->reached_high[i]);
@@ -314,21 +279,22 @@ static void search_clear(search *s) {
 graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graze_scene *scene) {
     const graze_motion *motion = scene->motion;
     int d = motion->dimension, unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);
-    solid_box(from, to, &scene->solid->input);
+    fmpq *box = _fmpq_vec_init(2 * d);
+    solid_box(box, box + d, &scene->solid->input);
     search s;
     images m;
     point_map still;
     search_init(&s, context, d);
-    images_init(&m);
     constant_map(&still, &motion->piece[0].inverse);
-    images_set(&m, &s, unsweep ? &still : &motion->piece[0].forward, from, to);
+    images_make(&m, unsweep ? &still : &motion->piece[0].forward, box);
     start(&s, &m);
     grain(s.slack, s.reached_low, s.reached_high, d);
     graze_status status = GRAZE_OK;
     for (size_t p = 0; p < (unsweep ? 1 : motion->piece_count) && !status; p++) {
-        if (!unsweep)
-            images_set(&m, &s, &motion->piece[p].forward, from, to);
+        if (p > 0) {
+            images_clear(&m);
+            images_make(&m, &motion->piece[p].forward, box);
+        }
         status = enclose(&s, &m, (1u << d) - 1);
     }
     for (int i = 0; i < d && !status; i++) {
@@ -340,7 +306,6 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
     point_map_free(&still);
     images_clear(&m);
     search_clear(&s);
-    _fmpq_vec_clear(from, d);
-    _fmpq_vec_clear(to, d);
+    _fmpq_vec_clear(box, 2 * d);
     return status;
 }

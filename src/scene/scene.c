@@ -37,19 +37,14 @@ static void image(fmpz *out, const fmpq_mat_t map, const fmpq *point, int d) {
     fmpq *value = _fmpq_vec_init(d);
     fmpq_t term;
     fmpq_init(term);
-    fmpz_one(out + d);
     for (int row = 0; row < d; row++) {
         fmpq_set(value + row, fmpq_mat_entry(map, row, d));
         for (int column = 0; column < d; column++) {
             fmpq_mul(term, fmpq_mat_entry(map, row, column), point + column);
             fmpq_add(value + row, value + row, term);
         }
-        fmpz_lcm(out + d, out + d, fmpq_denref(value + row));
     }
-    for (int row = 0; row < d; row++) {
-        fmpz_divexact(out + row, out + d, fmpq_denref(value + row));
-        fmpz_mul(out + row, out + row, fmpq_numref(value + row));
-    }
+    _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, value, d);
     fmpq_clear(term);
     _fmpq_vec_clear(value, d);
 }

@@ -6,7 +6,9 @@
  */
 #include "solid/forms.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "number/cross.h"
 
 /* The vertices of a simplex times a common denominator, which is positive. */
 typedef struct scaled_simplex {
@@ -15,56 +17,23 @@ typedef struct scaled_simplex {
     fmpz at[9]; /* coordinate i of vertex k at k * dimension + i */
 } scaled_simplex;
 
-static void find_common(fmpz_t common, const fmpq *const *vertex, int dimension, int dropped) {
-    fmpz_one(common);
-    for (int k = 0; k < dimension; k++)
-        for (int i = 0; i < dimension; i++) {
-            const fmpz *w = fmpq_denref(vertex[k] + i);
-            if (i != dropped && !fmpz_equal(common, w))
-                fmpz_lcm(common, common, w);
-        }
-}
-
 /* Coordinate `dropped` is left out; -1 for none. */
 static void scale(scaled_simplex *s, const fmpq *const *vertex, int dimension, int dropped) {
+    fmpq borrowed[9]; /* the coordinates, 0 for those left out */
+    for (int k = 0; k < dimension; k++)
+        for (int i = 0; i < dimension; i++)
+            borrowed[k * dimension + i] = i == dropped ? (fmpq){0, 1} : vertex[k][i];
     s->dimension = dimension;
     fmpz_init(s->common);
-    find_common(s->common, vertex, dimension, dropped);
-    for (int k = 0; k < dimension; k++)
-        for (int i = 0; i < dimension; i++) {
-            fmpz *x = s->at + k * dimension + i;
-            fmpz_init(x);
-            if (i == dropped)
-                continue;
-            const fmpz *w = fmpq_denref(vertex[k] + i);
-            if (fmpz_equal(s->common, w)) {
-                fmpz_set(x, fmpq_numref(vertex[k] + i));
-            } else {
-                fmpz_divexact(x, s->common, w);
-                fmpz_mul(x, x, fmpq_numref(vertex[k] + i));
-            }
-        }
+    for (int k = 0; k < dimension * dimension; k++)
+        fmpz_init(s->at + k);
+    _fmpq_vec_get_fmpz_vec_fmpz(s->at, s->common, borrowed, dimension * dimension);
 }
 
 static void scaled_clear(scaled_simplex *s) {
     fmpz_clear(s->common);
     for (int k = 0; k < s->dimension * s->dimension; k++)
         fmpz_clear(s->at + k);
-}
-
-/* out = (q_i - p_i)(r_j - p_j) - (q_j - p_j)(r_i - p_i). */
-static void cross(fmpz_t out, const fmpz *p, const fmpz *q, const fmpz *r, int i, int j) {
-    fmpz_t a, b;
-    fmpz_init(a);
-    fmpz_init(b);
-    fmpz_sub(a, q + i, p + i);
-    fmpz_sub(b, r + j, p + j);
-    fmpz_mul(out, a, b);
-    fmpz_sub(a, q + j, p + j);
-    fmpz_sub(b, r + i, p + i);
-    fmpz_submul(out, a, b);
-    fmpz_clear(a);
-    fmpz_clear(b);
 }
 
 /* Complete coefficients c of the scaled coordinates to coprime integers of a form that vanishes at
@@ -100,7 +69,7 @@ int form_of_plane(fmpz *out, const fmpq *const *vertex, int dimension) {
     const fmpz *p = s.at, *q = p + dimension, *r = q + dimension;
     if (dimension == 3) {
         for (int i = 0; i < 3; i++)
-            cross(out + i, p, q, r, (i + 1) % 3, (i + 2) % 3);
+            cross_integers(out + i, p, q, r, (i + 1) % 3, (i + 2) % 3);
     } else {
         fmpz_sub(out, q + 1, p + 1);
         fmpz_sub(out + 1, p, q);
@@ -123,7 +92,7 @@ void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k
     if (dimension == 3) {
         fmpz_t opposite;
         fmpz_init(opposite);
-        cross(opposite, p, q, s.at + (k + 2) % 3 * 3, i, j);
+        cross_integers(opposite, p, q, s.at + (k + 2) % 3 * 3, i, j);
         int left = fmpz_sgn(opposite) > 0;
         fmpz_sub(out + i, left ? p + j : q + j, left ? q + j : p + j);
         fmpz_sub(out + j, left ? q + i : p + i, left ? p + i : q + i);

@@ -164,13 +164,7 @@ static void weighted_point(fmpz *x, const graze_solid *solid, size_t simplex, ul
             fmpq_clear(term);
         }
     }
-    fmpz_one(x + d);
-    for (int i = 0; i < d; i++)
-        fmpz_lcm(x + d, x + d, fmpq_denref(sum + i));
-    for (int i = 0; i < d; i++) {
-        fmpz_divexact(x + i, x + d, fmpq_denref(sum + i));
-        fmpz_mul(x + i, x + i, fmpq_numref(sum + i));
-    }
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, sum, d);
     fmpz_mul_ui(x + d, x + d, total);
     _fmpq_vec_clear(sum, d);
 }

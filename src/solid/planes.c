@@ -1,32 +1,24 @@
 /* Planes are computed, sorted by their coefficients, and equal ones made one.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#define _GNU_SOURCE /* qsort_r */
 #include "solid/planes.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
-#include <string.h>
 #include "solid/forms.h"
 
 static const fmpz *form_at(const plane_list *list, size_t k) {
     return list->form + k * (size_t)(list->dimension + 1);
 }
 
-/* Merge sort of entries by their forms, ascending where those are equal; qsort has no place for the
- * forms. */
-static void sort(const plane_list *list, uint32_t *order, uint32_t *scratch, size_t n) {
-    if (n < 2)
-        return;
-    size_t half = n / 2, i = 0, j = half, k = 0;
-    sort(list, order, scratch, half);
-    sort(list, order + half, scratch, n - half);
-    memcpy(scratch, order, n * sizeof *order);
-    while (i < half || j < n) {
-        int left =
-            j == n || (i < half && form_compare(form_at(list, scratch[i]),
-                                                form_at(list, scratch[j]), list->dimension) <= 0);
-        order[k++] = left ? scratch[i++] : scratch[j++];
-    }
+/* Entries by their forms. Equal forms are told apart by the entries' numbers, so that the order
+ * does not depend on how qsort_r sorts. */
+static int compare_entries(const void *left, const void *right, void *list) {
+    const plane_list *of = list;
+    uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
+    int order = form_compare(form_at(of, a), form_at(of, b), of->dimension);
+    return order ? order : a < b ? -1 : a > b;
 }
 
 static void compute_forms(plane_list *list, const graze_solid *solid, const uint32_t *simplex) {
@@ -59,21 +51,18 @@ static void share(plane_list *list) {
 
 int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count) {
     *out = (plane_list){.simplex_count = count, .dimension = solid->input.dimension};
-    uint32_t *scratch = malloc((count + 1) * sizeof *scratch);
     out->order = malloc((count + 1) * sizeof *out->order);
     out->start = malloc((count + 1) * sizeof *out->start);
-    int enough = scratch && out->order && out->start;
-    if (enough) {
-        for (size_t k = 0; k < count; k++)
-            out->order[k] = (uint32_t)k;
-        compute_forms(out, solid, simplex);
-        sort(out, out->order, scratch, count);
-        share(out);
-    } else {
+    if (!out->order || !out->start) {
         planes_clear(out);
+        return -1;
     }
-    free(scratch);
-    return enough ? 0 : -1;
+    for (size_t k = 0; k < count; k++)
+        out->order[k] = (uint32_t)k;
+    compute_forms(out, solid, simplex);
+    qsort_r(out->order, count, sizeof *out->order, compare_entries, out);
+    share(out);
+    return 0;
 }
 
 void planes_clear(plane_list *list) {

@@ -3,6 +3,7 @@
  */
 #include "trace/trajectory.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 
@@ -22,13 +23,7 @@ void trajectory_clear(trajectory *c) {
 void trajectory_set(trajectory *c, const point_map *map, const fmpq *point) {
     int d = c->dimension;
     fmpz *p = _fmpz_vec_init(d + 1);
-    fmpz_one(p + d);
-    for (int j = 0; j < d; j++)
-        fmpz_lcm(p + d, p + d, fmpq_denref(point + j));
-    for (int j = 0; j < d; j++) {
-        fmpz_divexact(p + j, p + d, fmpq_denref(point + j));
-        fmpz_mul(p + j, p + j, fmpq_numref(point + j));
-    }
+    _fmpq_vec_get_fmpz_vec_fmpz(p, p + d, point, d);
     c->degree = 0;
     for (int i = 0; i <= d; i++) {
         fmpz_poly_zero(&c->x[i]);

@@ -295,7 +295,8 @@ static void open_fixture(fixture *f) {
     f->cells[0] = (graze_cell){GRAZE_CELL_FACE, 3, 0};
     f->cells[1] = (graze_cell){GRAZE_CELL_EDGE, 1, 2};
     f->cells[2] = (graze_cell){GRAZE_CELL_VERTEX, 7, 0};
-    f->contacts[0] = (contact){GRAZE_STATE_O, GRAZE_STATE_I, &f->time[0], &f->time[0], f->cells, 1, 1};
+    f->contacts[0] =
+        (contact){GRAZE_STATE_O, GRAZE_STATE_I, &f->time[0], &f->time[0], f->cells, 1, 1};
     f->contacts[1] =
         (contact){GRAZE_STATE_I, GRAZE_STATE_ABSENT, &f->time[1], &f->time[2], f->cells + 1, 2, 2};
     f->solid.input.dimension = 2;
