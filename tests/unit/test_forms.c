@@ -5,6 +5,7 @@
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "number/cross.h"
 #include "solid/forms.h"
 #include "solid/locate.h"
 #include "solid/planes.h"
@@ -285,8 +286,36 @@ static void location_in_box(void **state) {
     }
 }
 
+/* (q - p) x (r - p) of rationals, by the definition. */
+static void cross_by_definition(void **state) {
+    (void)state;
+    fmpq *x = _fmpq_vec_init(9), *e = _fmpq_vec_init(4);
+    fmpq_t expected, found;
+    fmpq_init(expected);
+    fmpq_init(found);
+    for (int round = 0; round < 3000; round++) {
+        int i = (int)random_below(3), j = (i + 1 + (int)random_below(2)) % 3;
+        for (int k = 0; k < 9; k++)
+            draw_coordinate(x + k);
+        fmpq_sub(e, x + 3 + i, x + i);
+        fmpq_sub(e + 1, x + 6 + j, x + j);
+        fmpq_sub(e + 2, x + 3 + j, x + j);
+        fmpq_sub(e + 3, x + 6 + i, x + i);
+        fmpq_mul(expected, e, e + 1);
+        fmpq_submul(expected, e + 2, e + 3);
+        cross_rationals(found, x, x + 3, x + 6, i, j);
+        assert_true(fmpq_is_canonical(found));
+        assert_true(fmpq_equal(found, expected));
+    }
+    fmpq_clear(expected);
+    fmpq_clear(found);
+    _fmpq_vec_clear(x, 9);
+    _fmpq_vec_clear(e, 4);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cross_by_definition),
         cmocka_unit_test(forms_by_definition),
         cmocka_unit_test(planes_in_common),
         cmocka_unit_test(location_in_box),
