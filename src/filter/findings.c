@@ -14,14 +14,16 @@ int candidates_append(candidates *list, candidate item) {
 }
 
 int findings_add_crossing(findings *found, crossing item) {
-    if (!array_reserve(&found->crossing, &found->crossing_capacity, found->crossing_count + 1, sizeof *found->crossing))
+    if (!array_reserve(&found->crossing, &found->crossing_capacity, found->crossing_count + 1,
+                       sizeof *found->crossing))
         return 0;
     found->crossing[found->crossing_count++] = item;
     return 1;
 }
 
 int findings_add_window(findings *found, exact_window item) {
-    if (!array_reserve(&found->window, &found->window_capacity, found->window_count + 1, sizeof *found->window))
+    if (!array_reserve(&found->window, &found->window_capacity, found->window_count + 1,
+                       sizeof *found->window))
         return 0;
     found->window[found->window_count++] = item;
     return 1;
