@@ -5,34 +5,24 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Two poles and five parallels of twelve corners; (3, 4, 5) triangles give both the parallels' heights
 and the corners on them, so every coordinate is rational and every facet exactly plane.
 """
-from fractions import Fraction as F
+import os
+import sys
 
-CIRCLE = [(5, 0), (4, 3), (3, 4), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3), (-3, -4), (0, -5),
-          (3, -4), (4, -3)]
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+
+from mesh import parallels, print_off, sector  # noqa: E402
+
 PARALLELS = [(3, -4), (4, -3), (5, 0), (4, 3), (3, 4)]  # radius, height
 
 
 def ball():
-    vertices = [(0, 0, -5)]
-    vertices += [(F(r * x, 5), F(r * y, 5), z) for r, z in PARALLELS for x, y in CIRCLE]
-    vertices.append((0, 0, 5))
+    vertices = [(0, 0, -5), *parallels(PARALLELS), (0, 0, 5)]
     facets = []
     for k in range(12):
-        n = (k + 1) % 12
-        facets.append((0, 1 + n, 1 + k))
-        facets += [(a + k, a + n, a + n + 12, a + k + 12) for a in (1, 13, 25, 37)]
-        facets.append((49 + k, 49 + n, 61))
+        side, n = sector(k)
+        facets += [*side, (49 + k, 49 + n, 61)]
     return vertices, facets
 
 
-def main():
-    vertices, facets = ball()
-    print(f"OFF\n{len(vertices)} {len(facets)} 0")
-    for v in vertices:
-        print(*v)
-    for f in facets:
-        print(len(f), *f)
-
-
 if __name__ == "__main__":
-    main()
+    print_off(*ball())

@@ -6,7 +6,13 @@ Two poles and eleven parallels of twenty corners in rational directions d; the c
 r = 3 + x^3 + y z + z^2/2, rounded to 1/64. The surface is a graph over the sphere, so it
 does not meet itself.
 """
+import os
+import sys
 from fractions import Fraction as F
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+
+from mesh import print_off  # noqa: E402
 
 AROUND, HEIGHTS = 20, 11
 
@@ -45,14 +51,5 @@ def body():
     return vertices, facets
 
 
-def main():
-    vertices, facets = body()
-    print(f"OFF\n{len(vertices)} {len(facets)} 0")
-    for v in vertices:
-        print(*v)
-    for f in facets:
-        print(len(f), *f)
-
-
 if __name__ == "__main__":
-    main()
+    print_off(*body())

@@ -41,6 +41,15 @@ def check_files(checks, case):
     checks.equal([row.get("id") for row in case.expected], ids, case.name, "points of expected.csv")
 
 
+def check_made(checks, case):
+    """The solid is what make.py, where there is one, writes."""
+    program = case.path("make.py")
+    if os.path.exists(program):
+        done = run([sys.executable, "-B", program], text=False)
+        with open(case.path(case.solid), "rb") as file:
+            checks.holds(done.stdout == file.read(), case.name, "make.py writes another solid", done.stderr)
+
+
 def check_table(checks, graze, case):
     done = classify(graze, case)
     checks.equal(done.returncode, 0, case.name, done.stderr.decode("utf-8", "replace"))
@@ -98,6 +107,7 @@ def main():
             checks.holds(False, str(wrong), name)
             continue
         check_files(checks, case)
+        check_made(checks, case)
         check_table(checks, args.graze, case)
         check_records(checks, args.graze, case)
         seen |= covered(case)

@@ -5,6 +5,7 @@
 #include "../lib/harness.h"
 #include <flint/flint.h>
 #include "context/context.h"
+#include "number/rational.h"
 
 static graze_context *context;
 
@@ -18,6 +19,11 @@ static int tear_down(void **state) {
     graze_context_destroy(context);
     flint_cleanup();
     return 0;
+}
+
+/* A number as it is written in files. */
+static inline void set_rational(fmpq_t out, const char *token) {
+    assert_int_equal(rational_parse(out, context, token, strlen(token)), GRAZE_OK);
 }
 
 #endif

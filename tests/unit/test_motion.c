@@ -1,98 +1,11 @@
 /* Motions: every transform against matrices derived by hand, the forms made of motions, point maps
- * against each other, and random motions computed a second way.
+ * against each other.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A matrix is written row by row, b last in each row. cos = 3/5, sin = 4/5 is the angle with the
  * tangent 1/2 of its half.
  */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include "motion/motion_read.h"
-#include "number/rational.h"
-#include "fixture.h"
-#include "../lib/random.h"
-
-enum { ENTRIES = 12, TEXT = 4000, STEPS = 7 };
-
-static graze_motion *make(const char *text) {
-    graze_motion *motion;
-    if (graze_motion_from_json(&motion, context, text, strlen(text)) != GRAZE_OK) {
-        fail_msg("%s\n%s", text, graze_context_message(context));
-    }
-    return motion;
-}
-
-static void init_matrix(fmpq *m) {
-    for (int k = 0; k < ENTRIES; k++) {
-        fmpq_init(&m[k]);
-    }
-}
-
-static void clear_matrix(fmpq *m) {
-    for (int k = 0; k < ENTRIES; k++) {
-        fmpq_clear(&m[k]);
-    }
-}
-
-static void set_number(fmpq_t out, const char *token) {
-    assert_int_equal(rational_parse(out, context, token, strlen(token)), GRAZE_OK);
-}
-
-/* The map at time t, in the last piece that holds t. */
-static void map_at(fmpq *out, const graze_motion *motion, const fmpq_t t, int inverse) {
-    size_t k = motion->piece_count - 1;
-    while (k > 0 && fmpq_cmp(t, motion->piece[k].lo) < 0) {
-        k--;
-    }
-    const motion_piece *piece = &motion->piece[k];
-    fmpq_t u, span;
-    fmpq_init(u);
-    fmpq_init(span);
-    fmpq_sub(u, t, piece->lo);
-    fmpq_sub(span, piece->hi, piece->lo);
-    fmpq_div(u, u, span);
-    point_map_at(out, inverse ? &piece->inverse : &piece->forward, u);
-    fmpq_clear(span);
-    fmpq_clear(u);
-}
-
-/* a = a after b */
-static void multiply(fmpq *a, const fmpq *b, int d) {
-    fmpq result[ENTRIES];
-    init_matrix(result);
-    for (int i = 0; i < d; i++) {
-        for (int j = 0; j <= d; j++) {
-            for (int k = 0; k < d; k++) {
-                fmpq_addmul(&result[i * (d + 1) + j], &a[i * (d + 1) + k], &b[k * (d + 1) + j]);
-            }
-        }
-        fmpq_add(&result[i * (d + 1) + d], &result[i * (d + 1) + d], &a[i * (d + 1) + d]);
-    }
-    for (int k = 0; k < d * (d + 1); k++) {
-        fmpq_swap(&a[k], &result[k]);
-    }
-    clear_matrix(result);
-}
-
-static int equal_to_text(const fmpq *m, int d, const char *expected, char *shown) {
-    fmpq_t entry;
-    int equal = 1, used = 0;
-    fmpq_init(entry);
-    for (int k = 0; k < d * (d + 1); k++) {
-        expected += strspn(expected, " |");
-        size_t n = strcspn(expected, " |");
-        assert_int_equal(rational_parse(entry, context, expected, n), GRAZE_OK);
-        expected += n;
-        equal = equal && fmpq_equal(entry, &m[k]);
-        char *text = rational_text(&m[k]);
-        used += snprintf(shown + used, (size_t)(TEXT - used), "%.40s ", text);
-        free(text);
-    }
-    assert_int_equal(strspn(expected, " |"), strlen(expected));
-    fmpq_clear(entry);
-    return equal;
-}
+#include "motion_fixture.h"
 
 static void check(const char *text, const char *time, const char *expected) {
     char shown[TEXT];
@@ -102,7 +15,7 @@ static void check(const char *text, const char *time, const char *expected) {
     assert_int_equal(graze_context_set_rounding(context, GRAZE_ROUND_NONE), GRAZE_OK);
     init_matrix(m);
     fmpq_init(t);
-    set_number(t, time);
+    set_rational(t, time);
     map_at(m, motion, t, 0);
     if (!equal_to_text(m, motion->dimension, expected, shown)) {
         fail_msg("%s\nat t = %s is %s, not %s", text, time, shown, expected);
@@ -326,137 +239,6 @@ static void sequences(void **state) {
     graze_motion_destroy(motion);
 }
 
-/* Signs of the weight and common factors, as motion.h promises them. */
-static void check_map(const point_map *map, const char *text) {
-    fmpz_poly_t common;
-    fmpq_t u, weight;
-    fmpz_poly_init(common);
-    fmpq_init(u);
-    fmpq_init(weight);
-    fmpz_poly_set(common, map->weight);
-    for (int k = 0; k < map->dimension * (map->dimension + 1); k++) {
-        fmpz_poly_gcd(common, common, &map->entry[k]);
-    }
-    if (!fmpz_poly_is_one(common)) {
-        fail_msg("a common factor is left: %s", text);
-    }
-    for (int k = 0; k <= 8; k++) {
-        fmpq_set_si(u, k, 8);
-        fmpz_poly_evaluate_fmpq(weight, map->weight, u);
-        if (fmpq_sgn(weight) <= 0) {
-            fail_msg("the weight is not positive at u = %d/8: %s", k, text);
-        }
-    }
-    fmpq_clear(weight);
-    fmpq_clear(u);
-    fmpz_poly_clear(common);
-}
-
-/* A random transform that is legal for t in [0, 1]. */
-static void random_transform(char *out, size_t size, int d) {
-    int a = (int)random_below(9) - 4, b = (int)random_below(5) + 1;
-    const char *axes[] = {"[0, 0, 1]", "[2, -1, 2]", "[\"1-t^2\", 0, \"2*t\"]"};
-    const char *axis = axes[random_below(3)];
-    char more[80] = "";
-    if (d == 3) {
-        snprintf(more, sizeof more, ", \"axis\": %s", axis);
-    }
-    const char *third = d == 3 ? ", \"t^2-t\"" : "";
-    switch (random_below(6)) {
-    case 0:
-        snprintf(out, size, "{\"translate\": [\"%d*t\", \"1/(t+%d)\"%s]}", a, b, third);
-        break;
-    case 1:
-        snprintf(out, size, "{\"rotate\": {\"tan_half\": \"%d*s-1/%d\", \"times\": %d%s}}", a, b,
-                 a % 3, more);
-        break;
-    case 2:
-        snprintf(out, size, "{\"turn\": {\"quarters\": %d, \"center\": [%d, \"t\"%s]%s}}", a, b,
-                 third, more);
-        break;
-    case 3:
-        snprintf(out, size, "{\"scale\": \"-(t+%d)/(t^2+%d)\", \"center\": [%d, 1%s]}", b, b, a,
-                 third);
-        break;
-    case 4:
-        snprintf(out, size,
-                 d == 3 ? "{\"quaternion\": [%d, \"t\", \"s^2+%d\", \"1/(s+2)\"]}"
-                        : "{\"rotate\": {\"tan_half\": \"%d/(2*t-1)-%d\"}}",
-                 a, b);
-        break;
-    default:
-        snprintf(out, size,
-                 d == 3
-                     ? "{\"matrix\": [[1, \"t\", %d, 0], [0, %d, \"t^3\", 1], [0, 0, \"1+t\", 0]]}"
-                     : "{\"matrix\": [[1, \"%d*t\", 3], [0, %d, \"t^3\"]]}",
-                 a, b);
-    }
-}
-
-static void piece_text(char *out, size_t size, int d, const char *transform) {
-    snprintf(out, size, "{\"dimension\": %d, \"pieces\": [{\"t\": [0, 1], \"transform\": %s}]}", d,
-             transform);
-}
-
-/* Forward after inverse is the identity; and the matrix of a compose is the product of those of its
- * steps, each read as a motion of its own and multiplied as rational matrices. */
-static void random_motions(void **state) {
-    (void)state;
-    random_start(3);
-    char step[STEPS][400], all[STEPS * 400 + 100], text[TEXT], shown[TEXT];
-    fmpq forward[ENTRIES], inverse[ENTRIES], product[ENTRIES], factor[ENTRIES];
-    fmpq_t t;
-    init_matrix(forward);
-    init_matrix(inverse);
-    init_matrix(product);
-    init_matrix(factor);
-    fmpq_init(t);
-    for (int round = 0; round < 150; round++) {
-        int d = 2 + round % 2;
-        const char *identity = d == 2 ? "1 0 0 | 0 1 0" : "1 0 0 0 | 0 1 0 0 | 0 0 1 0";
-        int last = (int)random_below(STEPS);
-        size_t used = (size_t)snprintf(all, sizeof all, "{\"compose\": [");
-        for (int k = 0; k <= last; k++) {
-            random_transform(step[k], sizeof step[k], d);
-            used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", step[k],
-                                     k < last ? ", " : "]}");
-        }
-        piece_text(text, sizeof text, d, all);
-        graze_motion *motion = make(text);
-        for (size_t k = 0; k < motion->piece_count; k++) {
-            check_map(&motion->piece[k].forward, text);
-            check_map(&motion->piece[k].inverse, text);
-        }
-        fmpq_set_si(t, random_below(61), 60);
-        map_at(forward, motion, t, 0);
-        map_at(inverse, motion, t, 1);
-        for (int k = last; k >= 0; k--) {
-            piece_text(text, sizeof text, d, step[k]);
-            graze_motion *alone = make(text);
-            map_at(k == last ? product : factor, alone, t, 0);
-            if (k < last) {
-                multiply(product, factor, d);
-            }
-            graze_motion_destroy(alone);
-        }
-        for (int k = 0; k < d * (d + 1); k++) {
-            if (!fmpq_equal(&product[k], &forward[k])) {
-                fail_msg("entry %d is not that of the product: %s", k, all);
-            }
-        }
-        graze_motion_destroy(motion);
-        multiply(inverse, forward, d);
-        if (!equal_to_text(inverse, d, identity, shown)) {
-            fail_msg("inverse after forward is %s: %s", shown, all);
-        }
-    }
-    fmpq_clear(t);
-    clear_matrix(factor);
-    clear_matrix(product);
-    clear_matrix(inverse);
-    clear_matrix(forward);
-}
-
 static void texts_and_handles(void **state) {
     (void)state;
     /* byte order mark, CRLF, escapes in keys and strings */
@@ -501,7 +283,6 @@ int main(void) {
         cmocka_unit_test_setup_teardown(keyframes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(relative_motions, set_up, tear_down),
         cmocka_unit_test_setup_teardown(sequences, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(random_motions, set_up, tear_down),
         cmocka_unit_test_setup_teardown(texts_and_handles, set_up, tear_down),
         cmocka_unit_test_setup_teardown(calls_can_be_canceled, set_up, tear_down),
     };

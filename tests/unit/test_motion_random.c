@@ -1,0 +1,143 @@
+/* Random motions against products of matrices, and the maps of their pieces against each other.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "motion_fixture.h"
+#include "../lib/random.h"
+
+enum { STEPS = 7 };
+
+/* Signs of the weight and common factors, as motion.h promises them. */
+static void check_map(const point_map *map, const char *text) {
+    fmpz_poly_t common;
+    fmpq_t u, weight;
+    fmpz_poly_init(common);
+    fmpq_init(u);
+    fmpq_init(weight);
+    fmpz_poly_set(common, map->weight);
+    for (int k = 0; k < map->dimension * (map->dimension + 1); k++) {
+        fmpz_poly_gcd(common, common, &map->entry[k]);
+    }
+    if (!fmpz_poly_is_one(common)) {
+        fail_msg("a common factor is left: %s", text);
+    }
+    for (int k = 0; k <= 8; k++) {
+        fmpq_set_si(u, k, 8);
+        fmpz_poly_evaluate_fmpq(weight, map->weight, u);
+        if (fmpq_sgn(weight) <= 0) {
+            fail_msg("the weight is not positive at u = %d/8: %s", k, text);
+        }
+    }
+    fmpq_clear(weight);
+    fmpq_clear(u);
+    fmpz_poly_clear(common);
+}
+
+/* A random transform that is legal for t in [0, 1]. */
+static void random_transform(char *out, size_t size, int d) {
+    int a = (int)random_below(9) - 4, b = (int)random_below(5) + 1;
+    const char *axes[] = {"[0, 0, 1]", "[2, -1, 2]", "[\"1-t^2\", 0, \"2*t\"]"};
+    const char *axis = axes[random_below(3)];
+    char more[80] = "";
+    if (d == 3) {
+        snprintf(more, sizeof more, ", \"axis\": %s", axis);
+    }
+    const char *third = d == 3 ? ", \"t^2-t\"" : "";
+    switch (random_below(6)) {
+    case 0:
+        snprintf(out, size, "{\"translate\": [\"%d*t\", \"1/(t+%d)\"%s]}", a, b, third);
+        break;
+    case 1:
+        snprintf(out, size, "{\"rotate\": {\"tan_half\": \"%d*s-1/%d\", \"times\": %d%s}}", a, b,
+                 a % 3, more);
+        break;
+    case 2:
+        snprintf(out, size, "{\"turn\": {\"quarters\": %d, \"center\": [%d, \"t\"%s]%s}}", a, b,
+                 third, more);
+        break;
+    case 3:
+        snprintf(out, size, "{\"scale\": \"-(t+%d)/(t^2+%d)\", \"center\": [%d, 1%s]}", b, b, a,
+                 third);
+        break;
+    case 4:
+        snprintf(out, size,
+                 d == 3 ? "{\"quaternion\": [%d, \"t\", \"s^2+%d\", \"1/(s+2)\"]}"
+                        : "{\"rotate\": {\"tan_half\": \"%d/(2*t-1)-%d\"}}",
+                 a, b);
+        break;
+    default:
+        snprintf(out, size,
+                 d == 3
+                     ? "{\"matrix\": [[1, \"t\", %d, 0], [0, %d, \"t^3\", 1], [0, 0, \"1+t\", 0]]}"
+                     : "{\"matrix\": [[1, \"%d*t\", 3], [0, %d, \"t^3\"]]}",
+                 a, b);
+    }
+}
+
+static void piece_text(char *out, size_t size, int d, const char *transform) {
+    snprintf(out, size, "{\"dimension\": %d, \"pieces\": [{\"t\": [0, 1], \"transform\": %s}]}", d,
+             transform);
+}
+
+/* Forward after inverse is the identity; and the matrix of a compose is the product of those of its
+ * steps, each read as a motion of its own and multiplied as rational matrices. */
+static void random_motions(void **state) {
+    (void)state;
+    random_start(3);
+    char step[STEPS][400], all[STEPS * 400 + 100], text[TEXT], shown[TEXT];
+    fmpq forward[ENTRIES], inverse[ENTRIES], product[ENTRIES], factor[ENTRIES];
+    fmpq_t t;
+    init_matrix(forward);
+    init_matrix(inverse);
+    init_matrix(product);
+    init_matrix(factor);
+    fmpq_init(t);
+    for (int round = 0; round < 150; round++) {
+        int d = 2 + round % 2;
+        const char *identity = d == 2 ? "1 0 0 | 0 1 0" : "1 0 0 0 | 0 1 0 0 | 0 0 1 0";
+        int last = (int)random_below(STEPS);
+        size_t used = (size_t)snprintf(all, sizeof all, "{\"compose\": [");
+        for (int k = 0; k <= last; k++) {
+            random_transform(step[k], sizeof step[k], d);
+            used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", step[k],
+                                     k < last ? ", " : "]}");
+        }
+        piece_text(text, sizeof text, d, all);
+        graze_motion *motion = make(text);
+        for (size_t k = 0; k < motion->piece_count; k++) {
+            check_map(&motion->piece[k].forward, text);
+            check_map(&motion->piece[k].inverse, text);
+        }
+        fmpq_set_si(t, random_below(61), 60);
+        map_at(forward, motion, t, 0);
+        map_at(inverse, motion, t, 1);
+        for (int k = last; k >= 0; k--) {
+            piece_text(text, sizeof text, d, step[k]);
+            graze_motion *alone = make(text);
+            map_at(k == last ? product : factor, alone, t, 0);
+            if (k < last) {
+                multiply(product, factor, d);
+            }
+            graze_motion_destroy(alone);
+        }
+        for (int k = 0; k < d * (d + 1); k++) {
+            if (!fmpq_equal(&product[k], &forward[k])) {
+                fail_msg("entry %d is not that of the product: %s", k, all);
+            }
+        }
+        graze_motion_destroy(motion);
+        multiply(inverse, forward, d);
+        if (!equal_to_text(inverse, d, identity, shown)) {
+            fail_msg("inverse after forward is %s: %s", shown, all);
+        }
+    }
+    fmpq_clear(t);
+    clear_matrix(factor);
+    clear_matrix(product);
+    clear_matrix(inverse);
+    clear_matrix(forward);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(random_motions)};
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
