@@ -17,6 +17,7 @@ GLUE = {
                    "tests/filter/equal.py"],
     "src/compare": ["tests/unit/test_compare", "tests/compare/compare.py", f"{REFUSE} compare"],
     "src/report": [CASES, "tests/unit/test_report", "tests/api/test_reports", "tests/cases/cases.py",
+                   "tests/explain/explain.py",
                    f"{REFUSE} usage certify"],
     "src/convert": ["tests/api/test_writing", "tests/motioncmd/motion.py", "tests/api/test_export",
                     f"{REFUSE} motion motion-limits"],

@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""`graze explain` of the points of the golden cases: every sentence follows from the word and the times of the case's README.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Counts, case, definition and class come from the printed definitions (agree/lib/definitions.py), the trajectory's ends from
+the motion as generate/jets.py reads it, times and cells from the README. At most POINTS points a case, more with --scale.
+"""
+import os
+import re
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "..", folder) for folder in ("generate", "cases", "lib")]
+sys.path.append(os.path.join(HERE, "..", "agree", "lib"))
+
+import casefile  # noqa: E402
+import definitions  # noqa: E402
+import jets  # noqa: E402
+from harness import ONLY, Checks, options, run  # noqa: E402
+from words import unswept  # noqa: E402
+
+POINTS = 4
+STATE = {"I": "in the interior of", "B": "on the boundary of", "O": "outside"}
+WHY = {"in": "P is in the interior of S^t for some t",
+       "on": "P is on the boundary of S^t for some t, but in the interior of none", "out": "no S^t reaches P"}
+UNSWEEP_WHY = {"in": "the word is I: the trajectory stays in the interior of S",
+               "out": "the word holds an O: the trajectory leaves S",
+               "on": "the word holds no O but a B: the trajectory stays in S and reaches its boundary"}
+
+
+def shown(x):
+    """A rational; of more than 40 digits the first and last twelve."""
+    return re.sub(r"(\d{12})(\d{17,})(\d{12})", lambda m: f"{m[1]}...{m[3]}[{len(m[0])} digits]", str(x))
+
+
+def place(values):
+    return "(" + ", ".join(map(shown, values)) + ")"
+
+
+def plural(count, one, many):
+    return f"{count} {one if count == 1 else many}"
+
+
+def phrase(word, k):
+    """When the letter number k, which is I or O, holds."""
+    if len(word) == 1:
+        return "all the time"
+    return "from the start" if k == 0 else "until the end" if k == len(word) - 1 else "between"
+
+
+def is_intersection(word, k):
+    before, after = word[:k][-1:], word[k + 1:k + 2]
+    return before != after if before and after else "I" in (before, after)
+
+
+class Point:
+    """A point of a case, and what its explanation must say."""
+
+    def __init__(self, case, motion, id, point):
+        self.case, self.motion, self.point = case, motion, [jets.F(x) for x in point]
+        self.word, self.spans, self.cells = case.table[id]
+        self.unsweep = case.option("--operation", "sweep") == "unsweep"
+        self.combined = case.option("--folds", "separate") == "combined"
+        self.fields = {} if self.unsweep else definitions.expected(self.word, self.combined)
+        self.pmc = unswept(self.word) if self.unsweep else self.fields["pmc"]
+
+    def head(self):
+        which = "unsweep" if self.unsweep else f"sweep, class `{self.fields['class']}`"
+        return f"P = {place(self.point)} is `{self.pmc}` for the {which}. Its word is {self.word}."
+
+    def image(self, last):
+        """c(t0) or c(t1) as text; None where jets.py cannot say, in a half turn written as a pole."""
+        try:
+            m = jets.matrix_at(self.motion, jets.breaks(self.motion)[-last], left=bool(last))
+        except ZeroDivisionError:
+            return None
+        rows, d = m if self.unsweep else jets.inverse(m), len(self.point)
+        return place(sum((rows[i][j] * self.point[j] for j in range(d)), rows[i][d]).terms[0] for i in range(d))
+
+    def end(self, last):
+        """A pattern of the line about t0 or t1."""
+        t, image, state = jets.breaks(self.motion)[-last], self.image(last), STATE[self.word[-last]]
+        also = "" if self.unsweep else rf", so P is {state} S\^{last}"
+        return (rf"^  t{last} = {t}  {'x' if self.unsweep else 'c'}\(t{last}\) = "
+                rf"{re.escape(image) if image else '.*'} is {state} S{also}$")
+
+    def counts(self):
+        i, t = int(self.fields["i"]), int(self.fields["t"])
+        first, last = (int(self.word[k] == "I") for k in (0, -1))
+        return (f"  i = {plural(i, 'intersection', 'intersections')}, t = {plural(t, 'tangency', 'tangencies')}\n"
+                f"  k = (i + [P in iS^0] + [P in iS^1]) / 2 = ({i} + {first} + {last}) / 2 = {(i + first + last) // 2}:\n")
+
+    def rule(self):
+        """A pattern of the class's two or three lines."""
+        number = self.fields["definition"]
+        name = self.fields["class"].replace("_", " ") if self.fields["class"] != "boundary" else "sweep boundary"
+        cited = r"\d+" if number == "ext" else number
+        case = self.fields["case"]
+        where = (rf"\.\n  The definition leaves case {case} out, .*\n.*`ext`\n" if number == "ext" else rf" in case {case}\n")
+        return rf"The class\n  k .* an? {name} point.* \(Definition {cited}\){where}  pmc `{self.pmc}` by \[EI\] eq\. 7: "
+
+
+def check_line(checks, at, text):
+    """The time line: its letters, their phrases, the rational times, and the kind of each contact."""
+    part = text[text.index("\nThe time line"):]
+    lines = re.findall(r"^  ([IBO])  (.*)$", part, re.M)
+    if not checks.equal("".join(letter for letter, _ in lines), at.word, *where_of(at), "letters of the time line"):
+        return
+    kinds = re.findall(r"^       (tangency|intersection): ", part, re.M)
+    checks.equal(kinds, ["intersection" if is_intersection(at.word, k) else "tangency"
+                         for k, letter in enumerate(at.word) if letter == "B"], *where_of(at), "kinds")
+    ends = re.findall(r"^     to t = (.*)$", part, re.M)
+    spans = iter(at.spans)
+    for k, (letter, said) in enumerate(lines):
+        if letter != "B":
+            checks.equal(said, phrase(at.word, k), *where_of(at), f"letter {k}")
+            continue
+        low, high = next(spans)
+        slides = low != high
+        checks.equal(said.split(" t = ")[0], "from" if slides else "at", *where_of(at), f"letter {k}")
+        for time, given in ((low, said.split(" t = ")[1]), (high, ends.pop(0) if slides else None)):
+            if given and time[0] is None:   # rational
+                checks.equal(re.split(" = |, ", given)[0], shown(time[1]), *where_of(at), f"time of letter {k}")
+    checks.equal(ends, [], *where_of(at), "ends of slides")
+
+
+def where_of(at):
+    return at.case.name, place(at.point)
+
+
+def check_point(checks, at, text):
+    where = where_of(at)
+    checks.equal(text.split("\n")[0], at.head(), *where)
+    for last in (0, 1):
+        checks.holds(re.search(at.end(last), text, re.M), *where, f"expected {at.end(last)!r}", text)
+    check_line(checks, at, text)
+    if at.unsweep:
+        checks.holds(f"\n  pmc `{at.pmc}`: {UNSWEEP_WHY[at.pmc]}\n" in text, *where, "the rule of the unsweep", text)
+        return
+    checks.holds(f"This is case {at.fields['case']} of Table 1" in text, *where, "the case", text)
+    checks.holds(at.counts() in text, *where, f"expected {at.counts()!r}", text)
+    checks.holds(re.search(at.rule() + re.escape(WHY[at.pmc]) + "\n", text), *where, f"expected {at.rule()!r}", text)
+
+
+def main():
+    args, checks, words = options(__doc__, ONLY), Checks(), set()
+    for name in casefile.names():
+        if args.only not in name:
+            continue
+        case = casefile.Case(name)
+        motion = jets.load(case.path("motion.json"))
+        every = max(1, len(case.points) // (POINTS * args.scale))
+        for id, point in case.points[::every]:
+            done = run([args.graze, "explain", case.path(case.solid), case.path("motion.json"), *case.options, "--", *point])
+            if checks.equal(done.returncode, 0, name, id, done.stderr):
+                at = Point(case, motion, id, point)
+                words.add((at.unsweep, at.word))
+                check_point(checks, at, done.stdout)
+    if not args.only:
+        checks.holds(len(words) >= 40, f"{len(words)} different words")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
