@@ -29,8 +29,8 @@ static int by_case_name(const struct dirent **a, const struct dirent **b) {
     return strcmp((*a)->d_name, (*b)->d_name);
 }
 
-/* The case `name`: its name and title; nothing where README.md or motion.json is missing.
- * Returns 1 if it is a case, 0 if not, -1 (and says why) if it cannot be read. */
+/* List the case `name`, with its title. Returns 1 if it is a case, 0 if README.md or motion.json is
+ * missing, -1 (and says why) if it cannot be read. */
 static int list_case(const char *folder, const char *name) {
     char line[512] = ""; /* a longer title is cut */
     size_t size = strlen(folder) + strlen(name) + sizeof "//motion.json";
@@ -64,13 +64,13 @@ static int list_case(const char *folder, const char *name) {
     return result;
 }
 
-/* `named` is 0 for the folder that is looked for where none is named. */
+/* List the cases of a folder; `named` is 0 if it is the default. */
 static int list_cases(const char *folder, int named) {
     struct dirent **entries;
     int n = scandir(folder, &entries, NULL, by_case_name), cases = 0, failed = 0;
     if (n < 0)
         return complain(EXIT_IO, "%s: cannot be listed: %s%s", folder, strerror(errno),
-                        named ? "" : "; say where the cases are with --folder FOLDER");
+                        named ? "" : "; expected --folder FOLDER");
     for (int k = 0; k < n; k++) {
         int hidden = entries[k]->d_name[0] == '.';
         int one = failed || hidden ? 0 : list_case(folder, entries[k]->d_name);
@@ -89,8 +89,8 @@ static int list_cases(const char *folder, int named) {
     return EXIT_DONE;
 }
 
-/* Where `make install` puts them, seen from the program: PREFIX/bin and PREFIX/share. NULL if it
- * cannot be told or they are not there. */
+/* The folder that `make install` makes, relative to the program: PREFIX/share beside PREFIX/bin.
+ * NULL if it is not found. */
 static const char *installed_cases(void) {
     static char path[PATH_MAX];
     const char tail[] = "/share/graze/cases";

@@ -9,7 +9,7 @@
 static const char check_help[] =
     "graze check SOLID MOTION: is the pair legal, and why not\n"
     "\n"
-    "Reads both, checks them exactly, and says what they are. Exit status 0: legal; 1: readable\n"
+    "Reads both, checks them exactly, and describes them. Exit status 0: legal; 1: readable\n"
     "but illegal, the reason on standard error; 3: unreadable.\n"
     "\n"
     "  --triangulate        fan facets that are not planar from their first vertex\n"

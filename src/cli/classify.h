@@ -1,4 +1,4 @@
-/* graze classify, as graze-mpi and others start it too.
+/* graze classify, for the programs that start it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_CLASSIFY_H

@@ -15,7 +15,7 @@
 
 enum { HELP = 256, FIRST_OPTION };
 
-/* What getopt_long is given: the place of an option in the command's table is its value. */
+/* The arguments of getopt_long; an option's value is its place in the command's table. */
 typedef struct option_table {
     struct option entries[OPTIONS_MOST + 2];
     char letters[2 * OPTIONS_MOST + 8];

@@ -28,7 +28,7 @@ typedef struct option_entry {
 #define FLAG(name, type, field, read)                                                              \
     { name, OPTION_FLAG, read, offsetof(type, field) }
 
-/** At most so many options has a command. */
+/** Options of one command at the most. */
 enum { OPTIONS_MOST = 40 };
 
 /** Words that are no options, and values of the option that may be given several times, in order.

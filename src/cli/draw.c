@@ -23,7 +23,7 @@ static const char draw_help[] =
     "  -p X,Y[,Z]            one more point; may be given several times\n"
     "  --grid N              cells along the longer side (240, or 360 of a wide box)\n"
     "  --times K             positions of S, from 2 to 64 (5)\n"
-    "  --box x0,y0[,z0],x1,y1[,z1]   what of space to show; default: around the sweep\n"
+    "  --box x0,y0[,z0],x1,y1[,z1]   the part of space to show; default: around the sweep\n"
     "  --plane z=1/2         3D: the plane of the cells, x=, y= or z= (the middle of the box)\n"
     "  --view X,Y,Z          3D: the direction to look from (2,-3,2)\n"
     "  --title TEXT          the line above the picture (the names of the files)\n"
@@ -172,7 +172,7 @@ static int read_marks(marks *m, const draw_given *o, const operands *given,
     return status;
 }
 
-/* What the options say in numbers; initialised by the caller. */
+/* Numbers of the options; initialised by the caller. */
 typedef struct frame {
     mpq_t low[3], high[3], plane, view[3];
 } frame;

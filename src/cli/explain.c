@@ -9,9 +9,10 @@
 static const char explain_help[] =
     "graze explain SOLID MOTION X Y [Z]: the whole reasoning for one point\n"
     "\n"
-    "Says where the point is at the ends of the motion, its inverted trajectory, each contact\n"
-    "with the boundary in order of time and why it counts as what it does, the counts, and the\n"
-    "definition and case that apply. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
+    "Gives the position of the point at the ends of the motion, its inverted trajectory, each\n"
+    "contact with the boundary in order of time and why it counts as an intersection or a\n"
+    "tangency, the counts, and the definition and case that apply. Numbers: -12, 0.1, 1.5e-3, "
+    "22/7, all exact.\n"
     "\n"
     "  --triangulate, --round, --overlap extend|reject, --limit NAME=V,\n"
     "  --no-filter          as in graze classify\n"

@@ -1,8 +1,8 @@
-/* graze merge: the parts of a table put together, byte for byte what one run would have written.
+/* graze merge: puts the parts of a table together, byte for byte as one run would write it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Rows were dealt to the shards in turn (shard.h) and are taken from the parts in turn. All that
- * heads and last lines tell is checked before the first byte is written.
+ * Rows were dealt to the shards in turn (shard.h) and are taken from the parts in turn. Heads
+ * and last lines are checked before the first byte is written.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,13 +18,13 @@
 static const char merge_help[] =
     "graze merge PART...: one table of the tables of all shards\n"
     "\n"
-    "The parts may come in any order. All n of them must be there, each once, whole, and of one\n"
-    "run: the same scene, options and points. The table is what one run would have written.\n"
+    "The parts come in any order: all n of them, each once, whole, and of one run, with the same\n"
+    "scene, options and points. The table is that of one run without shards.\n"
     "\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --quiet              no progress on the terminal\n"
     "\n"
-    "A shard is what graze classify writes when it is told its number.\n"
+    "graze classify --shard i/n writes the part of shard i.\n"
     "\n"
     "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
 
@@ -45,19 +45,22 @@ typedef struct merger {
 static int compare_heads(const part *a, const part *b) {
     const char *x = a->head, *y = b->head;
     if (a->shard.count != b->shard.count)
-        return complain(EXIT_INPUT, "%s is a shard of %lu and %s one of %lu: of different runs",
+        return complain(EXIT_INPUT,
+                        "%s is a shard of %lu and %s one of %lu; expected parts of one run",
                         a->path, a->shard.count, b->path, b->shard.count);
     while (*x || *y) {
         size_t n = strcspn(x, "\n"), m = strcspn(y, "\n");
         if (n != m || memcmp(x, y, n) != 0)
-            return complain(
-                EXIT_INPUT, "%s says `%.*s` and %s says `%.*s`: they are of different runs",
-                a->path, (int)(n < 200 ? n : 200), x, b->path, (int)(m < 200 ? m : 200), y);
+            return complain(EXIT_INPUT,
+                            "%s has `%.*s` and %s has `%.*s`; expected parts of one run", a->path,
+                            (int)(n < 200 ? n : 200), x, b->path, (int)(m < 200 ? m : 200), y);
         x += n + (x[n] == '\n');
         y += m + (y[m] == '\n');
     }
     if (a->rows_of_all != b->rows_of_all || strcmp(a->checksum, b->checksum) != 0)
-        return complain(EXIT_INPUT, "%s and %s were made from different points", a->path, b->path);
+        return complain(EXIT_INPUT,
+                        "%s and %s were made from different points; expected parts of one run",
+                        a->path, b->path);
     return EXIT_DONE;
 }
 
@@ -96,14 +99,14 @@ static int check_parts(merger *m) {
     return EXIT_DONE;
 }
 
-/* The output must not empty a part. */
+/* Opening the output would empty a part of that name. */
 static int check_merged(const merger *m, const char *path) {
     struct stat out, in;
     if (!path || stat(path, &out) != 0)
         return EXIT_DONE;
     for (size_t k = 0; k < m->count; k++)
         if (stat(m->parts[k].path, &in) == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
-            return complain(EXIT_USAGE, "--output %s: is a part", path);
+            return complain(EXIT_USAGE, "--output %s: is a part; expected another file", path);
     return EXIT_DONE;
 }
 
@@ -124,7 +127,7 @@ static int copy_rows(merger *m, const merge_options *o) {
     return status;
 }
 
-static int merge(merger *m, const merge_options *o, const operands *given) {
+static int merge_parts(merger *m, const merge_options *o, const operands *given) {
     int status = graze_context_create(&m->context) ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
     if (!status)
         status = open_parts(m, given);
@@ -157,7 +160,7 @@ static int run_merge(void *options, const operands *given) {
     merger *m = calloc(1, sizeof *m);
     if (!m)
         return complain(EXIT_IO, "out of memory");
-    int status = merge(m, options, given);
+    int status = merge_parts(m, options, given);
     if (m->opened) {
         int closed = output_close(&m->out);
         status = closed ? closed : status;

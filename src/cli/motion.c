@@ -11,7 +11,8 @@
 #include "run/output.h"
 
 static const char motion_help[] =
-    "graze motion KIND ...: an exact motion file from what you have, its error proved and printed\n"
+    "graze motion KIND ...: an exact motion file from angles or poses, its error proved and "
+    "printed\n"
     "\n"
     "  rotate --degrees A [--axis X,Y,Z] [--center ...]   a turn that ends near the angle; exact\n"
     "                       on the way, quarter turns exact; its speed is not uniform\n"
@@ -191,7 +192,7 @@ static int make_turn(job *j, int screw) {
     return complain_of_use(made, j->context);
 }
 
-static int make_joints(job *j) {
+static int make_joint_chain(job *j) {
     size_t count = (size_t)j->given->count - 1;
     if (count == 0)
         return complain(EXIT_USAGE, "joints takes one joint or more; see graze motion --help");
@@ -252,7 +253,7 @@ static const struct {
     unsigned taken;
 } kinds[] = {{"rotate", make_rotation, TAKEN_BY_TURNS},
              {"screw", make_screw, TAKEN_BY_TURNS},
-             {"joints", make_joints, TAKEN_BY_JOINTS},
+             {"joints", make_joint_chain, TAKEN_BY_JOINTS},
              {"poses", make_poses, TAKEN_BY_POSES}};
 
 static int check_own_options(const motion_options *o, const char *kind, unsigned taken) {

@@ -23,10 +23,10 @@ static const char validate_help[] =
     "Makes points (graze generate), classifies them, runs CMD on them, compares the table it "
     "wrote\n"
     "to {out} (see graze compare --help) and reports: figures, time and a verdict.\n"
-    "Exit status 0: no difference; 1: differences; 3: the candidate failed, or its table is none.\n"
+    "Exit status 0: no difference; 1: differences; 3: the candidate failed or wrote no table.\n"
     "\n"
-    "CMD is cut into words without a shell: blanks part words, '...', \"...\" and \\ quote as in\n"
-    "sh, nothing is expanded. Each placeholder is a word of its own. Its standard output goes to\n"
+    "CMD is cut into words at blanks, without a shell: '...', \"...\" and \\ quote as in sh,\n"
+    "nothing is expanded. Each placeholder is a word of its own. Its standard output goes to\n"
     "standard error. For a pipeline: sh -c 'mine <\"$1\" >\"$2\"' sh {points} {out}\n"
     "\n"
     "  -n N, --seed K       how many points (10000), and their seed (1)\n"
@@ -99,7 +99,7 @@ static void remove_work_folder(validation *v) {
         rmdir(v->folder);
 }
 
-/* Before a sudden end. */
+/* The validation whose folder goes before a sudden end. */
 static validation *at_work;
 
 static void remove_folder_at_work(void) {
@@ -148,7 +148,7 @@ static void put_validation_verdict(char *out, size_t size, const graze_compariso
 }
 
 /* The text between the quotes of a JSON string. */
-static void put_quoted(output *out, const char *text) {
+static void put_json_quoted(output *out, const char *text) {
     for (; *text; text++) {
         unsigned char c = (unsigned char)*text;
         char plain[] = {c < 0x20 || c > 126 ? '?' : *text, '\0'};
@@ -156,11 +156,11 @@ static void put_quoted(output *out, const char *text) {
     }
 }
 
-static void put_named(output *out, const char *name, const char *value) {
+static void put_json_text(output *out, const char *name, const char *value) {
     output_put(out, "\"");
     output_put(out, name);
     output_put(out, "\": \"");
-    put_quoted(out, value);
+    put_json_quoted(out, value);
     output_put(out, "\",\n");
 }
 
@@ -174,10 +174,10 @@ static void put_validation(validation *v, const validate_options *o, const char 
     put_validation_verdict(verdict, sizeof verdict, &n);
     if (format == GRAZE_COMPARISON_JSON) {
         output_put(&v->out, "{\n");
-        put_named(&v->out, "command", o->candidate);
-        put_named(&v->out, "solid", o->classify.scene.solid);
-        put_named(&v->out, "motion", o->classify.scene.motion);
-        put_named(&v->out, "verdict", verdict);
+        put_json_text(&v->out, "command", o->candidate);
+        put_json_text(&v->out, "solid", o->classify.scene.solid);
+        put_json_text(&v->out, "motion", o->classify.scene.motion);
+        put_json_text(&v->out, "verdict", verdict);
         snprintf(line, sizeof line, "\"milliseconds\": %lu,\n\"rows-per-second\": %lu,\n",
                  milliseconds, rate);
         output_put(&v->out, line);

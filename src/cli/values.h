@@ -32,7 +32,7 @@ typedef struct seed_value {
     unsigned long long seed;
 } seed_value;
 
-/** Which of `count` words a value is, at most 8. EXIT_USAGE: none; says which are expected. */
+/** The place of a value among `count` words, at most 8. EXIT_USAGE: it is none of them. */
 int value_choice(int *out, const char *name, const char *value, const char *const *words,
                  int count);
 

@@ -25,7 +25,7 @@ typedef struct errand {
     MPI_Request under_way;
 } errand;
 
-/* What a rank has been sent and has not answered: `count` from the oldest on, in a ring. */
+/* Runs sent to a rank and not yet answered: `count` from the oldest on, in a ring. */
 typedef struct errands {
     errand item[AHEAD];
     int oldest, count;
@@ -122,7 +122,7 @@ static void wait_for_message(int from, MPI_Status *about) {
     }
 }
 
-/* Wait for an answer; 0 if a signal came and none does for as long as is left. */
+/* Wait for an answer; 0 if a signal came and no answer in the time that is left. */
 static int wait_for_answer(jobs *j) {
     int there = 0;
     MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE);
@@ -151,7 +151,7 @@ static int receive_message(message *m, int from, int *kind) {
     return about.MPI_SOURCE;
 }
 
-/* Out of memory between two ranks leaves neither a way to say so. */
+/* A rank without memory cannot answer, so all are ended. */
 static void abort_all_ranks(void) {
     complain(EXIT_IO, "out of memory");
     MPI_Abort(MPI_COMM_WORLD, EXIT_IO);

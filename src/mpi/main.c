@@ -15,8 +15,8 @@ static const char mpi_help[] =
     "mpirun -n N graze-mpi SOLID MOTION POINTS: graze classify on N ranks\n"
     "\n"
     "Rank 0 reads the points and writes the table; the other ranks answer rows, a few at a time,\n"
-    "so that none waits for a slower one. So N is the number of cores and one. The table is what\n"
-    "graze classify writes, to the byte; its options hold here too, but for --jobs.\n"
+    "so that none waits for a slower one. N is one more than the number of cores. The table has\n"
+    "the bytes of graze classify; its options hold here too, but for --jobs.\n"
     "SOLID and MOTION are read by every rank, POINTS and - by rank 0.\n"
     "\n"
     "Example: mpirun -n 17 graze-mpi cube.off move.json points.csv --output table.csv\n";
@@ -39,7 +39,7 @@ static int read_words(operands *given, classify_options *o, int *show_help, int 
     return status;
 }
 
-/* The first rank sends its status to the others if it never came to ask them for rows. */
+/* Rank 0 sends its status to the others if it ended before it asked them for rows. */
 static int run_rank(const classify_options *o, int rank) {
     int status = rank ? ranks_serve(o) : classify_run(o);
     if (!rank)

@@ -25,7 +25,7 @@ int message_reserve(message *m, size_t length) {
 }
 
 /* Nothing is added to a message of which a part could not be: `good` stays 0. */
-static void put(message *m, int *good, const void *from, size_t length) {
+static void pack_bytes(message *m, int *good, const void *from, size_t length) {
     /* MPI counts bytes in an int */
     *good = *good && length <= INT_MAX - m->length && message_reserve(m, m->length + length);
     if (!*good || !length)
@@ -34,7 +34,7 @@ static void put(message *m, int *good, const void *from, size_t length) {
     m->length += length;
 }
 
-static void get(const message *m, size_t *at, void *out, size_t length) {
+static void unpack_bytes(const message *m, size_t *at, void *out, size_t length) {
     memcpy(out, m->bytes + *at, length);
     *at += length;
 }
@@ -55,10 +55,10 @@ int message_put_run(message *m, const block *b, size_t first, const columns *c) 
         head.has_others = c->others != NULL;
         memcpy(head.where, c->where, sizeof head.where);
     }
-    put(m, &good, &head, sizeof head);
+    pack_bytes(m, &good, &head, sizeof head);
     for (size_t k = first; c && k < first + head.taken; k++) {
-        put(m, &good, &b->lines[k], sizeof b->lines[k]);
-        put(m, &good, b->bytes + b->lines[k].start, b->lines[k].length);
+        pack_bytes(m, &good, &b->lines[k], sizeof b->lines[k]);
+        pack_bytes(m, &good, b->bytes + b->lines[k].start, b->lines[k].length);
     }
     return good;
 }
@@ -67,7 +67,7 @@ int message_get_run(const message *m, block *b, columns *c) {
     static char some[] = "";
     run_head head;
     size_t at = 0;
-    get(m, &at, &head, sizeof head);
+    unpack_bytes(m, &at, &head, sizeof head);
     block_reset(b, head.before);
     b->runs[0].taken = head.taken;
     c->count = head.columns;
@@ -75,7 +75,7 @@ int message_get_run(const message *m, block *b, columns *c) {
     memcpy(c->where, head.where, sizeof head.where);
     for (size_t k = 0; head.columns && k < head.taken; k++) {
         line one;
-        get(m, &at, &one, sizeof one);
+        unpack_bytes(m, &at, &one, sizeof one);
         if (!block_add(b, (field){m->bytes + at, one.length}, one.number))
             return 0;
         at += one.length;
@@ -95,21 +95,21 @@ int message_put_answer(message *m, const row_run *r) {
     answer_head head = {r->done, r->length, why ? strlen(why) + 1 : 0, r->fault.status};
     int good = 1;
     m->length = 0;
-    put(m, &good, &head, sizeof head);
-    put(m, &good, r->text, r->length);
-    put(m, &good, why, head.message);
+    pack_bytes(m, &good, &head, sizeof head);
+    pack_bytes(m, &good, r->text, r->length);
+    pack_bytes(m, &good, why, head.message);
     return good;
 }
 
 int message_get_answer(const message *m, row_run *r) {
     answer_head head;
     size_t at = 0;
-    get(m, &at, &head, sizeof head);
+    unpack_bytes(m, &at, &head, sizeof head);
     r->text = head.length ? malloc(head.length) : NULL;
     if (head.length && !r->text)
         return 0;
     if (head.length)
-        get(m, &at, r->text, head.length);
+        unpack_bytes(m, &at, r->text, head.length);
     r->length = head.length;
     r->done = head.done;
     if (head.status)

@@ -6,7 +6,7 @@
 
 #include "run/answer.h"
 
-/** What a message is; a message of kind STOP is empty. */
+/** Kinds of messages; STOP is empty. */
 enum { MESSAGE_RUN = 1, MESSAGE_ANSWER = 2, MESSAGE_STOP = 3 };
 
 /** Bytes that grow; zeroed at first. */

@@ -10,16 +10,16 @@
 
 #include "run/classify.h"
 
-/** Rank 0: tell the other ranks how it went before any rows were asked for, unless jobs_start has
- * told them that all is well. */
+/** Rank 0: send an exit status to the ranks that wait for the first one, unless jobs_start has sent
+ * EXIT_DONE. */
 void ranks_release(int status);
 
-/** Rank 0: whether a signal came and another rank is still at a row. It will not come to the end of
- * MPI; it ends when mpirun finds that rank 0 has died. */
+/** Rank 0: 1 if a signal came and another rank is still at a row. That rank does not reach the end
+ * of MPI; mpirun ends it once rank 0 has died. */
 int ranks_abandoned(void);
 
-/** Other ranks: load the scene once rank 0 has, and answer until there is nothing left. Returns an
- * exit status and says what is wrong here and not on rank 0. */
+/** Other ranks: read the scene once rank 0 has, and answer rows to the last one. Returns an exit
+ * status and says what is wrong here and not on rank 0. */
 int ranks_serve(const classify_options *o);
 
 #endif

@@ -20,7 +20,7 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
         if (columns_row(a->points + n * d, &r->fault, from->columns, &a->reader, b, first + n))
             break;
     }
-    /* Without other columns there is no text of them, and NULL has no places. */
+    /* `rest` is NULL without further columns. */
     for (size_t k = 0; a->reader.rest && k < n; k++)
         a->rest[k] = a->reader.rest + a->rest_at[k];
     return n;

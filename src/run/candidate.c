@@ -18,7 +18,7 @@ extern char **environ;
 
 /* One word, its quotes taken away, into `to`; returns where it ends, NULL if a quote is left open.
  */
-static const char *cut_word(char *to, const char *at) {
+static const char *cut_command_word(char *to, const char *at) {
     char quote = 0;
     for (; *at && (quote || !strchr(" \t\n", *at)); at++) {
         int escapes = *at == '\\' && quote != '\'' && (!quote || at[1] == '"' || at[1] == '\\');
@@ -37,8 +37,8 @@ static const char *cut_word(char *to, const char *at) {
     return quote ? NULL : at;
 }
 
-/* What stands in the place of a word; NULL and a complaint where a placeholder is misplaced. */
-static const char *fill(const char *word, const candidate_paths *paths, int *seen) {
+/* The word with its placeholder filled; NULL and a complaint if a placeholder is inside it. */
+static const char *fill_placeholder(const char *word, const candidate_paths *paths, int *seen) {
     static const char *const names[] = {"{solid}", "{motion}", "{points}", "{out}"};
     const char *const values[] = {paths->solid, paths->motion, paths->points, paths->out};
     for (int k = 0; k < 4; k++) {
@@ -55,18 +55,18 @@ static const char *fill(const char *word, const candidate_paths *paths, int *see
     return word;
 }
 
-static int add_words(char **words, const char *command, char *buffer,
-                     const candidate_paths *paths) {
+static int split_command(char **words, const char *command, char *buffer,
+                         const candidate_paths *paths) {
     int seen[4] = {0};
     size_t count = 0;
     for (const char *at = command;;) {
         at += strspn(at, " \t\n");
         if (!*at)
             break;
-        at = cut_word(buffer, at);
+        at = cut_command_word(buffer, at);
         if (!at)
             return complain(EXIT_USAGE, "--candidate: a quote or a backslash is left open");
-        const char *word = fill(buffer, paths, seen);
+        const char *word = fill_placeholder(buffer, paths, seen);
         if (!word)
             return EXIT_USAGE;
         words[count] = strdup(word);
@@ -85,7 +85,7 @@ int candidate_split(char ***words, const char *command, const candidate_paths *p
     size_t length = strlen(command);
     char *buffer = malloc(length + 1);
     *words = calloc(length / 2 + 2, sizeof **words);
-    int status = buffer && *words ? add_words(*words, command, buffer, paths)
+    int status = buffer && *words ? split_command(*words, command, buffer, paths)
                                   : complain(EXIT_IO, "out of memory");
     free(buffer);
     if (status) {
@@ -102,7 +102,7 @@ void candidate_free(char **words) {
 }
 
 /* Start the words in a process group of their own, with nothing to read. */
-static int start(pid_t *child, char **words) {
+static int start_candidate(pid_t *child, char **words) {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
     sigset_t ignored;
@@ -124,13 +124,13 @@ static int start(pid_t *child, char **words) {
     return error;
 }
 
-static double since(const struct timespec *start) {
+static double seconds_since(const struct timespec *start) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)(now.tv_sec - start->tv_sec) + 1e-9 * (double)(now.tv_nsec - start->tv_nsec);
 }
 
-static void end(pid_t child) {
+static void end_candidate(pid_t child) {
     int ignored;
     kill(-child, SIGKILL);
     while (waitpid(child, &ignored, 0) < 0 && errno == EINTR)
@@ -138,15 +138,16 @@ static void end(pid_t child) {
 }
 
 /* Look every millisecond: a wait that blocks could miss a signal that comes just before it. */
-static int wait_for(double *seconds, const char *name, pid_t child, unsigned long timeout) {
+static int wait_for_candidate(double *seconds, const char *name, pid_t child,
+                              unsigned long timeout) {
     const struct timespec pause = {0, 1000000};
     struct timespec begin;
     int state = 0;
     clock_gettime(CLOCK_MONOTONIC, &begin);
     while (waitpid(child, &state, WNOHANG) != child) {
-        int late = since(&begin) > (double)timeout;
+        int late = seconds_since(&begin) > (double)timeout;
         if (interrupt_signal() || late)
-            end(child);
+            end_candidate(child);
         if (interrupt_signal())
             return EXIT_SIGNAL;
         if (late)
@@ -155,7 +156,7 @@ static int wait_for(double *seconds, const char *name, pid_t child, unsigned lon
                             timeout);
         nanosleep(&pause, NULL);
     }
-    *seconds = since(&begin);
+    *seconds = seconds_since(&begin);
     if (WIFSIGNALED(state))
         return complain(EXIT_INPUT, "the candidate %s was ended by signal %d", name,
                         WTERMSIG(state));
@@ -167,10 +168,10 @@ static int wait_for(double *seconds, const char *name, pid_t child, unsigned lon
 
 int candidate_run(double *seconds, char **words, unsigned long timeout) {
     pid_t child;
-    int error = start(&child, words);
+    int error = start_candidate(&child, words);
     *seconds = 0;
     if (error)
         return complain(EXIT_INPUT, "the candidate %s cannot be run: %s", words[0],
                         strerror(error));
-    return wait_for(seconds, words[0], child, timeout);
+    return wait_for_candidate(seconds, words[0], child, timeout);
 }

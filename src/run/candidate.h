@@ -1,14 +1,14 @@
 /* A candidate's command: cut into words, its placeholders filled, run and timed.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * No shell is asked. Words are parted by blanks; '...' is taken as it is, in "..." a backslash
+ * No shell is started. Blanks separate words; '...' is taken as it is, in "..." a backslash
  * stands before " and \, elsewhere before any byte. Nothing is expanded. A placeholder is a word of
- * its own and becomes one argument, whatever the path holds.
+ * its own and becomes one argument, with any bytes.
  */
 #ifndef GRAZE_RUN_CANDIDATE_H
 #define GRAZE_RUN_CANDIDATE_H
 
-/** What {solid}, {motion}, {points}, {out} stand for. */
+/** Values of {solid}, {motion}, {points}, {out}. */
 typedef struct candidate_paths {
     const char *solid, *motion, *points, *out;
 } candidate_paths;

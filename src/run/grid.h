@@ -26,8 +26,7 @@ unsigned long grid_count(const grid *g);
 void grid_fill(const grid *g, shard part, block *b, unsigned long most);
 /** Make `count` points of a shard from its point `first` on, x running fastest in the whole grid.
  * Any thread may ask.
- * @param[out] points room for three coordinates a point; as many as there are are used, point after
- *                    point */
+ * @param[out] points room for three coordinates a point; d of them are set, point after point */
 void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count);
 /** `# grid` and `# box` lines, malloc'ed; NULL when out of memory. */
 char *grid_notes(const grid *g);

@@ -17,7 +17,7 @@ void interrupt_wait(int fd);
 /** 1 if `fd` can be read without waiting. */
 int interrupt_ready(int fd);
 
-/** Name the signal that came and die of it, so that the shell sees it. */
+/** Report the signal that came and die of it, so that the shell sees it. */
 void interrupt_die(void);
 
 #endif

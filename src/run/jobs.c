@@ -71,8 +71,8 @@ void jobs_submit(jobs *j, block *b) {
     pthread_mutex_unlock(&j->lock);
 }
 
-/* Wait for news of a thread, but no longer than a look; 0 after a signal's last one. The lock is
- * held. */
+/* Wait until a thread signals, at most LOOK_MILLISECONDS; 0 after LAST_LOOKS waits since a signal.
+ * The lock is held. */
 static int look_at_threads(jobs *j, int *looks) {
     struct timespec until;
     if (interrupt_signal() && ++*looks > LAST_LOOKS)

@@ -1,8 +1,8 @@
 /* Memory for GMP, MPFR and FLINT, which cannot go on without it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The end is immediate: other threads may be at work, and what they hold cannot be given back.
- * What is not yet written of a table is lost, so that the table lacks its last line.
+ * The end is immediate: other threads may be at work, and their memory cannot be freed. Rows not
+ * yet written are lost, so that the table lacks its last line.
  */
 #include "run/memory.h"
 
@@ -19,7 +19,7 @@ void memory_before_end(void (*what)(void)) {
 }
 
 /* One message, however many threads come here. */
-static _Noreturn void end(void) {
+static _Noreturn void end_without_memory(void) {
     static atomic_flag told = ATOMIC_FLAG_INIT;
     static const char message[] = "graze: out of memory\n";
     while (atomic_flag_test_and_set(&told))
@@ -31,36 +31,36 @@ static _Noreturn void end(void) {
     _exit(EXIT_IO);
 }
 
-static void *checked(void *memory) {
+static void *must_have(void *memory) {
     if (!memory)
-        end();
+        end_without_memory();
     return memory;
 }
 
 /* No size is 0, for which NULL would not mean a failure. */
-static void *allocate(size_t size) {
-    return checked(malloc(size + !size));
+static void *must_allocate(size_t size) {
+    return must_have(malloc(size + !size));
 }
 
-static void *allocate_zeroed(size_t count, size_t size) {
-    return checked(calloc(count + !count, size + !size));
+static void *must_allocate_zeroed(size_t count, size_t size) {
+    return must_have(calloc(count + !count, size + !size));
 }
 
-static void *resize(void *memory, size_t size) {
-    return checked(realloc(memory, size + !size));
+static void *must_resize(void *memory, size_t size) {
+    return must_have(realloc(memory, size + !size));
 }
 
-static void *resize_known(void *memory, size_t before, size_t size) {
+static void *must_resize_known(void *memory, size_t before, size_t size) {
     (void)before;
-    return resize(memory, size);
+    return must_resize(memory, size);
 }
 
-static void release_known(void *memory, size_t size) {
+static void release_memory(void *memory, size_t size) {
     (void)size;
     free(memory);
 }
 
 void memory_guard(void) {
-    mp_set_memory_functions(allocate, resize_known, release_known);
-    __flint_set_memory_functions(allocate, allocate_zeroed, resize, free);
+    mp_set_memory_functions(must_allocate, must_resize_known, release_memory);
+    __flint_set_memory_functions(must_allocate, must_allocate_zeroed, must_resize, free);
 }

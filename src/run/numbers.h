@@ -9,7 +9,7 @@
 /**
  * Read `count` numbers between commas.
  * @param[out] out     initialised rationals
- * @param name         what they are for, in the message
+ * @param name         the option, for the message
  * @return EXIT_USAGE, EXIT_LIMIT
  */
 int numbers_read(mpq_t *out, graze_context *context, const char *name, const char *text,

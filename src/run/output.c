@@ -91,7 +91,7 @@ static void cut_open_line(const output *out) {
         about.st_size != end)
         return;
     int ignored = ftruncate(out->fd, end - (off_t)out->open_line);
-    (void)ignored; /* the failed write is told anyway */
+    (void)ignored; /* the failed write is reported anyway */
 }
 
 void output_flush(output *out) {
@@ -114,8 +114,8 @@ void output_flush(output *out) {
     out->used = 0;
 }
 
-/* Of a full buffer the last line, which may go on, is held back: however the program ends, what
- * is written are whole lines. */
+/* Write the whole lines of a full buffer; the last line, which may go on, is held back. So the
+ * output consists of whole lines at any end of the program. */
 static void flush_whole_lines(output *out) {
     size_t whole = out->used, rest;
     while (whole > 0 && out->buffer[whole - 1] != '\n')

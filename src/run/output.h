@@ -13,10 +13,10 @@ typedef struct output {
     int fd;
     const char *name; /* for messages */
     int error;
-    char *kept; /* what output_keep holds back */
+    char *kept; /* output held back since output_keep */
     size_t kept_length, kept_capacity;
     int keeps;
-    size_t open_line; /* bytes of the line that what is written so far ends in */
+    size_t open_line; /* bytes written of a line without its end */
     size_t used;
     char buffer[1 << 16];
 } output;
@@ -27,20 +27,20 @@ int output_open(output *out, const char *path);
 /** Open a file without changing it, to go on from a place in it; it is made if it is not there.
  * Returns an exit status and says what is wrong. */
 int output_continue(output *out, const char *path);
-/** Hold the file against others who ask for this too, until it or any other descriptor of it is
- * closed. EXIT_IO: another holds it. */
+/** Lock the file until it or any other descriptor of it is closed. EXIT_IO: another process has
+ * locked it. */
 int output_lock(output *out);
-/** Go on from that byte of the file and cut off what stands there. */
+/** Cut the file off at that byte and go on from there. */
 void output_from(output *out, long long byte);
 void output_put(output *out, const char *text);
 void output_bytes(output *out, const char *text, size_t length);
 /** An integer, or a ratio in lowest terms. */
 void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
-/** From now on keep in memory what is put, instead of writing it. */
+/** Keep later output in memory instead of writing it. */
 void output_keep(output *out);
-/** Hand over what was kept, malloc'ed, and write again what is put from now on. NULL when memory
- * ran short, or nothing was put. */
+/** Hand over the output kept, malloc'ed, and write later output again. NULL when memory ran short,
+ * or nothing was put. */
 char *output_release(output *out, size_t *length);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);

@@ -7,14 +7,14 @@
 #include <time.h>
 #include <unistd.h>
 
-static double now(void) {
+static double clock_seconds(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 /* `, 12 %, 1:02:03 left`; nothing where the end is not known. */
-static void put_rest(const progress *p, portion reached, double seconds) {
+static void put_time_left(const progress *p, portion reached, double seconds) {
     if (!reached.whole)
         return;
     double done = (double)reached.done, whole = (double)reached.whole;
@@ -26,28 +26,28 @@ static void put_rest(const progress *p, portion reached, double seconds) {
     fprintf(stderr, ", %lu:%02lu:%02lu left", left / 3600, left / 60 % 60, left % 60);
 }
 
-static void show(progress *p, unsigned long rows, portion reached, const char *end) {
-    p->shown = now();
+static void show_progress(progress *p, unsigned long rows, portion reached, const char *end) {
+    p->shown = clock_seconds();
     double seconds = p->shown - p->start;
     double rate = seconds > 0 ? (double)(rows - p->rows) / seconds : 0;
     fprintf(stderr, "\r%lu rows, %.0f rows/s", rows, rate);
-    put_rest(p, reached, seconds);
+    put_time_left(p, reached, seconds);
     fprintf(stderr, "%s%s", reached.whole ? "                " : "   ", end);
 }
 
 void progress_start(progress *p, int quiet, unsigned long rows, portion reached) {
     p->silent = quiet || !isatty(STDERR_FILENO);
-    p->start = p->shown = now();
+    p->start = p->shown = clock_seconds();
     p->rows = rows;
     p->before = reached.done;
 }
 
 void progress_show(progress *p, unsigned long rows, portion reached) {
-    if (!p->silent && now() - p->shown >= 1)
-        show(p, rows, reached, "");
+    if (!p->silent && clock_seconds() - p->shown >= 1)
+        show_progress(p, rows, reached, "");
 }
 
 void progress_end(progress *p, unsigned long rows, portion reached) {
     if (!p->silent)
-        show(p, rows, reached, "\n");
+        show_progress(p, rows, reached, "\n");
 }

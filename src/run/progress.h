@@ -5,16 +5,16 @@
 #ifndef GRAZE_RUN_PROGRESS_H
 #define GRAZE_RUN_PROGRESS_H
 
-/** How far the work is: `done` of `whole`, in whatever unit; `whole` is 0 where nobody knows. */
+/** How far the work is: `done` of `whole`, in any unit; `whole` is 0 where it is unknown. */
 typedef struct portion {
     unsigned long done, whole;
 } portion;
 
 typedef struct progress {
     int silent;
-    double start, shown;  /* seconds of a clock that nobody sets */
-    unsigned long rows;   /* that were there at the start */
-    unsigned long before; /* and what was done by then */
+    double start, shown;  /* seconds of the monotonic clock */
+    unsigned long rows;   /* rows at the start */
+    unsigned long before; /* the portion done at the start */
 } progress;
 
 /** Begin, where `rows` rows are there already; `quiet` shows nothing. */

@@ -1,4 +1,4 @@
-/* Deals rows out to those who answer them.
+/* Hands rows out to threads or ranks.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/queue.h"

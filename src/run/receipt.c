@@ -17,7 +17,7 @@ static const char first_line[] = "graze receipt 1\n";
 static const char solid_key[] = "\nsolid-sha256 ";
 static const char checksum_key[] = "\nchecksum ";
 
-static void append(char *text, const char *more) {
+static void append_text(char *text, const char *more) {
     strncat(text, more, RECEIPT - strlen(text) - 1);
 }
 
@@ -25,8 +25,8 @@ static void append_hex(char *text, const char *key, const unsigned char hash[HAS
     char hex[2 * HASH + 1];
     for (size_t k = 0; k < HASH; k++)
         snprintf(hex + 2 * k, 3, "%02x", hash[k]);
-    append(text, key);
-    append(text, hex);
+    append_text(text, key);
+    append_text(text, hex);
 }
 
 /* The checksum is of everything before its line. */
@@ -37,22 +37,22 @@ static void append_checksum(char *text) {
     SHA256Update(&sha, (const uint8_t *)text, strlen(text));
     SHA256Final(hash, &sha);
     append_hex(text, checksum_key, hash);
-    append(text, "\n");
+    append_text(text, "\n");
 }
 
 static void make_receipt(char text[RECEIPT], const graze_scene *scene, const scene_options *o) {
     static const char *const rounding[] = {"none", "binary64", "binary32"};
     graze_hashes hashes = graze_scene_hashes(scene);
     *text = '\0';
-    append(text, first_line);
-    append(text, "version " GRAZE_VERSION);
+    append_text(text, first_line);
+    append_text(text, "version " GRAZE_VERSION);
     append_hex(text, solid_key, hashes.solid);
     append_hex(text, "\nmotion-sha256 ", hashes.motion);
     append_hex(text, "\nscene-sha256 ", hashes.scene);
-    append(text,
-           o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "\ntriangulate yes" : "\ntriangulate no");
-    append(text, "\nround ");
-    append(text, rounding[o->context.rounding]);
+    append_text(text, o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "\ntriangulate yes"
+                                                               : "\ntriangulate no");
+    append_text(text, "\nround ");
+    append_text(text, rounding[o->context.rounding]);
     append_checksum(text);
 }
 

@@ -13,7 +13,7 @@
 enum { ANSWERS = 128 };
 
 /* Go past a text if the line at hand begins with it. */
-static int skip(const char **at, const char *text) {
+static int skip_text(const char **at, const char *text) {
     size_t length = strlen(text);
     int same = strncmp(*at, text, length) == 0;
     *at += same ? length : 0;
@@ -30,11 +30,11 @@ int row_form_read(row_form *out, const char *head) {
         if (strncmp(at, "# folds combined\n", 17) == 0)
             out->options.folds = GRAZE_FOLDS_COMBINED;
     }
-    if (!length || head[length - 1] != '\n' || !skip(&at, "x,y,"))
+    if (!length || head[length - 1] != '\n' || !skip_text(&at, "x,y,"))
         return 0;
-    out->dimension = skip(&at, "z,") ? 3 : 2;
+    out->dimension = skip_text(&at, "z,") ? 3 : 2;
     int sweep = out->options.operation == GRAZE_SWEEP;
-    if (!skip(&at, sweep ? "pmc,class,definition,case,i,t,word" : "pmc,word"))
+    if (!skip_text(&at, sweep ? "pmc,class,definition,case,i,t,word" : "pmc,word"))
         return 0;
     if (*at == ',')
         out->others = fields_count((field){at + 1, (size_t)(head + length - 1 - at - 1)});
@@ -42,7 +42,7 @@ int row_form_read(row_form *out, const char *head) {
 }
 
 /* Take the bytes before the next comma, or up to the end. */
-static field take(field *rest) {
+static field take_column(field *rest) {
     field out = {rest->start, 0}; /* fields are a few bytes long */
     while (out.length < rest->length && out.start[out.length] != ',')
         out.length++;
@@ -52,31 +52,31 @@ static field take(field *rest) {
 }
 
 /* Add a name and a comma. */
-static char *put_name(char *at, const char *name) {
+static char *put_row_name(char *at, const char *name) {
     size_t length = strlen(name);
     memcpy(at, name, length);
     at[length] = ',';
     return at + length + 1;
 }
 
-static char *put_count(char *at, unsigned long value) {
+static char *put_row_count(char *at, unsigned long value) {
     char digits[24], *first = digits + sizeof digits - 1;
     *first = '\0';
     do
         *--first = (char)('0' + value % 10);
     while (value /= 10);
-    return put_name(at, first);
+    return put_row_name(at, first);
 }
 
 /* The answers before the word, as the table has them; returns their length. */
-static size_t write_answers(char text[ANSWERS], const row_form *form, const graze_verdict *v) {
-    char *at = put_name(text, graze_pmc_name(v->pmc));
+static size_t write_row_answers(char text[ANSWERS], const row_form *form, const graze_verdict *v) {
+    char *at = put_row_name(text, graze_pmc_name(v->pmc));
     if (form->options.operation == GRAZE_UNSWEEP)
         return (size_t)(at - text);
-    at = put_name(at, graze_class_name(v->class_));
-    at = v->definition ? put_count(at, (unsigned long)v->definition) : put_name(at, "ext");
-    at = put_count(at, (unsigned long)v->case_);
-    return (size_t)(put_count(put_count(at, v->i), v->t) - text);
+    at = put_row_name(at, graze_class_name(v->class_));
+    at = v->definition ? put_row_count(at, (unsigned long)v->definition) : put_row_name(at, "ext");
+    at = put_row_count(at, (unsigned long)v->case_);
+    return (size_t)(put_row_count(put_row_count(at, v->i), v->t) - text);
 }
 
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row) {
@@ -84,19 +84,19 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
     graze_verdict verdict;
     field rest = row;
     for (int k = 0; k < form->dimension; k++)
-        take(&rest);
+        take_column(&rest);
     const char *own = rest.start;
     if (own - row.start < form->dimension || row.start == own)
         return "a point and its answers";
     out->point = (field){row.start, (size_t)(own - row.start - 1)};
     for (int k = form->options.operation == GRAZE_UNSWEEP ? 1 : 6; k > 0; k--)
-        take(&rest);
+        take_column(&rest);
     const char *before_word = rest.start;
-    field word = take(&rest);
+    field word = take_column(&rest);
     int more = word.start + word.length < row.start + row.length;
     if (graze_word_verdict(&verdict, context, &form->options, word.start, word.length))
         return "a word of letters O, I, B of which every second one is B";
-    size_t length = write_answers(answers, form, &verdict);
+    size_t length = write_row_answers(answers, form, &verdict);
     if ((size_t)(before_word - own) != length || memcmp(own, answers, length) != 0)
         return "the answers that belong to its word";
     if (more != (form->others > 0))
@@ -106,7 +106,7 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
 }
 
 /* A minus, digits without a zero in front; then nothing, or a slash and the same from 2 up. */
-static int is_written(field f) {
+static int is_written_number(field f) {
     const char *at = f.start, *end = at + f.length;
     for (int part = 0; part < 2; part++) {
         int minus = part == 0 && at < end && *at == '-';
@@ -128,6 +128,6 @@ static int is_written(field f) {
 int row_point_is_written(field point, int dimension) {
     int good = 1;
     for (int k = 0; k < dimension; k++)
-        good &= is_written(take(&point));
+        good &= is_written_number(take_column(&point));
     return good && !point.length;
 }

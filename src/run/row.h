@@ -1,4 +1,4 @@
-/* The form of a table's rows, and what of a row can be checked without making it again.
+/* The form of a table's rows, and checks of a row that do not classify its point.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_RUN_ROW_H
@@ -7,7 +7,7 @@
 #include "table/field.h"
 #include "graze.h"
 
-/** What the head of a table says of its rows. */
+/** The form of the rows of a table, from its head. */
 typedef struct row_form {
     int dimension;
     graze_options options; /* operation and folds */

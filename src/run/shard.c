@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 /* A number from 1 to SHARDS_MOST and the byte after it; NULL if there is none. */
-static const char *read_number(unsigned long *out, const char *text) {
+static const char *read_shard_number(unsigned long *out, const char *text) {
     char *end;
     if (!isdigit((unsigned char)*text))
         return NULL;
@@ -16,10 +16,10 @@ static const char *read_number(unsigned long *out, const char *text) {
 }
 
 int shard_read(shard *out, const char *text) {
-    const char *at = read_number(&out->index, text);
+    const char *at = read_shard_number(&out->index, text);
     if (!at || *at != '/')
         return 0;
-    at = read_number(&out->count, at + 1);
+    at = read_shard_number(&out->count, at + 1);
     if (!at || *at || out->index > out->count)
         return 0;
     out->index--;

@@ -2,14 +2,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Rows are dealt like cards, one to each shard in turn: shard i of n has the rows i, i + n,
- * i + 2n, ... of the whole run, counted from 1. So nobody need know how many there are, easy and
- * hard regions are shared evenly, and the whole is put together by taking rows in turn again.
+ * i + 2n, ... of the whole run, counted from 1. So the number of rows need not be known, easy
+ * and hard regions are shared evenly, and the whole is put together by taking rows in turn again.
  */
 #ifndef GRAZE_RUN_SHARD_H
 #define GRAZE_RUN_SHARD_H
 
-/** Lines of a shard's table that a whole one lacks: which it is, in the head; and before the last
- * line how many rows all shards have, and a checksum of their points (0 for a grid). */
+/** Lines of a shard's table that a whole one lacks: the shard, in the head; and before the last
+ * line the number of rows of all shards, and a checksum of their points (0 for a grid). */
 #define SHARD_LINE "# shard "
 #define SHARD_ROWS "# rows-of-all-shards "
 #define SHARD_POINTS "# points-checksum "
