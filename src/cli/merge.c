@@ -24,7 +24,7 @@ static const char merge_help[] =
     "  --output FILE        write there instead of to standard output\n"
     "  --quiet              no progress on the terminal\n"
     "\n"
-    "graze classify --shard i/n writes the part of shard i.\n"
+    "A part is the table that graze classify writes for one shard.\n"
     "\n"
     "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
 
