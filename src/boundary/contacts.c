@@ -52,7 +52,7 @@ static int cell_of(uint32_t at[3], const struct graze_boundary *b, const fmpq *p
     return inside;
 }
 
-static int compare_places(const void *a, const void *b) {
+static int compare_contacts(const void *a, const void *b) {
     const uint64_t *x = a, *y = b;
     return *x < *y ? -1 : *x > *y;
 }
@@ -85,7 +85,7 @@ static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
     }
     sample_clear(&s);
     if (b->contact_count)
-        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_places);
+        qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_contacts);
     return status;
 }
 

@@ -12,7 +12,7 @@
 #include "boundary/contacts.h"
 #include "context/array.h"
 
-static graze_status push(graze_context *context, struct graze_boundary *b, size_t index) {
+static graze_status push_cell(graze_context *context, struct graze_boundary *b, size_t index) {
     graze_status status = array_grow(context, &b->work, &b->work_capacity, b->work_count + 1,
                                      sizeof *b->work, "the cells of a boundary");
     if (!status)
@@ -20,7 +20,7 @@ static graze_status push(graze_context *context, struct graze_boundary *b, size_
     return status;
 }
 
-static uint64_t centre(const struct graze_boundary *b, const cell *c) {
+static uint64_t cell_centre(const struct graze_boundary *b, const cell *c) {
     uint32_t at[3] = {0, 0, 0};
     for (int k = 0; k < b->dimension; k++)
         at[k] = (2 * c->at[k] + 1) << (b->depth - c->level);
@@ -35,7 +35,7 @@ static cell child_of(const struct graze_boundary *b, const cell *c, unsigned whi
 }
 
 /* Cut a leaf whose corners the budget allows, and hand its parts to the work. */
-static graze_status split(graze_context *context, struct graze_boundary *b, size_t index) {
+static graze_status split_cell(graze_context *context, struct graze_boundary *b, size_t index) {
     unsigned parts = 1u << b->dimension;
     graze_status status = context_poll(context);
     for (unsigned p = 0; p < parts && !status; p++) {
@@ -54,7 +54,7 @@ static graze_status split(graze_context *context, struct graze_boundary *b, size
     b->cells[index].child = b->cell_count;
     for (unsigned p = 0; p < parts && !status; p++) {
         b->cells[b->cell_count] = child_of(b, b->cells + index, p);
-        status = push(context, b, b->cell_count++);
+        status = push_cell(context, b, b->cell_count++);
     }
     return status;
 }
@@ -68,7 +68,7 @@ static graze_status is_of_interest(int *out, graze_context *context, struct graz
         *out |= lattice_known(b, cell_corner(b, c, k)) != first;
     if (*out)
         return GRAZE_OK;
-    graze_status status = lattice_classify(&pmc, context, b, centre(b, c));
+    graze_status status = lattice_classify(&pmc, context, b, cell_centre(b, c));
     *out = pmc && pmc != first;
     return status;
 }
@@ -80,7 +80,7 @@ static graze_status reach(graze_context *context, struct graze_boundary *b, cons
     graze_status status = GRAZE_OK;
     for (unsigned level = 0; level < target && !status && b->complete; level++) {
         if (!b->cells[index].child)
-            status = split(context, b, index);
+            status = split_cell(context, b, index);
         unsigned which = 0;
         for (int k = 0; k < b->dimension; k++)
             which |= (at[k] >> (target - level - 1) & 1) << k;
@@ -130,7 +130,7 @@ static graze_status work_to(graze_context *context, struct graze_boundary *b, un
         }
         status = c.level < b->coarse ? GRAZE_OK : is_of_interest(&wanted, context, b, &c);
         if (!status && b->complete && (wanted || c.level < b->coarse))
-            status = split(context, b, index);
+            status = split_cell(context, b, index);
     }
     b->work_count = 0;
     return status;
@@ -146,7 +146,7 @@ graze_status boundary_refuse_budget(graze_context *context, const struct graze_b
                         b->budget, b->coarse, need);
 }
 
-static graze_status start(graze_context *context, struct graze_boundary *b) {
+static graze_status start_cells(graze_context *context, struct graze_boundary *b) {
     graze_status status = array_grow(context, &b->cells, &b->cell_capacity, 1, sizeof *b->cells,
                                      "the cells of a boundary");
     if (status)
@@ -157,7 +157,7 @@ static graze_status start(graze_context *context, struct graze_boundary *b) {
     for (unsigned k = 0; k < 1u << b->dimension && !status; k++)
         status = lattice_classify(&pmc, context, b, cell_corner(b, b->cells, k));
     if (!status)
-        status = push(context, b, 0);
+        status = push_cell(context, b, 0);
     if (!status)
         status = work_to(context, b, b->coarse);
     if (!status && !b->complete)
@@ -166,12 +166,12 @@ static graze_status start(graze_context *context, struct graze_boundary *b) {
 }
 
 graze_status boundary_refine(graze_context *context, struct graze_boundary *b) {
-    graze_status status = start(context, b);
+    graze_status status = start_cells(context, b);
     b->reached = b->coarse;
     for (unsigned target = b->coarse + 1; target <= b->depth && !status; target++) {
         for (size_t i = 0; i < b->cell_count && !status; i++)
             if (!b->cells[i].child && b->cells[i].level + 1 == target)
-                status = push(context, b, i);
+                status = push_cell(context, b, i);
         if (!status)
             status = work_to(context, b, target);
         if (!b->complete)

@@ -33,7 +33,7 @@ static int64_t from(const uint32_t a[3], const uint32_t b[3], int k) {
 
 /* The sign that tells on which side of a face `out` lies; never 0. Differences within one cell have
  * at most 20 bits. */
-static int side_of(uint32_t (*face)[3], const uint32_t out[3], int dimension) {
+static int face_side(uint32_t (*face)[3], const uint32_t out[3], int dimension) {
     const uint32_t *a = face[0], *b = face[1];
     int64_t value;
     if (dimension == 2) {
@@ -62,7 +62,7 @@ static graze_status add_face(graze_context *context, struct graze_boundary *b, u
         status = vertex(index + k, context, b, face[k]);
     if (status)
         return status;
-    int turned = side_of(face, out, b->dimension) != (d == 2 ? -1 : 1);
+    int turned = face_side(face, out, b->dimension) != (d == 2 ? -1 : 1);
     size_t *to = b->corners + b->face_count++ * d;
     for (size_t k = 0; k < d; k++)
         to[k] = index[turned ? d - 1 - k : k];
@@ -75,7 +75,8 @@ static void middle(uint32_t out[3], const corner_simplex *s, int i, int j) {
 }
 
 /* The faces of one simplex: with r of its corners in the rest, r (d + 1 - r) middles. */
-static graze_status cut(graze_context *context, struct graze_boundary *b, const corner_simplex *s) {
+static graze_status add_faces(graze_context *context, struct graze_boundary *b,
+                              const corner_simplex *s) {
     uint32_t point[4][3];
     const uint32_t *out = s->at[s->corners - 1];
     if (s->rest == 0 || s->rest == s->corners)
@@ -109,7 +110,7 @@ static graze_status cut_simplex(graze_context *context, struct graze_boundary *b
             to[i] = (uint32_t)(key >> 21 * i) & ((1u << 21) - 1);
         corner |= k < b->dimension ? 1u << order[k] : 0;
     }
-    return cut(context, b, &s);
+    return add_faces(context, b, &s);
 }
 
 static int at_border(const struct graze_boundary *b, const cell *c) {

@@ -13,7 +13,7 @@ void table_clear(table *t) {
 }
 
 /* The slot that holds a key, or the empty one where it would go. */
-static size_t slot_of(const table *t, uint64_t key) {
+static size_t key_slot(const table *t, uint64_t key) {
     uint64_t mixed = (key ^ (key >> 31)) * 0x9e3779b97f4a7c15u;
     size_t at = (size_t)(mixed >> 20) & (t->slots - 1);
     while (t->slot[at] && t->key[t->slot[at] - 1] != key)
@@ -24,11 +24,11 @@ static size_t slot_of(const table *t, uint64_t key) {
 size_t table_find(const table *t, uint64_t key) {
     if (!t->slots)
         return t->count;
-    size_t index = t->slot[slot_of(t, key)];
+    size_t index = t->slot[key_slot(t, key)];
     return index ? index - 1 : t->count;
 }
 
-static int grow(table *t) {
+static int grow_slots(table *t) {
     size_t capacity = t->capacity, values = t->capacity;
     if (!array_reserve(&t->key, &capacity, t->count + 1, sizeof *t->key) ||
         !array_reserve(&t->value, &values, capacity, sizeof *t->value))
@@ -41,16 +41,16 @@ static int grow(table *t) {
     t->slots = 2 * capacity;
     t->capacity = capacity;
     for (size_t i = 0; i < t->count; i++)
-        t->slot[slot_of(t, t->key[i])] = i + 1;
+        t->slot[key_slot(t, t->key[i])] = i + 1;
     return 1;
 }
 
 int table_add(table *t, uint64_t key, unsigned char value) {
-    if (t->count == t->capacity && !grow(t))
+    if (t->count == t->capacity && !grow_slots(t))
         return 0;
     t->key[t->count] = key;
     t->value[t->count] = value;
-    size_t at = slot_of(t, key);
+    size_t at = key_slot(t, key);
     t->slot[at] = t->count + 1;
     t->count++;
     return 1;

@@ -22,7 +22,7 @@ void file_sha256(unsigned char sha256[32], const char *text, size_t length) {
 
 /* Read to the end of `file`; `guess` is enough room for files that do not grow. Room for the NUL is
  * always kept. */
-static graze_status read_all(char **text, size_t *length, graze_context *context, const char *path,
+static graze_status read_stream(char **text, size_t *length, graze_context *context, const char *path,
                              int file, size_t guess) {
     size_t capacity = 0;
     for (;;) {
@@ -64,7 +64,7 @@ graze_status file_read(char **text, size_t *length, unsigned char sha256[32],
         status = context_limit(context, GRAZE_LIMIT_BYTES, path);
     } else {
         size_t guess = S_ISREG(about.st_mode) && about.st_size > 0 ? (size_t)about.st_size : 0;
-        status = read_all(text, length, context, path, file, guess + 4096);
+        status = read_stream(text, length, context, path, file, guess + 4096);
     }
     close(file);
     if (status != GRAZE_OK) {

@@ -16,12 +16,13 @@
 
 enum { STEP = 100 }; /* milliseconds */
 
-static graze_status fail(graze_context *context, const char *name, const char *what) {
+static graze_status fail_input(graze_context *context, const char *name, const char *what) {
     return context_fail(context, GRAZE_ESYSTEM, "%s: %s: %s", name, what, strerror(errno));
 }
 
 /* A device may never end, and opening one may move a tape. */
-static graze_status check_kind(graze_context *context, const char *path, const struct stat *about) {
+static graze_status check_file_kind(graze_context *context, const char *path,
+                                    const struct stat *about) {
     int directory = S_ISDIR(about->st_mode);
     if (!directory && !S_ISCHR(about->st_mode) && !S_ISBLK(about->st_mode))
         return GRAZE_OK;
@@ -33,17 +34,17 @@ graze_status input_open(int *fd, graze_context *context, const char *path) {
     struct stat about;
     *fd = -1;
     if (stat(path, &about) != 0)
-        return fail(context, path, "cannot be opened");
-    graze_status status = check_kind(context, path, &about);
+        return fail_input(context, path, "cannot be opened");
+    graze_status status = check_file_kind(context, path, &about);
     if (status)
         return status;
     *fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (*fd < 0)
-        return fail(context, path, "cannot be opened");
+        return fail_input(context, path, "cannot be opened");
     if (fstat(*fd, &about) != 0)
-        status = fail(context, path, "cannot be read");
+        status = fail_input(context, path, "cannot be read");
     else
-        status = check_kind(context, path, &about); /* it may be another by now */
+        status = check_file_kind(context, path, &about); /* it may be another by now */
     if (status) {
         close(*fd);
         *fd = -1;
@@ -55,7 +56,7 @@ graze_status input_standard(int *fd, graze_context *context) {
     struct stat about;
     *fd = STDIN_FILENO;
     return fstat(*fd, &about) == 0 && S_ISDIR(about.st_mode)
-               ? check_kind(context, "standard input", &about)
+               ? check_file_kind(context, "standard input", &about)
                : GRAZE_OK;
 }
 
@@ -68,7 +69,7 @@ graze_status input_read(size_t *got, graze_context *context, const char *name, i
         struct pollfd one = {fd, POLLIN, 0};
         int ready = poll(&one, 1, STEP);
         if (ready < 0 && errno != EINTR)
-            return fail(context, name, "cannot be waited for");
+            return fail_input(context, name, "cannot be waited for");
         if (ready <= 0)
             continue;
         ssize_t n = read(fd, to, room);
@@ -77,6 +78,6 @@ graze_status input_read(size_t *got, graze_context *context, const char *name, i
             return GRAZE_OK;
         }
         if (errno != EINTR && errno != EAGAIN)
-            return fail(context, name, "reading failed");
+            return fail_input(context, name, "reading failed");
     }
 }

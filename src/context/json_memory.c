@@ -31,7 +31,7 @@ static void *link_in(json_memory *memory, json_block *block) {
     return block->bytes;
 }
 
-static void *allocate(void *data, size_t size) {
+static void *json_allocate(void *data, size_t size) {
     json_memory *memory = data;
     json_block *block = malloc(sizeof *block + size);
     if (block == NULL) {
@@ -41,10 +41,10 @@ static void *allocate(void *data, size_t size) {
     return link_in(memory, block);
 }
 
-static void *resize(void *data, void *bytes, size_t size) {
+static void *json_resize(void *data, void *bytes, size_t size) {
     json_memory *memory = data;
     if (bytes == NULL) {
-        return allocate(data, size);
+        return json_allocate(data, size);
     }
     json_block *block = realloc(block_of(bytes), sizeof *block + size);
     if (block == NULL) {
@@ -72,7 +72,7 @@ static void release(void *data, void *bytes) {
 
 void json_memory_init(json_memory *memory) {
     memory->newest = NULL;
-    memory->functions = (yajl_alloc_funcs){allocate, resize, release, memory};
+    memory->functions = (yajl_alloc_funcs){json_allocate, json_resize, release, memory};
 }
 
 void json_memory_clear(json_memory *memory) {

@@ -14,7 +14,7 @@ void half_angle_clear(half_angle *h) {
 }
 
 /* To nearest, or up where `round` says so. */
-static void set_rational(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
+static void set_rounded(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
     mpq_t copy;
     mpq_init(copy);
     fmpq_get_mpq(copy, value);
@@ -23,12 +23,12 @@ static void set_rational(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
 }
 
 void root_above(mpfr_t out, const fmpq_t square) {
-    set_rational(out, square, MPFR_RNDU);
+    set_rounded(out, square, MPFR_RNDU);
     mpfr_sqrt(out, out, MPFR_RNDU);
 }
 
 static void length_of(mpfr_t out, const fmpq_t square) {
-    set_rational(out, square, MPFR_RNDN);
+    set_rounded(out, square, MPFR_RNDN);
     mpfr_sqrt(out, out, MPFR_RNDN);
 }
 
@@ -44,7 +44,7 @@ static void radians(mpfr_t out, const fmpq_t f) {
     fmpq_add(rest, rest, f);
     fmpz_fdiv_q(whole, fmpq_numref(rest), fmpq_denref(rest));
     fmpq_sub_fmpz(rest, f, whole);
-    set_rational(out, rest, MPFR_RNDN);
+    set_rounded(out, rest, MPFR_RNDN);
     mpfr_const_pi(pi, MPFR_RNDN);
     mpfr_mul(out, out, pi, MPFR_RNDN);
     mpfr_mul_2ui(out, out, 1, MPFR_RNDN);
@@ -88,9 +88,9 @@ static void argument(mpfr_t out, const half_angle *h, const fmpq_t square) {
     mpfr_t across, along;
     mpfr_inits2(ANGLE_BITS, across, along, (mpfr_ptr)0);
     length_of(out, square);
-    set_rational(across, h->c, MPFR_RNDN);
+    set_rounded(across, h->c, MPFR_RNDN);
     mpfr_mul(across, across, out, MPFR_RNDN);
-    set_rational(along, h->w, MPFR_RNDN);
+    set_rounded(along, h->w, MPFR_RNDN);
     mpfr_atan2(out, across, along, MPFR_RNDN);
     mpfr_clears(across, along, (mpfr_ptr)0);
 }
@@ -184,8 +184,8 @@ void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to,
     mpfr_clears(start, apart, share, (mpfr_ptr)0);
 }
 
-static int within(const half_angle *h, const fmpq_t f, const fmpq_t square,
-                  const fmpq_t tolerance) {
+static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square,
+                        const fmpq_t tolerance) {
     mpfr_t error;
     mpq_t bound;
     mpfr_init2(error, ANGLE_BITS);
@@ -245,7 +245,7 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
         fmpz_swap(fmpq_numref(x), fmpq_denref(x));
         fmpz_swap(fmpq_denref(x), rest);
         fmpq_set_fmpz_frac(out->c, last[0], last[1]);
-    } while (!within(out, f, square, tolerance) && !fmpz_is_zero(fmpq_denref(x)));
+    } while (!angle_within(out, f, square, tolerance) && !fmpz_is_zero(fmpq_denref(x)));
     for (int k = 0; k < 2; k++) {
         fmpz_clear(last[k]);
         fmpz_clear(before[k]);

@@ -12,8 +12,8 @@
 #include "convert/poses_read.h"
 #include "number/rounding.h"
 
-static graze_status refuse(graze_context *context, const pose_list *list, const pose *p,
-                           const fmpq_t deviation) {
+static graze_status refuse_pose(graze_context *context, const pose_list *list, const pose *p,
+                                const fmpq_t deviation) {
     mpfr_t shown;
     mpq_t copy;
     char digits[64];
@@ -57,7 +57,7 @@ static graze_status find_rotations(fmpq_t worst, graze_context *context, pose_li
         if (fmpq_cmp(deviation, worst) > 0)
             fmpq_set(worst, deviation);
         if (!status && fmpq_cmp(deviation, tolerance) > 0)
-            status = refuse(context, list, p, deviation);
+            status = refuse_pose(context, list, p, deviation);
     }
     mpq_clear(entry);
     fmpq_clear(deviation);
@@ -122,7 +122,7 @@ static void put_keyframes(text *t, const pose_list *list) {
     text_put(t, "]}\n");
 }
 
-static void put_entry(text *t, const fmpq *from, const fmpq *to) {
+static void put_interpolated(text *t, const fmpq *from, const fmpq *to) {
     fmpq_t step;
     fmpq_init(step);
     fmpq_sub(step, to, from);
@@ -144,7 +144,7 @@ static void put_matrices(text *t, const pose_list *list) {
         text_put(t, "\"], \"transform\": {\"matrix\": [\n");
         for (int k = 0; k < 12; k++) {
             text_put(t, k % 4 ? "\", \"" : "  [\"");
-            put_entry(t, p[0].matrix + k, p[1].matrix + k);
+            put_interpolated(t, p[0].matrix + k, p[1].matrix + k);
             text_put(t, k % 4 < 3 ? "" : k < 11 ? "\"],\n" : "\"]]}}");
         }
         text_put(t, i + 2 < list->count ? ",\n" : "\n");

@@ -57,8 +57,8 @@ void pose_nearest(double out[4], const double matrix[9], const double before[4])
 }
 
 /* out = (2 (a b + sign c d)) / norm */
-static void twice(fmpq_t out, const fmpq *a, const fmpq *b, int sign, const fmpq *c, const fmpq *d,
-                  const fmpq_t norm) {
+static void matrix_entry(fmpq_t out, const fmpq *a, const fmpq *b, int sign, const fmpq *c,
+                         const fmpq *d, const fmpq_t norm) {
     fmpq_mul(out, a, b);
     if (sign > 0)
         fmpq_addmul(out, c, d);
@@ -80,11 +80,11 @@ void pose_deviation(fmpq_t out, const pose *p) {
         for (int j = 0; j < 3; j++) {
             int k = 3 - i - j;
             if (i == j) {
-                twice(entry, q, q, 1, q + 1 + i, q + 1 + i, norm);
+                matrix_entry(entry, q, q, 1, q + 1 + i, q + 1 + i, norm);
                 fmpq_sub_si(entry, entry, 1);
             } else {
-                twice(entry, q + 1 + i, q + 1 + j, (j - i + 3) % 3 == 1 ? -1 : 1, q, q + 1 + k,
-                      norm);
+                matrix_entry(entry, q + 1 + i, q + 1 + j, (j - i + 3) % 3 == 1 ? -1 : 1, q,
+                             q + 1 + k, norm);
             }
             fmpq_sub(entry, entry, p->matrix + 4 * i + j);
             fmpq_abs(entry, entry);

@@ -42,7 +42,7 @@ static graze_status whole(const reading *r, int first, int count, int *some) {
     return found && found < count ? misses(r, names[missing]) : GRAZE_OK;
 }
 
-static graze_status read_name(reading *r, field name) {
+static graze_status read_column_name(reading *r, field name) {
     int k = 0;
     while (k < COLUMNS && !field_is(name, names[k]))
         k++;
@@ -64,7 +64,7 @@ static graze_status read_names(reading *r) {
     for (int k = 0; k < COLUMNS; k++)
         r->place[k] = -1;
     for (size_t k = 0; k < r->cut.count && !status; k++)
-        status = read_name(r, field_trimmed(r->cut.item[k]));
+        status = read_column_name(r, field_trimmed(r->cut.item[k]));
     if (status)
         return status;
     int positions = 0, quaternions = 0, matrices = 0, bottom = 0;
@@ -85,7 +85,7 @@ static graze_status read_names(reading *r) {
     return status;
 }
 
-static pose *append(reading *r) {
+static pose *append_pose(reading *r) {
     pose_list *list = r->list;
     if (list->count == r->capacity) {
         size_t capacity = r->capacity ? 2 * r->capacity : 64;
@@ -117,7 +117,7 @@ static fmpq *target_of(pose *p, int column) {
     return column < MATRIX + 12 ? p->matrix + (column - MATRIX) : NULL;
 }
 
-static graze_status read_value(const reading *r, pose *p, int column) {
+static graze_status read_pose_value(const reading *r, pose *p, int column) {
     field one = field_trimmed(r->cut.item[r->place[column]]);
     fmpq_t value;
     fmpq_init(value);
@@ -144,13 +144,13 @@ static graze_status read_pose(reading *r) {
                             "%s:%lu: the row has %zu fields; expected %d, as many as there are "
                             "names",
                             r->list->source, r->line, r->cut.count, r->columns);
-    pose *p = append(r);
+    pose *p = append_pose(r);
     if (!p)
         return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
     graze_status status = GRAZE_OK;
     for (int k = 0; k < COLUMNS && !status; k++)
         if (r->place[k] >= 0)
-            status = read_value(r, p, k);
+            status = read_pose_value(r, p, k);
     if (!status && r->list->count > 1 && fmpq_cmp(p[-1].time, p->time) >= 0)
         status = context_fail(r->context, GRAZE_EINPUT,
                               "%s:%lu: the time is not after that of line %lu; right are "

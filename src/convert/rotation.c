@@ -26,7 +26,7 @@ static void put_axis(text *t, const joint *j, int dimension) {
     text_put(t, "}}");
 }
 
-static void put_piece(text *t, const fmpq_t from, const fmpq_t to) {
+static void put_rotation(text *t, const fmpq_t from, const fmpq_t to) {
     text_put(t, " {\"t\": [\"");
     text_rational(t, from);
     text_put(t, "\", \"");
@@ -46,13 +46,13 @@ static void put_pieces(text *t, const joint *j, int dimension, const fmpz_t quar
     if (whole) {
         fmpq_set_si(at, 90 * whole, 1);
         fmpq_div(at, at, j->degrees);
-        put_piece(t, zero, at);
+        put_rotation(t, zero, at);
         text_format(t, "{\"turn\": {\"quarters\": %ld", whole);
         put_axis(t, j, dimension);
         text_put(t, fmpq_is_one(at) ? "}" : "},\n");
     }
     if (!fmpq_is_one(at)) {
-        put_piece(t, at, one);
+        put_rotation(t, at, one);
         if (whole) {
             text_format(t, "{\"compose\": [\n   {\"rotate\": {\"tan_half\": \"%d\", \"times\": %ld",
                         whole > 0 ? 1 : -1, whole > 0 ? whole : -whole);
@@ -113,8 +113,8 @@ static void find_tangent(half_angle *out, mpfr_t error, const joint *j, const ta
     fmpq_clear(f);
 }
 
-static void report(text *t, const target *goal, const joint *j, const half_angle *made,
-                   const mpfr_t error) {
+static void report_turn(text *t, const target *goal, const joint *j, const half_angle *made,
+                        const mpfr_t error) {
     mpfr_t off;
     mpfr_init2(off, ANGLE_BITS);
     text_put(t, "a turn by ");
@@ -154,7 +154,7 @@ static graze_status by_chain(conversion *out, graze_context *context, const targ
     text_put(&out->motion, "{\"dimension\": 3,\n\"pieces\": [\n");
     chain_pieces(&out->motion, goal, turn, &bits, 1, quarters_above(context, turn));
     text_put(&out->motion, "\n]}\n");
-    report(&out->report, goal, turn, &end, error);
+    report_turn(&out->report, goal, turn, &end, error);
     mpfr_clear(error);
     half_angle_clear(&end);
     fmpq_clear(f);
@@ -196,7 +196,7 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
     else
         put_quaternion(&out->motion, turn, tangent.c);
     text_put(&out->motion, "\n]}\n");
-    report(&out->report, goal, turn, &tangent, error);
+    report_turn(&out->report, goal, turn, &tangent, error);
     mpfr_clear(error);
     half_angle_clear(&tangent);
     fmpz_clear(whole);

@@ -118,7 +118,7 @@ static void advance_error(mpfr_t out, const joint *j, slong bits) {
 }
 
 /* `low + step s`, in parentheses. */
-static void put_line(text *t, const fmpq_t low, const fmpq_t high) {
+static void put_linear(text *t, const fmpq_t low, const fmpq_t high) {
     fmpq_t step;
     fmpq_init(step);
     fmpq_sub(step, high, low);
@@ -134,23 +134,23 @@ static void put_turn(text *t, const joint *j, int dimension, const half_angle *f
                      const half_angle *to) {
     if (dimension == 2) {
         text_put(t, "{\"rotate\": {\"tan_half\": \"");
-        put_line(t, from->c, to->c);
+        put_linear(t, from->c, to->c);
         text_put(t, "/");
-        put_line(t, from->w, to->w);
+        put_linear(t, from->w, to->w);
         text_put(t, "\"");
         put_center(t, j, 2);
         text_put(t, "}}");
         return;
     }
     text_put(t, "{\"quaternion\": [\"");
-    put_line(t, from->w, to->w);
+    put_linear(t, from->w, to->w);
     for (int k = 0; k < 3; k++) {
         text_put(t, "\", \"");
         if (fmpq_is_zero(j->axis + k)) {
             text_put(t, "0");
             continue;
         }
-        put_line(t, from->c, to->c);
+        put_linear(t, from->c, to->c);
         if (fmpq_is_one(j->axis + k))
             continue;
         text_put(t, "*(");
@@ -244,8 +244,9 @@ static int exceeds(const mpfr_t error, const fmpq_t tolerance) {
 }
 
 /* Double the pieces until the error is small enough. */
-static graze_status cut(unsigned long *pieces, mpfr_t error, mpfr_t *angles, graze_context *context,
-                        const target *goal, const joint *joints, const slong *bits, size_t count) {
+static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, mpfr_t *angles,
+                                  graze_context *context, const target *goal, const joint *joints,
+                                  const slong *bits, size_t count) {
     *pieces = 1;
     for (size_t i = 0; i < count; i++) {
         unsigned long need = joints[i].is_slide ? 1 : quarters_above(context, joints + i);
@@ -266,8 +267,8 @@ static graze_status cut(unsigned long *pieces, mpfr_t error, mpfr_t *angles, gra
     }
 }
 
-static void report(text *t, const target *goal, const joint *joints, mpfr_t *angles,
-                   const mpfr_t error, size_t count, unsigned long pieces) {
+static void report_joints(text *t, const target *goal, const joint *joints, mpfr_t *angles,
+                          const mpfr_t error, size_t count, unsigned long pieces) {
     text_format(t, "pieces: %lu\n", pieces);
     for (size_t i = 0; i < count; i++) {
         if (joints[i].is_slide) {
@@ -299,12 +300,12 @@ graze_status convert_joints(conversion *out, graze_context *context, const targe
     for (size_t i = 0; i < count && !status; i++)
         status = joint_bits(bits + i, context, joints + i, goal, count);
     if (!status)
-        status = cut(&pieces, error, angles, context, goal, joints, bits, count);
+        status = refine_pieces(&pieces, error, angles, context, goal, joints, bits, count);
     if (!status) {
         text_format(&out->motion, "{\"dimension\": %d,\n\"pieces\": [\n", goal->dimension);
         chain_pieces(&out->motion, goal, joints, bits, count, pieces);
         text_put(&out->motion, "\n]}\n");
-        report(&out->report, goal, joints, angles, error, count, pieces);
+        report_joints(&out->report, goal, joints, angles, error, count, pieces);
     }
     for (size_t i = 0; i < count && angles; i++)
         mpfr_clear(angles[i]);

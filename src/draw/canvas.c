@@ -35,7 +35,7 @@ static graze_status write_file(graze_context *context, const char *file, const t
     return GRAZE_OK;
 }
 
-static int put(void *to, const char *data, size_t length) {
+static int append_bytes(void *to, const char *data, size_t length) {
     text *bytes = to;
     text_bytes(bytes, data, length);
     return !bytes->failed;
@@ -48,7 +48,7 @@ graze_status canvas_finish(canvas *c, graze_context *context, const char *file, 
     text bytes;
     text_init(&bytes);
     if (write) {
-        c->kind->finish(c, put, &bytes);
+        c->kind->finish(c, append_bytes, &bytes);
         status = c->failed || bytes.failed
                      ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture")
                      : write_file(context, file, &bytes);

@@ -125,7 +125,8 @@ extent cells_extent(const cells *c) {
     return e;
 }
 
-static void add_run(path *out, const cells *c, const panel *p, size_t i, size_t j, size_t length) {
+static void add_rectangle(path *out, const cells *c, const panel *p, size_t i, size_t j,
+                          size_t length) {
     double cell_x = p->width / (double)c->count[0], cell_y = p->height / (double)c->count[1];
     double x = p->x + (double)i * cell_x, y = p->y + p->height - (double)(j + 1) * cell_y;
     path_to(out, 'M', x, y);
@@ -142,7 +143,7 @@ void cells_path(path *out, const cells *c, const panel *p, tone t) {
             for (from = i; i < c->count[0] && row[i] == t;)
                 i++;
             if (i > from)
-                add_run(out, c, p, from, j, i - from);
+                add_rectangle(out, c, p, from, j, i - from);
             else
                 i++;
         }

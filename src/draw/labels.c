@@ -13,7 +13,7 @@ void labels_clear(labels *l) {
     *l = (labels){NULL, 0, 0, 0, 0};
 }
 
-static void add(labels *l, obstacle o) {
+static void add_label(labels *l, obstacle o) {
     if (!l->failed)
         l->failed = !array_reserve(&l->item, &l->capacity, l->count + 1, sizeof *l->item);
     if (!l->failed)
@@ -21,7 +21,7 @@ static void add(labels *l, obstacle o) {
 }
 
 void labels_avoid(labels *l, double x, double y, double radius) {
-    add(l, (obstacle){x - radius, y - radius, 2 * radius, 2 * radius, 0});
+    add_label(l, (obstacle){x - radius, y - radius, 2 * radius, 2 * radius, 0});
 }
 
 /* Small squares along the line, so that a slanting one does not keep its whole box free. */
@@ -128,7 +128,7 @@ int labels_place(labels *l, canvas *c, const panel *p, place at, const char *nam
     leader line = leader_to(at.x, at.y, &best);
     draw_leader(l, c, &line, at.sign);
     canvas_text(c, best.x, best.y + 10.5, &letters, name);
-    add(l, best);
+    add_label(l, best);
     c->failed |= l->failed;
     return 1;
 }

@@ -70,7 +70,7 @@ static void put_heading(writer *w, const char *text) {
         canvas_text(w->canvas, w->x, w->y, &heading, text);
 }
 
-static void put_entry(writer *w, const char *text) {
+static void put_legend_entry(writer *w, const char *text) {
     const lettering plain = {.size = 12};
     w->y += LINE;
     if (w->canvas)
@@ -80,7 +80,7 @@ static void put_entry(writer *w, const char *text) {
 static void put_swatch(writer *w, tone t) {
     const style area = {
         .fill = PAINT(tone_colour(t)), .stroke = PAINT(0x888888), .width = 1, .crisp = 1};
-    put_entry(w, tone_name(t));
+    put_legend_entry(w, tone_name(t));
     if (!w->canvas)
         return;
     path box = {NULL, 0, 0, 0};
@@ -93,8 +93,8 @@ static void put_swatch(writer *w, tone t) {
     path_clear(&box);
 }
 
-static void put_line(writer *w, const style *s, const char *text) {
-    put_entry(w, text);
+static void put_legend_line(writer *w, const style *s, const char *text) {
+    put_legend_entry(w, text);
     if (!w->canvas)
         return;
     path line = {NULL, 0, 0, 0};
@@ -116,42 +116,42 @@ static void put_contacts(writer *w, const legend *l) {
                 continue;
             if (!some++)
                 put_heading(w, "Contacts");
-            put_entry(w, names[kind][cell]);
+            put_legend_entry(w, names[kind][cell]);
             if (w->canvas)
                 mark_contact(w->canvas, w->x + 13, w->y - 4, (graze_kind)kind,
                              (graze_cell_kind)cell);
         }
 }
 
-static void put_all(writer *w, const legend *l) {
+static void put_legend(writer *w, const legend *l) {
     int unsweep = l->tones[TONE_IN] || l->tones[TONE_ON] || l->tones[TONE_OUT];
     put_heading(w, unsweep ? "Unsweep" : "Class");
     for (int t = TONE_REGULAR; t < TONE_COUNT; t++)
         if (l->tones[t])
             put_swatch(w, (tone)t);
     put_heading(w, "Positions of S");
-    put_line(w, &outline_start, "at the start");
-    put_line(w, &outline_between, "between");
-    put_line(w, &outline_end, "at the end");
+    put_legend_line(w, &outline_start, "at the start");
+    put_legend_line(w, &outline_between, "between");
+    put_legend_line(w, &outline_end, "at the end");
     if (l->plane)
-        put_line(w, &outline_plane, "plane of the cells");
+        put_legend_line(w, &outline_plane, "plane of the cells");
     if (l->trails) {
         put_heading(w, "Trajectories");
-        put_line(w, &trail_outside, "outside S");
-        put_line(w, &trail_inside, "inside S");
+        put_legend_line(w, &trail_outside, "outside S");
+        put_legend_line(w, &trail_inside, "inside S");
         if (l->slides)
-            put_line(w, &trail_sliding, "sliding on S");
+            put_legend_line(w, &trail_sliding, "sliding on S");
     }
     put_contacts(w, l);
 }
 
 void legend_draw(canvas *c, const legend *l, double x, double y) {
     writer w = {c, x, y - LINE * 1.2 + 10};
-    put_all(&w, l);
+    put_legend(&w, l);
 }
 
 double legend_height(const legend *l) {
     writer w = {NULL, 0, 0};
-    put_all(&w, l);
+    put_legend(&w, l);
     return w.y;
 }

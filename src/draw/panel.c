@@ -17,7 +17,7 @@ projection projection_of_axes(int horizontal, int vertical) {
     return p;
 }
 
-static void cross(double out[3], const double a[3], const double b[3]) {
+static void cross_product(double out[3], const double a[3], const double b[3]) {
     for (int k = 0; k < 3; k++)
         out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
@@ -41,9 +41,9 @@ projection projection_from(const double from[3]) {
         up[1] = 1;
         up[2] = 0;
     }
-    cross(p.row[0], up, toward);
+    cross_product(p.row[0], up, toward);
     normalise(p.row[0]);
-    cross(p.row[1], toward, p.row[0]);
+    cross_product(p.row[1], toward, p.row[0]);
     return p;
 }
 

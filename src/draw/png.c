@@ -21,7 +21,7 @@ static graze_status check_room(graze_context *context) {
 }
 
 /* The shared object stays loaded until the process ends. */
-static graze_status load(canvas *(**create)(double, double), graze_context *context) {
+static graze_status load_library(canvas *(**create)(double, double), graze_context *context) {
     graze_status status = check_room(context);
     if (status)
         return status;
@@ -40,12 +40,12 @@ static graze_status load(canvas *(**create)(double, double), graze_context *cont
 
 graze_status canvas_check_png(graze_context *context) {
     canvas *(*create)(double, double);
-    return load(&create, context);
+    return load_library(&create, context);
 }
 
 graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height) {
     canvas *(*create)(double, double);
-    graze_status status = load(&create, context);
+    graze_status status = load_library(&create, context);
     if (status)
         return status;
     *out = create(width, height);

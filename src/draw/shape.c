@@ -90,7 +90,7 @@ void shape_rings(path *out, const shape *s, const panel *p) {
 }
 
 /* The point in which the line through two vertices meets the plane, one being above it. */
-static void meet(double out[3], const double *a, const double *b, int axis, double place) {
+static void meet_plane(double out[3], const double *a, const double *b, int axis, double place) {
     double share = (place - a[axis]) / (b[axis] - a[axis]);
     for (int k = 0; k < 3; k++)
         out[k] = a[k] + share * (b[k] - a[k]);
@@ -107,7 +107,7 @@ void shape_slice(path *out, const shape *s, const panel *p, int axis, double pla
             double end[3], x, y;
             if ((a[axis] >= place) == (b[axis] >= place))
                 continue;
-            meet(end, a, b, axis, place);
+            meet_plane(end, a, b, axis, place);
             panel_map(&x, &y, p, end);
             path_to(out, ends++ ? 'L' : 'M', x, y);
         }

@@ -35,7 +35,7 @@ static void put_hundredths(text *t, long value) {
         text_format(t, size % 10 ? ".%02lu" : ".%lu", size % 10 ? size % 100 : size % 100 / 10);
 }
 
-static void put_number(text *t, const char *before, double value) {
+static void put_pixels(text *t, const char *before, double value) {
     text_put(t, before);
     put_hundredths(t, hundredths(value));
 }
@@ -67,22 +67,22 @@ static void put_style(text *t, const style *s) {
         text_put(t, " fill=\"none\"");
     if (s->stroke) {
         text_format(t, " stroke=\"#%06x\"", s->stroke & 0xffffff);
-        put_number(t, " stroke-width=\"", s->width);
+        put_pixels(t, " stroke-width=\"", s->width);
         text_put(t, "\" stroke-linejoin=\"round\"");
     }
     if (s->stroke && s->dash > 0) {
-        put_number(t, " stroke-dasharray=\"", s->dash);
+        put_pixels(t, " stroke-dasharray=\"", s->dash);
         text_put(t, "\"");
     }
     if (s->faintness > 0) {
-        put_number(t, " opacity=\"", 1 - s->faintness);
+        put_pixels(t, " opacity=\"", 1 - s->faintness);
         text_put(t, "\"");
     }
     if (s->crisp)
         text_put(t, " shape-rendering=\"crispEdges\"");
 }
 
-static void begin(canvas *c, const char *name, const char *attributes) {
+static void svg_begin(canvas *c, const char *name, const char *attributes) {
     text *t = out_of(c);
     text_put(t, "<g class=\"");
     text_put(t, name);
@@ -94,18 +94,18 @@ static void begin(canvas *c, const char *name, const char *attributes) {
     text_put(t, ">\n");
 }
 
-static void end(canvas *c) {
+static void svg_end(canvas *c) {
     text_put(out_of(c), "</g>\n");
 }
 
-static void clip(canvas *c, double x, double y, double width, double height) {
+static void svg_clip(canvas *c, double x, double y, double width, double height) {
     text *t = out_of(c);
     unsigned number = ++((svg_canvas *)c)->clips;
     text_format(t, "<clipPath id=\"clip%u\"><rect", number);
-    put_number(t, " x=\"", x);
-    put_number(t, "\" y=\"", y);
-    put_number(t, "\" width=\"", width);
-    put_number(t, "\" height=\"", height);
+    put_pixels(t, " x=\"", x);
+    put_pixels(t, "\" y=\"", y);
+    put_pixels(t, "\" width=\"", width);
+    put_pixels(t, "\" height=\"", height);
     text_format(t, "\"/></clipPath>\n<g clip-path=\"url(#clip%u)\">\n", number);
 }
 
@@ -136,7 +136,7 @@ static void put_nodes(text *t, const path *p) {
     }
 }
 
-static void draw_path(canvas *c, const path *p, const style *s, const char *name) {
+static void svg_path(canvas *c, const path *p, const style *s, const char *name) {
     text *t = out_of(c);
     text_put(t, "<path");
     if (name) {
@@ -152,22 +152,22 @@ static void draw_path(canvas *c, const path *p, const style *s, const char *name
     text_put(t, "\"/>\n");
 }
 
-static void draw_circle(canvas *c, double x, double y, double radius, const style *s) {
+static void svg_circle(canvas *c, double x, double y, double radius, const style *s) {
     text *t = out_of(c);
-    put_number(t, "<circle cx=\"", x);
-    put_number(t, "\" cy=\"", y);
-    put_number(t, "\" r=\"", radius);
+    put_pixels(t, "<circle cx=\"", x);
+    put_pixels(t, "\" cy=\"", y);
+    put_pixels(t, "\" r=\"", radius);
     text_put(t, "\"");
     put_style(t, s);
     text_put(t, "/>\n");
 }
 
-static void draw_text(canvas *c, double x, double y, const lettering *l, const char *string) {
+static void svg_text(canvas *c, double x, double y, const lettering *l, const char *string) {
     static const char *const anchors[] = {"start", "middle", "end"};
     text *t = out_of(c);
-    put_number(t, "<text x=\"", x);
-    put_number(t, "\" y=\"", y);
-    put_number(t, "\" font-size=\"", l->size);
+    put_pixels(t, "<text x=\"", x);
+    put_pixels(t, "\" y=\"", y);
+    put_pixels(t, "\" font-size=\"", l->size);
     text_format(t, "\" text-anchor=\"%s\"", anchors[l->anchor]);
     text_put(t, l->bold ? " font-weight=\"bold\"" : "");
     if (l->halo)
@@ -178,19 +178,19 @@ static void draw_text(canvas *c, double x, double y, const lettering *l, const c
     text_put(t, "</text>\n");
 }
 
-static void finish(canvas *c, canvas_put *put, void *to) {
+static void svg_finish(canvas *c, canvas_put *put, void *to) {
     text *t = out_of(c);
     text_put(t, "</svg>\n");
     c->failed |= t->failed || !put(to, t->data, t->length);
 }
 
-static void destroy(canvas *c) {
+static void svg_destroy(canvas *c) {
     text_clear(out_of(c));
     free(c);
 }
 
-static const canvas_kind svg_kind = {begin,       end,       clip,   end,    draw_path,
-                                     draw_circle, draw_text, finish, destroy};
+static const canvas_kind svg_kind = {svg_begin,  svg_end,  svg_clip,   svg_end,    svg_path,
+                                     svg_circle, svg_text, svg_finish, svg_destroy};
 
 graze_status canvas_create_svg(canvas **out, graze_context *context, double width, double height) {
     svg_canvas *c = calloc(1, sizeof *c);
@@ -198,13 +198,13 @@ graze_status canvas_create_svg(canvas **out, graze_context *context, double widt
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
     c->base = (canvas){&svg_kind, width, height, 0};
     text *t = &c->out;
-    put_number(t, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width);
-    put_number(t, "\" height=\"", height);
-    put_number(t, "\" viewBox=\"0 0 ", width);
-    put_number(t, " ", height);
+    put_pixels(t, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width);
+    put_pixels(t, "\" height=\"", height);
+    put_pixels(t, "\" viewBox=\"0 0 ", width);
+    put_pixels(t, " ", height);
     text_format(t, "\" font-family=\"DejaVu Sans, Verdana, sans-serif\" fill=\"#%06x\">\n", INK);
-    put_number(t, "<rect width=\"", width);
-    put_number(t, "\" height=\"", height);
+    put_pixels(t, "<rect width=\"", width);
+    put_pixels(t, "\" height=\"", height);
     text_put(t, "\" fill=\"#ffffff\"/>\n");
     *out = &c->base;
     return GRAZE_OK;

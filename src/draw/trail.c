@@ -88,7 +88,7 @@ static void follow(follower *f, size_t piece, double a, const double at_a[3], do
     add_place(f, at_b);
 }
 
-static void add_span(follower *f, graze_state state, moment from, moment to) {
+static void add_trail_span(follower *f, graze_state state, moment from, moment to) {
     trail *c = f->out;
     double at[3], next[3];
     trail_span *span = &c->span[c->span_count++];
@@ -145,14 +145,14 @@ static void follow_word(follower *f, const graze_trace *trace, size_t piece_coun
         if (*letter == GRAZE_STATE_B) {
             const contact *met = &trace->contact[contacts++];
             moment from = moment_of(met->from), to = moment_of(met->to);
-            add_span(f, GRAZE_STATE_B, from, to);
+            add_trail_span(f, GRAZE_STATE_B, from, to);
             if (!f->failed)
                 add_contact(f, met);
             now = to;
         } else {
             moment to =
                 contacts < trace->contact_count ? moment_of(trace->contact[contacts].from) : end;
-            add_span(f, (graze_state)*letter, now, to);
+            add_trail_span(f, (graze_state)*letter, now, to);
             now = to;
         }
     }

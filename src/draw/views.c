@@ -141,7 +141,7 @@ static int is_in_plane(const picture *p, size_t point) {
            fmpq_equal(p->request->points + point * 3 + (size_t)axis, p->cells.low + axis);
 }
 
-static int is_inside(const panel *p, double x, double y) {
+static int is_in_window(const panel *p, double x, double y) {
     return x >= p->x && y >= p->y && x <= p->x + p->width && y <= p->y + p->height;
 }
 
@@ -152,7 +152,7 @@ static void draw_points(canvas *c, const picture *p, const panel *at, int plane_
         for (size_t k = 0; k < p->request->point_count; k++) {
             double x, y;
             panel_map(&x, &y, at, p->points + 3 * k);
-            if ((plane_only && !is_in_plane(p, k)) || !is_inside(at, x, y))
+            if ((plane_only && !is_in_plane(p, k)) || !is_in_window(at, x, y))
                 continue;
             if (pass) {
                 place here = {x, y, MARK_RADIUS, REACH_FAR};
@@ -275,7 +275,7 @@ static seen_part see_trail(const panel *at, const trail *from, double until) {
     if (from->place_count && !out.any) {
         out.start[0] = last[0];
         out.start[1] = last[1];
-        out.any = is_inside(at, last[0], last[1]);
+        out.any = is_in_window(at, last[0], last[1]);
     }
     return out;
 }
@@ -316,7 +316,7 @@ static void draw_contacts(canvas *c, const panel *at, const trail *from, labels 
         const trail_contact *met = &from->contact[k];
         double x, y;
         panel_map(&x, &y, at, met->at);
-        if (!is_inside(at, x, y))
+        if (!is_in_window(at, x, y))
             continue;
         mark_contact(c, x, y, met->kind, met->cell);
         labels_avoid(names, x, y, MARK_RADIUS);
@@ -327,7 +327,7 @@ static void draw_contacts(canvas *c, const panel *at, const trail *from, labels 
 static void draw_start(canvas *c, const panel *at, const trail *from, labels *names) {
     double x, y;
     panel_map(&x, &y, at, from->at);
-    if (!is_inside(at, x, y))
+    if (!is_in_window(at, x, y))
         return;
     mark_point(c, x, y, MARK_LARGE, from->tone);
     labels_avoid(names, x, y, MARK_LARGE);
@@ -342,7 +342,7 @@ static void name_trail(canvas *c, const panel *at, const trail *from, const char
     seen_part seen = see_trail(at, from, INFINITY);
     double x, y;
     panel_map(&x, &y, at, from->at);
-    int placed = !seen.any, starts = is_inside(at, x, y);
+    int placed = !seen.any, starts = is_in_window(at, x, y);
     for (int k = 0; k < 10 && !placed; k++) {
         seen_part along = see_trail(at, from, shares[k % 5] * seen.length);
         const double *spot = k % 5 ? along.place : seen.start;

@@ -26,7 +26,7 @@ static slong weight_exponent(const fmpz *weight, slong degree) {
 
 /* c 2^-exponent; sets *fits to 0 if it is too large. Too small becomes 0, which the filter's floor
  * covers. */
-static double scaled(const fmpz_t c, slong exponent, int *fits) {
+static double scale_coefficient(const fmpz_t c, slong exponent, int *fits) {
     slong e;
     double m = fmpz_get_d_2exp(&e, c);
     e -= exponent;
@@ -39,7 +39,7 @@ static double scaled(const fmpz_t c, slong exponent, int *fits) {
     return ldexp(m, (int)e);
 }
 
-static void convert(carrier *out, const point_map *map) {
+static void convert_map(carrier *out, const point_map *map) {
     int entries = map->dimension * (map->dimension + 1);
     slong n = out->degree + 1, exponent;
     fmpz *c = _fmpz_vec_init(n);
@@ -51,7 +51,7 @@ static void convert(carrier *out, const point_map *map) {
     for (int j = 0; j <= entries; j++) {
         bernstein_from_poly(c, j < entries ? &map->entry[j] : map->weight, out->degree, &unit);
         for (slong k = 0; k < n; k++)
-            out->entry[j * n + k] = scaled(c + k, exponent, &out->usable);
+            out->entry[j * n + k] = scale_coefficient(c + k, exponent, &out->usable);
     }
     out->weight = out->entry + entries * n;
     dyadic_interval_clear(&unit);
@@ -69,7 +69,7 @@ int carrier_make(carrier *out, const point_map *map) {
     out->entry = malloc((entries + 1) * (size_t)(degree + 1) * sizeof *out->entry);
     if (!out->entry)
         return 0;
-    convert(out, map);
+    convert_map(out, map);
     return 1;
 }
 

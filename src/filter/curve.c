@@ -35,7 +35,7 @@ const double *curve_coefficients(const curve *c, const span *piece, int i) {
 }
 
 /* Room for two more spans; 0 if there is no memory. */
-static int reserve(curve *c) {
+static int reserve_halves(curve *c) {
     size_t count = c->count + 2;
     if (!array_reserve(&c->spans, &c->capacity, count, sizeof *c->spans) ||
         !array_reserve(&c->coefficients, &c->room, count * c->stride, sizeof *c->coefficients))
@@ -128,19 +128,19 @@ static int finish_curve(curve *c, const double *error) {
     return largest <= 0x1p410;
 }
 
-static int begin(curve *c, int dimension, int degree, const corners *corners) {
+static int begin_curve(curve *c, int dimension, int degree, const corners *corners) {
     c->dimension = dimension;
     c->degree = degree;
     c->corners = corners;
     c->stride = (size_t)(dimension + 1) * (size_t)(degree + 1);
     c->count = 0;
-    return reserve(c);
+    return reserve_halves(c);
 }
 
 int curve_set(curve *c, const carrier *map, const filter_point *point, const corners *corners) {
     int d = map->dimension, n = map->degree;
     double error[4];
-    if (!map->usable || !begin(c, d, n, corners))
+    if (!map->usable || !begin_curve(c, d, n, corners))
         return 0;
     for (int j = 0; j < d; j++)
         if (!(fabs(point->at[j]) <= CARRIER_REACH))
@@ -169,7 +169,7 @@ int curve_set(curve *c, const carrier *map, const filter_point *point, const cor
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
                       const double *direction, const corners *corners) {
     double e[4];
-    if (!begin(c, dimension, 1, corners))
+    if (!begin_curve(c, dimension, 1, corners))
         return 0;
     for (int i = 0; i <= dimension; i++) {
         double *x = c->coefficients + 2 * i;
@@ -182,7 +182,7 @@ int curve_set_segment(curve *c, int dimension, const double *at, const double *e
 }
 
 /* Averages of neighbours, level after level: one rounding each. */
-static void halve(double *left, double *right, const double *x, int n) {
+static void halve_coefficients(double *left, double *right, const double *x, int n) {
     for (int k = 0; k <= n; k++)
         right[k] = x[k];
     left[0] = x[0];
@@ -196,14 +196,14 @@ static void halve(double *left, double *right, const double *x, int n) {
 int curve_cut(curve *c, uint32_t index) {
     if (c->spans[index].child)
         return 1;
-    if (c->count > MOST_SPANS || !reserve(c))
+    if (c->count > MOST_SPANS || !reserve_halves(c))
         return 0;
     int d = c->dimension, n = c->degree;
     double error[4];
     uint32_t child = (uint32_t)c->count;
     span *whole = &c->spans[index];
     for (int i = 0; i <= d; i++) {
-        halve(c->coefficients + child * c->stride + (size_t)(i * (n + 1)),
+        halve_coefficients(c->coefficients + child * c->stride + (size_t)(i * (n + 1)),
               c->coefficients + (child + 1) * c->stride + (size_t)(i * (n + 1)),
               curve_coefficients(c, whole, i), n);
         error[i] = whole->error[i] + (n + 1) * U * c->size[i];

@@ -50,7 +50,7 @@ filter_workspace *filter_workspace_of(graze_context *context) {
     return context->workspace;
 }
 
-static int compare_candidates(const void *left, const void *right) {
+static int compare_by_time(const void *left, const void *right) {
     const candidate *a = left, *b = right;
     if (a->from != b->from)
         return a->from < b->from ? -1 : 1;
@@ -66,7 +66,7 @@ static int compare_crossings(const void *left, const void *right) {
 static int unite_windows(findings *found) {
     found->window_count = 0;
     if (found->asked.count)
-        qsort(found->asked.item, found->asked.count, sizeof *found->asked.item, compare_candidates);
+        qsort(found->asked.item, found->asked.count, sizeof *found->asked.item, compare_by_time);
     for (size_t k = 0; k < found->asked.count; k++) {
         const candidate *next = &found->asked.item[k];
         exact_window *last = found->window_count ? &found->window[found->window_count - 1] : NULL;

@@ -34,7 +34,7 @@ static crossing whole_crossing(uint32_t simplex, const span *piece, const meet_w
                       start + ldexp(w->high, -piece->level) + 0x1p-51, simplex, w->enters};
 }
 
-static void descend(searcher *s, uint32_t node, uint32_t span_index);
+static void descend_curve(searcher *s, uint32_t node, uint32_t span_index);
 
 static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
     if (!curve_cut(s->curve, span_index)) {
@@ -42,8 +42,8 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
         return 0;
     }
     uint32_t half = s->curve->spans[span_index].child;
-    descend(s, node, half);
-    descend(s, node, half + 1);
+    descend_curve(s, node, half);
+    descend_curve(s, node, half + 1);
     return 1;
 }
 
@@ -65,17 +65,13 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     s->failed |= !kept;
 }
 
-static double extent(const box *b) {
-    return fmax(b->high[0] - b->low[0], fmax(b->high[1] - b->low[1], b->high[2] - b->low[2]));
-}
-
-static void descend(searcher *s, uint32_t node, uint32_t span_index) {
+static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
     for (;;) {
         const span *piece = &s->curve->spans[span_index];
         const tree_node *here = &s->solid->boxes.node[node];
         if (s->failed || flip(FLIP_BOX, !span_meets(piece, &here->box)))
             return;
-        if (!piece->bounded || 2 * piece->bend > extent(&here->box)) {
+        if (!piece->bounded || 2 * piece->bend > box_extent(&here->box)) {
             if (piece->level < BOX_LEVELS) {
                 cut_and_descend(s, node, span_index);
                 return;
@@ -86,7 +82,7 @@ static void descend(searcher *s, uint32_t node, uint32_t span_index) {
             meet_leaf(s, node, span_index);
             return;
         }
-        descend(s, here->child, span_index);
+        descend_curve(s, here->child, span_index);
         node = here->child + 1;
     }
 }
@@ -94,6 +90,6 @@ static void descend(searcher *s, uint32_t node, uint32_t span_index) {
 int search_curve(findings *out, curve *c, const graze_solid *solid) {
     searcher s = {out, c, solid, 0};
     out->crossing_count = out->asked.count = out->window_count = 0;
-    descend(&s, 0, 0);
+    descend_curve(&s, 0, 0);
     return !s.failed;
 }

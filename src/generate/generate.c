@@ -52,7 +52,7 @@ static graze_status make_instants(struct graze_generator *g, graze_context *cont
 }
 
 /* The start of every piece, and the end of the last. */
-static graze_status make_joints(struct graze_generator *g, graze_context *context) {
+static graze_status list_joints(struct graze_generator *g, graze_context *context) {
     size_t pieces = g->scene->motion->piece_count;
     g->joints = malloc((pieces + 1) * sizeof *g->joints);
     if (!g->joints)
@@ -114,7 +114,7 @@ graze_status generator_make(struct graze_generator *out, graze_context *context,
     if (!status)
         status = specials_find(&out->special, context, scene);
     if (!status)
-        status = make_joints(out, context);
+        status = list_joints(out, context);
     if (!status)
         status = make_instants(out, context);
     return status ? status : try_strata(out, context);

@@ -59,7 +59,7 @@ static void normal_velocity(fmpz_poly_t out, const graze_scene *scene, size_t pi
     fmpz_poly_clear(row);
 }
 
-static graze_status append(specials *out, graze_context *context, const graze_scene *scene,
+static graze_status append_special(specials *out, graze_context *context, const graze_scene *scene,
                            size_t piece, const fmpq_t u, size_t simplex, int slides) {
     graze_status status = array_grow(context, &out->item, &out->capacity, out->count + 1,
                                      sizeof *out->item, "the special times");
@@ -73,7 +73,7 @@ static graze_status append(specials *out, graze_context *context, const graze_sc
 }
 
 /* The rational roots in (0, 1) of g, the common part of the vertices' normal velocities. */
-static graze_status append_roots(specials *out, graze_context *context, const graze_scene *scene,
+static graze_status append_common_roots(specials *out, graze_context *context, const graze_scene *scene,
                                  size_t piece, size_t simplex, const fmpz_poly_t g) {
     graze_status status = GRAZE_OK;
     fmpz_poly_factor_t factors;
@@ -87,7 +87,7 @@ static graze_status append_roots(specials *out, graze_context *context, const gr
         fmpq_set_fmpz_frac(u, factors->p[k].coeffs, factors->p[k].coeffs + 1);
         fmpq_neg(u, u);
         if (fmpq_sgn(u) > 0 && fmpq_cmp_ui(u, 1) < 0)
-            status = append(out, context, scene, piece, u, simplex, 0);
+            status = append_special(out, context, scene, piece, u, simplex, 0);
     }
     fmpz_poly_factor_clear(factors);
     fmpq_clear(u);
@@ -111,9 +111,9 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     }
     graze_status status = GRAZE_OK;
     if (fmpz_poly_is_zero(common))
-        status = append(out, context, scene, piece, half, simplex, 1);
+        status = append_special(out, context, scene, piece, half, simplex, 1);
     else if (fmpz_poly_degree(common) > 0 && fmpz_poly_degree(common) <= FACTORED_DEGREE)
-        status = append_roots(out, context, scene, piece, simplex, common);
+        status = append_common_roots(out, context, scene, piece, simplex, common);
     fmpz_poly_clear(common);
     fmpz_poly_clear(velocity);
     fmpq_clear(half);

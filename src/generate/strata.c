@@ -27,7 +27,7 @@ typedef struct touchpoint {
     fmpq y[3];
 } touchpoint;
 
-static const fmpq *corner(const struct graze_generator *g, size_t simplex, int k) {
+static const fmpq *simplex_corner(const struct graze_generator *g, size_t simplex, int k) {
     const graze_solid *solid = g->scene->solid;
     return solid->input.coordinates +
            solid->cut.item[simplex].vertex[k] * (size_t)solid->input.dimension;
@@ -39,7 +39,7 @@ static void combine(fmpq *y, const struct graze_generator *g, size_t simplex, co
     for (int i = 0; i < d; i++) {
         fmpq_zero(y + i);
         for (int k = 0; k < d; k++)
-            fmpq_addmul(y + i, weight + k, corner(g, simplex, k) + i);
+            fmpq_addmul(y + i, weight + k, simplex_corner(g, simplex, k) + i);
     }
 }
 
@@ -98,7 +98,7 @@ static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_
     for (int c = 0; c < d; c++) {
         fmpq_set_fmpz(out + c, form + d);
         for (int j = 0; j < d; j++) {
-            fmpq_mul_fmpz(term, corner(g, p->simplex, c) + j, form + j);
+            fmpq_mul_fmpz(term, simplex_corner(g, p->simplex, c) + j, form + j);
             fmpq_add(out + c, out + c, term);
         }
     }
@@ -237,8 +237,8 @@ static int draw_anywhere(touchpoint *p, const struct graze_generator *g, random_
 }
 
 /* A time and a body point for a stratum of contacts. */
-static int draw(touchpoint *p, const struct graze_generator *g, graze_stratum stratum,
-                random_stream *r) {
+static int draw_contact(touchpoint *p, const struct graze_generator *g, graze_stratum stratum,
+                        random_stream *r) {
     int d = g->scene->motion->dimension;
     p->when = &g->instants[random_below(r, g->instant_count)];
     p->simplex = random_below(r, g->scene->solid->cut.count);
@@ -358,7 +358,7 @@ static int try_contact(sample *out, const struct graze_generator *g, graze_strat
     touchpoint p = {.zero = 0};
     for (int i = 0; i < 3; i++)
         fmpq_init(p.y + i);
-    int made = draw(&p, g, stratum, r);
+    int made = draw_contact(&p, g, stratum, r);
     if (made) {
         instant_move(out->point, p.when, p.y);
         out->made.order = order_at(g, &p, out->point);

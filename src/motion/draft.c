@@ -21,7 +21,7 @@ void draft_clear(draft *d) {
     *d = (draft){.dimension = d->dimension};
 }
 
-static graze_status grow(graze_context *context, draft *d) {
+static graze_status grow_draft(graze_context *context, draft *d) {
     size_t first = d->capacity;
     graze_status status = array_grow(context, &d->piece, &d->capacity, d->count + 1,
                                      sizeof *d->piece, "the pieces of a motion");
@@ -39,7 +39,7 @@ graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
     }
     graze_status status = context_poll(context);
     if (status == GRAZE_OK) {
-        status = grow(context, d);
+        status = grow_draft(context, d);
     }
     if (status == GRAZE_OK) {
         *out = &d->piece[d->count++];
@@ -48,7 +48,7 @@ graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
 }
 
 /* The part of a piece's map over [lo, hi], in a parameter of its own. */
-static void cut(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
+static void cut_map(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
                 const fmpq_t hi) {
     fmpq_t span, low, high;
     fmpq_init(span);
@@ -83,10 +83,10 @@ static graze_status relative_piece(draft *out, graze_context *context, const dra
     affine_init(&inverse, out->dimension);
     fmpq_set(piece->lo, lo);
     fmpq_set(piece->hi, hi);
-    cut(&c, &part, frame, lo, hi);
+    cut_map(&c, &part, frame, lo, hi);
     if (c.status == GRAZE_OK) {
         affine_inverse(&c, &inverse, &part);
-        cut(&c, &part, moving, lo, hi);
+        cut_map(&c, &part, moving, lo, hi);
         affine_multiply(&c, &piece->map, &inverse, &part);
     }
     affine_clear(&inverse);

@@ -20,7 +20,7 @@ typedef struct parser {
 
 static void parse_sum(parser *p, fmpz_poly_q_t out);
 
-static int failed(const parser *p) {
+static int has_failed(const parser *p) {
     return p->calculation.status != GRAZE_OK;
 }
 
@@ -32,7 +32,7 @@ static void tell_place(parser *p, size_t place) {
                    p->text, p->length > SHOWN ? "..." : "", place + 1);
 }
 
-static void fail(parser *p, size_t place, const char *what) {
+static void fail_at(parser *p, size_t place, const char *what) {
     p->calculation.status = context_fail(p->calculation.context, GRAZE_EINPUT, "%s", what);
     tell_place(p, place);
 }
@@ -77,12 +77,12 @@ static size_t number_end(const parser *p, size_t place) {
     return place;
 }
 
-static void read_number(parser *p, fmpz_poly_q_t out, size_t end) {
+static void read_literal(parser *p, fmpz_poly_q_t out, size_t end) {
     fmpq_t value;
     fmpq_init(value);
     p->calculation.status =
         rational_parse(value, p->calculation.context, p->text + p->place, end - p->place);
-    if (failed(p)) {
+    if (has_failed(p)) {
         tell_place(p, p->place);
     } else {
         quotient_set_rational(out, value);
@@ -92,9 +92,9 @@ static void read_number(parser *p, fmpz_poly_q_t out, size_t end) {
     fmpq_clear(value);
 }
 
-static void read_name(parser *p, fmpz_poly_q_t out, const fmpz_poly_q_struct *value) {
+static void read_variable(parser *p, fmpz_poly_q_t out, const fmpz_poly_q_struct *value) {
     if (value == NULL) {
-        fail(p, p->place, "only a number is possible here, without t and s");
+        fail_at(p, p->place, "only a number is possible here, without t and s");
         return;
     }
     fmpz_poly_q_set(out, value);
@@ -111,11 +111,11 @@ static void parse_bracket(parser *p, fmpz_poly_q_t out) {
     }
     parse_sum(p, out);
     p->depth--;
-    if (failed(p)) {
+    if (has_failed(p)) {
         return;
     }
     if (peek(p) != ')') {
-        fail(p, opened, "this bracket is not closed where its contents end; a ) is expected");
+        fail_at(p, opened, "this bracket is not closed where its contents end; a ) is expected");
         return;
     }
     p->place++;
@@ -126,13 +126,13 @@ static void parse_primary(parser *p, fmpz_poly_q_t out) {
     if (c == '(') {
         parse_bracket(p, out);
     } else if (c == 't') {
-        read_name(p, out, p->t);
+        read_variable(p, out, p->t);
     } else if (c == 's') {
-        read_name(p, out, p->s);
+        read_variable(p, out, p->s);
     } else if (is_digit(c) || c == '.') {
-        read_number(p, out, number_end(p, p->place));
+        read_literal(p, out, number_end(p, p->place));
     } else {
-        fail(p, p->place, "a number, t, s or ( is expected here");
+        fail_at(p, p->place, "a number, t, s or ( is expected here");
     }
 }
 
@@ -142,14 +142,14 @@ static void read_exponent(parser *p, fmpz_t n) {
     p->place += sign == '+' || sign == '-';
     size_t end = digits_end(p, p->place);
     if (end == p->place || byte_at(p, end) == '.' || number_end(p, p->place) != end) {
-        fail(p, start, "the exponent after ^ must be an integer, written in digits");
+        fail_at(p, start, "the exponent after ^ must be an integer, written in digits");
         return;
     }
     fmpq_t value;
     fmpq_init(value);
     calculation *c = &p->calculation;
     c->status = rational_parse(value, c->context, p->text + p->place, end - p->place);
-    if (failed(p)) {
+    if (has_failed(p)) {
         tell_place(p, start);
     }
     fmpz_set(n, fmpq_numref(value));
@@ -162,19 +162,19 @@ static void read_exponent(parser *p, fmpz_t n) {
 
 static void parse_power(parser *p, fmpz_poly_q_t out) {
     parse_primary(p, out);
-    if (failed(p) || peek(p) != '^') {
+    if (has_failed(p) || peek(p) != '^') {
         return;
     }
     size_t operator= p->place++;
     fmpz_t n;
     fmpz_init(n);
     read_exponent(p, n);
-    if (!failed(p)) {
+    if (!has_failed(p)) {
         quotient_power(&p->calculation, out, out, n);
-        if (failed(p)) {
+        if (has_failed(p)) {
             tell_place(p, operator);
         } else if (peek(p) == '^') {
-            fail(p, p->place, "a^b^c has no meaning here; write (a^b)^c");
+            fail_at(p, p->place, "a^b^c has no meaning here; write (a^b)^c");
         }
     }
     fmpz_clear(n);
@@ -187,7 +187,7 @@ static void parse_signed(parser *p, fmpz_poly_q_t out) {
         p->place++;
     }
     parse_power(p, out);
-    if (negative && !failed(p)) {
+    if (negative && !has_failed(p)) {
         fmpz_poly_q_neg(out, out);
     }
 }
@@ -200,16 +200,16 @@ static void parse_chain(
     operand(p, out);
     fmpz_poly_q_t right;
     fmpz_poly_q_init(right);
-    while (!failed(p)) {
+    while (!has_failed(p)) {
         char c = peek(p);
         if (c == '\0' || (c != operators[0] && c != operators[1])) {
             break;
         }
         size_t operator= p->place++;
         operand(p, right);
-        if (!failed(p)) {
+        if (!has_failed(p)) {
             (c == operators[0] ? first : second)(&p->calculation, out, out, right);
-            if (failed(p)) {
+            if (has_failed(p)) {
                 tell_place(p, operator);
             }
         }
@@ -230,18 +230,18 @@ graze_status expression_value(fmpz_poly_q_t out, graze_context *context, const c
                               const fmpz_poly_q_struct *s) {
     parser p = {.calculation = {context, GRAZE_OK}, .text = text, .length = length, .t = t, .s = s};
     calculation_spend(&p.calculation, length / CHARACTERS_A_UNIT);
-    if (failed(&p)) {
+    if (has_failed(&p)) {
         return p.calculation.status;
     }
     if (rational_is_token(text, length)) {
-        read_number(&p, out, length);
+        read_literal(&p, out, length);
         return p.calculation.status;
     }
     parse_sum(&p, out);
-    if (!failed(&p)) {
+    if (!has_failed(&p)) {
         peek(&p);
         if (p.place < length) {
-            fail(&p, p.place, "an operator or the end is expected here");
+            fail_at(&p, p.place, "an operator or the end is expected here");
         }
     }
     return p.calculation.status;

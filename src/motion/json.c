@@ -51,7 +51,7 @@ static char *copy_bytes(const char *bytes, size_t length) {
 }
 
 /* A new value under the open one; NULL when memory is short. */
-static json *append(builder *b, json_kind kind) {
+static json *append_value(builder *b, json_kind kind) {
     count_lines(b);
     json *value = malloc(sizeof *value);
     if (value == NULL) {
@@ -82,7 +82,7 @@ static json *append(builder *b, json_kind kind) {
 }
 
 static int on_text(builder *b, json_kind kind, const char *bytes, size_t length) {
-    json *value = append(b, kind);
+    json *value = append_value(b, kind);
     if (value == NULL) {
         return 0;
     }
@@ -92,12 +92,12 @@ static int on_text(builder *b, json_kind kind, const char *bytes, size_t length)
 }
 
 static int on_null(void *data) {
-    return append(data, JSON_NULL) != NULL;
+    return append_value(data, JSON_NULL) != NULL;
 }
 
 static int on_boolean(void *data, int value) {
     (void)value;
-    return append(data, JSON_BOOLEAN) != NULL;
+    return append_value(data, JSON_BOOLEAN) != NULL;
 }
 
 static int on_number(void *data, const char *bytes, size_t length) {
@@ -116,7 +116,7 @@ static int on_key(void *data, const unsigned char *bytes, size_t length) {
 }
 
 static int on_start(builder *b, json_kind kind) {
-    json *value = append(b, kind);
+    json *value = append_value(b, kind);
     if (value == NULL) {
         return 0;
     }
@@ -262,7 +262,7 @@ graze_status json_at_last(graze_context *context, graze_status status, const jso
 }
 
 /* "a, b, c" */
-static void join(char *out, size_t size, const char *const *names, size_t count) {
+static void join_names(char *out, size_t size, const char *const *names, size_t count) {
     size_t used = 0;
     out[0] = '\0';
     for (size_t k = 0; k < count && used < size; k++) {
@@ -276,7 +276,7 @@ graze_status json_members(const json **out, graze_context *context, const json *
         out[k] = NULL;
     }
     char known[200];
-    join(known, sizeof known, names, count);
+    join_names(known, sizeof known, names, count);
     if (object->kind != JSON_OBJECT) {
         return json_fail(context, GRAZE_EINPUT, object, "an object with keys among %s is expected",
                          known);

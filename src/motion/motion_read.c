@@ -10,7 +10,8 @@
 
 enum { DIMENSION, PIECES, KEYFRAMES, RELATIVE, SEQUENCE, KEYS };
 
-static graze_status read_dimension(int *out, graze_context *context, const json *value, int outer) {
+static graze_status read_motion_dimension(int *out, graze_context *context, const json *value,
+                                          int outer) {
     fmpz_t number;
     fmpz_init(number);
     graze_status status = entry_integer(number, context, value);
@@ -139,7 +140,7 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
                          "exactly one of pieces, keyframes, relative, sequence is expected, not %d",
                          forms);
     }
-    status = read_dimension(&own, context, member[DIMENSION], dimension);
+    status = read_motion_dimension(&own, context, member[DIMENSION], dimension);
     if (status == GRAZE_OK) {
         out->dimension = own;
         status = read[form](out, context, member[form]);
@@ -147,8 +148,8 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
     return status;
 }
 
-static graze_status read_text(graze_motion **out, graze_context *context, const char *source,
-                              const char *text, size_t length) {
+static graze_status read_motion(graze_motion **out, graze_context *context, const char *source,
+                                const char *text, size_t length) {
     json_document document;
     draft made;
     draft_init(&made, 0);
@@ -178,7 +179,7 @@ graze_status motion_from_file(graze_motion **out, graze_context *context, const 
     if (status != GRAZE_OK) {
         return status;
     }
-    status = read_text(out, context, path, text, length);
+    status = read_motion(out, context, path, text, length);
     free(text);
     for (int k = 0; k < 32 && *out != NULL; k++) {
         (*out)->sha256[k] = sha256[k];
@@ -188,7 +189,7 @@ graze_status motion_from_file(graze_motion **out, graze_context *context, const 
 
 graze_status motion_from_text(graze_motion **out, graze_context *context, const char *text,
                               size_t length) {
-    graze_status status = read_text(out, context, "motion", text, length);
+    graze_status status = read_motion(out, context, "motion", text, length);
     if (status == GRAZE_OK) {
         file_sha256((*out)->sha256, text, length);
     }

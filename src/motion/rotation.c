@@ -45,9 +45,9 @@ static graze_status clear_denominators(calculation *c, const json *where, fmpz_p
 }
 
 /* out = 2 (a b + sign p q) / norm */
-static void twice(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b,
-                  int sign, const fmpz_poly_q_t p, const fmpz_poly_q_t q,
-                  const fmpz_poly_q_t norm) {
+static void twice_sum(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
+                      const fmpz_poly_q_t b, int sign, const fmpz_poly_q_t p, const fmpz_poly_q_t q,
+                      const fmpz_poly_q_t norm) {
     fmpz_poly_q_t first, second;
     fmpz_poly_q_init(first);
     fmpz_poly_q_init(second);
@@ -86,13 +86,13 @@ graze_status rotation_of(affine *out, graze_context *context, const json *where,
     for (int i = 0; i < out->dimension; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         fmpz_poly_q_struct *diagonal = affine_at(out, i, i);
-        twice(&c, diagonal, q[1 + j], q[1 + j], 1, q[1 + k], q[1 + k], norm);
+        twice_sum(&c, diagonal, q[1 + j], q[1 + j], 1, q[1 + k], q[1 + k], norm);
         quotient_sub(&c, diagonal, one, diagonal);
         if (j < out->dimension) {
-            twice(&c, affine_at(out, i, j), q[1 + i], q[1 + j], -1, q[0], q[1 + k], norm);
+            twice_sum(&c, affine_at(out, i, j), q[1 + i], q[1 + j], -1, q[0], q[1 + k], norm);
         }
         if (k < out->dimension) {
-            twice(&c, affine_at(out, i, k), q[1 + i], q[1 + k], 1, q[0], q[1 + j], norm);
+            twice_sum(&c, affine_at(out, i, k), q[1 + i], q[1 + k], 1, q[0], q[1 + j], norm);
         }
     }
     fmpz_poly_q_clear(one);
@@ -179,9 +179,9 @@ static graze_status read_axis(fmpz_poly_q_t axis[3], fmpz_poly_q_t length, graze
 
 /* Rotate by twice the angle of a + ib: about `axis` in E^3, where it must be given, and about
  * `center` where it is given. */
-static graze_status rotate(affine *out, graze_context *context, const json *value,
-                           fmpz_poly_q_t half[2], const json *axis, const json *center,
-                           const stretch *part) {
+static graze_status rotate_about(affine *out, graze_context *context, const json *value,
+                                 fmpz_poly_q_t half[2], const json *axis, const json *center,
+                                 const stretch *part) {
     int d = part->dimension;
     if (axis != NULL && d == 2) {
         return json_fail(context, GRAZE_EINPUT, axis, "a rotation in dimension 2 has no axis");
@@ -254,7 +254,7 @@ graze_status rotation_by_tangent(affine *out, graze_context *context, const json
         }
     }
     if (c.status == GRAZE_OK) {
-        c.status = rotate(out, context, value, half, member[3], member[2], part);
+        c.status = rotate_about(out, context, value, half, member[3], member[2], part);
     }
     fmpz_clear(times);
     fmpz_poly_q_clear(half[1]);
@@ -321,7 +321,7 @@ graze_status rotation_by_quarters(affine *out, graze_context *context, const jso
         status = c.status;
     }
     if (status == GRAZE_OK) {
-        status = rotate(out, context, value, half, member[2], member[1], part);
+        status = rotate_about(out, context, value, half, member[2], member[1], part);
     }
     for (int k = 0; k < 2; k++) {
         fmpz_poly_q_clear(half[k]);

@@ -66,7 +66,7 @@ static void carry_back(dyadic_interval *out, const cluster *c, const local_inter
 }
 
 /* One more on the stack, all zero. */
-static pending *push(cluster *c) {
+static pending *push_pending(cluster *c) {
     if (c->count == c->capacity) {
         size_t capacity = c->capacity ? 2 * c->capacity : 8;
         c->stack = flint_realloc(c->stack, capacity * sizeof *c->stack);
@@ -191,7 +191,7 @@ static graze_status leap(int *done, const cluster *c, pending *at, slong variati
 
 /* The interval on top of the stack becomes its halves, with the point between them if it is a root.
  */
-static void halve(cluster *c) {
+static void halve_pending(cluster *c) {
     pending *top = &c->stack[c->count - 1];
     fmpz_t middle;
     fmpz_init(middle);
@@ -201,7 +201,7 @@ static void halve(cluster *c) {
     int sign = dyadic_sign(c->unit, middle, top->where.places), low_sign = top->low_sign;
     size_t right = c->count - 1;
     for (int k = 0; k < 1 + (sign == 0); k++) {
-        pending *added = push(c);
+        pending *added = push_pending(c);
         const pending *from = &c->stack[right];
         local_interval_set(&added->where, &from->where);
         added->gain = from->gain;
@@ -238,7 +238,7 @@ static graze_status search_further(cluster *c, slong variations) {
     if (top->gain <= allowed - places)
         status = leap(&done, c, top, variations);
     if (status == GRAZE_OK && !done)
-        halve(c);
+        halve_pending(c);
     return status;
 }
 
@@ -272,7 +272,7 @@ static graze_status step(cluster *c, local_form *form) {
 /* The interval is a whole multiple of 2^-places of the whole one. */
 static void push_first(cluster *c, const dyadic_interval *interval, int low_sign, int high_sign) {
     const dyadic_interval *whole = c->search->whole;
-    pending *first = push(c);
+    pending *first = push_pending(c);
     fmpz_t width;
     fmpz_init(width);
     fmpz_sub(width, whole->high, whole->low);

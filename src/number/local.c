@@ -68,8 +68,8 @@ static graze_status taylor(fmpz *s, graze_context *context, slong n, slong last,
 
 /* s[i] becomes the i-th difference of the first i + 1 Bernstein coefficients, which all get the
  * factor `common`. */
-static void differences(fmpz *s, slong n, slong last, const local_interval *x,
-                        const fmpz_t common) {
+static void take_differences(fmpz *s, slong n, slong last, const local_interval *x,
+                             const fmpz_t common) {
     fmpz_t power, binomial, factor;
     fmpz_init_set_ui(power, 1);
     fmpz_init_set_ui(binomial, 1);
@@ -101,7 +101,7 @@ graze_status local_form_set(local_form *form, graze_context *context, const fmpz
     graze_status status = taylor(s, context, n, last, x);
     if (status == GRAZE_OK) {
         common_binomial(common, n);
-        differences(s, n, last, x, common);
+        take_differences(s, n, last, x, common);
         for (slong j = 0; j <= n; j++) {
             fmpz_set(form->b + j, s);
             for (slong i = 0; i < last; i++)

@@ -23,7 +23,7 @@ static slong degree_below(const uint64_t *a, slong degree) {
     return degree;
 }
 
-static slong load(uint64_t *out, const fmpz_poly_t p) {
+static slong load_residues(uint64_t *out, const fmpz_poly_t p) {
     slong degree = fmpz_poly_degree(p);
     for (slong i = 0; i <= degree; i++)
         out[i] = fmpz_fdiv_ui(p->coeffs + i, PRIME);
@@ -50,7 +50,7 @@ int polynomials_certainly_coprime(const fmpz_poly_t p, const fmpz_poly_t q) {
     uint64_t first[MODULAR_DEGREE + 1], second[MODULAR_DEGREE + 1];
     if (fmpz_poly_degree(p) > MODULAR_DEGREE || fmpz_poly_degree(q) > MODULAR_DEGREE)
         return 0;
-    slong n = load(first, p), m = load(second, q);
+    slong n = load_residues(first, p), m = load_residues(second, q);
     if (n != fmpz_poly_degree(p) && m != fmpz_poly_degree(q))
         return 0;
     uint64_t *a = first, *b = second;

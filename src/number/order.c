@@ -192,8 +192,8 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
 }
 
 /* Merge order[0 ... middle - 1] and order[middle ... count - 1]; `spare` has room for the first. */
-static graze_status merge(algebraic **order, size_t middle, size_t count, algebraic **spare,
-                          graze_context *context) {
+static graze_status merge_runs(algebraic **order, size_t middle, size_t count, algebraic **spare,
+                               graze_context *context) {
     size_t i = 0, j = middle, k = 0;
     for (size_t m = 0; m < middle; m++)
         spare[m] = order[m];
@@ -209,20 +209,20 @@ static graze_status merge(algebraic **order, size_t middle, size_t count, algebr
     return GRAZE_OK;
 }
 
-static graze_status sort(algebraic **order, size_t count, algebraic **spare,
-                         graze_context *context) {
+static graze_status sort_run(algebraic **order, size_t count, algebraic **spare,
+                             graze_context *context) {
     size_t middle = count / 2;
     if (count < 2)
         return GRAZE_OK;
-    graze_status status = sort(order, middle, spare, context);
+    graze_status status = sort_run(order, middle, spare, context);
     if (status == GRAZE_OK)
-        status = sort(order + middle, count - middle, spare, context);
-    return status == GRAZE_OK ? merge(order, middle, count, spare, context) : status;
+        status = sort_run(order + middle, count - middle, spare, context);
+    return status == GRAZE_OK ? merge_runs(order, middle, count, spare, context) : status;
 }
 
 graze_status algebraic_sort(algebraic **order, size_t count, graze_context *context) {
     algebraic **spare = flint_malloc((count / 2 + 1) * sizeof *spare);
-    graze_status status = sort(order, count, spare, context);
+    graze_status status = sort_run(order, count, spare, context);
     flint_free(spare);
     return status;
 }

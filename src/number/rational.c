@@ -29,14 +29,14 @@ static size_t digit_run(const char *p, const char *end) {
     return (size_t)(p - start);
 }
 
-static int is_sign(const char *p, const char *end) {
+static int is_sign_character(const char *p, const char *end) {
     return p < end && (*p == '+' || *p == '-');
 }
 
 /* The exponent after its `e`; the place after it, or NULL where there are no digits. */
 static const char *exponent_shape(long *exponent, const char *p, const char *end) {
     int negative = p < end && *p == '-';
-    p += is_sign(p, end);
+    p += is_sign_character(p, end);
     size_t n = digit_run(p, end);
     long value = 0;
     for (size_t k = 0; k < n && value < EXPONENT_CAP; k++) {
@@ -50,7 +50,7 @@ static const char *exponent_shape(long *exponent, const char *p, const char *end
 static int token_shape(shape *s, const char *p, size_t length) {
     const char *end = p + length;
     *s = (shape){.negative = p < end && *p == '-'};
-    p += is_sign(p, end);
+    p += is_sign_character(p, end);
     s->whole = p;
     s->whole_count = digit_run(p, end);
     p += s->whole_count;
@@ -224,7 +224,7 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
 }
 
 /* |value| as a word, which it fits. */
-static uint64_t magnitude(const fmpz_t value) {
+static uint64_t small_magnitude(const fmpz_t value) {
     if (fmpz_sgn(value) >= 0) {
         return fmpz_get_ui(value);
     }
@@ -242,8 +242,8 @@ int rational_is_canonical(const fmpq_t value) {
         !fmpz_abs_fits_ui(fmpq_denref(value))) {
         return fmpq_is_canonical(value);
     }
-    uint64_t numerator = magnitude(fmpq_numref(value));
-    uint64_t denominator = magnitude(fmpq_denref(value));
+    uint64_t numerator = small_magnitude(fmpq_numref(value));
+    uint64_t denominator = small_magnitude(fmpq_denref(value));
     uint64_t odd = denominator / (denominator & -denominator);
     if (fives % odd != 0) {
         return n_gcd(numerator, denominator) == 1;
@@ -267,7 +267,7 @@ static char *put_integer(char *at, const fmpz_t value) {
         return at + strlen(at);
     }
     char digits[20];
-    const char *start = word_digits(digits + sizeof digits, magnitude(value));
+    const char *start = word_digits(digits + sizeof digits, small_magnitude(value));
     size_t count = (size_t)(digits + sizeof digits - start);
     *at = '-';
     at += fmpz_sgn(value) < 0;

@@ -21,15 +21,15 @@ static void set_paint(png_canvas *p, unsigned paint, double faintness) {
                           (paint & 255) / 255.0, 1 - faintness);
 }
 
-static void begin(canvas *c, const char *name, const char *attributes) {
+static void png_begin(canvas *c, const char *name, const char *attributes) {
     (void)c, (void)name, (void)attributes;
 }
 
-static void end(canvas *c) {
+static void png_end(canvas *c) {
     (void)c;
 }
 
-static void clip(canvas *c, double x, double y, double width, double height) {
+static void png_clip(canvas *c, double x, double y, double width, double height) {
     png_canvas *p = (png_canvas *)c;
     cairo_save(p->to);
     cairo_new_path(p->to);
@@ -37,13 +37,13 @@ static void clip(canvas *c, double x, double y, double width, double height) {
     cairo_clip(p->to);
 }
 
-static void unclip(canvas *c) {
+static void png_unclip(canvas *c) {
     png_canvas *p = (png_canvas *)c;
     cairo_restore(p->to);
 }
 
 /* Fill and stroke what has been laid out. */
-static void draw(png_canvas *p, const style *s) {
+static void png_draw(png_canvas *p, const style *s) {
     cairo_set_antialias(p->to, s->crisp ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_DEFAULT);
     if (s->fill) {
         set_paint(p, s->fill, s->faintness);
@@ -64,7 +64,7 @@ static double bounded(double value) {
     return value > -far ? value < far ? value : far : -far;
 }
 
-static void draw_path(canvas *c, const path *shape, const style *s, const char *name) {
+static void png_path(canvas *c, const path *shape, const style *s, const char *name) {
     png_canvas *p = (png_canvas *)c;
     (void)name;
     cairo_new_path(p->to);
@@ -75,18 +75,18 @@ static void draw_path(canvas *c, const path *shape, const style *s, const char *
         else
             (n->verb == 'M' ? cairo_move_to : cairo_line_to)(p->to, bounded(n->x), bounded(n->y));
     }
-    draw(p, s);
+    png_draw(p, s);
 }
 
-static void draw_circle(canvas *c, double x, double y, double radius, const style *s) {
+static void png_circle(canvas *c, double x, double y, double radius, const style *s) {
     png_canvas *p = (png_canvas *)c;
     cairo_new_path(p->to);
     cairo_arc(p->to, bounded(x), bounded(y), radius, 0, 6.283185307179586);
     cairo_close_path(p->to);
-    draw(p, s);
+    png_draw(p, s);
 }
 
-static void draw_text(canvas *c, double x, double y, const lettering *l, const char *string) {
+static void png_text(canvas *c, double x, double y, const lettering *l, const char *string) {
     png_canvas *p = (png_canvas *)c;
     cairo_text_extents_t size;
     cairo_select_font_face(p->to, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
@@ -100,12 +100,12 @@ static void draw_text(canvas *c, double x, double y, const lettering *l, const c
     cairo_text_path(p->to, string);
     if (l->halo) {
         const style rim = {.stroke = PAINT(0xffffff), .width = 3};
-        draw(p, &rim);
+        png_draw(p, &rim);
         cairo_move_to(p->to, x, y);
         cairo_text_path(p->to, string);
     }
     const style letters = {.fill = PAINT(INK)};
-    draw(p, &letters);
+    png_draw(p, &letters);
     cairo_set_fill_rule(p->to, CAIRO_FILL_RULE_EVEN_ODD);
 }
 
@@ -115,29 +115,30 @@ typedef struct sink {
     void *to;
 } sink;
 
-static cairo_status_t keep(void *closure, const unsigned char *data, unsigned length) {
+static cairo_status_t png_keep(void *closure, const unsigned char *data, unsigned length) {
     const sink *s = closure;
     return s->put(s->to, (const char *)data, length) ? CAIRO_STATUS_SUCCESS
                                                      : CAIRO_STATUS_NO_MEMORY;
 }
 
-static void finish(canvas *c, canvas_put *put, void *to) {
+static void png_finish(canvas *c, canvas_put *put, void *to) {
     png_canvas *p = (png_canvas *)c;
     sink s = {put, to};
     c->failed |= cairo_status(p->to) != CAIRO_STATUS_SUCCESS;
     if (!c->failed)
-        c->failed = cairo_surface_write_to_png_stream(p->surface, keep, &s) != CAIRO_STATUS_SUCCESS;
+        c->failed =
+            cairo_surface_write_to_png_stream(p->surface, png_keep, &s) != CAIRO_STATUS_SUCCESS;
 }
 
-static void destroy(canvas *c) {
+static void png_destroy(canvas *c) {
     png_canvas *p = (png_canvas *)c;
     cairo_destroy(p->to);
     cairo_surface_destroy(p->surface);
     free(p);
 }
 
-static const canvas_kind png_kind = {begin,       end,       clip,   unclip, draw_path,
-                                     draw_circle, draw_text, finish, destroy};
+static const canvas_kind png_kind = {png_begin,  png_end,  png_clip,   png_unclip, png_path,
+                                     png_circle, png_text, png_finish, png_destroy};
 
 __attribute__((visibility("default"))) canvas *graze_png_create(double width, double height) {
     png_canvas *p = calloc(1, sizeof *p);

@@ -60,7 +60,7 @@ static void widen(fmpq *low, fmpq *high, const fmpq_t value, int fresh) {
 
 /* Bounds of coordinate i on the interval, and what its two ends attain. The quotients are compared
  * as they come and reduced only once chosen. */
-static void bound(search *s, fmpq *low, fmpq *high, const images *m, int i) {
+static void bound_coordinate(search *s, fmpq *low, fmpq *high, const images *m, int i) {
     fmpq_t ratio;
     fmpq_init(ratio);
     for (int corner = 0; corner < m->corners; corner++)
@@ -98,7 +98,7 @@ static int tight(const search *s, const fmpq *low, const fmpq *high, int i) {
 }
 
 /* Enclose the coordinates whose bit is set in `open` over the interval. */
-static graze_status enclose(search *s, const images *m, unsigned open);
+static graze_status enclose_coordinates(search *s, const images *m, unsigned open);
 
 static graze_status enclose_halves(search *s, const images *m, unsigned open) {
     images left, right;
@@ -109,15 +109,15 @@ static graze_status enclose_halves(search *s, const images *m, unsigned open) {
         bernstein_split(left.coefficient + at, right.coefficient + at, m->coefficient + at,
                         m->degree);
     }
-    graze_status status = enclose(s, &left, open);
+    graze_status status = enclose_coordinates(s, &left, open);
     if (!status)
-        status = enclose(s, &right, open);
+        status = enclose_coordinates(s, &right, open);
     images_clear(&left);
     images_clear(&right);
     return status;
 }
 
-static graze_status enclose(search *s, const images *m, unsigned open) {
+static graze_status enclose_coordinates(search *s, const images *m, unsigned open) {
     graze_status status = context_poll(s->context);
     if (status)
         return status;
@@ -126,7 +126,7 @@ static graze_status enclose(search *s, const images *m, unsigned open) {
     for (int i = 0; bounded && i < s->dimension; i++) {
         if (!(open >> i & 1))
             continue;
-        bound(s, low, high, m, i);
+        bound_coordinate(s, low, high, m, i);
         if (!tight(s, low, high, i))
             continue;
         open &= ~(1u << i);
@@ -176,7 +176,7 @@ static void images_make(images *m, const point_map *map, const fmpq *box) {
 }
 
 /* What the corners attain at u = 0: a first idea of the size, never an empty box. */
-static void start(search *s, const images *m) {
+static void start_search(search *s, const images *m) {
     fmpq_t value;
     fmpq_init(value);
     for (int i = 0; i < s->dimension; i++)
@@ -287,7 +287,7 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
     search_init(&s, context, d);
     constant_map(&still, &motion->piece[0].inverse);
     images_make(&m, unsweep ? &still : &motion->piece[0].forward, box);
-    start(&s, &m);
+    start_search(&s, &m);
     grain(s.slack, s.reached_low, s.reached_high, d);
     graze_status status = GRAZE_OK;
     for (size_t p = 0; p < (unsweep ? 1 : motion->piece_count) && !status; p++) {
@@ -295,7 +295,7 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
             images_clear(&m);
             images_make(&m, &motion->piece[p].forward, box);
         }
-        status = enclose(&s, &m, (1u << d) - 1);
+        status = enclose_coordinates(&s, &m, (1u << d) - 1);
     }
     for (int i = 0; i < d && !status; i++) {
         fmpq_set(low + i, &s.low[i]);

@@ -18,50 +18,50 @@ typedef struct hasher {
     int failed; /* out of memory on the way */
 } hasher;
 
-static void put(hasher *h, const char *text) {
+static void hash_text(hasher *h, const char *text) {
     SHA256Update(&h->sha, (const uint8_t *)text, strlen(text));
 }
 
-static void put_owned(hasher *h, char *text) {
+static void hash_owned(hasher *h, char *text) {
     if (text)
-        put(h, text);
+        hash_text(h, text);
     else
         h->failed = 1;
     free(text);
 }
 
 static void put_rational(hasher *h, const fmpq_t value) {
-    put(h, " ");
-    put_owned(h, rational_text(value));
+    hash_text(h, " ");
+    hash_owned(h, rational_text(value));
 }
 
 static void put_index(hasher *h, size_t value) {
     char text[24];
     snprintf(text, sizeof text, " %zu", value);
-    put(h, text);
+    hash_text(h, text);
 }
 
-static void put_poly(hasher *h, const char *tag, const fmpz_poly_t poly) {
+static void hash_poly(hasher *h, const char *tag, const fmpz_poly_t poly) {
     fmpq_t value;
     fmpq_init(value);
-    put(h, tag);
+    hash_text(h, tag);
     for (slong k = 0; k < fmpz_poly_length(poly); k++) {
         fmpz_poly_get_coeff_fmpz(fmpq_numref(value), poly, k);
         put_rational(h, value);
     }
-    put(h, "\n");
+    hash_text(h, "\n");
     fmpq_clear(value);
 }
 
 static void put_facet(hasher *h, const soup *s, size_t facet) {
-    put(h, "f");
+    hash_text(h, "f");
     for (size_t cycle = s->facet_start[facet]; cycle < s->facet_start[facet + 1]; cycle++) {
         if (cycle > s->facet_start[facet])
-            put(h, " |");
+            hash_text(h, " |");
         for (size_t k = s->cycle_start[cycle]; k < s->cycle_start[cycle + 1]; k++)
             put_index(h, s->index[k]);
     }
-    put(h, "\n");
+    hash_text(h, "\n");
 }
 
 /* Do these simplices lie in more than one plane? */
@@ -86,10 +86,10 @@ static void put_fans(hasher *h, const graze_solid *solid) {
         if (next - first == 1 || !in_planes(solid, first, next - first))
             continue;
         for (size_t s = first; s < next; s++) {
-            put(h, "t");
+            hash_text(h, "t");
             for (int k = 0; k < 3; k++)
                 put_index(h, cut->item[s].vertex[k]);
-            put(h, "\n");
+            hash_text(h, "\n");
         }
     }
 }
@@ -97,12 +97,12 @@ static void put_fans(hasher *h, const graze_solid *solid) {
 static void put_solid(hasher *h, const graze_solid *solid) {
     const soup *s = &solid->input;
     size_t d = (size_t)s->dimension;
-    put(h, d == 2 ? "d 2\n" : "d 3\n");
+    hash_text(h, d == 2 ? "d 2\n" : "d 3\n");
     for (size_t v = 0; v < s->vertex_count; v++) {
-        put(h, "v");
+        hash_text(h, "v");
         for (size_t k = 0; k < d; k++)
             put_rational(h, s->coordinates + v * d + k);
-        put(h, "\n");
+        hash_text(h, "\n");
     }
     for (size_t f = 0; f < s->facet_count; f++)
         put_facet(h, s, f);
@@ -114,13 +114,13 @@ static void put_motion(hasher *h, const graze_motion *motion) {
     int d = motion->dimension;
     for (size_t p = 0; p < motion->piece_count; p++) {
         const motion_piece *piece = &motion->piece[p];
-        put(h, "p");
+        hash_text(h, "p");
         put_rational(h, piece->lo);
         put_rational(h, piece->hi);
-        put(h, "\n");
+        hash_text(h, "\n");
         for (int k = 0; k < d * (d + 1); k++)
-            put_poly(h, "m", &piece->forward.entry[k]);
-        put_poly(h, "w", piece->forward.weight);
+            hash_poly(h, "m", &piece->forward.entry[k]);
+        hash_poly(h, "w", piece->forward.weight);
     }
 }
 

@@ -20,7 +20,7 @@
 #include "validate/overlap.h"
 
 /* d x (d + 1) affine maps as square homogeneous matrices, so that FLINT multiplies and inverts. */
-static void homogeneous(fmpq_mat_t out, const point_map *map, const fmpq_t u) {
+static void homogeneous_matrix(fmpq_mat_t out, const point_map *map, const fmpq_t u) {
     int d = map->dimension;
     fmpq *entry = _fmpq_vec_init(d * (d + 1));
     point_map_at(entry, map, u);
@@ -102,8 +102,8 @@ graze_status scene_ends(int *out, graze_context *context, const graze_solid *sol
     fmpq_one(one);
     fmpq_mat_init(map, d + 1, d + 1);
     fmpq_mat_init(other, d + 1, d + 1);
-    homogeneous(map, &first->inverse, zero);
-    homogeneous(other, &last->forward, one);
+    homogeneous_matrix(map, &first->inverse, zero);
+    homogeneous_matrix(other, &last->forward, one);
     fmpq_mat_mul(map, map, other);
     graze_status status = GRAZE_OK;
     *out = 0;

@@ -4,6 +4,7 @@
 #ifndef GRAZE_SOLID_TREE_H
 #define GRAZE_SOLID_TREE_H
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -32,5 +33,10 @@ void tree_clear(tree *t);
 
 /** 1 if the closed boxes have a point in common. */
 int box_meets(const box *a, const box *b);
+
+/** The longest side of a box. */
+static inline double box_extent(const box *b) {
+    return fmax(b->high[0] - b->low[0], fmax(b->high[1] - b->low[1], b->high[2] - b->low[2]));
+}
 
 #endif

@@ -33,10 +33,6 @@ static slong span_length(const searcher *s) {
     return (s->c->dimension + 1) * (s->c->degree + 1);
 }
 
-static double extent(const box *b) {
-    return fmax(b->high[0] - b->low[0], fmax(b->high[1] - b->low[1], b->high[2] - b->low[2]));
-}
-
 /* Whether cutting a piece can still make its box smaller: not once the box is hardly wider than
  * what rounding outwards adds to it, or past the range of doubles. Without this, solids that are
  * far from the origin, huge or tiny would be cut for ever. */
@@ -44,7 +40,8 @@ static int can_shrink(const exact_span *piece) {
     double reach = 0;
     for (int i = 0; i < 3; i++)
         reach = fmax(reach, fmax(fabs(piece->box.low[i]), fabs(piece->box.high[i])));
-    return !piece->bounded || (isfinite(reach) && extent(&piece->box) > reach * 0x1p-44 + 0x1p-880);
+    return !piece->bounded ||
+           (isfinite(reach) && box_extent(&piece->box) > reach * 0x1p-44 + 0x1p-880);
 }
 
 /* Room for two more spans; 0 if there is no memory. */
@@ -86,21 +83,21 @@ static void record(searcher *s, uint32_t simplex, const exact_span *when) {
         s->out_of_memory = 1;
 }
 
-static void descend(searcher *s, size_t node_index, size_t span_index) {
+static void descend_exactly(searcher *s, size_t node_index, size_t span_index) {
     const tree_node *node = &s->solid->boxes.node[node_index];
     const exact_span *piece = &s->spans[span_index];
     if (s->out_of_memory || !box_meets(&node->box, &piece->box))
         return;
-    if (piece->level < WINDOW_LEVELS && !(extent(&piece->box) <= extent(&node->box)) &&
+    if (piece->level < WINDOW_LEVELS && !(box_extent(&piece->box) <= box_extent(&node->box)) &&
         can_shrink(piece)) {
         if (!cut_span(s, span_index))
             return;
         size_t half = s->spans[span_index].child;
-        descend(s, node_index, half);
-        descend(s, node_index, half + 1);
+        descend_exactly(s, node_index, half);
+        descend_exactly(s, node_index, half + 1);
     } else if (node->child) {
-        descend(s, node->child, span_index);
-        descend(s, node->child + 1, span_index);
+        descend_exactly(s, node->child, span_index);
+        descend_exactly(s, node->child + 1, span_index);
     } else {
         record(s, node->simplex, piece);
     }
@@ -140,7 +137,7 @@ graze_status candidates_find(candidates *out, graze_context *context, const graz
             bernstein_from_poly(whole + i * (c->degree + 1), &c->x[i], c->degree, &unit);
         dyadic_interval_clear(&unit);
         add_span(&s, 0, 0, whole);
-        descend(&s, 0, 0);
+        descend_exactly(&s, 0, 0);
     }
     for (size_t k = 0; k < s.count; k++)
         _fmpz_vec_clear(s.spans[k].bernstein, span_length(&s));

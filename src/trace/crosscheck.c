@@ -3,7 +3,7 @@
 
 static const uint32_t WHOLE = UINT32_C(1) << WINDOW_LEVELS;
 
-static graze_status expect(tracer *r, size_t piece, uint32_t at, graze_state expected) {
+static graze_status expect_state(tracer *r, size_t piece, uint32_t at, graze_state expected) {
     graze_state state = GRAZE_STATE_ABSENT;
     fmpq_t u;
     fmpq_init(u);
@@ -22,8 +22,8 @@ graze_status crosscheck_crossing(tracer *r, size_t piece, int enters) {
     if (!last.any || last.after != GRAZE_STATE_ABSENT)
         return GRAZE_OK;
     /* No window opens the piece of a crossing that comes first in it, so 0 is off the boundary. */
-    return expect(r, piece, last.piece == piece ? last.to : 0,
-                  enters ? GRAZE_STATE_O : GRAZE_STATE_I);
+    return expect_state(r, piece, last.piece == piece ? last.to : 0,
+                        enters ? GRAZE_STATE_O : GRAZE_STATE_I);
 }
 
 graze_status crosscheck_window(tracer *r, size_t piece, uint32_t from, uint32_t to) {
@@ -32,5 +32,5 @@ graze_status crosscheck_window(tracer *r, size_t piece, uint32_t from, uint32_t 
     if (!last.any || last.after == GRAZE_STATE_ABSENT)
         return GRAZE_OK;
     /* No window closes the piece of a crossing that comes last in it. */
-    return expect(r, last.piece, last.piece == piece ? from : WHOLE, last.after);
+    return expect_state(r, last.piece, last.piece == piece ? from : WHOLE, last.after);
 }

@@ -102,7 +102,7 @@ static int sign_at_rational(const fmpz_poly_t p, const fmpq_t x) {
     return sign;
 }
 
-static void set_rational(graze_time *time, const fmpq_t value) {
+static void set_rational_time(graze_time *time, const fmpq_t value) {
     fmpz_t c;
     fmpz_init(c);
     fmpq_set(time->low, value);
@@ -227,7 +227,7 @@ static graze_status canonicalise_root(graze_time *time, graze_context *context, 
         return find_widest_interval(time, context, low, high);
     fmpq_set_fmpz_frac(low, time->poly->coeffs, time->poly->coeffs + 1);
     fmpq_neg(low, low);
-    set_rational(time, low);
+    set_rational_time(time, low);
     return GRAZE_OK;
 }
 
@@ -242,7 +242,7 @@ graze_status time_canonicalise(graze_time *time, graze_context *context) {
     fmpq_init(high);
     bounds_in_motion_parameter(low, high, time);
     if (algebraic_is_rational(&time->u))
-        set_rational(time, low);
+        set_rational_time(time, low);
     else
         status = canonicalise_root(time, context, low, high);
     time->canonical = status == GRAZE_OK;

@@ -24,7 +24,7 @@ typedef struct finder {
     graze_status status; /* the first failure, which ends the search */
 } finder;
 
-static int failed(const finder *f) {
+static int finder_failed(const finder *f) {
     return f->status != GRAZE_OK;
 }
 
@@ -82,7 +82,7 @@ static int inside_at(unsigned *zero, finder *f, uint32_t simplex, algebraic *tim
     for (int k = 0; k < f->c->dimension; k++) {
         int sign;
         f->status = algebraic_sign_at(&sign, f->context, side_pullback(f, simplex, k), time);
-        if (failed(f) || sign < 0)
+        if (finder_failed(f) || sign < 0)
             return 0;
         if (sign == 0)
             *zero |= 1u << k;
@@ -118,7 +118,7 @@ static int may_meet(const candidate *c, const algebraic *time) {
 /* One root of a plane's pullback against all candidates in that plane. */
 static void touch_at_root(finder *f, algebraic *root, const candidate *first, size_t count) {
     size_t time = SIZE_MAX;
-    for (size_t k = 0; k < count && !failed(f); k++) {
+    for (size_t k = 0; k < count && !finder_failed(f); k++) {
         unsigned zero;
         if (!may_meet(&first[k], root) || !inside_at(&zero, f, first[k].simplex, root))
             continue;
@@ -141,14 +141,14 @@ static void touch_plane(finder *f, const fmpz_poly_t pullback, candidate *first,
     algebraic_list_init(&roots);
     dyadic_interval_init(&window);
     qsort(first, count, sizeof *first, compare_windows);
-    for (size_t k = 0; k < count && !failed(f);) {
+    for (size_t k = 0; k < count && !finder_failed(f);) {
         uint32_t from = first[k].from, to = first[k].to;
         for (k++; k < count && first[k].from <= to; k++)
             to = first[k].to > to ? first[k].to : to;
         set_window(&window, from, to);
         f->status = algebraic_roots(&roots, f->context, pullback, &window);
     }
-    for (size_t k = 0; k < roots.count && !failed(f); k++)
+    for (size_t k = 0; k < roots.count && !finder_failed(f); k++)
         touch_at_root(f, &roots.item[k], first, count);
     algebraic_list_clear(&roots);
     dyadic_interval_clear(&window);
@@ -162,7 +162,7 @@ static void cut_slide(algebraic_list *cuts, finder *f, const candidate *slide) {
     set_window(&window, slide->from, slide->to);
     algebraic_set_dyadic(algebraic_list_append(cuts), window.low, window.exponent);
     algebraic_set_dyadic(algebraic_list_append(cuts), window.high, window.exponent);
-    for (int k = 0; k < f->c->dimension && !failed(f); k++) {
+    for (int k = 0; k < f->c->dimension && !finder_failed(f); k++) {
         const fmpz_poly_struct *side = side_pullback(f, slide->simplex, k);
         if (!fmpz_poly_is_zero(side))
             f->status = algebraic_roots(cuts, f->context, side, &window);
@@ -176,15 +176,15 @@ static void touch_between(finder *f, const candidate *slide, algebraic **cut, si
     unsigned zero;
     algebraic sample;
     algebraic_init(&sample);
-    for (size_t k = 0; k < count && !failed(f); k++) {
+    for (size_t k = 0; k < count && !finder_failed(f); k++) {
         if (inside_at(&zero, f, slide->simplex, cut[k])) {
             size_t time = add_time(f, cut[k]);
             add_touch(f, time, time, solid_cell(f->solid, slide->simplex, zero));
         }
-        if (k + 1 == count || failed(f))
+        if (k + 1 == count || finder_failed(f))
             break;
         f->status = algebraic_between(sample.value, f->context, cut[k], cut[k + 1]);
-        if (!failed(f) && inside_at(&zero, f, slide->simplex, &sample)) {
+        if (!finder_failed(f) && inside_at(&zero, f, slide->simplex, &sample)) {
             size_t from = add_time(f, cut[k]), to = add_time(f, cut[k + 1]);
             add_touch(f, from, to, solid_cell(f->solid, slide->simplex, zero));
         }
@@ -196,7 +196,7 @@ static void touch_between(finder *f, const candidate *slide, algebraic **cut, si
 static size_t order_cuts(finder *f, algebraic **order, size_t count) {
     size_t kept = 0;
     f->status = algebraic_sort(order, count, f->context);
-    for (size_t k = 0; k < count && !failed(f); k++) {
+    for (size_t k = 0; k < count && !finder_failed(f); k++) {
         int differ = 1;
         if (kept > 0)
             f->status = algebraic_compare(&differ, f->context, order[kept - 1], order[k]);
@@ -215,8 +215,8 @@ static void touch_slide(finder *f, const candidate *slide) {
         run_out_of_memory(f);
     for (size_t k = 0; order && k < cuts.count; k++)
         order[k] = &cuts.item[k];
-    size_t kept = failed(f) ? 0 : order_cuts(f, order, cuts.count);
-    if (!failed(f))
+    size_t kept = finder_failed(f) ? 0 : order_cuts(f, order, cuts.count);
+    if (!finder_failed(f))
         touch_between(f, slide, order, kept);
     free(order);
     algebraic_list_clear(&cuts);
@@ -231,7 +231,7 @@ static void touch_candidates(finder *f, candidate *first, size_t count) {
     if (!fmpz_poly_is_zero(pullback))
         touch_plane(f, pullback, first, count);
     else
-        for (size_t k = 0; k < count && !failed(f); k++)
+        for (size_t k = 0; k < count && !finder_failed(f); k++)
             touch_slide(f, &first[k]);
     fmpz_poly_clear(pullback);
 }
@@ -248,7 +248,7 @@ static void touch_planes(finder *f, const candidates *list, uint32_t *simplex, c
     }
     for (size_t k = 0; k < list->count; k++)
         sorted[k] = list->item[planes.order[k]];
-    for (size_t p = 0; p < planes.count && !failed(f); p++) {
+    for (size_t p = 0; p < planes.count && !finder_failed(f); p++) {
         f->plane = planes.form + p * (size_t)(planes.dimension + 1);
         touch_candidates(f, sorted + planes.start[p], planes.start[p + 1] - planes.start[p]);
     }
@@ -266,7 +266,7 @@ graze_status touches_find(touches *t, graze_context *context, const graze_solid 
         run_out_of_memory(&f);
     for (int k = 0; k < 3; k++)
         fmpz_poly_init(&f.side[k]);
-    if (!failed(&f))
+    if (!finder_failed(&f))
         touch_planes(&f, list, simplex, sorted);
     for (int k = 0; k < 3; k++)
         fmpz_poly_clear(&f.side[k]);

@@ -74,7 +74,7 @@ graze_status tracer_locate(graze_state *out, tracer *r, size_t piece, const fmpq
 
 /* The nearest doubles, or nearly so: conversion and division each lose less than 2^-51. Past the
  * range of doubles they are infinite, which the filter refuses. */
-static void approximate(filter_point *out, query_point point, int dimension) {
+static void approximate_point(filter_point *out, query_point point, int dimension) {
     for (int k = 0; k < dimension; k++) {
         if (point.value) {
             out->at[k] = point.value[k];
@@ -94,7 +94,7 @@ void tracer_begin(tracer *r) {
     r->workspace = filter_workspace_of(r->context);
     if (r->workspace) {
         filter_begin(r->workspace);
-        approximate(&r->near, r->point, dimension_of(r));
+        approximate_point(&r->near, r->point, dimension_of(r));
     }
 }
 

@@ -66,7 +66,7 @@ graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, 
 }
 
 /* Equal neighbours are merged, and between inside and outside lies the boundary. */
-static int is_word(const char *word, size_t length) {
+static int alternates(const char *word, size_t length) {
     for (size_t k = 0; k < length; k++) {
         int is_b = word[k] == 'B';
         if ((!is_b && word[k] != 'I' && word[k] != 'O') || (k > 0 && is_b == (word[k - 1] == 'B')))
@@ -78,7 +78,7 @@ static int is_word(const char *word, size_t length) {
 int verdict_of_word(graze_verdict *out, const char *word, size_t length,
                     const graze_options *options) {
     unsigned long counts[3] = {0, 0, 0}; /* by kind */
-    if (!is_word(word, length))
+    if (!alternates(word, length))
         return 0;
     for (size_t k = 0; k < length; k++) {
         graze_state left = k > 0 ? (graze_state)word[k - 1] : GRAZE_STATE_ABSENT;
