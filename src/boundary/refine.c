@@ -142,7 +142,7 @@ graze_status boundary_refuse_budget(graze_context *context, const struct graze_b
     need += b->dimension == 3 ? side * side * side : side * side;
     return context_fail(context, GRAZE_EUSE,
                         "a budget of %lu points is less than the coarse level %u and the contact "
-                        "points need; right is %llu or more",
+                        "points need; expected %llu or more",
                         b->budget, b->coarse, need);
 }
 

@@ -156,6 +156,6 @@ graze_status joint_bits(slong *bits, graze_context *context, const joint *j, con
     if (*bits <= ANGLE_FINEST)
         return GRAZE_OK;
     return context_fail(context, GRAZE_EUSE,
-                        "the tolerance is too fine for this radius; right is 2^-%d of it or more",
+                        "the tolerance is too fine for this radius; expected 2^-%d of it or more",
                         ANGLE_FINEST - 8);
 }

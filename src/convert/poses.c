@@ -26,7 +26,7 @@ static graze_status refuse_pose(graze_context *context, const pose_list *list, c
     mpfr_clear(shown);
     return context_fail(context, GRAZE_EINPUT,
                         "%s:%lu: the matrix is no rotation: an entry is %s off the nearest one; "
-                        "right is a rotation, a larger --tolerance, or --affine",
+                        "expected a rotation, a larger tolerance, or affine poses",
                         list->source, p->line, digits);
 }
 
@@ -93,12 +93,12 @@ static graze_status check_quaternions(graze_context *context, const pose_list *l
             zero &= fmpq_is_zero(p->quaternion + k);
         if (zero)
             return context_fail(context, GRAZE_EINPUT,
-                                "%s:%lu: the quaternion is zero; right is that of a rotation",
+                                "%s:%lu: the quaternion is zero; expected that of a rotation",
                                 list->source, p->line);
         if (i && are_opposite(p[-1].quaternion, p->quaternion))
             return context_fail(context, GRAZE_EINPUT,
                                 "%s:%lu: the quaternion is opposite to that of line %lu, and zero "
-                                "between them; right is the same rotation with the other signs",
+                                "between them; expected the same rotation with the other signs",
                                 list->source, p->line, p[-1].line);
     }
     return GRAZE_OK;
@@ -194,7 +194,7 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
     graze_status status = poses_read(&list, context, path);
     if (!status && affine && !list.has_matrices)
         status = context_fail(context, GRAZE_EINPUT,
-                              "%s: the poses are quaternions; --affine is for matrices", path);
+                              "%s: the poses are quaternions; expected matrices for an affine motion", path);
     if (!status && !affine && list.has_matrices)
         status = find_rotations(worst, context, &list, tolerance);
     if (!status && !affine)

@@ -26,7 +26,7 @@ typedef struct reading {
 
 static graze_status misses(const reading *r, const char *what) {
     return context_fail(r->context, GRAZE_EINPUT,
-                        "%s:%lu: the column %s is missing; right are "
+                        "%s:%lu: the column %s is missing; expected "
                         "qw,qx,qy,qz with or without x,y,z, or m00 to m23",
                         r->list->source, r->line, what);
 }
@@ -79,7 +79,7 @@ static graze_status read_names(reading *r) {
         status = misses(r, names[QUATERNION]);
     if (!status && matrices && (quaternions || positions))
         status = context_fail(r->context, GRAZE_EINPUT,
-                              "%s:%lu: there are matrices and other poses; right is one of them",
+                              "%s:%lu: matrices and other poses are mixed; expected one of them",
                               r->list->source, r->line);
     r->list->has_matrices = matrices;
     return status;
@@ -153,7 +153,7 @@ static graze_status read_pose(reading *r) {
             status = read_pose_value(r, p, k);
     if (!status && r->list->count > 1 && fmpq_cmp(p[-1].time, p->time) >= 0)
         status = context_fail(r->context, GRAZE_EINPUT,
-                              "%s:%lu: the time is not after that of line %lu; right are "
+                              "%s:%lu: the time is not after that of line %lu; expected "
                               "increasing times",
                               r->list->source, r->line, p[-1].line);
     return status;

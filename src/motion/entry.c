@@ -55,7 +55,7 @@ void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t f
 static graze_status read_value(fmpz_poly_q_t out, graze_context *context, const json *value,
                                const fmpz_poly_q_struct *t, const fmpz_poly_q_struct *s) {
     if (value->kind != JSON_NUMBER && value->kind != JSON_STRING) {
-        return json_fail(context, GRAZE_EINPUT, value, "%s is expected",
+        return json_fail(context, GRAZE_EINPUT, value, "expected %s",
                          t != NULL ? "a number or an expression in quotes"
                                    : "a number, bare or in quotes,");
     }

@@ -94,7 +94,7 @@ static void read_literal(parser *p, fmpz_poly_q_t out, size_t end) {
 
 static void read_variable(parser *p, fmpz_poly_q_t out, const fmpz_poly_q_struct *value) {
     if (value == NULL) {
-        fail_at(p, p->place, "only a number is possible here, without t and s");
+        fail_at(p, p->place, "expected a number here, without t and s");
         return;
     }
     fmpz_poly_q_set(out, value);
@@ -115,7 +115,7 @@ static void parse_bracket(parser *p, fmpz_poly_q_t out) {
         return;
     }
     if (peek(p) != ')') {
-        fail_at(p, opened, "this bracket is not closed where its contents end; a ) is expected");
+        fail_at(p, opened, "this bracket is not closed where its contents end; expected )");
         return;
     }
     p->place++;
@@ -132,7 +132,7 @@ static void parse_primary(parser *p, fmpz_poly_q_t out) {
     } else if (is_digit(c) || c == '.') {
         read_literal(p, out, number_end(p, p->place));
     } else {
-        fail_at(p, p->place, "a number, t, s or ( is expected here");
+        fail_at(p, p->place, "expected a number, t, s or ( here");
     }
 }
 
@@ -241,7 +241,7 @@ graze_status expression_value(fmpz_poly_q_t out, graze_context *context, const c
     if (!has_failed(&p)) {
         peek(&p);
         if (p.place < length) {
-            fail_at(&p, p.place, "an operator or the end is expected here");
+            fail_at(&p, p.place, "expected an operator or the end here");
         }
     }
     return p.calculation.status;

@@ -194,7 +194,7 @@ graze_status json_parse(json_document *out, graze_context *context, const char *
         blanks++;
     }
     if (blanks == length) {
-        return context_fail(context, GRAZE_EINPUT, "%s: empty; a JSON object is expected", source);
+        return context_fail(context, GRAZE_EINPUT, "%s: empty; expected a JSON object", source);
     }
     builder b = {.document = out, .context = context, .source = source, .text = text, .line = 1};
     parse(&b, text, length);
@@ -278,7 +278,7 @@ graze_status json_members(const json **out, graze_context *context, const json *
     char known[200];
     join_names(known, sizeof known, names, count);
     if (object->kind != JSON_OBJECT) {
-        return json_fail(context, GRAZE_EINPUT, object, "an object with keys among %s is expected",
+        return json_fail(context, GRAZE_EINPUT, object, "expected an object with keys among %s",
                          known);
     }
     for (const json *member = object->first; member != NULL; member = member->next) {
@@ -288,12 +288,12 @@ graze_status json_members(const json **out, graze_context *context, const json *
             k++;
         }
         if (k == count) {
-            return json_fail(context, GRAZE_EINPUT, member, "unknown key; known here are %s",
+            return json_fail(context, GRAZE_EINPUT, member, "unknown key; expected one of %s",
                              known);
         }
         if (out[k] != NULL) {
             return json_fail(context, GRAZE_EINPUT, member,
-                             "this key stands a second time; the first is in line %zu",
+                             "this key is repeated; the first is in line %zu",
                              out[k]->line);
         }
         out[k] = member;
@@ -303,11 +303,11 @@ graze_status json_members(const json **out, graze_context *context, const json *
 
 graze_status json_array(graze_context *context, const json *value, size_t count) {
     if (value->kind != JSON_ARRAY) {
-        return json_fail(context, GRAZE_EINPUT, value, "an array is expected");
+        return json_fail(context, GRAZE_EINPUT, value, "expected an array");
     }
     if (count > 0 && value->count != count) {
         return json_fail(context, GRAZE_EINPUT, value,
-                         "an array of %zu entries is expected, not %zu", count, value->count);
+                         "expected an array of %zu entries, not %zu", count, value->count);
     }
     return GRAZE_OK;
 }

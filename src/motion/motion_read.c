@@ -16,7 +16,7 @@ static graze_status read_motion_dimension(int *out, graze_context *context, cons
     fmpz_init(number);
     graze_status status = entry_integer(number, context, value);
     if (status == GRAZE_OK && fmpz_cmp_si(number, 2) != 0 && fmpz_cmp_si(number, 3) != 0) {
-        status = json_fail(context, GRAZE_EINPUT, value, "the dimension is 2 or 3, not %.20s",
+        status = json_fail(context, GRAZE_EINPUT, value, "the dimension is %.20s; expected 2 or 3",
                            value->text);
     }
     if (status == GRAZE_OK) {
@@ -85,7 +85,7 @@ static int starts_at_identity(const draft *d) {
 static graze_status read_sequence(draft *out, graze_context *context, const json *value) {
     graze_status status = json_array(context, value, 0);
     if (status == GRAZE_OK && value->count == 0) {
-        status = json_fail(context, GRAZE_EINPUT, value, "at least one motion is expected");
+        status = json_fail(context, GRAZE_EINPUT, value, "expected at least one motion");
     }
     affine end;
     affine_init(&end, out->dimension);
@@ -137,7 +137,7 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
     }
     if (forms != 1) {
         return json_fail(context, GRAZE_EINPUT, value,
-                         "exactly one of pieces, keyframes, relative, sequence is expected, not %d",
+                         "expected exactly one of pieces, keyframes, relative, sequence, not %d",
                          forms);
     }
     status = read_motion_dimension(&own, context, member[DIMENSION], dimension);

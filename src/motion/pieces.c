@@ -160,7 +160,7 @@ graze_status motion_read_pieces(draft *out, graze_context *context, const json *
     static const char *const names[] = {"t", "transform"};
     graze_status status = json_array(context, pieces, 0);
     if (status == GRAZE_OK && pieces->count == 0) {
-        status = json_fail(context, GRAZE_EINPUT, pieces, "at least one piece is expected");
+        status = json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece");
     }
     fmpq_t lo, hi;
     fmpq_init(lo);
@@ -304,7 +304,7 @@ graze_status motion_read_keyframes(draft *out, graze_context *context, const jso
     graze_status status = json_array(context, keyframes, 0);
     if (status == GRAZE_OK && keyframes->count < 2) {
         status = json_fail(context, GRAZE_EINPUT, keyframes,
-                           "at least two frames are expected, not %zu", keyframes->count);
+                           "expected at least two frames, not %zu", keyframes->count);
     }
     keyframe frame[2];
     keyframe_init(&frame[0]);

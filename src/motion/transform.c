@@ -40,8 +40,8 @@ static graze_status read_form(form *out, graze_context *context, const json *tra
     }
     if (out->value == NULL) {
         return json_fail(context, GRAZE_EINPUT, transform,
-                         "no transform; one of matrix, translate, rotate, turn, quaternion, scale, "
-                         "compose is expected");
+                         "no transform; expected one of matrix, translate, rotate, turn, quaternion, scale, "
+                         "compose");
     }
     if (out->center != NULL && out->kind != QUATERNION && out->kind != SCALE) {
         return json_fail(context, GRAZE_EINPUT, out->center,
@@ -160,7 +160,7 @@ static graze_status check_last_row(graze_context *context, const json *row, cons
         if (status == GRAZE_OK &&
             !(j < d ? fmpz_poly_q_is_zero(entry) : fmpz_poly_q_is_one(entry))) {
             status = json_fail(context, GRAZE_EINPUT, item,
-                               "the last row of a matrix is 0 ... 0 1; here %d is right", j == d);
+                               "the last row of a matrix is 0 ... 0 1; expected %d here", j == d);
         }
     }
     fmpz_poly_q_clear(entry);
@@ -188,7 +188,7 @@ static graze_status read_matrix(affine *out, graze_context *context, const json 
     if (status == GRAZE_OK && value->count != (size_t)d && value->count != (size_t)d + 1) {
         status =
             json_fail(context, GRAZE_EINPUT, value,
-                      "a matrix of %d or %d rows is expected, not %zu", d, d + 1, value->count);
+                      "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
     }
     const json *row = value->first;
     for (int i = 0; i < d && status == GRAZE_OK; i++, row = row->next) {

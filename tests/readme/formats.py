@@ -78,7 +78,7 @@ def known_keys(program):
     keys = set()
     for motion in UNKNOWN:
         output, status = program.check_motion(motion["dimension"], json.dumps(motion))
-        listed = re.search(r"unknown key; known here are (.*)", output)
+        listed = re.search(r"unknown key; expected one of (.*)", output)
         if check(status == 3 and listed, f"{motion}: status {status}, {output}"):
             keys.update(listed[1].split(", "))
     return keys
