@@ -201,31 +201,42 @@ Let Hab : IZR a < IZR b. Proof. apply IZR_lt, in_order. Qed.
 Lemma factor_positive n : 0 < (IZR d * (IZR b - IZR a)) ^ n.
 Proof. apply pow_lt, Rmult_lt_0_compat; lra. Qed.
 
-Theorem strict_sign n p t : (length p <= S n)%nat -> strict n (bern a b d n p) <> 0%Z ->
-  within a b d t -> signed (strict n (bern a b d n p)) (ev p t).
+(* Coefficients l of a value v at t. *)
+Definition coefficients_at (n : nat) (l : list Z) (t v : R) : Prop :=
+  heval l n (IZR d * t - IZR a) (IZR b - IZR d * t) = (IZR d * (IZR b - IZR a)) ^ n * v.
+
+Lemma strict_value n l t v : coefficients_at n l t v -> strict n l <> 0%Z -> within a b d t ->
+  signed (strict n l) v.
 Proof.
-  intros Hn Hs [Ht1 Ht2]. pose proof (bern_value a b d n p t Hn) as Hv.
-  pose proof (factor_positive n) as Hf. unfold strict in *.
-  destruct (all_positive n (bern a b d n p)) eqn:E.
+  intros Hv Hs [Ht1 Ht2]. unfold coefficients_at in Hv. pose proof (factor_positive n) as Hf.
+  unfold strict in *. destruct (all_positive n l) eqn:E.
   - apply andb_prop in E. destruct E as [El Ep]. apply Nat.eqb_eq in El.
     pose proof (heval_positive _ n (IZR d * t - IZR a) (IZR b - IZR d * t) El Ep
       ltac:(lra) ltac:(lra) ltac:(lra)) as H. rewrite Hv in H. simpl.
     apply Rmult_lt_reg_l with (1 := Hf). lra.
-  - destruct (all_positive n (map Z.opp (bern a b d n p))) eqn:E'; [|congruence].
+  - destruct (all_positive n (map Z.opp l)) eqn:E'; [|congruence].
     apply andb_prop in E'. destruct E' as [El Ep]. apply Nat.eqb_eq in El.
     pose proof (heval_positive _ n (IZR d * t - IZR a) (IZR b - IZR d * t) El Ep
       ltac:(lra) ltac:(lra) ltac:(lra)) as H. rewrite heval_opp, Hv in H. simpl.
     apply Rmult_lt_reg_l with (1 := Hf). lra.
 Qed.
 
-Theorem not_negative n p t : (length p <= S n)%nat -> no_negative (bern a b d n p) = true ->
-  within a b d t -> 0 <= ev p t.
+Lemma not_negative_value n l t v : coefficients_at n l t v -> no_negative l = true ->
+  within a b d t -> 0 <= v.
 Proof.
-  intros Hn Hs [Ht1 Ht2]. pose proof (bern_value a b d n p t Hn) as Hv.
+  intros Hv Hs [Ht1 Ht2]. unfold coefficients_at in Hv.
   pose proof (heval_not_negative _ n (IZR d * t - IZR a) (IZR b - IZR d * t) Hs
     ltac:(lra) ltac:(lra)) as H. rewrite Hv in H. pose proof (factor_positive n).
   apply Rmult_le_reg_l with (1 := H0). lra.
 Qed.
+
+Theorem strict_sign n p t : (length p <= S n)%nat -> strict n (bern a b d n p) <> 0%Z ->
+  within a b d t -> signed (strict n (bern a b d n p)) (ev p t).
+Proof. intros Hn. apply (strict_value n _ t). apply bern_value, Hn. Qed.
+
+Theorem not_negative n p t : (length p <= S n)%nat -> no_negative (bern a b d n p) = true ->
+  within a b d t -> 0 <= ev p t.
+Proof. intros Hn. apply (not_negative_value n _ t). apply bern_value, Hn. Qed.
 
 (* ------------------------------------------------------------------ one change of sign *)
 Lemma grows_not_negative l : no_negative l = true -> forall v u, 0 <= v <= u ->
