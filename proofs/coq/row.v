@@ -145,8 +145,8 @@ Definition claims_ok (o : operation) (f : folds) (r : row) : bool :=
   end.
 
 Definition first_time (ps : list piece) : time := match ps with [] => (0, 1)%Z | p :: _ => begins p end.
-Definition last_time (ps : list piece) : time :=
-  match rev ps with [] => (0, 1)%Z | p :: _ => finishes p end.
+Fixpoint last_time (ps : list piece) : time :=
+  match ps with [] => (0, 1)%Z | [p] => finishes p | _ :: rest => last_time rest end.
 
 Definition check_row (o : operation) (f : folds) (d : nat) (F : list facet) (ps : list piece) (V : list Z)
   (r : row) : bool :=
@@ -411,9 +411,10 @@ Proof.
     destruct (intervals r) as [|[[k u] q] l']; [discriminate|]. cbn [follow] in E.
     rewrite andb_comm in E. simpl in E. discriminate. }
   assert (exists p, In p ps /\ finishes p = last_time ps) as (p1 & Hp1 & E1).
-  { unfold last_time. destruct (rev ps) as [|p rest] eqn:Er.
-    - apply (f_equal (@rev piece)) in Er. rewrite rev_involutive in Er. rewrite Er in Hp0. destruct Hp0.
-    - exists p. split; [|reflexivity]. apply in_rev. rewrite Er. left. reflexivity. }
+  { clear - Hp0. assert (exists p, In p ps) as Hne by eauto. clear Hp0 p0.
+    induction ps as [|p rest IH]; [destruct Hne as (p & []) |]. destruct rest as [|q rest].
+    - exists p. split; [left|]; reflexivity.
+    - destruct IH as (p1 & H1 & E1); [exists q; left; reflexivity|]. exists p1. split; [right; exact H1|exact E1]. }
   destruct (times_in p0 Hp0 Hps) as (T0 & _ & _). destruct (times_in p1 Hp1 Hps) as (_ & T1 & _).
   rewrite E0 in T0. rewrite E1 in T1.
   apply (follow_sound F A (path o) (first_time ps) (last_time ps) (map (curve_on o V) ps)) with (l := intervals r);
