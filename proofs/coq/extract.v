@@ -1,4 +1,4 @@
-(* The checker as an OCaml program, checker.ml: integers are Zarith's, natural numbers OCaml's.
+(* The checker as an OCaml program, checker.ml: integers are Zarith's (under the name Integer), natural numbers OCaml's.
    SPDX-License-Identifier: GPL-3.0-or-later
 
    What is written here is believed: that each of Zarith's functions is the one of Coq beside it. *)
@@ -6,25 +6,25 @@ Require Import List ZArith Bool Extraction.
 Require ExtrOcamlBasic ExtrOcamlNatInt.
 Require Import Graze.words Graze.definitions Graze.interval Graze.row Graze.simplices Graze.motions.
 
-Extract Inductive positive => "Z.t"
-  ["(fun p -> Z.succ (Z.shift_left p 1))" "(fun p -> Z.shift_left p 1)" "Z.one"]
-  "(fun odd even one p -> if Z.equal p Z.one then one () else if Z.is_odd p then odd (Z.shift_right p 1) else even (Z.shift_right p 1))".
-Extract Inductive Z => "Z.t" ["Z.zero" "" "Z.neg"]
-  "(fun zero positive negative z -> match Z.sign z with 0 -> zero () | 1 -> positive z | _ -> negative (Z.neg z))".
-Extract Inlined Constant Z.add => "Z.add".
-Extract Inlined Constant Z.sub => "Z.sub".
-Extract Inlined Constant Z.mul => "Z.mul".
-Extract Inlined Constant Z.opp => "Z.neg".
-Extract Inlined Constant Z.abs => "Z.abs".
-Extract Inlined Constant Z.max => "Z.max".
-Extract Inlined Constant Z.min => "Z.min".
-Extract Inlined Constant Z.gcd => "Z.gcd".
-Extract Inlined Constant Z.eqb => "Z.equal".
-Extract Inlined Constant Z.leb => "Z.leq".
-Extract Inlined Constant Z.ltb => "Z.lt".
-Extract Inlined Constant Z.sgn => "(fun z -> Z.of_int (Z.sign z))".
-Extract Inlined Constant Z.div => "(fun a b -> if Z.equal b Z.zero then Z.zero else Z.fdiv a b)".
-Extract Inlined Constant Z.of_nat => "Z.of_int".
-Extract Inlined Constant Z.pow => "(fun a n -> Z.pow a (Z.to_int n))".
+Extract Inductive positive => "Integer.t"
+  ["(fun p -> Integer.succ (Integer.shift_left p 1))" "(fun p -> Integer.shift_left p 1)" "Integer.one"]
+  "(fun odd even one p -> if Integer.equal p Integer.one then one () else if Integer.is_odd p then odd (Integer.shift_right p 1) else even (Integer.shift_right p 1))".
+Extract Inductive Z => "Integer.t" ["Integer.zero" "" "Integer.neg"]
+  "(fun zero positive negative z -> match Integer.sign z with 0 -> zero () | 1 -> positive z | _ -> negative (Integer.neg z))".
+Extract Inlined Constant Z.add => "Integer.add".
+Extract Inlined Constant Z.sub => "Integer.sub".
+Extract Inlined Constant Z.mul => "Integer.mul".
+Extract Inlined Constant Z.opp => "Integer.neg".
+Extract Inlined Constant Z.abs => "Integer.abs".
+Extract Inlined Constant Z.max => "Integer.max".
+Extract Inlined Constant Z.min => "Integer.min".
+Extract Inlined Constant Z.gcd => "Integer.gcd".
+Extract Inlined Constant Z.eqb => "Integer.equal".
+Extract Inlined Constant Z.leb => "Integer.leq".
+Extract Inlined Constant Z.ltb => "Integer.lt".
+Extract Inlined Constant Z.sgn => "(fun z -> Integer.of_int (Integer.sign z))".
+Extract Inlined Constant Z.div => "(fun a b -> if Integer.equal b Integer.zero then Integer.zero else Integer.fdiv a b)".
+Extract Inlined Constant Z.of_nat => "Integer.of_int".
+Extract Inlined Constant Z.pow => "(fun a n -> Integer.pow a (Integer.to_int n))".
 
 Extraction "checker.ml" facets_of check_motion check_row.

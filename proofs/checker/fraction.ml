@@ -1,0 +1,66 @@
+(* Rational functions of t: quotients of polynomials over Q, the constant coefficient first, reduced.
+   SPDX-License-Identifier: GPL-3.0-or-later *)
+
+(* What is not read here, with the reason: exit status 2. What no motion or solid has: status 1. *)
+exception Unread of string
+exception Refuted of string
+
+type poly = Q.t list
+type t = { num : poly; den : poly }
+
+let rec trim = function
+  | [] -> []
+  | c :: p -> ( match trim p with [] when Q.sign c = 0 -> [] | q -> c :: q)
+
+let rec add p q =
+  match (p, q) with [], r | r, [] -> r | c :: p, e :: q -> Q.add c e :: add p q
+
+let scale c = List.map (Q.mul c)
+let rec mul p q = match p with [] -> [] | c :: p -> add (scale c q) (Q.zero :: mul p q)
+let degree p = List.length p - 1
+let leading p = List.nth p (degree p)
+
+(* Quotient and remainder; q is trimmed and not zero. *)
+let rec divide p q =
+  let p = trim p in
+  let n = degree p - degree q in
+  if n < 0 then ([], p)
+  else
+    let term = List.init (n + 1) (fun k -> if k = n then Q.div (leading p) (leading q) else Q.zero) in
+    let quotient, rest = divide (add p (scale Q.minus_one (mul term q))) q in
+    (add quotient term, rest)
+
+let rec gcd p q = if q = [] then p else gcd q (snd (divide p q))
+
+let make num den =
+  let num = trim num and den = trim den in
+  if den = [] then raise (Refuted "motion: a division by zero");
+  let g = gcd den num in
+  { num = trim (fst (divide num g)); den = trim (fst (divide den g)) }
+
+let constant c = make [ c ] [ Q.one ]
+let integer n = constant (Q.of_int n)
+let zero = integer 0
+let one = integer 1
+let t = make [ Q.zero; Q.one ] [ Q.one ]
+let ( +: ) a b = make (add (mul a.num b.den) (mul b.num a.den)) (mul a.den b.den)
+let ( *: ) a b = make (mul a.num b.num) (mul a.den b.den)
+let ( -: ) a b = a +: (integer (-1) *: b)
+let ( /: ) a b = make (mul a.num b.den) (mul a.den b.num)
+
+(* The value of a constant one. *)
+let value f =
+  match (f.num, f.den) with
+  | [], _ -> Some Q.zero
+  | [ c ], [ e ] -> Some (Q.div c e)
+  | _ -> None
+
+(* f (a + b t) *)
+let substitute f a b =
+  let at p = List.fold_right (fun c sum -> add [ c ] (mul [ a; b ] sum)) p [] in
+  make (at f.num) (at f.den)
+
+let at f x =
+  let value p = List.fold_right (fun c sum -> Q.add c (Q.mul x sum)) p Q.zero in
+  if Q.sign (value f.den) = 0 then raise (Refuted "motion: a pole");
+  constant (Q.div (value f.num) (value f.den))

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""The verified checker, extracted from proofs/coq, held to graze-check: golden cases and mutants.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Every golden case's certificate must be verified. Then rows of each, one at a time and changed as
+tests/check/mutants.py changes them, are given to both programs, which must agree row by row; a change that
+is not among those that may leave a row true must be refused.
+"""
+import argparse
+import os
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "check"))
+import lib_certificate as lib  # noqa: E402  it finds the others
+import casefile  # noqa: E402
+import mutants  # noqa: E402
+from coq import Checks  # noqa: E402
+
+
+def mutants_of(certificate, count, every):
+    """(kind, certificate) for some rows; forgeries all, others one in so many."""
+    start = mutants.Fraction(next(line for line in certificate.head if line[0] == "signs")[1])
+    seen = 0
+    for row in certificate.rows[:count]:
+        ways = [*mutants.times(row, start), *mutants.roots(row, start), *mutants.kinds(row),
+                *mutants.order(row), *mutants.claims(row), *mutants.points(row)]
+        for kind, changed in ways:
+            seen += 1
+            if seen % every == 0:
+                yield kind, certificate.only([changed])
+        for kind, changed in mutants.forged(row, certificate, start):
+            yield kind, certificate.only([changed])
+
+
+class Checkers:
+    def __init__(self, build, folder):
+        self.programs = lib.Programs(os.path.join(build, "graze"))
+        self.coq = os.path.join(build, "graze-check-coq")
+        self.path = os.path.join(folder, "certificate")
+
+    def both(self, solid, motion, text):
+        """(status, message) of graze-check, the same of the verified checker."""
+        lib.write(self.path, text)
+        status, _, message = self.programs.check("--assume-legal", solid, motion, self.path)
+        other, _, second = lib.run(self.coq, solid, motion, self.path)
+        return (status, message), (other, second)
+
+
+def check_case(checks, checkers, case, every):
+    solid, motion, points = case.path(case.solid), case.path("motion.json"), case.path("points.csv")
+    text = checkers.programs.certify(solid, motion, points, lib.answer_options(case.options))
+    first, second = checkers.both(solid, motion, text)
+    checks.check(first[0] == lib.VERIFIED, f"{case.name}: graze-check: {first}")
+    if not checks.check(second[0] == lib.VERIFIED, f"{case.name}: graze-check-coq: {second}"):
+        return 0
+    certificate, tried = lib.Certificate(text), 0
+    for kind, mutant in mutants_of(certificate, 2, every):
+        first, second = checkers.both(solid, motion, mutant.text())
+        what = f"{case.name}: {kind}:\n{mutant.text()}graze-check {first}, graze-check-coq {second}"
+        checks.check((first[0] == lib.VERIFIED) == (second[0] == lib.VERIFIED), "they disagree: " + what)
+        if kind not in mutants.STILL_TRUE:
+            checks.check(second[0] == lib.REFUTED or second[0] == lib.NOT_CHECKED, "accepted: " + what)
+        tried += 1
+    return tried
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", default="build")
+    parser.add_argument("--only", default="")
+    parser.add_argument("--every", type=int, default=16)
+    args = parser.parse_args()
+    checks, tried, cases = Checks(), 0, 0
+    with tempfile.TemporaryDirectory() as folder:
+        checkers = Checkers(args.build, folder)
+        for name in casefile.names():
+            if name not in lib.UNCUT and args.only in name:
+                tried, cases = tried + check_case(checks, checkers, casefile.Case(name), args.every), cases + 1
+    print(f"graze-check-coq: {cases} cases, {tried} mutants")
+    checks.check(args.only or (cases >= 60 and tried >= 1000), "too few cases or mutants")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
