@@ -122,6 +122,9 @@ Definition state_ok (v : view) (F : list facet) (num : Z) (s : option state) : b
       end
   end.
 
+(* The primitive polynomial whose root is num/de. *)
+Definition root_form (num de : Z) : list Z := let g := Z.gcd num de in [(- (num / g))%Z; (de / g)%Z].
+
 Definition held_all_along (v : view) (f : facet) : bool :=
   always_zero v (plane f) && forallb (never_negative v) (sides f).
 
@@ -133,8 +136,8 @@ Definition interval_ok (v : view) (F : list facet) (k : kind) (q : list Z) : boo
       state_ok v F (lo v) l && state_ok v F (hi v) r &&
       match l, r with
       | None, None => false
-      | None, _ => meet_ok v F [(- lo v)%Z; den v] (-1) l r
-      | _, None => meet_ok v F [(- hi v)%Z; den v] (-1) l r
+      | None, _ => meet_ok v F (root_form (lo v) (den v)) (-1) l r
+      | _, None => meet_ok v F (root_form (hi v) (den v)) (-1) l r
       | _, _ =>
           let n := pred (length q) in
           let left := one_change n (bern (lo v) (hi v) (den v) n q) in

@@ -6,7 +6,7 @@
    [profile_sound]     the signs of a form beside a root are as said (claim K9)
    [same_state]        off all facets the state does not change (claim K11)
    [interval_sound]    if the tests succeed, the states on the interval are those of its kind *)
-Require Import Reals Lra Lia List ZArith Bool.
+Require Import Reals Lra Lia List ZArith Znumtheory Bool.
 Require Fin.
 Require Import Graze.words Graze.times Graze.space Graze.polynomials Graze.bernstein Graze.facets Graze.ray
   Graze.sample Graze.interval.
@@ -421,11 +421,19 @@ Proof.
         [apply pull_coefficients|exact H2|exact Ht].
   - simpl in H. apply andb_prop in H. destruct H as [H Hm]. apply andb_prop in H. destruct H as [Hsl Hsr].
     assert (0 < IZR (den v)) as Hd by (apply IZR_lt, Hden).
-    assert (forall p e, ev [(- p)%Z; den v] e = IZR (den v) * e - IZR p) as Hlinear.
-    { intros p e. unfold ev. simpl. rewrite opp_IZR. ring. }
-    assert (forall e, inside e -> forall p, IZR (den v) * e = IZR p -> root_of [(- p)%Z; den v] (-1) e) as Hend.
-    { intros e He p Hp. split; [assumption|]. rewrite Hlinear. split; [lra|]. split; [discriminate|].
-      intros t Ht. rewrite Hlinear. simpl. split; intros Hlt; pose proof (Rmult_lt_compat_l _ _ _ Hd Hlt); lra. }
+    assert (forall e, inside e -> forall p, IZR (den v) * e = IZR p -> root_of (root_form p (den v)) (-1) e) as Hend.
+    { intros e He p Hp. assert (0 < Z.gcd p (den v))%Z as Hg.
+      { pose proof (Z.gcd_nonneg p (den v)). destruct (Z.eq_dec (Z.gcd p (den v)) 0) as [E|]; [|lia].
+        apply Z.gcd_eq_0_r in E. lia. }
+      pose proof (Zdivide_Zdiv_eq _ _ Hg (Z.gcd_divide_l p (den v))) as Ep.
+      pose proof (Zdivide_Zdiv_eq _ _ Hg (Z.gcd_divide_r p (den v))) as Eq.
+      set (g := Z.gcd p (den v)) in *. pose proof Hd as Hd'. rewrite Eq, mult_IZR in Hd', Hp. rewrite Ep, mult_IZR in Hp.
+      apply IZR_lt in Hg. assert (0 < IZR (den v / g)) as Hk by (apply Rmult_lt_reg_l with (1 := Hg); lra).
+      assert (IZR (den v / g) * e = IZR (p / g)) as Ee by (apply Rmult_eq_reg_l with (IZR g); lra).
+      assert (forall t, ev (root_form p (den v)) t = IZR (den v / g) * t - IZR (p / g)) as Hlinear.
+      { intros t. unfold root_form, ev. fold g. simpl. rewrite opp_IZR. ring. }
+      split; [assumption|]. rewrite Hlinear. split; [lra|]. split; [discriminate|].
+      intros t Ht. rewrite Hlinear. simpl. split; intros Hlt; pose proof (Rmult_lt_compat_l _ _ _ Hk Hlt); lra. }
     destruct l as [x|], r as [y|]; [| | |discriminate].
     + apply andb_prop in Hm. destruct Hm as [Hq Hm]. apply negb_true_iff, Z.eqb_neq in Hq.
       destruct (one_root (lo v) (hi v) (den v) Hden Horder (pred (length q)) q ltac:(lia) Hq) as (r & Hr & Hr0 & Hbeside).
