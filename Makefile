@@ -35,7 +35,7 @@ PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-de
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
-PACKAGES_PROOFS := $(PACKAGES_BUILD) coq python3
+PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 comma   := ,
@@ -308,12 +308,22 @@ cases: $B/.packages-test all
 test-all: $B/.packages-all test
 	@tests/long.sh
 
-# The theory, machine-checked: the proofs, the C functions against them, and proofs that must fail.
+# The theory, machine-checked: the proofs, the C functions and graze-check against them, and proofs that must fail.
 .PHONY: proofs
-proofs: $B/.packages-proofs $B/tests/proofs/table
+proofs: $B/.packages-proofs $B/tests/proofs/table $B/graze $B/graze-check
 	@python3 tests/proofs/prove.py --build $B
 	@python3 tests/proofs/table.py --build $B
+	@$(MAKE) -s $B/graze-check-coq
+	@python3 tests/proofs/checker.py --build $B
 	@python3 tests/proofs/broken.py --build $B
+# The checker that proofs/coq/extract.v writes, with its reader.
+CHECKER_ML := integer.ml checker.mli checker.ml $(addsuffix .ml,fraction text solid motion main)
+.PHONY: $B/graze-check-coq
+$B/graze-check-coq:
+	@mkdir -p $B/checker
+	@cp proofs/checker/*.ml $B/proofs/checker.ml $B/proofs/checker.mli $B/checker
+	@cd $B/checker && ocamlfind ocamlopt -package zarith,unix -linkpkg $(CHECKER_ML) -o graze-check-coq
+	@mv $B/checker/graze-check-coq $@
 
 # Every target in turn for so many seconds; what breaks one is kept in $(FUZZ_BUILD)/found. With FUZZ_PLAIN=1 without
 # sanitizers, five to ten times as fast, for many executions.

@@ -262,3 +262,86 @@ Definition of_scenes :=
    @dive_without_class, @return_word, @return_literal, @return_apart,
    @return_without_class, @seam_word, @seam_on, @seam_inner).
 Print Assumptions of_scenes.
+
+(* The verified checker. What its tests compute is no part of the statements: what they prove is. *)
+Require Import ZArith.
+Require Import Graze.bernstein Graze.facets Graze.ray Graze.sample Graze.interval Graze.interval_sound
+  Graze.row Graze.simplices Graze.motions Graze.checker Graze.square.
+Print ev.
+Print within.
+Print signed.
+Print root_between.
+Check strict_sign.
+Check not_negative.
+Check one_root.
+Print nat_of.
+Print dot.
+Print zvalue.
+Print rdot.
+Print zdot.
+Print simplex.
+Print coordinate.
+Print total_weight.
+Print weighted.
+Print in_hull.
+Print in_relative_interior.
+Print form_of.
+Print normal_of.
+Print outward.
+Print legal_solid.
+Print facet.
+Print facets.on.
+Print facets.inner.
+Print legal.
+Check connected.
+Check ray_state.
+Check ray_tells.
+Check facet_on.
+Check facet_inner.
+Check legal_facets.
+Print kind.
+Print letters.
+Print time.
+Print instant.
+Print piece.
+Print entry.
+Print mapped.
+Print given_by.
+Print value_of.
+Print det_poly.
+Print span.
+Print first_time.
+Print last_time.
+Print chained.
+Print legal_motion.
+Check motion_legal.
+Check motion_exists_plane.
+Check motion_exists_space.
+Print operation.
+Print row.
+Print point_of.
+Check divide_out_value.
+Check cleared_off.
+Check profile_sound.
+Check same_state.
+Check interval_sound.
+Check row_sound.
+Print check.
+Print says_sweep.
+Print says_unsweep.
+Check sweep_checked_plane.
+Check sweep_checked_space.
+Check unsweep_checked_plane.
+Check unsweep_checked_space.
+Print square.
+Print slide.
+Print square_row.
+Check square_legal.
+Check square_accepted.
+Check square_swept.
+Definition of_checker :=
+  (@strict_sign, @not_negative, @one_root, @connected, @ray_state, @ray_tells, @facet_on, @facet_inner, @legal_facets,
+   @motion_legal, @motion_exists_plane, @motion_exists_space, @divide_out_value, @cleared_off, @profile_sound,
+   @same_state, @interval_sound, @row_sound, @sweep_checked_plane, @sweep_checked_space, @unsweep_checked_plane,
+   @unsweep_checked_space, @square_legal, @square_accepted, @square_swept).
+Print Assumptions of_checker.

