@@ -63,9 +63,9 @@ Proof.
   intros H. destruct (check_row_word sweeping H) as [HL K]. split; [exact HL|]. intros M HM.
   destruct (K M HM) as [W C]. change (is_word (trace_of M A (point_of V)) t0 t1 (word_of r)) in W.
   pose proof (solid_regular _ _ _ HA) as HR. simpl in C.
-  repeat (let X := fresh "C" in apply andb_prop in C; destruct C as [C X]).
-  apply same_membership_eq in C. apply same_class_eq in C5.
-  apply Nat.eqb_eq in C0, C1, C2, C3, C4. unfold says_sweep.
+  repeat (let X := fresh "E" in apply andb_prop in C; destruct C as [C X]).
+  apply same_membership_eq in C. apply same_class_eq in E4.
+  apply Nat.eqb_eq in E, E0, E1, E2, E3. unfold says_sweep.
   split; [exact W|]. split; [intros v Wv; exact (word_unique _ _ _ _ _ (trace_functional M A _) Wv W)|].
   split; [exact (trace_admissible M A _ _ W)|]. repeat (split; [assumption|]). rewrite C.
   split; [apply in_is, W|]. split; [apply on_is; assumption|]. apply out_is; [exact W|].
