@@ -54,7 +54,7 @@ def reasons():
             if at:
                 rows[at[1]] = (int(at[2]), int(at[3]), at[4])
             elif line.strip() and not line.startswith("#"):
-                sys.exit(f"tests/coverage.txt:{number}: right is FILE LINES BRANCHES REASON")
+                sys.exit(f"tests/coverage.txt:{number}: expected FILE LINES BRANCHES REASON")
     return rows
 
 
@@ -77,7 +77,7 @@ def main():
         low = min(lines, branches) < RIGHT
         floor = rows.get(name, (RIGHT, RIGHT, ""))
         good = lines >= floor[0] and branches >= floor[1]
-        wrong = f"FAILED: right are {floor[0]} and {floor[1]}, or a reason" if not good else "its row is not needed" if name in rows and not low else ""
+        wrong = f"FAILED: expected {floor[0]} and {floor[1]}, or a reason" if not good else "its row is not needed" if name in rows and not low else ""
         print(f"  {lines:5.1f} {branches:5.1f}    {name}" + (f"  {floor[2]}" if low else "") + (f"  {wrong}" if wrong else ""))
         passed, failed = passed + good, failed + (not good)
     for name in sorted(set(rows) - set(files)):

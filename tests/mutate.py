@@ -4,8 +4,8 @@
 Every comparison, logical connective and sign in the files below is changed, one at a time. Each mutant is put to the tables
 of the cases, the unit tests and the suites below until one notices it. The exact path is asked (--no-filter), and for
 src/trace also what lies between it and the filter. A mutant that no suite notices is an error unless tests/mutants.txt lists
-it with the reason why it is equivalent. Of the filter, comparison, reports, conversion and tables a sample is
-asked, as mutation/glue.py says. `--sample K/N` takes every N-th mutant from K on. Wants a finished `make test`.
+it with the reason why it is equivalent. A sample of the filter, comparison, reports, conversion
+and tables is asked, as mutation/glue.py defines it. `--sample K/N` takes every N-th mutant from K on. Wants a finished `make test`.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -207,7 +207,7 @@ class Worker:
             return file.read()
 
     def judge(self, mutant):
-        """What becomes of a mutant: `void`, `same code`, the suite that notices it, or None."""
+        """Fate of a mutant: `void`, `same code`, the suite that notices it, or None."""
         with open(mutant.path, encoding="utf-8") as file:
             plain = file.read()
         if mutant.path not in self.plain:
@@ -273,7 +273,7 @@ def main():
     parser.add_argument("--only", default="", help="only where this pattern meets PATH:LINE:")
     parser.add_argument("--jobs", type=int, default=1, help="mutants at a time")
     parser.add_argument("--corpus", help="folder that keeps the recorded runs from call to call")
-    parser.add_argument("--verbose", action="store_true", help="tell of each mutant")
+    parser.add_argument("--verbose", action="store_true", help="print the fate of each mutant")
     options = parser.parse_args()
     first, step = (int(n) for n in options.sample.split("/"))
     known = known_equivalents("tests/mutants.txt")

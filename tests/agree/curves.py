@@ -47,7 +47,7 @@ def cone(sides):
 
 
 def thin():
-    """Two walls 2^-300 apart: their contact times differ by less than any double can tell."""
+    """Two walls 2^-300 apart: their contact times differ by less than doubles resolve."""
     e = F(1, 2 ** 300)
     return Polygon([[box_ring(0, 0, e, 4)], [ring((2 * e, 0), (5, 0), (5, 4), (2 * e, 4))]])
 

@@ -1,4 +1,4 @@
-/* Waiting for a FIFO that nobody writes to asks the cancel callback.
+/* The wait for a FIFO without a writer asks the cancel callback.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "walk.h"
@@ -27,7 +27,7 @@ static void waiting_can_be_canceled(void **state) {
     assert_non_null(mkdtemp(folder));
     snprintf(fifo, sizeof fifo, "%s/silent.off", folder);
     assert_int_equal(mkfifo(fifo, 0600), 0);
-    alarm(20); /* where nobody is asked, this program ends here */
+    alarm(20); /* without a call of it this program ends here */
     assert_int_equal(graze_solid_read(&solid, context, fifo, 0), GRAZE_ECANCELED);
     assert_null(solid);
     assert_int_equal(questions, 3);

@@ -122,7 +122,7 @@ check = checks.holds
 
 
 def feed(path, content, over):
-    """Write into a named pipe until nobody reads it."""
+    """Write into a named pipe until its reader is gone."""
     block = bytes(content) * (65536 // len(content))
     try:
         file = os.open(path, os.O_WRONLY)
@@ -196,12 +196,12 @@ def main():
         listed, have = limits_of_help(args.graze), {bomb.limit for bomb in BOMBS}
         check(len(listed) >= 8, f"--help lists the limits: {sorted(listed)}")
         for limit in sorted(listed | have):
-            check(limit in listed and limit in have, f"the limit {limit}: right is a row in --help and a bomb here")
+            check(limit in listed and limit in have, f"the limit {limit}: expected a row in --help and a bomb here")
     for bomb in chosen:
         if not args.without:
             status, text = run(args.graze, bomb, [], SECONDS, memory)
             check(status == bomb.ends and (status == 0 or bomb.says in text),
-                  f"{bomb.name}: status {status}, right is {bomb.ends} and `{bomb.says}`; {text[:300]}")
+                  f"{bomb.name}: status {status}, expected {bomb.ends} and `{bomb.says}`; {text[:300]}")
         elif bomb.without:
             status, text = run(args.graze, bomb, bomb.without.split(), SECONDS_WITHOUT, memory)
             check(status not in (0, 1, 2, 3, LIMIT_MET), f"{bomb.name}: harmless without its limit: {status}; {text[:300]}")

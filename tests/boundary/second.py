@@ -27,7 +27,7 @@ class Convex:
         return "in" if most < 0 else "on" if most == 0 else "out"
 
     def distance_squared(self, point):
-        """From the boundary: the nearest point of all edges."""
+        """Squared distance from the boundary: the nearest point of all edges."""
         return min(segment_distance(point, a, b)
                    for a, b in zip(self.corners, self.corners[1:] + self.corners[:1]))
 
@@ -74,7 +74,7 @@ class Refinement:
         self.cut, self.cells = set(), {(0, (0,) * self.d)}
 
     def pmc(self, level, place):
-        """Of a place counted in cells of a level."""
+        """The answer at a place counted in cells of a level."""
         point = tuple(a + (b - a) * F(k) / 2**level for a, b, k in zip(self.low, self.high, place))
         if point not in self.asked:
             self.asked[point] = self.truth.pmc(point)

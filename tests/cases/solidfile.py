@@ -3,7 +3,7 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 
 A facet is (normal, offset, kept coordinates, corners, corners' numbers): normal . x = offset is its
-plane, the two kept coordinates do not see it edge-on. In the plane a facet is an edge and keeps
+plane, the two kept coordinates do not see it edge-on. A facet in the plane is an edge and keeps
 none. Cases are legal solids, so nothing is checked here but the reading.
 """
 import re

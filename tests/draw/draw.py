@@ -36,7 +36,7 @@ check = checks.holds
 
 
 def excuse_fonts(folder):
-    """Under a sanitizer: what fontconfig, behind cairo, keeps until the end is no leak of ours."""
+    """Memory that fontconfig, behind cairo, keeps until the end is no leak of ours under a sanitizer."""
     path = os.path.join(folder, "suppressions")
     with open(path, "w", encoding="utf-8") as file:
         file.write("leak:libfontconfig\n")

@@ -1,5 +1,5 @@
 # suite
-"""With the filter and without it, the same bytes: tables, JSON Lines and explanations.
+"""The same bytes with the filter and without it: tables, JSON Lines and explanations.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 

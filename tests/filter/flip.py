@@ -74,8 +74,8 @@ def tip(graze, rng, count):
     """A sliver goes past points that its tip meets, or misses above by hairs that doubles lose.
 
     One of its two sides then has a root near the tip whose place is not certain, and the other none
-    there: nothing but the certainty "inside" decides on the crossing. At a tip that is met exactly
-    both sides ask, and it does not matter what one of them says.
+    there: nothing but the certainty "inside" decides on the crossing. Both sides ask at a tip
+    that is met exactly, and it does not matter what one of them says.
     """
     thin, points = F(1, 2 ** 20), []
     for _ in range(count):
@@ -109,7 +109,7 @@ def weights(graze, rng, count):
 def over_the_break(graze, rng, count):
     """A crossing on one side of a break point and a grazed tip, for the exact path, on the other.
 
-    Nothing else is met, so the states between the two are told by the crossing's direction alone:
+    Nothing else is met, so the states between the two follow from the crossing's direction alone:
     one that is falsified is noticed by parity against an exact location, or not at all. Now and
     then comes a point without a tip, so that no call is always at the same place in its period.
     """

@@ -23,7 +23,7 @@ class Way:
 
 
 def ways(path):
-    """With the filter and two threads, and by the exact path alone on one."""
+    """The filter with two threads, and the exact path alone with one."""
     return Way("filtered", path, jobs=2), Way("exact", path, ["--no-filter"])
 
 

@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <yajl/yajl_parse.h>
 
-/* In the order of the enumeration; the words are for the command line. */
+/* The order is that of the enumeration; the words are for the command line. */
 static const struct {
     unsigned long value;
     const char *word;

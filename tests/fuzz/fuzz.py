@@ -40,7 +40,7 @@ def scratch():
 
 
 def told(log):
-    """Of all runs of a log: executions, edges, and the execution that found the last edge."""
+    """Executions, edges, and the execution that found the last edge, over all runs of a log."""
     before, runs, edges, last = 0, 0, 0, 0
     with open(log, encoding="utf-8", errors="replace") as file:
         for line in file:

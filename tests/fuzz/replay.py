@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """# suite: every seed of every fuzz target run once, and the table of README.md held to graze.h.
 
-A seed counts as one test. Of each target some seed must be taken, not refused: seeds that are all refused at
+A seed counts as one test. Some seed of each target must be taken, not refused: seeds that are all refused at
 the door show little. SPDX-License-Identifier: GPL-3.0-or-later
 """
 import glob
@@ -56,7 +56,7 @@ def targets_held(program, folder):
         for seed in seeds:
             check(seed in said, f"{seed}: broke the target, or was not reached behind one that did")
         check("taken" in said.values(), f"{target}: no seed is taken")
-    check(size < MOST_BYTES, f"the seeds have {size} bytes; right are less than {MOST_BYTES}")
+    check(size < MOST_BYTES, f"the seeds have {size} bytes, expected less than {MOST_BYTES}")
     known = {os.path.basename(path) for path in glob.glob(f"{HERE}/corpus/*") + glob.glob(f"{HERE}/words/*")}
     check(known <= set(targets), f"{sorted(known - set(targets))}: seeds or words of no target")
     return targets
@@ -106,7 +106,7 @@ def table_held(targets):
     calls = {target: reached(target, known) for target in targets}
     check(len(functions) > 70 and len(rows) == len(table), "the functions are found, each once")
     for function in functions:
-        check(function in table, f"README.md has no row for {function}: right are targets that call it, or a reason")
+        check(function in table, f"README.md has no row for {function}: expected targets that call it, or a reason")
     for function, text in rows:
         check(function in functions, f"README.md has a row for {function}, which graze.h does not have")
         named = re.split(r", ", text)

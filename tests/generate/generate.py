@@ -268,7 +268,7 @@ def check_defaults(suite, scene, count, seed):
 
 
 def check_share(suite, scene, seed):
-    """With the default weights at least 70 % of the rows are degenerate in their result."""
+    """At least 70 % of the rows are degenerate in their result with the default weights."""
     text = suite.generate(scene, SHARE_ROWS, seed)
     records = suite.classify(scene, text)
     share = sum(degenerate(scene, *pair) for pair in zip(Table(text).rows, records))

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 A Jet is c0 + c1 e + ... up to the power TERMS - 1 of e, where t = t* + e; all exact. The order of
 a contact with a plane is the number of leading zeros of the plane's pullback; TERMS zeros count as a
-slide. At a break point the germ is that of the piece that begins there.
+slide. The germ at a break point is that of the piece that begins there.
 """
 import json
 import math
@@ -123,7 +123,7 @@ def about(a, center):
 
 
 def turned(q, d):
-    """Of a quaternion that need not be a unit; in the plane its z axis alone is used."""
+    """The rotation of a quaternion that need not be a unit; in the plane its z axis alone is used."""
     w, x, y, z = q
     n = w * w + x * x + y * y + z * z
     rows = [[w*w + x*x - y*y - z*z, 2 * (x*y - w*z), 2 * (x*z + w*y)],

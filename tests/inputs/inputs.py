@@ -124,7 +124,7 @@ def check_pipes(bench, name, file, words):
 
 
 def check_waits(bench, name, file, words):
-    """A signal ends the wait for a FIFO that nobody opens, and for one that nobody writes into."""
+    """A signal ends the wait for a FIFO that is not opened, and for one that is not written into."""
     fifo = bench.folder / ("silent" + file.suffix)
     os.mkfifo(fifo)
     for held in (False, True):

@@ -1,4 +1,4 @@
-"""What the program says of itself, in --help, man pages and completion, is the same everywhere.
+"""--help, man pages and completion name the same commands, options and functions.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 

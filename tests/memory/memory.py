@@ -82,7 +82,7 @@ class Run:
 
 
 def is_begun(found, whole):
-    """Whether the bytes are whole lines of the beginning of a table, which is told by its last line."""
+    """Whether the bytes are whole lines of the beginning of a table, which its last line decides."""
     return whole.startswith(found) and (found == whole or not found or (found.endswith(b"\n") and b"# complete" not in found))
 
 
@@ -136,7 +136,7 @@ def serve(bench, scene, folder, runs):
 
 
 def ways_of(bench, scene):
-    """For each allocation of a run the number of the way to it, 0 for those that are spared."""
+    """The number of the way to each allocation of a run, 0 for those that are spared."""
     folder = bench.folder / scene.name
     folder.mkdir()
     place = folder / "list"

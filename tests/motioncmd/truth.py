@@ -26,7 +26,7 @@ PI = 4 * (4 * arctan_inverse(5) - arctan_inverse(239))
 
 
 def cos_sin(degrees):
-    """Of a decimal number of degrees, by the series after reduction to at most 45 of them."""
+    """Cosine and sine of a decimal number of degrees, by the series after reduction to at most 45 of them."""
     quarters = int((degrees / 90).to_integral_value())
     x = (degrees - 90 * quarters) * PI / 180
     cosine, sine, term, k = Decimal(0), Decimal(0), Decimal(1), 0

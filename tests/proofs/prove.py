@@ -18,7 +18,7 @@ from coq import OPTIONS, SOURCE, Checks, compile_file, copy, order, run, sources
 RECORD = os.path.join(SOURCE, "statements.txt")
 FORBIDDEN = re.compile(r"\b(Admitted|admit|Axioms?|Conjecture|Parameters?|Abort|Declare\s+Module|bypass_check|"
                        r"Unset\s+(Guard|Positivity|Universe)\s+Checking|Type\s+in\s+Type)\b")
-# Of the standard library: its real numbers, and classical logic.
+# The axioms of the standard library: its real numbers, and classical logic.
 AXIOMS = {"ClassicalDedekindReals.sig_forall_dec", "ClassicalDedekindReals.sig_not_dec",
           "FunctionalExtensionality.functional_extensionality_dep", "Classical_Prop.classic"}
 

@@ -1,5 +1,5 @@
-/* A data race for test-all: two threads of Python that call bump at one time must be told of by the
- * thread sanitizer, else its silence about Graze says nothing. SPDX-License-Identifier:
+/* A data race for test-all: two threads of Python that call bump at one time must be reported by
+ * the thread sanitizer, else its silence about Graze says nothing. SPDX-License-Identifier:
  * GPL-3.0-or-later
  */
 __attribute__((visibility("default"))) void bump(void);

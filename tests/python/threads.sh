@@ -19,7 +19,7 @@ for thread in threads: thread.join()"
 status=0
 under_sanitizer "$1" -c "$race" "" "" >"$1/race.log" 2>&1 || status=$?
 if [ "$status" != 66 ]; then
-    echo "the race of tests/python/race.c is not found: status $status, right is 66"
+    echo "the race of tests/python/race.c is not found: status $status, expected 66"
     exit 1
 fi
 under_sanitizer "$1" tests/python/part.py without-numpy --graze "$(realpath build/graze)"

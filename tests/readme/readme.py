@@ -33,7 +33,7 @@ DOCUMENTS = ("README.md", "src/cli/README.md")
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$(?:\n\n```text\n(.*?)^```$)?", re.M | re.S)
 # Words of the README outside its blocks.
 MOST_WORDS = 1650
-# What the compiler must be told if the libraries were built with a sanitizer.
+# Options of the compiler if the libraries were built with a sanitizer.
 SANITIZERS = {b"__asan_init": "address", b"__ubsan_handle": "undefined", b"__tsan_init": "thread"}
 # The point fb-graze-slide of cases/bracket: its row, and the times and cells its README derives, the times
 # 1/2; 11/10; [49/40, 509/320]; [119/64, 2] as decimals.
@@ -124,7 +124,7 @@ class Runner:
         source = os.path.join(self.folder, "build", "example.c")
         with open(source, encoding="utf-8") as file:
             text = file.read()
-        # Of every file read a name that is not there: status 1, and the message of the context.
+        # A name that is not there for each file read: status 1, and the message of the context.
         for path in re.findall(r'"(build/[^"]*)"', text):
             write(text.replace(path, path + ".gone"), source)
             got, status = self.run(self.programs(command)[1])
@@ -235,7 +235,7 @@ def main():
     check((runner.ran["c"], runner.ran["python"]) == (1, 1), f"examples: {runner.ran}")
     names(texts, graze)
     words = sum(bool(re.search(r"\w", word)) for word in BLOCK.sub("", texts["README.md"]).split())
-    check(words <= MOST_WORDS, f"README.md has {words} words outside its blocks; right is {MOST_WORDS}")
+    check(words <= MOST_WORDS, f"README.md has {words} words outside its blocks, expected at most {MOST_WORDS}")
     checks.finish()
 
 

@@ -30,7 +30,7 @@ def read_all(handle):
     while True:
         try:
             part = os.read(handle, 4096)
-        except OSError:  # how Linux says that nobody holds the other end
+        except OSError:  # the other end is closed
             part = b""
         if not part:
             return b"".join(parts)

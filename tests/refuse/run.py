@@ -14,8 +14,8 @@ Every tests/refuse/*.txt holds cases; tests/refuse/common holds good files they 
     --- big.csv python
     b"1,2,3\\n" * 1000        (a Python expression that gives bytes or str)
 
-Further keys: `stdin: FILE`, `env: K=V`, `stdout: /dev/full` or `closed` or `broken` (a pipe that
-nobody reads), `stderr: closed`, `signal: NAME AFTER` (sent after so many seconds; `exit: -15` is an
+Further keys: `stdin: FILE`, `env: K=V`, `stdout: /dev/full` or `closed` or `broken` (a pipe without
+a reader), `stderr: closed`, `signal: NAME AFTER` (sent after so many seconds; `exit: -15` is an
 end by SIGTERM), `rows: N` (whole rows on standard output that are neither comment nor head),
 `prints: a part of standard output`. `says` and `prints` may stand more than once. A case with exit 0
 and a CSV table must end with `# complete`, every other case must not print it.

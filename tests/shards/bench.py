@@ -94,7 +94,7 @@ def scenes(bench):
 
 def altered(bench, rows, at):
     """(what was done, rows) where row `at`, not the last, is no longer what the run wrote; every change is one that the
-    row's point or its word tells."""
+    row's point or its word shows."""
     fields = rows[at].split(b",")
     word = next(k for k, f in enumerate(fields) if k > 1 and f.strip(b"\n") and not f.strip(b"IBO\n"))
     names = {b"in": b"out", b"out": b"on", b"on": b"in"}

@@ -62,7 +62,7 @@ def check_signals(bench):
             bench.check(which == signal.SIGKILL or text.endswith(b"\n"), f"{which.name} leaves whole rows", text[-80:])
             bench.check(whole.startswith(text), f"{which.name} leaves a beginning of the table")
         bench.check(ends > 0, f"{which.name} came before the end")
-        bench.check(told > 0 or which == signal.SIGKILL, f"{which.name}: how far it came is said")
+        bench.check(told > 0 or which == signal.SIGKILL, f"{which.name}: the number of rows is reported")
         if path.read_bytes() != whole:
             bench.good(*words, "--resume", path)
         bench.check(path.read_bytes() == whole, f"after {which.name} the table is that of one run")
@@ -104,7 +104,7 @@ def check_full(bench):
                 text = path.read_bytes()
                 row = max(map(len, whole.splitlines())) + 1
                 bench.check(done.returncode == 5 and b"writing failed: File too large" in done.stderr,
-                            "a write that fails is told", form, size, how, done.returncode, done.stderr)
+                            "a write that fails is reported", form, size, how, done.returncode, done.stderr)
                 bench.check(whole.startswith(text) and text[-1:] in (b"", b"\n") and size - len(text) <= row,
                             "it leaves whole lines", form, size, how, len(text), text[-80:])
                 if how == "--resume":
@@ -121,7 +121,7 @@ def on_terminal(words):
     while True:
         try:
             part = os.read(master, 4096)
-        except OSError:  # how Linux says that nobody holds the other end
+        except OSError:  # the other end is closed
             part = b""
         if not part:
             break

@@ -61,7 +61,7 @@ def check_tables(bench):
 
 
 def check_faults(bench):
-    """Faults are told once, with the exit status of graze, and the rows before them stay."""
+    """Faults are reported once, with the exit status of graze, and the rows before them stay."""
     cube = [COMMON / "cube.off", COMMON / "move3.json"]
     lines = random_points(bench.random, 600, 3).splitlines(keepends=True)
     bad = bench.file("bad.csv", b"".join(lines[:300] + [b"bad,1,2,x,y\n"] + lines[300:]))

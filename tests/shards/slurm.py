@@ -52,7 +52,7 @@ exec {graze} classify --shard $i/5 --jobs 1 --receipt receipt.txt --resume part-
 
 
 def free_ports(count):
-    """Ports that nobody listens at."""
+    """Free ports."""
     sockets = [socket.socket() for _ in range(count)]
     for one in sockets:
         one.bind(("127.0.0.1", 0))
