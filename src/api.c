@@ -81,7 +81,7 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
     return status;
 }
 
-static int options_known(const graze_options *o) {
+static int scene_options_known(const graze_options *o) {
     return (o->operation == GRAZE_SWEEP || o->operation == GRAZE_UNSWEEP) &&
            (o->overlap == GRAZE_OVERLAP_EXTEND || o->overlap == GRAZE_OVERLAP_REJECT) &&
            (o->folds == GRAZE_FOLDS_SEPARATE || o->folds == GRAZE_FOLDS_COMBINED);
@@ -94,7 +94,7 @@ graze_status graze_scene_create(graze_scene **out, graze_context *context, const
     if (!out || !context || !solid || !motion)
         return api_misuse(context, "graze_scene_create",
                           "out, context, solid and motion must not be NULL");
-    if (options && !options_known(options))
+    if (options && !scene_options_known(options))
         return api_misuse(context, "graze_scene_create", "an option has an unknown value");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_scene *scene = malloc(sizeof *scene);
@@ -163,7 +163,7 @@ graze_status graze_word_verdict(graze_verdict *out, graze_context *context,
         memset(out, 0, sizeof *out);
     if (!out || !context || !word)
         return api_misuse(context, "graze_word_verdict", "out, context and word must not be NULL");
-    if (options && !options_known(options))
+    if (options && !scene_options_known(options))
         return api_misuse(context, "graze_word_verdict", "an option has an unknown value");
     if (verdict_of_word(out, word, length, options ? options : &defaults))
         return GRAZE_OK;

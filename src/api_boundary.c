@@ -86,7 +86,7 @@ graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
     return out;
 }
 
-static void put_point(mpq_t *out, const graze_boundary *b, uint64_t key) {
+static void put_boundary_point(mpq_t *out, const graze_boundary *b, uint64_t key) {
     fmpq *point = _fmpq_vec_init(b->dimension);
     lattice_point(point, b, key);
     for (int k = 0; k < b->dimension; k++)
@@ -97,7 +97,7 @@ static void put_point(mpq_t *out, const graze_boundary *b, uint64_t key) {
 graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *b, size_t index) {
     if (!point || !b || index >= b->points.count)
         return GRAZE_PMC_NONE;
-    put_point(point, b, b->points.key[index]);
+    put_boundary_point(point, b, b->points.key[index]);
     return (graze_pmc)b->points.value[index];
 }
 
@@ -122,7 +122,7 @@ graze_boundary_cell graze_boundary_cell_at(const graze_boundary *b, size_t index
 
 void graze_boundary_vertex(mpq_t *point, const graze_boundary *b, size_t index) {
     if (point && b && index < b->vertices.count)
-        put_point(point, b, b->vertices.key[index]);
+        put_boundary_point(point, b, b->vertices.key[index]);
 }
 
 const size_t *graze_boundary_face(const graze_boundary *b, size_t index) {

@@ -6,7 +6,7 @@
 #include "compare/compare.h"
 #include "context/environment.h"
 
-static int options_known(const graze_compare_options *o) {
+static int compare_options_known(const graze_compare_options *o) {
     return (unsigned)o->question <= GRAZE_QUESTION_CLOSED &&
            (unsigned)o->on_as <= GRAZE_ON_AS_OUT && (unsigned)o->has <= GRAZE_HAS_SDF;
 }
@@ -18,7 +18,7 @@ graze_status graze_compare(graze_comparison **out, graze_context *context, const
     if (!out || !context || !golden || !candidate)
         return api_misuse(context, "graze_compare",
                           "out, context, golden and candidate must not be NULL");
-    if (options && !options_known(options))
+    if (options && !compare_options_known(options))
         return api_misuse(context, "graze_compare", "an option has an unknown value");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_comparison *c = calloc(1, sizeof *c);

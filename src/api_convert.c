@@ -10,8 +10,8 @@
 #include "motion/motion_read.h"
 
 /* Read what was made: it is handed out only if it is a legal motion. */
-static graze_status finish(char **json, char **report, graze_context *context, conversion *made,
-                           graze_status status) {
+static graze_status finish_conversion(char **json, char **report, graze_context *context,
+                                      conversion *made, graze_status status) {
     graze_motion *motion = NULL;
     if (!status && !made->motion.failed)
         status = motion_from_text(&motion, context, made->motion.data, made->motion.length);
@@ -94,7 +94,7 @@ static graze_status chain(char **json, char **report, graze_context *context, in
     if (!status)
         status = uniform ? convert_joints(&made, context, &goal, joints, count)
                          : convert_rotation(&made, context, &goal, joints);
-    status = finish(json, report, context, &made, status);
+    status = finish_conversion(json, report, context, &made, status);
     while (taken > 0)
         joint_clear(joints + --taken);
     free(joints);
@@ -154,5 +154,5 @@ graze_status graze_motion_write_poses(char **json, char **report, graze_context 
     if (!status)
         status = convert_poses(&made, context, path, (flags & GRAZE_POSES_AFFINE) != 0, allowed);
     fmpq_clear(allowed);
-    return finish(json, report, context, &made, status);
+    return finish_conversion(json, report, context, &made, status);
 }

@@ -152,9 +152,9 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
     return report_header(out, context, scene, notes, columns);
 }
 
-static graze_status put_row(text *out, graze_context *context, const graze_scene *scene,
-                            const fmpq *point, const graze_trace *trace, graze_format format,
-                            const char *rest) {
+static graze_status put_trace_row(text *out, graze_context *context, const graze_scene *scene,
+                                  const fmpq *point, const graze_trace *trace, graze_format format,
+                                  const char *rest) {
     graze_status status = GRAZE_OK;
     if (format == GRAZE_FORMAT_CSV) {
         report_csv(out, scene, point, trace, rest);
@@ -191,7 +191,7 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
         return status;
     text t;
     text_init(&t);
-    status = put_row(&t, context, scene, p, trace, format, rest);
+    status = put_trace_row(&t, context, scene, p, trace, format, rest);
     _fmpq_vec_clear(p, scene->motion->dimension);
     if (status) {
         text_clear(&t);
@@ -201,8 +201,8 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
 }
 
 /* Trace one point and add its row. */
-static graze_status put_point(text *out, graze_context *context, const graze_scene *scene,
-                              const mpq_t *point, graze_format format, const char *rest) {
+static graze_status report_point(text *out, graze_context *context, const graze_scene *scene,
+                                 const mpq_t *point, graze_format format, const char *rest) {
     fmpq *p;
     graze_trace trace;
     graze_status status = take_point(&p, context, scene, point);
@@ -211,7 +211,7 @@ static graze_status put_point(text *out, graze_context *context, const graze_sce
     status = classify_point(&trace, context, scene, (query_point){.rational = p},
                             format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
     if (!status) {
-        status = put_row(out, context, scene, p, &trace, format, rest);
+        status = put_trace_row(out, context, scene, p, &trace, format, rest);
         trace_clear(&trace);
     }
     _fmpq_vec_clear(p, scene->motion->dimension);
@@ -239,7 +239,7 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
     text t;
     text_init(&t);
     for (size_t k = 0; k < n && !status; k++) {
-        status = put_point(&t, context, scene, points + k * d, format, rest ? rest[k] : NULL);
+        status = report_point(&t, context, scene, points + k * d, format, rest ? rest[k] : NULL);
         whole = status ? whole : t.length;
         *done += !status;
     }

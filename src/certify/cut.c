@@ -18,7 +18,7 @@ typedef struct outline {
     int b, c, sign;
 } outline;
 
-static const fmpq *position(const soup *s, size_t vertex) {
+static const fmpq *position_of(const soup *s, size_t vertex) {
     return s->coordinates + 3 * vertex;
 }
 
@@ -29,8 +29,8 @@ static void find_normal(fmpq *normal, const outline *o) {
     for (int axis = 0; axis < 3; axis++) {
         fmpq_zero(normal + axis);
         for (size_t k = 1; k + 1 < o->count; k++) {
-            cross_rationals(part, position(o->s, o->corner[0]), position(o->s, o->corner[k]),
-                            position(o->s, o->corner[k + 1]), (axis + 1) % 3, (axis + 2) % 3);
+            cross_rationals(part, position_of(o->s, o->corner[0]), position_of(o->s, o->corner[k]),
+                            position_of(o->s, o->corner[k + 1]), (axis + 1) % 3, (axis + 2) % 3);
             fmpq_add(normal + axis, normal + axis, part);
         }
     }
@@ -54,7 +54,7 @@ static int look_along(outline *o) {
     for (size_t k = 0; k < o->count && planar; k++) {
         fmpq_zero(sum);
         for (int i = 0; i < 3; i++) {
-            fmpq_mul(term, normal + i, position(o->s, o->corner[k]) + i);
+            fmpq_mul(term, normal + i, position_of(o->s, o->corner[k]) + i);
             fmpq_add(sum, sum, term);
         }
         planar = k == 0 || fmpq_equal(sum, first);
@@ -67,10 +67,11 @@ static int look_along(outline *o) {
     return planar;
 }
 
-static int turn(const outline *o, size_t p, size_t q, size_t r) {
+static int turn_of(const outline *o, size_t p, size_t q, size_t r) {
     fmpq_t a;
     fmpq_init(a);
-    cross_rationals(a, position(o->s, p), position(o->s, q), position(o->s, r), o->b, o->c);
+    cross_rationals(a, position_of(o->s, p), position_of(o->s, q), position_of(o->s, r), o->b,
+                    o->c);
     int sign = o->sign * fmpq_sgn(a);
     fmpq_clear(a);
     return sign;
@@ -79,11 +80,11 @@ static int turn(const outline *o, size_t p, size_t q, size_t r) {
 static int is_ear(const outline *o, size_t k) {
     size_t n = o->count;
     size_t p = o->corner[(k + n - 1) % n], q = o->corner[k], r = o->corner[(k + 1) % n];
-    if (turn(o, p, q, r) <= 0)
+    if (turn_of(o, p, q, r) <= 0)
         return 0;
     for (size_t i = 2; i + 1 < n; i++) {
         size_t x = o->corner[(k + i) % n];
-        if (turn(o, p, q, x) >= 0 && turn(o, q, r, x) >= 0 && turn(o, r, p, x) >= 0)
+        if (turn_of(o, p, q, x) >= 0 && turn_of(o, q, r, x) >= 0 && turn_of(o, r, p, x) >= 0)
             return 0;
     }
     return 1;
@@ -117,7 +118,7 @@ static graze_status cut_ears(soup *out, graze_context *context, outline *o, size
 }
 
 static int same_position(const soup *s, size_t v, size_t w) {
-    const fmpq *a = position(s, v), *b = position(s, w);
+    const fmpq *a = position_of(s, v), *b = position_of(s, w);
     return fmpq_equal(a, b) && fmpq_equal(a + 1, b + 1) && fmpq_equal(a + 2, b + 2);
 }
 
@@ -129,8 +130,8 @@ static void take_corners(outline *o, const uint32_t *index, size_t n) {
             o->corner[o->count++] = index[k];
 }
 
-static graze_status cut_facet(soup *out, graze_context *context, const soup *in, size_t facet,
-                              unsigned flags) {
+static graze_status certify_facet(soup *out, graze_context *context, const soup *in, size_t facet,
+                                  unsigned flags) {
     size_t cycle = in->facet_start[facet], first = in->cycle_start[cycle];
     size_t n = in->cycle_start[cycle + 1] - first;
     if (in->facet_start[facet + 1] - cycle != 1)
@@ -167,9 +168,9 @@ graze_status certify_cut(graze_solid **out, graze_context *context, const graze_
     soup_init(&cut, 3);
     graze_status status = GRAZE_OK;
     for (size_t v = 0; v < in->vertex_count && !status; v++)
-        status = soup_add_vertex(&cut, context, position(in, v));
+        status = soup_add_vertex(&cut, context, position_of(in, v));
     for (size_t f = 0; f < in->facet_count && !status; f++)
-        status = cut_facet(&cut, context, in, f, flags);
+        status = certify_facet(&cut, context, in, f, flags);
     if (!status)
         return solid_create(out, context, &cut, 0);
     soup_clear(&cut);

@@ -100,7 +100,7 @@ static void put_signs(text *out, const motion_piece *piece, const fmpz_poly_t de
     dyadic_interval_clear(&right);
 }
 
-static void put_hash(text *out, const char *key, const unsigned char sha256[32]) {
+static void write_hash(text *out, const char *key, const unsigned char sha256[32]) {
     text_format(out, "%s ", key);
     for (int k = 0; k < 32; k++)
         text_format(out, "%02x", sha256[k]);
@@ -111,9 +111,9 @@ graze_status certify_head(text *out, graze_context *context, const certifier *c)
     const graze_options *o = &c->scene->options;
     const graze_motion *m = c->scene->motion;
     text_put(out, "graze-certificate 1\n");
-    put_hash(out, "solid-sha256", c->scene->solid->input.sha256);
-    put_hash(out, "motion-sha256", m->sha256);
-    put_hash(out, "scene-sha256", c->scene->sha256);
+    write_hash(out, "solid-sha256", c->scene->solid->input.sha256);
+    write_hash(out, "motion-sha256", m->sha256);
+    write_hash(out, "scene-sha256", c->scene->sha256);
     text_format(out, "dimension %d\n", m->dimension);
     text_format(out, "operation %s\n", o->operation == GRAZE_UNSWEEP ? "unsweep" : "sweep");
     text_format(out, "folds %s\n", o->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");

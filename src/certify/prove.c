@@ -84,7 +84,7 @@ static void pull_back(fmpz_t out, const enclosure *e, const fmpz *form, slong k)
 }
 
 /* All strictly of one sign: that sign, else 0. */
-static int one_sign(const fmpz *c, slong count) {
+static int prove_one_sign(const fmpz *c, slong count) {
     int sign = count > 0 ? fmpz_sgn(c) : 0;
     for (slong k = 1; k < count && sign; k++)
         if (fmpz_sgn(c + k) != sign)
@@ -110,7 +110,7 @@ static int not_negative(enclosure *e, const fmpz *form, int zero) {
     return 1;
 }
 
-static const fmpz *plane_of(enclosure *e, size_t k) {
+static const fmpz *prove_plane(enclosure *e, size_t k) {
     (void)solid_plane(e->form, e->solid, e->near[k]);
     return e->form;
 }
@@ -121,7 +121,7 @@ static const fmpz *side_of(enclosure *e, size_t k, int side) {
 }
 
 static int cleared(enclosure *e, size_t k) {
-    if (strict(e, plane_of(e, k)))
+    if (strict(e, prove_plane(e, k)))
         return 1;
     for (int i = 0; i < e->c->dimension; i++)
         if (strict(e, side_of(e, k, i)) < 0)
@@ -142,7 +142,7 @@ int prove_slide(enclosure *e, const dyadic_interval *at) {
     if (!enclose(e, at))
         return 0;
     for (size_t k = 0; k < e->count; k++) {
-        int holds = not_negative(e, plane_of(e, k), 1);
+        int holds = not_negative(e, prove_plane(e, k), 1);
         for (int i = 0; i < e->c->dimension && holds; i++)
             holds = not_negative(e, side_of(e, k, i), 0);
         if (holds)
@@ -172,7 +172,7 @@ int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at) {
 }
 
 /* Signs of q beside its one root in the interval; +1 after it where the root is the lower end. */
-static void signs_beside(int *left, int *right, const enclosure *e, const root_claim *claim) {
+static void prove_signs_beside(int *left, int *right, const enclosure *e, const root_claim *claim) {
     int rising = dyadic_sign(claim->q, claim->left ? e->at.low : e->at.high, e->at.exponent) *
                  (claim->left ? -1 : 1);
     *left = -rising;
@@ -195,9 +195,9 @@ static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *for
             power++;
         }
         fmpz *c = coefficients_of(f, &e->at);
-        sign = one_sign(c, fmpz_poly_length(f));
+        sign = prove_one_sign(c, fmpz_poly_length(f));
         _fmpz_vec_clear(c, fmpz_poly_length(f));
-        signs_beside(&q_left, &q_right, e, claim);
+        prove_signs_beside(&q_left, &q_right, e, claim);
         out.left = sign ? sign * (power % 2 ? q_left : 1) : UNKNOWN;
         out.mid = power ? 0 : UNKNOWN;
         out.right = sign ? sign * (power % 2 ? q_right : 1) : UNKNOWN;
@@ -218,7 +218,7 @@ static int may_hold(int sign) {
 /* Bits of `holds`: before, at, after the root. Returns 0 if a side that must be free is not
  * cleared. */
 static int meet(unsigned *holds, enclosure *e, const root_claim *claim, size_t k) {
-    profile p = profile_of(e, claim, plane_of(e, k));
+    profile p = profile_of(e, claim, prove_plane(e, k));
     int left_out = is_sign(p.left), right_out = is_sign(p.right);
     unsigned in = (p.left == 0 ? 1u : 0) | (p.mid == 0 ? 2u : 0) | (p.right == 0 ? 4u : 0);
     for (int i = 0; i < e->c->dimension; i++) {

@@ -38,7 +38,7 @@ typedef struct piece_row {
     char *gap; /* count + 1 letters: before the first event, between two, after the last */
 } piece_row;
 
-static graze_status no_memory(graze_context *context) {
+static graze_status row_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for a certificate");
 }
 
@@ -139,7 +139,7 @@ static graze_status find_events(piece_row *r) {
     r->gap = calloc(r->count + 1, 1);
     if (!r->event || !r->gap) {
         r->count = 0;
-        return no_memory(r->context);
+        return row_no_memory(r->context);
     }
     for (size_t k = 0; k < r->count; k++)
         event_set(&r->event[k], &r->t.time.item[r->t.by_rank[k]]);
@@ -206,7 +206,7 @@ static void narrow(event *v) {
     fmpz_clear(middle);
 }
 
-static int before(const event *v, const event *w) {
+static int precedes(const event *v, const event *w) {
     return compare_ends(v->at.high, v->at.exponent, w->at.low, w->at.exponent) < 0;
 }
 
@@ -236,7 +236,7 @@ static graze_status place_events(piece_row *r) {
             narrow(&r->event[k]);
         }
     for (size_t k = 1; k < r->count; k++)
-        for (int n = 0; !before(&r->event[k - 1], &r->event[k]); n++) {
+        for (int n = 0; !precedes(&r->event[k - 1], &r->event[k]); n++) {
             if (n > DEEPEST)
                 return too_deep(r);
             narrow(&r->event[k - 1]);
@@ -258,7 +258,7 @@ static graze_status place_events(piece_row *r) {
 
 /* --------------------------------------------------------------------------------------- text */
 
-static void put_time(piece_row *r, const fmpz_t numerator, ulong exponent) {
+static void write_time(piece_row *r, const fmpz_t numerator, ulong exponent) {
     fmpq_t t, width;
     fmpq_init(t);
     fmpq_init(width);
@@ -311,7 +311,7 @@ static void put_event(piece_row *r, const event *v, char left, char right) {
     }
     text_put(r->out, kind);
     text_put(r->out, " ");
-    put_time(r, v->at.high, v->at.exponent);
+    write_time(r, v->at.high, v->at.exponent);
     if (!v->place)
         put_poly(r, v->q);
     text_put(r->out, "\n");
@@ -321,12 +321,12 @@ static void put_event(piece_row *r, const event *v, char left, char right) {
 static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at, int depth) {
     if (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at)) {
         text_format(r->out, "%c ", letter);
-        put_time(r, at->high, at->exponent);
+        write_time(r, at->high, at->exponent);
         text_put(r->out, "\n");
         return GRAZE_OK;
     }
     if (depth > DEEPEST || r->e.out_of_memory)
-        return r->e.out_of_memory ? no_memory(r->context) : too_deep(r);
+        return r->e.out_of_memory ? row_no_memory(r->context) : too_deep(r);
     graze_status status = context_poll(r->context);
     dyadic_interval left, right;
     dyadic_interval_init(&left);
@@ -408,7 +408,7 @@ static graze_status certify_piece(text *out, graze_context *context, const certi
     return status;
 }
 
-static void put_row(text *out, const certifier *c, const fmpq *point, const graze_trace *trace) {
+static void write_row(text *out, const certifier *c, const fmpq *point, const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
     unsigned long ends = (unsigned long)(trace->first == GRAZE_STATE_I) +
                          (unsigned long)(trace->last == GRAZE_STATE_I);
@@ -436,7 +436,7 @@ graze_status certify_row(text *out, graze_context *context, const certifier *c, 
         classify_point(&trace, context, c->scene, (query_point){.rational = point}, TRACE_WORD);
     if (status)
         return status;
-    put_row(out, c, point, &trace);
+    write_row(out, c, point, &trace);
     trace_clear(&trace);
     for (size_t k = 0; k < c->scene->motion->piece_count && !status; k++)
         status = certify_piece(out, context, c, k, point);

@@ -20,7 +20,7 @@ typedef struct run {
 static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K, COLUMN_CLASS, COLUMN_DEFINITION,
                                           COLUMN_CASE};
 
-static graze_status no_memory(graze_context *context) {
+static graze_status comparison_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
 
@@ -157,7 +157,7 @@ static graze_status show(graze_comparison *c, const run *r, const table_row *gol
         return GRAZE_OK;
     disagreement *grown = realloc(c->disagreements, (c->shown + 1) * sizeof *grown);
     if (!grown)
-        return no_memory(r->context);
+        return comparison_no_memory(r->context);
     c->disagreements = grown;
     disagreement *d = &c->disagreements[c->shown++];
     memset(d, 0, sizeof *d);
@@ -168,7 +168,7 @@ static graze_status show(graze_comparison *c, const run *r, const table_row *gol
     d->golden = golden ? row_text(c, &r->golden, golden, 1) : NULL;
     d->candidate = candidate ? row_text(c, &r->candidate, candidate, 2) : NULL;
     int failed = !d->point || (golden && !d->golden) || (candidate && !d->candidate);
-    return failed ? no_memory(r->context) : GRAZE_OK;
+    return failed ? comparison_no_memory(r->context) : GRAZE_OK;
 }
 
 static graze_status count_groups(graze_comparison *c, const run *r, const table_row *row,
@@ -232,7 +232,7 @@ static graze_status count_all(graze_comparison *c, run *r) {
     }
 }
 
-static graze_status finish(const run *r) {
+static graze_status finish_comparison(const run *r) {
     if (!r->golden.complete)
         return context_fail(r->context, GRAZE_EINPUT,
                             "%s: ends after %lu rows without `# complete`; right is a whole table",
@@ -254,16 +254,16 @@ graze_status comparison_make(graze_comparison *out, graze_context *context, cons
         out->options = *options;
     out->rounding = context->rounding;
     if (!copy_names(out, golden, candidate))
-        return no_memory(context);
+        return comparison_no_memory(context);
     run *r = calloc(1, sizeof *r);
     if (!r)
-        return no_memory(context);
+        return comparison_no_memory(context);
     r->context = context;
     graze_status status = start(out, r, golden, candidate);
     if (!status)
         status = count_all(out, r);
     if (!status)
-        status = finish(r);
+        status = finish_comparison(r);
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_sort(&out->tallies[g]);
     match_clear(&r->match);

@@ -10,24 +10,24 @@
 #include "compare/compare.h"
 #include "context/json_memory.h"
 
-static void put_text(yajl_gen g, const char *text) {
+static void put_key_text(yajl_gen g, const char *text) {
     yajl_gen_string(g, (const unsigned char *)text, strlen(text));
 }
 
 static void put_named(yajl_gen g, const char *name, const char *text) {
-    put_text(g, name);
+    put_key_text(g, name);
     if (text)
-        put_text(g, text);
+        put_key_text(g, text);
     else
         yajl_gen_null(g);
 }
 
-static void put_count(yajl_gen g, const char *name, unsigned long count) {
-    put_text(g, name);
+static void put_json_count(yajl_gen g, const char *name, unsigned long count) {
+    put_key_text(g, name);
     yajl_gen_integer(g, (long long)count);
 }
 
-static void put_summary(yajl_gen g, const graze_comparison *c) {
+static void put_json_summary(yajl_gen g, const graze_comparison *c) {
     static const char *const on_as[] = {"on", "any", "in", "out"};
     static const char *const rounding[] = {"none", "binary64", "binary32"};
     put_named(g, "golden", c->golden);
@@ -36,79 +36,79 @@ static void put_summary(yajl_gen g, const graze_comparison *c) {
     put_named(g, "on-as", on_as[c->options.on_as]);
     put_named(g, "candidate-has", c->options.has == GRAZE_HAS_SDF ? "sdf" : "columns");
     put_named(g, "round", rounding[c->rounding]);
-    put_count(g, "rows", c->rows);
-    put_count(g, "agree", c->agree);
-    put_count(g, "wrong", c->wrong);
-    put_count(g, "missing", c->missing);
-    put_count(g, "apart", c->apart);
-    put_count(g, "extra", c->extra);
-    put_text(g, "wrong-by-column");
+    put_json_count(g, "rows", c->rows);
+    put_json_count(g, "agree", c->agree);
+    put_json_count(g, "wrong", c->wrong);
+    put_json_count(g, "missing", c->missing);
+    put_json_count(g, "apart", c->apart);
+    put_json_count(g, "extra", c->extra);
+    put_key_text(g, "wrong-by-column");
     yajl_gen_map_open(g);
     for (int k = 0; k < JUDGED_COUNT; k++)
         if (c->judged[k])
-            put_count(g, judged_name(k), c->column_wrong[k]);
+            put_json_count(g, judged_name(k), c->column_wrong[k]);
     yajl_gen_map_close(g);
-    put_text(g, "apart-answers");
+    put_key_text(g, "apart-answers");
     yajl_gen_map_open(g);
     for (int k = 0; k < 3; k++)
-        put_count(g, pmc_words[k], c->apart_answers[k]);
+        put_json_count(g, pmc_words[k], c->apart_answers[k]);
     yajl_gen_map_close(g);
 }
 
-static void put_matrix(yajl_gen g, const char *name, const char *const *words, int count,
-                       const unsigned long *cells) {
-    put_text(g, name);
+static void put_json_matrix(yajl_gen g, const char *name, const char *const *words, int count,
+                            const unsigned long *cells) {
+    put_key_text(g, name);
     yajl_gen_map_open(g);
     for (int r = 0; r < count; r++) {
-        put_text(g, words[r]);
+        put_key_text(g, words[r]);
         yajl_gen_map_open(g);
         for (int k = 0; k <= count; k++)
-            put_count(g, k < count ? words[k] : "missing", cells[r * (count + 1) + k]);
+            put_json_count(g, k < count ? words[k] : "missing", cells[r * (count + 1) + k]);
         yajl_gen_map_close(g);
     }
     yajl_gen_map_close(g);
 }
 
-static void put_group(yajl_gen g, const char *name, const group *one) {
+static void put_json_group(yajl_gen g, const char *name, const group *one) {
     if (!one->rows)
         return;
     yajl_gen_map_open(g);
     put_named(g, "value", name);
-    put_count(g, "rows", one->rows);
-    put_count(g, "wrong", one->wrong);
-    put_count(g, "missing", one->missing);
-    put_count(g, "apart", one->apart);
+    put_json_count(g, "rows", one->rows);
+    put_json_count(g, "wrong", one->wrong);
+    put_json_count(g, "missing", one->missing);
+    put_json_count(g, "apart", one->apart);
     yajl_gen_map_close(g);
 }
 
 static void put_tallies(yajl_gen g, const graze_comparison *c) {
-    put_text(g, "by");
+    put_key_text(g, "by");
     yajl_gen_map_open(g);
     for (int by = 0; by < GROUPING_COUNT; by++) {
         const tally *t = &c->tallies[by];
         if (!c->grouped[by])
             continue;
-        put_text(g, grouping_name((grouping)by));
+        put_key_text(g, grouping_name((grouping)by));
         yajl_gen_array_open(g);
         for (size_t k = 0; k < t->count; k++)
-            put_group(g, t->groups[k].name, &t->groups[k]);
-        put_group(g, "(others)", &t->others);
+            put_json_group(g, t->groups[k].name, &t->groups[k]);
+        put_json_group(g, "(others)", &t->others);
         yajl_gen_array_close(g);
     }
     yajl_gen_map_close(g);
 }
 
-static int put_disagreements(yajl_gen g, const graze_comparison *c) {
+static int put_json_disagreements(yajl_gen g, const graze_comparison *c) {
     int done = 1;
-    put_text(g, "disagreements");
+    put_key_text(g, "disagreements");
     yajl_gen_array_open(g);
     for (size_t k = 0; k < c->shown; k++) {
         const disagreement *d = &c->disagreements[k];
         char *command = explain_command(c, d);
         done &= command != NULL;
         yajl_gen_map_open(g);
-        put_count(g, "golden-line", d->golden_line);
-        put_count(g, "candidate-line", d->candidate_line);
+        put_json_count(g, "golden-line", d->golden_line);
+        put_json_count(g, "candidate-line", d->candidate_line);
         put_named(g, "point", d->point);
         put_named(g, "golden", d->golden);
         put_named(g, "candidate", d->candidate);
@@ -120,7 +120,7 @@ static int put_disagreements(yajl_gen g, const graze_comparison *c) {
     return done;
 }
 
-static void print(void *data, const char *bytes, size_t length) {
+static void print_comparison(void *data, const char *bytes, size_t length) {
     text *out = data;
     size_t before = out->length;
     text_bytes(out, bytes, length);
@@ -134,17 +134,17 @@ static int generate(text *out, json_memory *memory, const graze_comparison *c) {
     if (setjmp(memory->short_of) != 0)
         return 0;
     yajl_gen g = yajl_gen_alloc(&memory->functions);
-    yajl_gen_config(g, yajl_gen_print_callback, print, out);
+    yajl_gen_config(g, yajl_gen_print_callback, print_comparison, out);
     yajl_gen_config(g, yajl_gen_beautify, 1);
     yajl_gen_config(g, yajl_gen_indent_string, "  ");
     yajl_gen_map_open(g);
-    put_summary(g, c);
+    put_json_summary(g, c);
     if (c->judged[JUDGED_PMC])
-        put_matrix(g, "pmc", pmc_words, 3, &c->confusion.pmc[0][0]);
+        put_json_matrix(g, "pmc", pmc_words, 3, &c->confusion.pmc[0][0]);
     if (c->judged[JUDGED_CLASS])
-        put_matrix(g, "class", class_words, 5, &c->confusion.class_[0][0]);
+        put_json_matrix(g, "class", class_words, 5, &c->confusion.class_[0][0]);
     put_tallies(g, c);
-    int done = put_disagreements(g, c);
+    int done = put_json_disagreements(g, c);
     yajl_gen_map_close(g);
     return done;
 }

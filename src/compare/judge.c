@@ -49,7 +49,7 @@ static int read_whole(unsigned long *out, field f) {
 
 /* The sign of a number token is that of its digits before an exponent or a denominator: no value
  * need be made, and none can underflow. */
-static int sign_of(field f) {
+static int answer_sign(field f) {
     size_t n = 0;
     while (n < f.length && !strchr("eE/", f.start[n]))
         n++;
@@ -61,14 +61,14 @@ static int sign_of(field f) {
 
 static int zero_denominator(field f) {
     const char *slash = memchr(f.start, '/', f.length);
-    return slash && sign_of((field){slash + 1, (size_t)(f.start + f.length - slash - 1)}) == 0;
+    return slash && answer_sign((field){slash + 1, (size_t)(f.start + f.length - slash - 1)}) == 0;
 }
 
 static graze_status read_distance(int *pmc, const table *t, const table_row *row) {
     field f = table_field(t, row, COLUMN_SDF);
     if (!rational_is_token(f.start, f.length) || zero_denominator(f))
         return no_answer(t, row, COLUMN_SDF, "a number, negative inside");
-    int sign = sign_of(f);
+    int sign = answer_sign(f);
     *pmc = sign < 0 ? IN : sign > 0 ? OUT : ON;
     return GRAZE_OK;
 }

@@ -74,8 +74,8 @@ static graze_status fill(match *m, window *w, size_t count) {
 }
 
 /* The point as text in lowest terms, coordinates parted by blanks. */
-static graze_status put_point(text *out, graze_context *context, const table *t,
-                              const table_row *row, int dimension) {
+static graze_status put_match_point(text *out, graze_context *context, const table *t,
+                                    const table_row *row, int dimension) {
     graze_status status = GRAZE_OK;
     fmpq_t value;
     fmpq_init(value);
@@ -104,7 +104,7 @@ graze_status match_key(table_row *row, graze_context *context, const table *t, i
     }
     text point;
     text_init(&point);
-    graze_status status = put_point(&point, context, t, row, dimension);
+    graze_status status = put_match_point(&point, context, t, row, dimension);
     if (!status)
         row->key = digest_of(point.data, point.length);
     row->keyed = !status;
@@ -142,7 +142,7 @@ static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
 }
 
 /* The nearest pair of equal rows: fewest rows skipped, missing ones rather than extra ones. */
-static int nearest(match *m) {
+static int nearest_rounding(match *m) {
     size_t golden = m->golden.count, candidate = m->candidate.count;
     for (size_t sum = 1; sum + 1 < golden + candidate; sum++)
         for (size_t extra = sum < golden ? 0 : sum - golden + 1; extra <= sum && extra < candidate;
@@ -165,7 +165,7 @@ static void skip_window(match *m) {
 
 static graze_status resynchronise(match *m) {
     graze_status status = look_ahead(m);
-    if (!status && !nearest(m))
+    if (!status && !nearest_rounding(m))
         skip_window(m);
     return status;
 }

@@ -23,14 +23,14 @@ typedef struct share {
     unsigned long pass, passes; /* keys with high % passes = pass are kept */
 } share;
 
-static entry *place(const share *s, digest key) {
+static entry *rounding_place(const share *s, digest key) {
     size_t at = key.low & (s->capacity - 1);
     while (s->entries[at].line && !digest_equal(s->entries[at].key, key))
         at = (at + 1) & (s->capacity - 1);
     return &s->entries[at];
 }
 
-static int grow(share *s) {
+static int grow_roundings(share *s) {
     share larger = *s;
     larger.capacity = s->capacity ? 2 * s->capacity : 1024;
     larger.entries = calloc(larger.capacity, sizeof *larger.entries);
@@ -38,7 +38,7 @@ static int grow(share *s) {
         return 0;
     for (size_t k = 0; k < s->capacity; k++)
         if (s->entries[k].line)
-            *place(&larger, s->entries[k].key) = s->entries[k];
+            *rounding_place(&larger, s->entries[k].key) = s->entries[k];
     free(s->entries);
     *s = larger;
     return 1;
@@ -66,9 +66,9 @@ static graze_status keep(share *s, const table *t, const table_row *row, const c
     graze_status status = answers_of(&answers, t, row, columns, count);
     if (status || row->key.high % s->passes != s->pass)
         return status;
-    if (2 * (s->count + 1) > s->capacity && !grow(s))
+    if (2 * (s->count + 1) > s->capacity && !grow_roundings(s))
         return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
-    entry *e = place(s, row->key);
+    entry *e = rounding_place(s, row->key);
     if (e->line && e->answers != answers)
         return context_fail(t->in.context, GRAZE_EINPUT,
                             "%s:%lu: rounding makes this row equal to that of line %lu, whose "

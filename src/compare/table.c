@@ -40,7 +40,7 @@ int digest_equal(digest a, digest b) {
     return a.high == b.high && a.low == b.low;
 }
 
-static graze_status no_memory(const table *t) {
+static graze_status table_no_memory(const table *t) {
     return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
 }
 
@@ -68,7 +68,7 @@ static graze_status read_note(table *t, field line) {
         if (!field_is(key, note_names[n]) || t->notes[n] || t->columns)
             continue;
         t->notes[n] = strndup(value.start, value.length);
-        return t->notes[n] ? GRAZE_OK : no_memory(t);
+        return t->notes[n] ? GRAZE_OK : table_no_memory(t);
     }
     return GRAZE_OK;
 }
@@ -78,7 +78,7 @@ static graze_status split(table *t, table_row *row, field line) {
     if (row->capacity < line.length + 1) {
         char *grown = realloc(row->bytes, line.length + 256);
         if (!grown)
-            return no_memory(t);
+            return table_no_memory(t);
         row->bytes = grown;
         row->capacity = line.length + 256;
     }
@@ -90,7 +90,7 @@ static graze_status split(table *t, table_row *row, field line) {
 }
 
 /* The next line that is neither blank nor a `#` line, as a row. */
-static graze_status next_line(table *t, table_row *row, int *more) {
+static graze_status next_table_line(table *t, table_row *row, int *more) {
     field line;
     graze_status status = GRAZE_OK;
     *more = 0;
@@ -139,7 +139,7 @@ graze_status table_open(table *out, graze_context *context, const char *path) {
         out->where[c] = -1;
     graze_status status = stream_open(&out->in, context, path);
     if (!status)
-        status = next_line(out, &row, &more);
+        status = next_table_line(out, &row, &more);
     if (!status && !more)
         status = context_fail(context, GRAZE_EINPUT,
                               "%s: no column line; right is a line of names such as x,y,z,pmc",
@@ -157,7 +157,7 @@ void table_close(table *t) {
 }
 
 graze_status table_next(table *t, table_row *row, int *more) {
-    graze_status status = next_line(t, row, more);
+    graze_status status = next_table_line(t, row, more);
     if (status || !*more)
         return status;
     if (t->complete)

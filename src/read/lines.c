@@ -64,7 +64,7 @@ static size_t joined(const lines *l, const char *p) {
     return p + n < l->end && p[n] == '\n' ? n + 1 : 0;
 }
 
-static int is_blank(char c) {
+static int is_blank_byte(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
@@ -78,7 +78,7 @@ static void skip_blanks(lines *l) {
         if (join > 0) {
             l->at += join;
             l->line++;
-        } else if (is_blank(*l->at)) {
+        } else if (is_blank_byte(*l->at)) {
             l->at++;
         } else {
             break;

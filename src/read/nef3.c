@@ -20,7 +20,7 @@ static graze_status illegal(const nef *n, const char *kind, size_t index, const 
     return nef_fail(n, GRAZE_EILLEGAL, "%s %zu %s", kind, index, what);
 }
 
-static graze_status check_volumes(const nef *n) {
+static graze_status check_volume_marks(const nef *n) {
     size_t marked = 0;
     for (size_t c = 0; c < n->count[NEF_VOLUME]; c++) {
         marked += (size_t)n->volume[c].mark;
@@ -55,7 +55,7 @@ static graze_status check_facets(const nef *n) {
 
 /* GRAZE_EILLEGAL unless it is bounded, regular closed and not empty; links are right. */
 static graze_status check_solid(const nef *n) {
-    graze_status status = check_volumes(n);
+    graze_status status = check_volume_marks(n);
     if (status == GRAZE_OK) {
         status = check_facets(n);
     }
@@ -77,7 +77,7 @@ static graze_status check_solid(const nef *n) {
     return status;
 }
 
-static size_t corner(const nef *n, size_t e) {
+static size_t nef_corner(const nef *n, size_t e) {
     return n->halfedge[n->shalfedge[e].source].source;
 }
 
@@ -114,11 +114,11 @@ static int cycle_sign(const nef *n, size_t f, size_t entry) {
             fmpq_init(all[i] + k);
         }
     }
-    const fmpq *origin = n->point + 3 * corner(n, entry);
+    const fmpq *origin = n->point + 3 * nef_corner(n, entry);
     for (size_t e = n->shalfedge[entry].next; e != entry; e = n->shalfedge[e].next) {
-        const fmpq *next = n->point + 3 * corner(n, n->shalfedge[e].next);
+        const fmpq *next = n->point + 3 * nef_corner(n, n->shalfedge[e].next);
         for (int k = 0; k < 3; k++) {
-            fmpq_sub(a + k, n->point + 3 * corner(n, e) + k, origin + k);
+            fmpq_sub(a + k, n->point + 3 * nef_corner(n, e) + k, origin + k);
             fmpq_sub(b + k, next + k, origin + k);
         }
         for (int k = 0; k < 3; k++) {
@@ -146,9 +146,9 @@ static graze_status find_outer(const nef *n, size_t f, size_t *outer) {
     for (size_t k = 0; k < item->cycle.count; k++) {
         size_t entry = n->list[item->cycle.first + k], e = entry;
         do {
-            if (!in_plane(n, f, corner(n, e))) {
+            if (!in_plane(n, f, nef_corner(n, e))) {
                 return nef_fail(n, GRAZE_EINPUT, "half-facet %zu: vertex %zu is not in its plane",
-                                f, corner(n, e));
+                                f, nef_corner(n, e));
             }
             e = n->shalfedge[e].next;
         } while (e != entry);
@@ -178,7 +178,7 @@ static graze_status add_cycle(soup *s, const nef *n, size_t entry) {
     size_t e = entry;
     do {
         if (status == GRAZE_OK) {
-            status = soup_add_index(s, n->l.context, corner(n, e));
+            status = soup_add_index(s, n->l.context, nef_corner(n, e));
         }
         e = n->shalfedge[e].next;
     } while (e != entry && status == GRAZE_OK);

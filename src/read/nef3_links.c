@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-static graze_status wrong(const nef *n, const char *kind, size_t index, const char *what) {
+static graze_status wrong_link(const nef *n, const char *kind, size_t index, const char *what) {
     return nef_fail(n, GRAZE_EINPUT, "%s %zu: %s", kind, index, what);
 }
 
@@ -30,17 +30,18 @@ static graze_status check_vertices(const nef *n) {
         for (int part = 0; part < 3; part++) {
             size_t first = item->part[part][0], last = item->part[part][1];
             if ((first == NEF_NONE) != (last == NEF_NONE) || first > last) {
-                return wrong(n, "vertex", v, "a range ends before it begins");
+                return wrong_link(n, "vertex", v, "a range ends before it begins");
             }
             for (size_t k = first; first != NEF_NONE && k <= last; k++) {
                 if (owner(n, part, k) != v) {
-                    return wrong(n, "vertex", v, "a range holds what belongs to another vertex");
+                    return wrong_link(n, "vertex", v,
+                                      "a range holds what belongs to another vertex");
                 }
                 held[part]++;
             }
         }
         if (item->loop != NEF_NONE && n->sface[n->shalfloop[item->loop].sface].vertex != v) {
-            return wrong(n, "vertex", v, "its shalfloop belongs to another vertex");
+            return wrong_link(n, "vertex", v, "its shalfloop belongs to another vertex");
         }
         loops += item->loop != NEF_NONE;
     }
@@ -61,14 +62,16 @@ static graze_status check_halfedges(const nef *n) {
         const nef_halfedge *item = n->halfedge + e;
         const nef_halfedge *twin = n->halfedge + item->twin;
         if (twin->twin != e || twin->source == item->source) {
-            return wrong(n, "half-edge", e, "its twin is not that of an edge to another vertex");
+            return wrong_link(n, "half-edge", e,
+                              "its twin is not that of an edge to another vertex");
         }
         if (twin->mark != item->mark || twin->isolated != item->isolated) {
-            return wrong(n, "half-edge", e, "its twin has another mark, or lies in a facet alone");
+            return wrong_link(n, "half-edge", e,
+                              "its twin has another mark, or lies in a facet alone");
         }
         if (item->isolated ? n->sface[item->incident].vertex != item->source
                            : n->shalfedge[item->incident].source != e) {
-            return wrong(n, "half-edge", e, "the sface or shalfedge it names is not at it");
+            return wrong_link(n, "half-edge", e, "the sface or shalfedge it names is not at it");
         }
     }
     return GRAZE_OK;
@@ -78,31 +81,31 @@ static graze_status check_shalfedge(const nef *n, size_t e) {
     const nef_shalfedge *all = n->shalfedge, *item = all + e;
     const nef_halfedge *source = n->halfedge + item->source;
     if (all[item->twin].twin != e || item->twin == e) {
-        return wrong(n, "shalfedge", e, "its twin does not answer");
+        return wrong_link(n, "shalfedge", e, "its twin does not answer");
     }
     if (all[item->snext].sprev != e || all[item->sprev].snext != e) {
-        return wrong(n, "shalfedge", e, "sprev and snext do not answer one another");
+        return wrong_link(n, "shalfedge", e, "sprev and snext do not answer one another");
     }
     if (all[item->next].prev != e || all[item->prev].next != e) {
-        return wrong(n, "shalfedge", e, "prev and next do not answer one another");
+        return wrong_link(n, "shalfedge", e, "prev and next do not answer one another");
     }
     if (source->isolated || centre(n, item->twin) != source->source ||
         n->sface[item->sface].vertex != source->source) {
-        return wrong(n, "shalfedge", e, "its ends and its sface are not at one vertex");
+        return wrong_link(n, "shalfedge", e, "its ends and its sface are not at one vertex");
     }
     if (all[item->snext].source != all[item->twin].source ||
         all[item->snext].sface != item->sface) {
-        return wrong(n, "shalfedge", e, "snext does not go on around its sface");
+        return wrong_link(n, "shalfedge", e, "snext does not go on around its sface");
     }
     if (all[item->next].source != n->halfedge[all[item->twin].source].twin ||
         all[item->next].facet != item->facet) {
-        return wrong(n, "shalfedge", e, "next does not go on along the edge of its facet");
+        return wrong_link(n, "shalfedge", e, "next does not go on along the edge of its facet");
     }
     const nef_halffacet *facet = n->halffacet + item->facet;
     if (all[item->twin].facet != facet->twin || facet->mark != item->mark ||
         n->sface[all[item->twin].sface].volume != facet->volume) {
-        return wrong(n, "shalfedge", e,
-                     "its facet, or the twin's, has another twin, mark or volume");
+        return wrong_link(n, "shalfedge", e,
+                          "its facet, or the twin's, has another twin, mark or volume");
     }
     return GRAZE_OK;
 }
@@ -112,12 +115,12 @@ static graze_status check_shalfloop(const nef *n, size_t l) {
     const nef_halffacet *facet = n->halffacet + item->facet;
     if (twin->twin != l || item->twin == l ||
         n->sface[twin->sface].vertex != n->sface[item->sface].vertex) {
-        return wrong(n, "shalfloop", l, "its twin does not answer at the same vertex");
+        return wrong_link(n, "shalfloop", l, "its twin does not answer at the same vertex");
     }
     if (twin->facet != facet->twin || facet->mark != item->mark ||
         n->sface[twin->sface].volume != facet->volume) {
-        return wrong(n, "shalfloop", l,
-                     "its facet, or the twin's, has another twin, mark or volume");
+        return wrong_link(n, "shalfloop", l,
+                          "its facet, or the twin's, has another twin, mark or volume");
     }
     return GRAZE_OK;
 }
@@ -199,25 +202,26 @@ static graze_status check_halffacets(const nef *n, unsigned char *arc, unsigned 
         const nef_halffacet *item = n->halffacet + f;
         const nef_halffacet *twin = n->halffacet + item->twin;
         if (twin->twin != f || item->twin == f || twin->mark != item->mark) {
-            return wrong(n, "half-facet", f, "its twin does not answer with the same mark");
+            return wrong_link(n, "half-facet", f, "its twin does not answer with the same mark");
         }
         if (!planes_opposite(n->plane + 4 * f, n->plane + 4 * item->twin)) {
-            return wrong(n, "half-facet", f,
-                         "its plane is not the twin's with its sides exchanged");
+            return wrong_link(n, "half-facet", f,
+                              "its plane is not the twin's with its sides exchanged");
         }
         if (item->cycle.count == 0 || !tick_arcs(n, arc, item->cycle, f, 0) ||
             !tick_loops(n, loop, item->loop, f, 0)) {
-            return wrong(n, "half-facet", f,
-                         "its cycles are none, another facet's, or listed twice");
+            return wrong_link(n, "half-facet", f,
+                              "its cycles are none, another facet's, or listed twice");
         }
     }
     size_t left = first_left(arc, n->count[NEF_SHALFEDGE]);
     if (left < n->count[NEF_SHALFEDGE]) {
-        return wrong(n, "shalfedge", left, "no half-facet lists its cycle");
+        return wrong_link(n, "shalfedge", left, "no half-facet lists its cycle");
     }
     left = first_left(loop, n->count[NEF_SHALFLOOP]);
-    return left == n->count[NEF_SHALFLOOP] ? GRAZE_OK
-                                           : wrong(n, "shalfloop", left, "no half-facet lists it");
+    return left == n->count[NEF_SHALFLOOP]
+               ? GRAZE_OK
+               : wrong_link(n, "shalfloop", left, "no half-facet lists it");
 }
 
 static graze_status check_sfaces(const nef *n, unsigned char *arc, unsigned char *loop,
@@ -225,24 +229,24 @@ static graze_status check_sfaces(const nef *n, unsigned char *arc, unsigned char
     for (size_t f = 0; f < n->count[NEF_SFACE]; f++) {
         const nef_sface *item = n->sface + f;
         if (item->mark != n->volume[item->volume].mark) {
-            return wrong(n, "sface", f, "its mark is not its volume's");
+            return wrong_link(n, "sface", f, "its mark is not its volume's");
         }
         if (!tick_arcs(n, arc, item->arc, f, 1) || !tick_loops(n, loop, item->loop, f, 1) ||
             !tick_points(n, point, item->point, f)) {
-            return wrong(n, "sface", f, "its boundary is another sface's, or listed twice");
+            return wrong_link(n, "sface", f, "its boundary is another sface's, or listed twice");
         }
     }
     size_t left = first_left(arc, n->count[NEF_SHALFEDGE]);
     if (left < n->count[NEF_SHALFEDGE]) {
-        return wrong(n, "shalfedge", left, "no sface lists its cycle");
+        return wrong_link(n, "shalfedge", left, "no sface lists its cycle");
     }
     left = first_left(loop, n->count[NEF_SHALFLOOP]);
     if (left < n->count[NEF_SHALFLOOP]) {
-        return wrong(n, "shalfloop", left, "no sface lists it");
+        return wrong_link(n, "shalfloop", left, "no sface lists it");
     }
     for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++) {
         if (n->halfedge[e].isolated && !point[e]) {
-            return wrong(n, "half-edge", e, "it is isolated, and no sface lists it");
+            return wrong_link(n, "half-edge", e, "it is isolated, and no sface lists it");
         }
     }
     return GRAZE_OK;
@@ -253,11 +257,11 @@ static graze_status check_volumes(const nef *n) {
         nef_list shell = n->volume[c].shell;
         for (size_t k = 0; k < shell.count; k++) {
             if (n->sface[n->list[shell.first + k]].volume != c) {
-                return wrong(n, "volume", c, "it lists a shell of another volume");
+                return wrong_link(n, "volume", c, "it lists a shell of another volume");
             }
         }
         if (c > 0 && shell.count == 0) {
-            return wrong(n, "volume", c, "it has no shell");
+            return wrong_link(n, "volume", c, "it has no shell");
         }
     }
     return GRAZE_OK;

@@ -36,7 +36,7 @@ static token next(nef *n, const char *expected) {
     return t;
 }
 
-static void expect(nef *n, const char *word) {
+static void nef_expect(nef *n, const char *word) {
     token t = next(n, word);
     if (n->status == GRAZE_OK &&
         (t.length != strlen(word) || memcmp(t.text, word, t.length) != 0)) {
@@ -141,24 +141,24 @@ static void begin_item(nef *n, enum nef_kind kind, size_t index) {
                                "item %lld stands where number %zu of the %zu %s is expected", value,
                                index, n->count[kind], kind_name[kind]);
     }
-    expect(n, "{");
+    nef_expect(n, "{");
 }
 
 static int end_item(nef *n) {
-    expect(n, "}");
+    nef_expect(n, "}");
     return flag(n, "a mark");
 }
 
-static void read_vertex(nef *n, size_t v) {
+static void read_nef_vertex(nef *n, size_t v) {
     static const enum nef_kind kinds[3] = {NEF_HALFEDGE, NEF_SHALFEDGE, NEF_SFACE};
     nef_vertex *item = n->vertex + v;
     for (int k = 0; k < 3; k++) {
         item->part[k][0] = reference(n, kinds[k], 1);
         item->part[k][1] = reference(n, kinds[k], 1);
-        expect(n, ",");
+        nef_expect(n, ",");
     }
     item->loop = reference(n, NEF_SHALFLOOP, 1);
-    expect(n, "|");
+    nef_expect(n, "|");
     homogeneous(n, n->point + 3 * v);
     item->mark = end_item(n);
 }
@@ -166,12 +166,12 @@ static void read_vertex(nef *n, size_t v) {
 static void read_halfedge(nef *n, size_t e) {
     nef_halfedge *item = n->halfedge + e;
     item->twin = reference(n, NEF_HALFEDGE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->source = reference(n, NEF_VERTEX, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->isolated = flag(n, "the sign of an isolated half-edge");
     item->incident = reference(n, item->isolated ? NEF_SFACE : NEF_SHALFEDGE, 0);
-    expect(n, "|");
+    nef_expect(n, "|");
     integers(n, NULL);
     item->mark = end_item(n);
 }
@@ -179,13 +179,13 @@ static void read_halfedge(nef *n, size_t e) {
 static void read_halffacet(nef *n, size_t f) {
     nef_halffacet *item = n->halffacet + f;
     item->twin = reference(n, NEF_HALFFACET, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->cycle = indices(n, NEF_SHALFEDGE);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->loop = indices(n, NEF_SHALFLOOP);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->volume = reference(n, NEF_VOLUME, 0);
-    expect(n, "|");
+    nef_expect(n, "|");
     integers(n, n->plane + 4 * f);
     item->mark = end_item(n);
 }
@@ -198,21 +198,21 @@ static void read_volume(nef *n, size_t c) {
 static void read_shalfedge(nef *n, size_t e) {
     nef_shalfedge *item = n->shalfedge + e;
     item->twin = reference(n, NEF_SHALFEDGE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->sprev = reference(n, NEF_SHALFEDGE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->snext = reference(n, NEF_SHALFEDGE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->source = reference(n, NEF_HALFEDGE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->sface = reference(n, NEF_SFACE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->prev = reference(n, NEF_SHALFEDGE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->next = reference(n, NEF_SHALFEDGE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->facet = reference(n, NEF_HALFFACET, 0);
-    expect(n, "|");
+    nef_expect(n, "|");
     integers(n, NULL);
     item->mark = end_item(n);
 }
@@ -220,11 +220,11 @@ static void read_shalfedge(nef *n, size_t e) {
 static void read_shalfloop(nef *n, size_t l) {
     nef_shalfloop *item = n->shalfloop + l;
     item->twin = reference(n, NEF_SHALFLOOP, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->sface = reference(n, NEF_SFACE, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->facet = reference(n, NEF_HALFFACET, 0);
-    expect(n, "|");
+    nef_expect(n, "|");
     integers(n, NULL);
     item->mark = end_item(n);
 }
@@ -232,13 +232,13 @@ static void read_shalfloop(nef *n, size_t l) {
 static void read_sface(nef *n, size_t f) {
     nef_sface *item = n->sface + f;
     item->vertex = reference(n, NEF_VERTEX, 0);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->arc = indices(n, NEF_SHALFEDGE);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->point = indices(n, NEF_HALFEDGE);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->loop = indices(n, NEF_SHALFLOOP);
-    expect(n, ",");
+    nef_expect(n, ",");
     item->volume = reference(n, NEF_VOLUME, 0);
     item->mark = end_item(n);
 }
@@ -253,10 +253,10 @@ static void read_items(nef *n, enum nef_kind kind, void (*read)(nef *, size_t)) 
     }
 }
 
-static void read_counts(nef *n, size_t length) {
+static void nef_counts(nef *n, size_t length) {
     unsigned long limit = n->l.context->limits[GRAZE_LIMIT_CELLS];
     for (int k = 0; k < NEF_KIND_COUNT && n->status == GRAZE_OK; k++) {
-        expect(n, kind_name[k]);
+        nef_expect(n, kind_name[k]);
         long long value = integer(n, "a count");
         if (n->status != GRAZE_OK) {
             return;
@@ -309,9 +309,9 @@ graze_status nef_parse(nef *n, graze_context *context, const char *path, const c
                        size_t length) {
     *n = (nef){.l = {.context = context, .path = path, .marks = "{},|"}};
     n->status = lines_start(&n->l, text, length);
-    expect(n, "Selective");
-    expect(n, "Nef");
-    expect(n, "Complex");
+    nef_expect(n, "Selective");
+    nef_expect(n, "Nef");
+    nef_expect(n, "Complex");
     token kernel = next(n, "'standard'");
     if (n->status == GRAZE_OK && token_is(kernel, "extended")) {
         n->status = lines_fail(&n->l, GRAZE_EILLEGAL,
@@ -320,9 +320,9 @@ graze_status nef_parse(nef *n, graze_context *context, const char *path, const c
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "the kernel is '%.*s'; right is standard",
                                TOKEN_SHOWN(kernel));
     }
-    read_counts(n, length);
+    nef_counts(n, length);
     allocate(n, length);
-    read_items(n, NEF_VERTEX, read_vertex);
+    read_items(n, NEF_VERTEX, read_nef_vertex);
     read_items(n, NEF_HALFEDGE, read_halfedge);
     read_items(n, NEF_HALFFACET, read_halffacet);
     read_items(n, NEF_VOLUME, read_volume);
@@ -331,7 +331,7 @@ graze_status nef_parse(nef *n, graze_context *context, const char *path, const c
     read_items(n, NEF_SFACE, read_sface);
     static const char *const last[] = {"/*", "end", "Selective", "Nef", "complex", "*/"};
     for (size_t k = 0; k < sizeof last / sizeof *last; k++) {
-        expect(n, last[k]);
+        nef_expect(n, last[k]);
     }
     token t;
     if (n->status == GRAZE_OK && lines_any(&n->l, &t)) {

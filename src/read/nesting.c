@@ -27,18 +27,18 @@ static const fmpq *at(const soup *s, const ring *r, size_t k) {
 }
 
 /* The cross product (b - a) x (p - a); returns its sign. */
-static int turn(fmpq_t out, const fmpq *a, const fmpq *b, const fmpq *p) {
+static int ring_turn(fmpq_t out, const fmpq *a, const fmpq *b, const fmpq *p) {
     cross_rationals(out, a, b, p, 0, 1);
     return fmpq_sgn(out);
 }
 
 /* Sign of the ring's area. */
-static int orientation(const soup *s, const ring *r) {
+static int ring_orientation(const soup *s, const ring *r) {
     fmpq_t sum, part;
     fmpq_init(sum);
     fmpq_init(part);
     for (size_t k = 1; k + 1 < r->count; k++) {
-        turn(part, at(s, r, 0), at(s, r, k), at(s, r, k + 1));
+        ring_turn(part, at(s, r, 0), at(s, r, k), at(s, r, k + 1));
         fmpq_add(sum, sum, part);
     }
     int sign = fmpq_sgn(sum);
@@ -72,7 +72,7 @@ static int locate(const soup *s, const ring *r, const fmpq *p) {
         int above_a = fmpq_cmp(p + 1, a + 1) >= 0, above_b = fmpq_cmp(p + 1, b + 1) >= 0;
         if (!between(p + 1, a + 1, b + 1))
             continue;
-        int side = turn(cross, a, b, p);
+        int side = ring_turn(cross, a, b, p);
         if (side == 0 && between(p, a, b))
             inside = -1;
         else if (above_a != above_b && (side > 0) == above_a)
@@ -177,7 +177,7 @@ graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *si
         rings[r] = (ring){index, size[r], 0, boxes + 4 * r, 0, r};
         index += size[r];
         bound(s, &rings[r]);
-        int sign = orientation(s, &rings[r]);
+        int sign = ring_orientation(s, &rings[r]);
         rings[r].ccw = sign >= 0;
         if (sign == 0)
             status = refuse_flat(s, context, &rings[r], r);

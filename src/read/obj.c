@@ -27,7 +27,7 @@ static const char *const refused[] = {"l",    "p",     "vp",   "cstype", "deg", 
                                       "sp",   "end",   "con",  "call",   "csh",  NULL};
 
 /* x y z, then nothing, or the weight w = 1, or a colour of three numbers. */
-static graze_status read_vertex(soup *s, lines *l, fmpq *number) {
+static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
     size_t v = s->vertex_count;
     graze_status status = lines_numbers(l, number, 3, "vertex", v);
     int count = 3;
@@ -58,7 +58,7 @@ static graze_status read_vertex(soup *s, lines *l, fmpq *number) {
 }
 
 /* Cut the part before the first slash off `rest`; what follows the slash stays. */
-static token cut(token *rest, int *slash) {
+static token cut_token(token *rest, int *slash) {
     const char *p = memchr(rest->text, '/', rest->length);
     token head = {rest->text, p == NULL ? rest->length : (size_t)(p - rest->text)};
     *slash = p != NULL;
@@ -68,24 +68,24 @@ static token cut(token *rest, int *slash) {
 }
 
 /* The index of v, v/vt, v//vn or v/vt/vn; 0 if it has no such form or is 0. */
-static long long corner(token t) {
+static long long obj_corner(token t) {
     long long v, other;
     int slash;
-    token part = cut(&t, &slash);
+    token part = cut_token(&t, &slash);
     if (!token_integer(part, &v)) {
         return 0;
     }
     if (!slash) {
         return v;
     }
-    token texture = cut(&t, &slash);
+    token texture = cut_token(&t, &slash);
     if (texture.length > 0 ? !token_integer(texture, &other) : !slash) {
         return 0;
     }
     return slash && !token_integer(t, &other) ? 0 : v;
 }
 
-static graze_status read_facet(soup *s, lines *l, size_t above) {
+static graze_status obj_facet(soup *s, lines *l, size_t above) {
     size_t f = s->facet_count, size = 0;
     token t;
     graze_status status = soup_add_facet(s, l->context);
@@ -93,7 +93,7 @@ static graze_status read_facet(soup *s, lines *l, size_t above) {
         status = soup_add_cycle(s, l->context, NULL, 0);
     }
     for (; status == GRAZE_OK && lines_token(l, &t); size++) {
-        long long v = corner(t);
+        long long v = obj_corner(t);
         if (v == 0) {
             return lines_fail(l, GRAZE_EINPUT,
                               "facet %zu: '%.*s' is not a corner; right are 1, 1/2, 1//3, 1/2/3 "
@@ -132,7 +132,7 @@ static graze_status check_keyword(lines *l, token t) {
     return GRAZE_OK;
 }
 
-static graze_status read_vertices(soup *s, lines l, fmpq *number) {
+static graze_status obj_vertices(soup *s, lines l, fmpq *number) {
     graze_status status = GRAZE_OK;
     token t;
     for (int more = 1; more && status == GRAZE_OK; more = lines_next(&l)) {
@@ -140,7 +140,7 @@ static graze_status read_vertices(soup *s, lines l, fmpq *number) {
             continue;
         }
         if (token_is(t, "v")) {
-            status = read_vertex(s, &l, number);
+            status = obj_vertex(s, &l, number);
         } else if (!token_is(t, "f")) {
             status = check_keyword(&l, t);
         }
@@ -159,7 +159,7 @@ static graze_status read_facets(soup *s, lines l) {
         if (token_is(t, "v")) {
             above++;
         } else if (token_is(t, "f")) {
-            status = read_facet(s, &l, above);
+            status = obj_facet(s, &l, above);
         }
     }
     return status;
@@ -176,7 +176,7 @@ graze_status read_obj(soup *s, graze_context *context, const char *path, const c
     for (int k = 0; k < 6; k++) {
         fmpq_init(number + k);
     }
-    status = read_vertices(s, l, number);
+    status = obj_vertices(s, l, number);
     if (status == GRAZE_OK) {
         status = read_facets(s, l);
     }

@@ -35,7 +35,7 @@ static int read_letters(columns *c, const char *text, size_t length) {
     return 1;
 }
 
-static graze_status read_head(columns *c, lines *l) {
+static graze_status off_head(columns *c, lines *l) {
     token t;
     *c = (columns){.normal = 0};
     int present = lines_any(l, &t);
@@ -59,7 +59,7 @@ static graze_status read_head(columns *c, lines *l) {
     return GRAZE_OK;
 }
 
-static graze_status read_counts(lines *l, size_t *vertices, size_t *facets) {
+static graze_status off_counts(lines *l, size_t *vertices, size_t *facets) {
     token t;
     size_t edges;
     graze_status status = lines_cells(l, vertices, "vertices");
@@ -105,7 +105,7 @@ static graze_status pass_columns(columns *c, lines *l, size_t v) {
     return GRAZE_OK;
 }
 
-static graze_status read_vertices(soup *s, columns *c, lines *l, fmpq *point, size_t count) {
+static graze_status off_vertices(soup *s, columns *c, lines *l, fmpq *point, size_t count) {
     for (size_t v = 0; v < count; v++) {
         if (!lines_next(l)) {
             return lines_fail(l, GRAZE_EINPUT, "the file ends after %zu of its %zu vertices", v,
@@ -146,7 +146,7 @@ static graze_status pass_colours(lines *l, size_t f) {
     return GRAZE_OK;
 }
 
-static graze_status read_facet(soup *s, lines *l, size_t f) {
+static graze_status off_facet(soup *s, lines *l, size_t f) {
     token t;
     long long size, v;
     lines_token(l, &t);
@@ -182,19 +182,19 @@ static graze_status read_facet(soup *s, lines *l, size_t f) {
 static graze_status read_all(soup *s, lines *l, fmpq *point) {
     size_t vertices = 0, facets = 0;
     columns c;
-    graze_status status = read_head(&c, l);
+    graze_status status = off_head(&c, l);
     if (status == GRAZE_OK) {
-        status = read_counts(l, &vertices, &facets);
+        status = off_counts(l, &vertices, &facets);
     }
     if (status == GRAZE_OK) {
-        status = read_vertices(s, &c, l, point, vertices);
+        status = off_vertices(s, &c, l, point, vertices);
     }
     for (size_t f = 0; f < facets && status == GRAZE_OK; f++) {
         if (!lines_next(l)) {
             return lines_fail(l, GRAZE_EINPUT, "the file ends after %zu of its %zu facets", f,
                               facets);
         }
-        status = read_facet(s, l, f);
+        status = off_facet(s, l, f);
     }
     if (status == GRAZE_OK && lines_next(l)) {
         return lines_fail(l, GRAZE_EINPUT, "there is text after the last of %zu facets", facets);

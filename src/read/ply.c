@@ -197,7 +197,7 @@ static graze_status read_entry(ply *p) {
     return status;
 }
 
-static graze_status read_element(ply *p) {
+static graze_status read_ply_element(ply *p) {
     int text = p->header.format == PLY_ASCII;
     for (p->entry = 0; p->entry < p->element->count; p->entry++) {
         token t;
@@ -219,7 +219,7 @@ static graze_status read_body(ply *p) {
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < p->header.element_count && status == GRAZE_OK; k++) {
         p->element = p->header.element + k;
-        status = read_element(p);
+        status = read_ply_element(p);
     }
     if (status != GRAZE_OK) {
         return status;

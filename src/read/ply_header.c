@@ -15,7 +15,7 @@ static const char *const type_names[PLY_TYPE_COUNT][2] = {
     [PLY_FLOAT32] = {"float", "float32"}, [PLY_FLOAT64] = {"double", "float64"},
 };
 
-static int same(token a, token b) {
+static int same_word(token a, token b) {
     return a.length == b.length && memcmp(a.text, b.text, a.length) == 0;
 }
 
@@ -85,7 +85,7 @@ static graze_status read_element(ply_header *h, lines *l) {
     *e = (ply_element){.first = h->property_count};
     graze_status status = word(l, &e->name, "the element's name");
     for (size_t k = 0; k < h->element_count && status == GRAZE_OK; k++) {
-        if (same(h->element[k].name, e->name)) {
+        if (same_word(h->element[k].name, e->name)) {
             return lines_fail(l, GRAZE_EINPUT, "element '%.*s' is declared twice",
                               TOKEN_SHOWN(e->name));
         }
@@ -118,7 +118,7 @@ static graze_status check_property(const ply_header *h, const lines *l, const pl
                                    const ply_property *p) {
     for (size_t k = e->first; k < h->property_count; k++) {
         const ply_property *q = h->property + k;
-        if (same(q->name, p->name) || (p->role != PLY_PASSED && q->role == p->role)) {
+        if (same_word(q->name, p->name) || (p->role != PLY_PASSED && q->role == p->role)) {
             return lines_fail(l, GRAZE_EINPUT, "property '%.*s' is declared twice",
                               TOKEN_SHOWN(p->name));
         }

@@ -23,7 +23,7 @@ typedef struct merger {
     fmpq point[3];
 } merger;
 
-static uint64_t hash_of(const fmpq *point) {
+static uint64_t stl_hash(const fmpq *point) {
     const ulong prime = 2147483647;
     uint64_t hash = 0;
     for (int k = 0; k < 3; k++) {
@@ -34,8 +34,8 @@ static uint64_t hash_of(const fmpq *point) {
 }
 
 /* The slot of a position: of the vertex there, or the free one where it belongs. */
-static size_t *slot_of(const merger *m, const fmpq *point) {
-    size_t k = hash_of(point) & (m->size - 1);
+static size_t *stl_slot(const merger *m, const fmpq *point) {
+    size_t k = stl_hash(point) & (m->size - 1);
     while (m->slot[k] != 0) {
         const fmpq *other = m->s->coordinates + 3 * (m->slot[k] - 1);
         if (fmpq_equal(other, point) && fmpq_equal(other + 1, point + 1) &&
@@ -56,7 +56,7 @@ static graze_status enlarge(merger *m) {
                             m->s->vertex_count);
     }
     for (size_t v = 0; v < m->s->vertex_count; v++) {
-        *slot_of(m, m->s->coordinates + 3 * v) = v + 1;
+        *stl_slot(m, m->s->coordinates + 3 * v) = v + 1;
     }
     return GRAZE_OK;
 }
@@ -70,7 +70,7 @@ static graze_status add_corner(merger *m) {
     if (status != GRAZE_OK) {
         return status;
     }
-    size_t *slot = slot_of(m, m->point);
+    size_t *slot = stl_slot(m, m->point);
     if (*slot == 0) {
         status = soup_add_vertex(m->s, m->context, m->point);
         *slot = status == GRAZE_OK ? m->s->vertex_count : 0;
@@ -118,7 +118,7 @@ static graze_status read_binary(merger *m, const char *path, const unsigned char
     return GRAZE_OK;
 }
 
-static graze_status expect(lines *l, const char *word, size_t f) {
+static graze_status stl_expect(lines *l, const char *word, size_t f) {
     token t;
     if (!lines_any(l, &t)) {
         return lines_fail(l, GRAZE_EINPUT, "the file ends where '%s' of facet %zu is expected",
@@ -132,23 +132,23 @@ static graze_status expect(lines *l, const char *word, size_t f) {
 }
 
 /* A facet behind its word "facet". */
-static graze_status read_facet(merger *m, lines *l) {
+static graze_status stl_facet(merger *m, lines *l) {
     size_t f = m->s->facet_count;
     token ignored;
-    graze_status status = expect(l, "normal", f);
+    graze_status status = stl_expect(l, "normal", f);
     for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
         if (!lines_token(l, &ignored)) {
             return lines_fail(l, GRAZE_EINPUT, "facet %zu: its normal has %d of 3 numbers", f, k);
         }
     }
-    status = status == GRAZE_OK ? expect(l, "outer", f) : status;
-    status = status == GRAZE_OK ? expect(l, "loop", f) : status;
+    status = status == GRAZE_OK ? stl_expect(l, "outer", f) : status;
+    status = status == GRAZE_OK ? stl_expect(l, "loop", f) : status;
     if (status == GRAZE_OK) {
         status = begin_facet(m);
         status = status == GRAZE_OK ? status : lines_at(l, status);
     }
     for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
-        status = expect(l, "vertex", f);
+        status = stl_expect(l, "vertex", f);
         if (status == GRAZE_OK) {
             status = lines_numbers(l, m->point, 3, "a vertex of facet", f);
         }
@@ -157,8 +157,8 @@ static graze_status read_facet(merger *m, lines *l) {
             status = status == GRAZE_OK ? status : lines_at(l, status);
         }
     }
-    status = status == GRAZE_OK ? expect(l, "endloop", f) : status;
-    return status == GRAZE_OK ? expect(l, "endfacet", f) : status;
+    status = status == GRAZE_OK ? stl_expect(l, "endloop", f) : status;
+    return status == GRAZE_OK ? stl_expect(l, "endfacet", f) : status;
 }
 
 /* One "solid ... endsolid"; both words may be followed by a name up to the line's end. */
@@ -179,7 +179,7 @@ static graze_status read_part(merger *m, lines *l) {
                               "'%.*s' stands where 'facet' or 'endsolid' is expected",
                               TOKEN_SHOWN(t));
         }
-        graze_status status = read_facet(m, l);
+        graze_status status = stl_facet(m, l);
         if (status != GRAZE_OK) {
             return status;
         }

@@ -221,7 +221,7 @@ static unsigned long visits(const graze_trace *trace) {
     return twice / 2;
 }
 
-static void put_counts(text *out, const graze_trace *trace) {
+static void explain_counts(text *out, const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
     text_put(out, "\nThe counts\n  ");
     put_plural(out, "i", v->i, "intersection", "intersections");
@@ -292,7 +292,7 @@ graze_status report_explain(char **out, graze_context *context, const graze_scen
         put_unsweep_rule(&t, &trace->verdict);
         text_put(&t, "\n[IS] Ilies and Shapiro 1998.\n");
     } else {
-        put_counts(&t, trace);
+        explain_counts(&t, trace);
         put_sweep_rule(&t, scene, trace);
         text_put(&t, "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n");
     }

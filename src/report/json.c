@@ -22,12 +22,12 @@ typedef struct writer {
     int failed;
 } writer;
 
-static void check(writer *w, yajl_gen_status status) {
+static void check_writer(writer *w, yajl_gen_status status) {
     w->failed |= status != yajl_gen_status_ok;
 }
 
 static void put_string(writer *w, const char *string) {
-    check(w, yajl_gen_string(w->gen, (const unsigned char *)string, strlen(string)));
+    check_writer(w, yajl_gen_string(w->gen, (const unsigned char *)string, strlen(string)));
 }
 
 static void put_owned(writer *w, char *string) {
@@ -38,12 +38,12 @@ static void put_owned(writer *w, char *string) {
     free(string);
 }
 
-static void put_count(writer *w, const char *key, unsigned long value) {
+static void json_count(writer *w, const char *key, unsigned long value) {
     put_string(w, key);
-    check(w, yajl_gen_integer(w->gen, (long long)value));
+    check_writer(w, yajl_gen_integer(w->gen, (long long)value));
 }
 
-static void put_text(writer *w, const char *key, const char *value) {
+static void json_text(writer *w, const char *key, const char *value) {
     put_string(w, key);
     put_string(w, value);
 }
@@ -51,15 +51,15 @@ static void put_text(writer *w, const char *key, const char *value) {
 static void put_state(writer *w, const char *key, graze_state state) {
     put_string(w, key);
     if (state == GRAZE_STATE_ABSENT)
-        check(w, yajl_gen_null(w->gen));
+        check_writer(w, yajl_gen_null(w->gen));
     else
         put_string(w, state == GRAZE_STATE_I ? "I" : "O");
 }
 
 static void put_root(writer *w, const graze_time *time) {
-    check(w, yajl_gen_map_open(w->gen));
+    check_writer(w, yajl_gen_map_open(w->gen));
     put_string(w, "poly");
-    check(w, yajl_gen_array_open(w->gen));
+    check_writer(w, yajl_gen_array_open(w->gen));
     fmpq_t coefficient;
     fmpq_init(coefficient);
     for (slong k = 0; k < fmpz_poly_length(time->poly); k++) {
@@ -67,17 +67,17 @@ static void put_root(writer *w, const graze_time *time) {
         put_owned(w, rational_text(coefficient));
     }
     fmpq_clear(coefficient);
-    check(w, yajl_gen_array_close(w->gen));
+    check_writer(w, yajl_gen_array_close(w->gen));
     put_string(w, "lo");
     put_owned(w, rational_text(time->low));
     put_string(w, "hi");
     put_owned(w, rational_text(time->high));
     put_string(w, "approx");
     put_owned(w, decimal_of_time(NULL, time, APPROX_DIGITS));
-    check(w, yajl_gen_map_close(w->gen));
+    check_writer(w, yajl_gen_map_close(w->gen));
 }
 
-static void put_time(writer *w, const char *key, const graze_time *time) {
+static void json_time(writer *w, const char *key, const graze_time *time) {
     put_string(w, key);
     if (time_is_rational(time))
         put_owned(w, rational_text(time->low));
@@ -86,68 +86,68 @@ static void put_time(writer *w, const char *key, const graze_time *time) {
 }
 
 static void put_cell(writer *w, const graze_cell *cell) {
-    check(w, yajl_gen_map_open(w->gen));
+    check_writer(w, yajl_gen_map_open(w->gen));
     if (cell->kind == GRAZE_CELL_EDGE) {
         put_string(w, "edge");
-        check(w, yajl_gen_array_open(w->gen));
-        check(w, yajl_gen_integer(w->gen, (long long)cell->a));
-        check(w, yajl_gen_integer(w->gen, (long long)cell->b));
-        check(w, yajl_gen_array_close(w->gen));
+        check_writer(w, yajl_gen_array_open(w->gen));
+        check_writer(w, yajl_gen_integer(w->gen, (long long)cell->a));
+        check_writer(w, yajl_gen_integer(w->gen, (long long)cell->b));
+        check_writer(w, yajl_gen_array_close(w->gen));
     } else {
-        put_count(w, cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
+        json_count(w, cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
     }
-    check(w, yajl_gen_map_close(w->gen));
+    check_writer(w, yajl_gen_map_close(w->gen));
 }
 
-static void put_contact(writer *w, const contact *c) {
+static void json_contact(writer *w, const contact *c) {
     graze_kind kind = verdict_kind(c->left, c->right);
-    check(w, yajl_gen_map_open(w->gen));
-    put_text(w, "kind", kind == GRAZE_INTERSECTION ? "intersection" : "tangency");
+    check_writer(w, yajl_gen_map_open(w->gen));
+    json_text(w, "kind", kind == GRAZE_INTERSECTION ? "intersection" : "tangency");
     put_state(w, "left", c->left);
     put_state(w, "right", c->right);
-    put_time(w, "from", c->from);
-    put_time(w, "to", c->to);
+    json_time(w, "from", c->from);
+    json_time(w, "to", c->to);
     put_string(w, "features");
-    check(w, yajl_gen_array_open(w->gen));
+    check_writer(w, yajl_gen_array_open(w->gen));
     for (size_t k = 0; k < c->cell_count; k++)
         put_cell(w, &c->cell[k]);
-    check(w, yajl_gen_array_close(w->gen));
-    check(w, yajl_gen_map_close(w->gen));
+    check_writer(w, yajl_gen_array_close(w->gen));
+    check_writer(w, yajl_gen_map_close(w->gen));
 }
 
-static void put_verdict(writer *w, const graze_scene *scene, const graze_verdict *v) {
-    put_text(w, "pmc", graze_pmc_name(v->pmc));
+static void json_verdict(writer *w, const graze_scene *scene, const graze_verdict *v) {
+    json_text(w, "pmc", graze_pmc_name(v->pmc));
     if (scene->options.operation != GRAZE_SWEEP)
         return;
-    put_text(w, "class", graze_class_name(v->class_));
+    json_text(w, "class", graze_class_name(v->class_));
     if (v->definition)
-        put_count(w, "definition", (unsigned long)v->definition);
+        json_count(w, "definition", (unsigned long)v->definition);
     else
-        put_text(w, "definition", "ext");
-    put_count(w, "case", (unsigned long)v->case_);
-    put_count(w, "i", v->i);
-    put_count(w, "t", v->t);
+        json_text(w, "definition", "ext");
+    json_count(w, "case", (unsigned long)v->case_);
+    json_count(w, "i", v->i);
+    json_count(w, "t", v->t);
 }
 
-static void put_row(writer *w, const graze_scene *scene, const fmpq *point,
-                    const graze_trace *trace) {
-    check(w, yajl_gen_map_open(w->gen));
+static void json_row(writer *w, const graze_scene *scene, const fmpq *point,
+                     const graze_trace *trace) {
+    check_writer(w, yajl_gen_map_open(w->gen));
     put_string(w, "point");
-    check(w, yajl_gen_array_open(w->gen));
+    check_writer(w, yajl_gen_array_open(w->gen));
     for (int k = 0; k < scene->motion->dimension; k++)
         put_owned(w, rational_text(point + k));
-    check(w, yajl_gen_array_close(w->gen));
-    put_verdict(w, scene, &trace->verdict);
-    put_text(w, "word", trace->word);
+    check_writer(w, yajl_gen_array_close(w->gen));
+    json_verdict(w, scene, &trace->verdict);
+    json_text(w, "word", trace->word);
     put_string(w, "contacts");
-    check(w, yajl_gen_array_open(w->gen));
+    check_writer(w, yajl_gen_array_open(w->gen));
     for (size_t k = 0; k < trace->contact_count; k++)
-        put_contact(w, &trace->contact[k]);
-    check(w, yajl_gen_array_close(w->gen));
-    check(w, yajl_gen_map_close(w->gen));
+        json_contact(w, &trace->contact[k]);
+    check_writer(w, yajl_gen_array_close(w->gen));
+    check_writer(w, yajl_gen_map_close(w->gen));
 }
 
-static void print(void *out, const char *bytes, size_t length) {
+static void print_row(void *out, const char *bytes, size_t length) {
     text_bytes(out, bytes, length);
 }
 
@@ -158,8 +158,8 @@ static int put_line(writer *w, const graze_scene *scene, const fmpq *point,
     if (setjmp(w->memory.short_of) != 0)
         return 0;
     w->gen = yajl_gen_alloc(&w->memory.functions);
-    yajl_gen_config(w->gen, yajl_gen_print_callback, print, w->out);
-    put_row(w, scene, point, trace);
+    yajl_gen_config(w->gen, yajl_gen_print_callback, print_row, w->out);
+    json_row(w, scene, point, trace);
     return !w->failed;
 }
 

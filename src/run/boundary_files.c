@@ -30,7 +30,7 @@ int boundary_check_names(const char *surface, const char *cells, const char *poi
 }
 
 /* Counts between two texts, with blanks in between. */
-static void put(const char *before, const size_t *count, int counts, const char *behind) {
+static void put_counted(const char *before, const size_t *count, int counts, const char *behind) {
     char text[32];
     output_put(&out, before);
     for (int k = 0; k < counts; k++) {
@@ -41,13 +41,13 @@ static void put(const char *before, const size_t *count, int counts, const char 
 }
 
 static void put_one(const char *before, size_t count, const char *behind) {
-    put(before, &count, 1, behind);
+    put_counted(before, &count, 1, behind);
 }
 
 /* A line of two counts after a word. */
 static void put_sizes(const char *word, size_t items, size_t numbers) {
     size_t count[2] = {items, numbers};
-    put(word, count, 2, "\n");
+    put_counted(word, count, 2, "\n");
 }
 
 static void put_coordinates(mpq_t *point, int dimension) {
@@ -97,7 +97,7 @@ static void put_types(size_t count, size_t type) {
 static void put_faces(const graze_boundary *b, int dimension, size_t count) {
     for (size_t i = 0; i < count; i++) {
         const size_t *face = graze_boundary_face(b, i);
-        put(dimension == 3 ? "3 " : "2 ", face, dimension, "\n");
+        put_counted(dimension == 3 ? "3 " : "2 ", face, dimension, "\n");
     }
 }
 
@@ -122,14 +122,14 @@ int boundary_write_surface(const char *path, const graze_boundary *b, int dimens
                            : "\nproperty int vertex1\nproperty int vertex2\nend_header\n");
     put_all_coordinates(b, dimension, OF_VERTICES, s.vertices);
     for (size_t i = 0; i < s.faces && dimension == 2; i++)
-        put("", graze_boundary_face(b, i), 2, "\n");
+        put_counted("", graze_boundary_face(b, i), 2, "\n");
     if (dimension == 3)
         put_faces(b, 3, s.faces);
     return output_close(&out);
 }
 
 /* One column of the cells. */
-static void put_column(const graze_boundary *b, size_t count, const char *name, int which) {
+static void put_scalars(const graze_boundary *b, size_t count, const char *name, int which) {
     output_put(&out, "SCALARS ");
     output_put(&out, name);
     output_put(&out, " int 1\nLOOKUP_TABLE default\n");
@@ -155,13 +155,13 @@ int boundary_write_cells(const char *path, const graze_boundary *b, int dimensio
         size_t corner[8];
         for (unsigned k = 0; k < corners; k++)
             corner[k] = c.corners[round[k]];
-        put(dimension == 2 ? "4 " : "8 ", corner, (int)corners, "\n");
+        put_counted(dimension == 2 ? "4 " : "8 ", corner, (int)corners, "\n");
     }
     put_types(s.cells, dimension == 2 ? VTK_QUAD : VTK_HEXAHEDRON);
     put_one("CELL_DATA ", s.cells, "\n");
-    put_column(b, s.cells, "level", 0);
-    put_column(b, s.cells, "pmc", 1);
-    put_column(b, s.cells, "contact", 2);
+    put_scalars(b, s.cells, "level", 0);
+    put_scalars(b, s.cells, "pmc", 1);
+    put_scalars(b, s.cells, "contact", 2);
     return output_close(&out);
 }
 

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Cut a line into fields, or say what is wrong with it. */
-static int cut(fields *out, fault *f, const columns *c, field text, unsigned long number) {
+static int cut_columns(fields *out, fault *f, const columns *c, field text, unsigned long number) {
     if (memchr(text.start, '\0', text.length))
         return fault_set(f, EXIT_INPUT, "%s:%lu: a byte 0 in a text file", c->name, number);
     switch (fields_cut(out, text)) {
@@ -102,7 +102,7 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
 
 int columns_fix(int *header, fault *f, columns *c, field text, unsigned long number) {
     fields first = {NULL, 0, 0};
-    int status = cut(&first, f, c, text, number);
+    int status = cut_columns(&first, f, c, text, number);
     if (!status)
         status = fix(header, f, c, &first, number);
     fields_clear(&first);
@@ -137,7 +137,7 @@ static int keep_others(reader *r, const columns *c, size_t length) {
 
 int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index) {
     const line *l = &b->lines[index];
-    int status = cut(&r->cut, f, c, (field){b->bytes + l->start, l->length}, l->number);
+    int status = cut_columns(&r->cut, f, c, (field){b->bytes + l->start, l->length}, l->number);
     if (status)
         return status;
     if (r->cut.count != c->count)

@@ -89,7 +89,7 @@ int csv_same_file(const csv *c, const char *path) {
            mine.st_dev == other.st_dev && mine.st_ino == other.st_ino;
 }
 
-static int check_length(csv *c, size_t length, unsigned long line) {
+static int check_point_line(csv *c, size_t length, unsigned long line) {
     unsigned long limit = graze_context_limit(c->context, GRAZE_LIMIT_LINE);
     if (length <= limit)
         return EXIT_DONE;
@@ -99,11 +99,11 @@ static int check_length(csv *c, size_t length, unsigned long line) {
 }
 
 /* Make room behind the unused bytes, which are part of one line. */
-static int make_room(csv *c) {
+static int make_row_room(csv *c) {
     memmove(c->buffer, c->buffer + c->from, c->to - c->from);
     c->to -= c->from;
     c->from = 0;
-    int status = check_length(c, c->to, c->line + 1);
+    int status = check_point_line(c, c->to, c->line + 1);
     if (status || c->to < c->capacity)
         return status;
     char *grown = realloc(c->buffer, 2 * c->capacity);
@@ -115,7 +115,7 @@ static int make_room(csv *c) {
 }
 
 static void read_once(csv *c) {
-    c->status = make_room(c);
+    c->status = make_row_room(c);
     if (c->status)
         return;
     ssize_t n = read(c->fd, c->buffer + c->to, c->capacity - c->to);
@@ -130,7 +130,7 @@ static void read_once(csv *c) {
 }
 
 /* The next line without its end. A length of 0 and no start mean the end of the file. */
-static int next_line(csv *c, field *out) {
+static int next_point_line(csv *c, field *out) {
     size_t seen = 0;
     char *end = NULL;
     *out = (field){NULL, 0};
@@ -160,7 +160,7 @@ static int next_line(csv *c, field *out) {
         out->start += 3;
         out->length -= 3;
     }
-    return check_length(c, out->length, c->line);
+    return check_point_line(c, out->length, c->line);
 }
 
 static int skipped(field text) {
@@ -192,7 +192,7 @@ static int take_row(csv *c, block *b, field text) {
 }
 
 /* A line that is neither blank nor a comment; the first one fixes the columns. */
-static int take_line(csv *c, block *b, field text) {
+static int take_point_line(csv *c, block *b, field text) {
     int header = 0, status = EXIT_DONE;
     if (!c->columns.count)
         status = columns_fix(&header, &c->fault, &c->columns, text, c->line);
@@ -214,11 +214,11 @@ int csv_fill(csv *c, block *b, unsigned long most) {
     while (!status && b->count < BLOCK_ROWS && b->count < most && b->used < BLOCK_BYTES &&
            (b->count == 0 || csv_ready(c))) {
         field text;
-        status = next_line(c, &text);
+        status = next_point_line(c, &text);
         if (!status && !text.start)
             break;
         if (!status && !skipped(text))
-            status = take_line(c, b, text);
+            status = take_point_line(c, b, text);
     }
     return status;
 }

@@ -59,7 +59,7 @@ static field point_text(kept *k) {
     return (field){k->text, used};
 }
 
-static int same(field a, field b) {
+static int same_bytes(field a, field b) {
     return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
 }
 
@@ -76,9 +76,9 @@ static int check_row(kept *k, results *t) {
     const char *expected = row_check(&parts, &k->form, k->context, row);
     if (expected)
         return results_refuse(t, row, expected, (field){"", 0});
-    if (!same(parts.point, point))
+    if (!same_bytes(parts.point, point))
         return results_refuse(t, parts.point, "this run's point, ", point);
-    if (!same(parts.rest, rest))
+    if (!same_bytes(parts.rest, rest))
         return results_refuse(t, parts.rest, "this run's further columns, ", rest);
     return EXIT_DONE;
 }

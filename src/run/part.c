@@ -65,7 +65,7 @@ static int gather(part *p, field text) {
 }
 
 /* The next line with its end. It is where the buffer has all of it, else put together. */
-static int next_line(part *p, field *line) {
+static int next_part_line(part *p, field *line) {
     int ended, status = piece(line, &ended, p);
     if (status || ended || !line->length)
         return status;
@@ -85,7 +85,7 @@ static int next_line(part *p, field *line) {
 }
 
 /* What is expected of a row that graze classify has not written, else NULL. */
-static const char *wrong(part *p, graze_context *context, field row) {
+static const char *wrong_part(part *p, graze_context *context, field row) {
     row_parts parts;
     const char *expected = memchr(row.start, '\0', row.length)
                                ? "no byte 0"
@@ -101,13 +101,13 @@ static const char *wrong(part *p, graze_context *context, field row) {
 
 int part_copy_row(part *p, output *out, graze_context *context) {
     field line;
-    int status = next_line(p, &line);
+    int status = next_part_line(p, &line);
     if (status)
         return status;
     p->line++;
     if (!line.length || *line.start == '#' || line.start[line.length - 1] != '\n')
         return complain_of_row(p);
-    const char *expected = wrong(p, context, (field){line.start, line.length - 1});
+    const char *expected = wrong_part(p, context, (field){line.start, line.length - 1});
     if (expected)
         return complain(EXIT_INPUT, "%s:%lu: is no row that graze classify writes; expected %s",
                         p->path, p->line, expected);
@@ -143,7 +143,7 @@ static int take_head(part *p, const char *line, size_t length, int *named) {
     return EXIT_DONE;
 }
 
-static int read_head(part *p, FILE *file) {
+static int read_part_head(part *p, FILE *file) {
     char *line = NULL;
     size_t room = 0;
     ssize_t length = 1;
@@ -248,7 +248,7 @@ int part_open(part *p, const char *path) {
     if (!status && !p->buffer)
         status = complain(EXIT_IO, "out of memory");
     if (!status)
-        status = read_head(p, file);
+        status = read_part_head(p, file);
     if (!status)
         status = read_tail(p, file);
     fclose(file);

@@ -38,7 +38,7 @@ static void scaled_clear(scaled_simplex *s) {
 
 /* Complete coefficients c of the scaled coordinates to coprime integers of a form that vanishes at
  * the vertex p. Once c is coprime, all that the form can have in common divides `common`. */
-static void finish(fmpz *c, const scaled_simplex *s, const fmpz *p) {
+static void finish_forms(fmpz *c, const scaled_simplex *s, const fmpz *p) {
     int d = s->dimension;
     fmpz_t g;
     fmpz_init(g);
@@ -77,7 +77,7 @@ int form_of_plane(fmpz *out, const fmpq *const *vertex, int dimension) {
     int facing = fmpz_sgn(out + first_nonzero(out));
     if (facing < 0)
         _fmpz_vec_neg(out, out, dimension);
-    finish(out, &s, p);
+    finish_forms(out, &s, p);
     scaled_clear(&s);
     return facing;
 }
@@ -100,7 +100,7 @@ void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k
     } else {
         fmpz_sub(out + i, q + i, p + i);
     }
-    finish(out, &s, p);
+    finish_forms(out, &s, p);
     scaled_clear(&s);
 }
 

@@ -6,7 +6,7 @@
 #include "solid/forms.h"
 
 /* The coordinates of a simplex's vertices. */
-static void vertices_of(const fmpq **vertex, const graze_solid *solid, size_t simplex) {
+static void simplex_vertices(const fmpq **vertex, const graze_solid *solid, size_t simplex) {
     size_t d = (size_t)solid->input.dimension;
     for (size_t k = 0; k < d; k++)
         vertex[k] = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * d;
@@ -14,13 +14,13 @@ static void vertices_of(const fmpq **vertex, const graze_solid *solid, size_t si
 
 int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex) {
     const fmpq *vertex[3];
-    vertices_of(vertex, solid, simplex);
+    simplex_vertices(vertex, solid, simplex);
     return form_of_plane(out, vertex, solid->input.dimension);
 }
 
 void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k) {
     const fmpq *vertex[3];
-    vertices_of(vertex, solid, simplex);
+    simplex_vertices(vertex, solid, simplex);
     form_of_side(out, vertex, plane, k, solid->input.dimension);
 }
 

@@ -14,14 +14,14 @@
 /* Bytes of the buffer at first; less where there may be many streams. */
 enum { BUFFER = 1 << 16, BUFFER_OF_MANY = 1 << 14 };
 
-static graze_status no_memory(graze_context *context) {
+static graze_status stream_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
 
 static graze_status make_buffer(stream *s, size_t capacity) {
     s->buffer = malloc(capacity);
     s->capacity = capacity;
-    return s->buffer ? GRAZE_OK : no_memory(s->context);
+    return s->buffer ? GRAZE_OK : stream_no_memory(s->context);
 }
 
 graze_status stream_open(stream *out, graze_context *context, const char *path) {
@@ -66,7 +66,7 @@ int stream_repeatable(const stream *s) {
     return s->fd > STDIN_FILENO && fstat(s->fd, &about) == 0 && S_ISREG(about.st_mode);
 }
 
-static graze_status check_length(const stream *s, size_t length, unsigned long line) {
+static graze_status check_line_length(const stream *s, size_t length, unsigned long line) {
     if (length <= s->limit)
         return GRAZE_OK;
     graze_status status = context_limit(s->context, GRAZE_LIMIT_LINE, "the bytes of one line");
@@ -74,16 +74,16 @@ static graze_status check_length(const stream *s, size_t length, unsigned long l
 }
 
 /* Room behind the unused bytes, which are part of one line. */
-static graze_status make_room(stream *s) {
+static graze_status make_line_room(stream *s) {
     memmove(s->buffer, s->buffer + s->from, s->to - s->from);
     s->to -= s->from;
     s->from = 0;
-    graze_status status = check_length(s, s->to, s->line + 1);
+    graze_status status = check_line_length(s, s->to, s->line + 1);
     if (status || s->to < s->capacity)
         return status;
     char *grown = realloc(s->buffer, 2 * s->capacity);
     if (!grown)
-        return no_memory(s->context);
+        return stream_no_memory(s->context);
     s->buffer = grown;
     s->capacity *= 2;
     return GRAZE_OK;
@@ -99,7 +99,7 @@ static graze_status seek(const stream *s, int fd) {
 static graze_status read_more(stream *s) {
     int fd = s->fd;
     size_t n = 0;
-    graze_status status = make_room(s);
+    graze_status status = make_line_room(s);
     if (!status && s->reopened)
         status = input_open(&fd, s->context, s->name);
     if (!status && s->reopened)
@@ -161,7 +161,7 @@ graze_status stream_next(stream *s, field *out) {
     if (!s->own)
         line = stripped(s, line);
     *out = line;
-    return check_length(s, line.length, s->line);
+    return check_line_length(s, line.length, s->line);
 }
 
 long long stream_tell(const stream *s) {

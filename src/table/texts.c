@@ -34,7 +34,7 @@ static uint32_t *slot_of(const texts *t, field one) {
     return &t->slot[at];
 }
 
-static int grow(texts *t) {
+static int grow_texts(texts *t) {
     size_t capacity = t->capacity ? 2 * t->capacity : 64;
     size_t *end = realloc(t->end, capacity * sizeof *end);
     if (!end)
@@ -53,7 +53,7 @@ static int grow(texts *t) {
 }
 
 int texts_number(uint32_t *out, texts *t, field one) {
-    if (t->count == t->capacity && !grow(t))
+    if (t->count == t->capacity && !grow_texts(t))
         return 0;
     uint32_t *slot = slot_of(t, one);
     if (!*slot) {

@@ -47,7 +47,7 @@ graze_status typed_broken(graze_context *context, const char *format, ...) {
                         "%s; expected a whole table as graze classify writes it", text);
 }
 
-static graze_status no_memory(const typed_table *t) {
+static graze_status typed_no_memory(const typed_table *t) {
     return context_fail(t->context, GRAZE_ESYSTEM, "out of memory for a table");
 }
 
@@ -94,7 +94,7 @@ static graze_status name_columns(typed_table *t, field line) {
                             FIELD_SHOWN(line), t->dimension);
     text_bytes(&t->names, line.start, line.length);
     if (t->names.failed)
-        return no_memory(t);
+        return typed_no_memory(t);
     fields_result result = fields_cut(&names, (field){t->names.data, t->names.length});
     if (result == FIELDS_CUT)
         t->column = calloc(names.count, sizeof *t->column);
@@ -107,7 +107,7 @@ static graze_status name_columns(typed_table *t, field line) {
     t->state = TYPED_ROWS;
     if (result == FIELDS_OPEN_QUOTE)
         return typed_broken(t->context, "a quote in the column line is not closed");
-    return t->column ? GRAZE_OK : no_memory(t);
+    return t->column ? GRAZE_OK : typed_no_memory(t);
 }
 
 void typed_name(text *out, const typed_table *t, size_t index) {
@@ -127,7 +127,7 @@ static int is_number(const column *c) {
 }
 
 /* Room for one more row; 0 where there is none. */
-static int reserve(typed_table *t) {
+static int typed_reserve(typed_table *t) {
     if (t->row_count < t->row_capacity)
         return 1;
     size_t capacity = t->row_capacity ? 2 * t->row_capacity : 1024;
@@ -149,7 +149,7 @@ static int reserve(typed_table *t) {
 /* -------------------------------------------------------------------------------- fields */
 
 /* The double nearest to a number, infinite past the range of doubles. */
-static double nearest(fmpq_t value, graze_context *context) {
+static double nearest_double(fmpq_t value, graze_context *context) {
     int negative = fmpq_sgn(value) < 0;
     if (rational_round(value, context, GRAZE_ROUND_BINARY64) == GRAZE_OK)
         return fmpq_get_d(value);
@@ -162,7 +162,7 @@ static graze_status read_number(double *out, graze_context *context, field f) {
     fmpq_init(value);
     graze_status status = rational_parse(value, context, f.start, f.length);
     if (!status)
-        *out = nearest(value, context);
+        *out = nearest_double(value, context);
     fmpq_clear(value);
     return status;
 }
@@ -208,7 +208,7 @@ static const char *read_answer(unsigned long *out, const column *c, field f) {
 }
 
 static graze_status add_text(const typed_table *t, column *c, size_t row, field f) {
-    return texts_number(&c->code[row], &c->texts, f) ? GRAZE_OK : no_memory(t);
+    return texts_number(&c->code[row], &c->texts, f) ? GRAZE_OK : typed_no_memory(t);
 }
 
 /* A further column that has met a field that is no number: its fields become texts. */
@@ -217,7 +217,7 @@ static graze_status become_texts(const typed_table *t, column *c) {
     c->kind = COLUMN_TEXT;
     c->code = malloc(t->row_capacity * sizeof *c->code);
     if (!c->code)
-        return no_memory(t);
+        return typed_no_memory(t);
     field rest = {c->fields.data, c->fields.length}, one;
     for (size_t row = 0; row < t->row_count && !status; row++) {
         one = field_line(&rest);
@@ -236,7 +236,7 @@ static graze_status add_further(const typed_table *t, column *c, field f) {
         if (!status) {
             text_bytes(&c->fields, f.start, f.length);
             text_put(&c->fields, "\n");
-            return c->fields.failed ? no_memory(t) : GRAZE_OK;
+            return c->fields.failed ? typed_no_memory(t) : GRAZE_OK;
         }
         if (status == GRAZE_EINPUT)
             status = become_texts(t, c);
@@ -269,8 +269,8 @@ static graze_status add_field(const typed_table *t, size_t index, field f) {
 
 static graze_status add_row(typed_table *t, field row) {
     size_t k = 0;
-    if (!reserve(t))
-        return no_memory(t);
+    if (!typed_reserve(t))
+        return typed_no_memory(t);
     for (; k < t->column_count && row.start; k++) {
         field one;
         if (!field_take(&one, &row))

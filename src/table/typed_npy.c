@@ -75,7 +75,7 @@ static graze_status put_head(sink to, const typed_table *t) {
     return status;
 }
 
-static void put_text(sink to, field one, size_t width) {
+static void put_npy_text(sink to, field one, size_t width) {
     static const char zeros[64];
     to.put(to.to, one.start, one.length);
     for (size_t left = width - one.length; left;) {
@@ -105,8 +105,8 @@ static void put_field(sink to, const column *c, size_t row) {
     default:
         break;
     }
-    put_text(to, name ? (field){name, strlen(name)} : texts_at(&c->texts, c->code[row]),
-             width_of(c));
+    put_npy_text(to, name ? (field){name, strlen(name)} : texts_at(&c->texts, c->code[row]),
+                 width_of(c));
 }
 
 graze_status typed_write_npy(const typed_table *t, sink to) {

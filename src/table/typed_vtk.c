@@ -115,7 +115,7 @@ static void put_vertices(const vtk *w, const typed_table *t) {
 }
 
 /* 0 without memory. */
-static int put_column(const vtk *w, const typed_table *t, size_t index) {
+static int put_vtk_column(const vtk *w, const typed_table *t, size_t index) {
     const column *from = &t->column[index];
     text name;
     field shown = name_of(&name, t, index, "");
@@ -148,6 +148,6 @@ graze_status typed_write_vtk(const typed_table *t, sink to) {
         put_vertices(&w, t);
     vtk_data_begin(&w, "POINT_DATA", t->row_count);
     for (size_t k = (size_t)t->dimension; k < t->column_count && good; k++)
-        good = put_column(&w, t, k);
+        good = put_vtk_column(&w, t, k);
     return good ? GRAZE_OK : context_fail(t->context, GRAZE_ESYSTEM, "out of memory");
 }

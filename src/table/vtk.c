@@ -7,24 +7,24 @@
 #include <stdio.h>
 #include <string.h>
 
-static void put(const vtk *w, const char *text) {
+static void vtk_put(const vtk *w, const char *text) {
     w->to.put(w->to.to, text, strlen(text));
 }
 
 /* Counts with blanks between them, after a text. */
-static void put_counts(const vtk *w, const char *before, const size_t *count, size_t counts,
-                       const char *behind) {
+static void put_dimensions(const vtk *w, const char *before, const size_t *count, size_t counts,
+                           const char *behind) {
     char text[32];
-    put(w, before);
+    vtk_put(w, before);
     for (size_t k = 0; k < counts; k++) {
         snprintf(text, sizeof text, k ? " %zu" : "%zu", count[k]);
-        put(w, text);
+        vtk_put(w, text);
     }
-    put(w, behind);
+    vtk_put(w, behind);
 }
 
 /* Blanks would end the name. */
-static void put_name(const vtk *w, field name) {
+static void put_vtk_name(const vtk *w, field name) {
     for (size_t k = 0; k < name.length; k++) {
         char byte = isspace((unsigned char)name.start[k]) ? '_' : name.start[k];
         w->to.put(w->to.to, &byte, 1);
@@ -45,20 +45,20 @@ static void put_binary_double(const vtk *w, double value) {
 }
 
 void vtk_begin(const vtk *w, const char *title, const char *dataset) {
-    put(w, "# vtk DataFile Version 3.0\n");
-    put(w, title);
-    put(w, w->binary ? "\nBINARY\nDATASET " : "\nASCII\nDATASET ");
-    put(w, dataset);
-    put(w, "\n");
+    vtk_put(w, "# vtk DataFile Version 3.0\n");
+    vtk_put(w, title);
+    vtk_put(w, w->binary ? "\nBINARY\nDATASET " : "\nASCII\nDATASET ");
+    vtk_put(w, dataset);
+    vtk_put(w, "\n");
 }
 
 void vtk_bytes_begin(const vtk *w, field name, size_t length) {
-    put_name(w, name);
-    put_counts(w, " 1 ", &length, 1, " unsigned_char\n");
+    put_vtk_name(w, name);
+    put_dimensions(w, " 1 ", &length, 1, " unsigned_char\n");
 }
 
 void vtk_points_begin(const vtk *w, size_t count) {
-    put_counts(w, "POINTS ", &count, 1, " double\n");
+    put_dimensions(w, "POINTS ", &count, 1, " double\n");
 }
 
 void vtk_point(const vtk *w, const double at[3]) {
@@ -67,19 +67,19 @@ void vtk_point(const vtk *w, const double at[3]) {
         put_binary_double(w, at[k]);
     if (!w->binary) {
         snprintf(text, sizeof text, "%.17g %.17g %.17g\n", at[0], at[1], at[2]);
-        put(w, text);
+        vtk_put(w, text);
     }
 }
 
 void vtk_cells_begin(const vtk *w, size_t count, size_t corners) {
     size_t sizes[2] = {count, count * (corners + 1)};
-    put_counts(w, "CELLS ", sizes, 2, "\n");
+    put_dimensions(w, "CELLS ", sizes, 2, "\n");
 }
 
 void vtk_cell(const vtk *w, const size_t *corner, size_t corners) {
     if (!w->binary) {
-        put_counts(w, "", &corners, 1, " ");
-        put_counts(w, "", corner, corners, "\n");
+        put_dimensions(w, "", &corners, 1, " ");
+        put_dimensions(w, "", corner, corners, "\n");
         return;
     }
     put_big_endian(w, corners, 4);
@@ -88,23 +88,23 @@ void vtk_cell(const vtk *w, const size_t *corner, size_t corners) {
 }
 
 void vtk_cell_types(const vtk *w, size_t count, unsigned type) {
-    put_counts(w, "CELL_TYPES ", &count, 1, "\n");
+    put_dimensions(w, "CELL_TYPES ", &count, 1, "\n");
     for (size_t k = 0; k < count; k++)
         vtk_int(w, type);
     vtk_end(w);
 }
 
 void vtk_data_begin(const vtk *w, const char *of, size_t count) {
-    put(w, of);
-    put_counts(w, " ", &count, 1, "\n");
+    vtk_put(w, of);
+    put_dimensions(w, " ", &count, 1, "\n");
 }
 
 void vtk_scalars_begin(const vtk *w, field name, const char *type) {
-    put(w, "SCALARS ");
-    put_name(w, name);
-    put(w, " ");
-    put(w, type);
-    put(w, " 1\nLOOKUP_TABLE default\n");
+    vtk_put(w, "SCALARS ");
+    put_vtk_name(w, name);
+    vtk_put(w, " ");
+    vtk_put(w, type);
+    vtk_put(w, " 1\nLOOKUP_TABLE default\n");
 }
 
 void vtk_int(const vtk *w, uint32_t value) {
@@ -112,7 +112,7 @@ void vtk_int(const vtk *w, uint32_t value) {
     if (w->binary)
         put_big_endian(w, value, 4);
     else
-        put_counts(w, "", &count, 1, "\n");
+        put_dimensions(w, "", &count, 1, "\n");
 }
 
 void vtk_double(const vtk *w, double value) {
@@ -122,10 +122,10 @@ void vtk_double(const vtk *w, double value) {
         return;
     }
     snprintf(text, sizeof text, "%.17g\n", value);
-    put(w, text);
+    vtk_put(w, text);
 }
 
 void vtk_end(const vtk *w) {
     if (w->binary)
-        put(w, "\n");
+        vtk_put(w, "\n");
 }

@@ -81,7 +81,8 @@ def function_name(chunk):
     if not head or head.group(1) in ("if", "for", "while", "switch", "_Static_assert", "static_assert"):
         return None
     before = chunk[:head.start()].strip()
-    return head.group(1).split("::")[-1] if before else None
+    # A name with :: is a member's, whose class is its scope.
+    return head.group(1) if before and "::" not in head.group(1) else None
 
 
 def defined(text):
