@@ -26,7 +26,7 @@ typedef struct bernstein_form {
     ulong bits;
 } bernstein_form;
 
-/** What bernstein_from_poly makes, in a new form. */
+/** A new form with the coefficients of bernstein_from_poly. */
 void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong degree,
                          const dyadic_interval *interval);
 void bernstein_form_clear(bernstein_form *form);

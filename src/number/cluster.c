@@ -77,7 +77,7 @@ static pending *push_pending(cluster *c) {
     return &c->stack[c->count++];
 }
 
-/* Coefficients that are known well enough for their signs to tell something. */
+/* Coefficients known well enough for most of their signs to be certain. */
 static graze_status sharp_form(local_form *form, const cluster *c, pending *at) {
     graze_status status;
     for (;; at->precision *= 2) {

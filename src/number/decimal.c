@@ -87,9 +87,10 @@ char *decimal_of_rational(int *exact, const fmpq_t value, int digits) {
     /* Rounding up 99...9 gives one figure more, and the exponent with it. */
     size_t count = strlen(figures);
     exponent += count > (size_t)digits;
-    char *out = fmpq_is_zero(value)
-                    ? decimal_layout(0, "0", 1, 1, 1)
-                    : decimal_layout(fmpq_sgn(value) < 0, figures,
+    char *out =
+        fmpq_is_zero(value)
+            ? decimal_layout(0, "0", 1, 1, 1)
+            : decimal_layout(fmpq_sgn(value) < 0, figures,
                              count > (size_t)digits ? (size_t)digits : count, exponent, is_exact);
     flint_free(figures);
     fmpz_clear(quotient);

@@ -41,7 +41,7 @@ static ulong reach_of(const fmpz_t numerator, ulong exponent) {
     return bits > exponent ? bits - exponent : 0;
 }
 
-/* Each step of Horner's scheme rounds down once, and multiplies what was lost by x. */
+/* Each step of Horner's scheme rounds down once, and multiplies the error so far by x. */
 void dyadic_approximate(fmpz_t out, fmpz_t error, const fmpz_poly_t p, const fmpz_t numerator,
                         ulong exponent, ulong places) {
     slong degree = fmpz_poly_degree(p);

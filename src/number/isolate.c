@@ -27,7 +27,7 @@ static graze_status cluster_of_quotient(const root_search *s, const dyadic_inter
     return status;
 }
 
-/* Coefficients that are known to some places tell nothing of a repeated root at an end of the
+/* Coefficients that are known to some places do not show a repeated root at an end of the
  * interval, which exact ones leave out: without repeated factors C42 ends. */
 static graze_status search_cluster(const root_search *s, const dyadic_interval *interval, int low,
                                    int high) {
@@ -45,7 +45,7 @@ static graze_status search_cluster(const root_search *s, const dyadic_interval *
     return status;
 }
 
-/* Both halves and the point between them. Of an empty half nothing is kept while the other one is
+/* Both halves and the point between them. Nothing of an empty half is kept while the other one is
  * searched. The form is that of the interval; it is spent. */
 static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
                                     const dyadic_interval *interval) {

@@ -89,7 +89,7 @@ static void take_differences(fmpz *s, slong n, slong last, const local_interval 
 }
 
 /* By C41 rounding costs 2 (n + 1) units in the Taylor coefficients and at most n + 1 with the
- * powers of the width, and what is left out one. */
+ * powers of the width, and the part left out one. */
 graze_status local_form_set(local_form *form, graze_context *context, const fmpz_poly_t q,
                             const local_interval *x, ulong precision) {
     slong n = form->degree;

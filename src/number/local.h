@@ -9,7 +9,7 @@
 #include "context/context.h"
 
 /** An interval [low, low + width] / 2^places inside [0, 1], 2 (n + 1) width <= 2^places for the
- * degree n of what is looked at there. */
+ * degree n of the polynomial in question. */
 typedef struct local_interval {
     fmpz_t low, width;
     ulong places;

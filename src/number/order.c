@@ -1,4 +1,4 @@
-/* The order of real algebraic numbers: by refinement, equality by gcd; and what lies between two.
+/* The order of real algebraic numbers: by refinement, equality by gcd; and numbers between two.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "number/order.h"
@@ -62,7 +62,7 @@ static int is_same(const algebraic *x, const algebraic *y) {
            fmpz_poly_equal(x->poly, y->poly);
 }
 
-/* Whether the intervals, or the numbers where they are rational, tell the order; then *out is it.
+/* Whether the intervals, or the numbers where they are rational, decide the order; then it is *out.
  * Irrational numbers get intervals of one exponent. */
 static int order_is_known(int *out, algebraic *x, algebraic *y) {
     *out = 0;
@@ -105,8 +105,8 @@ graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, a
 }
 
 /* The dyadic number with the least exponent strictly between two rationals a < b, the least of
- * them if it is an integer. Of the multiples of 2^-e in between, e such that there are some, it is
- * the one that ends in the most zeros: where the binary digits of the multiple before the first
+ * them if it is an integer. It is the multiple of 2^-e in between that ends in the most zeros, for
+ * any e that has such multiples: where the binary digits of the multiple before the first
  * and of the last one part. */
 static void simplest_dyadic(fmpq_t out, const fmpq_t a, const fmpq_t b) {
     fmpq_t scaled;

@@ -199,8 +199,8 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
     fmpq_zero(out);
     if (!token_shape(&s, text, length)) {
         return context_fail(context, GRAZE_EINPUT,
-                            "'%.*s%s' is not a number; expected one such as -12, 0.1, 1.5e-3, 22/7", shown,
-                            text, more);
+                            "'%.*s%s' is not a number; expected one such as -12, 0.1, 1.5e-3, 22/7",
+                            shown, text, more);
     }
     unsigned long limit = context->limits[GRAZE_LIMIT_DIGITS];
     if (written_out(&s) > limit || s.denominator_count > limit) {

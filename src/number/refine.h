@@ -10,9 +10,9 @@
  * first asked for. */
 enum { CHEAP_HALVINGS = 4, FIRST_GAIN = 4 };
 
-/* What takes many steps asks the context's callback now and then and narrows no interval past the
- * limit `bits`: these functions return GRAZE_OK, GRAZE_ECANCELED or GRAZE_ELIMIT. The context may
- * be NULL, for neither. Without GRAZE_OK the numbers keep their values, and *out is not set. */
+/* Functions that take many steps ask the context's callback now and then and narrow no interval
+ * past the limit `bits`: they return GRAZE_OK, GRAZE_ECANCELED or GRAZE_ELIMIT. The context may be
+ * NULL, for neither. Without GRAZE_OK the numbers keep their values, and *out is not set. */
 
 /** Halve the interval. */
 void algebraic_refine(algebraic *x);

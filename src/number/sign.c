@@ -41,7 +41,7 @@ static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
     return sign;
 }
 
-/* Sign of q at an irrational x if the interval tells, else 0. */
+/* Sign of q at an irrational x if the interval decides it, else 0. */
 static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
     if (x->where.exponent > COARSE)
         return sign_by_slope(q, &x->where);

@@ -1,4 +1,4 @@
-/* Text that grows: what reports, comparisons and pictures write into.
+/* Text that grows, for reports, comparisons and pictures.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_NUMBER_TEXT_H
 #define GRAZE_NUMBER_TEXT_H

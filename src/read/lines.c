@@ -1,4 +1,4 @@
-/* A text as lines of tokens: see lines.h.
+/* A text as lines of tokens (lines.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "read/lines.h"
@@ -171,7 +171,7 @@ graze_status lines_cells(lines *l, size_t *out, const char *what) {
         return lines_fail(l, GRAZE_EINPUT, "the file ends before the number of %s", what);
     }
     if (!token_integer(t, &value) || value < 0) {
-        return lines_fail(l, GRAZE_EINPUT, "'%.*s' is not a number of %s; a plain integer is right",
+        return lines_fail(l, GRAZE_EINPUT, "'%.*s' is not a number of %s; expected a plain integer",
                           TOKEN_SHOWN(t), what);
     }
     if ((unsigned long long)value > l->context->limits[GRAZE_LIMIT_CELLS]) {

@@ -1,4 +1,4 @@
-/* A text as lines of tokens, with line numbers for messages: what the solid readers share.
+/* A text as lines of tokens, with line numbers for messages, for the readers of solids.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A token is a run of bytes without blanks; a byte of `marks` is a token by itself. Tokens point
@@ -53,7 +53,8 @@ graze_status lines_fail(const lines *l, graze_status status, const char *format,
 /** Put "path:line: " before the message of a failure on its way up. */
 graze_status lines_at(const lines *l, graze_status status);
 
-/** Read the next `count` tokens of this line as numbers. `what` and `index` name whose they are. */
+/** Read the next `count` tokens of this line as numbers. `what` and `index` name
+ * their owner in messages. */
 graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, size_t index);
 
 /** A number of cells: a plain integer within the cells limit. `what` names them, in the plural. */

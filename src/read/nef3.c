@@ -53,7 +53,7 @@ static graze_status check_facets(const nef *n) {
     return GRAZE_OK;
 }
 
-/* GRAZE_EILLEGAL unless it is bounded, regular closed and not empty; links are right. */
+/* Refuse a complex, of links already checked, that is unbounded, not regular closed or empty. */
 static graze_status check_solid(const nef *n) {
     graze_status status = check_volume_marks(n);
     if (status == GRAZE_OK) {
@@ -169,7 +169,7 @@ static graze_status find_outer(const nef *n, size_t f, size_t *outer) {
     return found == 1 ? GRAZE_OK
                       : nef_fail(n, GRAZE_EINPUT,
                                  "half-facet %zu: %zu of its cycles run counter-clockwise around "
-                                 "its normal; right is one, the outer",
+                                 "its normal; expected one, the outer",
                                  f, found);
 }
 

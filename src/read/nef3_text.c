@@ -72,13 +72,12 @@ static size_t reference(nef *n, enum nef_kind kind, int optional) {
 static int flag(nef *n, const char *expected) {
     long long value = integer(n, expected);
     if (n->status == GRAZE_OK && value != 0 && value != 1) {
-        n->status =
-            lines_fail(&n->l, GRAZE_EINPUT, "%s is %lld; right are 0 and 1", expected, value);
+        n->status = lines_fail(&n->l, GRAZE_EINPUT, "%s is %lld; expected 0 or 1", expected, value);
     }
     return (int)value;
 }
 
-/* Indices up to, and not with, the mark that ends the list. */
+/* The indices before the mark that ends the list. */
 static nef_list indices(nef *n, enum nef_kind kind) {
     nef_list list = {n->list_count, 0};
     for (;;) {
@@ -93,7 +92,7 @@ static nef_list indices(nef *n, enum nef_kind kind) {
     }
 }
 
-/* Integers, kept in `out` (4 of them), or only looked at. */
+/* Read 4 integers into `out`, or past them where it is NULL. */
 static void integers(nef *n, fmpz *out) {
     fmpq_t value;
     fmpq_init(value);
@@ -264,8 +263,8 @@ static void nef_counts(nef *n, size_t length) {
         int paired =
             k == NEF_HALFEDGE || k == NEF_HALFFACET || k == NEF_SHALFEDGE || k == NEF_SHALFLOOP;
         if (value < 0 || (paired && value % 2 != 0)) {
-            n->status = lines_fail(&n->l, GRAZE_EINPUT, "the number of %s is %lld; right is %s",
-                                   kind_name[k], value, paired ? "an even one" : "0 or more");
+            n->status = lines_fail(&n->l, GRAZE_EINPUT, "the number of %s is %lld; expected %s",
+                                   kind_name[k], value, paired ? "an even number" : "0 or more");
         } else if ((k == NEF_VERTEX || k == NEF_HALFFACET) &&
                    (unsigned long)value / (paired ? 2 : 1) > limit) {
             n->status =
@@ -282,7 +281,7 @@ static void nef_counts(nef *n, size_t length) {
 static void *zeroed(nef *n, size_t count, size_t size) {
     void *memory = n->status == GRAZE_OK ? calloc(count + 1, size) : NULL;
     if (n->status == GRAZE_OK && memory == NULL) {
-        n->status = nef_fail(n, GRAZE_ESYSTEM, "no memory for a Nef polyhedron");
+        n->status = nef_fail(n, GRAZE_ESYSTEM, "out of memory for a Nef polyhedron");
     }
     return memory;
 }
@@ -315,9 +314,9 @@ graze_status nef_parse(nef *n, graze_context *context, const char *path, const c
     token kernel = next(n, "'standard'");
     if (n->status == GRAZE_OK && token_is(kernel, "extended")) {
         n->status = lines_fail(&n->l, GRAZE_EILLEGAL,
-                               "unbounded: an extended Nef polyhedron; right is a standard one");
+                               "unbounded: an extended Nef polyhedron; expected a standard one");
     } else if (n->status == GRAZE_OK && !token_is(kernel, "standard")) {
-        n->status = lines_fail(&n->l, GRAZE_EINPUT, "the kernel is '%.*s'; right is standard",
+        n->status = lines_fail(&n->l, GRAZE_EINPUT, "the kernel is '%.*s'; expected standard",
                                TOKEN_SHOWN(kernel));
     }
     nef_counts(n, length);

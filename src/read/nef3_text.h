@@ -1,5 +1,5 @@
-/* A selective Nef complex as CGAL writes it, parsed and linked: what the stages of the .nef3 reader
- * share. SPDX-License-Identifier: GPL-3.0-or-later
+/* A selective Nef complex as CGAL writes it, parsed and linked, for the stages of the .nef3 reader.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A vertex has a sphere map: its half-edges are the points of that map (svertices), shalfedges and
  * shalfloops its arcs and full circles, sfaces its regions. A facet's boundary runs along

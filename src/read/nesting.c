@@ -153,7 +153,8 @@ static graze_status add_polygons(soup *s, graze_context *context, const ring *ri
     return status;
 }
 
-/* A ring of area zero: where it crosses itself, if it does. The soup is of no use any more. */
+/* Refuse a ring of area zero, and name the edges in which it crosses itself, if any. The soup
+ * cannot be used afterwards. */
 static graze_status refuse_flat(soup *s, graze_context *context, const ring *r, size_t number) {
     graze_status status = soup_add_facet(s, context);
     if (!status)
@@ -162,7 +163,7 @@ static graze_status refuse_flat(soup *s, graze_context *context, const ring *r, 
         status = validate_crossing(context, s, s->cycle_count - 1);
     if (!status)
         status = context_fail(context, GRAZE_EILLEGAL,
-                              "the ring's area is zero; right is a ring around an area");
+                              "the ring's area is zero; expected a ring around an area");
     return context_at(context, status, "facet %zu", number);
 }
 

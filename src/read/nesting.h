@@ -1,4 +1,4 @@
-/* Which rings of E^2 are outer ones and which are holes, told by how they lie in one another.
+/* Polygons from rings of E^2: outer rings and holes, by how the rings lie in one another.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_READ_NESTING_H

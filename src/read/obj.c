@@ -35,7 +35,7 @@ static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
     while (status == GRAZE_OK && lines_token(l, &t)) {
         if (count == 6) {
             return lines_fail(l, GRAZE_EINPUT,
-                              "vertex %zu has more than 6 numbers; right are x y z, x y z 1 or "
+                              "vertex %zu has more than 6 numbers; expected x y z, x y z 1 or "
                               "x y z and a colour",
                               v);
         }
@@ -49,7 +49,7 @@ static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
     }
     if (count == 5 || (count == 4 && !fmpq_is_one(number + 3))) {
         return lines_fail(l, GRAZE_EINPUT,
-                          count == 5 ? "vertex %zu has 5 numbers; right are 3, 4 or 6"
+                          count == 5 ? "vertex %zu has 5 numbers; expected 3, 4 or 6"
                                      : "vertex %zu has a weight other than 1",
                           v);
     }
@@ -96,8 +96,8 @@ static graze_status obj_facet(soup *s, lines *l, size_t above) {
         long long v = obj_corner(t);
         if (v == 0) {
             return lines_fail(l, GRAZE_EINPUT,
-                              "facet %zu: '%.*s' is not a corner; right are 1, 1/2, 1//3, 1/2/3 "
-                              "and negative numbers, counted from 1",
+                              "facet %zu: '%.*s' is not a corner; expected 1, 1/2, 1//3, 1/2/3 "
+                              "or negative numbers, counted from 1",
                               f, TOKEN_SHOWN(t));
         }
         if (v > 0 ? (size_t)v > s->vertex_count : (size_t)-v > above) {
@@ -126,7 +126,7 @@ static graze_status check_keyword(lines *l, token t) {
                           TOKEN_SHOWN(t));
     }
     if (!is_one_of(t, passed_over)) {
-        return lines_fail(l, GRAZE_EINPUT, "'%.*s' is not a keyword of OBJ; right are v and f",
+        return lines_fail(l, GRAZE_EINPUT, "'%.*s' is not a keyword of OBJ; expected v or f",
                           TOKEN_SHOWN(t));
     }
     return GRAZE_OK;

@@ -170,7 +170,7 @@ static graze_status off_facet(soup *s, lines *l, size_t f) {
         }
         if (!token_integer(t, &v) || v < 0 || (size_t)v >= s->vertex_count) {
             return lines_fail(l, GRAZE_EINPUT,
-                              "facet %zu: '%.*s' is not a vertex; right are integers from 0 below "
+                              "facet %zu: '%.*s' is not a vertex; expected an integer from 0 below "
                               "%zu",
                               f, TOKEN_SHOWN(t), s->vertex_count);
         }

@@ -164,7 +164,7 @@ static graze_status read_list(ply *p, const ply_property *property) {
         }
         status = read_integer(p, property->type, &v);
         if (status == GRAZE_OK && (v < 0 || (size_t)v >= p->header.vertex_count)) {
-            return fail(p, "%lld is not a vertex; right are integers from 0 below %zu", v,
+            return fail(p, "%lld is not a vertex; expected an integer from 0 below %zu", v,
                         p->header.vertex_count);
         }
         status = status == GRAZE_OK ? soup_add_index(p->s, p->l.context, (size_t)v) : status;

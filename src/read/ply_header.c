@@ -1,4 +1,4 @@
-/* The header of a PLY file: see read_ply.h.
+/* The header of a PLY file (ply_header.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "read/ply_header.h"
@@ -19,7 +19,7 @@ static int same_word(token a, token b) {
     return a.length == b.length && memcmp(a.text, b.text, a.length) == 0;
 }
 
-/* The next word of a header line; `what` says what is missing where there is none. */
+/* The next word of a header line; `what` names it in the message where it is missing. */
 static graze_status word(lines *l, token *out, const char *what) {
     return lines_token(l, out)
                ? GRAZE_OK
@@ -45,7 +45,7 @@ static graze_status read_type(lines *l, ply_type *out) {
     return status != GRAZE_OK
                ? status
                : lines_fail(l, GRAZE_EINPUT,
-                            "'%.*s' is not a type of PLY; right are char, uchar, short, ushort, "
+                            "'%.*s' is not a type of PLY; expected char, uchar, short, ushort, "
                             "int, uint, float, double, int8 ... float64",
                             TOKEN_SHOWN(t));
 }
@@ -70,12 +70,12 @@ static graze_status read_format(ply_header *h, lines *l) {
         h->format = PLY_BIG_ENDIAN;
     } else {
         return lines_fail(l, GRAZE_EINPUT,
-                          "'%.*s' is not a format; right are ascii, binary_little_endian, "
+                          "'%.*s' is not a format; expected ascii, binary_little_endian or "
                           "binary_big_endian",
                           TOKEN_SHOWN(t));
     }
     if (!token_is(version, "1.0")) {
-        return lines_fail(l, GRAZE_EINPUT, "version '%.*s'; right is 1.0", TOKEN_SHOWN(version));
+        return lines_fail(l, GRAZE_EINPUT, "version '%.*s'; expected 1.0", TOKEN_SHOWN(version));
     }
     return line_ends(l);
 }
@@ -219,7 +219,7 @@ static graze_status read_entries(ply_header *h, lines *l) {
             status = read_property(h, l);
         } else if (!token_is(t, "comment") && !token_is(t, "obj_info")) {
             status = lines_fail(l, GRAZE_EINPUT,
-                                "'%.*s' is no header line; right are element, property, comment, "
+                                "'%.*s' is no header line; expected element, property, comment, "
                                 "end_header",
                                 TOKEN_SHOWN(t));
         }
@@ -233,7 +233,7 @@ graze_status ply_header_read(ply_header *out, lines *l) {
     token t;
     *out = (ply_header){.format = PLY_ASCII};
     if (!lines_token(l, &t) || !token_is(t, "ply")) {
-        return lines_fail(l, GRAZE_EINPUT, "the file begins with '%.*s'; right is 'ply'",
+        return lines_fail(l, GRAZE_EINPUT, "the file begins with '%.*s'; expected 'ply'",
                           TOKEN_SHOWN(t));
     }
     out->element = malloc(ENTRIES_MOST * sizeof *out->element);

@@ -21,7 +21,7 @@ typedef enum ply_type {
     PLY_TYPE_COUNT
 } ply_type;
 
-/** What Graze takes a property for; all others are passed over. */
+/** The meaning of a property; one that has none for Graze is passed over. */
 typedef enum ply_role { PLY_X, PLY_Y, PLY_Z, PLY_INDICES, PLY_PASSED } ply_role;
 
 typedef struct ply_property {

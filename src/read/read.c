@@ -38,8 +38,8 @@ graze_status soup_read(soup *s, graze_context *context, const char *path) {
     const struct format *format = format_of(path);
     if (format == NULL) {
         return context_fail(context, GRAZE_EINPUT,
-                            "%s: the extension tells no format of a solid; right are .off, .obj, "
-                            ".ply, .stl, .nef3, .wkt",
+                            "%s: the extension is of no format of solids; expected .off, .obj, "
+                            ".ply, .stl, .nef3 or .wkt",
                             path);
     }
     char *text;

@@ -1,4 +1,4 @@
-/* What the readers of solids have in common: read.c chooses one by the file's extension.
+/* The type of the readers of solids; read.c chooses one by the file's extension.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Each takes a whole file's bytes and fills an initialised soup of the format's dimension. What it

@@ -31,7 +31,7 @@ static graze_status expect(wkt *w, const char *mark, const char *what) {
     return GRAZE_OK;
 }
 
-/* After an entry of a list: *more tells whether another follows. */
+/* Read what follows an entry of a list; *more is 1 where another entry follows. */
 static graze_status list_goes_on(wkt *w, int *more, const char *what) {
     token t;
     if (!lines_any(&w->l, &t)) {
@@ -111,7 +111,7 @@ static graze_status turn_ring(wkt *w) {
     return GRAZE_OK;
 }
 
-/* The last position of a ring, w->point, must be its first. */
+/* Check that the last position of a ring, w->point, is its first. */
 static graze_status close_ring(wkt *w, size_t first, size_t count) {
     if (count < 4) {
         return lines_fail(
@@ -178,11 +178,11 @@ static graze_status read_multipolygon(wkt *w) {
     return status;
 }
 
-/* The word before the first bracket; *multi tells which of the two it is. */
+/* Read the word before the first bracket; *multi is 1 for MULTIPOLYGON. */
 static graze_status read_kind(wkt *w, int *multi) {
     token t;
     if (!lines_any(&w->l, &t)) {
-        return lines_fail(&w->l, GRAZE_EINPUT, "there is no text; right is POLYGON ((x y, ...))");
+        return lines_fail(&w->l, GRAZE_EINPUT, "there is no text; expected POLYGON ((x y, ...))");
     }
     *multi = token_is(t, "MULTIPOLYGON");
     if (t.length >= 4 && token_is((token){t.text, 4}, "SRID")) {
@@ -192,7 +192,7 @@ static graze_status read_kind(wkt *w, int *multi) {
     }
     if (!*multi && !token_is(t, "POLYGON")) {
         return lines_fail(&w->l, GRAZE_EINPUT,
-                          "'%.*s' is no solid of the plane; right are POLYGON and MULTIPOLYGON",
+                          "'%.*s' is no solid of the plane; expected POLYGON or MULTIPOLYGON",
                           TOKEN_SHOWN(t));
     }
     lines ahead = w->l;
@@ -203,7 +203,7 @@ static graze_status read_kind(wkt *w, int *multi) {
         return lines_fail(&ahead, GRAZE_EILLEGAL, "empty interior: EMPTY is no solid");
     }
     if (token_is(t, "Z") || token_is(t, "M") || token_is(t, "ZM")) {
-        return lines_fail(&ahead, GRAZE_EINPUT, "coordinates %.*s are not taken; right are x y",
+        return lines_fail(&ahead, GRAZE_EINPUT, "coordinates %.*s are not taken; expected x y",
                           TOKEN_SHOWN(t));
     }
     return GRAZE_OK;

@@ -4,7 +4,7 @@
  * At a fixed time M(t) x is affine in x, so it is extreme at the corners of the solid's coordinate
  * box. The image of a corner is a quotient p/w of polynomials in u, and where all Bernstein
  * coefficients w_k of the weight are positive, p/w lies between the least and the greatest p_k/w_k.
- * Intervals whose bound exceeds what is known to be attained by more than the slack, or whose
+ * Intervals whose bound exceeds the attained values by more than the slack, or whose
  * weight has a coefficient that is not positive, are halved.
  */
 #include "scene/box.h"
@@ -58,8 +58,8 @@ static void widen(fmpq *low, fmpq *high, const fmpq_t value, int fresh) {
         fmpq_set(high, value);
 }
 
-/* Bounds of coordinate i on the interval, and what its two ends attain. The quotients are compared
- * as they come and reduced only once chosen. */
+/* Bounds of coordinate i on the interval, and its values at the two ends. The quotients are
+ * compared as they come and reduced only once chosen. */
 static void bound_coordinate(search *s, fmpq *low, fmpq *high, const images *m, int i) {
     fmpq_t ratio;
     fmpq_init(ratio);
@@ -85,7 +85,7 @@ static int weight_is_positive(const images *m) {
     return 1;
 }
 
-/* Is the bound within the slack of what is attained? */
+/* Is the bound within the slack of the attained values? */
 static int tight(const search *s, const fmpq *low, const fmpq *high, int i) {
     fmpq_t gap;
     fmpq_init(gap);
@@ -175,7 +175,7 @@ static void images_make(images *m, const point_map *map, const fmpq *box) {
         fmpz_poly_clear(&power[k]);
 }
 
-/* What the corners attain at u = 0: a first idea of the size, never an empty box. */
+/* Start with the corners at u = 0: a first estimate of the size, never an empty box. */
 static void start_search(search *s, const images *m) {
     fmpq_t value;
     fmpq_init(value);

@@ -1,4 +1,4 @@
-/* The canonical text of a scene and its SHA-256 (hash.h says what the text is).
+/* The canonical text of a scene and its SHA-256 (hash.h defines the text).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The text is hashed as it is written and never held as a whole.

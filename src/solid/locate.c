@@ -56,9 +56,9 @@ static arrow arrow_to(const ray *r, size_t vertex) {
     return a;
 }
 
-/* Sign of a.y b.z - a.z b.y, or 0 where doubles cannot tell, as with infinities and NaN. A product
- * of true values is within off_y (|z| + off_z) + |y| off_z of y z; three roundings take less than
- * 2^-51 of the two products, and 2^-900 outweighs underflow. */
+/* Sign of a.y b.z - a.z b.y, or 0 where doubles do not decide it, as with infinities and NaN. A
+ * product of true values is within off_y (|z| + off_z) + |y| off_z of y z; three roundings take
+ * less than 2^-51 of the two products, and 2^-900 outweighs underflow. */
 static int turn(const arrow *a, const arrow *b) {
     double first = a->y * b->z, second = a->z * b->y;
     double value = first - second;

@@ -12,8 +12,8 @@ static const fmpz *form_at(const plane_list *list, size_t k) {
     return list->form + k * (size_t)(list->dimension + 1);
 }
 
-/* Entries by their forms. Equal forms are told apart by the entries' numbers, so that the order
- * does not depend on how qsort_r sorts. */
+/* Order entries by their forms, and those of equal forms by their numbers: all are different then,
+ * so the order does not depend on whether qsort_r is stable. */
 static int compare_entries(const void *left, const void *right, void *list) {
     const plane_list *of = list;
     uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;

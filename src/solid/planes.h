@@ -1,4 +1,4 @@
-/* Which simplices lie in a common plane (E^2: line).
+/* The planes (E^2: lines) of simplices, each once.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_SOLID_PLANES_H

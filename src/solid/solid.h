@@ -1,5 +1,5 @@
-/* A validated solid as the rest of Graze sees it: immutable arrays of exact numbers and a search
- * tree. SPDX-License-Identifier: GPL-3.0-or-later
+/* A validated solid for tracing, pictures and reports: immutable arrays of exact numbers and a
+ * search tree. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The boundary is cut into simplices (validate.h). Each lies in a plane (E^2: a line) and is cut
  * out of it by its d side forms (forms.h). Large boundaries are asked about few of their simplices,

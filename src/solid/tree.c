@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-/* What the splits look at, together in memory. */
+/* A box's centre and its simplex, side by side in memory for the splits. */
 typedef struct entry {
     double centre[3];
     uint32_t simplex;

@@ -1,4 +1,4 @@
-/* A binary tree of boxes over the simplices of a boundary, for searches that may only leave out.
+/* A binary tree of boxes over the simplices of a boundary; a search leaves out what cannot meet.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_SOLID_TREE_H
@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** A closed box that holds what it stands for; in E^2 the third coordinate is [0, 0]. */
+/** A closed box around a simplex, a node or a curve; in E^2 the third coordinate is [0, 0]. */
 typedef struct box {
     double low[3], high[3];
 } box;

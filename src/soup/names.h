@@ -1,8 +1,9 @@
 /* The input's names of boundary cells where a facet has several vertices at one position.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A simplex has one vertex at each corner, whatever stands at that position in its facet, so the
- * vertex or edge it gives (solid_cell) may be one name of several, or none of the input's.
+ * A simplex has one vertex at each corner, even where several vertices of its facet share the
+ * position, so the vertex or edge it gives (solid_cell) may be one name of several, or none of the
+ * input's.
  */
 #ifndef GRAZE_SOUP_NAMES_H
 #define GRAZE_SOUP_NAMES_H
@@ -14,8 +15,8 @@ extern "C" {
 #endif
 
 /**
- * What simplices call key[k], the input calls name[k]. Sorted by key, then by name, each pair once;
- * a cell that is no key has its own name only.
+ * The input's name of the cell that simplices call key[k] is name[k]. Sorted by key, then by name,
+ * each pair once; a cell that is no key has its own name only.
  */
 typedef struct cell_names {
     size_t count;

@@ -38,8 +38,8 @@ void soup_clear(soup *s);
 /** Append a vertex; `coordinates` are `dimension` canonical rationals, copied. Obeys the cells
  * limit. */
 graze_status soup_add_vertex(soup *s, graze_context *context, const fmpq *coordinates);
-/** Append a facet without cycles yet; then its cycles. Indices out of range are the caller's to
- * refuse beforehand. */
+/** Append a facet without cycles; its cycles follow. The caller has checked that indices are in
+ * range. */
 graze_status soup_add_facet(soup *s, graze_context *context);
 graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count);
 /** Append a vertex number to the last cycle, which soup_add_cycle may have begun with none. */

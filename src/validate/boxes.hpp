@@ -1,6 +1,5 @@
-/* Which boxes intersect: candidates for the exact tests. Boxes are made of the ranks of coordinates
- * (points.hpp), so that even they are exact.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Pairs of boxes that intersect: candidates for the exact tests. Boxes are made of the ranks of
+ * coordinates (points.hpp), so that even they are exact. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_BOXES_HPP
 #define GRAZE_VALIDATE_BOXES_HPP

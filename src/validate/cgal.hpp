@@ -1,5 +1,5 @@
-/* What all code that touches CGAL shares: the kernel, and the one wall that turns every C++
- * exception into a status. SPDX-License-Identifier: GPL-3.0-or-later
+/* CGAL's kernel, and the guard that turns every C++ exception into a status, for all code that
+ * uses CGAL. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * CGAL 5.5 drops its precondition checks when NDEBUG is defined; a broken precondition would then
  * be an undefined answer instead of GRAZE_EINTERNAL, so such a build is refused.
@@ -39,8 +39,8 @@ inline void cgal_throws() {
     (void)once;
 }
 
-/** Whether the processor rounds as it is told to, which interval arithmetic rests on. */
-inline bool rounds_as_told() {
+/** Does the processor obey the rounding mode? Interval arithmetic rests on it. */
+inline bool obeys_rounding() {
     volatile double one = 1, three = 3;
     const int before = std::fegetround();
     std::fesetround(FE_UPWARD);
@@ -51,16 +51,16 @@ inline bool rounds_as_told() {
     return down < up;
 }
 
-/** CGAL's containers begin with points that are copies of one a thread has, which is made at the
- * first. Made here, that memory runs out for it within a container is ruled out: CGAL 5.5 would
- * destroy there what was not made. */
+/** CGAL's containers begin with copies of a point that each thread keeps and makes at its first
+ * use. Making it here keeps memory from running out for it within a container, where CGAL 5.5 would
+ * destroy points that were never made. */
 inline void make_common_point() {
     const Kernel::Point_2 copy;
     (void)copy;
 }
 
-/** The message of a failed check; that it is itself out of memory is told. */
-inline graze_status tell_broken(graze_context *context, const CGAL::Failure_exception &broken) {
+/** Record a failed check of CGAL, without its place where memory for that runs out. */
+inline graze_status report_broken(graze_context *context, const CGAL::Failure_exception &broken) {
     try {
         return context_fail(context, GRAZE_EINTERNAL,
                             "a check inside the geometry library failed (%s:%d): please report it",
@@ -79,21 +79,20 @@ inline graze_status tell_broken(graze_context *context, const CGAL::Failure_exce
 template <class Work> graze_status guard(graze_context *context, const Work &work) noexcept {
     try {
         cgal_throws();
-        if (!rounds_as_told())
+        if (!obeys_rounding())
             return context_fail(
                 context, GRAZE_EINTERNAL,
-                "this processor does not round as it is told to, which exact "
-                "geometry rests on; an emulator such as valgrind is no place for it");
+                "this processor does not obey the rounding mode, on which exact "
+                "geometry rests; expected a machine and not an emulator such as valgrind");
         make_common_point();
         work();
         return GRAZE_OK;
     } catch (const failure &given_up) {
         return given_up.status;
     } catch (const std::bad_alloc &) {
-        return context_fail(context, GRAZE_ESYSTEM,
-                            "memory ran out while working on the solid; a smaller solid would fit");
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory while working on the solid");
     } catch (const CGAL::Failure_exception &broken) {
-        return tell_broken(context, broken);
+        return report_broken(context, broken);
     } catch (const std::exception &fault) {
         return context_fail(context, GRAZE_EINTERNAL,
                             "unexpected fault in the geometry (%s): please report it",

@@ -26,7 +26,8 @@ class disjoint_sets {
     std::vector<std::uint32_t> parent_;
 };
 
-/** Number the sets the pieces are in, in the order of their first pieces, and tell every piece.
+/** Number the sets of pieces in the order of their first pieces, and record the number in every
+ * piece.
  * @return the number of sets */
 std::size_t assign_components(std::vector<piece> &pieces, disjoint_sets &sets);
 

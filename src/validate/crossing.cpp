@@ -1,5 +1,5 @@
-/* Where a ring of area zero crosses itself, for a message: its lobes cancel, and no reader can turn
- * it. SPDX-License-Identifier: GPL-3.0-or-later
+/* The crossing of a ring of area zero with itself, for a message: the ring's lobes cancel, so no
+ * reader can turn it. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "validate/crossing.h"
 
@@ -35,7 +35,7 @@ std::string crossing_text(const soup &s, const simplex &e, const simplex &f) {
 }
 
 /* The smallest pair of edges that cross, so that the message depends on the ring alone; `overlap`
- * tells whether edges lie on one another. */
+ * becomes true where edges lie on one another. */
 edge_pair find_crossing(bool &overlap, graze_context *context, const points &at,
                         const std::vector<piece> &edges) {
     edge_pair first = {NONE, NONE};

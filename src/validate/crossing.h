@@ -1,4 +1,4 @@
-/* Where a ring of area zero crosses itself, for the readers' messages.
+/* The crossings of a ring of area zero with itself, for the readers' messages.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_CROSSING_H

@@ -1,6 +1,6 @@
 /* Facets of a polygon soup in E^3, checked one by one: enough positions, an area, a plane; then cut
- * into triangles, or fanned where --triangulate allows it. Of corners that follow one another at
- * one position, a run, the last is taken. SPDX-License-Identifier: GPL-3.0-or-later
+ * into triangles, or fanned where --triangulate allows it. Corners that follow one another at one
+ * position make a run, of which the last is taken. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "validate/facets.hpp"
 

@@ -1,5 +1,5 @@
-/* How the C++ part of the solid stage gives up: a message is recorded in the context, then one
- * exception carries the status up to the guard (cgal.h). SPDX-License-Identifier: GPL-3.0-or-later
+/* Failures in C++: the context takes the message, and one exception carries the status up to the
+ * guard (cgal.hpp). SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_FAILURE_HPP
 #define GRAZE_VALIDATE_FAILURE_HPP

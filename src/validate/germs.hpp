@@ -24,7 +24,7 @@ struct germ {
  * Sort germs counter-clockwise from the first one on and find two neighbours that cross in the same
  * sense.
  * @param turn  turn(g, h) is the sign of the angle from g to h: +1 in (0, pi), -1 in (-pi, 0)
- * @param alike alike(g, h) tells 0 from pi where turn is 0
+ * @param alike alike(g, h) is 1 for the angle 0 and 0 for pi, asked where turn is 0
  * @return the place of the first of the two, the other follows it around; germs.size() if none
  */
 template <class Turn, class Alike>

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * In E^3 all triangles of a planar facet have one vertex at a position, those of a fan the last of
- * each run of vertices there, so that a corner's own vertex or the last of its run tells what the
- * triangles call it. In E^2 an edge has its own two vertices, and only those that have a side
+ * each run of vertices there, so the triangles' name of a corner is that of its own vertex or of
+ * the last in its run. In E^2 an edge has its own two vertices, and only those that have a side
  * without length before them and behind them are named by none.
  */
 #include "validate/names.hpp"
@@ -131,7 +131,7 @@ void namer::name_facet(std::size_t facet, std::vector<spot> named) {
         name_cycle(c, named);
 }
 
-/* Cells whose one name is what simplices call them need no entry. */
+/* A cell whose only name is that of the simplices needs no entry. */
 void namer::drop_plain() {
     std::sort(all_.begin(), all_.end(), naming_before);
     const auto same = [](const graze_cell &a, const graze_cell &b) {
@@ -151,7 +151,8 @@ void namer::drop_plain() {
     all_.swap(kept);
 }
 
-/* What one facet's triangles call an edge may be the input's name of that edge in another facet. */
+/* The name that one facet's triangles give an edge may be the input's name of it in another facet.
+ */
 void namer::finish() {
     drop_plain();
     const std::size_t known = all_.size();

@@ -109,7 +109,7 @@ void outline::check_pairs() {
         report_pair();
 }
 
-/* The smallest illegal pair is kept: candidates come in no order of ours. */
+/* Keep the smallest illegal pair: CGAL chooses the order of the candidates. */
 void outline::visit_pair(std::uint32_t i, std::uint32_t j) {
     if (std::make_pair(i, j) > worst_)
         return;

@@ -111,7 +111,7 @@ class box_around {
     bool empty_ = true;
 };
 
-/* The simplices that no side of the box parts from it. */
+/* The simplices that no side of the box separates from it. */
 std::vector<std::uint32_t> reaching(const box_around &box, const soup &s, const simplices &cut) {
     const std::size_t d = static_cast<std::size_t>(s.dimension);
     std::vector<std::uint8_t> beyond(s.vertex_count);

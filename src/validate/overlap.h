@@ -1,4 +1,4 @@
-/* Whether a boundary meets its image, for the position of the configurations at the ends.
+/* The test whether a boundary meets its image under a map.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_OVERLAP_H
@@ -11,8 +11,8 @@ extern "C" {
 #endif
 
 /**
- * Does any simplex of S touch any simplex of the image of S under the affine map? (Closed sets,
- * exactly.) Containment of one boundary in the other solid is the caller's to ask.
+ * Does any simplex of S touch any simplex of the image of S under the affine map? Both are closed
+ * sets; the answer is exact. The caller tests whether one boundary lies inside the other solid.
  * @param map d*(d+1) rationals, row by row, invertible
  */
 graze_status boundaries_meet(int *out, graze_context *context, const soup *s, const simplices *cut,

@@ -4,7 +4,7 @@
  * Two triangles whose planes cross in a line L cut L in two closed intervals, and their
  * intersection is that of the intervals. An interval is a side if the triangle has one in L, a
  * vertex if it only touches L there, else a chord whose interior is in the triangle's relative
- * interior. Which interval ends before the other begins is told by two orientation signs, once both
+ * interior. Two orientation signs decide which interval ends before the other begins, once both
  * triangles are turned so that their apex, alone on its side of the other plane, comes first
  * and is on the positive side.
  */

@@ -1,5 +1,5 @@
-/* Pieces of a boundary, and how two of them lie to one another: the predicates validation and the
- * overlap test share. SPDX-License-Identifier: GPL-3.0-or-later
+/* Pieces of a boundary, and the predicates for the relative position of two of them, for the
+ * validation and the overlap test. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_PAIRS_HPP
 #define GRAZE_VALIDATE_PAIRS_HPP

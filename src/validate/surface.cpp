@@ -1,4 +1,4 @@
-/* How the triangles of a boundary come together in E^3: every edge balanced, no two triangles
+/* The contacts of a boundary's triangles in E^3: every edge balanced, no two triangles
  * through one another, in and out alternating around every segment of contact; and the components.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
@@ -97,7 +97,7 @@ void surface::collect_edges() {
     });
 }
 
-/* Of several unbalanced edges the one of the first facet is reported. */
+/* Report the unbalanced edge of the first facet. */
 void surface::check_balance() {
     place worst = edges_.end(), worst_last = edges_.end();
     for (place first = edges_.begin(), last; first != edges_.end(); first = last) {
@@ -188,8 +188,8 @@ void surface::check_pairs() {
         report_pair();
 }
 
-/* Candidates come in no order of ours; the smallest illegal pair is kept, so that the message
- * depends on the solid alone. */
+/* Keep the smallest illegal pair, so that the message depends on the solid alone and not on the
+ * order of the candidates, which CGAL chooses. */
 void surface::visit_pair(std::uint32_t i, std::uint32_t j) {
     const piece &s = pieces_[i], &t = pieces_[j];
     if (s.planar && s.cell.facet == t.cell.facet)
@@ -253,7 +253,7 @@ void surface::check_edges() {
     }
 }
 
-/* Go along the edge from part to part; `around` is what contains the part. */
+/* Go along the edge from part to part; `around` holds the triangles that contain it. */
 void surface::check_edge(place first, place last, const std::vector<std::uint32_t> &others) {
     std::vector<std::uint32_t> around;
     for (place e = first; e != last; ++e)

@@ -45,14 +45,14 @@ typedef struct simplices {
 void simplices_clear(simplices *cut);
 
 /** A flag beside GRAZE_SOLID_TRIANGULATE: this soup has passed before, so the search for facets
- * that meet is spared in E^3, and contacts inside facets join no components. */
+ * that meet is left out in E^3, and contacts inside facets join no components. */
 #define VALIDATE_TRUST_CONTACTS (1u << 31)
 
 /**
  * Check everything about a soup that is local, and cut its facets. Checked: facets not degenerate,
  * planar and simple; edges run through as often one way as the other (by position); relative
  * interiors of facets disjoint; around every segment (E^2: point) where more than two facet sides
- * meet, in and out alternate. What is left to the caller is one side test per component.
+ * meet, in and out alternate. The caller makes one side test per component.
  * @param flags GRAZE_SOLID_TRIANGULATE, VALIDATE_TRUST_CONTACTS
  * @return GRAZE_EILLEGAL naming facets, edges, vertices; GRAZE_ELIMIT; GRAZE_EINTERNAL
  */

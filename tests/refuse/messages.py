@@ -45,7 +45,7 @@ UNREACHED = {
     "the motion's end maps are singular": "a fault of Graze itself",
     "inside the geometry library failed": "a fault of Graze itself",
     "unexpected fault in the geometry": "a fault of Graze itself",
-    "this processor does not round as it is told": "needs an emulator such as valgrind",
+    "this processor does not obey the rounding mode": "needs an emulator such as valgrind",
     "a contact ends between two pieces": "a fault of Graze itself",
     "one after the other, disagree on the state": "a fault of Graze itself",
     "an exact location disagree on a state": "a fault of Graze itself",
