@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
-#include "run/csv.h"
 #include "cli/values.h"
+#include "run/csv.h"
 #include "run/interrupt.h"
 #include "run/load.h"
 #include "run/output.h"

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
-#include "run/csv.h"
 #include "cli/values.h"
+#include "run/csv.h"
 #include "run/grid.h"
 #include "run/load.h"
 #include "run/numbers.h"

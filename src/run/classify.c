@@ -9,13 +9,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "run/kept.h"
-#include "run/results.h"
 #include "run/csv.h"
 #include "run/interrupt.h"
 #include "run/jobs.h"
+#include "run/kept.h"
 #include "run/progress.h"
 #include "run/receipt.h"
+#include "run/results.h"
 
 /* Blocks at hand keep the threads busy while one is written: a few, and some rows for each. */
 static size_t ring_size(const classify_options *o) {

@@ -174,7 +174,7 @@ def check_parts(bench):
     os.mkfifo(fifo)
     for path in ("/dev/zero", fifo, bench.folder):
         status, _, err, seconds = bench.run(["merge", path])
-        bench.check(status == 5 and b"is no plain file; parts are read in turn" in err and seconds < PROMPT,
+        bench.check(status == 5 and b"expected a plain file; parts are read in turn" in err and seconds < PROMPT,
                     f"merge refuses {path}", status, err, seconds)
     fifo.unlink()
 

@@ -5,11 +5,12 @@
  * that waits for its receiver, so no two ranks wait for each other. With one rank alone it answers
  * by itself.
  */
+#include "mpi/ranks.h"
+
 #include <mpi.h>
 #include <stdlib.h>
 #include <time.h>
 #include "mpi/message.h"
-#include "mpi/ranks.h"
 #include "run/interrupt.h"
 #include "run/jobs.h"
 #include "run/queue.h"
