@@ -64,7 +64,7 @@ def compile_c(out, source, *more):
 
 
 def link(out, *objects):
-    subprocess.run(["g++", "-fuse-ld=gold", "-o", out, *objects, *LIBS], check=True)
+    subprocess.run(["g++", "-fuse-ld=gold", "-Wl,-rpath,$ORIGIN", "-o", out, *objects, *LIBS], check=True)
 
 
 def bound():
@@ -108,12 +108,14 @@ class Parts:
         sources = sorted(glob.glob("src/cli/*.c") + glob.glob("src/run/*.c"))
         self.program = [main, replay] + [f"{build}/{name[:-2]}.o" for name in sources if name != "src/cli/main.c"]
         self.build, self.folder = build, folder
+        self.sound = set()  # those asked that are green without any mutant
 
     def bench(self, name):
         """A folder that stands in for the build folder, with the other programs of the tests."""
         path = os.path.join(self.folder, name)
         os.makedirs(path)
-        os.symlink(os.path.abspath(os.path.join(self.build, "tests")), os.path.join(path, "tests"))
+        for name in ["tests", *(os.path.basename(so) for so in glob.glob(f"{self.build}/*.so"))]:
+            os.symlink(os.path.abspath(os.path.join(self.build, name)), os.path.join(path, name))
         return path
 
 
@@ -159,18 +161,22 @@ class Worker:
             return is_red([sys.executable, *asker.split(), "--graze", self.graze], glue.SECONDS)
         return self.unit(asker)
 
-    def red_unchanged(self, folder):
-        """Those of a folder's askers that are red without any mutant."""
-        path = sorted(glob.glob(folder + "/*.c"))[0]
-        with open(path, encoding="utf-8") as file:
-            self.compiled(file.read())
-        link(self.graze, *self.parts.program, self.object, self.parts.archive)
-        return [asker for asker in glue.GLUE[folder] if self.is_noticed_by(asker)]
+    def glue_killer(self, path):
+        """The first of those asked that notices it. One that is red without any mutant, too, ends the run."""
+        asker = next(filter(self.is_noticed_by, glue.askers(path)), None)
+        if asker and asker not in self.parts.sound:
+            with open(path, encoding="utf-8") as file:
+                self.compiled(file.read())
+            link(self.graze, *self.parts.program, self.object, self.parts.archive)
+            if self.is_noticed_by(asker):
+                raise SystemExit(f"{asker} is red without any mutant")
+            self.parts.sound.add(asker)
+        return asker
 
     def killer(self, path):
         """Which suite notices the program as it is linked now; None if none does."""
         if glue.askers(path):
-            return next(filter(self.is_noticed_by, glue.askers(path)), None)
+            return self.glue_killer(path)
         if corpus.replay(self.graze, self.cases):
             return "tests/cases/cases.py"
         for name in UNITS if not path.startswith("src/trace") else []:
@@ -245,14 +251,9 @@ def run(parts, folder, options, chosen):
     cases = prepare(parts, folder, suites, kernel)
     if cases is None:
         return
-    workers = [Worker(parts, f"worker-{k}", suites, cases) for k in range(options.jobs)]
     idle = queue.Queue()
-    for worker in workers:
-        idle.put(worker)
-    for folder_of in sorted({os.path.dirname(m.path) for m in chosen if glue.askers(m.path)}):
-        for asker in workers[0].red_unchanged(folder_of):
-            print(f"{asker} is red without any mutant")
-            return
+    for k in range(options.jobs):
+        idle.put(Worker(parts, f"worker-{k}", suites, cases))
 
     def one(mutant):
         worker = idle.get()

@@ -257,10 +257,32 @@ static void reports(void **state) {
     report_holds("wrong: 66.67 % of the rows; pmc 2", GRAZE_COMPARISON_TEXT);
     report_holds("| boundary | 1 | 1 | 100.00 % | 0 | 0 |", GRAZE_COMPARISON_TEXT);
     report_holds("The first 1 of 3 disagreements", GRAZE_COMPARISON_TEXT);
+    report_holds(
+        "line 4 of the golden table, pmc=in class=regular definition=5 case=1 i=2 t=0 word=OBIBO\n",
+        GRAZE_COMPARISON_TEXT);
+    report_holds("candidate, line 2, pmc=out\n", GRAZE_COMPARISON_TEXT);
     report_holds("`graze explain 'it'\\''s.off' move.json 1/2 0 --round binary32 --folds combined`",
                  GRAZE_COMPARISON_TEXT);
     report_holds("\"wrong\": 2", GRAZE_COMPARISON_JSON);
     report_holds("\"golden-line\": 4", GRAZE_COMPARISON_JSON);
+}
+
+/* A coordinate that is no number is refused in either table, also where both have the same text. */
+static void coordinates_are_numbers(void **state) {
+    (void)state;
+    graze_comparison *c = NULL;
+    static const char *const tables[][2] = {{"zz", "zz"}, {"zz", "0"}, {"0", "zz"}};
+    for (size_t k = 0; k < 3; k++) {
+        char golden[200], candidate[200];
+        snprintf(golden, sizeof golden, HEAD "1/2,%s" IN_ROW "# complete 1\n", tables[k][0]);
+        snprintf(candidate, sizeof candidate, "x,y,pmc\n1/2,%s,in\n", tables[k][1]);
+        write_file(golden_path, golden);
+        write_file(candidate_path, candidate);
+        assert_int_equal(graze_compare(&c, context, golden_path, candidate_path, NULL),
+                         GRAZE_EINPUT);
+        assert_null(c);
+        assert_non_null(strstr(graze_context_message(context), ":2: y: 'zz' is not a number"));
+    }
 }
 
 /* Numbers go by value, and groups past the limit are counted as one. */
@@ -309,6 +331,7 @@ int main(void) {
         cmocka_unit_test(rounding_matches),
         cmocka_unit_test(random_tables),
         cmocka_unit_test(reports),
+        cmocka_unit_test(coordinates_are_numbers),
         cmocka_unit_test(tallies),
         cmocka_unit_test(misuse),
     };
