@@ -1,4 +1,5 @@
 (* graze-check-coq SOLID MOTION CERTIFICATE: a certificate held to the verified checker, row by row.
+   graze-check-coq --print SOLID MOTION: what the verified checker is given of them.
    SPDX-License-Identifier: GPL-3.0-or-later
 
    Exit status as graze-check's: 0 verified, 1 refuted, 2 not checked. The solid is assumed legal. *)
@@ -111,12 +112,29 @@ let verify solid motion certificate =
       rows d unsweep 0 (Checker.check_row operation folds d facets pieces) rest
   | _ -> refuted "the certificate's head is not complete"
 
+(* Simplices times `scale`; pieces: times, denominator, entry i j of the map, j = 0 its translation. *)
+let print solid motion =
+  let numbers l = String.concat " " (List.map Z.to_string l) in
+  let d, scale, simplices = Solid.read solid false (read_file solid) in
+  let dimension, pieces = Motion.read (json (read_file motion)) in
+  Printf.printf "dimensions %d %d\nscale %s\n" d dimension (Z.to_string scale);
+  List.iter (fun s -> Printf.printf "simplex %s\n" (numbers (List.concat s))) simplices;
+  let piece p =
+    let q = Motion.piece p in
+    Printf.printf "piece %s %s\nweight %s\n" (Q.to_string p.Motion.lo) (Q.to_string p.Motion.hi) (numbers q.forward_weight);
+    List.iteri (fun i -> List.iteri (fun j e -> Printf.printf "entry %d %d %s\n" i j (numbers e))) q.forward in
+  List.iter piece pieces
+
+let guarded run =
+  try run (); 0 with
+  | Refuted what -> prerr_endline ("graze-check-coq: refuted: " ^ what); 1
+  | Unread what -> prerr_endline ("graze-check-coq: not checked: " ^ what); 2
+  | Stack_overflow | Out_of_memory -> prerr_endline "graze-check-coq: not checked: memory"; 2
+
 let () =
   let status = match Sys.argv with
-    | [| _; solid; motion; certificate |] -> (
-        try Printf.printf "verified, assuming a legal solid: %d rows\n" (verify solid motion certificate); 0 with
-        | Refuted what -> prerr_endline ("graze-check-coq: refuted: " ^ what); 1
-        | Unread what -> prerr_endline ("graze-check-coq: not checked: " ^ what); 2
-        | Stack_overflow | Out_of_memory -> prerr_endline "graze-check-coq: not checked: memory"; 2)
+    | [| _; "--print"; solid; motion |] -> guarded (fun () -> print solid motion)
+    | [| _; solid; motion; certificate |] ->
+        guarded (fun () -> Printf.printf "verified, assuming a legal solid: %d rows\n" (verify solid motion certificate))
     | _ -> prerr_endline "graze-check-coq SOLID MOTION CERTIFICATE are expected"; 2 in
   exit status

@@ -8,14 +8,17 @@ tests/check/mutants.py changes them, are given to both programs, which must agre
 is not among those that may leave a row true must be refused.
 """
 import argparse
+import json
 import os
 import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "check"))
+sys.path.insert(0, os.path.join(HERE, "..", "motioncmd"))
 import lib_certificate as lib  # noqa: E402  it finds the others
 import casefile  # noqa: E402
+import evaluate  # noqa: E402
 import harness  # noqa: E402
 import mutants  # noqa: E402
 
@@ -51,6 +54,32 @@ def check_verified(checks, checkers, case, points):
     return text
 
 
+def check_motion(checks, checkers, case):
+    """What is read of a motion against a second reader, at five times a piece; that reads some forms alone."""
+    out = harness.run([checkers.coq, "--print", case.path(case.solid), case.path("motion.json")])
+    checks.holds(out.returncode == 0, f"{case.name}: {out.stderr}")
+    compared, low, high, weight = 0, 0, 0, []
+    with open(case.path("motion.json"), encoding="utf-8") as file:
+        text = json.load(file)
+    for line in out.stdout.splitlines():
+        key, *words = line.split()
+        if key == "piece":
+            low, high = map(mutants.Fraction, words)
+        elif key == "weight":
+            weight = [int(w) for w in words]
+        elif key == "entry":
+            i, j, *entry = map(int, words)
+            for t in (low + (high - low) * mutants.Fraction(k, 4) for k in range(5)):
+                try:
+                    want = evaluate.Motion(text).at(t)[i][j - 1]
+                except (KeyError, ValueError, TypeError, AttributeError, IndexError):
+                    return 0
+                got = [sum(c * t ** n for n, c in enumerate(p)) for p in (entry, weight)]
+                checks.holds(got[0] == want * got[1], f"{case.name}: entry {i} {j} at {t}: {got}, expected {want}")
+                compared = 1
+    return compared
+
+
 def check_case(checks, checkers, case, every):
     solid, motion = case.path(case.solid), case.path("motion.json")
     generated = checkers.path + ".csv"
@@ -76,14 +105,16 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--every", type=int, default=32)
     args = parser.parse_args()
-    checks, tried, cases = harness.Checks(), 0, 0
+    checks, tried, cases, motions = harness.Checks(), 0, 0, 0
     with tempfile.TemporaryDirectory() as folder:
         checkers = Checkers(args.build, folder)
         for name in casefile.names():
             if name not in lib.UNCUT and args.only in name:
-                tried, cases = tried + check_case(checks, checkers, casefile.Case(name), args.every), cases + 1
-    print(f"graze-check-coq: {cases} cases, {tried} mutants")
-    checks.holds(args.only or (cases >= 60 and tried >= 900), "too few cases or mutants")
+                case = casefile.Case(name)
+                tried, cases = tried + check_case(checks, checkers, case, args.every), cases + 1
+                motions += check_motion(checks, checkers, case)
+    print(f"graze-check-coq: {cases} cases, {tried} mutants, {motions} motions by a second reader")
+    checks.holds(args.only or (cases >= 60 and tried >= 900 and motions >= 20), "too few cases, mutants or motions")
     checks.finish()
 
 
