@@ -189,6 +189,15 @@ def test_screw(graze, folder, rng):
     # Two turns of pitch 5 along (0, 3, 4)/5: the way is (0, 6, 8).
     check(motion.at(F(1)) == [[1, 0, 0, 0], [0, 1, 0, 6], [0, 0, 1, 8]], "end of the screw")
     check(bound_of(report) <= dec("1e-6"), report)
+    # Axes whose length is no rational number, long and short: after a turn by 90 degrees the way is a quarter pitch.
+    for axis, length in (((3000000, 1, 0), 9000000000001), ((F(1, 1000000), F(2, 1000000), 0), F(5, 10**12))):
+        motion, report = make(graze, folder, "screw", "--degrees", "90", "--axis", ",".join(map(str, axis)), "--pitch", "8")
+        if motion is None:
+            continue
+        way = [row[3] for row in motion.at(F(1))]
+        share = sum(a * w for a, w in zip(axis, way))   # |axis| times the way along it, which is 2
+        error = abs(dec(share) / dec(length).sqrt() - 2)
+        check(error <= bound_of(report) <= dec("1e-6"), "advance along", axis, error, report)
 
 
 def write(folder, text):

@@ -253,7 +253,7 @@ static void reports(void **state) {
     write_file(candidate_path, "x,y,pmc\n1/2,0,out\n2,0,in\n");
     report_holds("| 3 | 0 | 2 | 1 | 0 | 0 |", GRAZE_COMPARISON_TEXT);
     report_holds("| in | 0 | 0 | 1 | 0 |", GRAZE_COMPARISON_TEXT);
-    report_holds("| out | 0 | 0 | 0 | 1 |", GRAZE_COMPARISON_TEXT);
+    report_holds("| out | 0 | 0 | 0 | 1 |\n\n", GRAZE_COMPARISON_TEXT);
     report_holds("wrong: 66.67 % of the rows; pmc 2", GRAZE_COMPARISON_TEXT);
     report_holds("| boundary | 1 | 1 | 100.00 % | 0 | 0 |", GRAZE_COMPARISON_TEXT);
     report_holds("The first 1 of 3 disagreements", GRAZE_COMPARISON_TEXT);
@@ -302,6 +302,15 @@ static void tallies(void **state) {
     assert_string_equal(t.groups[0].name, "6");
     assert_string_equal(t.groups[94].name, "100");
     tally_clear(&t);
+    static const char *const names[] = {"ext", "10", "9", "", "5"};
+    static const char *const sorted[] = {"", "5", "9", "10", "ext"};
+    tally mixed = {0};
+    for (int k = 0; k < 5; k++)
+        assert_int_equal(tally_add(&mixed, context, (field){names[k], strlen(names[k])}, 'w'), 0);
+    tally_sort(&mixed);
+    for (int k = 0; k < 5; k++)
+        assert_string_equal(mixed.groups[k].name, sorted[k]);
+    tally_clear(&mixed);
 }
 
 static void misuse(void **state) {
