@@ -267,6 +267,14 @@ static void reports(void **state) {
     report_holds("\"golden-line\": 4", GRAZE_COMPARISON_JSON);
 }
 
+/* A byte order mark alone on the first line leaves a blank line, which is passed over. */
+static void byte_order_mark_alone(void **state) {
+    (void)state;
+    write_file(golden_path, HEAD "1/2,0" IN_ROW "# complete 1\n");
+    write_file(candidate_path, "\xef\xbb\xbf\nx,y,pmc\n1/2,0,in\n");
+    expect(NULL, 1, 0, 0, 0, 0);
+}
+
 /* A coordinate that is no number is refused in either table, also where both have the same text. */
 static void coordinates_are_numbers(void **state) {
     (void)state;
@@ -340,6 +348,7 @@ int main(void) {
         cmocka_unit_test(rounding_matches),
         cmocka_unit_test(random_tables),
         cmocka_unit_test(reports),
+        cmocka_unit_test(byte_order_mark_alone),
         cmocka_unit_test(coordinates_are_numbers),
         cmocka_unit_test(tallies),
         cmocka_unit_test(misuse),
