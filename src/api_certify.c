@@ -4,7 +4,8 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "api.h"
-#include "certify/certify.h"
+#include "certify/head.h"
+#include "certify/row.h"
 #include "context/environment.h"
 
 struct graze_certifier {

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include "api.h"
 #include "compare/compare.h"
+#include "compare/json.h"
+#include "compare/text.h"
 #include "context/environment.h"
 
 static int compare_options_known(const graze_compare_options *o) {

@@ -7,8 +7,11 @@
 #include "api.h"
 #include "context/environment.h"
 #include "report/decimal.h"
-#include "report/report.h"
-#include "table/typed.h"
+#include "report/explain.h"
+#include "report/json.h"
+#include "report/table.h"
+#include "table/typed_read.h"
+#include "table/typed_write.h"
 #include "verdict/classify.h"
 #include "verdict/verdict.h"
 

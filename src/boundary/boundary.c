@@ -11,7 +11,7 @@
 #include "scene/box.h"
 #include "context/array.h"
 
-/* The box asked for, or the scene's with a margin. */
+/* The caller's box, or the scene's with a margin. */
 static graze_status set_box(struct graze_boundary *b, graze_context *context, const fmpq *low,
                             const fmpq *high) {
     graze_status status = GRAZE_OK;

@@ -3,8 +3,8 @@
  *
  * A box is cut into 2^d cells again and again. Points stand on the lattice that cuts each side of
  * the box into 2^(depth + 1) parts, so that corners and centres of all cells, and the middles of
- * the smallest cells' edges, are lattice points. Every answer is exact; what lies between the
- * points is not looked at.
+ * the smallest cells' edges, are lattice points. Every answer is exact; nothing is known between
+ * the points.
  */
 #ifndef GRAZE_BOUNDARY_BOUNDARY_H
 #define GRAZE_BOUNDARY_BOUNDARY_H

@@ -59,7 +59,7 @@ static graze_status split_cell(graze_context *context, struct graze_boundary *b,
     return status;
 }
 
-/* *out = 1 if the cell is to be cut. */
+/* *out = 1 if the cell must be cut. */
 static graze_status is_of_interest(int *out, graze_context *context, struct graze_boundary *b,
                                    const cell *c) {
     graze_pmc first = lattice_known(b, cell_corner(b, c, 0)), pmc;

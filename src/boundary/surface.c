@@ -31,7 +31,7 @@ static int64_t from(const uint32_t a[3], const uint32_t b[3], int k) {
     return (int64_t)b[k] - (int64_t)a[k];
 }
 
-/* The sign that tells on which side of a face `out` lies; never 0. Differences within one cell have
+/* The side of a face on which `out` lies, as a sign; never 0. Differences within one cell have
  * at most 20 bits. */
 static int face_side(uint32_t (*face)[3], const uint32_t out[3], int dimension) {
     const uint32_t *a = face[0], *b = face[1];

@@ -2,10 +2,11 @@
  * facets that are not planar as a fan.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "certify/cut.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "certify/certify.h"
 #include "number/cross.h"
 #include "solid/create.h"
 

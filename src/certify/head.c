@@ -1,9 +1,11 @@
 /* A certificate's head: what it is about, and times between which the motion's signs are plain.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "certify/head.h"
+
 #include <flint/fmpz_vec.h>
 #include <string.h>
-#include "certify/certify.h"
+#include "certify/cut.h"
 #include "number/bernstein.h"
 
 static int is_given(const unsigned char sha256[32]) {

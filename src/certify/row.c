@@ -2,11 +2,12 @@
  * cut until the checker's tests succeed.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "certify/row.h"
+
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
-#include "certify/certify.h"
 #include "certify/prove.h"
 #include "number/order.h"
 #include "solid/locate.h"

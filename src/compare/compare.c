@@ -8,6 +8,7 @@
 #include <string.h>
 #include "compare/judge.h"
 #include "compare/match.h"
+#include "compare/rounding.h"
 
 /* Both tables and their matching, while a comparison is made. */
 typedef struct run {

@@ -4,10 +4,13 @@
  * Counts are JSON numbers, everything else text. Bytes above 127 become `?` in what comes from the
  * files compared, so that the object is UTF-8 whatever they hold.
  */
+#include "compare/json.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <yajl/yajl_gen.h>
-#include "compare/compare.h"
+#include "compare/judge.h"
+#include "compare/text.h"
 #include "context/json_memory.h"
 
 static void put_key_text(yajl_gen g, const char *text) {

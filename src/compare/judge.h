@@ -4,7 +4,11 @@
 #ifndef GRAZE_COMPARE_JUDGE_H
 #define GRAZE_COMPARE_JUDGE_H
 
-#include "compare/compare.h"
+#include "compare/comparison.h"
+
+/** Names of what is judged, and of the answers in the matrices. */
+const char *judged_name(int judged);
+extern const char *const pmc_words[3], *const class_words[5];
 
 /** Answers as indices into pmc_words and class_words; -1 where there is none. */
 typedef struct answer {

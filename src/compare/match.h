@@ -49,12 +49,4 @@ graze_status match_finish(const match *m);
 graze_status match_key(table_row *row, graze_context *context, const table *t, int by_id,
                        int dimension);
 
-/**
- * Refuse two golden rows that rounding makes equal and whose answers in `columns` differ. The table
- * is read again, as often as it takes to keep at most 128 MB of digests.
- * @param columns count columns whose answers matter
- */
-graze_status match_rounding(graze_context *context, const table *golden, const char *path,
-                            const column *columns, size_t count);
-
 #endif

@@ -4,9 +4,10 @@
  * One pass over the table keeps the digests of those rows whose key falls to it; a table too large
  * for one pass is read several times, each for its share of the keys.
  */
+#include "compare/rounding.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include "compare/match.h"
 #include "number/text.h"
 
 enum { MOST_ENTRIES = 1 << 21 };

@@ -4,9 +4,11 @@
  * Groups past MOST_GROUPS are counted together, so that a column of names all different costs
  * nothing.
  */
+#include "compare/tally.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include "compare/compare.h"
+#include "context/context.h"
 
 static group *find(tally *t, field name) {
     for (size_t k = 0; k < t->count; k++)

@@ -1,8 +1,10 @@
 /* The comparison for a person: Markdown that also reads well as it is.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "compare/text.h"
+
 #include <string.h>
-#include "compare/compare.h"
+#include "compare/judge.h"
 
 const char *grouping_name(grouping g) {
     static const char *const names[GROUPING_COUNT] = {"stratum", "k", "class", "definition",

@@ -1,8 +1,8 @@
-/* Half angles as exact pairs (w, c), and proved bounds on how far they are from what was asked for.
+/* Half angles as exact pairs (w, c), and proved bounds on their distance from the angles wanted.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A rotation about the axis v of length L by the angle a has the quaternion (w, c v) for every pair
- * with w + i c L a positive multiple of exp(i a/2). Angles are asked for as exact fractions f of a
+ * with w + i c L a positive multiple of exp(i a/2). A wanted angle is an exact fraction f of a
  * whole turn of the half angle: a/2 = 2 pi f. MPFR's results carry at most half a unit in the last
  * of ANGLE_BITS bits; a chain of at most eight operations on numbers up to 8 in size is off by less
  * than ANGLE_SLACK = 2^-300, which is added to every bound; all further steps round up.
@@ -35,7 +35,7 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance);
 
 /** An upper bound of |2 arg(w + i c L) - 4 pi f| modulo whole turns of the half angle, radians;
- * 0 where no angle is asked for and none is made. */
+ * 0 where both angles are 0. */
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square);
 
 /**

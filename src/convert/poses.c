@@ -1,8 +1,8 @@
 /* Motions through poses: keyframes, or matrices interpolated entry by entry.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Each pose is taken at its time as it stands. Only matrices that are to become rotations are
- * changed, by an amount that is computed exactly and reported.
+ * The motion passes through each pose at its time. Only matrices that become rotations are changed,
+ * by an amount that is computed exactly and reported.
  */
 #include "convert/poses.h"
 
@@ -193,8 +193,9 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
     fmpq_init(worst);
     graze_status status = poses_read(&list, context, path);
     if (!status && affine && !list.has_matrices)
-        status = context_fail(context, GRAZE_EINPUT,
-                              "%s: the poses are quaternions; expected matrices for an affine motion", path);
+        status = context_fail(
+            context, GRAZE_EINPUT,
+            "%s: the poses are quaternions; expected matrices for an affine motion", path);
     if (!status && !affine && list.has_matrices)
         status = find_rotations(worst, context, &list, tolerance);
     if (!status && !affine)

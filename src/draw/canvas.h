@@ -1,8 +1,8 @@
 /* A surface to draw on, in pixels from the upper left corner; made of paths, circles and texts.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * There are two kinds, an SVG text and a PNG image. Drawing never fails half-way: what goes wrong
- * is remembered and told by canvas_finish.
+ * There are two kinds, an SVG text and a PNG image. Drawing never fails half-way: a failure is
+ * kept and returned by canvas_finish.
  */
 #ifndef GRAZE_DRAW_CANVAS_H
 #define GRAZE_DRAW_CANVAS_H

@@ -24,7 +24,7 @@ graze_status canvas_check(graze_context *context, const char *file) {
     if (has_extension(file, "svg"))
         return GRAZE_OK;
     return context_fail(context, GRAZE_EUSE,
-                        "%s: the extension tells the kind of picture; expected .svg or .png", file);
+                        "%s: the extension is that of no picture; expected .svg or .png", file);
 }
 
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,

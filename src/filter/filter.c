@@ -90,7 +90,8 @@ static int meets_window(const findings *found, const crossing *c) {
     return 0;
 }
 
-/* A crossing that is not certainly apart from all else is asked for: 1 if there was one, -1 without
+/* A crossing that is not certainly apart from all else becomes a candidate: 1 if there was one, -1
+ * without
  * memory. */
 static int ask_for_meeting(findings *found) {
     size_t kept = 0, n = found->crossing_count;

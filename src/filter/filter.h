@@ -35,7 +35,7 @@ typedef struct filter_workspace {
 /** Set the workspace's curve to a piece, unless it is; 0 if the filter cannot be used for it. */
 int filter_set(filter_workspace *w, const filter *f, size_t piece, const filter_point *point);
 
-/** The context's workspace, made when first asked for; NULL without memory. */
+/** The context's workspace, made at the first call; NULL without memory. */
 filter_workspace *filter_workspace_of(graze_context *context);
 
 /** Forget the point before. */

@@ -1,8 +1,8 @@
 /* One span against one simplex, in doubles with proven bounds.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The pullback of the simplex's plane in Bernstein form tells by its signs; the simplex's sides are
- * asked only at the window of a root, or of the whole span. The error bounds are those of
+ * The signs of the pullback of the simplex's plane in Bernstein form decide; the simplex's sides
+ * are evaluated at the window of a root, or on the whole span, only. The error bounds are those of
  * proofs/filter.md (C35). A comparison that is false for NaN never decides.
  */
 #include "filter/meet.h"

@@ -11,7 +11,7 @@ typedef enum meeting {
     MEET_CROSSING, /* one time is, in its relative interior; the curve goes through from side to
                       side */
     MEET_ASK,      /* the filter cannot say; every time on the simplex lies in the window given */
-    MEET_CUT       /* as MEET_ASK, but halves of the span may tell */
+    MEET_CUT       /* as MEET_ASK, but halves of the span may decide */
 } meeting;
 
 /** Where in the span, s in [low, high] of [0, 1]; `enters`: a crossing from outside to inside. */

@@ -1,5 +1,5 @@
-/* Point location: the first crossing of a segment that leaves the solid's box tells the side it
- * comes from. SPDX-License-Identifier: GPL-3.0-or-later
+/* Point location by a segment that leaves the solid's box: its first crossing gives the state
+ * before it. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "filter/ray.h"
 

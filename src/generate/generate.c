@@ -142,7 +142,8 @@ static graze_stratum draw_stratum(const struct graze_generator *g, random_stream
     return (graze_stratum)stratum;
 }
 
-/* A stratum that brings nothing in this row gives way to another draw; one of them brought a trial.
+/* Where a stratum makes no point for this row, another one is drawn; one of them made one in a
+ * trial.
  */
 void generator_sample(sample *out, const struct graze_generator *g, uint64_t row) {
     random_stream r;

@@ -29,7 +29,7 @@ typedef struct sample {
     fmpq_t time;
 } sample;
 
-/** Try once for a point of a stratum; 0 if this try brought none. */
+/** Try once for a point of a stratum; 0 if this try made none. */
 int stratum_try(sample *out, const struct graze_generator *g, graze_stratum stratum,
                 random_stream *r);
 

@@ -189,7 +189,7 @@ void affine_at_time(affine *out, const affine *a, const fmpq_t u) {
     fmpq_clear(value);
 }
 
-/* The value of the weight at 0, where it does not vanish, tells its sign on all of [0, 1]. */
+/* The weight has one sign on [0, 1], that of its value at 0. */
 static void make_weight(calculation *c, fmpz_poly_q_t weight, const affine *a) {
     fmpz_poly_struct *h = fmpz_poly_q_numref(weight);
     fmpz_poly_q_one(weight);

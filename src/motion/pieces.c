@@ -251,8 +251,8 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
     return status;
 }
 
-/* No pole, no zero determinant and no jump can come about here: rotation_of sees to the rotation,
- * and the rest is linear between the frames. */
+/* No pole, no zero determinant and no jump can occur here: rotation_of checks the rotation, and the
+ * rest is linear between the frames. */
 static graze_status append_between(draft *out, graze_context *context, const json *where,
                                    const keyframe *from, const keyframe *to) {
     draft_piece *piece;

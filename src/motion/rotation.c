@@ -1,8 +1,8 @@
 /* Rotations: by the tangent of the half angle, by quarter turns, by a quaternion.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * All become a quaternion of no particular length. The angle n 2 atan(p/q) about the axis v has the
- * half angle of the complex number (q + ip)^n = a + ib, so its quaternion is (a |v|, b v).
+ * Each becomes a quaternion, whose length may be any. The angle n 2 atan(p/q) about the axis v has
+ * the half angle of the complex number (q + ip)^n = a + ib, so its quaternion is (a |v|, b v).
  */
 #include "motion/rotation.h"
 

@@ -7,7 +7,7 @@
 #include "number/algebraic.h"
 
 /** Halvings tried before a gcd is asked whether refinement would ever end; digits that a secant is
- * first asked for. */
+ * first tried with. */
 enum { CHEAP_HALVINGS = 4, FIRST_GAIN = 4 };
 
 /* Functions that take many steps ask the context's callback now and then and narrow no interval

@@ -5,10 +5,12 @@
  * in order of time, the counts, and which definition and case apply. Every number is exact;
  * decimals stand beside exact times and are correctly rounded.
  */
+#include "report/explain.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "report/decimal.h"
-#include "report/report.h"
+#include "report/formula.h"
 #include "verdict/verdict.h"
 
 enum { DECIMAL_DIGITS = 12 };

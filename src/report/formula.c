@@ -5,11 +5,12 @@
  * u = (t - lo)/(hi - lo) is put in and the quotient brought to lowest terms. Coefficients are
  * exact; where terms or digits are left out the text says how many.
  */
+#include "report/formula.h"
+
 #include <flint/fmpq_poly.h>
 #include <stdlib.h>
 #include <string.h>
 #include "number/rational.h"
-#include "report/report.h"
 
 enum { LONG_NUMBER = 40, SHOWN_FIGURES = 12, LONG_POLYNOMIAL = 9, SHOWN_TERMS = 3 };
 

@@ -3,7 +3,8 @@
  *
  * Exact numbers are strings; counts, cases and cell numbers are JSON integers.
  */
-#include "report/report.h"
+
+#include "report/json.h"
 
 #include <stdlib.h>
 #include <string.h>

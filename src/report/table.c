@@ -1,7 +1,8 @@
 /* The CSV table: its head and its rows (src/cli/formats.md, Tables).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "report/report.h"
+
+#include "report/table.h"
 
 #include "number/rounding.h"
 

@@ -51,22 +51,6 @@ typedef struct typed_table {
 void typed_init(typed_table *t, graze_context *context);
 void typed_clear(typed_table *t);
 
-/**
- * Read the next lines of the table, the last of which may lack its line end only at the table's
- * end. Numbers are not rounded as the context says: they are none of the scene.
- * @return GRAZE_EINPUT it is no table of answers, or has another number of rows than it says;
- * GRAZE_ELIMIT; GRAZE_ESYSTEM; where a row is wrong, the message names row and column
- */
-graze_status typed_add(typed_table *t, const char *lines, size_t length);
-/** GRAZE_EINPUT unless the table is whole. */
-graze_status typed_end(const typed_table *t);
-
-/** Take a `#` line of the head: dimension, grid and box, each once. GRAZE_EINPUT, GRAZE_ELIMIT. */
-graze_status typed_head_line(typed_table *t, field line);
-/** GRAZE_EINPUT unless all lines that the head must have were taken. */
-graze_status typed_head_end(const typed_table *t);
-/** 1 if the grid has as many points as there are rows, or there is no grid. */
-int typed_grid_fits(const typed_table *t);
 /** GRAZE_EINPUT with the message, which says what is wrong, and what is expected. */
 graze_status typed_broken(graze_context *context, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
@@ -74,12 +58,5 @@ graze_status typed_broken(graze_context *context, const char *format, ...)
 /** The name of a column, `column` if it has none; `_2` and so on stand behind a name that occurred.
  */
 void typed_name(text *out, const typed_table *t, size_t index);
-
-/** Write a whole table in one of the forms but GRAZE_EXPORT_NONE. GRAZE_ELIMIT, GRAZE_ESYSTEM. */
-graze_status typed_write(const typed_table *t, graze_export form, sink to);
-/** As a legacy VTK file: a grid as structured points, else vertices. */
-graze_status typed_write_vtk(const typed_table *t, sink to);
-/** As a structured numpy array. */
-graze_status typed_write_npy(const typed_table *t, sink to);
 
 #endif

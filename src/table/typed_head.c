@@ -1,8 +1,9 @@
 /* Reads the `#` lines of a finished table that its columns and rows are held to.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "table/typed_head.h"
+
 #include "number/rational.h"
-#include "table/typed.h"
 
 static graze_status read_dimension(typed_table *t, field value) {
     unsigned long d;

@@ -3,8 +3,9 @@
  *
  * Coordinates and further numbers are float64, texts are bytes; definition is 0 for ext.
  */
+#include "table/typed_npy.h"
+
 #include <string.h>
-#include "table/typed.h"
 
 /* Little-endian. */
 static void put_number(sink to, uint64_t value, size_t count) {

@@ -8,8 +8,9 @@
  * they first occur in their column; the texts themselves stand, one after another and each with a
  * newline behind it, as bytes in the field data COLUMN_texts.
  */
+#include "table/typed_vtk.h"
+
 #include "number/decimal.h"
-#include "table/typed.h"
 #include "table/vtk.h"
 
 static const char title[] =

@@ -1,5 +1,5 @@
 /* Time and tree are subdivided together. Boxes only ever leave a pair out: what they leave is for
- * the exact tests to answer. Pieces of the curve are cut when first asked for and kept for all
+ * the exact tests to answer. Pieces of the curve are cut when first needed and kept for all
  * branches of the tree. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "trace/candidates.h"

@@ -1,4 +1,4 @@
-/* Parity against the exact path. SPDX-License-Identifier: GPL-3.0-or-later */
+/* The filter checked against the exact path. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "trace/crosscheck.h"
 
 static const uint32_t WHOLE = UINT32_C(1) << WINDOW_LEVELS;

@@ -1,6 +1,6 @@
-/* Parity against the exact path: where a certain crossing and an exact window are neighbours in
- * time, the state that the crossing tells is compared with an exact location between them. Two
- * crossings that are neighbours are compared by word_read.
+/* The filter checked against the exact path: between a certain crossing and an exact window next to
+ * it in time, the state beside the crossing is compared with an exact location. word_read compares
+ * two crossings that are neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TRACE_CROSSCHECK_H

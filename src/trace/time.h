@@ -10,7 +10,7 @@
 /**
  * A time of the motion: piece `piece`, local parameter u in [0, 1]. In the motion's parameter it is
  * lo + (hi - lo) u. `poly`, `low`, `high` are its canonical form there, made once when the time is
- * asked for: minimal polynomial, and the widest isolating dyadic interval (both ends the value
+ * needed: minimal polynomial, and the widest isolating dyadic interval (both ends the value
  * itself when it is rational).
  */
 struct graze_time {

@@ -19,7 +19,7 @@ typedef struct finder {
     const fmpz *plane;        /* of the candidates at hand */
     uint32_t simplex;         /* whose sides are at hand: */
     int known;                /* the pullbacks of as many of them, */
-    fmpz_poly_struct side[3]; /* made when first asked for */
+    fmpz_poly_struct side[3]; /* made when first needed */
     graze_context *context;
     graze_status status; /* the first failure, which ends the search */
 } finder;

@@ -11,7 +11,7 @@
 typedef struct contact {
     graze_state left, right; /* I, O, or ABSENT at an end of the motion */
     graze_time *from, *to;   /* the same pointer for an instant; owned by the trace; both NULL for a
-                                crossing whose time was not asked for */
+                                crossing whose time is not wanted */
     graze_cell *cell;
     size_t cell_count, cell_capacity;
 } contact;

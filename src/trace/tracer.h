@@ -8,7 +8,7 @@
 #include "trace/trace.h"
 #include "trace/trajectory.h"
 
-/** What was found last, to which parity is held (tracer_saw_window, tracer_saw_crossing). */
+/** The last finding, against which the next one is checked (trace/crosscheck.h). */
 typedef struct last_seen {
     int any;
     size_t piece;

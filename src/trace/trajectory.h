@@ -33,7 +33,7 @@ void trajectory_at(fmpz *out, const trajectory *c, const fmpq_t u);
  * A box that holds a piece of the curve, from the Bernstein coefficients of its d + 1 polynomials
  * on the piece, all to the trajectory's degree. Past the range of doubles its ends are infinite.
  * @return 1; or 0, and a box of all space, where a coefficient of W is not positive
- *         (proofs/claims.md C23): then a smaller piece tells more
+ *         (proofs/claims.md C23): then a smaller piece may have a smaller box
  */
 int trajectory_bound(box *out, const trajectory *c, const fmpz *bernstein);
 

@@ -6,9 +6,10 @@ import re
 COMMENT_OR_LITERAL = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.M)
 ATTRIBUTE = re.compile(r"__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\)")
+# A function whose type has a name, `soup_reader read_off`. A variable looks the same; it does no harm.
+FUNCTION_OF_A_TYPE = re.compile(r"[a-z]\w*\s+(\w+)")
 # What opens a scope that is no function's: functions inside it are still at file scope.
 TRANSPARENT = re.compile(r'(?:extern\s*L|namespace(?:\s+[\w:]+)?)\s*$')
-
 
 def sources():
     """All C and C++ files of src/ and the public headers."""
@@ -17,26 +18,21 @@ def sources():
         found += glob.glob(pattern, recursive=True)
     return sorted(found)
 
-
 def read(path):
     with open(path, encoding="utf-8") as file:
         return file.read()
-
 
 def room_of(path):
     """The folder below src/, or `api` for the files of src/ itself and the public headers."""
     parts = path.split("/")
     return parts[1] if parts[0] == "src" and len(parts) > 2 else "api"
 
-
 def unit_of(path):
     """A source and its own header are one unit."""
     return os.path.splitext(path)[0]
 
-
 def is_public(path):
     return path.startswith("include/")
-
 
 def included(path, text):
     """The files of the project that a file includes, each as (the name as written, its path or None)."""
@@ -44,12 +40,10 @@ def included(path, text):
         places = (f"src/{name}", f"include/{name}", f"{os.path.dirname(path)}/{name}")
         yield name, next((place for place in places if os.path.exists(place)), None)
 
-
 def bare(text):
     """The text without comments, preprocessor lines and attributes; each literal is an L."""
     text = COMMENT_OR_LITERAL.sub(lambda m: " " if m.group().startswith("/") else "L", text)
     return ATTRIBUTE.sub(" ", DIRECTIVE.sub(" ", text))
-
 
 def chunks(text):
     """The declarations at file scope, each as (text, what ends it: `{` or `;`)."""
@@ -71,7 +65,6 @@ def chunks(text):
         if depth == 0:
             start = place.end()
 
-
 def function_name(chunk):
     """The function that a declaration declares or defines, or None."""
     if "=" in re.sub(r"operator\s*\S+", "", chunk.split("(")[0]) or "typedef" in chunk:
@@ -84,13 +77,16 @@ def function_name(chunk):
     # A name with :: is a member's, whose class is its scope.
     return head.group(1) if before and "::" not in head.group(1) else None
 
-
 def defined(text):
     """Names of the functions that a file defines at file scope."""
     return {name for chunk, end in chunks(bare(text)) if end == "{"
             for name in [function_name(chunk)] if name}
 
-
 def declared(text):
     """Names of the functions that a header declares, and of those it defines."""
-    return {name for chunk, _ in chunks(bare(text)) for name in [function_name(chunk)] if name}
+    found = set()
+    for chunk, end in chunks(bare(text)):
+        name = function_name(chunk)
+        of_type = FUNCTION_OF_A_TYPE.fullmatch(chunk.strip()) if end == ";" else None
+        found |= {name} if name else {of_type.group(1)} if of_type else set()
+    return found

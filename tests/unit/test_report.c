@@ -5,7 +5,10 @@
 #include "../lib/random.h"
 #include <mpfr.h>
 #include "report/decimal.h"
-#include "report/report.h"
+#include "report/explain.h"
+#include "report/formula.h"
+#include "report/json.h"
+#include "report/table.h"
 
 static void set(fmpq_t out, const char *text) {
     assert_int_equal(fmpq_set_str(out, text, 10), 0);

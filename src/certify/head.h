@@ -1,8 +1,8 @@
-/* Certificates of answers (proofs/certificate.md): the hints that a checker follows.
+/* What certificates are made with, and their head (proofs/certificate.md).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef GRAZE_CERTIFY_CERTIFY_H
-#define GRAZE_CERTIFY_CERTIFY_H
+#ifndef GRAZE_CERTIFY_HEAD_H
+#define GRAZE_CERTIFY_HEAD_H
 
 #include "number/text.h"
 #include "scene/scene.h"
@@ -26,12 +26,5 @@ void certifier_clear(certifier *c);
 
 /** The certificate's head. */
 graze_status certify_head(text *out, graze_context *context, const certifier *c);
-/** The lines of one row. */
-graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point);
-
-/** The solid with every facet of more than three corners cut as the checker cuts it; *out is NULL
- * where there is none. */
-graze_status certify_cut(graze_solid **out, graze_context *context, const graze_solid *solid,
-                         unsigned flags);
 
 #endif

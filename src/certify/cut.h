@@ -1,0 +1,14 @@
+/* Facets cut as the checker of certificates cuts them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CERTIFY_CUT_H
+#define GRAZE_CERTIFY_CUT_H
+
+#include "solid/solid.h"
+
+/** The solid with every facet of more than three corners cut as the checker cuts it; *out is NULL
+ * where there is none. */
+graze_status certify_cut(graze_solid **out, graze_context *context, const graze_solid *solid,
+                         unsigned flags);
+
+#endif

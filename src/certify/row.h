@@ -1,0 +1,12 @@
+/* The certificate of one row (proofs/certificate.md).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CERTIFY_ROW_H
+#define GRAZE_CERTIFY_ROW_H
+
+#include "certify/head.h"
+
+/** The lines of one row. */
+graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point);
+
+#endif

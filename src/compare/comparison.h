@@ -1,0 +1,53 @@
+/* What a comparison asks and counts.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_COMPARE_COMPARISON_H
+#define GRAZE_COMPARE_COMPARISON_H
+
+#include "compare/tally.h"
+#include "graze/compare.h"
+#include "number/text.h"
+
+/** What is judged, in the order of columns. */
+enum { JUDGED_PMC, JUDGED_CLASS, JUDGED_I, JUDGED_T, JUDGED_WORD, JUDGED_COUNT };
+
+/** What errors are counted by. */
+typedef enum grouping {
+    BY_STRATUM,
+    BY_DISTANCE,
+    BY_CLASS,
+    BY_DEFINITION,
+    BY_CASE,
+    GROUPING_COUNT
+} grouping;
+
+/** One disagreement, as it is shown. Texts are malloc'ed. */
+typedef struct disagreement {
+    unsigned long golden_line, candidate_line; /* 0: no such row */
+    char *point;                               /* coordinates with blanks between */
+    char *golden, *candidate;                  /* the answers; NULL where there is no row */
+} disagreement;
+
+/** Candidate's answers beside golden ones; the last column of a matrix counts missing rows. */
+typedef struct matrix {
+    unsigned long pmc[3][4];    /* in, on, out */
+    unsigned long class_[5][6]; /* in the order of Definitions 5 to 9 */
+} matrix;
+
+struct graze_comparison {
+    graze_compare_options options;
+    graze_rounding rounding;
+    char *golden, *candidate, *solid, *motion; /* names */
+    int judged[JUDGED_COUNT];                  /* 1: the candidate answers this */
+    char *explain_options;                     /* of `graze explain`, with a blank before each */
+    unsigned long rows, agree, wrong, apart, missing, extra;
+    unsigned long column_wrong[JUDGED_COUNT];
+    unsigned long apart_answers[3]; /* the candidate's, for rows that are apart */
+    matrix confusion;
+    int grouped[GROUPING_COUNT]; /* 1: the golden table tells */
+    tally tallies[GROUPING_COUNT];
+    size_t shown;
+    disagreement *disagreements;
+};
+
+#endif

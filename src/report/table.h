@@ -1,0 +1,18 @@
+/* The table of a scene and its points (src/cli/formats.md, Tables).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_REPORT_TABLE_H
+#define GRAZE_REPORT_TABLE_H
+
+#include "number/text.h"
+#include "trace/trace.h"
+
+/** The `#` lines and the column line. `notes`: further `# key value` lines, or NULL. */
+graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
+                           const char *notes, const char *columns);
+
+/** Add one row of the table. `rest`: further columns as they were, or NULL. */
+void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
+                const char *rest);
+
+#endif
