@@ -4,6 +4,7 @@
 #include "api.h"
 #include "context/environment.h"
 #include "motion/motion_read.h"
+#include "motion/write.h"
 
 graze_status graze_motion_read(graze_motion **out, graze_context *context, const char *path) {
     if (out)
@@ -36,4 +37,16 @@ int graze_motion_dimension(const graze_motion *motion) {
 
 size_t graze_motion_piece_count(const graze_motion *motion) {
     return motion ? motion->piece_count : 0;
+}
+
+graze_status graze_motion_text(char **out, graze_context *context, const graze_motion *motion) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !motion)
+        return api_misuse(context, "graze_motion_text", "out, context and motion must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    text t;
+    text_init(&t);
+    motion_write(&t, motion);
+    return text_finish(out, context, &t);
 }

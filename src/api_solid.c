@@ -10,6 +10,7 @@
 #include "read/nesting.h"
 #include "read/read.h"
 #include "solid/create.h"
+#include "solid/write.h"
 
 /* `sha256` is that of a file validated before, or NULL. */
 static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,
@@ -191,4 +192,16 @@ size_t graze_solid_component_count(const graze_solid *solid) {
 
 const char *graze_solid_note(const graze_solid *solid) {
     return solid ? solid->note : "";
+}
+
+graze_status graze_solid_text(char **out, graze_context *context, const graze_solid *solid) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !solid)
+        return api_misuse(context, "graze_solid_text", "out, context and solid must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    text t;
+    text_init(&t);
+    solid_write(&t, solid);
+    return text_finish(out, context, &t);
 }

@@ -15,11 +15,11 @@ typedef struct graze_certifier graze_certifier;
 
 /**
  * Make a certifier of a scene whose solid and motion were read from files, in E^3 an .off and in
- * E^2 a .wkt, without rounding: graze-check reads no others. The scene is borrowed and must outlive
- * it. Threads may share it.
+ * E^2 a .wkt, without rounding: graze-check reads no others (graze_solid_text writes one). The
+ * scene is borrowed and must outlive it. Threads may share it.
  * @param flags those the solid was read with
- * @return GRAZE_EUSE a NULL handle, a rounding, or a scene that was not read from files;
- * GRAZE_EILLEGAL a facet that a checker cannot cut into triangles, named; GRAZE_ELIMIT
+ * @return GRAZE_EUSE a NULL handle, a rounding, flags, or a scene that was not read from files;
+ * GRAZE_EILLEGAL a facet that is not the fan of its first corner; GRAZE_ELIMIT
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_certifier_create(graze_certifier **out,
                                                             graze_context *context,

@@ -93,7 +93,7 @@ let verify solid motion certificate =
   match List.map Solid.words lines with
   | [ "graze-certificate"; version ] :: [ "solid-sha256"; solid_hash ] :: [ "motion-sha256"; motion_hash ]
     :: [ "scene-sha256"; scene ] :: [ "dimension"; dimension ] :: [ "operation"; operation ] :: [ "folds"; folds ]
-    :: [ "triangulate"; triangulate ] :: ("signs" :: signs) :: rest ->
+    :: ("signs" :: signs) :: rest ->
       if version <> "1" then unread "version 1 is expected";
       if String.length scene <> 64 then refuted "a SHA-256 has 64 digits";
       let three = choice "dimension" "2" "3" dimension in
@@ -101,7 +101,7 @@ let verify solid motion certificate =
       let folds : Checker.folds = if choice "folds" "separate" "combined" folds then Combined else Separate in
       held solid solid_hash;
       held motion motion_hash;
-      let d, scale, simplices = Solid.read solid (choice "triangulate" "no" "yes" triangulate) (read_file solid) in
+      let d, scale, simplices = Solid.read solid (read_file solid) in
       let dimension, pieces = Motion.read (json (read_file motion)) in
       if d <> dimension || d <> (if three then 3 else 2) then refuted "the dimensions differ";
       let pieces = List.map Motion.piece pieces in
@@ -115,7 +115,7 @@ let verify solid motion certificate =
 (* Simplices times `scale`; pieces: times, denominator, entry i j of the map, j = 0 its translation. *)
 let print solid motion =
   let numbers l = String.concat " " (List.map Z.to_string l) in
-  let d, scale, simplices = Solid.read solid false (read_file solid) in
+  let d, scale, simplices = Solid.read solid (read_file solid) in
   let dimension, pieces = Motion.read (json (read_file motion)) in
   Printf.printf "dimensions %d %d\nscale %s\n" d dimension (Z.to_string scale);
   List.iter (fun s -> Printf.printf "simplex %s\n" (numbers (List.concat s))) simplices;

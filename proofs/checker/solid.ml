@@ -17,57 +17,26 @@ let cross p q r i =
   let u k = Z.sub (at q k) (at p k) and v k = Z.sub (at r k) (at p k) in
   Z.sub (Z.mul (u (i + 1)) (v (i + 2))) (Z.mul (u (i + 2)) (v (i + 1)))
 
-let normal corners =
-  let a = Array.of_list corners in
-  let n = Array.length a in
-  let term i k =
-    let p = a.(k) and q = a.((k + 1) mod n) in
-    Z.sub (Z.mul (at p (i + 1)) (at q (i + 2))) (Z.mul (at p (i + 2)) (at q (i + 1))) in
-  List.init 3 (fun i -> List.fold_left Z.add Z.zero (List.init n (term i)))
-
-let rec ears axis sign corners =
-  match corners with
-  | [ p; q; r ] -> [ [ p; q; r ] ]
-  | _ ->
-      let a = Array.of_list corners in
-      let n = Array.length a in
-      let corner k = a.((k + n) mod n) in
-      let turn p q r = sign * Z.sign (cross p q r axis) in
-      let ear k =
-        let p = corner (k - 1) and q = corner k and r = corner (k + 1) in
-        turn p q r > 0
-        && List.for_all
-             (fun i -> let x = corner (k + i) in not (turn p q x >= 0 && turn q r x >= 0 && turn r p x >= 0))
-             (List.init (max 0 (n - 3)) (fun i -> i + 2)) in
-      let rec first k = if k = n then unread "a facet cannot be cut into triangles ear by ear" else if ear k then k else first (k + 1) in
-      let k = first 0 in
-      [ corner (k - 1); corner k; corner (k + 1) ] :: ears axis sign (List.filteri (fun i _ -> i <> k) corners)
-
 let fan = function
   | p :: rest ->
       let rec go = function q :: (r :: _ as more) -> [ p; q; r ] :: go more | _ -> [] in
       go rest
   | [] -> []
 
-let facet triangulate corners =
-  let n = List.length corners in
-  let before k = List.nth corners ((k + n - 1) mod n) in
-  let corners = if n > 3 then List.filteri (fun k v -> v <> before k) corners else corners in
-  if List.length corners < 3 then raise (Refuted "solid: a facet has no area");
-  if List.length corners = 3 then [ corners ]
-  else begin
-    let m = normal corners in
-    let dot v = List.fold_left2 (fun s a b -> Z.add s (Z.mul a b)) Z.zero m v in
-    let axis = match List.find_opt (fun i -> Z.sign (List.nth m i) <> 0) [ 0; 1; 2 ] with
-      | Some i -> i | None -> raise (Refuted "solid: a facet has no area") in
-    if List.for_all (fun v -> Z.equal (dot v) (dot (List.hd corners))) corners then
-      ears axis (Z.sign (List.nth m axis)) corners
-    else if triangulate then fan corners
-    else raise (Refuted "solid: a facet is not planar")
-  end
+(* The fan of the first corner, whose pieces have area and turn one way. *)
+let facet corners =
+  let pieces = fan corners in
+  let area = function [ p; q; r ] -> List.init 3 (cross p q r) | _ -> [] in
+  let dot u v = List.fold_left2 (fun s a b -> Z.add s (Z.mul a b)) Z.zero u v in
+  let m = area (List.hd pieces) in
+  if List.exists (fun v -> not (Z.equal (dot m v) (dot m (List.hd corners)))) corners then
+    raise (Refuted "solid: a facet is not planar");
+  if List.exists (fun t -> Z.sign (dot m (area t)) <= 0) pieces then
+    unread "a facet has no area, or is not the fan of its first corner";
+  pieces
 
 (* ---------------------------------------------------------------- files *)
-let off triangulate text =
+let off text =
   let without_comment l = match String.index_opt l '#' with Some k -> String.sub l 0 k | None -> l in
   let clean l = words (String.map (fun c -> if c = '\r' then ' ' else c) (without_comment l)) in
   let lines = List.filter (( <> ) []) (List.map clean (String.split_on_char '\n' text)) in
@@ -98,7 +67,7 @@ let off triangulate text =
                if v >= vertices then unread "a corner is the number of a vertex";
                positions.(v))
     | [] -> unread "a facet is expected" in
-  (3, scale, List.concat (List.init facets (fun k -> facet triangulate (corners k))))
+  (3, scale, List.concat (List.init facets (fun k -> facet (corners k))))
 
 let wkt text =
   let spaced = Buffer.create (2 * String.length text) in
@@ -135,10 +104,10 @@ let wkt text =
   let rec pairs = function a :: b :: more -> [ a; b ] :: pairs more | _ -> [] in
   (2, scale, pairs flat)
 
-let read path triangulate text =
+let read path text =
   let text = if String.length text >= 3 && String.sub text 0 3 = "\xEF\xBB\xBF"
     then String.sub text 3 (String.length text - 3) else text in
   match Filename.extension path with
-  | ".off" -> off triangulate text
+  | ".off" -> off text
   | ".wkt" -> wkt text
   | _ -> unread "a solid in .off or .wkt is expected"

@@ -6,9 +6,8 @@
 
 #include "solid/solid.h"
 
-/** The solid with every facet of more than three corners cut as the checker cuts it; *out is NULL
- * where there is none. */
-graze_status certify_cut(graze_solid **out, graze_context *context, const graze_solid *solid,
-                         unsigned flags);
+/** The solid with every facet of more than three corners cut into the fan of its first one; *out is
+ * NULL where there is none. GRAZE_EILLEGAL where a fan is not the facet. */
+graze_status certify_cut(graze_solid **out, graze_context *context, const graze_solid *solid);
 
 #endif

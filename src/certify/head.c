@@ -18,16 +18,19 @@ static int is_given(const unsigned char sha256[32]) {
 graze_status certifier_make(certifier *out, graze_context *context, const graze_scene *scene,
                             unsigned flags) {
     *out = (certifier){.scene = scene, .solid = scene->solid};
-    out->triangulated = (flags & GRAZE_SOLID_TRIANGULATE) != 0;
+    if (flags & GRAZE_SOLID_TRIANGULATE)
+        return context_fail(context, GRAZE_EUSE,
+                            "a certificate is of facets as they stand in the file; expected a "
+                            "solid that was not triangulated");
     if (context->rounding != GRAZE_ROUND_NONE)
         return context_fail(context, GRAZE_EUSE,
-                            "a certificate is of the numbers as they stand in the files; right is "
+                            "a certificate is of the numbers as they stand in the files; expected "
                             "no rounding");
     if (!is_given(scene->solid->input.sha256) || !is_given(scene->motion->sha256))
         return context_fail(context, GRAZE_EUSE,
-                            "a certificate names its files by their hashes; right are a solid and "
+                            "a certificate names its files by their hashes; expected a solid and "
                             "a motion read from files");
-    graze_status status = certify_cut(&out->cut, context, scene->solid, flags);
+    graze_status status = certify_cut(&out->cut, context, scene->solid);
     if (out->cut)
         out->solid = out->cut;
     return status;
@@ -119,7 +122,7 @@ graze_status certify_head(text *out, graze_context *context, const certifier *c)
     text_format(out, "dimension %d\n", m->dimension);
     text_format(out, "operation %s\n", o->operation == GRAZE_UNSWEEP ? "unsweep" : "sweep");
     text_format(out, "folds %s\n", o->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
-    text_format(out, "triangulate %s\nsigns ", c->triangulated ? "yes" : "no");
+    text_put(out, "signs ");
     text_rational(out, m->piece[0].lo);
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < m->piece_count && !status; k++) {

@@ -12,13 +12,12 @@ typedef struct certifier {
     const graze_scene *scene; /* borrowed */
     const graze_solid *solid; /* the scene's own, or `cut` */
     graze_solid *cut;         /* its facets cut into triangles as the checker cuts them; or NULL */
-    int triangulated;
 } certifier;
 
 /**
  * @param flags those the solid was read with
- * @return GRAZE_EUSE the scene was not read from files, or under a rounding; GRAZE_EILLEGAL,
- * GRAZE_ELIMIT: the solid, once cut
+ * @return GRAZE_EUSE the scene was not read from files, or under a rounding, or triangulated;
+ * GRAZE_EILLEGAL, GRAZE_ELIMIT: the solid, once cut
  */
 graze_status certifier_make(certifier *out, graze_context *context, const graze_scene *scene,
                             unsigned flags);

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  *
  * graze-check ends at the first thing that is wrong: status 1, refuted; status 2, could not check.
- * There is no other way past a test that has not succeeded.
+ * There is no other way past a test that has not succeeded. What is made once is kept until then.
  */
 #ifndef CHECK_BASE_H
 #define CHECK_BASE_H
@@ -14,28 +14,26 @@ enum { VERIFIED = 0, REFUTED = 1, NOT_CHECKED = 2 };
 
 /** Caps. Past one of them the status is 2. */
 enum {
-    MOST_DIGITS = 20000,  /* of one number token, its exponent written out */
-    MOST_DEGREE = 300,    /* of a polynomial */
-    MOST_BITS = 1 << 20,  /* of a coefficient of the motion */
-    MOST_PIECES = 100000, /* of the motion */
-    MOST_DEPTH = 200,     /* of brackets */
-    MOST_LINE = 1 << 26,  /* bytes of a line of a certificate or a table */
-    MOST_WORD = 100000,   /* letters of a word */
-    MOST_CORNERS = 500    /* vertices of one facet */
+    MOST_DIGITS = 20000, /* of one number token, its exponent written out */
+    MOST_DEGREE = 300,   /* of a polynomial */
+    MOST_BITS = 1 << 20, /* of a coefficient of the motion, of the solid's common denominator */
+    MOST_PIECES = 20000, /* of the motion */
+    MOST_LINE = 1 << 24, /* bytes of a line of a certificate or a table */
+    MOST_WORD = 100000   /* letters of a word */
 };
 
-/** Write `graze-check: refuted: MESSAGE`, exit with status 1. */
+/** Write `graze-check: refuted: MESSAGE`, end with status 1. */
 _Noreturn void refute(const char *format, ...) __attribute__((format(printf, 1, 2)));
-/** Write `graze-check: not checked: MESSAGE`, exit with status 2. */
+/** Write `graze-check: not checked: MESSAGE`, end with status 2. */
 _Noreturn void give_up(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /** As realloc, for count items; gives up without memory. */
 void *grow(void *old, size_t count, size_t size);
 /** Make room for one more item than `count`, doubling. */
 void *room_for(void *items, size_t count, size_t *room, size_t size);
-
-/** A file's bytes, with a NUL behind them. Gives up if it cannot be read. */
-char *read_file(size_t *length, const char *path);
+/** Integers that are zero, for integers_free. */
+mpz_t *integers(size_t count);
+void integers_free(mpz_t *x, size_t count);
 
 /** A piece of text. */
 typedef struct word {
@@ -43,19 +41,45 @@ typedef struct word {
     size_t length;
 } word;
 
+/** For messages: "%.*s", WORD(w) */
+#define WORD(w) (int)((w).length < 60 ? (w).length : 60), (w).at
 int word_is(word w, const char *text);
 /** The next word of [*at, end), parted by blanks and tabs; 0 if there is none. */
 int word_next(word *out, const char **at, const char *end);
-/** For messages: "%.*s", WORD(w) */
-#define WORD(w) (int)((w).length < 60 ? (w).length : 60), (w).at
+/** How many of its first bytes are digits. */
+size_t word_digits(word w);
+/** Take one of these characters off its beginning, if it stands there. */
+int word_take(word *w, const char *any);
+/** Take that many bytes off its beginning. */
+void word_skip(word *w, size_t n);
 
 /** Read a whole number token: `-12`, `0.1`, `1.5e-3`, `22/7`; 1, or 0 if it is none. Gives up past
  * the digits. */
 int number_read(mpq_t out, word w);
-/** Read a whole integer token. */
+/** Read a whole integer token, a count in at most nine digits. */
 int integer_read(mpz_t out, word w);
-/** Read a count written in at most nine decimal digits. */
 int count_read(size_t *out, word w);
+
+/** A file being read: tokens. */
+typedef struct source {
+    const char *path, *at, *end;
+    size_t line;
+    int first;    /* the last token is the first of its line */
+    int comments; /* from # to the end of a line */
+} source;
+
+_Noreturn void source_fail(const source *f, const char *what);
+/** A file's bytes, with a NUL behind them, for free. Gives up if it cannot be read. */
+char *read_file(size_t *length, const char *path);
+/** Begin to read a text. */
+source source_open(const char *path, const char *text, size_t length);
+/** The next token: one of the marks, a text in quotes with them, or what stands up to a blank or a
+ * mark; blanks, line ends and comments are passed over. Empty at the end. */
+word token(source *f, const char *marks);
+/** The next token must be this. */
+void token_want(source *f, const char *marks, const char *expected);
+/** 1 after a comma, 0 after `close`. */
+int token_goes_on(source *f, const char *marks, const char *close);
 
 /** SHA-256 of bytes as 64 hexadecimal digits and a NUL. */
 void sha256_text(char out[65], const char *bytes, size_t length);

@@ -18,20 +18,19 @@ lines lines_open(const char *path);
 /** The next line without its end, valid until the next; 0 at the end of the file. */
 int lines_next(lines *l, word *out);
 
-/** What proofs/claims.md sections 3 and 4 make of a word. */
-typedef struct verdict {
-    unsigned long i, t, k;
-    int position; /* 1 to 9; 0 for unsweep */
-    const char *pmc, *class_, *definition;
-} verdict;
-
-verdict verdict_of(const char *states, size_t length, int unsweep, int combined);
-
 /** What a certificate's head says. */
 typedef struct head {
-    int dimension, unsweep, combined, triangulate;
+    int dimension, unsweep, combined;
     char solid[65], motion[65], scene[65];
 } head;
+
+/** What proofs/claims.md sections 3 and 4 make of a word. */
+typedef struct verdict {
+    char claims[80]; /* pmc, and for a sweep class, definition, case, i, t; commas between them */
+    unsigned long k; /* for a sweep */
+} verdict;
+
+verdict verdict_of(word states, const head *h);
 
 /** A golden table, its head held to that of the certificate. */
 typedef struct table {
@@ -41,8 +40,8 @@ typedef struct table {
 } table;
 
 table table_open(const char *path, const head *h);
-/** The next row of the table must say this. */
-void table_row(table *t, const mpq_t *point, const char *states, const verdict *v);
+/** The next row of the table; if it is `held`, it must say this. */
+void table_row(table *t, int held, const mpq_t *point, const char *states);
 /** The table must end with `# complete N`. */
 void table_end(table *t);
 

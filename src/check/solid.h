@@ -18,7 +18,7 @@ typedef struct box {
  * which its normal is not zero. */
 typedef struct simplex {
     size_t v[3], facet;
-    mpz_t plane[4];
+    mpz_t *plane;
     int axis;
     box box;
 } simplex;
@@ -31,7 +31,7 @@ typedef struct node {
 
 typedef struct solid {
     int d;
-    size_t vertex_count, count, node_count;
+    size_t vertex_count, count, room, node_count;
     mpz_t *x; /* d for each vertex; equal positions have one number */
     mpz_t scale;
     simplex *simplex;
@@ -43,17 +43,18 @@ typedef struct list {
     size_t count, room, *item;
 } list;
 
-/** Read OFF or WKT by the path's extension, and cut the facets. Gives up at what it does not read;
- * refutes what no solid has. */
-solid solid_read(const char *path, const char *text, size_t length, int triangulate);
-/** Forms, boxes, tree, of the simplices that the reader made. */
+/** Read OFF or WKT by the path's extension. Gives up at what it does not read; refutes what no
+ * solid has. */
+solid solid_read(const char *path, const char *text, size_t length);
+/** Forms, boxes, tree, of the simplices that the reader made; the pieces of a facet are held to one
+ * plane and one turn. */
 void solid_finish(solid *s);
 
 /** The simplices whose boxes have a point in common with b. */
 void solid_near(list *out, const solid *s, const box *b);
-/** Side form k < d: not negative on the simplex within its plane, without the coordinate `axis`. d
- * + 1 initialised integers. */
-void solid_side(mpz_t *out, const solid *s, const simplex *f, int k);
+/** Side form k < d, d + 1 integers: not negative on the simplex within its plane, without the
+ * coordinate `axis`, in which its normal is not zero. */
+void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k);
 /** The sign of a form at a homogeneous point of d + 1 integers, the last positive. */
 int form_sign(const mpz_t *form, const mpz_t *x, int d);
 
@@ -67,7 +68,8 @@ int solid_ray(long *sum, const solid *s, const mpz_t *x, int axis, const simplex
 /** All of proofs/certificate.md on the legal solid; refutes or gives up. */
 void solid_check(const solid *s);
 
-/** Bounds of x / w, w > 0, in doubles, and of boxes. */
-void ratio_bounds(double *low, double *high, const mpz_t x, const mpz_t w);
+/** Make a box hold the point with the d coordinates x[i] / x[d], x[d] > 0; `first` in an empty one.
+ */
+void box_take(box *b, mpz_t *const *x, size_t k, int d, int first);
 
 #endif

@@ -32,59 +32,61 @@ static _Noreturn void differs(const table *t, const char *what) {
     refute("%s:%zu: the table differs from the certificate in %s", t->l.path, t->l.line, what);
 }
 
-/* A line `# KEY VALUE`: is it held to the certificate? */
-static void check_head(const table *t, const char *key, word value, const char *line_key,
-                       size_t *seen, size_t bit, const char *expected) {
-    if (strcmp(key, line_key) != 0)
-        return;
-    if (!word_is(value, expected))
-        differs(t, key);
-    *seen |= bit;
-}
+enum { KEYS = 9 };
 
-static void check_line(const table *t, word line, size_t *seen) {
+/* A line `# KEY VALUE` is held to the certificate if its key is one of these; `seen` has a bit for
+ * each. */
+static void check_line(const table *t, word line, unsigned *seen) {
     const head *h = t->h;
+    const char *const keys[KEYS][2] = {{"contract", "1"},
+                                       {"dimension", h->dimension == 2 ? "2" : "3"},
+                                       {"solid-sha256", h->solid},
+                                       {"motion-sha256", h->motion},
+                                       {"scene-sha256", h->scene},
+                                       {"operation", h->unsweep ? "unsweep" : "sweep"},
+                                       {"folds", h->combined ? "combined" : "separate"},
+                                       {"round", "none"},
+                                       {"triangulate", "no"}};
     const char *at = line.at, *end = at + line.length;
     word mark, key, value;
-    char name[32] = "";
-    if (!word_next(&mark, &at, end) || !word_next(&key, &at, end) || key.length >= sizeof name)
-        return;
+    (void)word_next(&mark, &at, end);
+    (void)word_next(&key, &at, end);
     (void)word_next(&value, &at, end);
-    memcpy(name, key.at, key.length);
-    check_head(t, "contract", value, name, seen, 1, "1");
-    check_head(t, "dimension", value, name, seen, 2, h->dimension == 2 ? "2" : "3");
-    check_head(t, "solid-sha256", value, name, seen, 4, h->solid);
-    check_head(t, "motion-sha256", value, name, seen, 8, h->motion);
-    check_head(t, "scene-sha256", value, name, seen, 16, h->scene);
-    check_head(t, "operation", value, name, seen, 32, h->unsweep ? "unsweep" : "sweep");
-    check_head(t, "folds", value, name, seen, 64, h->combined ? "combined" : "separate");
-    check_head(t, "round", value, name, seen, 128, "none");
-    check_head(t, "triangulate", value, name, seen, 256, h->triangulate ? "yes" : "no");
+    for (int k = 0; k < KEYS; k++) {
+        if (!word_is(key, keys[k][0]))
+            continue;
+        if (!word_is(value, keys[k][1]))
+            differs(t, keys[k][0]);
+        *seen |= 1u << k;
+    }
 }
 
-/* The next cell of a row, up to a comma or the end. */
-static word next_cell(const char **at, const char *end) {
-    word out = {*at, 0};
-    while (*at < end && **at != ',')
-        ++*at;
-    out.length = (size_t)(*at - out.at);
-    *at += *at < end;
+/* What stands before the next comma. */
+static word next_cell(word *rest) {
+    word out = {rest->at, 0};
+    while (out.length < rest->length && out.at[out.length] != ',')
+        out.length++;
+    word_skip(rest, out.length);
+    (void)word_take(rest, ",");
     return out;
 }
 
-static void check_columns(const table *t, word line) {
-    static const char *const sweep[] = {"pmc", "class", "definition", "case", "i", "t", "word", 0};
-    static const char *const unsweep[] = {"pmc", "word", 0};
-    static const char *const names[] = {"x", "y", "z"};
-    const char *at = line.at, *end = at + line.length;
-    for (int k = 0; k < t->h->dimension; k++)
-        if (!word_is(next_cell(&at, end), names[k]))
-            differs(t, "its columns");
-    for (const char *const *want = t->h->unsweep ? unsweep : sweep; *want; want++)
-        if (!word_is(next_cell(&at, end), *want))
-            differs(t, "its columns");
-    while (at < end) {
-        word w = next_cell(&at, end);
+/* The next cells are these, and a cell ends behind them. */
+static int cells_are(word *rest, const char *expected) {
+    size_t n = strlen(expected);
+    int same = rest->length >= n && memcmp(rest->at, expected, n) == 0 &&
+               (rest->length == n || rest->at[n] == ',');
+    if (same)
+        word_skip(rest, n + (rest->length > n));
+    return same;
+}
+
+static void check_columns(const table *t, word rest) {
+    if (!cells_are(&rest, t->h->dimension == 2 ? "x,y" : "x,y,z") ||
+        !cells_are(&rest, t->h->unsweep ? "pmc,word" : "pmc,class,definition,case,i,t,word"))
+        differs(t, "its columns");
+    while (rest.length > 0) {
+        word w = next_cell(&rest);
         if (word_is(w, "topo") || word_is(w, "sdf"))
             fprintf(stderr, "graze-check: note: column %.*s is not certified\n", WORD(w));
     }
@@ -93,10 +95,10 @@ static void check_columns(const table *t, word line) {
 table table_open(const char *path, const head *h) {
     table t = {lines_open(path), h, 0};
     word line;
-    size_t seen = 0;
+    unsigned seen = 0;
     while (lines_next(&t.l, &line)) {
         if (line.length == 0 || *line.at != '#') {
-            if (seen != 511)
+            if (seen != (1u << KEYS) - 1)
                 differs(&t, "its head, of which lines are missing");
             check_columns(&t, line);
             return t;
@@ -106,53 +108,43 @@ table table_open(const char *path, const head *h) {
     refute("%s: the table has no rows", path);
 }
 
-static void check_cell(const table *t, word w, const char *expected, const char *name) {
-    if (!word_is(w, expected))
-        differs(t, name);
-}
-
-static void check_count(const table *t, word w, unsigned long expected, const char *name) {
-    size_t value;
-    if (!count_read(&value, w) || value != expected)
-        differs(t, name);
-}
-
-void table_row(table *t, const mpq_t *point, const char *states, const verdict *v) {
-    word line;
+static void check_row(const table *t, word rest, const mpq_t *point, const char *states) {
+    verdict v = verdict_of((word){states, strlen(states)}, t->h);
     mpq_t x;
     mpq_init(x);
-    if (!lines_next(&t->l, &line) || line.length == 0 || *line.at == '#')
-        refute("%s:%zu: the table has fewer rows than the certificate", t->l.path, t->l.line);
-    const char *at = line.at, *end = at + line.length;
     for (int k = 0; k < t->h->dimension; k++)
-        if (!number_read(x, next_cell(&at, end)) || !mpq_equal(x, point[k]))
+        if (!number_read(x, next_cell(&rest)) || !mpq_equal(x, point[k]))
             differs(t, "the point");
-    check_cell(t, next_cell(&at, end), v->pmc, "pmc");
-    if (!t->h->unsweep) {
-        check_cell(t, next_cell(&at, end), v->class_, "class");
-        check_cell(t, next_cell(&at, end), v->definition, "definition");
-        check_count(t, next_cell(&at, end), (unsigned long)v->position, "case");
-        check_count(t, next_cell(&at, end), v->i, "i");
-        check_count(t, next_cell(&at, end), v->t, "t");
-    }
-    check_cell(t, next_cell(&at, end), states, "the word");
+    mpq_clear(x);
+    if (!cells_are(&rest, v.claims))
+        refute("%s:%zu: the table differs from the certificate; expected %s", t->l.path, t->l.line,
+               v.claims);
+    if (!cells_are(&rest, states))
+        differs(t, "the word");
     size_t quotes = 0;
-    for (; at < end; at++)
-        quotes += *at == '"';
+    for (size_t k = 0; k < rest.length; k++)
+        quotes += rest.at[k] == '"';
     if (quotes % 2 != 0)
         give_up("%s:%zu: a cell with a line break", t->l.path, t->l.line);
+}
+
+void table_row(table *t, int held, const mpq_t *point, const char *states) {
+    word line;
+    if (!lines_next(&t->l, &line) || line.length == 0 || *line.at == '#')
+        refute("%s:%zu: the table has fewer rows than the certificate", t->l.path, t->l.line);
+    if (held)
+        check_row(t, line, point, states);
     t->rows++;
-    mpq_clear(x);
 }
 
 void table_end(table *t) {
-    word line, mark, name, count;
+    word line, mark, name, count, more;
     size_t rows;
     if (!lines_next(&t->l, &line))
         refute("%s: the table is not complete", t->l.path);
     const char *at = line.at, *end = at + line.length;
     if (!word_next(&mark, &at, end) || !word_is(mark, "#") || !word_next(&name, &at, end) ||
         !word_is(name, "complete") || !word_next(&count, &at, end) || !count_read(&rows, count) ||
-        rows != t->rows || lines_next(&t->l, &line))
+        rows != t->rows || word_next(&more, &at, end) || lines_next(&t->l, &line))
         refute("%s:%zu: the table does not end with the number of its rows", t->l.path, t->l.line);
 }

@@ -3,24 +3,26 @@
  */
 #include "trace.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* What is known of a polynomial on an interval: its sign before, at and after the root, as '-',
- * '0',
- * '+', or '?'. '0' before or after says that it is the zero polynomial. */
+/* Before, at and after the root. */
+enum { LEFT, MID, RIGHT, PLACES };
+enum { UNKNOWN = 2 };
+
+/* Signs of a polynomial there, or UNKNOWN. 0 before or after says that it is the zero polynomial.
+ */
 typedef struct profile {
-    char left, mid, right;
+    int at[PLACES];
 } profile;
 
 /* The interval at hand. */
 typedef struct claim {
-    char left, right; /* O, I or B; 0: the interval has no such side */
-    const poly *q;
-    int q_left, q_right; /* signs of q on the sides */
     mpq_t a, b;
-    int left_certain, mid_certain, right_certain; /* some simplex holds the trajectory there */
+    char letter[PLACES]; /* O, I or B; 0: the interval has no such side */
+    const poly *q;
+    int q_sign[PLACES]; /* of q on the sides */
+    int held[PLACES];   /* some simplex holds the trajectory there, for certain */
 } claim;
 
 static _Noreturn void fail(const trace *r, const char *what) {
@@ -28,55 +30,16 @@ static _Noreturn void fail(const trace *r, const char *what) {
 }
 
 void trace_init(trace *r, const solid *s, const motion *m, int unsweep) {
-    memset(r, 0, sizeof *r);
-    r->s = s;
-    r->m = m;
-    r->unsweep = unsweep;
-    mpq_inits(r->at, r->sample, NULL);
-    for (int i = 0; i < 3; i++)
-        mpq_init(r->point[i]);
-    for (int i = 0; i < 4; i++) {
-        poly_init(&r->x[i]);
-        mpz_init(r->form[i]);
-    }
-}
-
-static mpz_t *more(mpz_t *old, size_t have, size_t want) {
-    mpz_t *out = grow(old, want, sizeof *out);
-    for (size_t k = have; k < want; k++)
-        mpz_init(out[k]);
-    return out;
-}
-
-static void fit(trace *r, size_t n) {
-    if (n + 1 <= r->beta_room)
-        return;
+    *r = (trace){.s = s, .m = m, .unsweep = unsweep};
+    mpq_inits(r->at, r->sample, r->point[0], r->point[1], r->point[2], NULL);
     for (int i = 0; i < 4; i++)
-        r->beta[i] = more(r->beta[i], r->beta_room, n + 1);
-    r->value = more(r->value, r->beta_room, n + 1);
-    r->root = more(r->root, r->beta_room, n + 1);
-    r->beta_room = n + 1;
+        r->beta[i] = integers(MOST_DEGREE + 1);
+    r->root = integers(MOST_DEGREE + 1);
+    r->form = integers(5);
 }
 
-void trace_clear(trace *r) {
-    mpz_t *all[] = {r->beta[0], r->beta[1], r->beta[2], r->beta[3], r->value, r->root};
-    for (int i = 0; i < 6; i++) {
-        for (size_t k = 0; k < r->beta_room; k++)
-            mpz_clear(all[i][k]);
-        free(all[i]);
-    }
-    mpq_clears(r->at, r->sample, NULL);
-    for (int i = 0; i < 3; i++)
-        mpq_clear(r->point[i]);
-    for (int i = 0; i < 4; i++) {
-        poly_clear(&r->x[i]);
-        mpz_clear(r->form[i]);
-    }
-    free(r->word);
-    free(r->near.item);
-}
-
-void trace_start(trace *r) {
+void trace_start(trace *r, word claimed) {
+    r->word = claimed;
     mpq_set(r->at, r->m->piece[0].lo);
     r->piece = 0;
     r->made = 0;
@@ -84,43 +47,41 @@ void trace_start(trace *r) {
     r->free = 0;
 }
 
+/* ---------------------------------------------------------------------------------- trajectory */
+
 /* With P = p / q: X_i = scale (sum_j N_ij p_j + N_id q), W = weight q. */
 static void make_trajectory(trace *r) {
     const piece *m = &r->m->piece[r->piece];
-    const poly(*map)[4] = r->unsweep ? m->forward : m->inverse;
-    const poly *weight = r->unsweep ? &m->forward_weight : &m->inverse_weight;
+    const poly *map = r->unsweep ? m->forward : m->inverse;
     int d = r->m->d;
     mpz_t q, p;
     mpz_inits(q, p, NULL);
     mpz_set_ui(q, 1);
     for (int j = 0; j < d; j++)
         mpz_lcm(q, q, mpq_denref(r->point[j]));
-    for (int i = 0; i < d; i++) {
+    for (int i = 0; i <= d; i++) {
         r->x[i].n = 0;
-        poly_add_scaled(&r->x[i], &map[i][d], q);
-        for (int j = 0; j < d; j++) {
+        poly_add_scaled(&r->x[i], i < d ? &map[4 * i + d] : &map[WEIGHT], q);
+        for (int j = 0; i < d && j < d; j++) {
             mpz_divexact(p, q, mpq_denref(r->point[j]));
             mpz_mul(p, p, mpq_numref(r->point[j]));
-            poly_add_scaled(&r->x[i], &map[i][j], p);
+            poly_add_scaled(&r->x[i], &map[4 * i + j], p);
         }
-        poly_scale(&r->x[i], r->s->scale);
+        if (i < d)
+            poly_scale(&r->x[i], r->s->scale);
     }
-    r->x[d].n = 0;
-    poly_add_scaled(&r->x[d], weight, q);
     r->n = 0;
     for (int i = 0; i <= d; i++)
-        if (r->x[i].n > r->n + 1)
-            r->n = r->x[i].n - 1;
-    fit(r, r->n);
+        r->n = r->x[i].n > r->n + 1 ? r->x[i].n - 1 : r->n;
     mpz_clears(q, p, NULL);
     r->made = 1;
 }
 
-/* W > 0 on the whole piece or W < 0 on the whole piece (motion_check_signs); made positive here. */
+/* Change all signs where W < 0, which it is on the whole piece or nowhere (K6). */
 static void make_weight_positive(trace *r) {
-    int d = r->m->d, sign = mpz_sgn(r->beta[d][0]);
+    int d = r->m->d;
     mpz_t minus;
-    if (sign >= 0)
+    if (mpz_sgn(r->beta[d][0]) >= 0)
         return;
     mpz_init_set_si(minus, -1);
     for (int i = 0; i <= d; i++) {
@@ -131,10 +92,10 @@ static void make_weight_positive(trace *r) {
     mpz_clear(minus);
 }
 
-/* The interval lies in one piece; its coefficients, and the simplices near it. */
+/* The interval lies in one piece; its coefficients, and the simplices near it: test L1. */
 static void enclose(trace *r, const claim *c) {
     int d = r->m->d;
-    box b = {{0, 0, 0}, {0, 0, 0}};
+    box b;
     while (r->piece < r->m->count && mpq_cmp(c->a, r->m->piece[r->piece].hi) >= 0) {
         r->piece++;
         r->made = 0;
@@ -148,174 +109,228 @@ static void enclose(trace *r, const claim *c) {
     make_weight_positive(r);
     if (strict_sign(r->beta[d], r->n + 1) != 1)
         fail(r, "the weight's coefficients do not have one sign on the interval");
-    for (int i = 0; i < d; i++)
-        for (size_t k = 0; k <= r->n; k++) {
-            double low, high;
-            ratio_bounds(&low, &high, r->beta[i][k], r->beta[d][k]);
-            b.low[i] = k == 0 || low < b.low[i] ? low : b.low[i];
-            b.high[i] = k == 0 || high > b.high[i] ? high : b.high[i];
-        }
+    for (size_t k = 0; k <= r->n; k++)
+        box_take(&b, r->beta, k, d, k == 0);
     solid_near(&r->near, r->s, &b);
 }
 
-/* Coefficient k of a form's pullback. */
-static void pull_back(mpz_t out, const trace *r, const mpz_t *form, size_t k) {
-    mpz_set_ui(out, 0);
+/* ---------------------------------------------------------------------------------------- forms */
+
+/* The sign of coefficient k of a form's pullback. */
+static int pulled_sign(trace *r, const mpz_t *form, size_t k) {
+    mpz_t *value = &r->form[4];
+    mpz_set_ui(*value, 0);
     for (int i = 0; i <= r->m->d; i++)
-        mpz_addmul(out, form[i], r->beta[i][k]);
+        mpz_addmul(*value, form[i], r->beta[i][k]);
+    return mpz_sgn(*value);
 }
 
 /* The one strict sign of a form's pullback on the interval, or 0. */
 static int form_strict(trace *r, const mpz_t *form) {
-    int sign = 0;
-    for (size_t k = 0; k <= r->n; k++) {
-        pull_back(r->value[0], r, form, k);
-        int s = mpz_sgn(r->value[0]);
-        if (s == 0 || (k > 0 && s != sign))
-            return 0;
-        sign = s;
-    }
+    int sign = pulled_sign(r, form, 0);
+    for (size_t k = 1; k <= r->n && sign != 0; k++)
+        if (pulled_sign(r, form, k) != sign)
+            sign = 0;
     return sign;
 }
 
-/* 1 if no coefficient is negative (all are zero, for a plane). */
-static int form_not_negative(trace *r, const mpz_t *form, int zero) {
+/* 1 if all coefficients of a form's pullback are 0, or if `most` is 1, none is negative. */
+static int form_holds(trace *r, const mpz_t *form, int most) {
     for (size_t k = 0; k <= r->n; k++) {
-        pull_back(r->value[0], r, form, k);
-        int s = mpz_sgn(r->value[0]);
-        if (s < 0 || (zero && s != 0))
+        int sign = pulled_sign(r, form, k);
+        if (sign < 0 || sign > most)
             return 0;
     }
     return 1;
 }
 
+static const mpz_t *side_form(trace *r, const simplex *f, int k) {
+    solid_side(r->form, r->s, f, f->axis, k);
+    return (const mpz_t *)r->form;
+}
+
 /* Tests L2 and L3. */
 static int cleared(trace *r, const simplex *f) {
-    if (form_strict(r, (const mpz_t *)f->plane) != 0)
-        return 1;
-    for (int k = 0; k < r->s->d; k++) {
-        solid_side(r->form, r->s, f, k);
-        if (form_strict(r, (const mpz_t *)r->form) < 0)
-            return 1;
-    }
-    return 0;
+    int clear = form_strict(r, (const mpz_t *)f->plane) != 0;
+    for (int k = 0; k < r->s->d && !clear; k++)
+        clear = form_strict(r, side_form(r, f, k)) < 0;
+    return clear;
 }
 
-static char sign_letter(int sign) {
-    return sign > 0 ? '+' : sign < 0 ? '-' : '?';
-}
-
+/* f = q^e g, e as large as can be: the signs of g and of q give those of f. */
 static profile form_profile(trace *r, const claim *c, const mpz_t *form) {
     int sign = form_strict(r, form);
-    if (sign != 0)
-        return (profile){sign_letter(sign), sign_letter(sign), sign_letter(sign)};
-    poly f;
-    poly_init(&f);
-    for (int i = 0; i <= r->m->d; i++)
+    profile out = {{sign, sign, sign}};
+    poly f = {0};
+    for (int i = 0; i <= r->m->d && sign == 0; i++)
         poly_add_scaled(&f, &r->x[i], form[i]);
-    profile out = {'0', '0', '0'};
     if (f.n > 0) {
         size_t power = 0;
-        while (poly_divide(&f, &f, c->q))
+        while (poly_divide(&f, c->q))
             power++;
         bernstein(r->root, &f, f.n - 1, c->a, c->b);
         sign = strict_sign(r->root, f.n);
-        int odd = power % 2 == 1;
-        out = (profile){sign_letter(sign * (odd ? c->q_left : 1)), power > 0 ? '0' : '?',
-                        sign_letter(sign * (odd ? c->q_right : 1))};
+        for (int p = 0; p < PLACES; p++)
+            out.at[p] = sign == 0 ? UNKNOWN : power % 2 == 1 ? sign * c->q_sign[p] : sign;
+        out.at[MID] = power > 0 ? 0 : UNKNOWN;
     }
     poly_clear(&f);
     return out;
 }
 
-/* A simplex near the root: is it left out on the sides that must be free of it, and where does it
- * hold the trajectory for certain? Tests L4, L5, H. */
+/* ---------------------------------------------------------------------------------------- claims
+ */
+
+/* A simplex near the root: tests L4 and L5 on the sides that must be free of it; and where does it
+ * hold the trajectory? */
 static void meet(trace *r, claim *c, const simplex *f) {
     profile plane = form_profile(r, c, (const mpz_t *)f->plane);
-    int left_out = plane.left == '-' || plane.left == '+';
-    int right_out = plane.right == '-' || plane.right == '+';
-    int left_in = plane.left == '0', mid_in = plane.mid == '0', right_in = plane.right == '0';
-    for (int k = 0; k < r->s->d; k++) {
-        solid_side(r->form, r->s, f, k);
-        profile side = form_profile(r, c, (const mpz_t *)r->form);
-        left_out = left_out || side.left == '-';
-        right_out = right_out || side.right == '-';
-        left_in = left_in && (side.left == '0' || side.left == '+');
-        mid_in = mid_in && (side.mid == '0' || side.mid == '+');
-        right_in = right_in && (side.right == '0' || side.right == '+');
+    int out[PLACES], in[PLACES];
+    for (int p = 0; p < PLACES; p++) {
+        out[p] = plane.at[p] == 1 || plane.at[p] == -1;
+        in[p] = plane.at[p] == 0;
     }
-    if (((c->left == 'O' || c->left == 'I') && !left_out) ||
-        ((c->right == 'O' || c->right == 'I') && !right_out))
-        refute("line %zu, row %zu: facet %zu is not cleared beside the root", r->line, r->row,
-               f->facet);
-    c->left_certain |= left_in;
-    c->mid_certain |= mid_in;
-    c->right_certain |= right_in;
+    for (int k = 0; k < r->s->d; k++) {
+        profile side = form_profile(r, c, side_form(r, f, k));
+        for (int p = 0; p < PLACES; p++) {
+            out[p] = out[p] || side.at[p] == -1;
+            in[p] = in[p] && (side.at[p] == 0 || side.at[p] == 1);
+        }
+    }
+    for (int p = 0; p < PLACES; p++) {
+        if ((c->letter[p] == 'O' || c->letter[p] == 'I') && !out[p])
+            refute("line %zu, row %zu: facet %zu is not cleared beside the root", r->line, r->row,
+                   f->facet);
+        c->held[p] = c->held[p] || in[p];
+    }
+}
+
+static const simplex *near_simplex(const trace *r, size_t k) {
+    return &r->s->simplex[r->near.item[k]];
+}
+
+static void check_root(trace *r, claim *c) {
+    const char *side = c->letter;
+    for (size_t k = 0; k < r->near.count; k++)
+        if (!cleared(r, near_simplex(r, k)))
+            meet(r, c, near_simplex(r, k));
+    for (int p = LEFT; p <= RIGHT; p += 2)
+        if (side[p] == 'B' && !c->held[p])
+            fail(r, "no facet holds the trajectory beside the root");
+    int implied = side[LEFT] == 'B' || side[RIGHT] == 'B' ||
+                  (side[LEFT] && side[RIGHT] && side[LEFT] != side[RIGHT]);
+    if (!implied && !c->held[MID])
+        fail(r, "no facet holds the trajectory at the root");
 }
 
 static void check_clear(trace *r) {
-    for (size_t k = 0; k < r->near.count; k++) {
-        const simplex *f = &r->s->simplex[r->near.item[k]];
-        if (!cleared(r, f))
-            refute("line %zu, row %zu: facet %zu is not cleared", r->line, r->row, f->facet);
-    }
+    for (size_t k = 0; k < r->near.count; k++)
+        if (!cleared(r, near_simplex(r, k)))
+            refute("line %zu, row %zu: facet %zu is not cleared", r->line, r->row,
+                   near_simplex(r, k)->facet);
 }
 
 static void check_slide(trace *r) {
     int found = 0;
     for (size_t k = 0; k < r->near.count && !found; k++) {
-        const simplex *f = &r->s->simplex[r->near.item[k]];
-        found = form_not_negative(r, (const mpz_t *)f->plane, 1);
-        for (int i = 0; i < r->s->d && found; i++) {
-            solid_side(r->form, r->s, f, i);
-            found = form_not_negative(r, (const mpz_t *)r->form, 0);
-        }
+        const simplex *f = near_simplex(r, k);
+        found = form_holds(r, (const mpz_t *)f->plane, 0);
+        for (int i = 0; i < r->s->d && found; i++)
+            found = form_holds(r, side_form(r, f, i), 1);
     }
     if (!found)
         fail(r, "no facet holds the trajectory on the interval");
 }
 
-static void check_root(trace *r, claim *c) {
-    for (size_t k = 0; k < r->near.count; k++) {
-        const simplex *f = &r->s->simplex[r->near.item[k]];
-        if (!cleared(r, f))
-            meet(r, c, f);
-    }
-    if ((c->left == 'B' && !c->left_certain) || (c->right == 'B' && !c->right_certain))
-        fail(r, "no facet holds the trajectory beside the root");
-    int forced = c->left && c->right && (c->left == 'B' || c->left != c->right || c->right == 'B');
-    if (!forced && !c->mid_certain)
-        fail(r, "no facet holds the trajectory at the root");
-}
-
 /* q has just one root in the open interval, a simple one, and none at its ends: one sign change
  * (proofs/claims.md C24). */
 static void isolate(trace *r, claim *c) {
-    size_t changes = 0;
-    int last = 0;
+    size_t changes = 0, last = c->q->n - 1;
+    int sign = 0;
     if (c->q->n < 2 || c->q->n > r->n + 1)
         fail(r, "the polynomial's degree is not that of a divisor");
-    bernstein(r->root, c->q, c->q->n - 1, c->a, c->b);
-    for (size_t k = 0; k < c->q->n; k++) {
+    bernstein(r->root, c->q, last, c->a, c->b);
+    for (size_t k = 0; k <= last; k++) {
         int s = mpz_sgn(r->root[k]);
-        changes += s != 0 && last != 0 && s != last;
-        last = s != 0 ? s : last;
+        changes += s != 0 && sign != 0 && s != sign;
+        sign = s != 0 ? s : sign;
     }
-    c->q_left = mpz_sgn(r->root[0]);
-    c->q_right = mpz_sgn(r->root[c->q->n - 1]);
-    if (changes != 1 || c->q_left == 0 || c->q_right == 0)
+    c->q_sign[LEFT] = mpz_sgn(r->root[0]);
+    c->q_sign[RIGHT] = mpz_sgn(r->root[last]);
+    if (changes != 1 || c->q_sign[LEFT] == 0 || c->q_sign[RIGHT] == 0)
         fail(r, "the interval does not isolate one root of the polynomial");
 }
 
 /* q = t - e for an end e of the interval. */
 static void root_at_end(poly *q, claim *c) {
-    const mpq_t *e = c->left ? (const mpq_t *)&c->b : (const mpq_t *)&c->a;
-    poly_zeros(q, 2);
+    const mpq_t *e = c->letter[LEFT] ? (const mpq_t *)&c->b : (const mpq_t *)&c->a;
+    poly_extend(q, 2);
     mpz_neg(q->c[0], mpq_numref(*e));
     mpz_set(q->c[1], mpq_denref(*e));
     c->q = q;
-    c->q_left = -1;
-    c->q_right = 1;
+    c->q_sign[LEFT] = -1;
+    c->q_sign[RIGHT] = 1;
+}
+
+static void check_kind(trace *r, claim *c, word kind, const poly *q) {
+    poly end = {0};
+    enclose(r, c);
+    if (kind.length == 1) {
+        (*kind.at == 'B' ? check_slide : check_clear)(r);
+        return;
+    }
+    c->letter[LEFT] = kind.length == 3 || *kind.at != 'B' ? kind.at[0] : 0;
+    c->letter[RIGHT] = kind.length == 3 || *kind.at == 'B' ? kind.at[kind.length - 1] : 0;
+    c->q = q;
+    if (kind.length == 2)
+        root_at_end(&end, c);
+    else
+        isolate(r, c);
+    check_root(r, c);
+    poly_clear(&end);
+}
+
+/* ---------------------------------------------------------------------------------------- states
+ */
+
+/* c at the sample as d + 1 homogeneous integers, the last positive. */
+static void sample_position(mpz_t *out, const trace *r) {
+    int d = r->m->d;
+    mpz_t power;
+    mpz_init(power);
+    for (int i = 0; i <= d; i++) {
+        mpz_set_ui(power, 1);
+        for (size_t k = r->n + 1; k-- > 0;) {
+            mpz_mul(out[i], out[i], mpq_numref(r->sample));
+            if (k < r->x[i].n)
+                mpz_addmul(out[i], power, r->x[i].c[k]);
+            mpz_mul(power, power, mpq_denref(r->sample));
+        }
+    }
+    int negative = mpz_sgn(out[d]) < 0;
+    for (int i = 0; i <= d && negative; i++)
+        mpz_neg(out[i], out[i]);
+    mpz_clear(power);
+}
+
+/* The state of the stretch that ends, by one ray (proofs/claims.md C6). */
+static void check_state(trace *r) {
+    size_t keep = r->piece;
+    long sum;
+    if (!r->free)
+        return;
+    if (r->sample_piece != r->piece || !r->made) {
+        r->piece = r->sample_piece;
+        make_trajectory(r);
+    }
+    mpz_t *x = integers(4);
+    sample_position(x, r);
+    if (!solid_ray(&sum, r->s, (const mpz_t *)x, 0, NULL) || sum != (r->free == 'I'))
+        fail(r, "the state between two contacts is not what is claimed");
+    integers_free(x, 4);
+    r->made = r->made && keep == r->piece;
+    r->piece = keep;
+    r->free = 0;
 }
 
 /* The trajectory is off X at a time of the stretch r->free; keep the shortest. */
@@ -329,52 +344,12 @@ static void offer_sample(trace *r, const mpq_t t, int first) {
     r->sample_piece = r->piece;
 }
 
-/* The state of the stretch, by one ray (proofs/claims.md C6). */
-static void check_state(trace *r) {
-    size_t keep = r->piece;
-    int d = r->m->d;
-    mpz_t at[4], power;
-    long sum;
-    if (!r->free)
-        return;
-    if (r->sample_piece != r->piece || !r->made) {
-        r->piece = r->sample_piece;
-        make_trajectory(r);
-    }
-    mpz_init(power);
-    for (int i = 0; i <= d; i++) {
-        mpz_init(at[i]);
-        mpz_set_ui(power, 1);
-        for (size_t k = r->n + 1; k-- > 0;) {
-            mpz_mul(at[i], at[i], mpq_numref(r->sample));
-            if (k < r->x[i].n)
-                mpz_addmul(at[i], power, r->x[i].c[k]);
-            mpz_mul(power, power, mpq_denref(r->sample));
-        }
-    }
-    int negative = mpz_sgn(at[d]) < 0;
-    for (int i = 0; i <= d && negative; i++)
-        mpz_neg(at[i], at[i]);
-    if (!solid_ray(&sum, r->s, at, 0, NULL) || sum != (r->free == 'I'))
-        fail(r, "the state between two contacts is not what is claimed");
-    for (int i = 0; i <= d; i++)
-        mpz_clear(at[i]);
-    mpz_clear(power);
-    if (keep != r->piece)
-        r->made = 0;
-    r->piece = keep;
-    r->free = 0;
-}
-
 /* A letter at one or more times of the interval, those from `a` on or up to `b` where given. */
 static void add_letter(trace *r, char letter, const mpq_t *a, const mpq_t *b) {
-    if (r->length == 0 || r->word[r->length - 1] != letter) {
-        if (r->length >= MOST_WORD)
-            give_up("line %zu: a word of more than %d letters", r->line, MOST_WORD);
+    if (r->length == 0 || r->word.at[r->length - 1] != letter) {
         check_state(r);
-        r->word = room_for(r->word, r->length + 1, &r->room, 1);
-        r->word[r->length++] = letter;
-        r->word[r->length] = '\0';
+        if (r->length == r->word.length || r->word.at[r->length++] != letter)
+            fail(r, "the intervals' word is not the row's");
     }
     if (letter == 'B')
         return;
@@ -386,35 +361,15 @@ static void add_letter(trace *r, char letter, const mpq_t *a, const mpq_t *b) {
         offer_sample(r, *b, first && !a);
 }
 
+/* O, I, B; one of O, I beside B; B between two of O, I, B. */
 static int is_kind(word w) {
-    static const char *const kinds[] = {"O",   "I",   "B",   "BO",  "BI",  "OB",  "IB",  "OBO",
-                                        "OBI", "IBO", "IBI", "OBB", "IBB", "BBO", "BBI", "BBB"};
-    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
-        if (word_is(w, kinds[k]))
-            return 1;
-    return 0;
-}
-
-static void check_kind(trace *r, claim *c, word kind, const poly *q) {
-    poly end;
-    poly_init(&end);
-    enclose(r, c);
-    if (kind.length == 1 && *kind.at == 'B') {
-        check_slide(r);
-    } else if (kind.length == 1) {
-        check_clear(r);
-    } else {
-        c->left = kind.at[0] == 'B' && kind.length == 2 ? 0 : kind.at[0];
-        c->right =
-            kind.at[kind.length - 1] == 'B' && kind.length == 2 ? 0 : kind.at[kind.length - 1];
-        c->q = q;
-        if (kind.length == 2)
-            root_at_end(&end, c);
-        else
-            isolate(r, c);
-        check_root(r, c);
+    size_t contacts = 0;
+    for (size_t k = 0; k < w.length; k++) {
+        if (w.at[k] != 'O' && w.at[k] != 'I' && w.at[k] != 'B')
+            return 0;
+        contacts += w.at[k] == 'B';
     }
-    poly_clear(&end);
+    return w.length == 1 || (w.length == 2 && contacts == 1) || (w.length == 3 && w.at[1] == 'B');
 }
 
 void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
@@ -424,7 +379,7 @@ void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
                 "much");
     if (mpq_cmp(r->at, to) >= 0)
         fail(r, "an interval does not end after its beginning");
-    if (r->length > 0 && r->word[r->length - 1] != *kind.at)
+    if (r->length > 0 && r->word.at[r->length - 1] != *kind.at)
         fail(r, "an interval begins with another state than the one before it ends with");
     mpq_inits(c.a, c.b, NULL);
     mpq_set(c.a, r->at);
@@ -439,5 +394,7 @@ void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
 void trace_end(trace *r) {
     if (mpq_cmp(r->at, r->m->piece[r->m->count - 1].hi) != 0)
         fail(r, "the row's intervals do not end at t1");
+    if (r->length != r->word.length)
+        fail(r, "the intervals' word is only the beginning of the row's");
     check_state(r);
 }

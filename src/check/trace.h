@@ -20,42 +20,30 @@ typedef struct trace {
     poly x[4];
     size_t n;
 
-    mpq_t at;   /* the end of the last interval */
-    char *word; /* of the intervals so far; neighbours differ */
-    size_t length, room;
+    mpq_t at;      /* the end of the last interval */
+    word word;     /* that the row claims; borrowed */
+    size_t length; /* of its beginning that the intervals so far have spelled */
 
     char free;    /* the letter of the stretch off the boundary that goes on, or 0 */
     mpq_t sample; /* its time with the shortest numbers so far */
     size_t sample_piece;
 
-    /* The interval at hand. */
-    mpz_t *beta[4];      /* n + 1 scaled Bernstein coefficients each */
-    mpz_t *value, *root; /* n + 1 each: of a form; of a quotient */
-    size_t beta_room;
-    mpz_t form[4];
+    /* The interval at hand: MOST_DEGREE + 1 integers each. */
+    mpz_t *beta[4]; /* scaled Bernstein coefficients of x */
+    mpz_t *root;    /* of a quotient */
+    mpz_t *form;    /* 4, and one for a value */
     list near;
 } trace;
 
 void trace_init(trace *r, const solid *s, const motion *m, int unsweep);
-void trace_clear(trace *r);
-/** Begin a row; `point` has been set. */
-void trace_start(trace *r);
-
+/** Begin a row of this word; `point` has been set. */
+void trace_start(trace *r, word claimed);
 /**
  * The claim `kind` on [r->at, to], with the polynomial q of its root where the kind has one (else
  * NULL). Refutes it unless the tests of proofs/certificate.md prove it.
  */
 void trace_interval(trace *r, word kind, const mpq_t to, const poly *q);
-
-/** The row ends: it must have come to t1. */
+/** The row ends: it must have come to t1 and have spelled its word. */
 void trace_end(trace *r);
-
-/**
- * Scaled Bernstein coefficients C(n, k) b_k of p on [a, b], to degree n, all times one positive
- * integer that depends on n, a and b alone.
- */
-void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b);
-/** 1 or -1 if all have this strict sign, else 0. */
-int strict_sign(mpz_t *c, size_t count);
 
 #endif

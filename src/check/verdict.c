@@ -9,52 +9,49 @@ static int column(char state) {
 }
 
 /* An inner contact is an intersection iff its sides differ; one at an end iff its germ is I. */
-static void count(verdict *v, const char *w, size_t n) {
-    for (size_t k = 0; k < n; k++) {
-        if (w[k] != 'B')
+static void count(unsigned long *i, unsigned long *t, word w) {
+    for (size_t k = 0; k < w.length; k++) {
+        if (w.at[k] != 'B')
             continue;
-        char left = k > 0 ? w[k - 1] : 0, right = k + 1 < n ? w[k + 1] : 0;
+        char left = k > 0 ? w.at[k - 1] : 0, right = k + 1 < w.length ? w.at[k + 1] : 0;
         int crosses = left && right ? left != right : left == 'I' || right == 'I';
-        v->i += (unsigned long)crosses;
-        v->t += (unsigned long)!crosses;
-    }
-    v->k = (v->i + (w[0] == 'I') + (w[n - 1] == 'I')) / 2;
-}
-
-static void classify(verdict *v, int combined) {
-    if (v->k == 0) {
-        v->class_ = v->t > 0 ? "boundary" : "exterior";
-        v->definition = v->t > 0 ? "8" : "9";
-        v->pmc = v->t > 0 ? "on" : "out";
-        return;
-    }
-    v->pmc = "in";
-    if (combined ? v->k >= 2 : v->k >= 2 && v->t == 0) {
-        v->class_ = "fold";
-        v->definition = combined ? "10" : "6";
-    } else if (v->t > 0) {
-        v->class_ = "fold_boundary";
-        v->definition = combined ? "11" : "7";
-    } else {
-        v->class_ = "regular";
-        v->definition = "5";
+        ++*(crosses ? i : t);
     }
 }
 
-verdict verdict_of(const char *w, size_t n, int unsweep, int combined) {
+static verdict of_unsweep(word w) {
+    int inside = w.length == 1 && *w.at == 'I';
+    verdict v = {"on", 0};
+    if (inside || memchr(w.at, 'O', w.length))
+        strcpy(v.claims, inside ? "in" : "out");
+    return v;
+}
+
+/* pmc, class and definition. */
+static const char *class_of(unsigned long k, unsigned long t, int combined) {
+    if (k == 0)
+        return t > 0 ? "on,boundary,8" : "out,exterior,9";
+    if (combined && k >= 2)
+        return "in,fold,10";
+    if (t > 0)
+        return combined ? "in,fold_boundary,11" : "in,fold_boundary,7";
+    return k >= 2 ? "in,fold,6" : "in,regular,5";
+}
+
+verdict verdict_of(word w, const head *h) {
     static const int cases[3][3] = {{1, 4, 7}, {2, 5, 8}, {3, 6, 9}}; /* [at t1][at t0] */
-    verdict v = {.pmc = "on", .class_ = "", .definition = ""};
-    if (unsweep) {
-        if (memchr(w, 'O', n))
-            v.pmc = "out";
-        else if (n == 1 && w[0] == 'I')
-            v.pmc = "in";
-        return v;
-    }
-    count(&v, w, n);
-    classify(&v, combined);
-    v.position = cases[column(w[n - 1])][column(w[0])];
-    if (v.position == 5 || v.position == 6 || v.position == 8 || v.position == 9)
-        v.definition = "ext";
+    verdict v;
+    unsigned long i = 0, t = 0;
+    if (h->unsweep)
+        return of_unsweep(w);
+    char first = w.at[0], last = w.at[w.length - 1];
+    count(&i, &t, w);
+    v.k = (i + (first == 'I') + (last == 'I')) / 2;
+    const char *class_ = class_of(v.k, t, h->combined);
+    int position = cases[column(last)][column(first)];
+    int extended = column(first) > 0 && column(last) > 0;
+    int length = (int)(extended ? strrchr(class_, ',') - class_ : (long)strlen(class_));
+    snprintf(v.claims, sizeof v.claims, "%.*s%s,%d,%lu,%lu", length, class_, extended ? ",ext" : "",
+             position, i, t);
     return v;
 }

@@ -14,11 +14,12 @@ static const char certify_help[] =
     "graze certify SOLID MOTION POINTS -o FILE: answers that graze-check can verify\n"
     "\n"
     "Writes a certificate: each point's answer, and hints by which graze-check, a program that\n"
-    "shares nothing with graze, proves it from SOLID (.off, .wkt) and MOTION alone.\n"
-    "POINTS as in graze classify.\n"
+    "shares nothing with graze, proves it from SOLID (.off, .wkt) and MOTION (plain pieces) "
+    "alone.\n"
+    "graze convert writes any solid and motion so. POINTS as in graze classify.\n"
     "\n"
     "  --operation sweep|unsweep, --folds separate|combined, --overlap extend|reject,\n"
-    "  --triangulate, --limit NAME=V   as in graze classify\n"
+    "  --limit NAME=V       as in graze classify\n"
     "  -o, --output FILE    write there instead of to standard output\n"
     "\n"
     "Example: graze certify cube.off move.json points.csv -o certificate.txt\n"
@@ -53,8 +54,7 @@ static int prepare_certificate(certify_run *s, const certify_options *o) {
     int status = loaded_read(&s->l, &o->scene, EXIT_INPUT, NULL);
     if (status)
         return status;
-    graze_status made =
-        graze_certifier_create(&s->certifier, s->l.context, s->l.scene, o->scene.solid_flags);
+    graze_status made = graze_certifier_create(&s->certifier, s->l.context, s->l.scene, 0);
     if (made)
         return complain_of(made, s->l.context);
     status = csv_open(&s->points, o->points, graze_scene_dimension(s->l.scene), (shard){0, 1},
@@ -145,7 +145,6 @@ static const option_entry certify_table[] = {
     OPTION("operation", certify_options, scene.scene.operation, value_operation),
     OPTION("folds", certify_options, scene.scene.folds, value_folds),
     OPTION("overlap", certify_options, scene.scene.overlap, value_overlap),
-    FLAG("triangulate", certify_options, scene.solid_flags, value_triangulate),
     OPTION("limit", certify_options, scene.context.limits, value_limit),
     OPTION("output", certify_options, output, value_text),
     OPTION("o", certify_options, output, value_text),

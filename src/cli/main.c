@@ -7,10 +7,10 @@
 #include "run/memory.h"
 #include "run/output.h"
 
-static const command *const commands[] = {&command_check,    &command_classify, &command_merge,
-                                          &command_explain,  &command_generate, &command_cases,
-                                          &command_compare,  &command_validate, &command_motion,
-                                          &command_boundary, &command_draw,     &command_certify};
+static const command *const commands[] = {
+    &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,
+    &command_cases, &command_compare,  &command_validate, &command_motion,  &command_boundary,
+    &command_draw,  &command_certify,  &command_convert};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -27,6 +27,8 @@ static const char overview[] =
     "  graze motion KIND ...                exact motion files from angles, screws, joints, poses\n"
     "  graze boundary SOLID MOTION --depth N   the boundary by adaptive sampling\n"
     "  graze certify SOLID MOTION POINTS -o FILE   answers with proofs, for graze-check\n"
+    "  graze convert SOLID|MOTION -o FILE   exact OFF or WKT, plain pieces: what graze-check "
+    "reads\n"
     "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 options and an example\n"
     "  graze --version                      versions of graze and its libraries\n"

@@ -7,8 +7,9 @@
 
 static graze_scene *open_files(graze_context *context, graze_solid **solid, graze_motion **motion) {
     graze_scene *out = NULL;
-    assert_int_equal(graze_solid_read(solid, context, "cases/bracket/solid.off", 0), GRAZE_OK);
-    assert_int_equal(graze_motion_read(motion, context, "cases/bracket/motion.json"), GRAZE_OK);
+    assert_int_equal(graze_solid_read(solid, context, "tests/refuse/common/cube.off", 0), GRAZE_OK);
+    assert_int_equal(graze_motion_read(motion, context, "tests/refuse/common/move3.json"),
+                     GRAZE_OK);
     assert_int_equal(graze_scene_create(&out, context, *solid, *motion, NULL), GRAZE_OK);
     return out;
 }
@@ -29,7 +30,7 @@ static void rows(void **state) {
     assert_int_equal(graze_certificate_head(&text, context, c), GRAZE_OK);
     assert_int_equal(strncmp(text, "graze-certificate 1\n", 20), 0);
     graze_free(text);
-    mpq_set_si(p[0], 20, 1); /* far away: cases/bracket derives O for it */
+    mpq_set_si(p[0], 20, 1); /* far beside the cube [0, 2]^3 that moves by 4 along x */
     assert_int_equal(graze_certificate_row(&text, context, c, (const mpq_t *)p), GRAZE_OK);
     assert_int_equal(strncmp(text, "row 20 0 0 O out exterior 9 1 0 0 0\n", 36), 0);
     graze_free(text);
@@ -46,9 +47,12 @@ static void rows(void **state) {
 
     assert_int_equal(graze_certifier_create(&c, context, NULL, 0), GRAZE_EUSE);
     assert_null(c);
+    assert_int_equal(graze_certifier_create(&c, context, scene, GRAZE_SOLID_TRIANGULATE),
+                     GRAZE_EUSE);
+    assert_non_null(strstr(graze_context_message(context), "was not triangulated"));
     assert_int_equal(graze_context_set_rounding(context, GRAZE_ROUND_BINARY64), GRAZE_OK);
     assert_int_equal(graze_certifier_create(&c, context, scene, 0), GRAZE_EUSE);
-    assert_non_null(strstr(graze_context_message(context), "right is no rounding"));
+    assert_non_null(strstr(graze_context_message(context), "expected no rounding"));
     assert_int_equal(graze_context_set_rounding(context, GRAZE_ROUND_NONE), GRAZE_OK);
     graze_scene_destroy(scene);
 

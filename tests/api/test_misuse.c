@@ -71,6 +71,9 @@ static void solids(bench *b) {
     HARMLESS(graze_solid_vertex_count, !graze_solid_vertex_count(NULL));
     HARMLESS(graze_solid_facet_count, !graze_solid_facet_count(NULL));
     HARMLESS(graze_solid_component_count, !graze_solid_component_count(NULL));
+    WRONG(graze_solid_text(NULL, c, b->s.solid));
+    WRONG_OUT(char, graze_solid_text(&out, NULL, b->s.solid));
+    WRONG_OUT(char, graze_solid_text(&out, c, NULL));
     HARMLESS(graze_solid_note, !*graze_solid_note(NULL));
 }
 
@@ -79,6 +82,9 @@ static void motions(bench *b) {
     WRONG(graze_motion_read(NULL, c, "a.json"));
     WRONG_OUT(graze_motion, graze_motion_read(&out, NULL, "a.json"));
     WRONG_OUT(graze_motion, graze_motion_read(&out, c, NULL));
+    WRONG(graze_motion_text(NULL, c, b->s.motion));
+    WRONG_OUT(char, graze_motion_text(&out, NULL, b->s.motion));
+    WRONG_OUT(char, graze_motion_text(&out, c, NULL));
     WRONG(graze_motion_from_json(NULL, c, slide, 5));
     WRONG_OUT(graze_motion, graze_motion_from_json(&out, NULL, slide, 5));
     WRONG_OUT(graze_motion, graze_motion_from_json(&out, c, NULL, 5));

@@ -12,6 +12,7 @@ import os
 import statistics
 import tempfile
 
+import certificates
 import scenes
 from cores import Cores
 from measure import Server, Stream, fitting, in_turns, run_cpu, same_numbers
@@ -267,6 +268,7 @@ class Bench:
         self.long_numbers()
         self.grid("integer box", scenes.BLOCK)
         self.grid("L-shape", scenes.L_SHAPE)
+        certificates.run(self.table, self.graze, self.folder, 60 if self.options.quick else 300)
         self.table.end(self.options.json)
 
 

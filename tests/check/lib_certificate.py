@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import copy
 import hashlib
+import json
 import os
 import sys
 
@@ -14,10 +15,7 @@ import definitions  # noqa: E402
 import harness  # noqa: E402
 
 VERIFIED, REFUTED, NOT_CHECKED = 0, 1, 2
-
-
-# Golden cases that cannot be certified, and what graze certify says of them.
-UNCUT = {"family-repeated-3d": "facet 0 touches itself, and a checker cannot cut it into triangles"}
+RECORD = os.environ.get("GRAZE_CHECK_RECORD")  # a folder for all calls of graze-check: tests/check/weakened.py
 
 
 class Row:
@@ -117,6 +115,16 @@ class Programs:
         self.graze = graze
         self.check_program = os.path.join(os.path.dirname(graze), "graze-check")
 
+    def convert(self, case, folder):
+        """A golden case's solid and motion as graze-check reads them: two paths."""
+        solid = os.path.join(folder, "solid.off" if case.dimension == 3 else "solid.wkt")
+        motion = os.path.join(folder, "motion.json")
+        for source, path in ((case.path(case.solid), solid), (case.path("motion.json"), motion)):
+            status, _, error = run(self.graze, "convert", source, "-o", path)
+            if status != 0:
+                raise RuntimeError(f"graze convert {source}: {status} {error}")
+        return solid, motion
+
     def certify(self, solid, motion, points, options=()):
         status, out, error = run(self.graze, "certify", solid, motion, points, *options)
         if status != 0:
@@ -126,8 +134,29 @@ class Programs:
     def table(self, solid, motion, points, options=()):
         return run(self.graze, "classify", solid, motion, points, *options, "--quiet")[1]
 
-    def check(self, *files):
-        return run(self.check_program, *files, env=ENVIRONMENT)
+    def check(self, *words):
+        done = run(self.check_program, *words, env=ENVIRONMENT)
+        if RECORD:
+            record(words, *done)
+        return done
+
+
+def record(words, status, out, error):
+    """Keep the files of a call and what came of it: one folder a call, named by what was given."""
+    given = [open(word, "rb").read() if os.path.isfile(word) else None for word in words]
+    name = hashlib.sha256(repr([given, [w for w, g in zip(words, given) if g is None]]).encode()).hexdigest()[:24]
+    folder = os.path.join(RECORD, name)
+    if os.path.exists(folder):
+        return
+    os.makedirs(folder)
+    kept = []
+    for k, (word, text) in enumerate(zip(words, given)):
+        kept.append(word if text is None else f"{k}" + os.path.splitext(word)[1])
+        if text is not None:
+            with open(os.path.join(folder, kept[-1]), "wb") as file:
+                file.write(text)
+    with open(os.path.join(folder, "call.json"), "w", encoding="utf-8") as file:
+        json.dump({"words": kept, "status": status, "out": out, "error": error}, file)
 
 
 def answer_options(options):

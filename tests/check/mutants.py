@@ -19,7 +19,7 @@ import sys
 import tempfile
 from fractions import Fraction
 
-from lib_certificate import (Certificate, NOT_CHECKED, Programs, REFUTED, UNCUT, VERIFIED, answer_options,
+from lib_certificate import (Certificate, NOT_CHECKED, Programs, REFUTED, VERIFIED, answer_options,
                              write)
 import casefile
 from harness import ONLY, Checks, options
@@ -300,7 +300,7 @@ def is_true(programs, case, folder, certificate):
     c = Certificate(certificate)
     points = write(os.path.join(folder, "points.csv"), "".join(",".join(r.point) + "\n" for r in c.rows))
     more = ["--folds", c.value("folds"), "--operation", c.value("operation")]
-    table = programs.table(case.path(case.solid), case.path("motion.json"), points, more)
+    table = programs.table(*case.converted, points, more)
     rows = [l.split(",") for l in table.splitlines() if not l.startswith("#")][1:]
     order = [6, 0, 1, 2, 3, 4, 5] if not c.unsweep else [1, 0]
     d = int(c.value("dimension"))
@@ -323,7 +323,7 @@ class Judge:
         folder = os.path.join(self.folder, str(number))
         os.makedirs(folder, exist_ok=True)
         path = write(os.path.join(folder, "certificate"), text)
-        status, out, error = self.programs.check(case.path(case.solid), case.path("motion.json"), path)
+        status, out, error = self.programs.check(*case.converted, path)
         if status in (REFUTED, NOT_CHECKED):
             return kind, None, f"{case.name}: {kind}: {error}" if not error else None
         if status != VERIFIED or not out.startswith("verified: "):
@@ -340,12 +340,14 @@ def main():
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         judge = Judge(programs, tally, folder)
         for n, name in enumerate(casefile.names()):
-            if name in UNCUT or wanted.only not in name or (n % 2 and wanted.scale == 1 and not wanted.only):
+            if wanted.only not in name or (n % 2 and wanted.scale == 1 and not wanted.only):
                 continue
             case = casefile.Case(name)
-            certificate = Certificate(programs.certify(
-                case.path(case.solid), case.path("motion.json"), case.path("points.csv"),
-                answer_options(case.options)))
+            place = os.path.join(folder, name)
+            os.makedirs(place)
+            case.converted = programs.convert(case, place)
+            certificate = Certificate(programs.certify(*case.converted, case.path("points.csv"),
+                                                       answer_options(case.options)))
             scenes += 1
             jobs = [(case, f"{n}-{r}-{k}", kind, text)
                     for r, row in enumerate(chosen_rows(certificate, wanted.scale + 2))

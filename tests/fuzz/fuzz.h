@@ -27,7 +27,7 @@ fuzz_run fuzz_number, fuzz_expression, fuzz_motion, fuzz_poses, fuzz_joints;
 fuzz_run fuzz_points, fuzz_grid, fuzz_options;
 fuzz_run fuzz_compare, fuzz_export, fuzz_merge, fuzz_resume, fuzz_receipt;
 fuzz_run fuzz_generate, fuzz_boundary, fuzz_draw;
-fuzz_run fuzz_scene, fuzz_sweep;
+fuzz_run fuzz_scene, fuzz_sweep, fuzz_check;
 
 /* -------------------------------------------------------------------------------- promises */
 

@@ -93,6 +93,22 @@ int fuzz_expression(const uint8_t *data, size_t size) {
 }
 
 /* A file and the same bytes in memory are read alike. */
+/* What is written is a motion, and is written again as it stands; its numbers may be longer. */
+static void write_again(graze_context *context, const graze_motion *motion) {
+    char *first = NULL, *second = NULL;
+    graze_motion *again = NULL;
+    EXPECT(graze_motion_text(&first, context, motion) == GRAZE_OK);
+    graze_status status = graze_motion_from_json(&again, context, first, strlen(first));
+    EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
+    if (!status) {
+        EXPECT(graze_motion_text(&second, context, again) == GRAZE_OK);
+        EXPECT(strcmp(first, second) == 0);
+    }
+    graze_motion_destroy(again);
+    graze_free(first);
+    graze_free(second);
+}
+
 int fuzz_motion(const uint8_t *data, size_t size) {
     graze_context *context = fuzz_context();
     graze_motion *motion = NULL, *filed = NULL;
@@ -106,6 +122,7 @@ int fuzz_motion(const uint8_t *data, size_t size) {
         EXPECT(graze_motion_piece_count(motion) <=
                graze_context_limit(context, GRAZE_LIMIT_PIECES));
         EXPECT(graze_motion_piece_count(motion) == graze_motion_piece_count(filed));
+        write_again(context, motion);
     }
     graze_motion_destroy(motion);
     graze_motion_destroy(filed);

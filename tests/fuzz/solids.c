@@ -42,6 +42,21 @@ static void read_trusted(graze_context *context, const char *path, unsigned flag
     graze_motion_destroy(motion);
 }
 
+/* What is written is a legal solid, and is written again as it stands. */
+static void write_again(graze_context *context, const graze_solid *solid) {
+    char *first = NULL, *second = NULL;
+    graze_solid *again = NULL;
+    const char *name = graze_solid_dimension(solid) == 3 ? "written.off" : "written.wkt";
+    EXPECT(graze_solid_text(&first, context, solid) == GRAZE_OK);
+    const char *path = fuzz_file(name, (const uint8_t *)first, strlen(first));
+    EXPECT(graze_solid_read(&again, context, path, 0) == GRAZE_OK);
+    EXPECT(graze_solid_text(&second, context, again) == GRAZE_OK);
+    EXPECT(strcmp(first, second) == 0);
+    graze_solid_destroy(again);
+    graze_free(first);
+    graze_free(second);
+}
+
 static int read_file(const char *name, const uint8_t *data, size_t size) {
     static const graze_rounding roundings[] = {GRAZE_ROUND_NONE, GRAZE_ROUND_BINARY32};
     graze_context *context = fuzz_context();
@@ -55,6 +70,7 @@ static int read_file(const char *name, const uint8_t *data, size_t size) {
         if (fuzz_taken(status, context, solid)) {
             look_at(solid);
             read_trusted(context, path, flags, solid);
+            write_again(context, solid);
             taken = 1;
         }
         graze_solid_destroy(solid);

@@ -1,0 +1,71 @@
+/* Solid, motion, rows: the order in which graze-check goes.
+ * SPDX-License-Identifier: MIT
+ */
+#include "check.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static char *read_hashed(const char *path, const char *expected, size_t *length) {
+    char sha[65], *text = read_file(length, path);
+    sha256_text(sha, text, *length);
+    if (strcmp(sha, expected) != 0)
+        refute("%s: its SHA-256 is not that of the certificate", path);
+    return text;
+}
+
+/* Follow the rows of one part. */
+static void follow(const task *work, const solid *s, const motion *m, certificate *c, size_t part) {
+    trace r;
+    table t;
+    if (work->path[3])
+        t = table_open(work->path[3], &c->h);
+    trace_init(&r, s, m, c->h.unsweep);
+    certificate_follow(c, &r, work->path[3] ? &t : NULL, part, work->jobs);
+    if (work->path[3])
+        table_end(&t);
+}
+
+/* Part 0 is followed here, the others by processes of their own. */
+static void follow_all(const task *work, const solid *s, const motion *m, certificate *c) {
+    int worst = VERIFIED;
+    for (size_t part = 1; part < work->jobs; part++) {
+        pid_t child = fork();
+        if (child < 0)
+            give_up("a process cannot be started");
+        if (child == 0) {
+            certificate own = certificate_open(work->path[2]);
+            own.h = c->h; /* the head that solid and motion were held to */
+            follow(work, s, m, &own, part);
+            _Exit(VERIFIED); /* exit would move the place in the files that are open here */
+        }
+    }
+    follow(work, s, m, c, 0);
+    for (int status; wait(&status) > 0;)
+        if (!WIFEXITED(status))
+            worst = NOT_CHECKED;
+        else if (WEXITSTATUS(status) != VERIFIED && worst != NOT_CHECKED)
+            worst = WEXITSTATUS(status);
+    if (worst != VERIFIED)
+        exit(worst);
+}
+
+size_t check_files(const task *work) {
+    certificate c = certificate_open(work->path[2]);
+    size_t length;
+    char *text = read_hashed(work->path[0], c.h.solid, &length);
+    solid s = solid_read(work->path[0], text, length);
+    free(text);
+    text = read_hashed(work->path[1], c.h.motion, &length);
+    motion m = motion_read(work->path[1], text, length);
+    free(text);
+    if (s.d != c.h.dimension || m.d != c.h.dimension)
+        refute("%s: the dimension is not that of solid and motion", work->path[2]);
+    motion_check_signs(&m, (const mpq_t *)c.times, c.time_count);
+    if (!work->assume_legal)
+        solid_check(&s);
+    follow_all(work, &s, &m, &c);
+    return c.row_count;
+}

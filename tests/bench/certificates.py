@@ -1,0 +1,71 @@
+"""Certificates: bytes a row, making and checking them beside answers of the exact path alone.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+import random
+import statistics
+import subprocess
+
+import measure
+import scenes
+
+SIZES = {12: None, 500: (16, 16), 7000: (59, 60), 100000: (224, 224)}
+MOTION = '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["4*t^4 - t", "2*t^3", "t^2"]}}]}\n'
+MOST_BYTES, MOST_MAKING, MOST_CHECKING = 2000, 5, 10
+
+
+def rows_of(path):
+    """The bytes of each row's lines in a certificate."""
+    sizes = []
+    with open(path, encoding="ascii") as file:
+        for line in file:
+            if line.startswith("row "):
+                sizes.append(0)
+            if sizes and not line.startswith("complete "):
+                sizes[-1] += len(line)
+    return sizes
+
+
+def write_points(graze, folder, solid, motion, kind, count):
+    path = os.path.join(folder, f"{kind}{count}.csv")
+    with open(path, "w", encoding="ascii") as file:
+        if kind == "degenerate":
+            subprocess.run([graze, "generate", solid, motion, "-n", str(count), "--seed", "5", "--quiet"], stdout=file, check=True)
+        else:
+            rng = random.Random(7)
+            file.writelines(f"{rng.uniform(-1.5, 4.5)!r},{rng.uniform(-1.5, 3.5)!r},{rng.uniform(-0.5, 1.5)!r}\n" for _ in range(count))
+    return path
+
+
+def a_row(count, command):
+    """CPU seconds a row: the time of `count` rows without that of one. `command` has a place for the number."""
+    one, all_ = (measure.run_cpu(command(n))[0] for n in (1, count))
+    return max(all_ - one, 1e-9) / (count - 1)
+
+
+def measured(table, graze, folder, faces, solid, motion, kind, count):
+    points = {n: write_points(graze, folder, solid, motion, kind, n) for n in (1, count)}
+    certificate = lambda n: os.path.join(folder, f"certificate{n}")
+    exact = a_row(count, lambda n: [graze, "classify", solid, motion, points[n], "--no-filter", "--jobs", "1", "--quiet"])
+    making = a_row(count, lambda n: [graze, "certify", solid, motion, points[n], "-o", certificate(n)])
+    check = os.path.join(os.path.dirname(graze), "graze-check")
+    checking = a_row(count, lambda n: [check, solid, motion, certificate(n), "--assume-legal"])
+    name = f"{faces:,} faces, {kind}"
+    table.row(f"bytes a row, median: {name}", statistics.median(rows_of(certificate(count))), most=MOST_BYTES, unit=" B")
+    table.row(f"making a row / classify --no-filter: {name}", making / exact, most=MOST_MAKING, graze=making, peer=exact)
+    table.row(f"checking a row / classify --no-filter: {name}", checking / exact, most=MOST_CHECKING, graze=checking, peer=exact)
+
+
+def run(table, graze, folder, count):
+    """All rows; `count` points each."""
+    table.head("Certificates, one piece of degree 4; the peer is graze classify --no-filter")
+    motion = os.path.join(folder, "certified.json")
+    with open(motion, "w", encoding="ascii") as file:
+        file.write(MOTION)
+    for faces, size in SIZES.items():
+        solid = os.path.join(folder, f"certified{faces}.off")
+        mesh = scenes.torus(*size) if size else scenes.prism([(0, 0), (1, 0), (1, 1), (0, 1)], 0, 1)
+        scenes.write_off(solid, mesh)
+        for kind in ("random", "degenerate"):
+            measured(table, graze, folder, faces, solid, motion, kind, count)

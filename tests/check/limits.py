@@ -1,0 +1,223 @@
+"""Numbers, files and sizes as graze-check reads them: each form of a number is the number it is, what is none is
+refused, and past each cap the status is 2.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+# suite
+
+One certificate, of a point far from a cube (square) that moves, with the hashes of the files at hand.
+"""
+import os
+import re
+import resource
+import subprocess
+import tempfile
+from fractions import Fraction
+
+from lib_certificate import Certificate, ENVIRONMENT, NOT_CHECKED, Programs, REFUTED, VERIFIED, run, sha256, write
+from meshes import CUBE, MOVE, SQUARE, both, off, scaled, tetrahedron
+from harness import ONLY, Checks, options
+
+# Ways to write 1, and what is no number.
+ONE = ["1", "+1", "1.0", "1.", "01", "2/2", "10e-1", "0.1e1", ".1E+1", "100E-2", "0.01e2", "1e0"]
+NONE = ["1e", "1e+", "1e1.5", "/1", "1/", "1/0", "1/1/1", "1/-1", "1.0/1", "1/1.0", "1.0.0", "e1", ".", "-", "--1", "+-1", "0x1",
+        "1_0", "one", "1e0x", "1e20001", "1e-20001", "0" * 20001 + "1"]
+
+
+class Bench:
+    def __init__(self, programs, tally, folder):
+        self.programs, self.tally, self.folder = programs, tally, folder
+        self.solid = {d: self.file("good" + (".off" if d == 3 else ".wkt"), off(CUBE) if d == 3 else SQUARE)
+                      for d in (2, 3)}
+        self.motion = {d: self.file(f"good{d}.json", MOVE[d]) for d in (2, 3)}
+        self.text = {}
+        for d in (2, 3):
+            points = self.file("points.csv", ",".join(["1000"] * d) + "\n")
+            self.text[d] = programs.certify(self.solid[d], self.motion[d], points)
+
+    def file(self, name, text):
+        return write(os.path.join(self.folder, name), text)
+
+    def certificate(self, d, solid, motion):
+        out = Certificate(self.text[d])
+        out.set("solid-sha256", sha256(solid))
+        out.set("motion-sha256", sha256(motion))
+        return out
+
+    def ends(self, wanted, what, d=3, solid=None, motion=None, change=None):
+        """How graze-check ends with another solid, another motion, or a changed certificate."""
+        solid, motion = solid or self.solid[d], motion or self.motion[d]
+        text = self.certificate(d, solid, motion).text()
+        path = self.file("certificate", change(text) if change else text)
+        status, out, error = self.programs.check(solid, motion, path)
+        self.tally.equal((status in wanted, bool(out)), (True, status == VERIFIED), what, status, error)
+
+
+def check_numbers(b):
+    for d in (2, 3):
+        ending = ".off" if d == 3 else ".wkt"
+        for number, wanted in [(n, (VERIFIED,)) for n in ONE] + [(n, (REFUTED, NOT_CHECKED)) for n in NONE]:
+            text = off(CUBE).replace("1 1 1\n", f"1 1 {number}\n") if d == 3 else SQUARE.replace("1 1,", f"1 {number},")
+            b.ends(wanted, f"a coordinate {number[:20]}", d, solid=b.file("number" + ending, text))
+            b.ends(wanted, f"a time {number[:20]}", d, motion=b.file("number.json", MOVE[d].replace('"1"', f'"{number}"')))
+    for number, wanted in (("1", VERIFIED), ("001", VERIFIED), ("1.0", REFUTED), ("+1", REFUTED), ("x", REFUTED),
+                           ("1000000000", REFUTED), ("0000000001", REFUTED), ("000000001", VERIFIED), ("-1", REFUTED)):
+        b.ends((wanted,), f"a number of rows {number}", change=lambda t: t.replace("complete 1", f"complete {number}"))
+
+
+def check_files(b):
+    cube, square = off(CUBE), SQUARE
+    for what, text in (("a byte order mark", "\ufeff" + cube), ("CRLF", cube.replace("\n", "\r\n")), ("tabs", cube.replace(" ", "\t")),
+                       ("blank lines", cube.replace("\n", "\n\n")), ("blanks before", "  " + cube), ("no last line end", cube[:-1]),
+                       ("comments", "# a\n" + cube.replace("\n", " # b\n")), ("counts on the first line", cube.replace("OFF\n", "OFF "))):
+        b.ends((VERIFIED,), what, solid=b.file("file.off", text))
+    for what, text in (("a byte order mark", "\ufeff" + square), ("line ends", square.replace(" ", "\r\n")),
+                       ("several", "MULTI" + square.replace("POLYGON (", "POLYGON ((") + ")")):
+        b.ends((VERIFIED,), what, 2, solid=b.file("file.wkt", text))
+    for what, text in (("two thirds of a mark", b"\xef\xbb" + cube.encode()), ("another mark", b"\xfe\xff" + cube.encode())):
+        path = os.path.join(b.folder, "file.off")
+        with open(path, "wb") as file:
+            file.write(text)
+        b.ends((NOT_CHECKED,), what, solid=path)
+    b.ends((NOT_CHECKED,), "another ending", solid=b.file("cube.obj", cube))
+    b.ends((VERIFIED,), "bare numbers", motion=b.file("bare.json", MOVE[3].replace('"0"', "0").replace('"1"', "1")))
+    for what, entry in (("a decimal", "0.5*t"), ("a ratio", "1/2*t - 1/2*t"), ("a minus", "-t"), ("blanks", " - 2 * t ^ 2  + 1 "),
+                        ("a quotient", " ( t - 1 ) / ( t + 1 ) "), ("a constant", "(3)/(2)"), ("powers", "t^0 - t^1")):
+        b.ends((VERIFIED, REFUTED), what, motion=b.file("entry.json", MOVE[3].replace('["t", "0"', f'["{entry}", "0"')))
+    for folder in ("folder.off", "folder.json", "folder"):
+        os.makedirs(os.path.join(b.folder, folder))
+    place = [os.path.join(b.folder, n) for n in ("folder.off", "folder.json", "folder")]
+    path = b.file("certificate", b.certificate(3, b.solid[3], b.motion[3]).text())
+    for what, words in (("solid", [place[0], b.motion[3], path]), ("motion", [b.solid[3], place[1], path]),
+                        ("certificate", [b.solid[3], b.motion[3], place[2]]), ("table", [b.solid[3], b.motion[3], path, place[2]])):
+        status, out, _ = b.programs.check(*words)
+        b.tally.equal((status, out), (NOT_CHECKED, ""), "a folder for a", what)
+
+
+def check_tokens(b):
+    """Every token of a file is looked at: with another in its place the file is refused."""
+    for d, ending, text, pattern in ((3, ".off", off(CUBE), r"\S+"), (2, ".wkt", SQUARE, r"[(),]|[^\s(),]+"),
+                                     (3, ".json", MOVE[3], r'"[^"]*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')):
+        for at in re.finditer(pattern, text):
+            other = b.file("token" + ending, text[:at.start()] + " x " + text[at.end():])
+            what = f"x for {at[0]} at character {at.start()} of {ending}"
+            b.ends((REFUTED, NOT_CHECKED), what, d, **{"motion" if ending == ".json" else "solid": other})
+    for line in b.text[3].splitlines()[1:8]:
+        key, value = line.split()[0], line.split()[1]
+        for other in ("x", value + "0", value + " x", ""):
+            b.ends((REFUTED,), f"a head's {key} {other}", change=lambda t: re.sub(f"^{key} .*$", f"{key} {other}", t, flags=re.M))
+
+
+def check_caps(b):
+    """Past a cap the status is 2."""
+    pieces = ",".join(f'{{"t": [{k}, {k + 1}], "transform": {{"translate": ["0", "0", "0"]}}}}' for k in range(20001))
+    caps = {"pieces": f'{{"dimension": 3, "pieces": [{pieces}]}}'}
+    high = '"t^200 + 1"'
+    caps["degree of the inverse"] = ('{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"matrix": [[%s, "0", "0", "0"], '
+                                     '["0", %s, "0", "0"], ["0", "0", %s, "0"]]}}]}' % (high, high, high))
+    for what, text in caps.items():
+        b.ends((NOT_CHECKED,), what, motion=b.file("cap.json", text))
+    row = lambda word: lambda t: t.replace(" O out exterior 9 1 0 0 0", f" {word} out exterior 9 1 0 0 0")
+    b.ends((NOT_CHECKED,), "a word", change=row("O" * 100001))
+    b.ends((REFUTED,), "a word within the cap", change=row("O" * 100000))
+    b.ends((NOT_CHECKED,), "a degree", change=lambda t: t.replace("O 1\n", "OBO 1" + " 1" * 302 + "\n"))
+    b.ends((REFUTED,), "a degree within the cap", change=lambda t: t.replace("O 1\n", "OBO 1" + " 1" * 301 + "\n"))
+    b.ends((NOT_CHECKED,), "a line", change=lambda t: t.replace("complete", " " * (1 << 24) + "complete"))
+    b.ends((NOT_CHECKED,), "a coefficient", change=lambda t: t.replace("O 1\n", "OBO 1 1 " + "1" * 20001 + "\n"))
+    b.ends((NOT_CHECKED,), "another version", change=lambda t: t.replace("graze-certificate 1", "graze-certificate 2"))
+    b.ends((REFUTED,), "an interval before the first row", change=lambda t: t.replace("row", "O 1\nrow", 1))
+    path = b.file("certificate", b.text[3].replace("complete", " " * (1 << 23) + "complete"))
+    done = subprocess.run([b.programs.check_program, b.solid[3], b.motion[3], path], env=ENVIRONMENT, stderr=subprocess.PIPE,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (12 << 20, 12 << 20)))
+    sanitized = "asan" in subprocess.run(["ldd", b.programs.check_program], stdout=subprocess.PIPE, text=True).stdout
+    b.tally.holds(sanitized or (done.returncode == NOT_CHECKED and b"out of memory" in done.stderr), "no memory", done)
+
+
+def check_sizes(b):
+    """Coordinates past the range of doubles, and a facet touched at every point that is tried."""
+    for what, factor in (("huge", 10 ** 400), ("tiny", Fraction(1, 10 ** 400))):
+        b.ends((VERIFIED, REFUTED), what, solid=b.file("size.off", off(scaled(CUBE, factor))))
+        points = b.file("points.csv", ",".join([str(3 * factor)] * 3) + "\n" + ",".join([str(factor / 3 if what == "tiny" else factor // 3)] * 3) + "\n")
+        solid, still = b.file("size.off", off(scaled(CUBE, factor))), b.file("still.json", MOVE[3].replace('"t", "0"', f'"{factor}*t", "0"'))
+        path = b.file("certificate", b.programs.certify(solid, still, points))
+        status, _, error = b.programs.check(solid, still, path)
+        b.tally.equal(status, VERIFIED, what, "both ends", error)
+    tips = []
+    for k in range(1, 41):  # the weights 1 : k : k^2 of a piece of the top, corners (0, 0), (1, 0), (1, 1)
+        total = 1 + k + k * k
+        x, y, e = Fraction(k + k * k, total), Fraction(k * k, total), Fraction(1, 10 ** 6)
+        tips.append(tetrahedron((x, y, 1), (x + e, y, 1 + e), (x, y + e, 1 + e), (x - e, y - e, 1 + e)))
+    text = off(both(CUBE, *tips))
+    b.ends((NOT_CHECKED,), "a facet touched at every point that is tried", solid=b.file("tips.off", text))
+    status, _, error = run(b.programs.graze, "check", b.file("tips.off", text), b.motion[3])
+    b.tally.equal(status, 0, "and it is legal", error)
+
+
+def check_tables(b):
+    points = b.file("points.csv", 'x,y,z,topo,note\n1000,1000,1000,a,"x, y"\n')
+    table = b.programs.table(b.solid[3], b.motion[3], points)
+    certificate = b.file("certificate", b.programs.certify(b.solid[3], b.motion[3], points))
+    status, _, error = b.programs.check(b.solid[3], b.motion[3], certificate, b.file("table.csv", table))
+    b.tally.equal((status, "column topo is not certified" in error), (VERIFIED, True), "a column that is not certified", error)
+    for what, text, wanted in (("a cell of two lines", table.replace('"x, y"', '"x\ny"'), NOT_CHECKED),
+                               ("no rows", table[:table.index("x,y,z")], REFUTED),
+                               ("fewer rows", table.replace(table.splitlines()[-2] + "\n", ""), REFUTED)):
+        status, out, error = b.programs.check(b.solid[3], b.motion[3], certificate, b.file("table.csv", text))
+        b.tally.equal((status, out), (wanted, ""), what, error)
+
+
+def check_rows(b):
+    """Rows made by hand that only one test refutes: a slide that goes on over a gap, and a trajectory whose control
+    points, over a weight with the coefficients 5, -3, 5, are far from the square that it passes through."""
+    teeth = b.file("teeth.wkt", "POLYGON ((1 0, 6 0, 6 1, 4 1, 4 1/2, 3 1/2, 3 1, 1 1, 1 0))")
+    along = b.file("along.json", '{"dimension": 2, "pieces": [{"t": ["0", "7"], "transform": {"translate": ["-t", "0"]}}]}')
+    slide = ["O 1/2", "OBB 3/2 -1 1", "B 2"], ["B 11/2", "BBO 13/2 -6 1", "O 7"]
+    gap = ["B 5/2", "BBO 13/4 -3 1", "O 15/4", "OBB 9/2 -4 1"]
+    square = b.file("square.wkt", "POLYGON ((3/4 -1/4, 5/4 -1/4, 5/4 1/4, 3/4 1/4, 3/4 -1/4))")
+    turn = ("(-16*t^2 + 16*t - 3)/(16*t^2 - 16*t + 5)", "(8*t - 4)/(16*t^2 - 16*t + 5)", "(4 - 8*t)/(16*t^2 - 16*t + 5)")
+    around = b.file("around.json", '{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"matrix": [["%s", "%s", "0"], ["%s", "%s", "0"]]}}]}'
+                    % (turn[0], turn[2], turn[1], turn[0]))
+    quarters = ["O 1/4", "O 1/2", "O 3/4", "O 1"]
+    for what, solid, motion, signs, row, wanted in (
+            ("a slide, a gap, a slide", teeth, along, "0 7", ["row 0 1 OBOBO on boundary 8 1 0 2 0", *slide[0], *gap, *slide[1]], VERIFIED),
+            ("the gap denied", teeth, along, "0 7", ["row 0 1 OBO on boundary 8 1 0 1 0", *slide[0], "BBB 5 -7 2", *slide[1]], REFUTED),
+            ("a point apart", square, around, "0 1/4 1/2 3/4 1", ["row -9 0 O out exterior 9 1 0 0 0", *quarters], VERIFIED),
+            ("control points apart", square, around, "0 1/4 1/2 3/4 1", ["row 1 0 O out exterior 9 1 0 0 0", "O 1"], REFUTED)):
+        head = ["graze-certificate 1", f"solid-sha256 {sha256(solid)}", f"motion-sha256 {sha256(motion)}", "scene-sha256 " + "0" * 64,
+                "dimension 2", "operation sweep", "folds separate", f"signs {signs}"]
+        path = b.file("certificate", "\n".join([*head, *row, "complete 1"]) + "\n")
+        status, _, error = b.programs.check(solid, motion, path)
+        b.tally.equal(status, wanted, what, error)
+
+
+def check_jobs(b):
+    """A row that is refuted by another process, whichever it is."""
+    points = b.file("points.csv", "1000,1000,1000\n" * 5)
+    text = b.programs.certify(b.solid[3], b.motion[3], points)
+    for row in range(5):
+        at = [k for k, line in enumerate(text.splitlines()) if line.startswith("row")][row]
+        lines = text.splitlines()
+        lines[at] = lines[at].replace("1000 O", "1000 I").replace("out exterior 9 1 0 0 0", "in regular ext 9 0 0 1")
+        lines[at + 1] = "I 1"
+        path = b.file("certificate", "\n".join(lines) + "\n")
+        for jobs in ("1", "2", "5", "7"):
+            status, out, error = b.programs.check(b.solid[3], b.motion[3], path, "--jobs", jobs)
+            b.tally.equal((status, out), (REFUTED, ""), "row", row, "jobs", jobs, error)
+    path = b.file("certificate", text)
+    for jobs in ("1", "2", "5", "7"):
+        status, out, error = b.programs.check(b.solid[3], b.motion[3], path, "--jobs", jobs)
+        b.tally.equal((status, out), (VERIFIED, "verified: 5 rows\n"), "jobs", jobs, error)
+
+
+def main():
+    chosen = options(__doc__, ONLY)
+    tally = Checks()
+    with tempfile.TemporaryDirectory() as folder:
+        b = Bench(Programs(chosen.graze), tally, folder)
+        for check in (check_numbers, check_files, check_tokens, check_caps, check_sizes, check_tables, check_rows, check_jobs):
+            if chosen.only in check.__name__:
+                check(b)
+    tally.finish()
+
+
+if __name__ == "__main__":
+    main()
