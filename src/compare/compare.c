@@ -10,14 +10,14 @@
 #include "compare/match.h"
 #include "compare/rounding.h"
 
-/* Both tables and their matching, while a comparison is made. */
+/* Both tables and their matching during a comparison. */
 typedef struct run {
     graze_context *context;
     table golden, candidate;
     match match;
 } run;
 
-/* The golden column that each grouping goes by. */
+/* The golden column of each grouping. */
 static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K, COLUMN_CLASS, COLUMN_DEFINITION,
                                           COLUMN_CASE};
 
@@ -28,12 +28,12 @@ static graze_status comparison_no_memory(graze_context *context) {
 static graze_status check_golden(const table *t) {
     if (t->where[COLUMN_PMC] < 0 || !t->dimension)
         return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s: has no column %s; right is a table that graze classify wrote",
+                            "%s: has no column %s; expected a table that graze classify wrote",
                             t->in.name, t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y");
     return GRAZE_OK;
 }
 
-/* Both tables must speak of the same scene and the same question. */
+/* Check that both tables are of one scene and one set of options. */
 static graze_status check_notes(const table *golden, const table *candidate) {
     static const note same[] = {NOTE_SOLID,     NOTE_MOTION, NOTE_SCENE,
                                 NOTE_OPERATION, NOTE_FOLDS,  NOTE_DIMENSION};
@@ -41,20 +41,20 @@ static graze_status check_notes(const table *golden, const table *candidate) {
         const char *g = golden->notes[same[k]], *c = candidate->notes[same[k]];
         if (g && c && strcmp(g, "none") != 0 && strcmp(c, "none") != 0 && strcmp(g, c) != 0)
             return context_fail(golden->in.context, GRAZE_EINPUT,
-                                "%s: %s is %.64s, that of %s is %.64s; right are tables of one "
+                                "%s: %s is %.64s, that of %s is %.64s; expected tables of one "
                                 "scene and one set of options",
                                 candidate->in.name, note_name(same[k]), c, golden->in.name, g);
     }
     return GRAZE_OK;
 }
 
-/* What the candidate answers, and whether the golden table can judge it. */
+/* Choose the columns to judge: those that the candidate has and the golden table can judge. */
 static graze_status choose_columns(graze_comparison *c, const table *golden,
                                    const table *candidate) {
     int sdf = c->options.has == GRAZE_HAS_SDF, any = 0;
     if (sdf && candidate->where[COLUMN_SDF] < 0)
         return context_fail(golden->in.context, GRAZE_EINPUT,
-                            "%s: has no column sdf; right is a signed distance in a column of that "
+                            "%s: has no column sdf; expected a signed distance in a column of that "
                             "name",
                             candidate->in.name);
     for (int k = 0; k < JUDGED_COUNT; k++) {
@@ -64,18 +64,19 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
         c->judged[k] = k == JUDGED_PMC ? answered || sdf : answered && open && !sdf;
         if (c->judged[k] && golden->where[which] < 0)
             return context_fail(golden->in.context, GRAZE_EINPUT,
-                                "%s: has no column %s to judge that of %s by", golden->in.name,
-                                column_name(which), candidate->in.name);
+                                "%s: has no column %s; expected one to judge that of %s by",
+                                golden->in.name, column_name(which), candidate->in.name);
         any |= c->judged[k];
     }
     if (!any)
         return context_fail(
-            golden->in.context, GRAZE_EINPUT, "%s: has none of the columns %s", candidate->in.name,
+            golden->in.context, GRAZE_EINPUT,
+            "%s: has no column that can be judged; expected one of %s", candidate->in.name,
             c->options.question == GRAZE_QUESTION_OPEN ? "pmc, class, i, t, word" : "pmc (or sdf)");
     return GRAZE_OK;
 }
 
-/* The options under which `graze explain` answers as the golden table does. */
+/* Take over from the golden table the options of `graze explain`. */
 static graze_status note_options(graze_comparison *c, graze_context *context, const table *t) {
     text options;
     const char *round = t->notes[NOTE_ROUND], *folds = t->notes[NOTE_FOLDS];
@@ -129,8 +130,8 @@ static void put_answers(text *out, const graze_comparison *c, const table *t, co
     for (int col = COLUMN_PMC; col < COLUMN_COUNT; col++) {
         field f = table_field(t, row, (column)col);
         int sdf = candidate && c->options.has == GRAZE_HAS_SDF;
-        int told = sdf ? col == COLUMN_SDF : col <= COLUMN_TOPO;
-        if (t->where[col] < 0 || !told)
+        int shown = sdf ? col == COLUMN_SDF : col <= COLUMN_TOPO;
+        if (t->where[col] < 0 || !shown)
             continue;
         text_format(out, "%s%s=", blank, column_name((column)col));
         text_bytes(out, f.start, f.length);
@@ -138,7 +139,7 @@ static void put_answers(text *out, const graze_comparison *c, const table *t, co
     }
 }
 
-/* A malloc'ed text of a row's point (which = 0) or answers (1 golden, 2 candidate). */
+/* A row's point (which = 0) or answers (1 golden, 2 candidate), malloc'ed. */
 static char *row_text(const graze_comparison *c, const table *t, const table_row *row, int which) {
     text out;
     text_init(&out);
@@ -236,7 +237,7 @@ static graze_status count_all(graze_comparison *c, run *r) {
 static graze_status finish_comparison(const run *r) {
     if (!r->golden.complete)
         return context_fail(r->context, GRAZE_EINPUT,
-                            "%s: ends after %lu rows without `# complete`; right is a whole table",
+                            "%s: ends after %lu rows without `# complete`; expected a whole table",
                             r->golden.in.name, r->golden.rows);
     return match_finish(&r->match);
 }

@@ -1,8 +1,8 @@
-/* The comparison for a program: one JSON object.
+/* Reports of comparisons as JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Counts are JSON numbers, everything else text. Bytes above 127 become `?` in what comes from the
- * files compared, so that the object is UTF-8 whatever they hold.
+ * Counts are JSON numbers, everything else text. Bytes above 127 that come from the files become
+ * `?`, so that the object is UTF-8.
  */
 #include "compare/json.h"
 
@@ -131,7 +131,7 @@ static void print_comparison(void *data, const char *bytes, size_t length) {
         out->data[k] = (unsigned char)out->data[k] > 127 ? '?' : out->data[k];
 }
 
-/* Returns 0 where memory ran out outside of `out`. */
+/* 0 when memory runs out outside of `out`. */
 static int generate(text *out, json_memory *memory, const graze_comparison *c) {
     json_memory_init(memory);
     if (setjmp(memory->short_of) != 0)

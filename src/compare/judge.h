@@ -1,4 +1,4 @@
-/* One row's answers, and whether the candidate's are right.
+/* The answers of a row, and the judgement of the candidate's.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COMPARE_JUDGE_H
@@ -20,15 +20,15 @@ typedef struct answer {
 typedef struct judgement {
     int wrong[JUDGED_COUNT];
     int any_wrong;
-    int apart; /* the golden answer is `on`, and the point may lie inside the closed sweep */
+    int apart; /* the golden answer is `on`, and the closed sweep may hold the point inside */
     int truth; /* the golden pmc under the question asked */
 } judgement;
 
-/** The column of what is judged. */
+/** The column with this index among those judged. */
 column judged_column(int judged);
 
 /** Read the answers of a row: pmc always (or from the sign of `sdf`), the others where judged.
- * @return GRAZE_EINPUT a word that is no answer */
+ * @return GRAZE_EINPUT a field that is no answer */
 graze_status answer_read(answer *out, const table *t, const table_row *row, const int *judged,
                          int sdf);
 

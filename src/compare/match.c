@@ -1,8 +1,8 @@
 /* Matches rows by order, with the point or an id as check.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Where the next rows differ, the nearest pair of equal rows ahead is looked for: the fewest rows
- * are then without a counterpart. If there is none, the golden table goes on alone until it comes
+ * Where the next rows differ, the nearest pair of equal rows ahead is found, so that the fewest
+ * rows are without a counterpart. If there is none, the golden table goes on alone until it comes
  * to a row of the candidate's window.
  */
 #include "compare/match.h"
@@ -22,12 +22,12 @@ graze_status match_start(match *m, graze_context *context, table *golden, table 
     int point = candidate->dimension && candidate->dimension >= m->dimension;
     if (!m->by_id && !point)
         return context_fail(context, GRAZE_EINPUT,
-                            "%s: no columns %s, and no id that the golden table has too; rows "
-                            "cannot be told apart",
+                            "%s: no columns %s, and no id that the golden table has too; expected "
+                            "one of them, to match rows by",
                             candidate->in.name, m->dimension == 2 ? "x, y" : "x, y, z");
     if (!m->by_id && candidate->dimension > m->dimension)
         return context_fail(context, GRAZE_EINPUT,
-                            "%s: a column z; right are x and y, the golden table has dimension 2",
+                            "%s: a column z; expected x and y, as the golden table has dimension 2",
                             candidate->in.name);
     return GRAZE_OK;
 }
@@ -52,10 +52,10 @@ static graze_status coordinate_check(const table *t, const table_row *row, int a
     field f = table_field(t, row, (column)(COLUMN_X + axis));
     if (rational_is_token(f.start, f.length))
         return GRAZE_OK;
-    return context_fail(t->in.context, GRAZE_EINPUT,
-                        "%s:%lu: %c: '%.*s' is not a number; right are -12, 0.1, 1.5e-3, 22/7",
-                        t->in.name, row->line, 'x' + axis, f.length > 40 ? 40 : (int)f.length,
-                        f.start);
+    return context_fail(
+        t->in.context, GRAZE_EINPUT,
+        "%s:%lu: %c: '%.*s' is not a number; expected one such as -12, 0.1, 1.5e-3, 22/7",
+        t->in.name, row->line, 'x' + axis, f.length > 40 ? 40 : (int)f.length, f.start);
 }
 
 /* Read rows until the window has `count` of them or the table ends. */
@@ -156,8 +156,8 @@ static int nearest_rounding(match *m) {
     return 0;
 }
 
-/* No pair ahead: the golden rows of the window are missing. Past the golden table's end, so is any
- * hope for the candidate's. */
+/* No pair ahead: the golden rows of the window are missing. Past the golden table's end the
+ * candidate's rows are extra. */
 static void skip_window(match *m) {
     m->skip_golden = m->golden.count;
     m->skip_candidate = m->golden.ended ? m->candidate.count : 0;
@@ -221,13 +221,13 @@ graze_status match_finish(const match *m) {
     const table *golden = m->golden.table, *candidate = m->candidate.table;
     if (!m->pairs && m->missing_count && m->extra_count)
         return context_fail(m->context, GRAZE_EINPUT,
-                            "%s: no row is one of %s; right is the same points in the same order, "
-                            "and --round where they were rounded",
+                            "%s: no row is one of %s; expected the same points in the same order, "
+                            "rounded as the candidate's are",
                             candidate->in.name, golden->in.name);
     if (m->missing_count && m->missing_count == m->extra_count &&
         digest_equal(m->missing, m->extra))
         return context_fail(m->context, GRAZE_EINPUT,
-                            "%s: has the rows of %s in another order; right is the same order",
+                            "%s: has the rows of %s in another order; expected the same order",
                             candidate->in.name, golden->in.name);
     return GRAZE_OK;
 }

@@ -1,8 +1,8 @@
-/* Which row of the candidate answers which row of the golden table.
+/* Matches the rows of the candidate with those of the golden table.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Both tables have the same rows in the same order, but for rows that are missing or too many. Rows
- * are looked ahead for only where they differ, and never more than MATCH_AHEAD of them.
+ * Both tables have the same rows in the same order, but for rows that are missing or extra. Rows
+ * ahead are read only where the next ones differ, and at most MATCH_AHEAD of them.
  */
 #ifndef GRAZE_COMPARE_MATCH_H
 #define GRAZE_COMPARE_MATCH_H
@@ -21,7 +21,7 @@ typedef struct window {
 
 typedef struct match {
     graze_context *context;
-    int by_id;     /* rows are known by their id, else by their point */
+    int by_id;     /* the id is the key of a row, else its point */
     int dimension; /* of the points */
     window golden, candidate;
     size_t skip_golden, skip_candidate; /* rows to hand out alone before the next pair */
@@ -29,7 +29,7 @@ typedef struct match {
     unsigned long pairs, missing_count, extra_count;
 } match;
 
-/** Decide how rows are known: by `id` if both tables have it, else by the point.
+/** Choose the key of rows: `id` if both tables have it, else the point.
  * @return GRAZE_EINPUT the tables have neither in common */
 graze_status match_start(match *m, graze_context *context, table *golden, table *candidate);
 void match_clear(match *m);
@@ -41,8 +41,8 @@ void match_clear(match *m);
  */
 graze_status match_next(match *m, const table_row **golden, const table_row **candidate);
 
-/** At the end: is what was left over on both sides the same rows in another order, or was no row
- * met at all? Then GRAZE_EINPUT. */
+/** Check a matching at its end. GRAZE_EINPUT: no row has a counterpart, or the rows without one are
+ * the same on both sides, in another order. */
 graze_status match_finish(const match *m);
 
 /** Make a row's key: the digest of its id, or of its point in lowest terms after rounding. */

@@ -73,7 +73,7 @@ static graze_status keep(share *s, const table *t, const table_row *row, const c
     if (e->line && e->answers != answers)
         return context_fail(t->in.context, GRAZE_EINPUT,
                             "%s:%lu: rounding makes this row equal to that of line %lu, whose "
-                            "answer is another; right are points that stay apart",
+                            "answer is another; expected points that stay apart",
                             t->in.name, row->line, (unsigned long)e->line);
     s->count += !e->line;
     *e = (entry){row->key, answers, row->line};
@@ -103,7 +103,8 @@ graze_status match_rounding(graze_context *context, const table *golden, const c
                             const column *columns, size_t count) {
     if (!stream_repeatable(&golden->in))
         return context_fail(context, GRAZE_EINPUT,
-                            "%s: is read more than once under --round; right is a regular file",
+                            "%s: is read more than once, to check its points after rounding; "
+                            "expected a regular file",
                             golden->in.name);
     share s = {NULL, 0, 0, 0, 1};
     graze_status status = GRAZE_OK;

@@ -48,7 +48,7 @@ static graze_status read_complete(table *t, field value) {
     unsigned long count;
     if (!field_count(&count, value, ~0ul) || count != t->rows || t->complete)
         return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s:%lu: `# complete %.*s` stands after %lu rows; right is one such "
+                            "%s:%lu: `# complete %.*s` stands after %lu rows; expected one such "
                             "line, the last, with their number",
                             t->in.name, t->in.line, FIELD_SHOWN(value), t->rows);
     t->complete = 1;
@@ -108,8 +108,8 @@ static graze_status next_table_line(table *t, table_row *row, int *more) {
     return status;
 }
 
-/* The first column of a name counts in a table of Graze's own, where the points' further columns
- * come last and may be called anything. */
+/* Find the columns. The first one of a name counts in a table of Graze, where further columns come
+ * last and may have any name. */
 static graze_status fix_columns(table *t, const table_row *row) {
     for (size_t k = 0; k < row->cut.count; k++)
         for (int c = 0; c < COLUMN_COUNT; c++) {
@@ -117,7 +117,7 @@ static graze_status fix_columns(table *t, const table_row *row) {
                 continue;
             if (t->where[c] >= 0 && !t->notes[NOTE_GRAZE])
                 return context_fail(t->in.context, GRAZE_EINPUT,
-                                    "%s:%lu: the column line names %s twice; right is once",
+                                    "%s:%lu: the column line names %s twice; expected once",
                                     t->in.name, t->in.line, column_names[c]);
             if (t->where[c] < 0)
                 t->where[c] = (long)k;
@@ -142,7 +142,7 @@ graze_status table_open(table *out, graze_context *context, const char *path) {
         status = next_table_line(out, &row, &more);
     if (!status && !more)
         status = context_fail(context, GRAZE_EINPUT,
-                              "%s: no column line; right is a line of names such as x,y,z,pmc",
+                              "%s: no column line; expected a line of names such as x,y,z,pmc",
                               out->in.name);
     if (!status)
         status = fix_columns(out, &row);
@@ -162,11 +162,11 @@ graze_status table_next(table *t, table_row *row, int *more) {
         return status;
     if (t->complete)
         return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s:%lu: a row after `# complete`; right is that line last", t->in.name,
+                            "%s:%lu: a row after `# complete`; expected that line last", t->in.name,
                             t->in.line);
     if (row->cut.count != t->columns)
         return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s:%lu: %zu columns; right are %zu, as on the column line", t->in.name,
+                            "%s:%lu: %zu columns; expected %zu, as on the column line", t->in.name,
                             t->in.line, row->cut.count, t->columns);
     row->number = ++t->rows;
     return GRAZE_OK;

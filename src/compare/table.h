@@ -1,4 +1,4 @@
-/* A table of answers as a stream of rows: golden tables as classify writes them, and candidates'.
+/* A table of answers as a stream of rows: golden or a candidate's.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant: once opened, the `#` lines before the column line and the columns are known; every row
@@ -12,7 +12,7 @@
 #include "table/field.h"
 #include "table/stream.h"
 
-/** Columns that mean something here; any other is passed over. */
+/** Columns that a comparison uses; others are skipped. */
 typedef enum column {
     COLUMN_X,
     COLUMN_Y,
@@ -34,7 +34,7 @@ typedef enum column {
     COLUMN_COUNT
 } column;
 
-/** Keys of `#` lines that mean something here. */
+/** Keys of `#` lines that a comparison uses. */
 typedef enum note {
     NOTE_GRAZE,
     NOTE_DIMENSION,
@@ -48,7 +48,7 @@ typedef enum note {
     NOTE_COUNT
 } note;
 
-/** The first 128 bits of a SHA-256, by which points and answers are known again. */
+/** The first 128 bits of a SHA-256, to find equal points and answers. */
 typedef struct digest {
     uint64_t high, low;
 } digest;
@@ -78,13 +78,13 @@ const char *column_name(column c);
 const char *note_name(note n);
 
 /** Open a table and read up to its columns. table_close in either case. `path` is borrowed.
- * @return GRAZE_EINPUT no column line, or a name in it twice; those of stream_next */
+ * @return GRAZE_EINPUT no column line, or a name in it twice; also those of stream_next */
 graze_status table_open(table *out, graze_context *context, const char *path);
 void table_close(table *t);
 
-/** The next row. *more is 0 at the end of the table.
- * @return GRAZE_EINPUT a wrong number of fields, a quote not closed, a wrong `# complete N`, rows
- * after it; those of stream_next */
+/** Read the next row. *more is 0 at the end of the table.
+ * @return GRAZE_EINPUT another number of fields, a quote not closed, a wrong `# complete N`, rows
+ * after it; also those of stream_next */
 graze_status table_next(table *t, table_row *row, int *more);
 void table_row_clear(table_row *row);
 

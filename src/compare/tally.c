@@ -1,8 +1,8 @@
 /* Counts errors by the value of a column.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Groups past MOST_GROUPS are counted together, so that a column of names all different costs
- * nothing.
+ * Groups past MOST_GROUPS are counted together, so that a column of different names costs no
+ * memory.
  */
 #include "compare/tally.h"
 

@@ -1,4 +1,4 @@
-/* The comparison for a person: Markdown that also reads well as it is.
+/* Reports of comparisons as Markdown.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "compare/text.h"
@@ -37,7 +37,8 @@ char *explain_command(const graze_comparison *c, const disagreement *d) {
     return text_take(&command);
 }
 
-/* A share with two digits, rounded to nearest, by whole numbers: the locale has no say in it. */
+/* A share with two digits, rounded to nearest, from whole numbers: it does not depend on the
+ * locale. */
 static void put_share(text *out, unsigned long part, unsigned long whole) {
     unsigned long long hundredths = whole ? (20000ull * part + whole) / (2ull * whole) : 0;
     text_format(out, "%llu.%02llu %%", hundredths / 100, hundredths % 100);

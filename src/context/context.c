@@ -1,4 +1,4 @@
-/* Contexts: options, limits and the last message, which every failing call leaves behind.
+/* Contexts: options, limits and the message of the last failure.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant: the message is one line of printable text, "" while nothing has failed.
@@ -69,11 +69,11 @@ graze_status graze_context_set_limit(graze_context *context, graze_limit limit,
         return GRAZE_EUSE;
     }
     if (!is_limit(limit)) {
-        return context_fail(context, GRAZE_EUSE, "limit %d is none of the %d there are", (int)limit,
-                            (int)GRAZE_LIMIT_COUNT);
+        return context_fail(context, GRAZE_EUSE, "limit %d: expected 0 to %d", (int)limit,
+                            (int)GRAZE_LIMIT_COUNT - 1);
     }
     if (value == 0 || value > limit_table[limit].largest) {
-        return context_fail(context, GRAZE_EUSE, "limit %s: %lu is not from 1 to %lu",
+        return context_fail(context, GRAZE_EUSE, "limit %s=%lu: expected 1 to %lu",
                             limit_table[limit].name, value, limit_table[limit].largest);
     }
     context->limits[limit] = value;
@@ -100,7 +100,7 @@ graze_status graze_context_set_rounding(graze_context *context, graze_rounding r
     }
     if (rounding != GRAZE_ROUND_NONE && rounding != GRAZE_ROUND_BINARY64 &&
         rounding != GRAZE_ROUND_BINARY32) {
-        return context_fail(context, GRAZE_EUSE, "rounding %d is none, binary64 nor binary32",
+        return context_fail(context, GRAZE_EUSE, "rounding %d: expected none, binary64 or binary32",
                             (int)rounding);
     }
     context->rounding = rounding;
@@ -118,8 +118,8 @@ void graze_free(void *memory) {
     free(memory);
 }
 
-/* Quoted input may hold line ends and other control bytes; a message is one line. A byte of UTF-8
- * cut off at the end by the message's size goes too. */
+/* A message is one line: control bytes of quoted input are replaced. A character of UTF-8 that is
+ * cut at the end is left out. */
 static void set_message(graze_context *context, const char *text) {
     size_t n = strnlen(text, CONTEXT_MESSAGE_SIZE - 1);
     for (size_t k = 0; k < n; k++) {
@@ -157,9 +157,8 @@ graze_status context_at(graze_context *context, graze_status status, const char 
 }
 
 graze_status context_limit(graze_context *context, graze_limit limit, const char *what) {
-    return context_fail(context, GRAZE_ELIMIT,
-                        "%s: more than the limit %s=%lu allows; --limit %s=V raises it", what,
-                        limit_table[limit].name, context->limits[limit], limit_table[limit].name);
+    return context_fail(context, GRAZE_ELIMIT, "%s: more than the limit %s=%lu allows", what,
+                        limit_table[limit].name, context->limits[limit]);
 }
 
 graze_status context_poll(graze_context *context) {

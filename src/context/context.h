@@ -1,4 +1,4 @@
-/* The inside of a context: options, limits, the last message, the cancel callback.
+/* Contexts: options, limits, the last message, the cancel callback.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CONTEXT_H
@@ -17,19 +17,19 @@ struct graze_context {
     unsigned long limits[GRAZE_LIMIT_COUNT];
     graze_rounding rounding;
     int exact_only;            /* the filter is off */
-    unsigned long work;        /* done for the motion that is read, as the limit `work` counts it */
+    unsigned long work;        /* of the motion being read, as the limit `work` counts it */
     unsigned long exact_count; /* points whose answer needed the exact path */
-    void *workspace;           /* memory that a later stage uses again from call to call */
+    void *workspace;           /* memory that a later stage reuses from call to call */
     void (*workspace_free)(void *);
     graze_cancel cancel;
     void *cancel_data;
-    unsigned long unpolled; /* work done since the callback was last asked */
+    unsigned long unpolled; /* work done since the last call of the callback */
 };
 
 /**
  * Record a message and hand the status back, so that a failing function ends in one line:
- * return context_fail(context, GRAZE_EINPUT, "%s:%zu: ...", ...). A message says where, what is
- * wrong and what would be right, in one line without a full stop at its end.
+ * return context_fail(context, GRAZE_EINPUT, "%s:%zu: ...", ...). A message names the place, the
+ * fault and what is expected, in one line without a full stop at its end.
  */
 graze_status context_fail(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -38,16 +38,15 @@ graze_status context_fail(graze_context *context, graze_status status, const cha
 graze_status context_at(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** GRAZE_ELIMIT with the message every limit has, naming `--limit NAME=V`. `what` names the thing
- * that is too large. */
+/** GRAZE_ELIMIT with a message that names the limit and its value; `what` is too large. */
 graze_status context_limit(graze_context *context, graze_limit limit, const char *what);
 
-/** GRAZE_OK, or GRAZE_ECANCELED with its message when the callback asks to stop. */
+/** Call the cancel callback: GRAZE_OK, or GRAZE_ECANCELED with its message. */
 graze_status context_poll(graze_context *context);
 
 /**
- * Count work of the exact arithmetic, in products of two machine words or what takes as long, and
- * poll when some milliseconds of it have come together. A context of NULL has no callback.
+ * Count work of the exact arithmetic, in products of two machine words, and call the cancel
+ * callback after some milliseconds of it. A context of NULL has no callback.
  */
 graze_status context_work(graze_context *context, unsigned long work);
 

@@ -1,8 +1,8 @@
-/* The floating-point environment that Graze computes in, whatever the host has set.
+/* The floating-point environment of Graze, independent of the host's.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * FLINT's modular arithmetic and CGAL's filters take rounding to nearest for granted; under another
- * mode FLINT was seen to factor wrongly. Every public function that computes opens with
+ * FLINT's modular arithmetic and CGAL's filters need rounding to nearest; under another mode FLINT
+ * factors wrongly. Every public function that computes opens with
  *     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
  */
 #ifndef GRAZE_CONTEXT_ENVIRONMENT_H
@@ -11,7 +11,7 @@
 #include <fenv.h>
 #include <mpfr.h>
 
-/** What the host had set: rounding mode, traps, flushing of subnormals, exception flags, and MPFR's
+/** The host's settings: rounding mode, traps, flushing of subnormals, exception flags, and MPFR's
  * range of exponents. */
 typedef struct environment {
     fenv_t host;
@@ -22,7 +22,7 @@ typedef struct environment {
  * range. */
 environment environment_enter(void);
 
-/** Give the host its own back. */
+/** Restore the host's settings. */
 void environment_leave(const environment *saved);
 
 #endif

@@ -22,8 +22,8 @@ void file_sha256(unsigned char sha256[32], const char *text, size_t length) {
 
 /* Read to the end of `file`; `guess` is enough room for files that do not grow. Room for the NUL is
  * always kept. */
-static graze_status read_stream(char **text, size_t *length, graze_context *context, const char *path,
-                             int file, size_t guess) {
+static graze_status read_stream(char **text, size_t *length, graze_context *context,
+                                const char *path, int file, size_t guess) {
     size_t capacity = 0;
     for (;;) {
         if (*length > context->limits[GRAZE_LIMIT_BYTES]) {

@@ -44,7 +44,7 @@ graze_status input_open(int *fd, graze_context *context, const char *path) {
     if (fstat(*fd, &about) != 0)
         status = fail_input(context, path, "cannot be read");
     else
-        status = check_file_kind(context, path, &about); /* it may be another by now */
+        status = check_file_kind(context, path, &about); /* the file may have changed since stat */
     if (status) {
         close(*fd);
         *fd = -1;

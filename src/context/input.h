@@ -1,4 +1,4 @@
-/* Files and pipes as input: opened and waited for so that the wait can be ended.
+/* Files and pipes as input, with waits that can be canceled.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CONTEXT_INPUT_H
@@ -7,18 +7,18 @@
 #include "context/context.h"
 
 /**
- * Open a file, a FIFO or what stands for a pipe (/dev/fd/63, /dev/stdin) for reading. Nobody is
- * waited for.
+ * Open a file, a FIFO or another name of a pipe (/dev/fd/63, /dev/stdin) for reading, without
+ * waiting.
  * @return GRAZE_ESYSTEM it cannot be opened, or is a directory or a device, also behind a link
  */
 graze_status input_open(int *fd, graze_context *context, const char *path);
 
-/** Take standard input instead, of any kind but a directory: GRAZE_ESYSTEM. */
+/** Open standard input. GRAZE_ESYSTEM: it is a directory. */
 graze_status input_standard(int *fd, graze_context *context);
 
 /**
- * Read what is there, at most `room` bytes. Where nothing is there yet, wait, and ask the cancel
- * callback ten times a second.
+ * Read at most `room` bytes. Until there are some, wait and call the cancel callback ten times a
+ * second.
  * @param[out] got  0 at the end
  * @param name      for the message
  * @return GRAZE_ESYSTEM, GRAZE_ECANCELED

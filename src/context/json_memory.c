@@ -18,7 +18,7 @@ static json_block *block_of(void *bytes) {
     return (json_block *)((char *)bytes - offsetof(json_block, bytes));
 }
 
-/* The neighbours of a block that is new, or has moved, point to it. */
+/* Point the neighbours of a block that is new or has moved to it. */
 static void *link_in(json_memory *memory, json_block *block) {
     if (block->newer != NULL) {
         block->newer->older = block;

@@ -1,9 +1,9 @@
-/* Memory for yajl, which writes into what it gets without a look whether it got any.
+/* Memory for yajl, which does not check for NULL.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * When memory runs out the functions do not return to yajl but to the setjmp of the caller. What
- * yajl held then is freed by json_memory_clear. Nothing of ours lies between the two: yajl asks for
- * memory itself, and never from within a callback.
+ * When memory runs out the functions return to the setjmp of the caller instead of to yajl, and
+ * json_memory_clear frees the blocks of yajl. No code of Graze lies between the two: yajl allocates
+ * outside of callbacks only.
  */
 #ifndef GRAZE_CONTEXT_JSON_MEMORY_H
 #define GRAZE_CONTEXT_JSON_MEMORY_H
@@ -13,13 +13,13 @@
 
 typedef struct json_memory {
     jmp_buf short_of;           /**< set by the caller before yajl is called */
-    struct json_block *newest;  /**< what yajl holds */
+    struct json_block *newest;  /**< of the blocks of yajl */
     yajl_alloc_funcs functions; /**< for yajl_alloc and yajl_gen_alloc */
 } json_memory;
 
-/** The memory stays where it is: yajl keeps its address. */
+/** `memory` must not be moved: yajl keeps its address. */
 void json_memory_init(json_memory *memory);
-/** Free what yajl has not freed; then none of yajl's handles is left. */
+/** Free all blocks of yajl; its handles are invalid then. */
 void json_memory_clear(json_memory *memory);
 
 #endif

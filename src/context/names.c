@@ -1,4 +1,4 @@
-/* The words of the formats for verdicts.
+/* Names of positions and classes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "graze/core.h"
 

@@ -12,7 +12,7 @@
 #include "number/text.h"
 
 int time_is_rational(const graze_time *time) {
-    /* Without a context nothing ends it. */
+    /* Without a context it cannot be canceled. */
     (void)time_canonicalise((graze_time *)time, NULL);
     return fmpq_equal(time->low, time->high);
 }

@@ -1,9 +1,9 @@
-/* The whole reasoning for one point, for a person to read.
+/* The reasoning for one point as text.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Six short parts: the answer, where the point stands at the two ends, the trajectory, the contacts
- * in order of time, the counts, and which definition and case apply. Every number is exact;
- * decimals stand beside exact times and are correctly rounded.
+ * Six parts: the answer, the point at the two ends, the trajectory, the contacts in order of time,
+ * the counts, and the definition and case that apply. Every number is exact; decimals stand beside
+ * exact times and are correctly rounded.
  */
 #include "report/explain.h"
 
@@ -155,8 +155,8 @@ static void put_cells(text *out, const contact *c) {
     text_put(out, "\n");
 }
 
-/* Why a contact is what it is: the states beside it, and at an end the Definition that asks only
- * for the one there is. */
+/* The reason for the kind of a contact: the states beside it, and at an end of the motion the
+ * Definition that needs only one. */
 static void put_reason(text *out, const graze_scene *scene, const contact *c) {
     int crossing = verdict_kind(c->left, c->right) == GRAZE_INTERSECTION;
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;

@@ -1,9 +1,9 @@
 /* Polynomials and rational functions of the motion's parameter as text.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A piece's maps are polynomials in its own parameter u; people read the motion's parameter t, so
+ * A piece's maps are polynomials in its own parameter u. For the motion's parameter t,
  * u = (t - lo)/(hi - lo) is put in and the quotient brought to lowest terms. Coefficients are
- * exact; where terms or digits are left out the text says how many.
+ * exact; where terms or digits are left out the text has their number.
  */
 #include "report/formula.h"
 

@@ -152,7 +152,7 @@ static void print_row(void *out, const char *bytes, size_t length) {
     text_bytes(out, bytes, length);
 }
 
-/* Returns 0 where memory ran out within yajl. */
+/* 0 when memory runs out within yajl. */
 static int put_line(writer *w, const graze_scene *scene, const fmpq *point,
                     const graze_trace *trace) {
     json_memory_init(&w->memory);

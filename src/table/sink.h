@@ -1,4 +1,4 @@
-/* Where a writer puts its bytes: a text in memory, or a file.
+/* A sink of bytes: a text in memory, or a file.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TABLE_SINK_H
@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-/** Failures are kept by what `to` is and are asked for there. */
+/** `to` keeps its failures. */
 typedef struct sink {
     void (*put)(void *to, const char *bytes, size_t length);
     void *to;
