@@ -47,20 +47,20 @@ static int compare_heads(const part *a, const part *b) {
     if (a->shard.count != b->shard.count)
         return complain(EXIT_INPUT,
                         "%s is a shard of %lu and %s one of %lu; expected parts of one run",
-                        a->path, a->shard.count, b->path, b->shard.count);
+                        a->in.name, a->shard.count, b->in.name, b->shard.count);
     while (*x || *y) {
         size_t n = strcspn(x, "\n"), m = strcspn(y, "\n");
         if (n != m || memcmp(x, y, n) != 0)
-            return complain(EXIT_INPUT,
-                            "%s has `%.*s` and %s has `%.*s`; expected parts of one run", a->path,
-                            (int)(n < 200 ? n : 200), x, b->path, (int)(m < 200 ? m : 200), y);
+            return complain(
+                EXIT_INPUT, "%s has `%.*s` and %s has `%.*s`; expected parts of one run",
+                a->in.name, (int)(n < 200 ? n : 200), x, b->in.name, (int)(m < 200 ? m : 200), y);
         x += n + (x[n] == '\n');
         y += m + (y[m] == '\n');
     }
     if (a->rows_of_all != b->rows_of_all || strcmp(a->checksum, b->checksum) != 0)
         return complain(EXIT_INPUT,
                         "%s and %s were made from different points; expected parts of one run",
-                        a->path, b->path);
+                        a->in.name, b->in.name);
     return EXIT_DONE;
 }
 
@@ -70,7 +70,7 @@ static int open_parts(merger *m, const operands *given) {
     if (!m->parts)
         return complain(EXIT_IO, "out of memory");
     for (int k = 0; k < given->count; k++) {
-        int status = part_open(&m->parts[m->count++], given->item[k]);
+        int status = part_open(&m->parts[m->count++], m->context, given->item[k]);
         if (!status && k > 0)
             status = compare_heads(&m->parts[0], &m->parts[k]);
         if (status)
@@ -90,8 +90,8 @@ static int check_parts(merger *m) {
     qsort(m->parts, m->count, sizeof *m->parts, by_shard);
     for (size_t k = 1; k < m->count; k++)
         if (m->parts[k].shard.index == m->parts[k - 1].shard.index)
-            return complain(EXIT_INPUT, "%s and %s are both shard %lu/%lu", m->parts[k - 1].path,
-                            m->parts[k].path, m->parts[k].shard.index + 1, count);
+            return complain(EXIT_INPUT, "%s and %s are both shard %lu/%lu", m->parts[k - 1].in.name,
+                            m->parts[k].in.name, m->parts[k].shard.index + 1, count);
     for (size_t k = 0; k < count; k++)
         if (k >= m->count || m->parts[k].shard.index != k)
             return complain(EXIT_INPUT, "shard %zu/%lu is missing; %zu of %lu parts are given",
@@ -105,7 +105,8 @@ static int check_merged(const merger *m, const char *path) {
     if (!path || stat(path, &out) != 0)
         return EXIT_DONE;
     for (size_t k = 0; k < m->count; k++)
-        if (stat(m->parts[k].path, &in) == 0 && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+        if (stat(m->parts[k].in.name, &in) == 0 && in.st_dev == out.st_dev &&
+            in.st_ino == out.st_ino)
             return complain(EXIT_USAGE, "--output %s: is a part; expected another file", path);
     return EXIT_DONE;
 }
@@ -116,8 +117,8 @@ static int copy_rows(merger *m, const merge_options *o) {
     progress line;
     progress_start(&line, o->quiet, 0, (portion){0, rows});
     for (; row < rows && !status && !m->out.error; row++) {
-        status = interrupt_signal() ? EXIT_SIGNAL
-                                    : part_copy_row(&m->parts[row % m->count], &m->out, m->context);
+        status =
+            interrupt_signal() ? EXIT_SIGNAL : part_copy_row(&m->parts[row % m->count], &m->out);
         if (row % 4096 == 0)
             progress_show(&line, row, (portion){row, rows});
     }

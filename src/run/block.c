@@ -22,6 +22,14 @@ int fault_set(fault *f, int status, const char *format, ...) {
     return status;
 }
 
+int fault_of(fault *f, graze_status status, const graze_context *context, int otherwise) {
+    if (!status)
+        return EXIT_DONE;
+    if (status == GRAZE_ECANCELED)
+        return f->status = EXIT_SIGNAL;
+    return fault_set(f, exit_for(status, otherwise), "%s", graze_context_message(context));
+}
+
 int fault_tell(const fault *f) {
     if (f->status == EXIT_DONE || f->status == EXIT_SIGNAL)
         return f->status;

@@ -20,6 +20,8 @@ typedef struct fault {
 
 /** Set a fault that is zeroed; returns `status`. */
 int fault_set(fault *f, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/** Set a fault to the context's message; `otherwise` as in exit_for, EXIT_SIGNAL for a cancel. */
+int fault_of(fault *f, graze_status status, const graze_context *context, int otherwise);
 /** Complain of a fault; returns its exit status. */
 int fault_tell(const fault *f);
 void fault_clear(fault *f);

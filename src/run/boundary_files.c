@@ -1,18 +1,26 @@
 /* Writes boundaries by sampling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * In the plane PLY and VTK have a third coordinate, which is 0.
+ * In the plane PLY and VTK have a third coordinate, which is 0. The lines of their points and cells
+ * are the same, so PLY's are written as VTK's.
  */
 #include "run/boundary_files.h"
 
 #include <stdio.h>
 #include <string.h>
-#include "run/status.h"
 #include "run/output.h"
+#include "run/status.h"
+#include "table/vtk.h"
 
 #define MISSES "sampled: parts, holes and gaps that hold no point of the sample are not seen"
 
 static output out;
+
+static void put_bytes(void *to, const char *bytes, size_t length) {
+    output_bytes(to, bytes, length);
+}
+
+static const vtk lines = {{put_bytes, &out}, 0};
 
 static int ends_in(const char *path, const char *extension) {
     size_t length = strlen(path), tail = strlen(extension);
@@ -29,76 +37,71 @@ int boundary_check_names(const char *surface, const char *cells, const char *poi
     return EXIT_DONE;
 }
 
-/* Counts between two texts, with blanks in between. */
-static void put_counted(const char *before, const size_t *count, int counts, const char *behind) {
-    char text[32];
-    output_put(&out, before);
-    for (int k = 0; k < counts; k++) {
-        snprintf(text, sizeof text, k ? " %zu" : "%zu", count[k]);
-        output_put(&out, text);
-    }
-    output_put(&out, behind);
-}
-
-static void put_one(const char *before, size_t count, const char *behind) {
-    put_counted(before, &count, 1, behind);
-}
-
-/* A line of two counts after a word. */
-static void put_sizes(const char *word, size_t items, size_t numbers) {
-    size_t count[2] = {items, numbers};
-    put_counted(word, count, 2, "\n");
-}
-
-static void put_coordinates(mpq_t *point, int dimension) {
-    char text[128];
-    double value[3] = {0, 0, 0};
-    for (int k = 0; k < dimension; k++)
-        value[k] = mpq_get_d(point[k]);
-    snprintf(text, sizeof text, "%.17g %.17g %.17g\n", value[0], value[1], value[2]);
-    output_put(&out, text);
-}
-
-typedef enum source { OF_POINTS, OF_VERTICES } source;
-
-static void put_all_coordinates(const graze_boundary *b, int dimension, source which,
-                                size_t count) {
-    mpq_t point[3];
+static void init_point(mpq_t point[3]) {
     for (int k = 0; k < 3; k++)
         mpq_init(point[k]);
-    for (size_t i = 0; i < count; i++) {
-        if (which == OF_VERTICES)
-            graze_boundary_vertex(point, b, i);
-        else
-            (void)graze_boundary_point(point, b, i);
-        put_coordinates(point, dimension);
-    }
+}
+
+static void clear_point(mpq_t point[3]) {
     for (int k = 0; k < 3; k++)
         mpq_clear(point[k]);
 }
 
-/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so all are this. */
-static void put_vtk(const graze_boundary *b, int dimension, source which, size_t count) {
-    output_put(&out, "# vtk DataFile Version 3.0\ngraze " GRAZE_VERSION " boundary; " MISSES "\n"
-                     "ASCII\nDATASET UNSTRUCTURED_GRID");
-    put_one("\nPOINTS ", count, " double\n");
-    put_all_coordinates(b, dimension, which, count);
+typedef enum source { OF_POINTS, OF_VERTICES } source;
+
+static void put_coordinates(const graze_boundary *b, int dimension, source which, size_t count) {
+    mpq_t point[3];
+    init_point(point);
+    for (size_t i = 0; i < count; i++) {
+        double at[3] = {0, 0, 0};
+        if (which == OF_VERTICES)
+            graze_boundary_vertex(point, b, i);
+        else
+            (void)graze_boundary_point(point, b, i);
+        for (int k = 0; k < dimension; k++)
+            at[k] = mpq_get_d(point[k]);
+        vtk_point(&lines, at);
+    }
+    clear_point(point);
 }
 
-/* Numbers that VTK has for kinds of cells. */
-enum { VTK_VERTEX = 1, VTK_LINE = 3, VTK_TRIANGLE = 5, VTK_QUAD = 9, VTK_HEXAHEDRON = 12 };
-
-static void put_types(size_t count, size_t type) {
-    put_one("CELL_TYPES ", count, "\n");
-    for (size_t i = 0; i < count; i++)
-        put_one("", type, "\n");
+/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so all are this. */
+static void put_vtk_points(const graze_boundary *b, int dimension, source which, size_t count) {
+    vtk_begin(&lines, "graze " GRAZE_VERSION " boundary; " MISSES, "UNSTRUCTURED_GRID");
+    vtk_points_begin(&lines, count);
+    put_coordinates(b, dimension, which, count);
 }
 
 static void put_faces(const graze_boundary *b, int dimension, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        const size_t *face = graze_boundary_face(b, i);
-        put_counted(dimension == 3 ? "3 " : "2 ", face, dimension, "\n");
+    for (size_t i = 0; i < count; i++)
+        vtk_cell(&lines, graze_boundary_face(b, i), (size_t)dimension);
+}
+
+/* A count between two texts. */
+static void put_count(const char *before, size_t count, const char *behind) {
+    char text[32];
+    snprintf(text, sizeof text, "%zu", count);
+    output_put(&out, before);
+    output_put(&out, text);
+    output_put(&out, behind);
+}
+
+static void put_ply(const graze_boundary *b, int dimension, const graze_boundary_summary *s) {
+    output_put(&out, "ply\nformat ascii 1.0\ncomment graze " GRAZE_VERSION " boundary\n"
+                     "comment " MISSES "\n");
+    put_count("element vertex ", s->vertices,
+              "\nproperty double x\nproperty double y\nproperty double z\n");
+    put_count(dimension == 3 ? "element face " : "element edge ", s->faces,
+              dimension == 3 ? "\nproperty list uchar int vertex_indices\nend_header\n"
+                             : "\nproperty int vertex1\nproperty int vertex2\nend_header\n");
+    put_coordinates(b, dimension, OF_VERTICES, s->vertices);
+    for (size_t i = 0; i < s->faces && dimension == 2; i++) {
+        const size_t *edge = graze_boundary_face(b, i);
+        put_count("", edge[0], " ");
+        put_count("", edge[1], "\n");
     }
+    if (dimension == 3)
+        put_faces(b, 3, s->faces);
 }
 
 int boundary_write_surface(const char *path, const graze_boundary *b, int dimension) {
@@ -106,37 +109,24 @@ int boundary_write_surface(const char *path, const graze_boundary *b, int dimens
     int status = output_open(&out, path);
     if (status)
         return status;
-    if (ends_in(path, ".vtk")) {
-        put_vtk(b, dimension, OF_VERTICES, s.vertices);
-        put_sizes("CELLS ", s.faces, s.faces * (size_t)(dimension + 1));
-        put_faces(b, dimension, s.faces);
-        put_types(s.faces, dimension == 3 ? VTK_TRIANGLE : VTK_LINE);
+    if (!ends_in(path, ".vtk")) {
+        put_ply(b, dimension, &s);
         return output_close(&out);
     }
-    output_put(&out, "ply\nformat ascii 1.0\ncomment graze " GRAZE_VERSION " boundary\n"
-                     "comment " MISSES "\n");
-    put_one("element vertex ", s.vertices,
-            "\nproperty double x\nproperty double y\nproperty double z\n");
-    put_one(dimension == 3 ? "element face " : "element edge ", s.faces,
-            dimension == 3 ? "\nproperty list uchar int vertex_indices\nend_header\n"
-                           : "\nproperty int vertex1\nproperty int vertex2\nend_header\n");
-    put_all_coordinates(b, dimension, OF_VERTICES, s.vertices);
-    for (size_t i = 0; i < s.faces && dimension == 2; i++)
-        put_counted("", graze_boundary_face(b, i), 2, "\n");
-    if (dimension == 3)
-        put_faces(b, 3, s.faces);
+    put_vtk_points(b, dimension, OF_VERTICES, s.vertices);
+    vtk_cells_begin(&lines, s.faces, (size_t)dimension);
+    put_faces(b, dimension, s.faces);
+    vtk_cell_types(&lines, s.faces, dimension == 3 ? VTK_TRIANGLE : VTK_LINE);
     return output_close(&out);
 }
 
 /* One column of the cells. */
-static void put_scalars(const graze_boundary *b, size_t count, const char *name, int which) {
-    output_put(&out, "SCALARS ");
-    output_put(&out, name);
-    output_put(&out, " int 1\nLOOKUP_TABLE default\n");
+static void put_column(const graze_boundary *b, size_t count, const char *name, int which) {
+    vtk_scalars_begin(&lines, (field){name, strlen(name)}, "int");
     for (size_t i = 0; i < count; i++) {
         graze_boundary_cell c = graze_boundary_cell_at(b, i);
-        size_t value[3] = {c.level, (size_t)c.pmc, (size_t)c.contact};
-        put_one("", value[which], "\n");
+        unsigned value[3] = {c.level, (unsigned)c.pmc, (unsigned)c.contact};
+        vtk_int(&lines, value[which]);
     }
 }
 
@@ -144,31 +134,30 @@ static void put_scalars(const graze_boundary *b, size_t count, const char *name,
 int boundary_write_cells(const char *path, const graze_boundary *b, int dimension) {
     graze_boundary_summary s = graze_boundary_summarize(b);
     static const unsigned round[8] = {0, 1, 3, 2, 4, 5, 7, 6};
-    unsigned corners = 1u << dimension;
+    size_t corners = (size_t)1 << dimension;
     int status = output_open(&out, path);
     if (status)
         return status;
-    put_vtk(b, dimension, OF_POINTS, s.points);
-    put_sizes("CELLS ", s.cells, s.cells * (corners + 1));
+    put_vtk_points(b, dimension, OF_POINTS, s.points);
+    vtk_cells_begin(&lines, s.cells, corners);
     for (size_t i = 0; i < s.cells; i++) {
         graze_boundary_cell c = graze_boundary_cell_at(b, i);
         size_t corner[8];
-        for (unsigned k = 0; k < corners; k++)
+        for (size_t k = 0; k < corners; k++)
             corner[k] = c.corners[round[k]];
-        put_counted(dimension == 2 ? "4 " : "8 ", corner, (int)corners, "\n");
+        vtk_cell(&lines, corner, corners);
     }
-    put_types(s.cells, dimension == 2 ? VTK_QUAD : VTK_HEXAHEDRON);
-    put_one("CELL_DATA ", s.cells, "\n");
-    put_scalars(b, s.cells, "level", 0);
-    put_scalars(b, s.cells, "pmc", 1);
-    put_scalars(b, s.cells, "contact", 2);
+    vtk_cell_types(&lines, s.cells, dimension == 2 ? VTK_QUAD : VTK_HEXAHEDRON);
+    vtk_data_begin(&lines, "CELL_DATA", s.cells);
+    put_column(b, s.cells, "level", 0);
+    put_column(b, s.cells, "pmc", 1);
+    put_column(b, s.cells, "contact", 2);
     return output_close(&out);
 }
 
 static void put_exact_points(const graze_boundary *b, int dimension, size_t count) {
     mpq_t point[3];
-    for (int k = 0; k < 3; k++)
-        mpq_init(point[k]);
+    init_point(point);
     output_put(&out, dimension == 2 ? "x,y,pmc\n" : "x,y,z,pmc\n");
     for (size_t i = 0; i < count; i++) {
         graze_pmc pmc = graze_boundary_point(point, b, i);
@@ -179,8 +168,7 @@ static void put_exact_points(const graze_boundary *b, int dimension, size_t coun
         output_put(&out, graze_pmc_name(pmc));
         output_put(&out, "\n");
     }
-    for (int k = 0; k < 3; k++)
-        mpq_clear(point[k]);
+    clear_point(point);
 }
 
 int boundary_write_points(const char *path, const graze_boundary *b, int dimension) {
@@ -193,18 +181,17 @@ int boundary_write_points(const char *path, const graze_boundary *b, int dimensi
         put_exact_points(b, dimension, s.points);
         return output_close(&out);
     }
-    put_vtk(b, dimension, OF_POINTS, s.points);
-    put_sizes("CELLS ", s.points, 2 * s.points);
+    put_vtk_points(b, dimension, OF_POINTS, s.points);
+    vtk_cells_begin(&lines, s.points, 1);
     for (size_t i = 0; i < s.points; i++)
-        put_one("1 ", i, "\n");
-    put_types(s.points, VTK_VERTEX);
-    put_one("POINT_DATA ", s.points, "\nSCALARS pmc int 1\nLOOKUP_TABLE default\n");
+        vtk_cell(&lines, &i, 1);
+    vtk_cell_types(&lines, s.points, VTK_VERTEX);
+    vtk_data_begin(&lines, "POINT_DATA", s.points);
+    vtk_scalars_begin(&lines, (field){"pmc", 3}, "int");
     mpq_t point[3];
-    for (int k = 0; k < 3; k++)
-        mpq_init(point[k]);
+    init_point(point);
     for (size_t i = 0; i < s.points; i++)
-        put_one("", (size_t)graze_boundary_point(point, b, i), "\n");
-    for (int k = 0; k < 3; k++)
-        mpq_clear(point[k]);
+        vtk_int(&lines, (unsigned)graze_boundary_point(point, b, i));
+    clear_point(point);
     return output_close(&out);
 }

@@ -16,6 +16,7 @@
 #include "run/progress.h"
 #include "run/receipt.h"
 #include "run/results.h"
+#include "table/typed.h"
 
 /* Blocks at hand keep the threads busy while one is written: a few, and some rows for each. */
 static size_t ring_size(const classify_options *o) {
@@ -34,6 +35,7 @@ typedef struct run_state {
     int ended;                     /* all points are taken, or none can be for `read_status` */
     int read_status;
     results table;
+    typed_table typed; /* the table, where it is exported */
     int headed;
     progress progress;
 } run_state;
@@ -54,25 +56,40 @@ static char *make_head_notes(const run_state *s, const classify_options *o) {
     return notes;
 }
 
+/* Read lines of the table into the columns that are exported. */
+static int export_lines(run_state *s, const char *text, size_t length) {
+    return complain_of(typed_add(&s->typed, text, length), s->l.context);
+}
+
 static int put_table_head(run_state *s, const classify_options *o) {
     char *notes = make_head_notes(s, o), *text = NULL;
     if (!notes)
         return complain(EXIT_IO, "out of memory");
     graze_status made = graze_report_header(&text, s->l.context, s->l.scene, notes,
                                             s->points ? csv_columns(s->points)->others : NULL);
-    int status = made ? complain_of(made, s->l.context) : results_begin(&s->table, text);
+    int status = complain_of(made, s->l.context);
+    if (!status)
+        status =
+            o->format.table ? export_lines(s, text, strlen(text)) : results_begin(&s->table, text);
     graze_free(text);
     free(notes);
     return status;
 }
 
+static int put_run(run_state *s, const classify_options *o, const row_run *one) {
+    if (!o->format.table)
+        return results_add(&s->table, one->text, one->length, one->done);
+    s->table.rows += one->done;
+    return export_lines(s, one->text, one->length);
+}
+
 /* Write the rows of a block that have answers, up to the first that has none. */
-static int put_block(run_state *s, const block *b) {
+static int put_block(run_state *s, const classify_options *o, const block *b) {
     size_t r = 0;
     int status = EXIT_DONE;
     while (r < b->count && !status) {
         const row_run *one = &b->runs[r];
-        status = results_add(&s->table, one->text, one->length, one->done);
+        status = put_run(s, o, one);
         if (!status && one->taken == 0)
             status = EXIT_SIGNAL;
         else if (!status && one->done < one->taken)
@@ -143,7 +160,7 @@ static portion portion_reached(const run_state *s, const classify_options *o) {
 static int write_next_block(run_state *s, const classify_options *o) {
     const block *b = s->ring[s->written % s->ring_size];
     jobs_wait(s->jobs, b);
-    int status = put_block(s, b);
+    int status = put_block(s, o, b);
     s->written++;
     progress_show(&s->progress, s->table.rows, portion_reached(s, o));
     if (!status && interrupt_signal())
@@ -168,7 +185,7 @@ static int do_all_blocks(run_state *s, const classify_options *o) {
 }
 
 /* The last lines; those of a shard describe the whole run, so that merge can match the parts. */
-static void put_last_lines(run_state *s, const classify_options *o) {
+static int put_last_lines(run_state *s, const classify_options *o) {
     char text[160];
     if (o->shard.given) {
         snprintf(text, sizeof text, SHARD_ROWS "%lu\n" SHARD_POINTS "%016llx\n",
@@ -177,7 +194,10 @@ static void put_last_lines(run_state *s, const classify_options *o) {
         output_put(&s->table.out, text);
     }
     snprintf(text, sizeof text, "# complete %lu\n", s->table.rows);
+    if (o->format.table)
+        return export_lines(s, text, strlen(text));
     output_put(&s->table.out, text);
+    return EXIT_DONE;
 }
 
 /* The file is read from and written to at once. */
@@ -200,6 +220,7 @@ static int make_ring(run_state *s, size_t size) {
 
 static int prepare_run(run_state *s, const classify_options *o) {
     int status = receipt_load(&s->l, o->receipt, &o->scene);
+    typed_init(&s->typed, s->l.context);
     if (status)
         return status;
     if (o->grid.sizes)
@@ -219,9 +240,7 @@ static int prepare_run(run_state *s, const classify_options *o) {
     if (!status)
         status = jobs_start(&s->jobs, o->threads, &task);
     if (!status)
-        status = results_open(&s->table, o->output, o->resume);
-    if (!status && o->format.table)
-        output_keep(&s->table.out);
+        status = results_open(&s->table, s->l.context, o->output, o->resume);
     return status ? status : check_kept_rows(s, o, task.source);
 }
 
@@ -234,22 +253,20 @@ static void end_run(run_state *s) {
     free(s->ring);
     csv_close(s->points);
     grid_close(s->grid);
+    typed_clear(&s->typed);
     loaded_clear(&s->l);
     free(s);
 }
 
-/* Write the table, which was kept in memory, in the form asked for. */
+static void put_bytes(void *to, const char *bytes, size_t length) {
+    output_bytes(to, bytes, length);
+}
+
+/* Write the table in the form asked for. */
 static int export_table(run_state *s, const classify_options *o) {
-    size_t length, bytes_length;
-    char *table = output_release(&s->table.out, &length), *bytes = NULL;
-    if (!table || s->table.out.error)
-        return EXIT_IO;
-    graze_status status =
-        graze_report_export(&bytes, &bytes_length, s->l.context, table, length, o->format.table);
+    graze_status status = typed_end(&s->typed);
     if (!status)
-        output_bytes(&s->table.out, bytes, bytes_length);
-    free(table);
-    graze_free(bytes);
+        status = typed_write(&s->typed, o->format.table, (sink){put_bytes, &s->table.out});
     return complain_of(status, s->l.context);
 }
 
@@ -269,7 +286,7 @@ int classify_run(const classify_options *o) {
     if (!status)
         status = do_all_blocks(s, o);
     if (!status && o->format.rows == GRAZE_FORMAT_CSV)
-        put_last_lines(s, o);
+        status = put_last_lines(s, o);
     if (!status && o->format.table)
         status = export_table(s, o);
     status = results_close(&s->table, status);

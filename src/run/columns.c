@@ -10,23 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Cut a line into fields, or say what is wrong with it. */
-static int cut_columns(fields *out, fault *f, const columns *c, field text, unsigned long number) {
-    if (memchr(text.start, '\0', text.length))
-        return fault_set(f, EXIT_INPUT, "%s:%lu: a byte 0 in a text file", c->name, number);
-    switch (fields_cut(out, text)) {
-    case FIELDS_CUT:
-        return EXIT_DONE;
-    case FIELDS_OPEN_QUOTE:
-        return fault_set(f, EXIT_INPUT,
-                         "%s:%lu: a quoted field must end on its line, before a comma or the "
-                         "line's end",
-                         c->name, number);
-    default:
-        return fault_set(f, EXIT_IO, "out of memory");
-    }
-}
-
 /* 0, 1, 2 for x, y, z; -1 for any other name. */
 static int axis_of(field f, int dimension) {
     f = field_content(f);
@@ -100,9 +83,11 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
     return status;
 }
 
-int columns_fix(int *header, fault *f, columns *c, field text, unsigned long number) {
+int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
+                unsigned long number) {
     fields first = {NULL, 0, 0};
-    int status = cut_columns(&first, f, c, text, number);
+    graze_status cut = fields_read(&first, context, c->name, number, text);
+    int status = fault_of(f, cut, context, EXIT_INPUT);
     if (!status)
         status = fix(header, f, c, &first, number);
     fields_clear(&first);
@@ -137,9 +122,10 @@ static int keep_others(reader *r, const columns *c, size_t length) {
 
 int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index) {
     const line *l = &b->lines[index];
-    int status = cut_columns(&r->cut, f, c, (field){b->bytes + l->start, l->length}, l->number);
-    if (status)
-        return status;
+    field text = {b->bytes + l->start, l->length};
+    graze_status cut = fields_read(&r->cut, r->context, c->name, l->number, text);
+    if (cut)
+        return fault_of(f, cut, r->context, EXIT_INPUT);
     if (r->cut.count != c->count)
         return fault_set(f, EXIT_INPUT, "%s:%lu: %zu columns; expected %zu, as on the first line",
                          c->name, l->number, r->cut.count, c->count);

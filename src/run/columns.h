@@ -31,7 +31,8 @@ void columns_clear(columns *c);
  * @param[out] header 1 if the line names the columns, 0 if it is a row
  * @return EXIT_DONE, or the status of the fault, which names file and line
  */
-int columns_fix(int *header, fault *f, columns *c, field text, unsigned long number);
+int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
+                unsigned long number);
 
 /**
  * Read a line of a block. Any thread may ask, once the columns are fixed.

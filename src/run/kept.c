@@ -59,10 +59,6 @@ static field point_text(kept *k) {
     return (field){k->text, used};
 }
 
-static int same_bytes(field a, field b) {
-    return a.length == b.length && memcmp(a.start, b.start, a.length) == 0;
-}
-
 static int check_row(kept *k, results *t) {
     field row, point = point_text(k), rest = {"", 0};
     row_parts parts;
@@ -76,9 +72,9 @@ static int check_row(kept *k, results *t) {
     const char *expected = row_check(&parts, &k->form, k->context, row);
     if (expected)
         return results_refuse(t, row, expected, (field){"", 0});
-    if (!same_bytes(parts.point, point))
+    if (!field_equal(parts.point, point))
         return results_refuse(t, parts.point, "this run's point, ", point);
-    if (!same_bytes(parts.rest, rest))
+    if (!field_equal(parts.rest, rest))
         return results_refuse(t, parts.rest, "this run's further columns, ", rest);
     return EXIT_DONE;
 }

@@ -17,32 +17,12 @@ int output_open(output *out, const char *path) {
     out->name = path ? path : "standard output";
     out->error = 0;
     out->used = out->open_line = 0;
-    out->kept = NULL;
-    out->kept_length = out->kept_capacity = 0;
-    out->keeps = 0;
     if (!path)
         return EXIT_DONE;
     out->fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (out->fd < 0)
         return complain(EXIT_IO, "%s: cannot be opened for writing: %s", path, strerror(errno));
     return EXIT_DONE;
-}
-
-static void keep_buffer(output *out) {
-    if (!out->used)
-        return;
-    if (out->kept_capacity - out->kept_length < out->used) {
-        size_t capacity = 2 * (out->kept_length + out->used);
-        char *grown = realloc(out->kept, capacity);
-        if (!grown) {
-            out->error = ENOMEM;
-            return;
-        }
-        out->kept = grown;
-        out->kept_capacity = capacity;
-    }
-    memcpy(out->kept + out->kept_length, out->buffer, out->used);
-    out->kept_length += out->used;
 }
 
 /* A file system without locks is no reason to refuse. */
@@ -96,11 +76,6 @@ static void cut_open_line(const output *out) {
 
 void output_flush(output *out) {
     size_t done = 0;
-    if (out->keeps && !out->error) {
-        keep_buffer(out);
-        out->used = 0;
-        return;
-    }
     while (done < out->used && !out->error) {
         ssize_t n = write(out->fd, out->buffer + done, out->used - done);
         if (n >= 0)
@@ -146,20 +121,6 @@ void output_put(output *out, const char *text) {
     output_bytes(out, text, strlen(text));
 }
 
-void output_keep(output *out) {
-    output_flush(out);
-    out->keeps = 1;
-}
-
-char *output_release(output *out, size_t *length) {
-    output_flush(out);
-    char *kept = out->kept;
-    *length = out->kept_length;
-    out->kept = NULL;
-    out->keeps = 0;
-    return kept;
-}
-
 void output_number(output *out, const mpq_t value) {
     char *text = mpq_get_str(NULL, 10, value);
     output_put(out, text);
@@ -170,7 +131,6 @@ void output_number(output *out, const mpq_t value) {
 
 int output_close(output *out) {
     output_flush(out);
-    free(out->kept);
     if (close(out->fd) != 0 && !out->error)
         out->error = errno;
     if (out->error)

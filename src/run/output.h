@@ -13,9 +13,6 @@ typedef struct output {
     int fd;
     const char *name; /* for messages */
     int error;
-    char *kept; /* output held back since output_keep */
-    size_t kept_length, kept_capacity;
-    int keeps;
     size_t open_line; /* bytes written of a line without its end */
     size_t used;
     char buffer[1 << 16];
@@ -37,11 +34,6 @@ void output_bytes(output *out, const char *text, size_t length);
 /** An integer, or a ratio in lowest terms. */
 void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
-/** Keep later output in memory instead of writing it. */
-void output_keep(output *out);
-/** Hand over the output kept, malloc'ed, and write later output again. NULL when memory ran short,
- * or nothing was put. */
-char *output_release(output *out, size_t *length);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);
 

@@ -11,30 +11,25 @@
 #include "run/output.h"
 #include "run/row.h"
 #include "run/shard.h"
+#include "table/stream.h"
 
 typedef struct part {
-    const char *path;
+    stream in;
     shard shard;
     char *head; /* without its `# shard` line; malloc'ed */
     size_t head_length;
     row_form form;
-    unsigned long rows, rows_of_all, line; /* line: of the row at hand */
-    char checksum[32];                     /* of the points, as text */
-    long long at, size;                    /* the next byte to read; all bytes */
-    char *buffer;                          /* malloc'ed */
-    size_t from, to;                       /* bytes of it that are read and not yet used */
-    char *row; /* the row at hand, where the buffer has a piece of it only; malloc'ed */
-    size_t row_length, row_capacity;
+    unsigned long rows, rows_of_all;
+    char checksum[32]; /* of the points, as text */
 } part;
 
 /** Read head and last lines, and see that they fit together. Returns an exit status and says what
  * is wrong: EXIT_INPUT it is no part, or not a whole one. part_close frees it in any case. */
-int part_open(part *p, const char *path);
+int part_open(part *p, graze_context *context, const char *path);
 void part_close(part *p);
 
-/** Copy the next row. EXIT_INPUT: there is none, or it is none that graze classify writes. The
- * context is for messages that are not shown. */
-int part_copy_row(part *p, output *out, graze_context *context);
+/** Copy the next row. EXIT_INPUT: there is none, or it is none that graze classify writes. */
+int part_copy_row(part *p, output *out);
 
 /** All rows are copied. EXIT_INPUT: there are more. */
 int part_end(part *p);

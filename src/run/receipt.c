@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "run/output.h"
-#include "run/source.h"
+#include "table/stream.h"
 
 /* A receipt has fewer bytes than that. */
 enum { RECEIPT = 1024, HASH = 32 };
@@ -73,9 +73,13 @@ static int is_intact_receipt(const char *text) {
     return strcmp(text, again) == 0;
 }
 
-static int read_receipt(char text[RECEIPT], const char *path) {
-    size_t length;
-    int status = source_read(text, RECEIPT, &length, path);
+static int read_receipt(char text[RECEIPT], const char *path, const context_options *o) {
+    size_t length = 0;
+    graze_context *context;
+    int status = context_make(&context, o);
+    if (!status)
+        status = complain_of(stream_beginning(text, RECEIPT, &length, context, path), context);
+    graze_context_destroy(context);
     if (status)
         return status;
     if (strlen(text) != length || !is_intact_receipt(text))
@@ -130,7 +134,7 @@ int receipt_load(loaded *out, const char *path, const scene_options *o) {
     if (!path)
         return loaded_read(out, o, EXIT_INPUT, NULL);
     memset(out, 0, sizeof *out);
-    int status = read_receipt(text, path);
+    int status = read_receipt(text, path, &o->context);
     if (!status && !read_hash_line(solid, text, solid_key))
         status = complain(EXIT_INPUT, "%s: names no solid", path);
     if (!status)

@@ -3,89 +3,97 @@
  */
 #include "run/results.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "run/status.h"
 
-static int keep_head(results *t, const char *line, size_t length) {
-    char *grown = realloc(t->head, t->head_length + length + 1);
+static int no_memory(void) {
+    return complain(EXIT_IO, "out of memory");
+}
+
+/* Add a line to the head. */
+static int keep_head(results *t, field line) {
+    char *grown = realloc(t->head, t->head_length + line.length + 2);
     if (!grown)
-        return complain(EXIT_IO, "out of memory");
-    memcpy(grown + t->head_length, line, length);
+        return no_memory();
     t->head = grown;
-    t->head_length += length;
+    memcpy(grown + t->head_length, line.start, line.length);
+    t->head_length += line.length;
+    if (t->in.whole)
+        t->head[t->head_length++] = '\n';
     t->head[t->head_length] = '\0';
-    t->line_number++;
-    t->next_start += (long long)length;
-    t->head_whole = *line != '#' && line[length - 1] == '\n';
+    t->head_lines++;
+    t->head_whole = t->in.whole && (!line.length || *line.start != '#');
     return EXIT_DONE;
 }
 
-/* One line of the file, at byte `start`; a row changes places with the last one. */
-static int take_line(results *t, char **line, size_t length, long long start, int *complete) {
-    int whole = (*line)[length - 1] == '\n';
-    if (!t->head_whole)
-        return keep_head(t, *line, length);
-    if (whole && **line == '#') {
-        *complete |= strncmp(*line, "# complete ", 11) == 0;
-    } else if (whole) {
-        char *spare = t->last;
-        t->last = *line;
-        t->last_length = length;
-        t->last_start = start;
-        t->rows++;
-        *line = spare;
+/* Keep a row, with a newline, in place of the one before it. */
+static int keep_last(results *t, field line, long long start) {
+    if (t->last_room <= line.length) {
+        char *grown = realloc(t->last, 2 * line.length + 2);
+        if (!grown)
+            return no_memory();
+        t->last = grown;
+        t->last_room = 2 * line.length + 2;
     }
+    memcpy(t->last, line.start, line.length);
+    t->last[line.length] = '\n';
+    t->last_length = line.length + 1;
+    t->last_start = start;
+    t->rows++;
     return EXIT_DONE;
 }
 
-static int complain_of_reading(const results *t) {
-    return complain(EXIT_IO, "%s: reading failed: %s", t->resumed, strerror(errno));
+/* One line of the file, at byte `start`. */
+static int take_line(results *t, field line, long long start, int *complete) {
+    field value;
+    if (!t->head_whole)
+        return keep_head(t, line);
+    if (!t->in.whole)
+        return EXIT_DONE;
+    if (!line.length || *line.start != '#')
+        return keep_last(t, line, start);
+    *complete |= field_behind(&value, line, "# complete ");
+    return EXIT_DONE;
 }
 
-/* Find out how far the file has come. */
+/* Find out how far the file has come, and go back to its first row. */
 static int scan(results *t) {
-    char *line = NULL;
-    long long start = 0;
     int status = EXIT_DONE, complete = 0;
     for (;;) {
-        size_t room = 0; /* getline takes a buffer of its own for each row that is kept */
-        free(line);
-        line = NULL;
-        ssize_t length = getline(&line, &room, t->file);
-        if (length <= 0 || status)
+        long long start = stream_tell(&t->in);
+        field line;
+        status = complain_of(stream_next(&t->in, &line), t->in.context);
+        if (status || !line.start)
             break;
-        status = take_line(t, &line, (size_t)length, start, &complete);
-        start += length;
+        status = take_line(t, line, start, &complete);
+        if (status)
+            break;
     }
-    if (!status && !feof(t->file)) /* also where getline had no memory */
-        status = complain_of_reading(t);
     if (!status && complete)
         status =
             complain(EXIT_INPUT, "%s: is complete with its %lu rows; expected an interrupted table",
                      t->resumed, t->rows);
-    free(line);
-    if (!status && fseeko(t->file, (off_t)t->next_start, SEEK_SET) != 0)
-        status = complain_of_reading(t);
-    return status;
+    if (status)
+        return status;
+    t->in.line = t->head_lines;
+    return complain_of(stream_seek(&t->in, (long long)t->head_length), t->in.context);
 }
 
 /* The file is locked before it is looked at. Closing any descriptor of it would end the lock. */
-static int open_resumed(results *t) {
-    t->file = fopen(t->resumed, "r");
-    if (!t->file)
-        return complain(EXIT_IO, "%s: cannot be opened: %s", t->resumed, strerror(errno));
-    int status = output_lock(&t->out);
+static int open_resumed(results *t, graze_context *context) {
+    int status = complain_of(stream_open_own(&t->in, context, t->resumed, 0), context);
+    if (!status)
+        status = output_lock(&t->out);
     return status ? status : scan(t);
 }
 
-int results_open(results *t, const char *path, const char *resumed) {
+int results_open(results *t, graze_context *context, const char *path, const char *resumed) {
     t->resumed = resumed;
     int status = resumed ? output_continue(&t->out, resumed) : output_open(&t->out, path);
     t->opened = !status;
-    return status || !resumed ? status : open_resumed(t);
+    return status || !resumed ? status : open_resumed(t, context);
 }
 
 unsigned long results_skip(const results *t) {
@@ -93,20 +101,20 @@ unsigned long results_skip(const results *t) {
 }
 
 int results_next(results *t, field *row) {
-    ssize_t length = getline(&t->line, &t->line_room, t->file);
-    if (length <= 0)
-        return complain_of_reading(t);
-    t->line_number++;
-    t->next_start += length;
-    *row = (field){t->line, (size_t)length - (t->line[length - 1] == '\n')};
-    return *t->line == '#' ? results_refuse(t, *row, "a row", (field){"", 0}) : EXIT_DONE;
+    int status = complain_of(stream_next(&t->in, row), t->in.context);
+    if (status)
+        return status;
+    if (!row->start)
+        return complain(EXIT_IO, "%s: another program has changed it", t->resumed);
+    return row->length && *row->start == '#' ? results_refuse(t, *row, "a row", (field){"", 0})
+                                             : EXIT_DONE;
 }
 
 int results_refuse(const results *t, field there, const char *expected, field here) {
     return complain(EXIT_INPUT,
                     "%s:%lu: `%.*s` stands there; expected %s%.*s, as in a table of these points "
                     "that was not changed",
-                    t->resumed, t->line_number, there.length < 200 ? (int)there.length : 200,
+                    t->resumed, t->in.line, there.length < 200 ? (int)there.length : 200,
                     there.start, expected, here.length < 200 ? (int)here.length : 200, here.start);
 }
 
@@ -151,7 +159,7 @@ int results_begin(results *t, const char *head) {
 }
 
 int results_add(results *t, const char *text, size_t length, unsigned long rows) {
-    if (t->last && rows && t->next_start != t->last_start) {
+    if (t->last && rows && stream_tell(&t->in) != t->last_start) {
         field line;
         int status = results_next(t, &line);
         return status ? status : results_refuse(t, line, "the last row", (field){"", 0});
@@ -187,10 +195,9 @@ int results_close(results *t, int status) {
         int closed = output_close(&t->out);
         status = closed ? closed : status;
     }
-    if (t->file)
-        fclose(t->file);
+    if (t->resumed)
+        stream_close(&t->in);
     free(t->head);
     free(t->last);
-    free(t->line);
     return status;
 }

@@ -8,9 +8,8 @@
 #ifndef GRAZE_RUN_RESULTS_H
 #define GRAZE_RUN_RESULTS_H
 
-#include <stdio.h>
 #include "run/output.h"
-#include "table/field.h"
+#include "table/stream.h"
 
 typedef struct results {
     output out;
@@ -19,21 +18,18 @@ typedef struct results {
     unsigned long rows;  /* rows written, or taken over from an earlier run */
     char *head;          /* what the file had of a head, with a NUL; malloc'ed */
     size_t head_length;
-    int head_whole;       /* it ends with the column line */
-    char *last;           /* the last whole row there was, until it is made again; malloc'ed */
-    size_t last_length;   /* with its newline */
-    long long last_start; /* byte of the file */
-    FILE *file; /* the resumed one, from which kept rows are read; open while it is locked */
-    char *line; /* the kept row at hand; malloc'ed */
-    size_t line_room;
-    unsigned long line_number;
-    long long next_start; /* byte behind it */
+    int head_whole; /* it ends with the column line */
+    char *last;     /* the last whole row there was, until it is made again; malloc'ed */
+    size_t last_length, last_room; /* with its newline */
+    long long last_start;          /* byte of the file */
+    stream in; /* the resumed file, from which kept rows are read; open while it is locked */
+    unsigned long head_lines;
 } results;
 
 /** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
  * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is no table, or it is
  * whole already. `t` is zeroed before; results_close ends it in any case. */
-int results_open(results *t, const char *path, const char *resumed);
+int results_open(results *t, graze_context *context, const char *path, const char *resumed);
 
 /** The rows that need not be made again. The last one there is made again, as a check. */
 unsigned long results_skip(const results *t);

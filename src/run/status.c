@@ -5,14 +5,33 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
+
+/* The name of the limit that a message names as `the limit NAME=`; NULL if it names none. */
+static const char *limit_named(const char *message) {
+    static const char before[] = "the limit ";
+    const char *at = strstr(message, before);
+    for (int k = 0; at && k < GRAZE_LIMIT_COUNT; k++) {
+        const char *name = graze_limit_name((graze_limit)k);
+        size_t length = strlen(name);
+        const char *there = at + strlen(before);
+        if (strncmp(there, name, length) == 0 && there[length] == '=')
+            return name;
+    }
+    return NULL;
+}
 
 int complain(int status, const char *format, ...) {
+    char message[1 << 14];
     va_list arguments;
     va_start(arguments, format);
-    fputs("graze: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputs("\n", stderr);
+    vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
+    const char *limit = status == EXIT_LIMIT ? limit_named(message) : NULL;
+    if (limit)
+        fprintf(stderr, "graze: %s; --limit %s=V raises it\n", message, limit);
+    else
+        fprintf(stderr, "graze: %s\n", message);
     return status;
 }
 

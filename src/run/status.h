@@ -18,7 +18,8 @@ enum {
     EXIT_SIGNAL = 128 /* the caller dies of the signal that came */
 };
 
-/** Write `graze: MESSAGE` and a line end to standard error; returns `status`. */
+/** Write `graze: MESSAGE` and a line end to standard error; returns `status`. With EXIT_LIMIT the
+ * option that raises the limit stands behind the message. */
 int complain(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /** Write the context's message; returns the exit status of its cause (EXIT_SIGNAL for a cancel). */
