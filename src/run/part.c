@@ -17,8 +17,7 @@ static int next_line(part *p, field *line) {
 }
 
 static int complain_of_row(const part *p) {
-    return complain(EXIT_INPUT, "%s: does not have the %lu rows it says it has", p->in.name,
-                    p->rows);
+    return complain(EXIT_INPUT, "%s: has other rows than the %lu it counts", p->in.name, p->rows);
 }
 
 /* What is expected of a row that graze classify has not written, else NULL. */
@@ -88,7 +87,7 @@ static int read_head(part *p) {
         if (status || !line.start)
             break;
         if (p->in.line == 1 && !field_behind(&version, line, "# graze "))
-            return complain(EXIT_INPUT, "%s: is no table of graze classify", p->in.name);
+            return complain(EXIT_INPUT, "%s: expected a table of graze classify", p->in.name);
         if (memchr(line.start, '\0', line.length))
             return complain(EXIT_INPUT, "%s:%lu: a byte 0 in a text file", p->in.name, p->in.line);
         ended = p->in.whole && (!line.length || *line.start != '#');
@@ -97,7 +96,7 @@ static int read_head(part *p) {
     if (status)
         return status;
     if (p->in.line == 0)
-        return complain(EXIT_INPUT, "%s: is no table of graze classify", p->in.name);
+        return complain(EXIT_INPUT, "%s: expected a table of graze classify", p->in.name);
     if (!named)
         return complain(EXIT_INPUT,
                         "%s: has no line `" SHARD_LINE "i/n` in its head; expected a "
