@@ -267,7 +267,7 @@ graze_status graze_report_point(char **out, graze_context *context, const graze_
     return graze_report_points(out, &length, &done, context, scene, point, 1, format, &rest);
 }
 
-static void put_bytes(void *to, const char *bytes, size_t length) {
+static void put_in_text(void *to, const char *bytes, size_t length) {
     text_bytes(to, bytes, length);
 }
 
@@ -291,7 +291,7 @@ graze_status graze_report_export(char **out, size_t *length, graze_context *cont
     if (!status)
         status = typed_end(&typed);
     if (!status)
-        status = typed_write(&typed, form, (sink){put_bytes, &bytes});
+        status = typed_write(&typed, form, (sink){put_in_text, &bytes});
     typed_clear(&typed);
     if (status) {
         text_clear(&bytes);

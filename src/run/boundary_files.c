@@ -16,11 +16,11 @@
 
 static output out;
 
-static void put_bytes(void *to, const char *bytes, size_t length) {
+static void put_boundary_bytes(void *to, const char *bytes, size_t length) {
     output_bytes(to, bytes, length);
 }
 
-static const vtk lines = {{put_bytes, &out}, 0};
+static const vtk lines = {{put_boundary_bytes, &out}, 0};
 
 static int ends_in(const char *path, const char *extension) {
     size_t length = strlen(path), tail = strlen(extension);

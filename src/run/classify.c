@@ -258,7 +258,7 @@ static void end_run(run_state *s) {
     free(s);
 }
 
-static void put_bytes(void *to, const char *bytes, size_t length) {
+static void put_export_bytes(void *to, const char *bytes, size_t length) {
     output_bytes(to, bytes, length);
 }
 
@@ -266,7 +266,7 @@ static void put_bytes(void *to, const char *bytes, size_t length) {
 static int export_table(run_state *s, const classify_options *o) {
     graze_status status = typed_end(&s->typed);
     if (!status)
-        status = typed_write(&s->typed, o->format.table, (sink){put_bytes, &s->table.out});
+        status = typed_write(&s->typed, o->format.table, (sink){put_export_bytes, &s->table.out});
     return complain_of(status, s->l.context);
 }
 

@@ -99,7 +99,7 @@ static int take_row(csv *c, block *b, field text) {
 }
 
 /* A line that is neither blank nor a comment; the first one fixes the columns. */
-static int take_line(csv *c, block *b, field text) {
+static int take_point_line(csv *c, block *b, field text) {
     int header = 0, status = EXIT_DONE;
     if (!c->columns.count)
         status = columns_fix(&header, &c->fault, &c->columns, c->in.context, text, c->in.line);
@@ -120,7 +120,7 @@ int csv_fill(csv *c, block *b, unsigned long most) {
         if (!status && !text.start)
             break;
         if (!status && !skipped(text))
-            status = take_line(c, b, text);
+            status = take_point_line(c, b, text);
     }
     return status;
 }

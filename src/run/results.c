@@ -46,7 +46,7 @@ static int keep_last(results *t, field line, long long start) {
 }
 
 /* One line of the file, at byte `start`. */
-static int take_line(results *t, field line, long long start, int *complete) {
+static int take_kept_line(results *t, field line, long long start, int *complete) {
     field value;
     if (!t->head_whole)
         return keep_head(t, line);
@@ -67,7 +67,7 @@ static int scan(results *t) {
         status = complain_of(stream_next(&t->in, &line), t->in.context);
         if (status || !line.start)
             break;
-        status = take_line(t, line, start, &complete);
+        status = take_kept_line(t, line, start, &complete);
         if (status)
             break;
     }
