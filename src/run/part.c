@@ -133,7 +133,7 @@ static int read_last_lines(part *p, int *found) {
         if (*found < 3 && p->in.whole && field_behind(&value, line, key[*found]) &&
             take_last_line(p, *found, value))
             ++*found;
-        else if (*found)
+        else if (*found || memchr(line.start, '\0', line.length))
             *found = -1;
     }
     return status;
