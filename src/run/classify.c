@@ -16,7 +16,8 @@
 #include "run/progress.h"
 #include "run/receipt.h"
 #include "run/results.h"
-#include "table/typed.h"
+#include "table/typed_read.h"
+#include "table/typed_write.h"
 
 /* Blocks at hand keep the threads busy while one is written: a few, and some rows for each. */
 static size_t ring_size(const classify_options *o) {
