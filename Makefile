@@ -22,7 +22,7 @@ NOT_UNIQUE := $(if $(findstring clang,$(CXX)),,-fno-gnu-unique)
 ALL_CXXFLAGS = -std=c++17 -frounding-math $(NOT_UNIQUE) $(COMMON) $(CXXFLAGS)
 # The programs find libgraze-png beside them, in build/, or in ../lib; libgraze.so finds it beside itself.
 RPATH = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/$(1)'
-VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze/core.h)
+VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze/version.h)
 SONAME := libgraze.so.0
 LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 

@@ -47,7 +47,7 @@ static graze_status print_contact(graze_context *context, graze_contact contact)
 
 /* Class and word, then the contacts in order of time. */
 static graze_status print_trace(graze_context *context, const graze_scene *scene,
-                                const mpq_t *point) {
+                                graze_rationals point) {
     graze_trace *trace = NULL;
     graze_status status = graze_trace_create(&trace, context, scene, point);
     if (status == GRAZE_OK)
@@ -73,7 +73,7 @@ int main(void) {
              !graze_solid_read(&solid, context, "cases/bracket/solid.off", 0) &&
              !graze_motion_read(&motion, context, "cases/bracket/motion.json") &&
              !graze_scene_create(&scene, context, solid, motion, NULL) &&
-             !print_trace(context, scene, (const mpq_t *)point);
+             !print_trace(context, scene, point);
     if (!ok)
         fprintf(stderr, "%s\n", context ? graze_context_message(context) : "out of memory");
     graze_scene_destroy(scene);

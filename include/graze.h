@@ -39,13 +39,13 @@
  * cases/example.c has the contacts of one point with their times and cells.
  *
  * Rules of use
- *  1. A context holds limits, rounding, and the message of the last failure. One thread uses a
- *     context at a time. Solids, motions and scenes never change once made: threads share them.
- *  2. Arguments come in one order: outputs, context, handle, inputs, options. On any status but
- *     GRAZE_OK an output handle is NULL, and the context holds a message with the file, the line or
+ *  1. A context holds limits, rounding, and message and place of the last failure. One thread uses
+ *     a context at a time. Solids, motions and scenes never change once made: threads share them.
+ *  2. Arguments have one order: outputs, context, handle, inputs, options. On any status but
+ *     GRAZE_OK an output handle is NULL, and the message of the context says which file, line or
  *     index, what is wrong and what is expected. A NULL that is not allowed, an unknown value of an
  *     enum and an unknown flag are GRAZE_EUSE; functions without a status then return 0 or NULL and
- *     leave their outputs unchanged.
+ *     leave their outputs unchanged, unless they say otherwise.
  *  3. The result of a _create, _read or _from function belongs to the caller; its _destroy takes
  *     NULL. The result of a getter is borrowed and lives as long as the handle.
  *  4. Strings returned through char ** are freed with graze_free.
@@ -53,6 +53,9 @@
  *     GMP, MPFR and FLINT, which print and abort (FLINT to standard output); the limits act first.
  *     A program that wants another end sets its own functions before its first call, with
  *     mp_set_memory_functions and __flint_set_memory_functions; Graze changes neither.
+ *  6. A struct of options can grow. Zeros are the defaults. Members of later versions come behind
+ *     its member `size` and are read up to that size: set it to sizeof the struct, or leave it 0 if
+ *     no member behind it is used. Members that the library does not know must be zero.
  *
  * The interface has a core and parts that build on it. Each file compiles on its own as C11 and
  * C++17; graze.h includes all of them, in the order in which to read them.
@@ -60,6 +63,7 @@
 #ifndef GRAZE_H
 #define GRAZE_H
 
+#include <graze/version.h>  /* versions, numeric and as text */
 #include <graze/core.h>     /* context, numbers, solid, motion, scene, verdict, trace */
 #include <graze/report.h>   /* tables, JSON Lines, exports, explanations */
 #include <graze/generate.h> /* query points by stratum */

@@ -44,6 +44,33 @@ graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value)
     return GRAZE_OK;
 }
 
+graze_status api_coordinate(graze_context *context, graze_status status, const char *item,
+                            size_t index, size_t coordinate) {
+    char field[40];
+    snprintf(field, sizeof field, "coordinate %zu", coordinate);
+    return context_item(context, status, item, index, field);
+}
+
+graze_status api_options(void *out, size_t known, size_t at, graze_context *context,
+                         const char *function, const void *options) {
+    const unsigned char *given = options;
+    size_t first = at + sizeof(size_t), size;
+    memset(out, 0, known);
+    if (!options)
+        return GRAZE_OK;
+    memcpy(&size, given + at, sizeof size);
+    size = size ? size : first;
+    if (size < first)
+        return api_misuse(context, function,
+                          "the size of the options is too small; expected sizeof the struct or 0");
+    for (size_t k = known; k < size; k++)
+        if (given[k])
+            return api_misuse(context, function,
+                              "the options have members that this version does not know");
+    memcpy(out, options, size < known ? size : known);
+    return GRAZE_OK;
+}
+
 void api_rational_out(mpq_t out, const fmpq_t value) {
     fmpq_get_mpq(out, value);
 }
@@ -61,6 +88,10 @@ const char *graze_version(void) {
     static pthread_once_t once = PTHREAD_ONCE_INIT;
     pthread_once(&once, make_version);
     return version_text;
+}
+
+unsigned long graze_version_number(void) {
+    return GRAZE_VERSION_NUMBER;
 }
 
 void graze_thread_finish(void) {
@@ -81,10 +112,17 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
     return status;
 }
 
-static int scene_options_known(const graze_options *o) {
-    return (o->operation == GRAZE_SWEEP || o->operation == GRAZE_UNSWEEP) &&
-           (o->overlap == GRAZE_OVERLAP_EXTEND || o->overlap == GRAZE_OVERLAP_REJECT) &&
-           (o->folds == GRAZE_FOLDS_SEPARATE || o->folds == GRAZE_FOLDS_COMBINED);
+static graze_status take_options(graze_options *out, graze_context *context, const char *function,
+                                 const graze_options *options) {
+    graze_status status =
+        api_options(out, sizeof *out, offsetof(graze_options, size), context, function, options);
+    if (status)
+        return status;
+    if ((out->operation == GRAZE_SWEEP || out->operation == GRAZE_UNSWEEP) &&
+        (out->overlap == GRAZE_OVERLAP_EXTEND || out->overlap == GRAZE_OVERLAP_REJECT) &&
+        (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED))
+        return GRAZE_OK;
+    return api_misuse(context, function, "an option has an unknown value");
 }
 
 graze_status graze_scene_create(graze_scene **out, graze_context *context, const graze_solid *solid,
@@ -94,13 +132,15 @@ graze_status graze_scene_create(graze_scene **out, graze_context *context, const
     if (!out || !context || !solid || !motion)
         return api_misuse(context, "graze_scene_create",
                           "out, context, solid and motion must not be NULL");
-    if (options && !scene_options_known(options))
-        return api_misuse(context, "graze_scene_create", "an option has an unknown value");
+    graze_options taken;
+    graze_status status = take_options(&taken, context, "graze_scene_create", options);
+    if (status)
+        return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_scene *scene = malloc(sizeof *scene);
     if (!scene)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    graze_status status = scene_make(scene, context, solid, motion, options);
+    status = scene_make(scene, context, solid, motion, &taken);
     if (status)
         free(scene);
     else
@@ -122,9 +162,15 @@ int graze_scene_ends_meet(const graze_scene *scene) {
     return scene ? scene->ends_meet : 0;
 }
 
-graze_options graze_scene_options(const graze_scene *scene) {
-    graze_options none = {GRAZE_SWEEP, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
-    return scene ? scene->options : none;
+void graze_scene_options(graze_options *out, const graze_scene *scene) {
+    const graze_options none = {0};
+    const size_t first = offsetof(graze_options, size) + sizeof out->size;
+    if (!out || (out->size && out->size < first))
+        return;
+    size_t size = out->size, room = size ? size : first;
+    memset(out, 0, room);
+    memcpy(out, scene ? &scene->options : &none, room < sizeof *out ? room : sizeof *out);
+    out->size = size;
 }
 
 graze_hashes graze_scene_hashes(const graze_scene *scene) {
@@ -156,16 +202,17 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     return status;
 }
 
-graze_status graze_word_verdict(graze_verdict *out, graze_context *context,
-                                const graze_options *options, const char *word, size_t length) {
-    static const graze_options defaults = {GRAZE_SWEEP, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
+graze_status graze_word_verdict(graze_verdict *out, graze_context *context, const char *word,
+                                size_t length, const graze_options *options) {
     if (out)
         memset(out, 0, sizeof *out);
     if (!out || !context || !word)
         return api_misuse(context, "graze_word_verdict", "out, context and word must not be NULL");
-    if (options && !scene_options_known(options))
-        return api_misuse(context, "graze_word_verdict", "an option has an unknown value");
-    if (verdict_of_word(out, word, length, options ? options : &defaults))
+    graze_options taken;
+    graze_status status = take_options(&taken, context, "graze_word_verdict", options);
+    if (status)
+        return status;
+    if (verdict_of_word(out, word, length, &taken))
         return GRAZE_OK;
     return context_fail(context, GRAZE_EINPUT,
                         "'%.*s' is no word; expected letters O, I, B of which every second one is "
@@ -186,7 +233,7 @@ static graze_status begin(graze_verdict *out, graze_context *context, const graz
 }
 
 graze_status graze_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
-                            const mpq_t *points, size_t n) {
+                            graze_rationals points, size_t n) {
     graze_status status = begin(out, context, scene, points, n);
     if (status)
         return status;
@@ -196,13 +243,13 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
     for (size_t p = 0; p < n && !status; p++)
         for (size_t k = 0; k < d && !status; k++)
             if ((status = api_rational(point + k, context, points[p * d + k])) != GRAZE_OK)
-                status = context_at(context, status, "point %zu, coordinate %zu", p, k);
+                status = api_coordinate(context, status, "point", p, k);
     for (size_t p = 0; p < n && !status; p++) {
         for (size_t k = 0; k < d; k++)
             fmpq_set_mpq(point + k, points[p * d + k]);
         status = classify_verdict(out + p, context, scene, (query_point){.rational = point});
         if (status)
-            status = context_at(context, status, "point %zu", p);
+            status = context_item(context, status, "point", p, NULL);
     }
     _fmpq_vec_clear(point, (slong)d);
     return status;
@@ -235,7 +282,7 @@ graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
         if (!status)
             status = classify_verdict(out + p, context, scene, (query_point){.value = point});
         if (status)
-            status = context_at(context, status, "point %zu", p);
+            status = context_item(context, status, "point", p, NULL);
     }
     return status;
 }

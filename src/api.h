@@ -5,6 +5,7 @@
 
 #include "graze.h"
 #include <flint/fmpq.h>
+#include <stddef.h>
 #include "context/context.h"
 #include "scene/scene.h"
 
@@ -17,6 +18,20 @@ graze_status api_misuse(graze_context *context, const char *function, const char
  * more digits than the limit allows
  */
 graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value);
+
+/** Put item and coordinate before a message and record the place; `item` may be NULL. */
+graze_status api_coordinate(graze_context *context, graze_status status, const char *item,
+                            size_t index, size_t coordinate);
+
+/**
+ * Take the caller's options over: the members up to `size`, a size_t at the offset `at`, and those
+ * behind it as far as it says; zeros for the others, and all zeros for NULL.
+ * @param known size of the struct in this version
+ * @return GRAZE_EUSE a size that does not reach its own end, or members that this version does not
+ * know
+ */
+graze_status api_options(void *out, size_t known, size_t at, graze_context *context,
+                         const char *function, const void *options);
 
 /** Hand a rational or an integer to the caller's initialised variable. */
 void api_rational_out(mpq_t out, const fmpq_t value);

@@ -18,7 +18,7 @@ static graze_status take_box(fmpq *low, fmpq *high, graze_context *context, int 
         if (!status)
             status = api_rational(high + k, context, o->high[k]);
         if (status)
-            status = context_at(context, status, "the box along axis %d", k);
+            status = api_coordinate(context, status, NULL, 0, (size_t)k);
     }
     return status;
 }
@@ -49,14 +49,21 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
                                    const graze_boundary_options *options) {
     if (out)
         *out = NULL;
-    if (!out || !context || !scene || !options || !options->low != !options->high)
+    if (!out || !context || !scene || !options)
+        return api_misuse(context, "graze_boundary_create", "no argument may be NULL");
+    graze_boundary_options o;
+    graze_status status = api_options(&o, sizeof o, offsetof(graze_boundary_options, size), context,
+                                      "graze_boundary_create", options);
+    if (status)
+        return status;
+    if (!o.low != !o.high)
         return api_misuse(context, "graze_boundary_create",
-                          "no argument may be NULL, nor one of low and high");
-    if (options->depth > BOUNDARY_DEPTH || options->coarse > options->depth)
+                          "low and high must both be given or both be NULL");
+    if (o.depth > BOUNDARY_DEPTH || o.coarse > o.depth)
         return api_misuse(context, "graze_boundary_create",
                           "the depth is at most 19, and the coarse level at most the depth");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    return make(out, context, scene, options);
+    return make(out, context, scene, &o);
 }
 
 void graze_boundary_destroy(graze_boundary *b) {

@@ -58,7 +58,7 @@ graze_status graze_certificate_head(char **out, graze_context *context,
 }
 
 graze_status graze_certificate_row(char **out, graze_context *context,
-                                   const graze_certifier *certifier, const mpq_t *point) {
+                                   const graze_certifier *certifier, graze_rationals point) {
     if (out)
         *out = NULL;
     if (!out || !context || !certifier || !point)
@@ -70,7 +70,7 @@ graze_status graze_certificate_row(char **out, graze_context *context,
     fmpq *p = _fmpq_vec_init(d);
     for (int k = 0; k < d && !status; k++)
         if ((status = api_rational(p + k, context, point[k])) != GRAZE_OK)
-            status = context_at(context, status, "coordinate %d", k);
+            status = api_coordinate(context, status, NULL, 0, (size_t)k);
     text t;
     text_init(&t);
     if (!status)

@@ -20,13 +20,18 @@ graze_status graze_compare(graze_comparison **out, graze_context *context, const
     if (!out || !context || !golden || !candidate)
         return api_misuse(context, "graze_compare",
                           "out, context, golden and candidate must not be NULL");
-    if (options && !compare_options_known(options))
+    graze_compare_options taken;
+    graze_status status = api_options(&taken, sizeof taken, offsetof(graze_compare_options, size),
+                                      context, "graze_compare", options);
+    if (status)
+        return status;
+    if (!compare_options_known(&taken))
         return api_misuse(context, "graze_compare", "an option has an unknown value");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_comparison *c = calloc(1, sizeof *c);
     if (!c)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    graze_status status = comparison_make(c, context, golden, candidate, options);
+    status = comparison_make(c, context, golden, candidate, &taken);
     if (status)
         graze_comparison_destroy(c);
     else

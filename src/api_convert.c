@@ -134,7 +134,7 @@ graze_status graze_motion_write_joints(char **json, char **report, graze_context
 }
 
 graze_status graze_motion_write_poses(char **json, char **report, graze_context *context,
-                                      const char *path, unsigned flags, mpq_srcptr tolerance) {
+                                      const char *path, mpq_srcptr tolerance, unsigned flags) {
     if (json)
         *json = NULL;
     if (report)

@@ -7,8 +7,6 @@
 #include "context/environment.h"
 #include "draw/draw.h"
 
-static const graze_draw_options defaults;
-
 /* What is wrong with the options, or NULL. */
 static const char *misused(const graze_draw_options *o, int d) {
     if (o->times == 1 || o->times > 64)
@@ -47,7 +45,7 @@ static graze_status take_numbers(fmpq *out, graze_context *context, const graze_
     for (size_t k = 0; k < o->point_count * d && !status; k++) {
         status = api_rational(out + 2 * d + 1 + k, context, o->points[k]);
         if (status)
-            status = context_at(context, status, "point %zu, coordinate %zu", k / d, k % d);
+            status = api_coordinate(context, status, "point", k / d, k % d);
     }
     return status;
 }
@@ -56,14 +54,19 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
                         const graze_draw_options *options) {
     if (!context || !scene || !file)
         return api_misuse(context, "graze_draw", "context, scene and file must not be NULL");
-    const graze_draw_options *o = options ? options : &defaults;
+    graze_draw_options taken;
+    graze_status status = api_options(&taken, sizeof taken, offsetof(graze_draw_options, size),
+                                      context, "graze_draw", options);
+    if (status)
+        return status;
+    const graze_draw_options *o = &taken;
     size_t d = (size_t)scene->motion->dimension, count = 2 * d + 1 + o->point_count * d;
     const char *wrong = misused(o, (int)d);
     if (wrong)
         return api_misuse(context, "graze_draw", wrong);
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *numbers = _fmpq_vec_init((slong)count);
-    graze_status status = take_numbers(numbers, context, o, d);
+    status = take_numbers(numbers, context, o, d);
     int seen = o->view[0] != 0 || o->view[1] != 0 || o->view[2] != 0;
     const draw_request request = {
         .title = o->title,

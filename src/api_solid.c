@@ -22,11 +22,11 @@ static graze_status read_solid(graze_solid **out, graze_context *context, const 
         return status;
     if (sha256 && memcmp(sha256, input.sha256, sizeof input.sha256) != 0) {
         soup_clear(&input);
-        return context_fail(context, GRAZE_EINPUT,
-                            "%s: is not the file that was validated: its SHA-256 is another", path);
+        return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                               "is not the file that was validated: its SHA-256 is another");
     }
     status = solid_create(out, context, &input, sha256 ? flags | VALIDATE_TRUST_CONTACTS : flags);
-    return status ? context_at(context, status, "%s", path) : GRAZE_OK;
+    return status ? context_in(context, status, path, 0) : GRAZE_OK;
 }
 
 graze_status graze_solid_read(graze_solid **out, graze_context *context, const char *path,
@@ -41,7 +41,7 @@ graze_status graze_solid_read(graze_solid **out, graze_context *context, const c
 }
 
 graze_status graze_solid_read_trusted(graze_solid **out, graze_context *context, const char *path,
-                                      unsigned flags, const unsigned char *sha256) {
+                                      const unsigned char *sha256, unsigned flags) {
     if (out)
         *out = NULL;
     if (!out || !context || !path || !sha256)
@@ -55,7 +55,7 @@ graze_status graze_solid_read_trusted(graze_solid **out, graze_context *context,
 /* A caller's arrays; exactly one of `rationals` and `doubles` is given. */
 typedef struct arrays {
     int dimension;
-    const mpq_t *rationals;
+    graze_rationals rationals;
     const double *doubles;
     size_t vertex_count;
     const size_t *facet_sizes;
@@ -108,7 +108,7 @@ static graze_status add_vertices(soup *s, graze_context *context, const arrays *
             status = a->doubles ? rational_from_double(point + k, context, a->doubles[v * d + k])
                                 : api_rational(point + k, context, a->rationals[v * d + k]);
             if (status)
-                status = context_at(context, status, "vertex %zu, coordinate %zu", v, k);
+                status = api_coordinate(context, status, "vertex", v, k);
         }
         if (!status)
             status = soup_add_vertex(s, context, point);
@@ -149,7 +149,7 @@ static graze_status make_solid(graze_solid **out, graze_context *context, arrays
 }
 
 graze_status graze_solid_from_arrays(graze_solid **out, graze_context *context, int dimension,
-                                     const mpq_t *coordinates, size_t vertex_count,
+                                     graze_rationals coordinates, size_t vertex_count,
                                      const size_t *facet_sizes, size_t facet_count,
                                      const size_t *indices, unsigned flags) {
     if (out)

@@ -17,13 +17,13 @@
 
 /* A caller's point as d rationals for _fmpq_vec_clear; NULL on failure. */
 static graze_status take_point(fmpq **out, graze_context *context, const graze_scene *scene,
-                               const mpq_t *point) {
+                               graze_rationals point) {
     int d = scene->motion->dimension;
     graze_status status = GRAZE_OK;
     *out = _fmpq_vec_init(d);
     for (int k = 0; k < d && !status; k++)
         if ((status = api_rational(*out + k, context, point[k])) != GRAZE_OK)
-            status = context_at(context, status, "coordinate %d", k);
+            status = api_coordinate(context, status, NULL, 0, (size_t)k);
     if (status) {
         _fmpq_vec_clear(*out, d);
         *out = NULL;
@@ -32,7 +32,7 @@ static graze_status take_point(fmpq **out, graze_context *context, const graze_s
 }
 
 graze_status graze_trace_create(graze_trace **out, graze_context *context, const graze_scene *scene,
-                                const mpq_t *point) {
+                                graze_rationals point) {
     if (out)
         *out = NULL;
     if (!out || !context || !scene || !point)
@@ -177,7 +177,7 @@ static graze_status check_format(graze_context *context, const char *function,
 }
 
 graze_status graze_report_row(char **out, graze_context *context, const graze_scene *scene,
-                              const mpq_t *point, const graze_trace *trace, graze_format format,
+                              graze_rationals point, const graze_trace *trace, graze_format format,
                               const char *rest) {
     if (out)
         *out = NULL;
@@ -205,7 +205,7 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
 
 /* Trace one point and add its row. */
 static graze_status report_point(text *out, graze_context *context, const graze_scene *scene,
-                                 const mpq_t *point, graze_format format, const char *rest) {
+                                 graze_rationals point, graze_format format, const char *rest) {
     fmpq *p;
     graze_trace trace;
     graze_status status = take_point(&p, context, scene, point);
@@ -222,7 +222,7 @@ static graze_status report_point(text *out, graze_context *context, const graze_
 }
 
 graze_status graze_report_points(char **out, size_t *length, size_t *done, graze_context *context,
-                                 const graze_scene *scene, const mpq_t *points, size_t n,
+                                 const graze_scene *scene, graze_rationals points, size_t n,
                                  graze_format format, const char *const *rest) {
     if (out)
         *out = NULL;
@@ -257,7 +257,7 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
 }
 
 graze_status graze_report_point(char **out, graze_context *context, const graze_scene *scene,
-                                const mpq_t *point, graze_format format, const char *rest) {
+                                graze_rationals point, graze_format format, const char *rest) {
     if (out)
         *out = NULL;
     if (!out || !context || !scene || !point)
@@ -304,7 +304,7 @@ graze_status graze_report_export(char **out, size_t *length, graze_context *cont
 }
 
 graze_status graze_report_explain(char **out, graze_context *context, const graze_scene *scene,
-                                  const mpq_t *point, const graze_trace *trace) {
+                                  graze_rationals point, const graze_trace *trace) {
     if (out)
         *out = NULL;
     if (!out || !context || !scene || !point || !trace)

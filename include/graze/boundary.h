@@ -12,66 +12,70 @@ extern "C" {
 
 typedef struct graze_boundary graze_boundary;
 
-/** How to sample. */
+/** Options of a sampling (rule 6). Pointers are borrowed. */
 typedef struct graze_boundary_options {
-    unsigned coarse;         /**< every cell is cut down to this level: 2^coarse along each axis */
-    unsigned depth;          /**< no cell is cut further than this level, 0 to 19 */
-    unsigned long budget;    /**< points that may be classified, contact points included */
-    unsigned long contacts;  /**< contact points to make; cells with one that is `on` are cut */
-    unsigned long long seed; /**< for the contact points */
-    const mpq_t *low, *high; /**< a box, d canonical rationals each, or NULL: a little more than
-                                  graze_scene_box */
+    unsigned coarse;           /**< every cell is cut to this level: 2^coarse along each axis */
+    unsigned depth;            /**< no cell is cut further than this level, 0 to 19 */
+    unsigned long budget;      /**< points that may be classified, contact points included */
+    unsigned long contacts;    /**< contact points to make; cells with one that is `on` are cut */
+    unsigned long long seed;   /**< of the contact points */
+    graze_rationals low, high; /**< corners of a box, d canonical rationals each; NULL: a little
+                                    more than graze_scene_box */
+    size_t size;               /**< sizeof(graze_boundary_options) or 0 */
 } graze_boundary_options;
 
-/** What came of it. */
+/** Counts of a sampling. */
 typedef struct graze_boundary_summary {
     size_t points, cells, vertices, faces;
-    unsigned long in, on, out; /**< of the points */
-    unsigned long contacts;    /**< contact points made, */
-    unsigned long contacts_on; /**< and those of them that are `on` and in the box */
-    unsigned long missed;      /**< cells of the surface's level that hold one but no part of the
-                                    surface */
-    unsigned level;            /**< of the cells that the surface goes through */
-    int complete;              /**< 0: the budget was spent before the depth was reached */
+    unsigned long in, on, out; /**< points by pmc */
+    unsigned long contacts;    /**< contact points made */
+    unsigned long contacts_on; /**< contact points that are `on` and in the box */
+    unsigned long missed;      /**< cells of the level of the surface with a contact point that is
+                                    `on`, but without a part of the surface */
+    unsigned level;            /**< level of the cells that the surface intersects */
+    int complete;              /**< 0: the budget ended before the depth was reached */
     int closed;                /**< 0: the surface ends at the border of the box */
 } graze_boundary_summary;
 
 /** A cell that was not cut: a box whose corners are points of the sample. */
 typedef struct graze_boundary_cell {
     unsigned level;
-    graze_pmc pmc;     /**< of all corners, GRAZE_PMC_NONE if they differ */
-    int contact;       /**< it holds a contact point that is `on` */
-    size_t corners[8]; /**< 2^d points; bit k of the place is the side along axis k */
+    graze_pmc pmc;     /**< of all corners; GRAZE_PMC_NONE if they differ */
+    int contact;       /**< 1 if it holds a contact point that is `on` */
+    size_t corners[8]; /**< 2^d points; bit k of the index is the side along axis k */
 } graze_boundary_cell;
 
 /**
- * Sample the sweep (unsweep) of a scene ([EI] section 5, [IS] section 4.2). Cells are cut while
- * their corners and centre differ in pmc, or they hold a contact point that is `on`; every point is
- * classified exactly. The surface separates the points that are `out` from the rest at one level:
- * each of its vertices is within half the diagonal of a cell of a point of the boundary. What it
- * can miss: parts, holes and gaps that hold no point of the sample, and any detail smaller than a
- * cell.
+ * Sample the sweep (unsweep) of a scene ([EI] section 5, [IS] section 4.2). A cell is cut while its
+ * corners and centre differ in pmc, or while it holds a contact point that is `on`; every point is
+ * classified exactly. The surface separates the points that are `out` from the others at one level:
+ * each of its vertices is within half the diagonal of a cell of a boundary point. Parts, holes and
+ * gaps without a point of the sample, and details smaller than a cell, can be missed.
  * @param scene borrowed; it must outlive the boundary
- * @return GRAZE_EUSE a NULL, a depth, an empty box, or a budget too small for the coarse level;
- * GRAZE_ECANCELED, GRAZE_ELIMIT, GRAZE_EINTERNAL
+ * @return GRAZE_EUSE a NULL, a depth out of range, an empty box, or a budget too small for the
+ * coarse level; GRAZE_ECANCELED, GRAZE_ELIMIT, GRAZE_EINTERNAL
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_boundary_create(graze_boundary **out,
                                                            graze_context *context,
                                                            const graze_scene *scene,
                                                            const graze_boundary_options *options);
-/** Free a boundary; the scene stays. NULL is harmless. */
+/** Free a boundary; the scene stays. NULL is allowed. */
 GRAZE_API void graze_boundary_destroy(graze_boundary *boundary);
-/** Counts; zeroed for NULL. */
+/** Counts of a boundary; zeros for NULL. */
 GRAZE_API graze_boundary_summary graze_boundary_summarize(const graze_boundary *boundary);
-/** Point `index` and its pmc. `point` has d initialised rationals. */
+/** Point `index` and its pmc; GRAZE_PMC_NONE past the end, `point` unchanged.
+ * @param[out] point d initialised rationals
+ */
 GRAZE_API graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *boundary,
                                          size_t index);
-/** Cell `index` of those that were not cut; zeroed past the end. */
+/** Cell `index` of those that were not cut; zero past the end. */
 GRAZE_API graze_boundary_cell graze_boundary_cell_at(const graze_boundary *boundary, size_t index);
-/** Vertex `index` of the surface. `point` has d initialised rationals. */
+/** Vertex `index` of the surface; unchanged past the end.
+ * @param[out] point d initialised rationals
+ */
 GRAZE_API void graze_boundary_vertex(mpq_t *point, const graze_boundary *boundary, size_t index);
-/** Face `index`: d vertices, `out` where the normal points (E^2: on the right); borrowed; NULL past
- * the end. */
+/** Face `index`: d vertices, with `out` on the side of the normal (E^2: on the right). Borrowed;
+ * NULL past the end. */
 GRAZE_API const size_t *graze_boundary_face(const graze_boundary *boundary, size_t index);
 
 #ifdef __cplusplus

@@ -1,5 +1,8 @@
 /* graze/convert.h - motion files from turns, joints and poses.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Every function returns the text of a motion file (formats.md, Motions), checked to be legal, and
+ * a report of what was approximated, with proved bounds, in plain text.
  */
 #ifndef GRAZE_CONVERT_H
 #define GRAZE_CONVERT_H
@@ -10,68 +13,67 @@
 extern "C" {
 #endif
 
-/** How a joint moves; uniformly as t goes from 0 to 1. */
+/** Kind of a joint, which moves uniformly for t from 0 to 1. */
 typedef enum graze_joint_kind { GRAZE_JOINT_TURN = 0, GRAZE_JOINT_SLIDE = 1 } graze_joint_kind;
 
-/** One joint of a chain, where it stands at t = 0. All numbers are canonical and borrowed. */
+/** One joint of a chain, in its position at t = 0. All numbers are canonical and borrowed. */
 typedef struct graze_joint {
     graze_joint_kind kind;
-    mpq_srcptr degrees;  /**< of a turn, counter-clockwise, of any size */
-    mpq_srcptr pitch;    /**< of a turn in E^3: how far it moves along the axis with every 360
-                              degrees; NULL: not at all */
-    const mpq_t *axis;   /**< of a turn in E^3, of any length but 0; of a slide: its whole way, d
-                              rationals */
-    const mpq_t *center; /**< of a turn: a point on the axis, d rationals; NULL: the origin */
+    mpq_srcptr degrees;     /**< turn: its angle, counter-clockwise, of any size */
+    mpq_srcptr pitch;       /**< turn in E^3: way along the axis per 360 degrees; NULL: 0 */
+    graze_rationals axis;   /**< turn in E^3: its direction, not 0; slide: its way; d rationals */
+    graze_rationals center; /**< turn: a point on the axis, d rationals; NULL: the origin */
 } graze_joint;
 
 /**
- * Make a motion file of one turn: t runs from 0 to 1, and every position on the way is exactly one
- * of the turn asked for; the tangents of half angles are rational, so the turn ends at an angle
- * near the one asked for, and its speed is not uniform. Quarter turns are exact.
- * @param[out] json      the text of the file, checked to be a legal motion; for graze_free
- * @param[out] report    what was approximated, with proved bounds, for a person; for graze_free;
- * may be NULL
- * @param dimension      2 or 3
- * @param turn           one joint, a turn without pitch
- * @param tolerance      positive: at the end, no point is off by more than this
- * @param radius         not negative, for the points at most that far from the origin at t = 0
- * @return GRAZE_EUSE wrong use, an axis of length 0, or a tolerance too fine for the radius;
+ * Make a motion file of one turn, for t from 0 to 1. Every position is exactly a position of the
+ * turn asked for. Tangents of half angles are rational, so the final angle is near the one asked
+ * for, and the speed is not uniform. Quarter turns are exact.
+ * @param[out] json   text of the file for graze_free
+ * @param[out] report text for graze_free; may be NULL
+ * @param dimension   2 or 3
+ * @param turn        one joint, a turn without pitch
+ * @param tolerance   positive: largest distance of a final position from the one asked for
+ * @param radius      not negative: for points at most that far from the origin at t = 0
+ * @return GRAZE_EUSE also for an axis of length 0, or a tolerance too fine for the radius;
  * GRAZE_ELIMIT
  */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_motion_write_rotation(char **json, char **report, graze_context *context, int dimension,
                             const graze_joint *turn, mpq_srcptr tolerance, mpq_srcptr radius);
 /**
- * Make a motion file of joints that all move uniformly for t from 0 to 1, the first applied first
- * (the product of exponentials; a screw of constant pitch is one such joint). Such a motion is
- * transcendental; it is cut into 2^m times as many pieces as the largest turn has quarters, and m
- * is the least with which no point is off by more than the tolerance at any time. Arguments as
- * above, and
+ * Make a motion file of joints that all move uniformly for t from 0 to 1, the first one applied
+ * first (the product of exponentials; a screw of constant pitch is one joint). Such a motion is
+ * transcendental. It is cut into 2^m times as many pieces as the largest turn has quarters; m is
+ * the least one with no point off by more than the tolerance at any time. Other arguments as for
+ * graze_motion_write_rotation.
  * @param joints `count` joints, at least one
- * @return as above; GRAZE_ELIMIT also more pieces than the limit; GRAZE_ECANCELED
+ * @return as graze_motion_write_rotation; GRAZE_ELIMIT also for too many pieces; GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_joints(
     char **json, char **report, graze_context *context, int dimension, const graze_joint *joints,
     size_t count, mpq_srcptr tolerance, mpq_srcptr radius);
 
-/** Take the matrices as affine maps and interpolate every entry linearly. */
+/** Take matrices as affine maps, and interpolate every entry linearly. */
 #define GRAZE_POSES_AFFINE 1u
 
 /**
- * Make a motion file in E^3 through poses from a CSV file with a line of names: columns qw, qx, qy,
- * qz with or without x, y, z; or m00 to m23, with or without m30 to m33. With a column t, or the
- * times are 0, 1, 2, ... No other columns. Numbers are rounded as the context says. Quaternions
- * keep their signs; matrices become the nearest rotation's quaternion in binary64, of the sign
- * nearest to the one before. Position and quaternion are interpolated linearly.
- * @param flags     0 or GRAZE_POSES_AFFINE
- * @param tolerance not negative: no entry of a matrix may be changed by more than this
- * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is no such list, or a matrix is no
- * rotation; GRAZE_EILLEGAL no legal motion goes through the poses so; GRAZE_ELIMIT
+ * Make a motion file in E^3 through poses from a CSV file with a column line: qw, qx, qy, qz with
+ * or without x, y, z; or m00 to m23 with or without m30 to m33; with or without t (then the times
+ * are 0, 1, 2, ...). Other columns are errors. Numbers are rounded as the context says. Quaternions
+ * keep their signs; a matrix becomes the quaternion of the nearest rotation in binary64, with the
+ * sign nearest to the one before. Position and quaternion are interpolated linearly.
+ * @param[out] json   text of the file for graze_free
+ * @param[out] report text for graze_free; may be NULL
+ * @param tolerance   not negative: largest change of an entry of a matrix
+ * @param flags       0 or GRAZE_POSES_AFFINE
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is not such a list, or a matrix is
+ * not a rotation; GRAZE_EILLEGAL the motion through the poses is not legal; GRAZE_ELIMIT
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_poses(char **json, char **report,
                                                               graze_context *context,
-                                                              const char *path, unsigned flags,
-                                                              mpq_srcptr tolerance);
+                                                              const char *path,
+                                                              mpq_srcptr tolerance, unsigned flags);
 
 #ifdef __cplusplus
 }

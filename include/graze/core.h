@@ -8,31 +8,22 @@
 #define GRAZE_CORE_H
 
 #include <gmp.h>
+#include <graze/version.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#if defined(__GNUC__)
-#define GRAZE_CHECKED __attribute__((warn_unused_result))
-#define GRAZE_API __attribute__((visibility("default")))
-#else
-#define GRAZE_CHECKED
-#define GRAZE_API
-#endif
-
-#define GRAZE_VERSION "0.1.0"
-
-/** What became of a call. Causes are kept apart; a failure never shares a value with an answer. */
+/** Status of a call. Every cause has its own value; no failure shares a value with an answer. */
 typedef enum graze_status {
     GRAZE_OK = 0,        /**< done */
     GRAZE_EUSE = 1,      /**< wrong use: an argument of the call */
-    GRAZE_EINPUT = 2,    /**< bad input: cannot be read as what it should be */
+    GRAZE_EINPUT = 2,    /**< bad input: the bytes do not follow their format */
     GRAZE_EILLEGAL = 3,  /**< readable, but not a legal solid, motion or pair (semantics.md 1) */
-    GRAZE_ELIMIT = 4,    /**< a limit of the context was met */
+    GRAZE_ELIMIT = 4,    /**< a limit of the context is exceeded */
     GRAZE_ESYSTEM = 5,   /**< the machine: a file, memory, a thread */
-    GRAZE_ECANCELED = 6, /**< the context's cancel callback asked to stop */
+    GRAZE_ECANCELED = 6, /**< the cancel callback of the context asked to stop */
     GRAZE_EINTERNAL = 7  /**< a fault of Graze itself; no answer is given */
 } graze_status;
 
@@ -43,156 +34,169 @@ typedef struct graze_scene graze_scene;
 typedef struct graze_trace graze_trace;
 typedef struct graze_time graze_time;
 
-/* -------------------------------------------------------------------------------------- context */
+/* ------------------------------------------------------------------------------------- context */
 
-/** Limits against number bombs; what one counts stands beside it. */
+/** Limits against number bombs, with their names and default values. */
 typedef enum graze_limit {
-    GRAZE_LIMIT_DIGITS =
-        0, /**< decimal digits of a number, exponent written out (`digits`, 10000) */
-    GRAZE_LIMIT_DEGREE = 1, /**< degree of a polynomial of a motion (`degree`, 200) */
-    GRAZE_LIMIT_PIECES = 2, /**< pieces of a motion after all cuts (`pieces`, 10000) */
-    GRAZE_LIMIT_DEPTH = 3,  /**< nesting of brackets, JSON values and transforms (`depth`, 100) */
-    GRAZE_LIMIT_GRID = 4,   /**< points of a grid (`grid`, 10^10) */
-    GRAZE_LIMIT_LINE = 5,   /**< bytes of one line of a text file (`line`, 10^7) */
-    GRAZE_LIMIT_CELLS = 6,  /**< vertices or facets of a solid (`cells`, 10^8) */
-    GRAZE_LIMIT_BYTES = 7,  /**< bytes of a solid or motion file (`bytes`, 4*10^9) */
-    GRAZE_LIMIT_BITS = 8,   /**< binary places of an interval around a root (`bits`, 100000) */
-    GRAZE_LIMIT_WORK = 9,   /**< coefficients of all functions computed while a motion is read, thus
-                               pieces times degree; one of w 64-bit words counts w + w^2/64 (`work`,
-                               10^8) */
+    GRAZE_LIMIT_DIGITS = 0, /**< `digits`, 10000: decimal digits of a number, exponent expanded */
+    GRAZE_LIMIT_DEGREE = 1, /**< `degree`, 200: degree of a polynomial of a motion */
+    GRAZE_LIMIT_PIECES = 2, /**< `pieces`, 10000: pieces of a motion after all cuts */
+    GRAZE_LIMIT_DEPTH = 3,  /**< `depth`, 100: nesting of brackets, JSON values and transforms */
+    GRAZE_LIMIT_GRID = 4,   /**< `grid`, 10^10: points of a grid */
+    GRAZE_LIMIT_LINE = 5,   /**< `line`, 10^7: bytes of one line of a text file */
+    GRAZE_LIMIT_CELLS = 6,  /**< `cells`, 10^8: vertices or facets of a solid */
+    GRAZE_LIMIT_BYTES = 7,  /**< `bytes`, 4*10^9: bytes of a solid or motion file */
+    GRAZE_LIMIT_BITS = 8,   /**< `bits`, 100000: binary places of an interval around a root */
+    GRAZE_LIMIT_WORK = 9,   /**< `work`, 10^8: coefficients computed while a motion is read, pieces
+                                 times degree; one of w 64-bit words counts as w + w^2/64 */
     GRAZE_LIMIT_COUNT = 10
 } graze_limit;
 
-/** How number tokens are taken. Binary64 and binary32 round to nearest, ties to even; overflow is
- * an error. */
+/** Rounding of number tokens, to nearest, ties to even. Overflow is an error. */
 typedef enum graze_rounding {
     GRAZE_ROUND_NONE = 0,
     GRAZE_ROUND_BINARY64 = 1,
     GRAZE_ROUND_BINARY32 = 2
 } graze_rounding;
 
-/** Called now and then from long calls; a non-zero return makes the call end with GRAZE_ECANCELED.
- */
+/** Place of a failure. Strings are never NULL; "" and line 0 stand for none. */
+typedef struct graze_place {
+    const char *file;  /**< the file, named as in the message */
+    size_t line;       /**< its line, from 1 */
+    const char *item;  /**< kind of what `index` counts, such as "vertex" or "point" */
+    size_t index;      /**< counted as in the message: items of arrays and solids from 0 */
+    const char *field; /**< a coordinate, a column, or a path in JSON */
+} graze_place;
+
+/** Cancel callback; long calls ask it regularly. Non-zero ends the call with GRAZE_ECANCELED. */
 typedef int (*graze_cancel)(void *data);
 
-/** A context with the default limits, no rounding and no message. The caller's; not to be shared by
- * threads at one time.
- * @return GRAZE_ESYSTEM out of memory, and *out is NULL
- */
+/** Create a context with default limits, no rounding and no message.
+ * @return GRAZE_EUSE, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_context_create(graze_context **out);
-/** Free a context. NULL is harmless; nothing made with the context ends with it. */
+/** Free a context. NULL is allowed; handles made with the context stay valid. */
 GRAZE_API void graze_context_destroy(graze_context *context);
-/** The last message, "" if none; borrowed until the next call with this context. */
+/** Message of the last failure, one line; "" if none. Borrowed until the next call with it. */
 GRAZE_API const char *graze_context_message(const graze_context *context);
-/** Set a limit, from 1 up to a bound that keeps sizes inside machine words.
- * @return GRAZE_EUSE no such limit, or the value is out of its range
- */
+/** Place of the last failure, as far as the message names it. Borrowed likewise. */
+GRAZE_API graze_place graze_context_place(const graze_context *context);
+/** Set a limit, from 1 to a bound that keeps sizes within machine words.
+ * @return GRAZE_EUSE an unknown limit, or a value out of range */
 GRAZE_API GRAZE_CHECKED graze_status graze_context_set_limit(graze_context *context,
                                                              graze_limit limit,
                                                              unsigned long value);
-/** The limit in force; 0 if there is no such limit. */
+/** The value of a limit; 0 for an unknown one. */
 GRAZE_API unsigned long graze_context_limit(const graze_context *context, graze_limit limit);
-/** The limit's name on the command line, such as "digits"; NULL past the last. */
-GRAZE_API const char *graze_limit_name(graze_limit limit);
-/** Round every number token read from now on with this context. Solids, motions and points that are
- * to be compared must be read under one rounding.
- * @return GRAZE_EUSE no such rounding
- */
+/** Round every number token that is read with this context from now on. Solids, motions and points
+ * of one comparison are read under one rounding.
+ * @return GRAZE_EUSE an unknown rounding */
 GRAZE_API GRAZE_CHECKED graze_status graze_context_set_rounding(graze_context *context,
                                                                 graze_rounding rounding);
-/** Whether traces and verdicts asked for with this context go through the certified floating-point
- * filter (1, the default) or by the exact path alone (0). The answers are the same; the second is
- * slower and is there to check the first. */
+/** Use the certified floating-point filter (1, the default) or the exact path alone (0). Both give
+ * the same answers; the exact path is slower and checks the filter. */
 GRAZE_API void graze_context_set_filter(graze_context *context, int on);
-/** How many points asked for with this context needed the exact path: the filter alone answered the
- * others. */
+/** Number of points classified with this context that needed the exact path. */
 GRAZE_API unsigned long graze_context_exact_count(const graze_context *context);
-/** NULL takes the callback away. It is called in the thread of the call it may end. */
+/** Set the cancel callback; NULL removes it. It runs in the thread of the call. */
 GRAZE_API void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data);
-/** Free a string that a function handed out through a char **; NULL is harmless. */
+
+/** Name of a status: "ok", "use", "input", "illegal", "limit", "system", "canceled", "internal";
+ * NULL for an unknown one. Static. */
+GRAZE_API const char *graze_status_name(graze_status status);
+/** Name of a limit, such as "digits"; NULL for an unknown one. Static. */
+GRAZE_API const char *graze_limit_name(graze_limit limit);
+/** "none", "binary64" or "binary32"; NULL for an unknown rounding. Static. */
+GRAZE_API const char *graze_rounding_name(graze_rounding rounding);
+/** Free a string returned through char **. NULL is allowed. */
 GRAZE_API void graze_free(void *memory);
-/** Versions of Graze, of the libraries it runs with and of CGAL, which is compiled in, one line
- * each; static. Any thread may ask. */
-GRAZE_API const char *graze_version(void);
-/** Give back what the arithmetic keeps for the calling thread. A thread that has used Graze calls
- * this before it ends; whoever does not loses some memory and nothing else. Exact numbers held by
- * handles stay valid. */
+/** Free the caches of the arithmetic for the calling thread. A thread that has used Graze calls it
+ * before it ends, or leaks them. Handles stay valid. */
 GRAZE_API void graze_thread_finish(void);
 
+/* ------------------------------------------------------------------------------------- numbers */
+
+/** Array of canonical rationals, only read. An `mpq_t p[3]` converts to it in C and C++ without a
+ * cast and without a warning. C before C23 has no such conversion that adds `const`. */
+#if defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ > 201710L)
+typedef const mpq_t *graze_rationals;
+#else
+typedef mpq_t *graze_rationals;
+#endif
+
 /**
- * Read one number token exactly: `-12`, `0.1`, `.5`, `5.`, `1.5e-3`, `22/7` (formats.md,
- * Numbers), then round it as the context says.
- * @param[out] out  initialised by the caller; set to the value in lowest terms
- * @return GRAZE_EINPUT not a number (NaN and infinities are none), or rounding overflows;
+ * Read one number token exactly: `-12`, `0.1`, `.5`, `5.`, `1.5e-3`, `22/7` (formats.md, Numbers);
+ * then round it as the context says.
+ * @param[out] out initialised; set to the value in lowest terms
+ * @param text     `length` bytes; they need not end in NUL
+ * @return GRAZE_EINPUT not a number (NaN and infinities are not), or rounding overflows;
  * GRAZE_ELIMIT
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_number_parse(mpq_t out, graze_context *context,
                                                         const char *text, size_t length);
 
-/* ---------------------------------------------------------------------------------------- solid */
+/* --------------------------------------------------------------------------------------- solid */
 
-/** Take facets that are not planar: fan them from their first vertex (formats.md, Solids).
- */
+/** Accept facets that are not planar: cut them into fans (formats.md, Solids). */
 #define GRAZE_SOLID_TRIANGULATE 1u
 
 /**
- * Read and validate a solid; the format is told by the extension: .off .obj .ply .stl .nef3 (E^3),
- * .wkt (E^2). Legal is what semantics calls a solid: bounded, regular closed, its boundary exactly
- * the union of the facets given.
+ * Read and validate a solid. The extension gives the format: .off .obj .ply .stl .nef3 (E^3), .wkt
+ * (E^2). A legal solid is bounded and regular closed, and its boundary is exactly the union of its
+ * facets (semantics.md 1).
  * @param flags 0 or GRAZE_SOLID_TRIANGULATE
- * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is not of its format;
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it does not follow its format;
  * GRAZE_EILLEGAL not a solid (open, crossing, overlapping, degenerate, ...); GRAZE_ELIMIT;
- * GRAZE_ECANCELED, also while a FIFO is waited for
+ * GRAZE_ECANCELED, also during the wait for a FIFO
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_read(graze_solid **out, graze_context *context,
                                                       const char *path, unsigned flags);
 /**
- * Read a solid that was found legal before, from a file of the same bytes, with the same flags and
- * under the same rounding. In E^3 the search for facets that meet, about a fifth of the work, is
- * spared; everything else is checked again. Of a solid that is not legal the answers mean nothing.
- * @param sha256 32 bytes: the hash of the file that was found legal (graze_scene_hashes)
+ * Read a solid that was validated before, from a file of the same bytes, with the same flags and
+ * rounding. In E^3 this skips the search for facets that meet, about a fifth of the work. Results
+ * for an illegal solid are undefined.
+ * @param sha256 32 bytes: hash of the validated file (graze_scene_hashes)
  * @return as graze_solid_read; GRAZE_EINPUT also if the file has another hash
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_read_trusted(graze_solid **out,
                                                               graze_context *context,
-                                                              const char *path, unsigned flags,
-                                                              const unsigned char *sha256);
+                                                              const char *path,
+                                                              const unsigned char *sha256,
+                                                              unsigned flags);
 /**
- * Make a solid from arrays. In E^3 a facet is one outward oriented cycle of vertices; in E^2 a
- * "facet" is one ring, of which outer rings and holes may come in either orientation.
+ * Make a solid from arrays, which are copied. In E^3 a facet is one cycle of vertices, oriented
+ * outward; in E^2 it is one ring, an outer ring or a hole, in either orientation.
  * @param dimension   2 or 3
- * @param coordinates vertex_count*dimension canonical rationals, vertex after vertex; copied
+ * @param coordinates vertex_count*dimension canonical rationals, vertex after vertex
  * @param facet_sizes facet_count sizes, each at least 3
- * @param indices     the vertices of all facets, facet after facet, from 0
+ * @param indices     vertices of all facets, facet after facet, from 0
  * @param flags       0 or GRAZE_SOLID_TRIANGULATE
- * @return GRAZE_EUSE a NULL array, a dimension, or a coordinate that is not canonical; GRAZE_EINPUT
- * a size below 3 or an index out of range; GRAZE_EILLEGAL not a solid; GRAZE_ELIMIT
+ * @return GRAZE_EUSE a NULL array, a wrong dimension, or a coordinate that is not canonical;
+ * GRAZE_EINPUT a size below 3, or an index out of range; GRAZE_EILLEGAL not a solid; GRAZE_ELIMIT
  */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_solid_from_arrays(graze_solid **out, graze_context *context, int dimension,
-                        const mpq_t *coordinates, size_t vertex_count, const size_t *facet_sizes,
+                        graze_rationals coordinates, size_t vertex_count, const size_t *facet_sizes,
                         size_t facet_count, const size_t *indices, unsigned flags);
-/** The same with coordinates as doubles, each taken as the dyadic rational it is; NaN and inf are
- * GRAZE_EINPUT. */
+/** As graze_solid_from_arrays, from doubles, which are exact. NaN and infinities are GRAZE_EINPUT.
+ */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_solid_from_doubles(graze_solid **out, graze_context *context, int dimension,
                          const double *coordinates, size_t vertex_count, const size_t *facet_sizes,
                          size_t facet_count, const size_t *indices, unsigned flags);
-/** Free a solid, after every scene made of it. NULL is harmless. */
+/** Free a solid, after all scenes of it. NULL is allowed. */
 GRAZE_API void graze_solid_destroy(graze_solid *solid);
 /** 2 or 3; 0 for NULL. */
 GRAZE_API int graze_solid_dimension(const graze_solid *solid);
-/** Vertices as the input numbers them; 0 for NULL. */
+/** Number of vertices of the input; 0 for NULL. */
 GRAZE_API size_t graze_solid_vertex_count(const graze_solid *solid);
-/** Facets as the input numbers them (E^2: edges, those of no length left out); 0 for NULL. */
+/** Number of facets of the input (E^2: edges of positive length); 0 for NULL. */
 GRAZE_API size_t graze_solid_facet_count(const graze_solid *solid);
-/** Components of the boundary, connected through edges (E^2: through vertices); 0 for NULL. A
- * cavity is one of its own. Parts in contact along a segment inside a facet count as one, unless
- * the search for such contacts was spared. */
+/** Number of components of the boundary, connected through edges (E^2: through vertices); 0 for
+ * NULL. A cavity is a component. Parts in contact along a segment inside a facet count as one,
+ * unless graze_solid_read_trusted skipped the search for them. */
 GRAZE_API size_t graze_solid_component_count(const graze_solid *solid);
-
-/** What is unusual about a legal solid, in one line: vertices that follow one another at one
- * position, whose sides have no length and are no edges. "" if nothing, also for NULL; borrowed. */
+/** Note on a legal solid with an unusual input, one line: consecutive vertices at one position,
+ * whose sides have no length and are not edges. "" if there is none, also for NULL. Borrowed. */
 GRAZE_API const char *graze_solid_note(const graze_solid *solid);
 
 /**
@@ -208,23 +212,22 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_text(char **out, graze_context 
 /* --------------------------------------------------------------------------------------- motion */
 
 /**
- * Read a motion from a JSON file (formats.md, Motions) and check it exactly: the pieces
- * follow one another, the motion is continuous, has no pole, and its determinant does not vanish.
- * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT not such JSON, the entry named;
- * GRAZE_EILLEGAL not a legal motion, piece and entry named; GRAZE_ELIMIT; GRAZE_ECANCELED, also
- * while a FIFO is waited for
+ * Read a motion from a JSON file (formats.md, Motions) and check it exactly: its pieces follow one
+ * another, it is continuous, it has no pole, and its determinant does not vanish.
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it does not follow the format;
+ * GRAZE_EILLEGAL not a legal motion; GRAZE_ELIMIT; GRAZE_ECANCELED, also during the wait for a FIFO
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_read(graze_motion **out, graze_context *context,
                                                        const char *path);
-/** The same from `length` bytes of JSON in memory, which need not end in NUL. */
+/** As graze_motion_read, from `length` bytes of JSON, which need not end in NUL. */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_from_json(graze_motion **out,
                                                             graze_context *context,
                                                             const char *text, size_t length);
-/** Free a motion, after every scene made of it. NULL is harmless. */
+/** Free a motion, after all scenes of it and all their traces. NULL is allowed. */
 GRAZE_API void graze_motion_destroy(graze_motion *motion);
 /** 2 or 3; 0 for NULL. */
 GRAZE_API int graze_motion_dimension(const graze_motion *motion);
-/** Pieces after all cuts, at least 1; 0 for NULL. */
+/** Number of pieces after all cuts, at least 1; 0 for NULL. */
 GRAZE_API size_t graze_motion_piece_count(const graze_motion *motion);
 /**
  * Write a motion as a motion file of plain pieces, which graze-check reads: the same map at every
@@ -235,62 +238,58 @@ GRAZE_API size_t graze_motion_piece_count(const graze_motion *motion);
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_text(char **out, graze_context *context,
                                                        const graze_motion *motion);
 
-/* ---------------------------------------------------------------------------------------- scene */
+/* --------------------------------------------------------------------------------------- scene */
 
-/** What to do when S^0 and S^1 meet, which [EI] excludes. */
+/** Treatment of scenes whose S^0 and S^1 meet, which [EI] excludes. */
 typedef enum graze_overlap { GRAZE_OVERLAP_EXTEND = 0, GRAZE_OVERLAP_REJECT = 1 } graze_overlap;
 /** Definitions 6 and 7, or 10 and 11 in their place ([EI] appendix A). */
 typedef enum graze_folds { GRAZE_FOLDS_SEPARATE = 0, GRAZE_FOLDS_COMBINED = 1 } graze_folds;
-/** The set points are classified against. */
+/** Set that points are classified against: sweep, or unsweep ([IS] eqs 12, 13, 35). */
 typedef enum graze_operation { GRAZE_SWEEP = 0, GRAZE_UNSWEEP = 1 } graze_operation;
 
-/** What answers depend on besides solid and motion. Zeroed it holds the defaults. */
+/** Options of a scene (rule 6). */
 typedef struct graze_options {
-    graze_operation operation; /**< sweep, or unsweep ([IS] eqs 12, 13, 35) */
-    graze_overlap
-        overlap;       /**< extend: nine cases; reject: S^0 and S^1 that meet are GRAZE_EILLEGAL */
-    graze_folds folds; /**< Definitions 6, 7 or 10, 11 */
+    graze_operation operation; /**< sweep or unsweep */
+    graze_overlap overlap;     /**< extend: nine cases; reject: GRAZE_EILLEGAL if S^0 meets S^1 */
+    graze_folds folds;         /**< Definitions 6, 7 or 10, 11 */
+    size_t size;               /**< sizeof(graze_options) or 0 */
 } graze_options;
 
 /**
- * Put a solid and a motion of the same dimension together and decide whether S^0 and S^1 meet
- * (touching included), exactly. Solid and motion are borrowed and must outlive the scene. `options`
- * may be NULL for the defaults. Threads may share the scene.
+ * Combine a solid and a motion of one dimension, and decide exactly whether S^0 and S^1 meet
+ * (touching included). Solid and motion are borrowed and must outlive the scene. Threads may share
+ * the scene.
+ * @param options may be NULL for the defaults
  * @return GRAZE_EUSE a NULL handle or an unknown option; GRAZE_EILLEGAL the dimensions differ, or
- * S^0 and S^1 meet and `overlap` rejects it (a sweep only); GRAZE_ECANCELED
+ * S^0 and S^1 meet and `overlap` rejects it (sweep only); GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_create(graze_scene **out, graze_context *context,
                                                         const graze_solid *solid,
                                                         const graze_motion *motion,
                                                         const graze_options *options);
-/** Free a scene; solid and motion stay. NULL is harmless. */
+/** Free a scene; solid and motion stay. NULL is allowed. */
 GRAZE_API void graze_scene_destroy(graze_scene *scene);
 /** 2 or 3; 0 for NULL. */
 GRAZE_API int graze_scene_dimension(const graze_scene *scene);
-/** 1 if S^0 and S^1 have a point in common, 0 if not (also for NULL). */
+/** 1 if S^0 and S^1 have a common point, else 0, also for NULL. */
 GRAZE_API int graze_scene_ends_meet(const graze_scene *scene);
-/** SHA-256 of the solid's and the motion's file, zero for what came from memory, and of the scene
- * as it is after rounding and triangulation: the three a table's head has. */
-typedef struct graze_hashes {
-    unsigned char solid[32], motion[32], scene[32];
-} graze_hashes;
-/** The hashes of a scene; zeroed for NULL. */
-GRAZE_API graze_hashes graze_scene_hashes(const graze_scene *scene);
-/** The options in force; zeroed for NULL. */
-GRAZE_API graze_options graze_scene_options(const graze_scene *scene);
+/** Options in force; zeros for NULL. `out->size` is set before the call, to 0 or the size. */
+GRAZE_API void graze_scene_options(graze_options *out, const graze_scene *scene);
 /**
- * A box of dyadic coordinates that holds the sweep (for unsweep: the unsweep). It holds the images
- * of the solid's coordinate box and exceeds theirs by at most about 2^-11 of its longest side.
+ * A box with dyadic corners that contains the sweep (or unsweep): the images of the coordinate box
+ * of the solid, enlarged by at most about 2^-11 of its longest side.
  * @param[out] low, high d initialised rationals each
+ * @return GRAZE_EUSE, GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_box(mpq_t *low, mpq_t *high,
                                                      graze_context *context,
                                                      const graze_scene *scene);
 
-/* -------------------------------------------------------------------------------------- verdict */
+/* ------------------------------------------------------------------------------------- verdict */
 
-/** Zero is never a verdict. */
+/** Point membership. Zero is never an answer. */
 typedef enum graze_pmc { GRAZE_PMC_NONE = 0, GRAZE_IN = 1, GRAZE_ON = 2, GRAZE_OUT = 3 } graze_pmc;
+/** Class of a point against a sweep. Zero is never an answer. */
 typedef enum graze_class {
     GRAZE_CLASS_NONE = 0,
     GRAZE_REGULAR = 1,       /**< Definition 5 */
@@ -300,122 +299,109 @@ typedef enum graze_class {
     GRAZE_EXTERIOR = 5       /**< Definition 9 */
 } graze_class;
 
+/** Answer for one point. */
 typedef struct graze_verdict {
     graze_pmc pmc;
     graze_class class_; /**< GRAZE_CLASS_NONE for unsweep */
     int definition;     /**< 5 ... 11; 0 stands for `ext`: cases 5, 6, 8, 9 */
-    int case_;          /**< 1 ... 9, [EI] Table 1; for unsweep 0 */
+    int case_;          /**< 1 ... 9, [EI] Table 1; 0 for unsweep */
     unsigned long i;    /**< number of intersections, [EI] i_p */
     unsigned long t;    /**< number of tangencies, [EI] t_p */
 } graze_verdict;
 
-/** "in", "on", "out", else "none"; static. */
+/** "in", "on" or "out", else "none". Static. */
 GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
-/** "regular", "fold", "fold_boundary", "boundary", "exterior", else "none"; static. */
+/** "regular", "fold", "fold_boundary", "boundary" or "exterior", else "none". Static. */
 GRAZE_API const char *graze_class_name(graze_class class_);
 
 /**
- * The verdict that a word has: the word tells the counts, they and its two ends the case and the
- * class. Nothing is classified; this is the rule alone, for checking rows of a table.
- * @param options those of the scene, or NULL for the defaults
- * @param word    `length` letters, which need not end in NUL
- * @return GRAZE_EUSE a NULL, or an unknown option; GRAZE_EINPUT no word: not letters O, I, B of
- * which every second one is B. `out` is zeroed then
- */
-GRAZE_API GRAZE_CHECKED graze_status graze_word_verdict(graze_verdict *out, graze_context *context,
-                                                        const graze_options *options,
-                                                        const char *word, size_t length);
-/**
- * Classify n points exactly. Every point's inverted trajectory ([EI] eq. 4) is cut at its contacts
- * with the boundary; they are counted by Definitions 3 and 4 and the counts decide the class
- * (Definitions 5-11).
- * @param[out] out  n verdicts in the order of `points`, the caller's; entries not reached stay
- * zeroed
- * @param points    n*d canonical rationals, point after point; may be NULL when n is 0
- * @return GRAZE_OK every verdict is exact; GRAZE_EUSE a NULL, or a point that is not canonical, and
- * no verdict is given; GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_EINTERNAL: the verdicts that are not
- * zeroed are still exact
+ * Classify n points exactly. The inverted trajectory of a point ([EI] eq. 4) is cut at its contacts
+ * with the boundary; Definitions 3 and 4 count the contacts, Definitions 5-11 give the class.
+ * @param[out] out n verdicts in the order of `points`; those not reached are zero
+ * @param points   n*d canonical rationals, point after point; may be NULL if n is 0
+ * @return GRAZE_OK every verdict is exact; GRAZE_EUSE a NULL, or a point that is not canonical: no
+ * verdict is given; GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_EINTERNAL: verdicts that are not zero are
+ * exact
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_classify(graze_verdict *out, graze_context *context,
-                                                    const graze_scene *scene, const mpq_t *points,
-                                                    size_t n);
-/** The same for points of doubles, taken as the exact values they are. NaN and infinities are
- * GRAZE_EINPUT; the verdicts before them are given. */
+                                                    const graze_scene *scene,
+                                                    graze_rationals points, size_t n);
+/** As graze_classify, from doubles, which are exact. NaN and infinities are GRAZE_EINPUT; the
+ * verdicts before them are given. */
 GRAZE_API GRAZE_CHECKED graze_status graze_classify_doubles(graze_verdict *out,
                                                             graze_context *context,
                                                             const graze_scene *scene,
                                                             const double *points, size_t n);
-
-/* ---------------------------------------------------------------------------------------- trace */
+/* --------------------------------------------------------------------------------------- trace */
 
 /** State of the trajectory: in the interior, on the boundary, outside (semantics.md 2). */
 typedef enum graze_state {
-    GRAZE_STATE_ABSENT = 0,
+    GRAZE_STATE_ABSENT = 0, /**< beyond an end of the motion */
     GRAZE_STATE_I = 'I',
     GRAZE_STATE_B = 'B',
     GRAZE_STATE_O = 'O'
 } graze_state;
-/** What a contact counts as: [EI] Definitions 3 and 4 at the ends of the motion, the states on both
- * sides elsewhere. */
+/** Kind of a contact: [EI] Definitions 3 and 4 at the ends of the motion, else the states on both
+ * sides. */
 typedef enum graze_kind { GRAZE_INTERSECTION = 1, GRAZE_TANGENCY = 2 } graze_kind;
-/** In E^2 there are no faces. */
+/** Kind of a boundary cell. E^2 has edges and vertices only. */
 typedef enum graze_cell_kind {
     GRAZE_CELL_FACE = 1,
     GRAZE_CELL_EDGE = 2,
     GRAZE_CELL_VERTEX = 3
 } graze_cell_kind;
 
-/** A boundary cell in the input's numbering, from 0: face a; edge a < b; vertex a. */
+/** A boundary cell in the numbering of the input, from 0: face a; edge a < b; vertex a. */
 typedef struct graze_cell {
     graze_cell_kind kind;
     size_t a, b;
 } graze_cell;
 
-/** One contact: a maximal interval [from, to] of times at which the trajectory is on the boundary.
- */
+/** A contact: a maximal interval [from, to] of times with the trajectory on the boundary. */
 typedef struct graze_contact {
     graze_kind kind;
     graze_state left, right; /**< I, O, or absent at an end of the motion */
     const graze_time *from;  /**< borrowed from the trace */
-    const graze_time *to;    /**< the same handle as `from` when the contact is one instant */
+    const graze_time *to;    /**< the handle `from` if the contact is one instant */
     const graze_cell *cells; /**< the boundary cells met, sorted, each once; borrowed */
     size_t cell_count;
 } graze_contact;
 
 /**
- * Trace one point: all contacts of its (inverted) trajectory with the boundary, in order of time.
- * The trace does not borrow from the scene but its times do from the motion. A trace is used by one
- * thread at a time.
+ * Trace one point: all contacts of its inverted trajectory with the boundary, in order of time. The
+ * trace does not borrow from the scene; its times borrow from the motion. One thread uses a trace
+ * at a time.
  * @param point d canonical rationals
  * @return GRAZE_EUSE a NULL, or a coordinate that is not canonical; GRAZE_ELIMIT; GRAZE_ECANCELED;
  * GRAZE_EINTERNAL
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_trace_create(graze_trace **out, graze_context *context,
                                                         const graze_scene *scene,
-                                                        const mpq_t *point);
-/** Free a trace with its contacts and times. NULL is harmless. */
+                                                        graze_rationals point);
+/** Free a trace with its contacts and times. NULL is allowed. */
 GRAZE_API void graze_trace_destroy(graze_trace *trace);
-/** The word, such as "OBIBO"; borrowed; "" for NULL. */
+/** Word of a trace, such as "OBIBO"; "" for NULL. Borrowed. */
 GRAZE_API const char *graze_trace_word(const graze_trace *trace);
-/** The verdict; zeroed for NULL. */
+/** Verdict of a trace; zero for NULL. */
 GRAZE_API graze_verdict graze_trace_verdict(const graze_trace *trace);
-/** The number of contacts, i + t; 0 for NULL. */
+/** Number of contacts, i + t; 0 for NULL. */
 GRAZE_API size_t graze_trace_contact_count(const graze_trace *trace);
-/** Contact `index` < count, in order of time. An index past the end gives a zeroed contact. */
+/** Contact `index`, in order of time; zero past the end. */
 GRAZE_API graze_contact graze_trace_contact(const graze_trace *trace, size_t index);
 
-/** 1 and the value if the time is rational, else 0 and `out` is unchanged. `out` is initialised. */
+/** 1 and the value of a rational time; 0 for another, `out` unchanged. `out` is initialised. */
 GRAZE_API int graze_time_rational(mpq_t out, const graze_time *time);
-/** Degree of the minimal polynomial; 1 if rational; 0 for NULL. */
+/** Degree of the minimal polynomial, 1 for a rational; 0 for NULL. */
 GRAZE_API int graze_time_degree(const graze_time *time);
-/** Coefficient k of the minimal polynomial in the motion's parameter: primitive, leading
- * coefficient positive. 0 where there is none. `out` is initialised. */
+/** Coefficient k of the minimal polynomial in the parameter of the motion: primitive, leading
+ * coefficient positive; 0 beyond the degree. `out` is initialised. */
 GRAZE_API void graze_time_coefficient(mpz_t out, const graze_time *time, int k);
 /** The widest dyadic interval (j/2^m, (j+1)/2^m) that isolates an irrational time; a rational time
- * gives itself twice. `low` and `high` are initialised; unchanged for NULL. */
+ * twice. `low` and `high` are initialised; unchanged for NULL. */
 GRAZE_API void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time);
-/** The time, correctly rounded (ties to even) to `digits` significant decimal digits, 1 to 1000, as
- * text for graze_free. A rational that is such a decimal comes without trailing zeros. */
+/** The time as a decimal of `digits` significant digits, 1 to 1000, correctly rounded, ties to
+ * even; text for graze_free. A rational equal to such a decimal has no trailing zeros.
+ * @return GRAZE_EUSE, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_time_decimal(char **out, graze_context *context,
                                                         const graze_time *time, int digits);
 

@@ -10,31 +10,32 @@
 extern "C" {
 #endif
 
-/** What a picture shows. Zeroed it holds the defaults; everything is borrowed. */
+/** Options of a picture (rule 6). All pointers are borrowed. */
 typedef struct graze_draw_options {
-    const char *title;        /**< a line above the picture, or NULL */
-    unsigned long grid;       /**< cells along the longer side; 0: 240, or 360 of a wide box */
-    unsigned long times;      /**< positions of S, 2 to 64, evenly spread over the motion; 0: 5 */
-    const mpq_t *low, *high;  /**< the box, d rationals each; both NULL: around the scene */
-    int plane_axis;           /**< E^3: the plane in which this coordinate, 0 to 2, ... */
-    const mpq_t *plane;       /**< ... is this rational; NULL: z in the middle of the box */
-    double view[3];           /**< E^3: seen from there; all 0: from (2, -3, 2) */
-    const mpq_t *points;      /**< point_count points, d canonical rationals each */
-    size_t point_count;       /**< of those whose trajectories are drawn */
-    const char *const *names; /**< a name for each of them, UTF-8 */
+    const char *title;         /**< a line above the picture, UTF-8, or NULL */
+    unsigned long grid;        /**< cells along the longer side; 0: 240, or 360 for a wide box */
+    unsigned long times;       /**< number of positions of S, 2 to 64, evenly spaced; 0: 5 */
+    graze_rationals low, high; /**< corners of the box, d rationals each; NULL: around the scene */
+    int plane_axis;            /**< E^3: the plane in which this coordinate, 0 to 2, ... */
+    graze_rationals plane;     /**< ... has this value; NULL: z in the middle of the box */
+    double view[3];            /**< E^3: direction to the viewer; all 0: (2, -3, 2) */
+    graze_rationals points;    /**< point_count points, d canonical rationals each */
+    size_t point_count;        /**< number of points whose trajectories are drawn */
+    const char *const *names;  /**< a name for each point, UTF-8 */
+    size_t size;               /**< sizeof(graze_draw_options) or 0 */
 } graze_draw_options;
 
 /**
- * Draw a scene. A grid of square cells is coloured by the class of their centres, which are
- * rationals and classified exactly, under outlines of S at some times of the motion; in E^3 in a
- * plane, beside a view of the positions of S. Points are drawn where they are, and their
- * (inverted) trajectories through the standing S with the contacts, marked by kind and cell. Of an
- * unsweep the colours are those of pmc, the positions those of the inverse motion.
- * @param file    the picture to write: .svg, or .png, for which libgraze-png must be there
- * @param options or NULL
- * @return GRAZE_EUSE an option out of its range, or another extension; GRAZE_ELIMIT more cells than
- * the limit `grid`; GRAZE_ESYSTEM the file, or no libgraze-png; GRAZE_ECANCELED; GRAZE_EINTERNAL.
- * Except when writing fails half-way, no file is made or changed then.
+ * Draw a scene. Square cells have the colour of the class of their centres, which are rationals and
+ * classified exactly; over them, outlines of S at some times of the motion. In E^3 the cells are in
+ * a plane, and a view of the positions of S is beside it. Points are drawn with their inverted
+ * trajectories through the standing S; contacts are marked by kind and cell. For an unsweep,
+ * colours show pmc and positions are those of the inverse motion.
+ * @param file    the picture to write: .svg, or .png, which needs libgraze-png
+ * @param options may be NULL for the defaults
+ * @return GRAZE_EUSE an option out of range, or another extension; GRAZE_ELIMIT more cells than the
+ * limit `grid`; GRAZE_ESYSTEM the file cannot be written, or no libgraze-png; GRAZE_ECANCELED;
+ * GRAZE_EINTERNAL. On failure no file is created or changed, except by an error in writing it
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_draw(graze_context *context, const graze_scene *scene,
                                                 const char *file,

@@ -1,5 +1,8 @@
 /* graze/report.h - tables, JSON Lines, exports and explanations.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A table is graze_report_header, then rows, then a line `# complete N` (formats.md, Tables). Rows
+ * of one scene may be made by several threads, each with its own context.
  */
 #ifndef GRAZE_REPORT_H
 #define GRAZE_REPORT_H
@@ -10,77 +13,109 @@
 extern "C" {
 #endif
 
-/** How rows are written. */
+/** SHA-256 hashes, as in the head of a table: of the two files (zeros if the input came from
+ * memory), and of the scene after rounding and triangulation. */
+typedef struct graze_hashes {
+    unsigned char solid[32], motion[32], scene[32];
+} graze_hashes;
+
+/** Hashes of a scene; zeros for NULL. */
+GRAZE_API graze_hashes graze_scene_hashes(const graze_scene *scene);
+
+/** Form of rows. */
 typedef enum graze_format { GRAZE_FORMAT_CSV = 0, GRAZE_FORMAT_JSONL = 1 } graze_format;
 
 /**
- * The `#` lines of a CSV table and its column line (formats.md, Tables).
- * @param notes   further lines, each `# key value` and a newline, or NULL: what the scene does not
- * know, such as the grid
- * @param columns names of further columns as they were, comma-joined, or NULL
+ * Write the head of a CSV table: its `#` lines and its column line (formats.md, Tables).
+ * @param[out] out text for graze_free
+ * @param notes    further lines, each `# key value` and a newline, or NULL
+ * @param columns  names of further columns, comma-joined and unchanged, or NULL
+ * @return GRAZE_EUSE, GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_header(char **out, graze_context *context,
                                                          const graze_scene *scene,
                                                          const char *notes, const char *columns);
 /**
- * One row with its newline.
- * @param point the point the trace was made of
- * @param rest  the further columns as they were, or NULL; CSV only
+ * Write one row with its newline, from the trace of its point.
+ * @param[out] out text for graze_free
+ * @param point    d canonical rationals: the point that was traced
+ * @param rest     further columns, comma-joined and unchanged, or NULL; CSV only
+ * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_row(char **out, graze_context *context,
-                                                      const graze_scene *scene, const mpq_t *point,
+                                                      const graze_scene *scene,
+                                                      graze_rationals point,
                                                       const graze_trace *trace, graze_format format,
                                                       const char *rest);
 /**
- * Trace a point and write its row, as graze_trace_create and graze_report_row do one after the
- * other. A CSV row needs no contact times, which makes it much faster.
- * @param point d rationals in lowest terms
+ * Trace a point and write its row: the bytes of graze_trace_create and graze_report_row. A CSV row
+ * needs no contact times and is much faster this way.
+ * @return as graze_trace_create; GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_context *context,
                                                         const graze_scene *scene,
-                                                        const mpq_t *point, graze_format format,
+                                                        graze_rationals point, graze_format format,
                                                         const char *rest);
 /**
  * Trace n points and write their rows one after the other, as graze_report_point does for one.
- * @param[out] out    the rows of the first *done points as one text for graze_free, also when a
- * later one fails; NULL when *done is 0
+ * @param[out] out    rows of the first *done points as one text for graze_free, also if a later
+ * point fails; NULL if *done is 0
  * @param[out] length bytes of the text
- * @param[out] done   points that have their rows: n, or on any status but GRAZE_OK the index of the
- * point that failed
- * @param points      n*d rationals in lowest terms, point after point; may be NULL when n is 0
- * @param rest        the further columns of each point as they were, entries may be NULL; or NULL
+ * @param[out] done   number of rows written: n, or on failure the index of the point that failed
+ * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
+ * @param rest        further columns of each point, entries may be NULL; or NULL
+ * @return as graze_report_point
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_points(
     char **out, size_t *length, size_t *done, graze_context *context, const graze_scene *scene,
-    const mpq_t *points, size_t n, graze_format format, const char *const *rest);
-/** Binary forms of a whole table. */
+    graze_rationals points, size_t n, graze_format format, const char *const *rest);
+
+/** Binary form of a table. */
 typedef enum graze_export {
     GRAZE_EXPORT_NONE = 0,
     GRAZE_EXPORT_VTK = 1, /**< legacy VTK, binary: a grid as structured points, else vertices; all
                              columns as point data. pmc, class and definition (ext: 0) are numbers,
-                             texts are numbered by their first occurrence, and the field data
-                             COLUMN_texts has them as bytes, each with a newline behind it */
+                             texts are numbered by first occurrence, and the field data
+                             COLUMN_texts has their bytes, each with a newline behind it */
     GRAZE_EXPORT_NPY = 2  /**< a structured numpy array: float64, uint32 (definition, case, i, t;
                              ext: 0), and bytes */
 } graze_export;
 
 /**
- * Turn a whole CSV table into another form. Coordinates and further columns of numbers become the
+ * Convert a whole CSV table to a binary form. Coordinates and further columns of numbers become the
  * nearest binary64.
- * @param[out] out, length bytes for graze_free
- * @param table            from its first `#` line to `# complete N`; it need not end in NUL
- * @return GRAZE_EUSE no such form; GRAZE_EINPUT not a whole table; GRAZE_ELIMIT; GRAZE_ESYSTEM
+ * @param[out] out    bytes for graze_free
+ * @param[out] length number of bytes
+ * @param table       table_length bytes, from the first `#` line to `# complete N`; they need not
+ * end in NUL
+ * @return GRAZE_EUSE an unknown form; GRAZE_EINPUT not a whole table; GRAZE_ELIMIT; GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_export(char **out, size_t *length,
                                                          graze_context *context, const char *table,
                                                          size_t table_length, graze_export form);
-/** The whole reasoning for one point, for a person to read: where it is, the trajectory, the
- * contacts in order of time and why each counts as what it does, the counts, the definition and the
- * case. */
+/**
+ * Explain the answer for one point in plain text: position, trajectory, contacts in order of time
+ * with the reason for the kind of each, counts, definition and case.
+ * @param[out] out text for graze_free
+ * @param point    d canonical rationals: the point that was traced
+ * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
+ */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_explain(char **out, graze_context *context,
                                                           const graze_scene *scene,
-                                                          const mpq_t *point,
+                                                          graze_rationals point,
                                                           const graze_trace *trace);
+/**
+ * Verdict of a word: the word gives the counts; counts and ends of the word give case and class.
+ * This is the rule alone, for checking rows of a table; no point is classified.
+ * @param[out] out zero on failure
+ * @param word     `length` letters, which need not end in NUL
+ * @param options  those of the scene, or NULL for the defaults
+ * @return GRAZE_EUSE a NULL or an unknown option; GRAZE_EINPUT not a word: expected letters O, I,
+ * B, every second one B
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_word_verdict(graze_verdict *out, graze_context *context,
+                                                        const char *word, size_t length,
+                                                        const graze_options *options);
 
 #ifdef __cplusplus
 }

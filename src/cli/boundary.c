@@ -107,8 +107,8 @@ static int sample_boundary(const loaded *l, const boundary_given *o, mpq_t *box)
         status = numbers_read(box, l->context, "--box", o->box, strlen(o->box), 2 * dimension);
     if (status)
         return status;
-    how.low = o->box ? (const mpq_t *)box : NULL;
-    how.high = o->box ? (const mpq_t *)box + dimension : NULL;
+    how.low = o->box ? box : NULL;
+    how.high = o->box ? box + dimension : NULL;
     graze_status made = graze_boundary_create(&b, l->context, l->scene, &how);
     status = complain_of_use(made, l->context);
     if (!status)

@@ -85,8 +85,7 @@ static int put_certified_block(certify_run *s) {
         if (columns_row(s->point, &f, csv_columns(s->points), &s->reader, s->b, k)) {
             status = fault_tell(&f);
         } else {
-            graze_status made =
-                graze_certificate_row(&text, s->l.context, s->certifier, (const mpq_t *)s->point);
+            graze_status made = graze_certificate_row(&text, s->l.context, s->certifier, s->point);
             status = put_certified(s, made, text);
         }
         fault_clear(&f);

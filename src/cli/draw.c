@@ -185,15 +185,15 @@ static int read_frame(graze_draw_options *out, frame *f, const draw_given *o, in
                         o->plane ? "plane" : "view");
     if (o->box) {
         status = box_read(f->low, f->high, o->box, d, context);
-        out->low = (const mpq_t *)f->low;
-        out->high = (const mpq_t *)f->high;
+        out->low = f->low;
+        out->high = f->high;
     }
     if (o->plane && !status) {
         char axis = o->plane[0];
         if (axis < 'x' || axis > 'z' || o->plane[1] != '=')
             return complain(EXIT_USAGE, "--plane %s: expected x=, y= or z= and a number", o->plane);
         out->plane_axis = axis - 'x';
-        out->plane = (const mpq_t *)&f->plane;
+        out->plane = &f->plane;
         status = numbers_read(&f->plane, context, "--plane", o->plane + 2, strlen(o->plane + 2), 1);
     }
     if (o->view && !status) {
@@ -236,7 +236,7 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
         status = read_frame(&what, f, o, m->dimension, l->context);
     if (!status)
         status = read_marks(m, o, given, l->context);
-    what.points = (const mpq_t *)m->value;
+    what.points = m->value;
     what.point_count = m->count;
     what.names = (const char *const *)m->name;
     if (status)

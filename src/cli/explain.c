@@ -22,7 +22,7 @@ static const char explain_help[] =
     "\n"
     "Example: graze explain cube.off move.json 1/2 -1 0.25\n";
 
-static int explain_point(const loaded *l, const mpq_t *point) {
+static int explain_point(const loaded *l, graze_rationals point) {
     graze_trace *trace = NULL;
     char *text = NULL;
     graze_status status = graze_trace_create(&trace, l->context, l->scene, point);
@@ -79,7 +79,7 @@ static int run_explain(void *options, const operands *given) {
     if (!status)
         status = read_coordinates(point, &l, given);
     if (!status)
-        status = explain_point(&l, (const mpq_t *)point);
+        status = explain_point(&l, point);
     mpq_clears(point[0], point[1], point[2], NULL);
     loaded_clear(&l);
     return status;

@@ -85,8 +85,8 @@ static void set_turn(own_joint *w, int dimension, int centered) {
     w->joint.kind = GRAZE_JOINT_TURN;
     w->joint.degrees = w->number[0];
     w->joint.pitch = w->number[1];
-    w->joint.axis = dimension == 3 ? (const mpq_t *)w->number + 2 : NULL;
-    w->joint.center = centered ? (const mpq_t *)w->number + 5 : NULL;
+    w->joint.axis = dimension == 3 ? w->number + 2 : NULL;
+    w->joint.center = centered ? w->number + 5 : NULL;
 }
 
 /* turn:DEGREES[:AXIS[:CENTER]], screw:DEGREES:PITCH:AXIS[:CENTER], slide:WAY. In the plane AXIS
@@ -124,7 +124,7 @@ static int read_joint(job *j, own_joint *w, const char *word) {
     set_turn(w, j->dimension, 1);
     if (slide) {
         w->joint.kind = GRAZE_JOINT_SLIDE;
-        w->joint.axis = (const mpq_t *)w->number + 2;
+        w->joint.axis = w->number + 2;
     }
     return status;
 }
@@ -228,7 +228,7 @@ static int make_poses(job *j) {
         graze_context_set_rounding(j->context, written ? GRAZE_ROUND_NONE : GRAZE_ROUND_BINARY64);
     if (!set)
         set = graze_motion_write_poses(&j->json, &j->report, j->context, j->given->item[1],
-                                       j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0, j->tolerance);
+                                       j->tolerance, j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0);
     return complain_of_use(set, j->context);
 }
 

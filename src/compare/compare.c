@@ -27,9 +27,9 @@ static graze_status comparison_no_memory(graze_context *context) {
 
 static graze_status check_golden(const table *t) {
     if (t->where[COLUMN_PMC] < 0 || !t->dimension)
-        return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s: has no column %s; expected a table that graze classify wrote",
-                            t->in.name, t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y");
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, 0,
+                               "has no column %s; expected a table that graze classify wrote",
+                               t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y");
     return GRAZE_OK;
 }
 
@@ -40,10 +40,10 @@ static graze_status check_notes(const table *golden, const table *candidate) {
     for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
         const char *g = golden->notes[same[k]], *c = candidate->notes[same[k]];
         if (g && c && strcmp(g, "none") != 0 && strcmp(c, "none") != 0 && strcmp(g, c) != 0)
-            return context_fail(golden->in.context, GRAZE_EINPUT,
-                                "%s: %s is %.64s, that of %s is %.64s; expected tables of one "
-                                "scene and one set of options",
-                                candidate->in.name, note_name(same[k]), c, golden->in.name, g);
+            return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                                   "%s is %.64s, that of %s is %.64s; expected tables of one "
+                                   "scene and one set of options",
+                                   note_name(same[k]), c, golden->in.name, g);
     }
     return GRAZE_OK;
 }
@@ -53,26 +53,25 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
                                    const table *candidate) {
     int sdf = c->options.has == GRAZE_HAS_SDF, any = 0;
     if (sdf && candidate->where[COLUMN_SDF] < 0)
-        return context_fail(golden->in.context, GRAZE_EINPUT,
-                            "%s: has no column sdf; expected a signed distance in a column of that "
-                            "name",
-                            candidate->in.name);
+        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "has no column sdf; expected a signed distance in a column of that "
+                               "name");
     for (int k = 0; k < JUDGED_COUNT; k++) {
         column which = judged_column(k);
         int answered = candidate->where[which] >= 0;
         int open = c->options.question == GRAZE_QUESTION_OPEN;
         c->judged[k] = k == JUDGED_PMC ? answered || sdf : answered && open && !sdf;
         if (c->judged[k] && golden->where[which] < 0)
-            return context_fail(golden->in.context, GRAZE_EINPUT,
-                                "%s: has no column %s; expected one to judge that of %s by",
-                                golden->in.name, column_name(which), candidate->in.name);
+            return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
+                                   "has no column %s; expected one to judge that of %s by",
+                                   column_name(which), candidate->in.name);
         any |= c->judged[k];
     }
     if (!any)
-        return context_fail(
-            golden->in.context, GRAZE_EINPUT,
-            "%s: has no column that can be judged; expected one of %s", candidate->in.name,
-            c->options.question == GRAZE_QUESTION_OPEN ? "pmc, class, i, t, word" : "pmc (or sdf)");
+        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "has no column that can be judged; expected one of %s",
+                               c->options.question == GRAZE_QUESTION_OPEN ? "pmc, class, i, t, word"
+                                                                          : "pmc (or sdf)");
     return GRAZE_OK;
 }
 
@@ -236,9 +235,9 @@ static graze_status count_all(graze_comparison *c, run *r) {
 
 static graze_status finish_comparison(const run *r) {
     if (!r->golden.complete)
-        return context_fail(r->context, GRAZE_EINPUT,
-                            "%s: ends after %lu rows without `# complete`; expected a whole table",
-                            r->golden.in.name, r->golden.rows);
+        return context_fail_in(r->context, GRAZE_EINPUT, r->golden.in.name, 0,
+                               "ends after %lu rows without `# complete`; expected a whole table",
+                               r->golden.rows);
     return match_finish(&r->match);
 }
 

@@ -25,9 +25,9 @@ const char *judged_name(int judged) {
 
 static graze_status no_answer(const table *t, const table_row *row, column c, const char *right) {
     field f = table_field(t, row, c);
-    return context_fail(t->in.context, GRAZE_EINPUT, "%s:%lu: %s: '%.*s' is no answer; right is %s",
-                        t->in.name, row->line, column_name(c), f.length > 40 ? 40 : (int)f.length,
-                        f.start, right);
+    return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
+                           "%s: '%.*s' is no answer; right is %s", column_name(c),
+                           f.length > 40 ? 40 : (int)f.length, f.start, right);
 }
 
 static int index_of(field f, const char *const *words, int count) {

@@ -21,14 +21,13 @@ graze_status match_start(match *m, graze_context *context, table *golden, table 
     m->by_id = golden->where[COLUMN_ID] >= 0 && candidate->where[COLUMN_ID] >= 0;
     int point = candidate->dimension && candidate->dimension >= m->dimension;
     if (!m->by_id && !point)
-        return context_fail(context, GRAZE_EINPUT,
-                            "%s: no columns %s, and no id that the golden table has too; expected "
-                            "one of them, to match rows by",
-                            candidate->in.name, m->dimension == 2 ? "x, y" : "x, y, z");
+        return context_fail_in(context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "no columns %s, and no id that the golden table has too; expected "
+                               "one of them, to match rows by",
+                               m->dimension == 2 ? "x, y" : "x, y, z");
     if (!m->by_id && candidate->dimension > m->dimension)
-        return context_fail(context, GRAZE_EINPUT,
-                            "%s: a column z; expected x and y, as the golden table has dimension 2",
-                            candidate->in.name);
+        return context_fail_in(context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "a column z; expected x and y, as the golden table has dimension 2");
     return GRAZE_OK;
 }
 
@@ -52,10 +51,10 @@ static graze_status coordinate_check(const table *t, const table_row *row, int a
     field f = table_field(t, row, (column)(COLUMN_X + axis));
     if (rational_is_token(f.start, f.length))
         return GRAZE_OK;
-    return context_fail(
-        t->in.context, GRAZE_EINPUT,
-        "%s:%lu: %c: '%.*s' is not a number; expected one such as -12, 0.1, 1.5e-3, 22/7",
-        t->in.name, row->line, 'x' + axis, f.length > 40 ? 40 : (int)f.length, f.start);
+    return context_fail_in(
+        t->in.context, GRAZE_EINPUT, t->in.name, row->line,
+        "%c: '%.*s' is not a number; expected one such as -12, 0.1, 1.5e-3, 22/7", 'x' + axis,
+        f.length > 40 ? 40 : (int)f.length, f.start);
 }
 
 /* Read rows until the window has `count` of them or the table ends. */
@@ -82,10 +81,12 @@ static graze_status put_match_point(text *out, graze_context *context, const tab
     for (int k = 0; !status && k < dimension; k++) {
         field f = table_field(t, row, (column)(COLUMN_X + k));
         status = rational_parse(value, context, f.start, f.length);
-        if (status)
-            context_at(context, status, "%s:%lu: %c", t->in.name, row->line, 'x' + k);
-        else
+        if (status) {
+            context_item(context, status, NULL, 0, (const char[]){(char)('x' + k), '\0'});
+            context_in(context, status, t->in.name, row->line);
+        } else {
             text_rational(out, value);
+        }
         text_put(out, " ");
     }
     fmpq_clear(value);
@@ -220,14 +221,14 @@ graze_status match_next(match *m, const table_row **golden, const table_row **ca
 graze_status match_finish(const match *m) {
     const table *golden = m->golden.table, *candidate = m->candidate.table;
     if (!m->pairs && m->missing_count && m->extra_count)
-        return context_fail(m->context, GRAZE_EINPUT,
-                            "%s: no row is one of %s; expected the same points in the same order, "
-                            "rounded as the candidate's are",
-                            candidate->in.name, golden->in.name);
+        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "no row is one of %s; expected the same points in the same order, "
+                               "rounded as the candidate's are",
+                               golden->in.name);
     if (m->missing_count && m->missing_count == m->extra_count &&
         digest_equal(m->missing, m->extra))
-        return context_fail(m->context, GRAZE_EINPUT,
-                            "%s: has the rows of %s in another order; expected the same order",
-                            candidate->in.name, golden->in.name);
+        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "has the rows of %s in another order; expected the same order",
+                               golden->in.name);
     return GRAZE_OK;
 }

@@ -71,10 +71,10 @@ static graze_status keep(share *s, const table *t, const table_row *row, const c
         return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
     entry *e = rounding_place(s, row->key);
     if (e->line && e->answers != answers)
-        return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s:%lu: rounding makes this row equal to that of line %lu, whose "
-                            "answer is another; expected points that stay apart",
-                            t->in.name, row->line, (unsigned long)e->line);
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
+                               "rounding makes this row equal to that of line %lu, whose "
+                               "answer is another; expected points that stay apart",
+                               (unsigned long)e->line);
     s->count += !e->line;
     *e = (entry){row->key, answers, row->line};
     return GRAZE_OK;
@@ -102,10 +102,9 @@ static graze_status pass(share *s, graze_context *context, const char *path, con
 graze_status match_rounding(graze_context *context, const table *golden, const char *path,
                             const column *columns, size_t count) {
     if (!stream_repeatable(&golden->in))
-        return context_fail(context, GRAZE_EINPUT,
-                            "%s: is read more than once, to check its points after rounding; "
-                            "expected a regular file",
-                            golden->in.name);
+        return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
+                               "is read more than once, to check its points after rounding; "
+                               "expected a regular file");
     share s = {NULL, 0, 0, 0, 1};
     graze_status status = GRAZE_OK;
     while (!status && s.pass < s.passes) {

@@ -47,10 +47,10 @@ static graze_status table_no_memory(const table *t) {
 static graze_status read_complete(table *t, field value) {
     unsigned long count;
     if (!field_count(&count, value, ~0ul) || count != t->rows || t->complete)
-        return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s:%lu: `# complete %.*s` stands after %lu rows; expected one such "
-                            "line, the last, with their number",
-                            t->in.name, t->in.line, FIELD_SHOWN(value), t->rows);
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                               "`# complete %.*s` stands after %lu rows; expected one such "
+                               "line, the last, with their number",
+                               FIELD_SHOWN(value), t->rows);
     t->complete = 1;
     return GRAZE_OK;
 }
@@ -59,8 +59,8 @@ static graze_status read_complete(table *t, field value) {
 static graze_status read_note(table *t, field line) {
     field key, value;
     if (memchr(line.start, '\0', line.length))
-        return context_fail(t->in.context, GRAZE_EINPUT, "%s:%lu: a byte 0 in a text file",
-                            t->in.name, t->in.line);
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                               "a byte 0 in a text file");
     field_note(&key, &value, line);
     if (field_is(key, "complete"))
         return read_complete(t, value);
@@ -116,9 +116,9 @@ static graze_status fix_columns(table *t, const table_row *row) {
             if (!field_is(field_content(row->cut.item[k]), column_names[c]))
                 continue;
             if (t->where[c] >= 0 && !t->notes[NOTE_GRAZE])
-                return context_fail(t->in.context, GRAZE_EINPUT,
-                                    "%s:%lu: the column line names %s twice; expected once",
-                                    t->in.name, t->in.line, column_names[c]);
+                return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                                       "the column line names %s twice; expected once",
+                                       column_names[c]);
             if (t->where[c] < 0)
                 t->where[c] = (long)k;
         }
@@ -141,9 +141,8 @@ graze_status table_open(table *out, graze_context *context, const char *path) {
     if (!status)
         status = next_table_line(out, &row, &more);
     if (!status && !more)
-        status = context_fail(context, GRAZE_EINPUT,
-                              "%s: no column line; expected a line of names such as x,y,z,pmc",
-                              out->in.name);
+        status = context_fail_in(context, GRAZE_EINPUT, out->in.name, 0,
+                                 "no column line; expected a line of names such as x,y,z,pmc");
     if (!status)
         status = fix_columns(out, &row);
     table_row_clear(&row);
@@ -161,13 +160,12 @@ graze_status table_next(table *t, table_row *row, int *more) {
     if (status || !*more)
         return status;
     if (t->complete)
-        return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s:%lu: a row after `# complete`; expected that line last", t->in.name,
-                            t->in.line);
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                               "a row after `# complete`; expected that line last");
     if (row->cut.count != t->columns)
-        return context_fail(t->in.context, GRAZE_EINPUT,
-                            "%s:%lu: %zu columns; expected %zu, as on the column line", t->in.name,
-                            t->in.line, row->cut.count, t->columns);
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                               "%zu columns; expected %zu, as on the column line", row->cut.count,
+                               t->columns);
     row->number = ++t->rows;
     return GRAZE_OK;
 }

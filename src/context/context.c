@@ -59,6 +59,14 @@ const char *graze_context_message(const graze_context *context) {
     return context != NULL ? context->message : "";
 }
 
+graze_place graze_context_place(const graze_context *context) {
+    if (context == NULL) {
+        return (graze_place){"", 0, "", 0, ""};
+    }
+    const context_place *at = &context->place;
+    return (graze_place){at->file, at->line, at->item, at->index, at->field};
+}
+
 static int is_limit(graze_limit limit) {
     return (int)limit >= 0 && (int)limit < GRAZE_LIMIT_COUNT;
 }
@@ -90,6 +98,17 @@ void graze_context_set_filter(graze_context *context, int on) {
     }
 }
 
+const char *graze_status_name(graze_status status) {
+    static const char *const names[] = {"ok",    "use",    "input",    "illegal",
+                                        "limit", "system", "canceled", "internal"};
+    return (unsigned)status < sizeof names / sizeof *names ? names[status] : NULL;
+}
+
+const char *graze_rounding_name(graze_rounding rounding) {
+    static const char *const names[] = {"none", "binary64", "binary32"};
+    return (unsigned)rounding < sizeof names / sizeof *names ? names[rounding] : NULL;
+}
+
 const char *graze_limit_name(graze_limit limit) {
     return is_limit(limit) ? limit_table[limit].name : NULL;
 }
@@ -98,8 +117,7 @@ graze_status graze_context_set_rounding(graze_context *context, graze_rounding r
     if (context == NULL) {
         return GRAZE_EUSE;
     }
-    if (rounding != GRAZE_ROUND_NONE && rounding != GRAZE_ROUND_BINARY64 &&
-        rounding != GRAZE_ROUND_BINARY32) {
+    if (graze_rounding_name(rounding) == NULL) {
         return context_fail(context, GRAZE_EUSE, "rounding %d: expected none, binary64 or binary32",
                             (int)rounding);
     }
@@ -134,25 +152,77 @@ static void set_message(graze_context *context, const char *text) {
     context->message[n] = '\0';
 }
 
-graze_status context_fail(graze_context *context, graze_status status, const char *format, ...) {
+static void set_field(char *to, size_t size, const char *from) {
+    snprintf(to, size, "%s", from);
+}
+
+static void put_before(graze_context *context, const char *where) {
+    char text[2 * CONTEXT_MESSAGE_SIZE + 2];
+    snprintf(text, sizeof text, "%s: %s", where, context->message);
+    set_message(context, text);
+}
+
+static void record_failure(graze_context *context, const char *format, va_list arguments) {
     char text[CONTEXT_MESSAGE_SIZE];
+    vsnprintf(text, sizeof text, format, arguments);
+    set_message(context, text);
+    context->place.file[0] = context->place.item[0] = context->place.field[0] = '\0';
+    context->place.line = context->place.index = 0;
+}
+
+graze_status context_fail(graze_context *context, graze_status status, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    record_failure(context, format, arguments);
     va_end(arguments);
-    set_message(context, text);
+    return status;
+}
+
+graze_status context_fail_in(graze_context *context, graze_status status, const char *file,
+                             size_t line, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    record_failure(context, format, arguments);
+    va_end(arguments);
+    return context_in(context, status, file, line);
+}
+
+graze_status context_in(graze_context *context, graze_status status, const char *file,
+                        size_t line) {
+    char where[CONTEXT_MESSAGE_SIZE];
+    int used = snprintf(where, sizeof where, "%s", file);
+    if (line != 0 && used >= 0 && (size_t)used < sizeof where) {
+        snprintf(where + used, sizeof where - (size_t)used, ":%zu", line);
+    }
+    put_before(context, where);
+    set_field(context->place.file, sizeof context->place.file, file);
+    context->place.line = line;
+    return status;
+}
+
+graze_status context_item(graze_context *context, graze_status status, const char *item,
+                          size_t index, const char *field) {
+    char where[CONTEXT_MESSAGE_SIZE];
+    int used = item != NULL ? snprintf(where, sizeof where, "%s %zu", item, index) : 0;
+    if (field != NULL) {
+        snprintf(where + used, sizeof where - (size_t)used, "%s%s", used > 0 ? ", " : "", field);
+        set_field(context->place.field, sizeof context->place.field, field);
+    }
+    if (item != NULL) {
+        set_field(context->place.item, sizeof context->place.item, item);
+        context->place.index = index;
+    }
+    put_before(context, where);
     return status;
 }
 
 graze_status context_at(graze_context *context, graze_status status, const char *format, ...) {
-    char text[2 * CONTEXT_MESSAGE_SIZE + 2];
+    char where[CONTEXT_MESSAGE_SIZE];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, CONTEXT_MESSAGE_SIZE, format, arguments);
+    vsnprintf(where, sizeof where, format, arguments);
     va_end(arguments);
-    size_t used = strlen(text);
-    snprintf(text + used, sizeof text - used, ": %s", context->message);
-    set_message(context, text);
+    put_before(context, where);
     return status;
 }
 

@@ -12,8 +12,15 @@ extern "C" {
 
 #define CONTEXT_MESSAGE_SIZE 2048
 
+/** Where the last failure is; see graze_place. */
+typedef struct context_place {
+    char file[4096], item[32], field[256];
+    size_t line, index;
+} context_place;
+
 struct graze_context {
     char message[CONTEXT_MESSAGE_SIZE];
+    context_place place;
     unsigned long limits[GRAZE_LIMIT_COUNT];
     graze_rounding rounding;
     int exact_only;            /* the filter is off */
@@ -28,13 +35,29 @@ struct graze_context {
 
 /**
  * Record a message and hand the status back, so that a failing function ends in one line:
- * return context_fail(context, GRAZE_EINPUT, "%s:%zu: ...", ...). A message names the place, the
- * fault and what is expected, in one line without a full stop at its end.
+ * return context_fail(context, GRAZE_EINPUT, "...", ...). A message names the place, the fault and
+ * what is expected, in one line without a full stop at its end. It forgets the place of the failure
+ * before.
  */
 graze_status context_fail(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** Put `where` and ": " before the message of a failure on its way up; returns `status`. */
+/** The same for a place in a file: "file:line: " stands before the message, without a line (0)
+ * "file: ". */
+graze_status context_fail_in(graze_context *context, graze_status status, const char *file,
+                             size_t line, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/** Put "file:line: " or, without a line (0), "file: " before the message of a failure on its way
+ * up, and record the place; returns `status`. */
+graze_status context_in(graze_context *context, graze_status status, const char *file, size_t line);
+
+/** Put "item index, field: " before the message, without `item` or `field` (NULL) the rest of it,
+ * and record the place; returns `status`. */
+graze_status context_item(graze_context *context, graze_status status, const char *item,
+                          size_t index, const char *field);
+
+/** Put `where` and ": " before the message; returns `status`. */
 graze_status context_at(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -58,7 +58,7 @@ graze_status file_read(char **text, size_t *length, unsigned char sha256[32],
     struct stat about;
     if (fstat(file, &about) != 0) {
         status =
-            context_fail(context, GRAZE_ESYSTEM, "%s: cannot be read: %s", path, strerror(errno));
+            context_fail_in(context, GRAZE_ESYSTEM, path, 0, "cannot be read: %s", strerror(errno));
     } else if (S_ISREG(about.st_mode) &&
                (unsigned long long)about.st_size > context->limits[GRAZE_LIMIT_BYTES]) {
         status = context_limit(context, GRAZE_LIMIT_BYTES, path);

@@ -17,7 +17,7 @@
 enum { STEP = 100 }; /* milliseconds */
 
 static graze_status fail_input(graze_context *context, const char *name, const char *what) {
-    return context_fail(context, GRAZE_ESYSTEM, "%s: %s: %s", name, what, strerror(errno));
+    return context_fail_in(context, GRAZE_ESYSTEM, name, 0, "%s: %s", what, strerror(errno));
 }
 
 /* A device may never end, and opening one may move a tape. */
@@ -26,8 +26,8 @@ static graze_status check_file_kind(graze_context *context, const char *path,
     int directory = S_ISDIR(about->st_mode);
     if (!directory && !S_ISCHR(about->st_mode) && !S_ISBLK(about->st_mode))
         return GRAZE_OK;
-    return context_fail(context, GRAZE_ESYSTEM, "%s: is a %s; expected a file or a pipe", path,
-                        directory ? "directory" : "device");
+    return context_fail_in(context, GRAZE_ESYSTEM, path, 0, "is a %s; expected a file or a pipe",
+                           directory ? "directory" : "device");
 }
 
 graze_status input_open(int *fd, graze_context *context, const char *path) {

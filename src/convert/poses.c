@@ -24,10 +24,10 @@ static graze_status refuse_pose(graze_context *context, const pose_list *list, c
     mpfr_snprintf(digits, sizeof digits, "%.2RUe", shown);
     mpq_clear(copy);
     mpfr_clear(shown);
-    return context_fail(context, GRAZE_EINPUT,
-                        "%s:%lu: the matrix is no rotation: an entry is %s off the nearest one; "
-                        "expected a rotation, a larger tolerance, or affine poses",
-                        list->source, p->line, digits);
+    return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
+                           "the matrix is no rotation: an entry is %s off the nearest one; "
+                           "expected a rotation, a larger tolerance, or affine poses",
+                           digits);
 }
 
 /* Find the quaternions of all matrices; `worst` is the largest deviation. */
@@ -92,14 +92,13 @@ static graze_status check_quaternions(graze_context *context, const pose_list *l
         for (int k = 0; k < 4; k++)
             zero &= fmpq_is_zero(p->quaternion + k);
         if (zero)
-            return context_fail(context, GRAZE_EINPUT,
-                                "%s:%lu: the quaternion is zero; expected that of a rotation",
-                                list->source, p->line);
+            return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
+                                   "the quaternion is zero; expected that of a rotation");
         if (i && are_opposite(p[-1].quaternion, p->quaternion))
-            return context_fail(context, GRAZE_EINPUT,
-                                "%s:%lu: the quaternion is opposite to that of line %lu, and zero "
-                                "between them; expected the same rotation with the other signs",
-                                list->source, p->line, p[-1].line);
+            return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
+                                   "the quaternion is opposite to that of line %lu, and zero "
+                                   "between them; expected the same rotation with the other signs",
+                                   p[-1].line);
     }
     return GRAZE_OK;
 }
@@ -193,9 +192,9 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
     fmpq_init(worst);
     graze_status status = poses_read(&list, context, path);
     if (!status && affine && !list.has_matrices)
-        status = context_fail(
-            context, GRAZE_EINPUT,
-            "%s: the poses are quaternions; expected matrices for an affine motion", path);
+        status =
+            context_fail_in(context, GRAZE_EINPUT, path, 0,
+                            "the poses are quaternions; expected matrices for an affine motion");
     if (!status && !affine && list.has_matrices)
         status = find_rotations(worst, context, &list, tolerance);
     if (!status && !affine)

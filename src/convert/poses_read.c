@@ -25,10 +25,10 @@ typedef struct reading {
 } reading;
 
 static graze_status misses(const reading *r, const char *what) {
-    return context_fail(r->context, GRAZE_EINPUT,
-                        "%s:%lu: the column %s is missing; expected "
-                        "qw,qx,qy,qz with or without x,y,z, or m00 to m23",
-                        r->list->source, r->line, what);
+    return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                           "the column %s is missing; expected "
+                           "qw,qx,qy,qz with or without x,y,z, or m00 to m23",
+                           what);
 }
 
 /* All or none of the columns from `first` on. */
@@ -47,14 +47,13 @@ static graze_status read_column_name(reading *r, field name) {
     while (k < COLUMNS && !field_is(name, names[k]))
         k++;
     if (k == COLUMNS)
-        return context_fail(r->context, GRAZE_EINPUT,
-                            "%s:%lu: the column '%.*s' is unknown; expected t, then "
-                            "qw,qx,qy,qz with or without x,y,z, or m00 to m33, in any order",
-                            r->list->source, r->line, FIELD_SHOWN(name));
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "the column '%.*s' is unknown; expected t, then "
+                               "qw,qx,qy,qz with or without x,y,z, or m00 to m33, in any order",
+                               FIELD_SHOWN(name));
     if (r->place[k] >= 0)
-        return context_fail(r->context, GRAZE_EINPUT,
-                            "%s:%lu: the column %s stands there twice; expected once",
-                            r->list->source, r->line, names[k]);
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "the column %s stands there twice; expected once", names[k]);
     r->place[k] = r->columns++;
     return GRAZE_OK;
 }
@@ -78,9 +77,8 @@ static graze_status read_names(reading *r) {
     if (!status && !quaternions && !matrices)
         status = misses(r, names[QUATERNION]);
     if (!status && matrices && (quaternions || positions))
-        status = context_fail(r->context, GRAZE_EINPUT,
-                              "%s:%lu: matrices and other poses are mixed; expected one of them",
-                              r->list->source, r->line);
+        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                                 "matrices and other poses are mixed; expected one of them");
     r->list->has_matrices = matrices;
     return status;
 }
@@ -123,15 +121,14 @@ static graze_status read_pose_value(const reading *r, pose *p, int column) {
     fmpq_init(value);
     graze_status status = rational_parse(value, r->context, one.start, one.length);
     fmpq *to = target_of(p, column);
-    if (status)
-        status =
-            context_at(r->context, status, "%s:%lu: %s", r->list->source, r->line, names[column]);
-    else if (to)
+    if (status) {
+        context_item(r->context, status, NULL, 0, names[column]);
+        status = context_in(r->context, status, r->list->source, r->line);
+    } else if (to)
         fmpq_set(to, value);
     else if (column == COLUMNS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
-        status = context_fail(r->context, GRAZE_EINPUT,
-                              "%s:%lu: %s: the last row of a matrix must be 0, 0, 0, 1",
-                              r->list->source, r->line, names[column]);
+        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                                 "%s: the last row of a matrix must be 0, 0, 0, 1", names[column]);
     fmpq_clear(value);
     return status;
 }
@@ -140,10 +137,10 @@ static graze_status read_pose(reading *r) {
     if (r->list->count >= r->context->limits[GRAZE_LIMIT_PIECES])
         return context_limit(r->context, GRAZE_LIMIT_PIECES, "a list of poses");
     if (r->cut.count != (size_t)r->columns)
-        return context_fail(r->context, GRAZE_EINPUT,
-                            "%s:%lu: the row has %zu fields; expected %d, as many as there are "
-                            "names",
-                            r->list->source, r->line, r->cut.count, r->columns);
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "the row has %zu fields; expected %d, as many as there are "
+                               "names",
+                               r->cut.count, r->columns);
     pose *p = append_pose(r);
     if (!p)
         return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
@@ -152,10 +149,10 @@ static graze_status read_pose(reading *r) {
         if (r->place[k] >= 0)
             status = read_pose_value(r, p, k);
     if (!status && r->list->count > 1 && fmpq_cmp(p[-1].time, p->time) >= 0)
-        status = context_fail(r->context, GRAZE_EINPUT,
-                              "%s:%lu: the time is not after that of line %lu; expected "
-                              "increasing times",
-                              r->list->source, r->line, p[-1].line);
+        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                                 "the time is not after that of line %lu; expected "
+                                 "increasing times",
+                                 p[-1].line);
     return status;
 }
 
@@ -201,9 +198,9 @@ graze_status poses_read(pose_list *out, graze_context *context, const char *path
     stream_of_text(&in, context, path, text, length);
     status = read_lines(&r, &in);
     if (!status && out->count < 2)
-        status = context_fail(context, GRAZE_EINPUT,
-                              "%s: has %zu poses; expected at least 2, under a line of names", path,
-                              out->count);
+        status = context_fail_in(context, GRAZE_EINPUT, path, 0,
+                                 "has %zu poses; expected at least 2, under a line of names",
+                                 out->count);
     fields_clear(&r.cut);
     free(text);
     return status;

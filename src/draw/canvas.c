@@ -24,14 +24,14 @@ void path_to(path *p, char verb, double x, double y) {
 static graze_status write_file(graze_context *context, const char *file, const text *bytes) {
     FILE *stream = fopen(file, "wb");
     if (!stream)
-        return context_fail(context, GRAZE_ESYSTEM, "%s: cannot be opened for writing: %s", file,
-                            strerror(errno));
+        return context_fail_in(context, GRAZE_ESYSTEM, file, 0, "cannot be opened for writing: %s",
+                               strerror(errno));
     int wrong = fwrite(bytes->data, 1, bytes->length, stream) != bytes->length ? errno : 0;
     if (fclose(stream) != 0 && !wrong)
         wrong = errno;
     if (wrong)
-        return context_fail(context, GRAZE_ESYSTEM, "%s: writing failed: %s", file,
-                            strerror(wrong));
+        return context_fail_in(context, GRAZE_ESYSTEM, file, 0, "writing failed: %s",
+                               strerror(wrong));
     return GRAZE_OK;
 }
 

@@ -204,8 +204,8 @@ int curve_cut(curve *c, uint32_t index) {
     span *whole = &c->spans[index];
     for (int i = 0; i <= d; i++) {
         halve_coefficients(c->coefficients + child * c->stride + (size_t)(i * (n + 1)),
-              c->coefficients + (child + 1) * c->stride + (size_t)(i * (n + 1)),
-              curve_coefficients(c, whole, i), n);
+                           c->coefficients + (child + 1) * c->stride + (size_t)(i * (n + 1)),
+                           curve_coefficients(c, whole, i), n);
         error[i] = whole->error[i] + (n + 1) * U * c->size[i];
     }
     whole->child = child;

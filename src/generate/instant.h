@@ -18,8 +18,9 @@ typedef struct instant {
     int dimension;
     size_t piece;
     fmpq_t u, t;
-    fmpq *map;     /* M at u: d * (d + 1) */
-    fmpz *inverse; /* a positive multiple of (N, W) at u: (d + 1) * (d + 1), the weight's row last */
+    fmpq *map; /* M at u: d * (d + 1) */
+    fmpz
+        *inverse; /* a positive multiple of (N, W) at u: (d + 1) * (d + 1), the weight's row last */
     /* Its derivatives of order 1 and 2 times M at u, each by a positive number: body points in,
      * (d + 1) * (d + 1). */
     fmpz *carried[INSTANT_DERIVATIVES];

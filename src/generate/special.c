@@ -60,7 +60,7 @@ static void normal_velocity(fmpz_poly_t out, const graze_scene *scene, size_t pi
 }
 
 static graze_status append_special(specials *out, graze_context *context, const graze_scene *scene,
-                           size_t piece, const fmpq_t u, size_t simplex, int slides) {
+                                   size_t piece, const fmpq_t u, size_t simplex, int slides) {
     graze_status status = array_grow(context, &out->item, &out->capacity, out->count + 1,
                                      sizeof *out->item, "the special times");
     if (status)
@@ -73,8 +73,9 @@ static graze_status append_special(specials *out, graze_context *context, const 
 }
 
 /* The rational roots in (0, 1) of g, the common part of the vertices' normal velocities. */
-static graze_status append_common_roots(specials *out, graze_context *context, const graze_scene *scene,
-                                 size_t piece, size_t simplex, const fmpz_poly_t g) {
+static graze_status append_common_roots(specials *out, graze_context *context,
+                                        const graze_scene *scene, size_t piece, size_t simplex,
+                                        const fmpz_poly_t g) {
     graze_status status = GRAZE_OK;
     fmpz_poly_factor_t factors;
     fmpq_t u;

@@ -132,7 +132,10 @@ state == "comment" {
         state = ""
     next
 }
-state == "" && /^#define GRAZE_[A-Z_]+ [^_]/ && notes != "" { declaration($0) }
+state == "" && /^#define GRAZE_[A-Z_]+ [^_]/ && notes != "" {
+    sub(/ *\\$/, "")
+    declaration($0)
+}
 state == "" && /^(GRAZE_API|typedef)/ {
     state = "declaration"
     text = ""

@@ -49,7 +49,7 @@ graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
 
 /* The part of a piece's map over [lo, hi], in a parameter of its own. */
 static void cut_map(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
-                const fmpq_t hi) {
+                    const fmpq_t hi) {
     fmpq_t span, low, high;
     fmpq_init(span);
     fmpq_init(low);

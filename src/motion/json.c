@@ -35,7 +35,8 @@ static void count_lines(builder *b) {
 }
 
 static int out_of_memory(builder *b) {
-    b->status = context_fail(b->context, GRAZE_ESYSTEM, "%s: no memory for its values", b->source);
+    b->status =
+        context_fail_in(b->context, GRAZE_ESYSTEM, b->source, 0, "no memory for its values");
     return 0;
 }
 
@@ -124,7 +125,7 @@ static int on_start(builder *b, json_kind kind) {
     b->depth++;
     if (b->depth > b->context->limits[GRAZE_LIMIT_DEPTH]) {
         context_limit(b->context, GRAZE_LIMIT_DEPTH, "nesting of JSON values");
-        b->status = context_at(b->context, GRAZE_ELIMIT, "%s:%zu", b->source, b->line);
+        b->status = context_in(b->context, GRAZE_ELIMIT, b->source, b->line);
         return 0;
     }
     return 1;
@@ -150,8 +151,8 @@ static void syntax_error(builder *b, size_t length) {
     count_lines(b);
     unsigned char *words = yajl_get_error(b->handle, 0, (const unsigned char *)b->text, length);
     words[strcspn((char *)words, "\n")] = '\0';
-    b->status = context_fail(b->context, GRAZE_EINPUT, "%s:%zu: not JSON: %s", b->source, b->line,
-                             (char *)words);
+    b->status = context_fail_in(b->context, GRAZE_EINPUT, b->source, b->line, "not JSON: %s",
+                                (char *)words);
 }
 
 /* All of what is read by yajl. */
@@ -194,7 +195,7 @@ graze_status json_parse(json_document *out, graze_context *context, const char *
         blanks++;
     }
     if (blanks == length) {
-        return context_fail(context, GRAZE_EINPUT, "%s: empty; expected a JSON object", source);
+        return context_fail_in(context, GRAZE_EINPUT, source, 0, "empty; expected a JSON object");
     }
     builder b = {.document = out, .context = context, .source = source, .text = text, .line = 1};
     parse(&b, text, length);
@@ -251,8 +252,8 @@ graze_status json_fail(graze_context *context, graze_status status, const json *
 
 graze_status json_at(graze_context *context, graze_status status, const json *where) {
     char path[PATH_SIZE];
-    return context_at(context, status, "%s:%zu: %s", where->source, where->line,
-                      path_of(path, where));
+    context_item(context, status, NULL, 0, path_of(path, where));
+    return context_in(context, status, where->source, where->line);
 }
 
 graze_status json_at_last(graze_context *context, graze_status status, const json *where) {
@@ -293,8 +294,7 @@ graze_status json_members(const json **out, graze_context *context, const json *
         }
         if (out[k] != NULL) {
             return json_fail(context, GRAZE_EINPUT, member,
-                             "this key is repeated; the first is in line %zu",
-                             out[k]->line);
+                             "this key is repeated; the first is in line %zu", out[k]->line);
         }
         out[k] = member;
     }
@@ -306,8 +306,8 @@ graze_status json_array(graze_context *context, const json *value, size_t count)
         return json_fail(context, GRAZE_EINPUT, value, "expected an array");
     }
     if (count > 0 && value->count != count) {
-        return json_fail(context, GRAZE_EINPUT, value,
-                         "expected an array of %zu entries, not %zu", count, value->count);
+        return json_fail(context, GRAZE_EINPUT, value, "expected an array of %zu entries, not %zu",
+                         count, value->count);
     }
     return GRAZE_OK;
 }

@@ -162,7 +162,7 @@ static graze_status read_motion(graze_motion **out, graze_context *context, cons
     if (status == GRAZE_OK) {
         status = draft_finish(out, context, &made);
         if (status != GRAZE_OK) {
-            context_at(context, status, "%s", source);
+            context_in(context, status, source, 0);
         }
     }
     draft_clear(&made);

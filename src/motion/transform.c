@@ -39,9 +39,10 @@ static graze_status read_form(form *out, graze_context *context, const json *tra
         }
     }
     if (out->value == NULL) {
-        return json_fail(context, GRAZE_EINPUT, transform,
-                         "no transform; expected one of matrix, translate, rotate, turn, quaternion, scale, "
-                         "compose");
+        return json_fail(
+            context, GRAZE_EINPUT, transform,
+            "no transform; expected one of matrix, translate, rotate, turn, quaternion, scale, "
+            "compose");
     }
     if (out->center != NULL && out->kind != QUATERNION && out->kind != SCALE) {
         return json_fail(context, GRAZE_EINPUT, out->center,
@@ -186,9 +187,8 @@ static graze_status read_matrix(affine *out, graze_context *context, const json 
     int d = part->dimension;
     graze_status status = json_array(context, value, 0);
     if (status == GRAZE_OK && value->count != (size_t)d && value->count != (size_t)d + 1) {
-        status =
-            json_fail(context, GRAZE_EINPUT, value,
-                      "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
+        status = json_fail(context, GRAZE_EINPUT, value,
+                           "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
     }
     const json *row = value->first;
     for (int i = 0; i < d && status == GRAZE_OK; i++, row = row->next) {

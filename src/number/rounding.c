@@ -80,8 +80,7 @@ graze_status rational_from_double(fmpq_t out, graze_context *context, double val
     uint64_t mantissa = image & 0xfffffffffffff;
     fmpq_zero(out);
     if (exponent == 0x7ff) {
-        return context_fail(context, GRAZE_EINPUT,
-                            "%s is not a number; expected a finite double",
+        return context_fail(context, GRAZE_EINPUT, "%s is not a number; expected a finite double",
                             mantissa != 0 ? "NaN" : "an infinity");
     }
     mantissa |= exponent > 0 ? (uint64_t)1 << 52 : 0;

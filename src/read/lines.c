@@ -142,11 +142,11 @@ graze_status lines_fail(const lines *l, graze_status status, const char *format,
     va_start(arguments, format);
     vsnprintf(detail, sizeof detail, format, arguments);
     va_end(arguments);
-    return context_fail(l->context, status, "%s:%zu: %s", l->path, l->where, detail);
+    return context_fail_in(l->context, status, l->path, l->where, "%s", detail);
 }
 
 graze_status lines_at(const lines *l, graze_status status) {
-    return context_at(l->context, status, "%s:%zu", l->path, l->where);
+    return context_in(l->context, status, l->path, l->where);
 }
 
 graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, size_t index) {
@@ -158,7 +158,7 @@ graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, siz
         }
         graze_status status = rational_parse(out + k, l->context, t.text, t.length);
         if (status != GRAZE_OK) {
-            return lines_at(l, context_at(l->context, status, "%s %zu", what, index));
+            return lines_at(l, context_item(l->context, status, what, index, NULL));
         }
     }
     return GRAZE_OK;

@@ -216,7 +216,8 @@ static graze_status make_soup(soup *s, nef *n, graze_rounding rounding) {
             status = rational_round(n->point + 3 * v + k, n->l.context, rounding);
         }
         if (status != GRAZE_OK) {
-            return context_at(n->l.context, status, "%s: vertex %zu", n->l.path, v);
+            context_item(n->l.context, status, "vertex", v, NULL);
+            return context_in(n->l.context, status, n->l.path, 0);
         }
         status = soup_add_vertex(s, n->l.context, n->point + 3 * v);
     }

@@ -23,7 +23,7 @@ graze_status nef_fail(const nef *n, graze_status status, const char *format, ...
     va_start(arguments, format);
     vsnprintf(detail, sizeof detail, format, arguments);
     va_end(arguments);
-    return context_fail(n->l.context, status, "%s: %s", n->l.path, detail);
+    return context_fail_in(n->l.context, status, n->l.path, 0, "%s", detail);
 }
 
 /* The next token; an empty one on failure. */

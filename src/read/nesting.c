@@ -164,7 +164,7 @@ static graze_status refuse_flat(soup *s, graze_context *context, const ring *r, 
     if (!status)
         status = context_fail(context, GRAZE_EILLEGAL,
                               "the ring's area is zero; expected a ring around an area");
-    return context_at(context, status, "facet %zu", number);
+    return context_item(context, status, "facet", number, NULL);
 }
 
 graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *size,

@@ -41,7 +41,7 @@ static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
         }
         status = rational_parse(number + count++, l->context, t.text, t.length);
         if (status != GRAZE_OK) {
-            return lines_at(l, context_at(l->context, status, "vertex %zu", v));
+            return lines_at(l, context_item(l->context, status, "vertex", v, NULL));
         }
     }
     if (status != GRAZE_OK) {

@@ -38,10 +38,13 @@ static const struct {
 /* Put file, place, element and entry before a message. */
 static graze_status at_entry(const ply *p, graze_status status) {
     graze_context *context = p->l.context;
-    context_at(context, status, "%.*s %zu", TOKEN_SHOWN(p->element->name), p->entry);
-    return p->header.format == PLY_ASCII
-               ? lines_at(&p->l, status)
-               : context_at(context, status, "%s: byte %zu", p->l.path, p->at);
+    char element[32];
+    snprintf(element, sizeof element, "%.*s", TOKEN_SHOWN(p->element->name));
+    context_item(context, status, element, p->entry, NULL);
+    if (p->header.format == PLY_ASCII)
+        return lines_at(&p->l, status);
+    context_at(context, status, "byte %zu", p->at);
+    return context_in(context, status, p->l.path, 0);
 }
 
 __attribute__((format(printf, 2, 3))) static graze_status fail(const ply *p, const char *format,
@@ -225,9 +228,9 @@ static graze_status read_body(ply *p) {
         return status;
     }
     if (p->header.format != PLY_ASCII && p->at < p->size) {
-        return context_fail(p->l.context, GRAZE_EINPUT,
-                            "%s: byte %zu: %zu bytes follow the last element", p->l.path, p->at,
-                            p->size - p->at);
+        return context_fail_in(p->l.context, GRAZE_EINPUT, p->l.path, 0,
+                               "byte %zu: %zu bytes follow the last element", p->at,
+                               p->size - p->at);
     }
     if (p->header.format == PLY_ASCII && lines_next(&p->l)) {
         return lines_fail(&p->l, GRAZE_EINPUT, "there is text after the last element");

@@ -37,10 +37,9 @@ static const struct format *format_of(const char *path) {
 graze_status soup_read(soup *s, graze_context *context, const char *path) {
     const struct format *format = format_of(path);
     if (format == NULL) {
-        return context_fail(context, GRAZE_EINPUT,
-                            "%s: the extension is of no format of solids; expected .off, .obj, "
-                            ".ply, .stl, .nef3 or .wkt",
-                            path);
+        return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                               "the extension is of no format of solids; expected .off, .obj, "
+                               ".ply, .stl, .nef3 or .wkt");
     }
     char *text;
     size_t length;
@@ -50,16 +49,15 @@ graze_status soup_read(soup *s, graze_context *context, const char *path) {
         return status;
     }
     if (length == 0) {
-        status = context_fail(context, GRAZE_EINPUT, "%s: the file is empty", path);
+        status = context_fail_in(context, GRAZE_EINPUT, path, 0, "the file is empty");
     } else {
         status = format->read(s, context, path, text, length);
     }
     free(text);
     if (status == GRAZE_OK && s->facet_count == 0) {
-        status = context_fail(context, GRAZE_EILLEGAL,
-                              "%s: empty interior: there are no facets, and a solid needs a closed "
-                              "boundary",
-                              path);
+        status = context_fail_in(context, GRAZE_EILLEGAL, path, 0,
+                                 "empty interior: there are no facets, and a solid needs a closed "
+                                 "boundary");
     }
     if (status != GRAZE_OK) {
         soup_clear(s);

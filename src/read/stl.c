@@ -111,8 +111,9 @@ static graze_status read_binary(merger *m, const char *path, const unsigned char
             status = binary_corner(m, data + HEADER + RECORD * f + 12 + 12 * k);
         }
         if (status != GRAZE_OK) {
-            return context_at(m->context, status, "%s: byte %zu: facet %zu", path,
-                              HEADER + RECORD * f, f);
+            context_item(m->context, status, "facet", f, NULL);
+            context_at(m->context, status, "byte %zu", HEADER + RECORD * f);
+            return context_in(m->context, status, path, 0);
         }
     }
     return GRAZE_OK;
@@ -215,8 +216,9 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
     size_t count = length < HEADER ? 0 : little_endian(data + HEADER - 4);
     if (length >= HEADER && length == HEADER + RECORD * count) {
         if (count > m->context->limits[GRAZE_LIMIT_CELLS]) {
-            return context_at(m->context, context_limit(m->context, GRAZE_LIMIT_CELLS, "facets"),
-                              "%s: byte %d", path, HEADER - 4);
+            context_limit(m->context, GRAZE_LIMIT_CELLS, "facets");
+            context_at(m->context, GRAZE_ELIMIT, "byte %d", HEADER - 4);
+            return context_in(m->context, GRAZE_ELIMIT, path, 0);
         }
         return read_binary(m, path, data, count);
     }
@@ -224,14 +226,14 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
         return read_text(m, path, text, length);
     }
     if (length < HEADER) {
-        return context_fail(m->context, GRAZE_EINPUT,
-                            "%s: neither begins with 'solid' nor has the %d bytes of a binary "
-                            "STL's header",
-                            path, HEADER);
+        return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
+                               "neither begins with 'solid' nor has the %d bytes of a binary "
+                               "STL's header",
+                               HEADER);
     }
-    return context_fail(m->context, GRAZE_EINPUT,
-                        "%s: has %zu bytes; a binary STL of %zu facets has %zu", path, length,
-                        count, HEADER + RECORD * count);
+    return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
+                           "has %zu bytes; a binary STL of %zu facets has %zu", length, count,
+                           HEADER + RECORD * count);
 }
 
 graze_status read_stl(soup *s, graze_context *context, const char *path, const char *text,

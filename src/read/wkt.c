@@ -47,6 +47,13 @@ static graze_status list_goes_on(wkt *w, int *more, const char *what) {
     return GRAZE_OK;
 }
 
+/* Put polygon and ring before a message. */
+static graze_status at_ring(const wkt *w, graze_status status) {
+    char ring[32];
+    snprintf(ring, sizeof ring, "ring %zu", w->ring);
+    return context_item(w->l.context, status, "polygon", w->polygon, ring);
+}
+
 static graze_status read_position(wkt *w) {
     for (int k = 0; k < 2; k++) {
         token t;
@@ -56,8 +63,7 @@ static graze_status read_position(wkt *w) {
         }
         graze_status status = rational_parse(w->point + k, w->l.context, t.text, t.length);
         if (status != GRAZE_OK) {
-            status = context_at(w->l.context, status, "polygon %zu, ring %zu", w->polygon, w->ring);
-            return lines_at(&w->l, status);
+            return lines_at(&w->l, at_ring(w, status));
         }
     }
     return GRAZE_OK;
@@ -98,8 +104,7 @@ static graze_status turn_ring(wkt *w) {
         if (status == GRAZE_OK) {
             status = context_fail(w->l.context, GRAZE_EILLEGAL, "its area is zero");
         }
-        context_at(w->l.context, status, "polygon %zu, ring %zu", w->polygon, w->ring);
-        return lines_at(&w->l, status);
+        return lines_at(&w->l, at_ring(w, status));
     }
     if ((sign > 0) != (w->ring == 0)) {
         for (size_t a = 1, b = n - 1; a < b; a++, b--) {

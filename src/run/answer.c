@@ -30,8 +30,8 @@ void answer(answerer *a, row_run *r, const block *b, size_t first) {
     size_t n = make_run_points(a, r, b, first);
     int has_rest = a->task.source.columns && a->task.source.columns->others;
     graze_status status =
-        graze_report_points(&r->text, &r->length, &r->done, a->context, a->task.scene,
-                            (const mpq_t *)a->points, n, a->task.format, has_rest ? a->rest : NULL);
+        graze_report_points(&r->text, &r->length, &r->done, a->context, a->task.scene, a->points, n,
+                            a->task.format, has_rest ? a->rest : NULL);
     if (status)
         fault_clear(&r->fault);
     if (status == GRAZE_ECANCELED)

@@ -31,7 +31,7 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
         return code;
     graze_status status =
         trusted
-            ? graze_solid_read_trusted(&out->solid, out->context, o->solid, o->solid_flags, trusted)
+            ? graze_solid_read_trusted(&out->solid, out->context, o->solid, trusted, o->solid_flags)
             : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
     if (!status && *graze_solid_note(out->solid))
         complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));

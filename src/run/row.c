@@ -94,7 +94,7 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
     const char *before_word = rest.start;
     field word = take_column(&rest);
     int more = word.start + word.length < row.start + row.length;
-    if (graze_word_verdict(&verdict, context, &form->options, word.start, word.length))
+    if (graze_word_verdict(&verdict, context, word.start, word.length, &form->options))
         return "a word of letters O, I, B of which every second one is B";
     size_t length = write_row_answers(answers, form, &verdict);
     if ((size_t)(before_word - own) != length || memcmp(own, answers, length) != 0)

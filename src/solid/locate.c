@@ -193,17 +193,19 @@ static graze_status check_component(const graze_solid *solid, graze_context *con
     if (outside == 0)
         return GRAZE_OK;
     if (outside < 0)
-        return context_fail(context, GRAZE_EILLEGAL,
-                            "%s %u: inside out: the winding number is %ld on its outer side and "
-                            "%ld on its inner side, not 0 and 1; seen from outside a shell runs "
-                            "counter-clockwise, and only a cavity inside a shell runs the other "
-                            "way",
-                            name, facet, outside, outside + 1);
-    return context_fail(context, GRAZE_EILLEGAL,
-                        "%s %u: shells overlap: the winding number is %ld on its outer side, "
-                        "which already lies in the solid, not 0; no shell may lie inside another, "
-                        "and a cavity must be oriented inward",
-                        name, facet, outside);
+        context_fail(context, GRAZE_EILLEGAL,
+                     "inside out: the winding number is %ld on its outer side and "
+                     "%ld on its inner side, not 0 and 1; seen from outside a shell runs "
+                     "counter-clockwise, and only a cavity inside a shell runs the other "
+                     "way",
+                     outside, outside + 1);
+    else
+        context_fail(context, GRAZE_EILLEGAL,
+                     "shells overlap: the winding number is %ld on its outer side, "
+                     "which already lies in the solid, not 0; no shell may lie inside another, "
+                     "and a cavity must be oriented inward",
+                     outside);
+    return context_item(context, GRAZE_EILLEGAL, name, facet, NULL);
 }
 
 graze_status solid_check_sides(const graze_solid *solid, graze_context *context) {

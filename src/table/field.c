@@ -132,15 +132,14 @@ fields_result fields_cut(fields *out, field line) {
 graze_status fields_read(fields *out, graze_context *context, const char *name,
                          unsigned long number, field line) {
     if (memchr(line.start, '\0', line.length))
-        return context_fail(context, GRAZE_EINPUT, "%s:%lu: a byte 0 in a text file", name, number);
+        return context_fail_in(context, GRAZE_EINPUT, name, number, "a byte 0 in a text file");
     switch (fields_cut(out, line)) {
     case FIELDS_CUT:
         return GRAZE_OK;
     case FIELDS_OPEN_QUOTE:
-        return context_fail(context, GRAZE_EINPUT,
-                            "%s:%lu: a quoted field does not end; expected its closing quote on "
-                            "this line, before a comma or the line's end",
-                            name, number);
+        return context_fail_in(context, GRAZE_EINPUT, name, number,
+                               "a quoted field does not end; expected its closing quote on "
+                               "this line, before a comma or the line's end");
     default:
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     }

@@ -70,7 +70,7 @@ static graze_status check_line_length(const stream *s, size_t length, unsigned l
     if (length <= s->limit)
         return GRAZE_OK;
     graze_status status = context_limit(s->context, GRAZE_LIMIT_LINE, "the bytes of one line");
-    return context_at(s->context, status, "%s:%lu", s->name, line);
+    return context_in(s->context, status, s->name, line);
 }
 
 /* Room behind the unused bytes, which are part of one line. */
@@ -92,8 +92,8 @@ static graze_status make_line_room(stream *s) {
 static graze_status seek(const stream *s, int fd) {
     if (lseek(fd, (off_t)s->offset, SEEK_SET) >= 0)
         return GRAZE_OK;
-    return context_fail(s->context, GRAZE_ESYSTEM, "%s: reading failed: %s", s->name,
-                        strerror(errno));
+    return context_fail_in(s->context, GRAZE_ESYSTEM, s->name, 0, "reading failed: %s",
+                           strerror(errno));
 }
 
 static graze_status read_more(stream *s) {

@@ -14,7 +14,7 @@ typedef struct bench {
     graze_boundary *boundary;
     graze_comparison *comparison;
     mpq_t x[2], half; /* x: a point and a corner of a box */
-    const mpq_t *point;
+    graze_rationals point;
     graze_boundary_options box;
     char called[4096];
 } bench;

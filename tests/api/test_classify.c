@@ -41,8 +41,7 @@ static void worked_examples(void **state) {
         double point[2] = {expected[k].x, expected[k].y};
         mpq_set_d(p[0], point[0]);
         mpq_set_d(p[1], point[1]);
-        assert_int_equal(graze_trace_create(&trace, s.context, s.scene, (const mpq_t *)p),
-                         GRAZE_OK);
+        assert_int_equal(graze_trace_create(&trace, s.context, s.scene, p), GRAZE_OK);
         graze_verdict v = graze_trace_verdict(trace);
         assert_string_equal(graze_trace_word(trace), expected[k].word);
         assert_int_equal(v.i, expected[k].i);
@@ -86,7 +85,7 @@ static void irrational_time(void **state) {
     mpz_init(c);
     mpq_set_ui(p[1], 3, 1);
     graze_trace *trace;
-    assert_int_equal(graze_trace_create(&trace, s.context, made, (const mpq_t *)p), GRAZE_OK);
+    assert_int_equal(graze_trace_create(&trace, s.context, made, p), GRAZE_OK);
     assert_string_equal(graze_trace_word(trace), "OBI");
     graze_contact contact = graze_trace_contact(trace, 0);
     assert_int_equal(contact.kind, GRAZE_INTERSECTION);
@@ -144,7 +143,7 @@ static void doubles_are_exact(void **state) {
         mpq_set_d(exact[k], points[k]);
     }
     assert_int_equal(graze_classify_doubles(a, s.context, s.scene, points, MANY), GRAZE_OK);
-    assert_int_equal(graze_classify(b, s.context, s.scene, (const mpq_t *)exact, MANY), GRAZE_OK);
+    assert_int_equal(graze_classify(b, s.context, s.scene, exact, MANY), GRAZE_OK);
     int seen[4] = {0, 0, 0, 0};
     for (int k = 0; k < MANY; k++) {
         /* The sweep is [0,10] x [0,2], and every one of its inner points is inside some S^t. */
@@ -178,15 +177,14 @@ static void points_must_be_canonical(void **state) {
     mpq_init(p[1]);
     mpz_set_ui(mpq_numref(p[1]), 2);
     mpz_set_ui(mpq_denref(p[1]), 4);
-    assert_int_equal(graze_classify(&verdict, s.context, s.scene, (const mpq_t *)p, 1), GRAZE_EUSE);
+    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1), GRAZE_EUSE);
     assert_non_null(strstr(graze_context_message(s.context), "lowest terms"));
     mpz_set_ui(mpq_denref(p[1]), 0);
-    assert_int_equal(graze_classify(&verdict, s.context, s.scene, (const mpq_t *)p, 1), GRAZE_EUSE);
+    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1), GRAZE_EUSE);
     assert_non_null(strstr(graze_context_message(s.context), "point 0, coordinate 1"));
     mpz_set_ui(mpq_denref(p[1]), 1);
     mpz_ui_pow_ui(mpq_numref(p[1]), 10, 20000);
-    assert_int_equal(graze_classify(&verdict, s.context, s.scene, (const mpq_t *)p, 1),
-                     GRAZE_ELIMIT);
+    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1), GRAZE_ELIMIT);
     assert_int_equal(verdict.pmc, GRAZE_PMC_NONE);
     mpq_clear(p[0]);
     mpq_clear(p[1]);
@@ -315,7 +313,7 @@ static void ends_that_meet(void **state) {
         scene_open(&s, motion, NULL);
         if (graze_scene_ends_meet(s.scene) != cases[k].meet)
             fail_msg("%s: expected %d", cases[k].transform, cases[k].meet);
-        graze_options reject = {GRAZE_SWEEP, GRAZE_OVERLAP_REJECT, GRAZE_FOLDS_SEPARATE};
+        graze_options reject = {.overlap = GRAZE_OVERLAP_REJECT};
         graze_scene *made;
         assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &reject),
                          cases[k].meet ? GRAZE_EILLEGAL : GRAZE_OK);

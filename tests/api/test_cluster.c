@@ -47,11 +47,11 @@ static graze_status trace_and_report(scene *s, patience *p) {
     p->last = seconds();
     graze_trace *trace;
     char *row = NULL;
-    graze_status status = graze_trace_create(&trace, s->context, s->scene, (const mpq_t *)point);
+    graze_status status = graze_trace_create(&trace, s->context, s->scene, point);
     if (!status) {
         assert_string_equal(graze_trace_word(trace), "BIBOBIBO");
-        status = graze_report_row(&row, s->context, s->scene, (const mpq_t *)point, trace,
-                                  GRAZE_FORMAT_JSONL, NULL);
+        status =
+            graze_report_row(&row, s->context, s->scene, point, trace, GRAZE_FORMAT_JSONL, NULL);
     }
     assert_true((status == GRAZE_OK) == (row != NULL));
     graze_free(row);

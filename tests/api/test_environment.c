@@ -35,10 +35,9 @@ static char *classify_bracket(void) {
         char *row;
         assert_int_equal(graze_generator_point(point, time, &made, s.context, generator, k),
                          GRAZE_OK);
-        assert_int_equal(graze_trace_create(&trace, s.context, s.scene, (const mpq_t *)point),
-                         GRAZE_OK);
+        assert_int_equal(graze_trace_create(&trace, s.context, s.scene, point), GRAZE_OK);
         for (int format = GRAZE_FORMAT_CSV; format <= GRAZE_FORMAT_JSONL; format++) {
-            assert_int_equal(graze_report_row(&row, s.context, s.scene, (const mpq_t *)point, trace,
+            assert_int_equal(graze_report_row(&row, s.context, s.scene, point, trace,
                                               (graze_format)format, NULL),
                              GRAZE_OK);
             size_t length = strlen(row);

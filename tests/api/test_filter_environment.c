@@ -101,7 +101,7 @@ static void shape_open(scene *s, const shape *what, const char *factor) {
         mpq_set_si(coordinates[k], what->coordinates[k], 1);
         mpq_mul(coordinates[k], coordinates[k], unit);
     }
-    if (graze_solid_from_arrays(&s->solid, s->context, what->dimension, (const mpq_t *)coordinates,
+    if (graze_solid_from_arrays(&s->solid, s->context, what->dimension, coordinates,
                                 (size_t)what->vertex_count, what->sizes, (size_t)what->facet_count,
                                 what->indices, 0) != GRAZE_OK)
         fail_msg("%s", graze_context_message(s->context));
@@ -165,8 +165,7 @@ static void answer(rows *out, const shape *what, const char *factor, int filter,
     out->count = 0;
     for (size_t k = first; point_of(point, what, k, unit); k += step) {
         char *row;
-        if (graze_report_point(&row, s.context, s.scene, (const mpq_t *)point, format, NULL) !=
-            GRAZE_OK)
+        if (graze_report_point(&row, s.context, s.scene, point, format, NULL) != GRAZE_OK)
             fail_msg("%s", graze_context_message(s.context));
         out->text[out->count++] = tail_of(row, what->dimension, format);
         graze_free(row);

@@ -17,7 +17,9 @@ static void null_is_harmless(void **state) {
     assert_int_equal(graze_solid_component_count(NULL), 0);
     assert_int_equal(graze_scene_dimension(NULL), 0);
     assert_int_equal(graze_scene_ends_meet(NULL), 0);
-    assert_int_equal(graze_scene_options(NULL).folds, GRAZE_FOLDS_SEPARATE);
+    graze_options options = {.folds = GRAZE_FOLDS_COMBINED};
+    graze_scene_options(&options, NULL);
+    assert_int_equal(options.folds, GRAZE_FOLDS_SEPARATE);
     assert_int_equal(graze_scene_hashes(NULL).scene[0], 0);
     assert_string_equal(graze_trace_word(NULL), "");
     assert_int_equal(graze_trace_verdict(NULL).pmc, GRAZE_PMC_NONE);
@@ -52,23 +54,21 @@ static void null_is_wrong_use(void **state) {
     assert_non_null(strstr(graze_context_message(s.context), "flag"));
     assert_int_equal(graze_scene_create(&made, s.context, NULL, s.motion, NULL), GRAZE_EUSE);
     assert_null(made);
-    graze_options odd = {(graze_operation)7, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
+    graze_options odd = {.operation = (graze_operation)7};
     assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &odd), GRAZE_EUSE);
     assert_int_equal(graze_scene_box(NULL, x, s.context, s.scene), GRAZE_EUSE);
     assert_int_equal(graze_trace_create(&trace, s.context, s.scene, NULL), GRAZE_EUSE);
     assert_null(trace);
     assert_int_equal(graze_report_header(&text, s.context, NULL, NULL, NULL), GRAZE_EUSE);
     assert_null(text);
-    assert_int_equal(
-        graze_report_row(&text, s.context, s.scene, (const mpq_t *)x, NULL, GRAZE_FORMAT_CSV, NULL),
-        GRAZE_EUSE);
+    assert_int_equal(graze_report_row(&text, s.context, s.scene, x, NULL, GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
     assert_int_equal(graze_report_point(&text, s.context, s.scene, NULL, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_EUSE);
-    assert_int_equal(graze_report_points(&text, &length, NULL, s.context, s.scene, (const mpq_t *)x,
-                                         1, GRAZE_FORMAT_CSV, NULL),
-                     GRAZE_EUSE);
-    assert_int_equal(graze_report_explain(&text, s.context, s.scene, (const mpq_t *)x, NULL),
-                     GRAZE_EUSE);
+    assert_int_equal(
+        graze_report_points(&text, &length, NULL, s.context, s.scene, x, 1, GRAZE_FORMAT_CSV, NULL),
+        GRAZE_EUSE);
+    assert_int_equal(graze_report_explain(&text, s.context, s.scene, x, NULL), GRAZE_EUSE);
     assert_int_equal(graze_time_decimal(&text, s.context, NULL, 5), GRAZE_EUSE);
     assert_int_equal(graze_number_parse(x[0], s.context, NULL, 0), GRAZE_EUSE);
     assert_int_equal(graze_classify(NULL, s.context, s.scene, NULL, 1), GRAZE_EUSE);
@@ -149,7 +149,7 @@ static void rings_nest(void **state) {
     assert_int_equal(graze_solid_vertex_count(rings), 12);
     assert_int_equal(graze_solid_facet_count(rings), 12);
     assert_int_equal(graze_solid_component_count(rings), 3);
-    graze_options unsweep = {GRAZE_UNSWEEP, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
+    graze_options unsweep = {.operation = GRAZE_UNSWEEP};
     graze_motion *still;
     static const char rest[] = "{\"dimension\":2,\"pieces\":[{\"t\":[0,1],\"transform\":"
                                "{\"translate\":[0,0]}}]}";
@@ -219,7 +219,7 @@ static void trusted_by_hash(void **state) {
     for (int trusted = 0; trusted < 2; trusted++) {
         graze_scene *scene;
         graze_status read =
-            trusted ? graze_solid_read_trusted(&solid, context, path, 0, hashes[0].solid)
+            trusted ? graze_solid_read_trusted(&solid, context, path, hashes[0].solid, 0)
                     : graze_solid_read(&solid, context, path, 0);
         assert_int_equal(read, GRAZE_OK);
         assert_int_equal(graze_solid_component_count(solid), 1);
@@ -230,12 +230,12 @@ static void trusted_by_hash(void **state) {
     }
     assert_memory_equal(&hashes[0], &hashes[1], sizeof hashes[0]);
     hashes[1].solid[31] ^= 1;
-    assert_int_equal(graze_solid_read_trusted(&solid, context, path, 0, hashes[1].solid),
+    assert_int_equal(graze_solid_read_trusted(&solid, context, path, hashes[1].solid, 0),
                      GRAZE_EINPUT);
     assert_null(solid);
     assert_non_null(strstr(graze_context_message(context), path));
-    assert_int_equal(graze_solid_read_trusted(&solid, context, path, 0, NULL), GRAZE_EUSE);
-    assert_int_equal(graze_solid_read_trusted(&solid, context, path, 2, hashes[0].solid),
+    assert_int_equal(graze_solid_read_trusted(&solid, context, path, NULL, 0), GRAZE_EUSE);
+    assert_int_equal(graze_solid_read_trusted(&solid, context, path, hashes[0].solid, 2),
                      GRAZE_EUSE);
     graze_motion_destroy(motion);
     graze_context_destroy(context);

@@ -38,7 +38,7 @@ static void waiting_can_be_canceled(void **state) {
     assert_int_equal(graze_compare(&comparison, context, fifo, fifo, NULL), GRAZE_ECANCELED);
     assert_null(comparison);
     questions = 0;
-    assert_int_equal(graze_motion_write_poses(&json, NULL, context, fifo, 0, zero),
+    assert_int_equal(graze_motion_write_poses(&json, NULL, context, fifo, zero, 0),
                      GRAZE_ECANCELED);
     assert_null(json);
     alarm(0);

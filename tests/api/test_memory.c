@@ -142,7 +142,7 @@ static void traces(void **state) {
         for (allowed = 0; !enough && allowed < MOST; allowed++) {
             graze_trace *trace;
             left = allowed;
-            graze_status status = graze_trace_create(&trace, s.context, s.scene, (const mpq_t *)p);
+            graze_status status = graze_trace_create(&trace, s.context, s.scene, p);
             enough = had_enough();
             if (!enough) {
                 expect_failure(&s, status, trace, allowed);
@@ -247,8 +247,8 @@ static void open_bench(bench *b) {
     mpq_set_si(b->point[3], 1, 2);
     assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size,id"),
                      GRAZE_OK);
-    assert_int_equal(graze_report_points(&rows, &length, &done, b->s.context, b->s.scene,
-                                         (const mpq_t *)b->point, 2, GRAZE_FORMAT_CSV, rest),
+    assert_int_equal(graze_report_points(&rows, &length, &done, b->s.context, b->s.scene, b->point,
+                                         2, GRAZE_FORMAT_CSV, rest),
                      GRAZE_OK);
     b->table = malloc(strlen(head) + length + 32);
     strcat(strcat(strcpy(b->table, head), rows), "# complete 2\n");
@@ -287,8 +287,8 @@ static graze_status make_report(char **out, size_t *length, bench *b, int kind) 
     *out = NULL;
     *length = 0;
     if (kind == 0)
-        return graze_report_points(out, length, &done, b->s.context, b->s.scene,
-                                   (const mpq_t *)b->point, 1, GRAZE_FORMAT_JSONL, NULL);
+        return graze_report_points(out, length, &done, b->s.context, b->s.scene, b->point, 1,
+                                   GRAZE_FORMAT_JSONL, NULL);
     if (kind < 3)
         return graze_report_export(out, length, b->s.context, b->table, strlen(b->table),
                                    kind == 1 ? GRAZE_EXPORT_NPY : GRAZE_EXPORT_VTK);

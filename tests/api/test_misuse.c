@@ -20,6 +20,9 @@ static void contexts(bench *b) {
     WRONG(graze_context_set_limit(c, GRAZE_LIMIT_LINE, ~0ul));
     HARMLESS(graze_context_limit, !graze_context_limit(NULL, GRAZE_LIMIT_LINE));
     HARMLESS(graze_context_limit, !graze_context_limit(c, (graze_limit)-1));
+    HARMLESS(graze_context_place, !*graze_context_place(NULL).file);
+    HARMLESS(graze_status_name, !graze_status_name((graze_status)8));
+    HARMLESS(graze_rounding_name, !graze_rounding_name((graze_rounding)3));
     HARMLESS(graze_limit_name, !graze_limit_name((graze_limit)-1));
     HARMLESS(graze_limit_name, !graze_limit_name(GRAZE_LIMIT_COUNT));
     WRONG(graze_context_set_rounding(NULL, GRAZE_ROUND_NONE));
@@ -30,6 +33,7 @@ static void contexts(bench *b) {
     HARMLESS(graze_context_set_cancel, CALLS(graze_context_set_cancel(NULL, NULL, NULL)));
     HARMLESS(graze_free, CALLS(graze_free(NULL)));
     HARMLESS(graze_version, *graze_version());
+    HARMLESS(graze_version_number, graze_version_number() == GRAZE_VERSION_NUMBER);
     HARMLESS(graze_thread_finish, CALLS(graze_thread_finish()));
     WRONG(graze_number_parse(NULL, c, "1", 1));
     WRONG(graze_number_parse(b->half, NULL, "1", 1));
@@ -43,11 +47,11 @@ static void solids(bench *b) {
     WRONG_OUT(graze_solid, graze_solid_read(&out, NULL, "a.off", 0));
     WRONG_OUT(graze_solid, graze_solid_read(&out, c, NULL, 0));
     WRONG_OUT(graze_solid, graze_solid_read(&out, c, "a.off", 2));
-    WRONG(graze_solid_read_trusted(NULL, c, "a.off", 0, hash));
-    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, NULL, "a.off", 0, hash));
-    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, NULL, 0, hash));
-    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, "a.off", 0, NULL));
-    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, "a.off", 1u << 31, hash));
+    WRONG(graze_solid_read_trusted(NULL, c, "a.off", hash, 0));
+    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, NULL, "a.off", hash, 0));
+    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, NULL, hash, 0));
+    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, "a.off", NULL, 0));
+    WRONG_OUT(graze_solid, graze_solid_read_trusted(&out, c, "a.off", hash, 1u << 31));
     WRONG(graze_solid_from_arrays(NULL, c, 2, b->point, 1, square_sizes, 1, square_ring, 0));
     WRONG_OUT(graze_solid,
               graze_solid_from_arrays(&out, NULL, 2, b->point, 1, square_sizes, 1, square_ring, 0));
@@ -97,9 +101,9 @@ static void scenes(bench *b) {
     graze_context *c = b->s.context;
     const graze_solid *solid = b->s.solid;
     const graze_motion *motion = b->s.motion;
-    const graze_options odd[] = {{(graze_operation)2, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE},
-                                 {GRAZE_SWEEP, (graze_overlap)2, GRAZE_FOLDS_SEPARATE},
-                                 {GRAZE_SWEEP, GRAZE_OVERLAP_EXTEND, (graze_folds)-1}};
+    const graze_options odd[] = {{.operation = (graze_operation)2},
+                                 {.overlap = (graze_overlap)2},
+                                 {.folds = (graze_folds)-1}};
     WRONG(graze_scene_create(NULL, c, solid, motion, NULL));
     WRONG_OUT(graze_scene, graze_scene_create(&out, NULL, solid, motion, NULL));
     WRONG_OUT(graze_scene, graze_scene_create(&out, c, NULL, motion, NULL));
@@ -110,7 +114,10 @@ static void scenes(bench *b) {
     HARMLESS(graze_scene_dimension, !graze_scene_dimension(NULL));
     HARMLESS(graze_scene_ends_meet, !graze_scene_ends_meet(NULL));
     HARMLESS(graze_scene_hashes, !graze_scene_hashes(NULL).scene[31]);
-    HARMLESS(graze_scene_options, graze_scene_options(NULL).operation == GRAZE_SWEEP);
+    graze_options kept = {.operation = GRAZE_UNSWEEP, .size = 1};
+    HARMLESS(graze_scene_options, CALLS(graze_scene_options(NULL, b->s.scene)));
+    HARMLESS(graze_scene_options, CALLS(graze_scene_options(&kept, b->s.scene)));
+    assert_true(kept.operation == GRAZE_UNSWEEP && kept.size == 1);
     WRONG(graze_scene_box(NULL, b->x, c, b->s.scene));
     WRONG(graze_scene_box(b->x, NULL, c, b->s.scene));
     WRONG(graze_scene_box(b->x, b->x, NULL, b->s.scene));
@@ -122,11 +129,11 @@ static void verdicts(bench *b) {
     graze_verdict v;
     HARMLESS(graze_pmc_name, !strcmp(graze_pmc_name((graze_pmc)4), "none"));
     HARMLESS(graze_class_name, !strcmp(graze_class_name((graze_class)-1), "none"));
-    const graze_options odd = {(graze_operation)2, GRAZE_OVERLAP_EXTEND, GRAZE_FOLDS_SEPARATE};
-    WRONG(graze_word_verdict(NULL, c, NULL, "O", 1));
-    WRONG(graze_word_verdict(&v, NULL, NULL, "O", 1));
-    WRONG(graze_word_verdict(&v, c, NULL, NULL, 0));
-    WRONG(graze_word_verdict(&v, c, &odd, "O", 1));
+    const graze_options odd = {.operation = (graze_operation)2};
+    WRONG(graze_word_verdict(NULL, c, "O", 1, NULL));
+    WRONG(graze_word_verdict(&v, NULL, "O", 1, NULL));
+    WRONG(graze_word_verdict(&v, c, 0, NULL, NULL));
+    WRONG(graze_word_verdict(&v, c, "O", 1, &odd));
     WRONG(graze_classify(NULL, c, b->s.scene, b->point, 1));
     WRONG(graze_classify(&v, NULL, b->s.scene, b->point, 1));
     WRONG(graze_classify(&v, c, NULL, b->point, 1));
@@ -323,13 +330,13 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &turn, 1, NULL, one));
     WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &turn, 1, one, NULL));
     WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &odd, 1, one, one));
-    WRONG(graze_motion_write_poses(NULL, NULL, c, "a.csv", 0, one));
-    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, NULL, "a.csv", 0, one));
-    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, NULL, 0, one));
-    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", 0, NULL));
-    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", 2, one));
+    WRONG(graze_motion_write_poses(NULL, NULL, c, "a.csv", one, 0));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, NULL, "a.csv", one, 0));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, NULL, one, 0));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", NULL, 0));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", one, 2));
     /* the report is set too */
-    WRONG_OUT(char, graze_motion_write_poses(NULL, &out, c, "a.csv", 0, one));
+    WRONG_OUT(char, graze_motion_write_poses(NULL, &out, c, "a.csv", one, 0));
     WRONG_OUT(char, graze_motion_write_joints(NULL, &out, c, 2, &turn, 1, one, one));
 }
 
@@ -360,7 +367,7 @@ static void boundaries(bench *b) {
     coarse.coarse = 3;
     flat.low = flat.high = b->point;
     poor.budget = 1;
-    wild.low = (const mpq_t *)wrong;
+    wild.low = wrong;
     wild.high = b->point;
     WRONG(graze_boundary_create(NULL, c, s, &b->box));
     WRONG_OUT(graze_boundary, graze_boundary_create(&out, NULL, s, &b->box));
@@ -434,7 +441,7 @@ static void all(void **state) {
     mpq_inits(b.x[0], b.x[1], b.half, NULL);
     mpq_set_ui(b.half, 1, 2);
     mpq_set_ui(b.x[0], 5, 1);
-    b.point = (const mpq_t *)b.x;
+    b.point = b.x;
     b.box = (graze_boundary_options){.coarse = 1, .depth = 2, .budget = 1000};
     assert_int_equal(graze_trace_create(&b.trace, b.s.context, b.s.scene, b.point), GRAZE_OK);
     assert_int_equal(graze_generator_create(&b.generator, b.s.context, b.s.scene, 1, NULL, 0),

@@ -19,7 +19,7 @@ static void pictures_refused(void **state) {
     mpq_t low[2], high[2];
     mpq_inits(low[0], low[1], high[0], high[1], NULL);
     mpq_set_si(high[0], 1, 1);
-    const mpq_t *from = (const mpq_t *)low, *to = (const mpq_t *)high;
+    graze_rationals from = low, to = high;
     const struct {
         graze_draw_options options;
         const char *says;

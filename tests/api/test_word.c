@@ -47,7 +47,7 @@ static void words_by_hand(void **state) {
         char bytes[16]; /* the word with more behind it */
         memset(bytes, 'I', sizeof bytes);
         memcpy(bytes, right[k].word, length);
-        assert_int_equal(graze_word_verdict(&v, context, right[k].options, bytes, length),
+        assert_int_equal(graze_word_verdict(&v, context, bytes, length, right[k].options),
                          GRAZE_OK);
         const graze_verdict *e = &right[k].verdict;
         if (v.pmc != e->pmc || v.class_ != e->class_ || v.definition != e->definition ||
@@ -66,12 +66,12 @@ static void what_is_no_word(void **state) {
     graze_verdict v;
     assert_int_equal(graze_context_create(&context), GRAZE_OK);
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
-        if (graze_word_verdict(&v, context, NULL, wrong[k], strlen(wrong[k])) != GRAZE_EINPUT)
+        if (graze_word_verdict(&v, context, wrong[k], strlen(wrong[k]), NULL) != GRAZE_EINPUT)
             fail_msg("'%s' is taken for a word", wrong[k]);
         assert_int_equal(v.pmc, GRAZE_PMC_NONE);
         assert_non_null(strstr(graze_context_message(context), "is no word"));
     }
-    assert_int_equal(graze_word_verdict(&v, context, NULL, "O\0", 2), GRAZE_EINPUT);
+    assert_int_equal(graze_word_verdict(&v, context, "O\0", 2, NULL), GRAZE_EINPUT);
     graze_context_destroy(context);
 }
 
@@ -96,11 +96,10 @@ static void traces_agree(void **state) {
             graze_verdict v;
             assert_int_equal(graze_generator_point(p, time, &made, s.context, generator, row),
                              GRAZE_OK);
-            assert_int_equal(graze_trace_create(&trace, s.context, s.scene, (const mpq_t *)p),
-                             GRAZE_OK);
+            assert_int_equal(graze_trace_create(&trace, s.context, s.scene, p), GRAZE_OK);
             const char *word = graze_trace_word(trace);
             graze_verdict e = graze_trace_verdict(trace);
-            assert_int_equal(graze_word_verdict(&v, s.context, options[k], word, strlen(word)),
+            assert_int_equal(graze_word_verdict(&v, s.context, word, strlen(word), options[k]),
                              GRAZE_OK);
             if (v.pmc != e.pmc || v.class_ != e.class_ || v.definition != e.definition ||
                 v.case_ != e.case_ || v.i != e.i || v.t != e.t)
@@ -120,9 +119,9 @@ static void only_its_letters(void **state) {
     graze_context *context;
     graze_verdict v;
     assert_int_equal(graze_context_create(&context), GRAZE_OK);
-    assert_int_equal(graze_word_verdict(&v, context, NULL, "OB", 1), GRAZE_OK);
+    assert_int_equal(graze_word_verdict(&v, context, "OB", 1, NULL), GRAZE_OK);
     assert_true(v.class_ == GRAZE_EXTERIOR && v.i == 0 && v.t == 0);
-    assert_int_equal(graze_word_verdict(&v, context, NULL, &"IBO"[1], 2), GRAZE_OK);
+    assert_int_equal(graze_word_verdict(&v, context, &"IBO"[1], 2, NULL), GRAZE_OK);
     assert_true(v.class_ == GRAZE_BOUNDARY && v.i == 0 && v.t == 1);
     graze_context_destroy(context);
 }

@@ -32,8 +32,8 @@ static void test_motions(void **state) {
     graze_motion *motion;
     numbers_init(&n);
     assert_int_equal(graze_context_create(&context), GRAZE_OK);
-    graze_joint turn = {GRAZE_JOINT_TURN, n.degrees, NULL, (const mpq_t *)n.axis, NULL};
-    graze_joint bare = {GRAZE_JOINT_TURN, NULL, NULL, (const mpq_t *)n.axis, NULL};
+    graze_joint turn = {GRAZE_JOINT_TURN, n.degrees, NULL, n.axis, NULL};
+    graze_joint bare = {GRAZE_JOINT_TURN, NULL, NULL, n.axis, NULL};
     graze_joint slide = {GRAZE_JOINT_SLIDE, NULL, NULL, NULL, NULL};
     assert_int_equal(
         graze_motion_write_rotation(&json, NULL, context, 3, &turn, n.tolerance, n.radius),
@@ -64,9 +64,9 @@ static void test_motions(void **state) {
         graze_motion_write_joints(&json, &report, context, 3, &turn, 1, n.tolerance, n.radius),
         GRAZE_EUSE);
     mpz_set_si(mpq_denref(n.degrees), 1);
-    assert_int_equal(graze_motion_write_poses(&json, &report, context, NULL, 0, n.tolerance),
+    assert_int_equal(graze_motion_write_poses(&json, &report, context, NULL, n.tolerance, 0),
                      GRAZE_EUSE);
-    assert_int_equal(graze_motion_write_poses(&json, &report, context, "/nowhere", 0, n.tolerance),
+    assert_int_equal(graze_motion_write_poses(&json, &report, context, "/nowhere", n.tolerance, 0),
                      GRAZE_ESYSTEM);
     assert_null(json);
     graze_context_destroy(context);
@@ -107,7 +107,7 @@ static void test_boundary(void **state) {
     how.coarse = 4;
     assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_EUSE);
     how.coarse = 1;
-    how.low = (const mpq_t *)point;
+    how.low = point;
     assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_EUSE);
     how.low = NULL;
     how.depth = 20;

@@ -41,7 +41,7 @@ typedef struct bench {
 typedef struct points {
     size_t count;
     double *doubles;
-    const mpq_t *rationals;
+    graze_rationals rationals;
 } points;
 
 static void fail(const char *what, const char *why) {
@@ -87,7 +87,7 @@ static points take_points(const bench *b, const char *name, size_t from, size_t 
     if (strcmp(name, "made") == 0) {
         if (from + n > b->made_count)
             fail(name, "fewer points have been made");
-        p.rationals = (const mpq_t *)(b->made + 3 * from);
+        p.rationals = (b->made + 3 * from);
         return p;
     }
     p.doubles = allocate(3 * n, sizeof *p.doubles);

@@ -106,6 +106,6 @@ void parts_clear(parts *p);
 
 /** Trace a point with the filter and without it, hold each to the other, and the word, counts and
  * class to the definitions. Returns 1 if the point was answered. */
-int fuzz_point(graze_context *context, const graze_scene *scene, const mpq_t *point);
+int fuzz_point(graze_context *context, const graze_scene *scene, graze_rationals point);
 
 #endif

@@ -149,8 +149,8 @@ int fuzz_poses(const uint8_t *data, size_t size) {
         mpq_set_ui(tolerance, 1, k & 1 ? 1 : 1000000);
         EXPECT(graze_context_set_rounding(context, k & 1 ? GRAZE_ROUND_NONE
                                                          : GRAZE_ROUND_BINARY64) == GRAZE_OK);
-        graze_status status = graze_motion_write_poses(&json, &report, context, path,
-                                                       k & 2 ? GRAZE_POSES_AFFINE : 0, tolerance);
+        graze_status status = graze_motion_write_poses(&json, &report, context, path, tolerance,
+                                                       k & 2 ? GRAZE_POSES_AFFINE : 0);
         /* Two handles come or none. */
         EXPECT((json == NULL) == (report == NULL));
         if (fuzz_taken(status, context, json)) {

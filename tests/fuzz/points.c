@@ -115,7 +115,7 @@ static void check_contacts(graze_context *context, const graze_trace *trace) {
 
 /* Everything that is said of a point, as text. 0 when a limit was met. */
 static int say(char *out[4], graze_verdict *v, graze_context *context, const graze_scene *scene,
-               const mpq_t *point) {
+               graze_rationals point) {
     graze_trace *trace = NULL;
     char *one = NULL;
     size_t length, done;
@@ -130,7 +130,9 @@ static int say(char *out[4], graze_verdict *v, graze_context *context, const gra
     /* Such a point is in both S^0 and S^1. */
     EXPECT(graze_scene_ends_meet(scene) || !strchr("IB", *graze_trace_word(trace)) ||
            !strchr("IB", graze_trace_word(trace)[strlen(graze_trace_word(trace)) - 1]));
-    check_verdict(*v, graze_trace_word(trace), graze_scene_options(scene));
+    graze_options options = {0};
+    graze_scene_options(&options, scene);
+    check_verdict(*v, graze_trace_word(trace), options);
     check_contacts(context, trace);
     EXPECT(graze_report_row(&out[0], context, scene, point, trace, GRAZE_FORMAT_JSONL, NULL) ==
            GRAZE_OK);
@@ -150,7 +152,7 @@ static int say(char *out[4], graze_verdict *v, graze_context *context, const gra
 }
 
 /* Verdicts alone, and of doubles where the point is one. */
-static void check_classify(graze_context *context, const graze_scene *scene, const mpq_t *point,
+static void check_classify(graze_context *context, const graze_scene *scene, graze_rationals point,
                            graze_verdict v) {
     graze_verdict alone = {0}, rounded = {0};
     double doubles[3];
@@ -171,7 +173,7 @@ static void check_classify(graze_context *context, const graze_scene *scene, con
 }
 
 /* The box holds the sweep: what is outside the box is outside the sweep. */
-static void check_box(graze_context *context, const graze_scene *scene, const mpq_t *point,
+static void check_box(graze_context *context, const graze_scene *scene, graze_rationals point,
                       graze_verdict v) {
     mpq_t low[3], high[3];
     mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
@@ -182,7 +184,7 @@ static void check_box(graze_context *context, const graze_scene *scene, const mp
     mpq_clears(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
 }
 
-int fuzz_point(graze_context *context, const graze_scene *scene, const mpq_t *point) {
+int fuzz_point(graze_context *context, const graze_scene *scene, graze_rationals point) {
     char *filtered[4], *exact[4];
     graze_verdict v, w;
     graze_context_set_filter(context, 0);

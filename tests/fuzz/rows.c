@@ -77,7 +77,7 @@ int fuzz_points(const uint8_t *data, size_t size) {
 }
 
 /* --grid and --box: every point is in the box, the first and the last are its corners. */
-static void check_grid(const grid *g, int d, const mpq_t *low, const mpq_t *high) {
+static void check_grid(const grid *g, int d, graze_rationals low, graze_rationals high) {
     mpq_t *points = malloc(3 * RUN_ROWS * sizeof *points);
     EXPECT(points != NULL);
     for (size_t k = 0; k < 3 * RUN_ROWS; k++)
@@ -121,7 +121,7 @@ int fuzz_grid(const uint8_t *data, size_t size) {
         EXPECT(graze_scene_box(low, high, context, fuzz_still_scene(d)) == GRAZE_OK);
     }
     if (taken) {
-        check_grid(g, d, (const mpq_t *)low, (const mpq_t *)high);
+        check_grid(g, d, low, high);
         notes = grid_notes(g);
         EXPECT(notes != NULL);
         free(notes);

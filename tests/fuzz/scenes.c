@@ -70,7 +70,7 @@ static int answer_lines(graze_context *context, const graze_scene *scene, char *
             line += n + (line[n] == ',');
         }
         if (k == d)
-            answered += fuzz_point(context, scene, (const mpq_t *)point);
+            answered += fuzz_point(context, scene, point);
     }
     mpq_clears(point[0], point[1], point[2], NULL);
     return answered;
@@ -109,7 +109,7 @@ int fuzz_scene(const uint8_t *data, size_t size) {
 }
 
 /* A point made for a contact has it: some contact of its trace lasts at the time. */
-static void check_contact(graze_context *context, const graze_scene *scene, const mpq_t *point,
+static void check_contact(graze_context *context, const graze_scene *scene, graze_rationals point,
                           const mpq_t time) {
     graze_trace *trace;
     mpq_t low, high, unused;
@@ -159,7 +159,7 @@ int fuzz_generate(const uint8_t *data, size_t size) {
             mpq_clear(back);
         }
         if (sample.order != 0 && sample.k == 0)
-            check_contact(context, scene, (const mpq_t *)point, time);
+            check_contact(context, scene, point, time);
     }
     if (made)
         graze_generator_box(point, point, g);
@@ -213,8 +213,8 @@ int fuzz_boundary(const uint8_t *data, size_t size) {
         take_rational(high[k], &b);
     }
     if (boxed) {
-        o.low = (const mpq_t *)low;
-        o.high = (const mpq_t *)high;
+        o.low = low;
+        o.high = high;
     }
     graze_status status = graze_boundary_create(&boundary, context, scene, &o);
     int made = status == GRAZE_OK;
@@ -258,18 +258,18 @@ int fuzz_draw(const uint8_t *data, size_t size) {
                             .grid = (unsigned long)take_from(&b, 1, 12),
                             .times = (unsigned long)take_from(&b, 0, 70),
                             .plane_axis = take_from(&b, -1, 3),
-                            .points = (const mpq_t *)numbers,
+                            .points = numbers,
                             .point_count = (size_t)take_from(&b, 0, 2),
                             .names = names};
     unsigned given = take(&b);
     for (int k = 0; k < 13; k++)
         take_rational(numbers[k], &b);
     if (given & 1) {
-        o.low = (const mpq_t *)numbers + 6;
-        o.high = (const mpq_t *)numbers + 9;
+        o.low = numbers + 6;
+        o.high = numbers + 9;
     }
     if (given & 2)
-        o.plane = (const mpq_t *)numbers + 12;
+        o.plane = numbers + 12;
     for (int k = 0; k < 3; k++)
         o.view[k] = take_from(&b, -2, 2);
     if (given & 4 && b.left >= sizeof o.view)

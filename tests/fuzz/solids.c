@@ -32,12 +32,12 @@ static void read_trusted(graze_context *context, const char *path, unsigned flag
     EXPECT(graze_motion_from_json(&motion, context, text, strlen(text)) == GRAZE_OK);
     EXPECT(graze_scene_create(&scene, context, solid, motion, NULL) == GRAZE_OK);
     graze_hashes hashes = graze_scene_hashes(scene);
-    EXPECT(graze_solid_read_trusted(&again, context, path, flags, hashes.solid) == GRAZE_OK);
+    EXPECT(graze_solid_read_trusted(&again, context, path, hashes.solid, flags) == GRAZE_OK);
     EXPECT(graze_solid_vertex_count(again) == graze_solid_vertex_count(solid));
     EXPECT(graze_solid_facet_count(again) == graze_solid_facet_count(solid));
     graze_solid_destroy(again);
     hashes.solid[0] ^= 1;
-    EXPECT(graze_solid_read_trusted(&again, context, path, flags, hashes.solid) == GRAZE_EINPUT);
+    EXPECT(graze_solid_read_trusted(&again, context, path, hashes.solid, flags) == GRAZE_EINPUT);
     graze_scene_destroy(scene);
     graze_motion_destroy(motion);
 }
@@ -130,8 +130,8 @@ int fuzz_arrays(const uint8_t *data, size_t size) {
             indices[used++] = (size_t)take_from(&b, 0, VERTICES);
     }
     graze_solid *exact = NULL, *rounded = NULL;
-    graze_status status = graze_solid_from_arrays(&exact, context, d, (const mpq_t *)coordinates,
-                                                  vertices, sizes, facets, indices, flags);
+    graze_status status = graze_solid_from_arrays(&exact, context, d, coordinates, vertices, sizes,
+                                                  facets, indices, flags);
     int taken = fuzz_taken(status, context, exact);
     if (taken)
         look_at(exact);

@@ -180,7 +180,7 @@ static int answer(bytes *b, graze_context *context, const graze_scene *scene) {
         g = NULL;
     for (int k = 0; k < 3; k++) {
         take_point(point, b, context, g);
-        answered += fuzz_point(context, scene, (const mpq_t *)point);
+        answered += fuzz_point(context, scene, point);
     }
     graze_generator_destroy(g);
     mpq_clears(point[0], point[1], point[2], NULL);

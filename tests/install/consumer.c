@@ -29,7 +29,7 @@ static graze_status show(graze_context *context, const graze_scene *scene, const
         mpq_set_d(p[k], point[k]);
     }
     graze_trace *trace = NULL;
-    graze_status status = graze_trace_create(&trace, context, scene, (const mpq_t *)p);
+    graze_status status = graze_trace_create(&trace, context, scene, p);
     if (!status)
         printf("%s %s\n", graze_class_name(graze_trace_verdict(trace).class_),
                graze_trace_word(trace));

@@ -45,6 +45,11 @@ int main() {
         std::cout << graze_context_message(made) << '\n';
     for (const graze_verdict &verdict : verdicts)
         std::cout << graze_pmc_name(verdict.pmc) << '\n';
+    mpq_t point[2]; /* converts to graze_rationals as it is */
+    mpq_inits(point[0], point[1], nullptr);
+    if (graze_classify(verdicts, made, scene, point, 1))
+        std::cout << graze_context_message(made) << '\n';
+    mpq_clears(point[0], point[1], nullptr);
     graze_scene_destroy(scene);
     graze_motion_destroy(motion);
     try {

@@ -18,7 +18,7 @@ from programs import ROOT, check, checks, options, output, read, run, same
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PREFIX = "/opt/graze"
-PARTS = "core report generate compare convert draw boundary certify".split()
+PARTS = "version core report generate compare convert draw boundary certify".split()
 # c(t) = P - (8t, 0, 0): at y = z = 1 it enters the cube [0, 2]^3 at x = 2 and leaves it at x = 0; at z = 2 it
 # slides along the top; at y = 3 it passes by. Without its last facet the cube is open.
 C_OUTPUT = "regular OBIBO\nboundary OBO\nexterior O\nrefused\n7\n"
@@ -26,8 +26,11 @@ C_OUTPUT = "regular OBIBO\nboundary OBO\nexterior O\nrefused\n7\n"
 CXX_OUTPUT = "in\non\nout\nrefused\n"
 
 
+WARNINGS = ["-Wall", "-Wextra", "-pedantic", "-Werror"]
+
+
 def version_of_header():
-    return re.search(r'#define GRAZE_VERSION "(.*)"', read("include", "graze", "core.h"))[1]
+    return re.search(r'#define GRAZE_VERSION "(.*)"', read("include", "graze", "version.h"))[1]
 
 
 def files_under(folder):
@@ -112,13 +115,30 @@ def check_pkg_config(root, stage, folder, version):
     check("-lstdc++" not in flags, f"the shared library needs no more than itself and GMP: {flags}")
     static = output(["pkg-config", "--static", "--cflags", "--libs", "graze"], **environment).split()
     static = ["-l:libgraze.a" if flag == "-lgraze" else flag for flag in static]
-    warnings = ["-Wall", "-Wextra", "-pedantic", "-Werror"]
     for compiler, source, standard, want in (("gcc", "consumer.c", "c11", C_OUTPUT),
                                              ("g++", "consumer.cpp", "c++17", CXX_OUTPUT)):
         program = os.path.join(folder, "program")
-        start = [compiler, f"-std={standard}", *warnings, os.path.join(HERE, source), "-o", program]
+        start = [compiler, f"-std={standard}", *WARNINGS, os.path.join(HERE, source), "-o", program]
         build_and_run(start + flags, program, want, True, f"{root}/lib")
         build_and_run(start + static, program, want, False)
+
+
+def check_example(root, stage, folder):
+    """The program at the head of graze.h, with README's cube that moves by 8 along x."""
+    head = re.search(r"^ \* Example\n \*\n(.*?)^ \* cases/", read("include", "graze.h"), re.M | re.S)[1]
+    code = "".join(re.sub(r"^ \* {0,5}", "", line) + "\n" for line in head.splitlines())
+    scene = {"example.c": code,
+             "cube.off": "OFF\n8 6 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n"
+                         "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
+             "move.json": '{"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"translate": ["8*t", 0, 0]}}]}'}
+    for name, text in scene.items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+    program = os.path.join(folder, "example")
+    flags = output(["pkg-config", "--cflags", "--libs", "graze"], PKG_CONFIG_PATH=f"{root}/lib/pkgconfig",
+                   PKG_CONFIG_SYSROOT_DIR=stage).split()
+    output(["gcc", "-std=c11", *WARNINGS, os.path.join(folder, "example.c"), "-o", program, *flags])
+    same(output([program], folder, LD_LIBRARY_PATH=f"{root}/lib"), "in regular\non boundary\n", "the example of graze.h")
 
 
 def check_cmake(root, folder, version):
@@ -217,6 +237,7 @@ def main():
         if not args.sanitizers:  # a library that needs a runtime of its own
             check_symbols(root, os.path.join(ROOT, build))
             check_pkg_config(root, stage, f"{folder}/work", version)
+            check_example(root, stage, f"{folder}/work")
             check_python(root)
             check_cmake(root, f"{folder}/cmake", version)
             check_deb(make, f"{folder}/deb", version)

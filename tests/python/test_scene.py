@@ -258,7 +258,7 @@ class Package(unittest.TestCase):
         self.assertEqual((failed, tried > 0), (0, True))
 
     def test_names_and_version(self):
-        with open(os.path.join(common.ROOT, "include", "graze", "core.h"), encoding="utf-8") as file:
+        with open(os.path.join(common.ROOT, "include", "graze", "version.h"), encoding="utf-8") as file:
             self.assertIn(f'#define GRAZE_VERSION "{graze.__version__}"', file.read())
         self.assertTrue(graze.version().startswith(f"graze {graze.__version__}\n"))
         for name in graze.__all__:

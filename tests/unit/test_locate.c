@@ -64,9 +64,8 @@ static graze_solid *make_solid(const fmpq *vertex, int whole) {
         fmpq_get_mpq(at[k], vertex + k);
     }
     graze_solid *solid;
-    assert_int_equal(graze_solid_from_arrays(&solid, context, 3, (const mpq_t *)at, 4, size, 4,
-                                             facet[whole > 0], 0),
-                     GRAZE_OK);
+    assert_int_equal(
+        graze_solid_from_arrays(&solid, context, 3, at, 4, size, 4, facet[whole > 0], 0), GRAZE_OK);
     for (int k = 0; k < 12; k++)
         mpq_clear(at[k]);
     return solid;

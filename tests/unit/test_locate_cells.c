@@ -206,8 +206,8 @@ static graze_solid *make_solid(const surface *s, const map *m) {
         }
     }
     graze_solid *solid;
-    graze_status status = graze_solid_from_arrays(&solid, context, m->d, (const mpq_t *)x,
-                                                  s->vertices, s->size, s->facets, s->index, 0);
+    graze_status status = graze_solid_from_arrays(&solid, context, m->d, x, s->vertices, s->size,
+                                                  s->facets, s->index, 0);
     if (status != GRAZE_OK)
         fail_msg("%s", graze_context_message(context));
     for (size_t k = 0; k < s->vertices * d; k++)

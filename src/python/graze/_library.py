@@ -36,7 +36,7 @@ class CMpq(ctypes.Structure):
 class COptions(ctypes.Structure):
     """graze_options."""
 
-    _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int)]
+    _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int), ("size", c_size_t)]
 
 
 class CVerdict(ctypes.Structure):
