@@ -74,7 +74,7 @@ static graze_status check_arrays(arrays *a, graze_context *context, unsigned fla
         return api_misuse(context, name, "an unknown flag is set");
     if (!a->facet_count)
         return context_fail(context, GRAZE_EILLEGAL,
-                            "empty interior: there is no facet; right is a closed boundary");
+                            "empty interior: there is no facet; expected a closed boundary");
     if (!a->facet_sizes || !a->indices || (!a->rationals && !a->doubles))
         return api_misuse(context, name, "no array must be NULL");
     if (a->vertex_count > limit)
@@ -86,13 +86,13 @@ static graze_status check_arrays(arrays *a, graze_context *context, unsigned fla
         size_t size = a->facet_sizes[f];
         if (size < 3)
             return context_fail(context, GRAZE_EINPUT,
-                                "facet %zu has %zu vertices; right is at least 3", f, size);
+                                "facet %zu has %zu vertices; expected at least 3", f, size);
         if (size > SIZE_MAX - next || next + size > limit)
             return context_limit(context, GRAZE_LIMIT_CELLS, "corners of facets");
         for (size_t k = 0; k < size; k++, next++)
             if (a->indices[next] >= a->vertex_count)
                 return context_fail(context, GRAZE_EINPUT,
-                                    "facet %zu names vertex %zu; right is below %zu", f,
+                                    "facet %zu names vertex %zu; expected below %zu", f,
                                     a->indices[next], a->vertex_count);
     }
     a->index_count = next;

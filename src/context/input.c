@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A FIFO is opened without waiting for its writer, and every read comes after a poll: one that
- * nobody writes to is then waited for in steps. On Linux a FIFO that no writer has opened yet is
- * neither readable nor hung up, so its end is not seen before its beginning.
+ * no process writes to is then waited for in steps. On Linux a FIFO that no writer has opened yet
+ * is neither readable nor hung up, so its end is not seen before its beginning.
  */
 #include "context/input.h"
 

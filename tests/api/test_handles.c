@@ -184,7 +184,7 @@ static void wrong_arrays(void **state) {
         const char *says;
     } cases[] = {
         {square, two, square_ring, 2, 1, GRAZE_EINPUT, "facet 0 has 2 vertices"},
-        {square, square_sizes, wild, 2, 1, GRAZE_EINPUT, "names vertex 4; right is below 4"},
+        {square, square_sizes, wild, 2, 1, GRAZE_EINPUT, "names vertex 4; expected below 4"},
         {square, square_sizes, flat, 2, 1, GRAZE_EILLEGAL, "facet 0: the ring's area is zero"},
         {square, square_sizes, crossed, 2, 1, GRAZE_EILLEGAL,
          "facet 0: edges 0-2 and 1-3 cross; edges may touch in vertices only, and these meet at "

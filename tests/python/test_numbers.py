@@ -4,8 +4,10 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import decimal
 import math
+import os
 import random
 import struct
+import tempfile
 import unittest
 from fractions import Fraction as F
 
@@ -18,6 +20,20 @@ SCENE = common.root_scene()
 def through(value, scene=SCENE):
     """A coordinate after it went in and came out."""
     return scene.trace([value, 0]).point[0]
+
+
+class Places(unittest.TestCase):
+    def test_file_and_line(self):
+        """An error has the place of its message as data."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bad.off")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("OFF\n4 4 0\n0 0 0\nx 0 0\n0 1 0\n0 0 1\n")
+            with self.assertRaises(graze.InputError) as raised:
+                graze.Solid(path)
+        error = raised.exception
+        self.assertEqual((error.file, error.line, error.item, error.index, error.field),
+                         (path, 4, "vertex", 1, ""))
 
 
 class Kinds(unittest.TestCase):

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import ctypes
+import os
 import threading
 from typing import Any, Dict, Mapping, NamedTuple, Tuple
 
@@ -17,7 +18,7 @@ ROUNDINGS = ("none", "binary64", "binary32")
 def choice(name: str, value: str, allowed: Tuple[str, ...]) -> int:
     """The place of a word among those allowed, which is its number in graze.h."""
     if value not in allowed:
-        raise UseError(f"{name} is {value!r}; right is one of {', '.join(allowed)}")
+        raise UseError(f"{name} is {value!r}; expected one of {', '.join(allowed)}")
     return allowed.index(value)
 
 
@@ -40,7 +41,7 @@ def settings(rounding: str, limits: "Mapping[str, int] | None", use_filter: bool
     chosen = []
     for key, value in (limits or {}).items():
         if key not in names or not 0 < value < 1 << 64:
-            raise UseError(f"limit {key!r} = {value}; right is a positive number for one of "
+            raise UseError(f"limit {key!r} = {value}; expected a positive number for one of "
                            + ", ".join(names))
         chosen.append((names[key], value))
     return Settings(choice("round", rounding, ROUNDINGS), tuple(chosen), use_filter)
@@ -66,7 +67,12 @@ class Context:
         """Raise the error of a status, its message after `place`, unless it is GRAZE_OK."""
         if status:
             message = library().graze_context_message(self.pointer).decode("utf-8", "replace")
-            raise BY_STATUS.get(status, InternalError)(place + message)
+            error = BY_STATUS.get(status, InternalError)(place + message)
+            at = library().graze_context_place(self.pointer)
+            error.file, error.item, error.field = (os.fsdecode(text) for text in
+                                                   (at.file, at.item, at.field))
+            error.line, error.index = at.line, at.index
+            raise error
 
 
 def _end_context(pointer: ctypes.c_void_p) -> None:

@@ -95,7 +95,7 @@ def by_name(row: Any, wanted: Sequence[str]) -> List[Any]:
 
 
 def refuse_masked(given: Any, what: str, width: int, first: int = 0) -> None:
-    """A masked array's masked entries hold numbers that nobody meant.
+    """A masked array's masked entries hold arbitrary numbers, so it is refused.
 
     Args:
         given: an array; a column of coordinate `first`, or rows of `width`.

@@ -59,6 +59,13 @@ class CContact(ctypes.Structure):
                 ("end", c_void_p), ("cells", POINTER(CCell)), ("cell_count", c_size_t)]
 
 
+class CPlace(ctypes.Structure):
+    """graze_place."""
+
+    _fields_ = [("file", c_char_p), ("line", c_size_t), ("item", c_char_p), ("index", c_size_t),
+                ("field", c_char_p)]
+
+
 class CSample(ctypes.Structure):
     """graze_sample."""
 
@@ -76,6 +83,7 @@ _FUNCTIONS = {
     "graze_context_create": (c_int, [_OUT]),
     "graze_context_destroy": (None, [c_void_p]),
     "graze_context_message": (c_char_p, [c_void_p]),
+    "graze_context_place": (CPlace, [c_void_p]),
     "graze_context_set_limit": (c_int, [c_void_p, c_int, c_ulong]),
     "graze_context_set_rounding": (c_int, [c_void_p, c_int]),
     "graze_context_set_filter": (None, [c_void_p, c_int]),
@@ -164,7 +172,7 @@ def _open() -> ctypes.CDLL:
             return ctypes.CDLL(name)
         except OSError as problem:
             problems.append(f"{name}: {problem}")
-    raise LibraryError("libgraze cannot be loaded; right is `make` in a checkout, an installed "
+    raise LibraryError("libgraze cannot be loaded; expected `make` in a checkout, an installed "
                        "Graze, or its path in the variable GRAZE_LIBRARY ("
                        + "; ".join(problems) + ")")
 
@@ -182,7 +190,7 @@ def library() -> Any:
             # gmp.h gives its functions other names in the library.
             function = opened["__g" + name if name.startswith("mp") else name]
         except AttributeError:
-            raise LibraryError(f"{opened._name} lacks {name}; right is version {VERSION}") from None
+            raise LibraryError(f"{opened._name} lacks {name}; expected version {VERSION}") from None
         function.restype, function.argtypes = result, arguments
         setattr(opened, name, function)
     version = opened.graze_version().decode().split()[1]
@@ -205,7 +213,7 @@ class Handle:
     def __init__(self, pointer: c_void_p, destroy: Callable[[c_void_p], None], *keep: Any) -> None:
         self.pointer = pointer
         self._end = weakref.finalize(self, _destroy, destroy, pointer, keep)
-        # At the end of the process a thread that nobody waited for may still be at work with it.
+        # At the end of the process a thread that was not joined may still use it.
         self._end.atexit = False
 
     def __enter__(self) -> c_void_p:

@@ -76,7 +76,7 @@ class Rationals:
             return
         if isinstance(value, float):
             if not math.isfinite(value):
-                raise InputError(f"{value} is not a number; right is a finite one")
+                raise InputError(f"{value} is not a number; expected a finite one")
             library().mpq_set_d(at, value)
         else:
             numerator, denominator = _ratio(value)
@@ -101,9 +101,9 @@ def _ratio(value: Any) -> Tuple[int, int]:
         try:
             numerator, denominator = value.as_integer_ratio()
         except (ValueError, OverflowError):
-            raise InputError(f"{value} is not a number; right is a finite one") from None
+            raise InputError(f"{value} is not a number; expected a finite one") from None
         return int(numerator), int(denominator)
-    raise TypeError(f"{type(value).__name__} is no exact number; right is float, int, Fraction, "
+    raise TypeError(f"{type(value).__name__} is no exact number; expected float, int, Fraction, "
                     "Decimal or str")
 
 
@@ -165,7 +165,7 @@ def read_points(points: Any, dimension: int, context: Context, what: str = "poin
     elif numpy is not None and hasattr(points, "__array__"):
         given = points if isinstance(points, numpy.ndarray) else numpy.asarray(points)
         if given.ndim != 2 and given.size:
-            raise UseError(f"an array of the shape {given.shape}; right is (n, {dimension or 'd'})")
+            raise UseError(f"an array of the shape {given.shape}; expected (n, {dimension or 'd'})")
         refuse_masked(given, what, given.shape[-1])
         if _holds_doubles(given):
             return _from_array(given, dimension, context, what)
@@ -173,7 +173,7 @@ def read_points(points: Any, dimension: int, context: Context, what: str = "poin
     flat: List[Any] = []
     for k, row in enumerate(points):
         if isinstance(row, (str, bytes)) or not isinstance(row, Iterable):
-            raise TypeError(f"{what} {k} is a {type(row).__name__}; right is a row of numbers")
+            raise TypeError(f"{what} {k} is a {type(row).__name__}; expected a row of numbers")
         before = len(flat)
         entries = named_entries(row)
         if entries is not None:
@@ -181,7 +181,7 @@ def read_points(points: Any, dimension: int, context: Context, what: str = "poin
         flat.extend(row)
         dimension = dimension or len(flat)
         if len(flat) - before != dimension:
-            raise UseError(f"{what} {k} has {len(flat) - before} coordinates; right is {dimension}")
+            raise UseError(f"{what} {k} has {len(flat) - before} coordinates; expected {dimension}")
     if all(type(value) is float for value in flat) and context.rounding != _BINARY32:
         doubles = array.array("d", flat)
         for k, value in enumerate(flat):
@@ -217,7 +217,7 @@ def _from_columns(columns: List[Any]) -> Any:
 
 def _from_array(given: Any, dimension: int, context: Context, what: str) -> Points:
     if given.size and dimension and given.shape[1] != dimension:
-        raise UseError(f"an array of the shape {given.shape}; right is (n, {dimension})")
+        raise UseError(f"an array of the shape {given.shape}; expected (n, {dimension})")
     dimension = dimension or (given.shape[1] if given.size else 1)
     flat = numpy.ascontiguousarray(given, dtype=numpy.float64).reshape(-1)
     if context.rounding == _BINARY32:

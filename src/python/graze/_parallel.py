@@ -25,7 +25,7 @@ def run(count: int, jobs: Optional[int], contexts: Contexts,
     """
     jobs = os.cpu_count() or 1 if jobs is None else jobs
     if jobs < 1:
-        raise UseError(f"jobs is {jobs}; right is at least 1, or None for all cores")
+        raise UseError(f"jobs is {jobs}; expected at least 1, or None for all cores")
     starts = iter(range(0, count, PIECE))
     if jobs == 1 or count <= PIECE:
         for first in starts:

@@ -33,7 +33,7 @@ def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: 
     names = strata()
     for key in weights or {}:
         if key not in names:
-            raise UseError(f"there is no stratum {key!r}; right is one of {', '.join(names)}")
+            raise UseError(f"there is no stratum {key!r}; expected one of {', '.join(names)}")
     chosen = None
     if weights is not None:
         given = [_within(weights.get(name, 0), 64) for name in names]
@@ -48,7 +48,7 @@ def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: 
 
 def _within(value: Any, bits: int) -> int:
     if not 0 <= value < 1 << bits:
-        raise UseError(f"{value} is out of range; right is 0 to 2^{bits} - 1")
+        raise UseError(f"{value} is out of range; expected 0 to 2^{bits} - 1")
     return int(value)
 
 

@@ -1,4 +1,4 @@
-"""What can go wrong, as exceptions: a class for each status of graze.h, with its message.
+"""Exceptions: a class for each status of graze.h, with message and place of the failure.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -8,15 +8,24 @@ from typing import Any, Dict, Type
 
 
 class GrazeError(Exception):
-    """The base of all errors of this module; `str` of it is the message.
+    """Base of all errors of this module; `str` of it is the message.
 
     Attributes:
-        status: the `graze_status` of graze.h; 0 where the library was not reached.
+        file, line: place of the failure in a file, line from 1; "" and 0 where there is none.
+        item, index: kind and number of the item that failed, such as "vertex" 3, counted as in the
+            message; "" and 0 where there is none.
+        field: a coordinate, a column, or a path in JSON; "" where there is none.
+        status: the `graze_status` of graze.h; 0 if the library was not reached.
         partial: verdicts given before the failure, in the form `Scene.classify` returns them; those
             that are not `NONE` are exact. None where there are none.
     """
 
     status: int = 0
+    file: str = ""
+    line: int = 0
+    item: str = ""
+    index: int = 0
+    field: str = ""
 
     def __init__(self, message: str) -> None:
         super().__init__(message)
@@ -28,13 +37,13 @@ class LibraryError(GrazeError):
 
 
 class UseError(GrazeError, ValueError):
-    """Wrong use: an argument that no input could make right (GRAZE_EUSE)."""
+    """Wrong use: an argument of the call (GRAZE_EUSE)."""
 
     status = 1
 
 
 class InputError(GrazeError, ValueError):
-    """Bad input: it cannot be read as what it should be (GRAZE_EINPUT)."""
+    """Bad input: the bytes do not follow their format (GRAZE_EINPUT)."""
 
     status = 2
 
@@ -46,7 +55,7 @@ class IllegalError(GrazeError, ValueError):
 
 
 class LimitError(GrazeError):
-    """A limit was met; `limits=` of the scene raises it (GRAZE_ELIMIT)."""
+    """A limit is exceeded; `limits=` of the scene raises it (GRAZE_ELIMIT)."""
 
     status = 4
 

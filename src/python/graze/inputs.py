@@ -156,7 +156,7 @@ def _plain(value: Any) -> Any:
         try:
             return str(Fraction(value))
         except (ValueError, OverflowError):
-            raise InputError(f"{value} is not a number; right is a finite one") from None
+            raise InputError(f"{value} is not a number; expected a finite one") from None
     return value
 
 
@@ -174,10 +174,10 @@ def _facet_arrays(facets: Any) -> Tuple[Any, Any, Tuple[Any, ...]]:
     """Addresses of the sizes and the indices of all facets, and what must be kept meanwhile."""
     if numpy is not None and isinstance(facets, numpy.ndarray) and facets.ndim == 2 and facets.size:
         if facets.dtype.kind not in "iu":
-            raise TypeError(f"facets are an array of {facets.dtype}; right is one of integers")
+            raise TypeError(f"facets are an array of {facets.dtype}; expected one of integers")
         refuse_masked(facets, "facet", facets.shape[1])
         if facets.min() < 0:
-            raise InputError("a facet names a vertex below 0; right is from 0")
+            raise InputError("a facet names a vertex below 0; expected from 0")
         width = f"u{ctypes.sizeof(ctypes.c_size_t)}"
         indices = numpy.ascontiguousarray(facets, dtype=width)
         sizes = numpy.full(len(facets), facets.shape[1], dtype=width)
@@ -185,7 +185,7 @@ def _facet_arrays(facets: Any) -> Tuple[Any, Any, Tuple[Any, ...]]:
     lengths, flat = [], []
     for k, facet in enumerate(facets):
         if not isinstance(facet, Iterable) or isinstance(facet, (str, bytes)):
-            raise TypeError(f"facet {k} is a {type(facet).__name__}; right is a row of vertices")
+            raise TypeError(f"facet {k} is a {type(facet).__name__}; expected a row of vertices")
         row = [_index(k, vertex) for vertex in facet]
         lengths.append(len(row))
         flat.extend(row)
@@ -198,7 +198,7 @@ def _index(facet: int, vertex: Any) -> int:
     try:
         index = vertex.__index__()
     except AttributeError:
-        raise TypeError(f"facet {facet} names {vertex!r}; right is a vertex's number") from None
+        raise TypeError(f"facet {facet} names {vertex!r}; expected a vertex's number") from None
     if not 0 <= index < 1 << 63:
-        raise InputError(f"facet {facet} names vertex {index}; right is from 0")
+        raise InputError(f"facet {facet} names vertex {index}; expected from 0")
     return index

@@ -157,7 +157,7 @@ def decimal(time: Time, digits: int = 17) -> str:
 
 def _check_digits(digits: int) -> None:
     if not 1 <= digits <= 1000:
-        raise ValueError(f"{digits} digits; right is 1 to 1000")
+        raise ValueError(f"{digits} digits; expected 1 to 1000")
 
 
 def _digits(value: Fraction, digits: int) -> Tuple[int, str, int]:
