@@ -132,7 +132,7 @@ static void verdicts(bench *b) {
     const graze_options odd = {.operation = (graze_operation)2};
     WRONG(graze_word_verdict(NULL, c, "O", 1, NULL));
     WRONG(graze_word_verdict(&v, NULL, "O", 1, NULL));
-    WRONG(graze_word_verdict(&v, c, 0, NULL, NULL));
+    WRONG(graze_word_verdict(&v, c, NULL, 0, NULL));
     WRONG(graze_word_verdict(&v, c, "O", 1, &odd));
     WRONG(graze_classify(NULL, c, b->s.scene, b->point, 1));
     WRONG(graze_classify(&v, NULL, b->s.scene, b->point, 1));
