@@ -1,8 +1,8 @@
-/* graze/convert.h - motion files from turns, joints and poses.
+/* graze/convert.h - motion files from turns, joints and poses; solids and motions in plain files.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Every function returns the text of a motion file (formats.md, Motions), checked to be legal, and
- * a report of what was approximated, with proved bounds, in plain text.
+ * graze_motion_write_... return the text of a motion file (formats.md, Motions), checked to be
+ * legal, and a report of what was approximated, with proved bounds, in plain text.
  */
 #ifndef GRAZE_CONVERT_H
 #define GRAZE_CONVERT_H
@@ -74,6 +74,25 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_poses(char **json, char 
                                                               graze_context *context,
                                                               const char *path,
                                                               mpq_srcptr tolerance, unsigned flags);
+
+/**
+ * Write a solid as an exact file, which graze_solid_read and graze-check read: in E^3 OFF, its
+ * facets cut into triangles (one with holes too), in E^2 WKT. It bounds the same points; vertices
+ * keep their numbers, facets do not.
+ * @param[out] out text for graze_free; NULL on failure
+ * @return GRAZE_EUSE a NULL argument; GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_solid_text(char **out, graze_context *context,
+                                                      const graze_solid *solid);
+
+/**
+ * Write a motion as a motion file of plain pieces, which graze-check reads: the same map at every
+ * time, as a matrix of quotients of polynomials in t on each piece.
+ * @param[out] out text for graze_free; NULL on failure
+ * @return GRAZE_EUSE a NULL argument; GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_motion_text(char **out, graze_context *context,
+                                                       const graze_motion *motion);
 
 #ifdef __cplusplus
 }

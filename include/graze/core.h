@@ -199,16 +199,6 @@ GRAZE_API size_t graze_solid_component_count(const graze_solid *solid);
  * whose sides have no length and are not edges. "" if there is none, also for NULL. Borrowed. */
 GRAZE_API const char *graze_solid_note(const graze_solid *solid);
 
-/**
- * Write a solid as an exact file, which graze_solid_read and graze-check read: in E^3 OFF, its
- * facets cut into triangles (one with holes too), in E^2 WKT. It bounds the same points; vertices
- * keep their numbers, facets do not.
- * @param[out] out text for graze_free; NULL on failure
- * @return GRAZE_EUSE a NULL argument; GRAZE_ESYSTEM
- */
-GRAZE_API GRAZE_CHECKED graze_status graze_solid_text(char **out, graze_context *context,
-                                                      const graze_solid *solid);
-
 /* --------------------------------------------------------------------------------------- motion */
 
 /**
@@ -229,14 +219,6 @@ GRAZE_API void graze_motion_destroy(graze_motion *motion);
 GRAZE_API int graze_motion_dimension(const graze_motion *motion);
 /** Number of pieces after all cuts, at least 1; 0 for NULL. */
 GRAZE_API size_t graze_motion_piece_count(const graze_motion *motion);
-/**
- * Write a motion as a motion file of plain pieces, which graze-check reads: the same map at every
- * time, as a matrix of quotients of polynomials in t on each piece.
- * @param[out] out text for graze_free; NULL on failure
- * @return GRAZE_EUSE a NULL argument; GRAZE_ESYSTEM
- */
-GRAZE_API GRAZE_CHECKED graze_status graze_motion_text(char **out, graze_context *context,
-                                                       const graze_motion *motion);
 
 /* --------------------------------------------------------------------------------------- scene */
 
