@@ -26,7 +26,7 @@ const char *judged_name(int judged) {
 static graze_status no_answer(const table *t, const table_row *row, column c, const char *right) {
     field f = table_field(t, row, c);
     return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
-                           "%s: '%.*s' is no answer; right is %s", column_name(c),
+                           "%s: '%.*s' is no answer; expected %s", column_name(c),
                            f.length > 40 ? 40 : (int)f.length, f.start, right);
 }
 

