@@ -41,7 +41,9 @@ def check_signals(bench):
         path.unlink(missing_ok=True)
         ends = told = 0
         for _ in range(40):
-            child = subprocess.Popen([bench.graze, *map(str, words), "--resume", path], stderr=subprocess.PIPE)
+            # A background job of a shell without job control ignores SIGINT, and hands that down.
+            child = subprocess.Popen([bench.graze, *map(str, words), "--resume", path], stderr=subprocess.PIPE,
+                                     preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
             end = time.monotonic() + bench.random.uniform(0.02, 0.2)
             size = path.stat().st_size if path.exists() else 0
             while child.poll() is None and (time.monotonic() < end or not path.exists() or path.stat().st_size <= size):
