@@ -83,7 +83,7 @@ typedef enum graze_export {
 
 /**
  * Convert a whole CSV table to a binary form. Coordinates and further columns of numbers become the
- * nearest binary64.
+ * nearest binary64, ties to even; one past its range is refused.
  * @param[out] out    bytes for graze_free
  * @param[out] length number of bytes
  * @param table       table_length bytes, from the first `#` line to `# complete N`; they need not

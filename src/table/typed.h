@@ -27,7 +27,7 @@ typedef struct column {
     field name; /* in the table's column line */
     column_kind kind;
     size_t widest;  /* bytes of its longest field */
-    double *number; /* COORDINATE, NUMBER: the nearest double, infinite past the range */
+    double *number; /* COORDINATE, NUMBER: the nearest double */
     uint32_t *code; /* pmc and class as in graze.h; definition, 0 for ext; counts; else the number
                        of the text */
     texts texts;    /* WORD, TEXT */

@@ -6,7 +6,6 @@
  */
 #include "table/typed_read.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -104,21 +103,25 @@ static int typed_reserve(typed_table *t) {
 
 /* -------------------------------------------------------------------------------- fields */
 
-/* The double nearest to a number, infinite past the range of doubles. */
-static double nearest_double(fmpq_t value, graze_context *context) {
-    int negative = fmpq_sgn(value) < 0;
-    if (rational_round(value, context, GRAZE_ROUND_BINARY64) == GRAZE_OK)
-        return fmpq_get_d(value);
-    return negative ? -INFINITY : INFINITY;
+/* The double nearest to a number, ties to even. GRAZE_EINPUT past the range of doubles: an infinity
+ * is near to no number. */
+static graze_status nearest_double(double *out, graze_context *context, fmpq_t value, field f) {
+    graze_status status = rational_round(value, context, GRAZE_ROUND_BINARY64);
+    if (status)
+        return context_fail(context, status, "'%.*s'; expected a number that binary64 can hold",
+                            FIELD_SHOWN(f));
+    *out = fmpq_get_d(value);
+    return GRAZE_OK;
 }
 
-/* GRAZE_EINPUT if the field is no number. */
-static graze_status read_number(double *out, graze_context *context, field f) {
+/* *number: the field is a number, whether or not a double can hold it. */
+static graze_status read_number(double *out, int *number, graze_context *context, field f) {
     fmpq_t value;
     fmpq_init(value);
     graze_status status = rational_parse(value, context, f.start, f.length);
+    *number = status == GRAZE_OK;
     if (!status)
-        *out = nearest_double(value, context);
+        status = nearest_double(out, context, value, f);
     fmpq_clear(value);
     return status;
 }
@@ -188,13 +191,14 @@ static graze_status become_texts(const typed_table *t, column *c) {
 /* A field of a further column. */
 static graze_status add_further(const typed_table *t, column *c, field f) {
     if (c->kind == COLUMN_NUMBER) {
-        graze_status status = read_number(&c->number[t->row_count], t->context, f);
+        int number;
+        graze_status status = read_number(&c->number[t->row_count], &number, t->context, f);
         if (!status) {
             text_bytes(&c->fields, f.start, f.length);
             text_put(&c->fields, "\n");
             return c->fields.failed ? typed_no_memory(t) : GRAZE_OK;
         }
-        if (status == GRAZE_EINPUT)
+        if (status == GRAZE_EINPUT && !number)
             status = become_texts(t, c);
         if (status)
             return status;
@@ -205,10 +209,11 @@ static graze_status add_further(const typed_table *t, column *c, field f) {
 static graze_status add_field(const typed_table *t, size_t index, field f) {
     column *c = &t->column[index];
     unsigned long code;
+    int number;
     if (f.length > c->widest)
         c->widest = f.length;
     if (c->kind == COLUMN_COORDINATE)
-        return read_number(&c->number[t->row_count], t->context, f);
+        return read_number(&c->number[t->row_count], &number, t->context, f);
     if (index >= t->own)
         return add_further(t, c, f);
     const char *expected = read_answer(&code, c, f);

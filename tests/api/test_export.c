@@ -191,11 +191,161 @@ static void further_columns(void **state) {
     graze_context_destroy(context);
 }
 
+/* Numbers at the ends of the range of binary64. Its largest is M = 2^1024 - 2^971 and its least
+ * 2^-1074; the number halfway from M to 2^1024 is 2^1024 - 2^970 =
+ * 1.797693134862315807937289714...e308, and half of the least is 2^-1075 =
+ * 2.470328229206232720882843964...e-324: both ties go to the even neighbour, 2^1024 and 0. */
+static const struct {
+    const char *number;
+    double nearest;
+} extreme[] = {
+    {"1.7976931348623158e308", 0x1.fffffffffffffp1023}, /* above M = 1.79769313486231570...e308 */
+    {"-1.7976931348623158e308", -0x1.fffffffffffffp1023},
+    {"1.797693134862315807937289714e308", 0x1.fffffffffffffp1023}, /* below halfway to 2^1024 */
+    {"5e-324", 0x1p-1074},                                         /* 2^-1074 = 4.94...e-324 */
+    {"3e-324", 0x1p-1074},
+    {"-3e-324", -0x1p-1074},
+    {"2.4703282292062328e-324", 0x1p-1074}, /* above half of the least */
+    {"8e-324", 0x1p-1073},                  /* above 1.5 * 2^-1074 = 7.41...e-324 */
+    {"7e-324", 0x1p-1074},
+    {"2.4703282292062327e-324", 0}, /* below half of the least */
+    {"2e-324", 0},
+    {"1e-20000", 0},
+    {"-1e-20000", 0},
+};
+
+static const char *const too_large[] = {
+    "1.797693134862315808e308",
+    "-1.797693134862315808e308", /* above halfway to 2^1024 */
+    "1e400",
+    "1e20000",
+    "-1e20000",
+};
+
+/* The value of the last column in row 3 of the good table as an array: rows of one length, of which
+ * the last eight bytes are that column, little-endian. */
+static double value_of_row_3(const char *npy, size_t length) {
+    size_t head = 12 + (unsigned char)npy[8] + 256 * (size_t)(unsigned char)npy[9];
+    size_t end = head + (length - head) / 4 * 3;
+    uint64_t bits = 0;
+    double value;
+    for (int k = 1; k <= 8; k++)
+        bits = bits << 8 | (unsigned char)npy[end - (size_t)k];
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* A context that takes numbers of 100,000 digits and would round those of a scene. */
+static graze_context *wide_context(graze_rounding rounding) {
+    graze_context *context;
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    assert_int_equal(graze_context_set_limit(context, GRAZE_LIMIT_DIGITS, 100000), GRAZE_OK);
+    assert_int_equal(graze_context_set_rounding(context, rounding), GRAZE_OK);
+    return context;
+}
+
+static void ends_of_the_range(void **state) {
+    (void)state;
+    for (size_t k = 0; k < sizeof extreme / sizeof *extreme; k++) {
+        graze_context *context = wide_context((graze_rounding)(k % 3));
+        char line[64], *out;
+        size_t length;
+        snprintf(line, sizeof line, "%s\n", extreme[k].number);
+        const change one = {"2.5\n", line, GRAZE_OK, NULL};
+        char *table = changed(&one);
+        if (export(&out, &length, context, table, strlen(table), GRAZE_EXPORT_NPY))
+            fail_msg("%s: %s", extreme[k].number, graze_context_message(context));
+        double got = value_of_row_3(out, length);
+        if (memcmp(&got, &extreme[k].nearest, sizeof got) != 0)
+            fail_msg("%s: %a, expected %a", extreme[k].number, got, extreme[k].nearest);
+        graze_free(out);
+        free(table);
+        graze_context_destroy(context);
+    }
+}
+
+/* The column is n or, in place of 1/2, y. */
+static void past_the_range(void **state) {
+    (void)state;
+    for (size_t k = 0; k < 4 * (sizeof too_large / sizeof *too_large); k++) {
+        const char *number = too_large[k / 4], *column = k & 1 ? "y" : "n";
+        graze_context *context = wide_context((graze_rounding)(k % 3));
+        char line[64], says[160], *out;
+        size_t length;
+        if (k & 1)
+            snprintf(line, sizeof line, "0,%s,in", number);
+        else
+            snprintf(line, sizeof line, "%s\n", number);
+        snprintf(says, sizeof says,
+                 "row 3, column %s: '%s'; expected a number that binary64 can hold", column,
+                 number);
+        const change one = {k & 1 ? "0,1/2,in" : "2.5\n", line, GRAZE_EINPUT, says};
+        char *table = changed(&one);
+        graze_status status = export(&out, &length, context, table, strlen(table),
+                                     k & 2 ? GRAZE_EXPORT_NPY : GRAZE_EXPORT_VTK);
+        if (status != GRAZE_EINPUT || out || !strstr(graze_context_message(context), says))
+            fail_msg("%s: status %d, %s", number, (int)status, graze_context_message(context));
+        free(table);
+        graze_context_destroy(context);
+    }
+}
+
+/* sign (2^power - 2^less), or with a negative power 1 / 2^-power, exactly; for free. */
+static char *power_text(int sign, long power, unsigned long less) {
+    mpq_t value;
+    mpz_t low;
+    char *text = NULL;
+    mpq_init(value);
+    mpz_init(low);
+    mpz_ui_pow_ui(mpq_numref(value), 2, power < 0 ? 0 : (unsigned long)power);
+    mpz_ui_pow_ui(mpq_denref(value), 2, power < 0 ? (unsigned long)-power : 0);
+    mpz_ui_pow_ui(low, 2, less);
+    if (less)
+        mpz_sub(mpq_numref(value), mpq_numref(value), low);
+    if (sign < 0)
+        mpq_neg(value, value);
+    assert_true(gmp_asprintf(&text, "%Qd\n", value) > 0);
+    mpz_clear(low);
+    mpq_clear(value);
+    return text;
+}
+
+/* Exact ties, and the largest number itself. */
+static void ties_at_the_ends(void **state) {
+    (void)state;
+    static const struct {
+        long power;
+        unsigned long less;
+        double nearest; /* 1: none */
+    } tie[] = {{1024, 971, 0x1.fffffffffffffp1023}, {1024, 970, 1}, {1024, 0, 1}, {-1075, 0, 0}};
+    for (size_t k = 0; k < 2 * (sizeof tie / sizeof *tie); k++) {
+        graze_context *context = wide_context(GRAZE_ROUND_NONE);
+        int sign = k & 1 ? -1 : 1;
+        char *number = power_text(sign, tie[k / 2].power, tie[k / 2].less), *out;
+        const change one = {"2.5\n", number, GRAZE_OK, NULL};
+        char *table = changed(&one);
+        size_t length;
+        int refused = tie[k / 2].nearest == 1;
+        graze_status status =
+            export(&out, &length, context, table, strlen(table), GRAZE_EXPORT_NPY);
+        assert_int_equal(status, refused ? GRAZE_EINPUT : GRAZE_OK);
+        if (!refused)
+            assert_true(value_of_row_3(out, length) == sign * tie[k / 2].nearest);
+        graze_free(out);
+        free(table);
+        free(number);
+        graze_context_destroy(context);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_a_table_says_is_checked),
         cmocka_unit_test(cut_anywhere),
         cmocka_unit_test(further_columns),
+        cmocka_unit_test(ends_of_the_range),
+        cmocka_unit_test(past_the_range),
+        cmocka_unit_test(ties_at_the_ends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

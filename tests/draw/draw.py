@@ -420,6 +420,27 @@ def check_npy(graze, solid, motion, name, options, text=None):
     check_columns(name, rows, got, list)
 
 
+def check_far_columns(graze, solid, motion):
+    """Further columns at the ends of the range of binary64 (tests/api/test_export.c derives what is nearest)."""
+    fields = ["1.7976931348623158e308", "5e-324", "3e-324", "2e-324", "-1e-20000", "0.1", "1e39", "1/3"]
+    points = "".join(["x,y,far\n"] + [f"1,1,{field}\n" for field in fields]).encode()
+    for rounding in ("none", "binary64", "binary32"):
+        options = ["-", "--round", rounding, "--limit", "digits=100000"]
+        kept = [row["far"] for row in table(graze, solid, motion, *options, text=points)]
+        check(kept == fields, "further columns are carried as they were", rounding, kept)
+        for look in (check_vtk, check_npy):
+            look(graze, solid, motion, f"far columns, {rounding}", options, text=points)
+        for far in ("1e20000", "-1e20000", "1.797693134862315808e308"):
+            text = points + f"1,1,{far}\n".encode()
+            for form in ("vtk", "npy"):
+                done = run(graze, "classify", solid, motion, *options, "--format", form, text=text)
+                says = f"row {len(fields) + 1}, column far: '{far}'; expected a number that binary64 can hold"
+                check(done.returncode == 3 and done.stdout == b"" and says in done.stderr.decode(), far, rounding, form,
+                      done.returncode, done.stderr)
+            kept = table(graze, solid, motion, *options, text=text)[-1]["far"]
+            check(kept == far, "a number past the range is carried as it was", rounding, kept)
+
+
 def check_tables(graze):
     thirds = b"x,y,weight,o'note\n1/3,1,1.5e-3,\"a,b\"\n-1e40,2/7,22/7,\n23,4,-.5,a\n"
     flat, moved, _ = files("figure4")
@@ -431,6 +452,7 @@ def check_tables(graze):
         look(graze, flat, moved, "grid in the plane", ["--grid", "7,3", "--box", "0,0,1/3,5"])
         look(graze, *files("unsweep-figure5")[:2], "unsweep",
              [files("unsweep-figure5")[2], "--operation", "unsweep"])
+    check_far_columns(graze, flat, moved)
     done = run(graze, "classify", flat, moved, "-", "--format", "npy", text=b"1,1\n2,b\n")
     check(done.returncode == 3 and done.stdout == b"", "a bad row leaves no half array", done.returncode)
     empty = run(graze, "classify", flat, moved, "-", "--format", "npy", text=b"x,y\n").stdout
