@@ -165,10 +165,15 @@ int count_read(size_t *out, word w) {
 
 /* --------------------------------------------------------------------------------------- files */
 
-char *read_file(size_t *length, const char *path) {
+static FILE *opened(const char *path) {
     FILE *file = fopen(path, "rb");
     if (!file)
         give_up("%s: cannot be opened", path);
+    return file;
+}
+
+char *read_file(size_t *length, const char *path) {
+    FILE *file = opened(path);
     char *text = NULL;
     size_t room = 0, used = 0;
     do {

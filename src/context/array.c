@@ -24,6 +24,7 @@ int array_reserve(void *items, size_t *capacity, size_t count, size_t size) {
         return 0;
     memcpy(items, &grown, sizeof grown);
     *capacity = room;
+    /* cppcheck-suppress memleak; the caller has it */
     return 1;
 }
 

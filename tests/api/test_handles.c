@@ -119,7 +119,8 @@ static void limits_and_roundings(void **state) {
     assert_int_equal(graze_context_set_limit(c, GRAZE_LIMIT_COUNT, 7), GRAZE_EUSE);
     assert_non_null(strstr(graze_context_message(c), "limit 10: expected 0 to 9"));
     assert_int_equal(graze_context_set_rounding(c, (graze_rounding)9), GRAZE_EUSE);
-    assert_non_null(strstr(graze_context_message(c), "rounding 9: expected none, binary64 or binary32"));
+    assert_non_null(
+        strstr(graze_context_message(c), "rounding 9: expected none, binary64 or binary32"));
     mpq_t x;
     mpq_init(x);
     assert_int_equal(graze_number_parse(x, c, "12345678", 8), GRAZE_ELIMIT);

@@ -42,8 +42,8 @@ static void read_trusted(graze_context *context, const char *path, unsigned flag
     graze_motion_destroy(motion);
 }
 
-/* What is written is a legal solid, and is written again as it stands. A double can take more digits
- * than the limit allows in a text. */
+/* What is written is a legal solid, and is written again as it stands. A double can take more
+ * digits than the limit allows in a text. */
 static void write_again(graze_context *context, const graze_solid *solid) {
     char *first = NULL, *second = NULL;
     graze_solid *again = NULL;
