@@ -11,6 +11,7 @@
 #include "read/read.h"
 #include "solid/create.h"
 #include "solid/write.h"
+#include "validate/validate.h"
 
 /* `sha256` is that of a file validated before, or NULL. */
 static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,

@@ -5,7 +5,7 @@
 #define GRAZE_SOLID_CORNERS_H
 
 #include "soup/soup.h"
-#include "validate/validate.h"
+#include "validate/simplices.h"
 
 /**
  * `at` holds d corners of d coordinates for each simplex, in the order of its vertices. Each

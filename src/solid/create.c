@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include "number/rounding.h"
 #include "solid/locate.h"
+#include "validate/validate.h"
 
 static graze_status make_bounds(graze_solid *solid, graze_context *context) {
     size_t n = solid->input.vertex_count * (size_t)solid->input.dimension;

@@ -11,7 +11,7 @@
 #include "solid/corners.h"
 #include "soup/soup.h"
 #include "solid/tree.h"
-#include "validate/validate.h"
+#include "validate/simplices.h"
 
 struct graze_solid {
     soup input;

@@ -4,7 +4,8 @@
 #ifndef GRAZE_VALIDATE_OVERLAP_H
 #define GRAZE_VALIDATE_OVERLAP_H
 
-#include "validate/validate.h"
+#include "soup/soup.h"
+#include "validate/simplices.h"
 
 #ifdef __cplusplus
 extern "C" {

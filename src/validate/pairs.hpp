@@ -6,8 +6,9 @@
 
 #include <cstdint>
 #include <vector>
-#include "validate/validate.h"
+#include "soup/soup.h"
 #include "validate/points.hpp"
+#include "validate/simplices.h"
 
 /**
  * A simplex with what the tests ask of it again and again. Invariant for d = 3: the positions are

@@ -92,12 +92,6 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
     });
 }
 
-void simplices_clear(simplices *cut) {
-    std::free(cut->item);
-    cell_names_clear(&cut->names);
-    *cut = {};
-}
-
 graze_status validate_probe(graze_context *context) {
     return guard(context, [] { CGAL_precondition_msg(false, "failed on purpose"); });
 }
