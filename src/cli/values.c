@@ -51,7 +51,6 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
         return status;                                                                             \
     }
 
-VALUE_OF_WORDS(value_rounding, graze_rounding, "none", "binary64", "binary32")
 VALUE_OF_WORDS(value_overlap, graze_overlap, "extend", "reject")
 VALUE_OF_WORDS(value_folds, graze_folds, "separate", "combined")
 VALUE_OF_WORDS(value_operation, graze_operation, "sweep", "unsweep")
@@ -59,6 +58,15 @@ VALUE_OF_WORDS(value_report, graze_comparison_format, "text", "json")
 VALUE_OF_WORDS(value_question, graze_question, "open", "closed")
 VALUE_OF_WORDS(value_on_as, graze_on_as, "on", "any", "in", "out")
 VALUE_OF_WORDS(value_has, graze_candidate_has, "columns", "sdf")
+
+int value_rounding(void *to, const char *name, const char *value) {
+    const char *words[] = {graze_rounding_name(GRAZE_ROUND_NONE),
+                           graze_rounding_name(GRAZE_ROUND_BINARY64),
+                           graze_rounding_name(GRAZE_ROUND_BINARY32)};
+    int chosen = 0, status = value_choice(&chosen, name, value, words, 3);
+    *(graze_rounding *)to = (graze_rounding)chosen;
+    return status;
+}
 
 static int complain_of_limit(const char *value) {
     char list[256] = "";

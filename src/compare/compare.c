@@ -81,7 +81,8 @@ static graze_status note_options(graze_comparison *c, graze_context *context, co
     const char *round = t->notes[NOTE_ROUND], *folds = t->notes[NOTE_FOLDS];
     const char *operation = t->notes[NOTE_OPERATION], *cut = t->notes[NOTE_TRIANGULATE];
     text_init(&options);
-    if (round && (strcmp(round, "binary64") == 0 || strcmp(round, "binary32") == 0))
+    if (round && (strcmp(round, graze_rounding_name(GRAZE_ROUND_BINARY64)) == 0 ||
+                  strcmp(round, graze_rounding_name(GRAZE_ROUND_BINARY32)) == 0))
         text_format(&options, " --round %s", round);
     if (folds && strcmp(folds, "combined") == 0)
         text_put(&options, " --folds combined");

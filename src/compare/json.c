@@ -32,13 +32,12 @@ static void put_json_count(yajl_gen g, const char *name, unsigned long count) {
 
 static void put_json_summary(yajl_gen g, const graze_comparison *c) {
     static const char *const on_as[] = {"on", "any", "in", "out"};
-    static const char *const rounding[] = {"none", "binary64", "binary32"};
     put_named(g, "golden", c->golden);
     put_named(g, "candidate", c->candidate);
     put_named(g, "question", c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open");
     put_named(g, "on-as", on_as[c->options.on_as]);
     put_named(g, "candidate-has", c->options.has == GRAZE_HAS_SDF ? "sdf" : "columns");
-    put_named(g, "round", rounding[c->rounding]);
+    put_named(g, "round", graze_rounding_name(c->rounding));
     put_json_count(g, "rows", c->rows);
     put_json_count(g, "agree", c->agree);
     put_json_count(g, "wrong", c->wrong);

@@ -47,11 +47,10 @@ static void put_share(text *out, unsigned long part, unsigned long whole) {
 static void put_summary(text *out, const graze_comparison *c) {
     static const char *const on_as[] = {"an answer of its own", "right whatever is answered", "in",
                                         "out"};
-    static const char *const rounding[] = {"none", "binary64", "binary32"};
     text_format(out, "golden: %s\ncandidate: %s\n", c->golden, c->candidate);
     text_format(out, "question: %s sweep; `on` counts as %s; rounding: %s\njudged:",
                 c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open",
-                on_as[c->options.on_as], rounding[c->rounding]);
+                on_as[c->options.on_as], graze_rounding_name(c->rounding));
     for (int k = 0; k < JUDGED_COUNT; k++)
         if (c->judged[k])
             text_format(out, " %s", judged_name(k));

@@ -14,18 +14,12 @@
 /* A binary format: its precision, and the exponents of MPFR's convention (|x| < 2^exponent) of its
  * smallest subnormal and its largest number. */
 typedef struct binary_format {
-    const char *name;
     int precision;
     mpfr_exp_t least, largest;
 } binary_format;
 
-static const binary_format formats[] = {[GRAZE_ROUND_NONE] = {.name = "none"},
-                                        [GRAZE_ROUND_BINARY64] = {"binary64", 53, -1073, 1024},
-                                        [GRAZE_ROUND_BINARY32] = {"binary32", 24, -148, 128}};
-
-const char *rounding_name(graze_rounding rounding) {
-    return formats[rounding].name;
-}
+static const binary_format formats[] = {
+    [GRAZE_ROUND_BINARY64] = {53, -1073, 1024}, [GRAZE_ROUND_BINARY32] = {24, -148, 128}};
 
 /* integer 2^shift, with a sign, as a rational. */
 static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negative) {
@@ -68,9 +62,9 @@ graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding
         set_mpfr(value, x);
     }
     mpfr_clear(x);
-    return overflows
-               ? context_fail(context, GRAZE_EINPUT, "overflows %s when rounded", format->name)
-               : GRAZE_OK;
+    return overflows ? context_fail(context, GRAZE_EINPUT, "overflows %s when rounded",
+                                    graze_rounding_name(rounding))
+                     : GRAZE_OK;
 }
 
 graze_status rational_from_double(fmpq_t out, graze_context *context, double value) {

@@ -5,9 +5,6 @@
 #include <flint/fmpq.h>
 #include "context/context.h"
 
-/** "none", "binary64" or "binary32"; static. */
-const char *rounding_name(graze_rounding rounding);
-
 /** Round to the nearest binary64 or binary32, ties to even, subnormals included; NONE leaves it.
  * Overflow: GRAZE_EINPUT. */
 graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding);

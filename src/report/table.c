@@ -4,8 +4,6 @@
 
 #include "report/table.h"
 
-#include "number/rounding.h"
-
 static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     int given = 0;
     for (int k = 0; k < 32; k++)
@@ -32,7 +30,7 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
                 options->overlap == GRAZE_OVERLAP_REJECT ? "reject" : "extend");
     text_format(&t, "# folds %s\n",
                 options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
-    text_format(&t, "# round %s\n", rounding_name(context->rounding));
+    text_format(&t, "# round %s\n", graze_rounding_name(context->rounding));
     if (notes)
         text_put(&t, notes);
     text_format(&t, "# ends-meet %s\n", scene->ends_meet ? "yes" : "no");

@@ -41,7 +41,6 @@ static void append_checksum(char *text) {
 }
 
 static void make_receipt(char text[RECEIPT], const graze_scene *scene, const scene_options *o) {
-    static const char *const rounding[] = {"none", "binary64", "binary32"};
     graze_hashes hashes = graze_scene_hashes(scene);
     *text = '\0';
     append_text(text, first_line);
@@ -52,7 +51,7 @@ static void make_receipt(char text[RECEIPT], const graze_scene *scene, const sce
     append_text(text, o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "\ntriangulate yes"
                                                                : "\ntriangulate no");
     append_text(text, "\nround ");
-    append_text(text, rounding[o->context.rounding]);
+    append_text(text, graze_rounding_name(o->context.rounding));
     append_checksum(text);
 }
 

@@ -15,7 +15,6 @@ import concurrent.futures
 import copy
 import itertools
 import os
-import sys
 import tempfile
 from fractions import Fraction
 
