@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "validate/overlap.h"
+#include "validate/validate.h"
 #include "fixture.h"
 #include "../lib/random.h"
 
