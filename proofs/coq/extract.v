@@ -4,7 +4,7 @@
    What is written here is believed: that each of Zarith's functions is the one of Coq beside it. *)
 Require Import List ZArith Bool Extraction.
 Require ExtrOcamlBasic ExtrOcamlNatInt.
-Require Import Graze.words Graze.definitions Graze.interval Graze.row Graze.simplices Graze.motions.
+Require Import Graze.words Graze.definitions Graze.interval Graze.row Graze.simplices Graze.motions Graze.convex.
 
 Extract Inductive positive => "Integer.t"
   ["(fun p -> Integer.succ (Integer.shift_left p 1))" "(fun p -> Integer.shift_left p 1)" "Integer.one"]
@@ -27,4 +27,4 @@ Extract Inlined Constant Z.div => "(fun a b -> if Integer.equal b Integer.zero t
 Extract Inlined Constant Z.of_nat => "Integer.of_int".
 Extract Inlined Constant Z.pow => "(fun a n -> Integer.pow a (Integer.to_int n))".
 
-Extraction "checker.ml" facets_of check_motion check_row.
+Extraction "checker.ml" facets_of convex_ok check_motion check_row.

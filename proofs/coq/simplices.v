@@ -242,7 +242,7 @@ Hypothesis Hok : facet_ok scale d s f = true.
 Let D := IZR (Z.abs (coordinate (first_axis (normal_of s)) (normal_of s))).
 Lemma facet_facts :
   0 < IZR scale /\ 0 < D /\ length (sides f) = length s /\ (forall v, In v s -> length v = d) /\
-  (forall x : point d, on f x \/ inner f x ->
+  (forall x : point d, zvalue (plane f) x = 0 ->
     weighted scale s (map (fun g => zvalue g x / D) (sides f)) x) /\
   zero_list (at_vertices scale s (plane f)) = true /\
   (forall g, In g (sides f) -> forallb (Z.leb 0) (at_vertices scale s g) = true
@@ -265,10 +265,9 @@ Proof.
   - intros i. specialize (Hid (nat_of i)). rewrite in_seq in Hid. pose proof (nat_of_bound i).
     specialize (Hid ltac:(lia)). unfold identity_ok in Hid. apply zvalue_minus with (x := x) in Hid.
     rewrite zvalue_zscale, zvalue_zadd, zvalue_pull in Hid. fold D in Hid.
-    assert (zvalue (plane f) x = 0) as Hp by (destruct H as [[Hp _]|[Hp _]]; exact Hp).
     assert (zvalue (if Nat.eqb (nat_of i) (first_axis (normal_of s)) then
       zscale (Z.sgn (coordinate (first_axis (normal_of s)) (normal_of s))) (plane f) else []) x = 0) as Hz.
-    { destruct (Nat.eqb _ _); [rewrite zvalue_zscale, Hp; ring|apply zvalue_none]. }
+    { destruct (Nat.eqb _ _); [rewrite zvalue_zscale, H; ring|apply zvalue_none]. }
     rewrite Hz in Hid. unfold zvalue at 1 in Hid. simpl hd in Hid. simpl tl in Hid. rewrite dot_unit in Hid.
     rewrite <- (map_map (fun g => zvalue g x) (fun u => u / D)), rdot_over.
     apply Rmult_eq_reg_l with D; [|lra].
@@ -281,7 +280,7 @@ Qed.
 Theorem facet_on (x : point d) : on f x <-> in_hull scale s x.
 Proof.
   destruct facet_facts as (Hs & HD & Hn & Hl & Hw & Hp & Hg & _). split.
-  - intros H. exists (map (fun g => zvalue g x / D) (sides f)). split; [apply Hw; left; exact H|].
+  - intros H. exists (map (fun g => zvalue g x / D) (sides f)). split; [apply Hw, H|].
     intros u Hu. apply in_map_iff in Hu. destruct Hu as (g & <- & Hin).
     destruct H as [_ H]. specialize (H g Hin). apply Rmult_le_reg_r with D; [assumption|].
     unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
@@ -295,7 +294,7 @@ Qed.
 Theorem facet_inner (x : point d) : inner f x <-> in_relative_interior scale s x.
 Proof.
   destruct facet_facts as (Hs & HD & Hn & Hl & Hw & Hp & Hg & _). split.
-  - intros H. exists (map (fun g => zvalue g x / D) (sides f)). split; [apply Hw; right; exact H|].
+  - intros H. exists (map (fun g => zvalue g x / D) (sides f)). split; [apply Hw, H|].
     intros u Hu. apply in_map_iff in Hu. destruct Hu as (g & <- & Hin).
     destruct H as [_ H]. specialize (H g Hin). apply Rdiv_lt_0_compat; assumption.
   - intros (w & W & Hpos). split.

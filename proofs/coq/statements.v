@@ -266,7 +266,8 @@ Print Assumptions of_scenes.
 (* The verified checker. What its tests compute is no part of the statements: what they prove is. *)
 Require Import ZArith.
 Require Import Graze.bernstein Graze.facets Graze.ray Graze.sample Graze.interval Graze.interval_sound
-  Graze.row Graze.simplices Graze.motions Graze.checker Graze.square.
+  Graze.row Graze.simplices Graze.motions Graze.checker Graze.square
+  Graze.convex Graze.cube.
 Print ev.
 Print within.
 Print signed.
@@ -339,9 +340,27 @@ Print square_row.
 Check square_legal.
 Check square_accepted.
 Check square_swept.
+Print kept.
+Check convex_legal.
+Check convex_checked_plane.
+Check convex_checked_space.
+Check convex_unsweep_plane.
+Check convex_unsweep_space.
+Print face.
+Print cube.
+Print slant.
+Print cube_point.
+Print cube_row.
+Check cube_convex.
+Check cube_legal.
+Check cube_is_box.
+Check cube_accepted.
+Check cube_swept.
 Definition of_checker :=
   (@strict_sign, @not_negative, @one_root, @connected, @ray_state, @ray_tells, @facet_on, @facet_inner, @legal_facets,
    @motion_legal, @motion_exists_plane, @motion_exists_space, @divide_out_value, @cleared_off, @profile_sound,
    @same_state, @interval_sound, @row_sound, @sweep_checked_plane, @sweep_checked_space, @unsweep_checked_plane,
-   @unsweep_checked_space, @square_legal, @square_accepted, @square_swept).
+   @unsweep_checked_space, @square_legal, @square_accepted, @square_swept,
+   @convex_legal, @convex_checked_plane, @convex_checked_space, @convex_unsweep_plane,
+   @convex_unsweep_space, @cube_convex, @cube_legal, @cube_is_box, @cube_accepted, @cube_swept).
 Print Assumptions of_checker.

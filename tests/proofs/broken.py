@@ -97,6 +97,14 @@ VARIANTS = [
      "simplices.v", "facet_on"),
     ("a motion may have poles", "motions.v",
      "negb (Z.eqb (strict n (bern l h d n q)) 0).", "true.", "motions.v", "sign_on_value"),
+    ("a convex solid has vertices before a plane", "convex.v",
+     "forallb (Z.leb 0) (behind scale s u)\n", "forallb (fun c => true) (behind scale s u)\n",
+     "convex.v", "hull_behind"),
+    ("a convex solid has no point behind all planes", "convex.v",
+     "forallb (fun s => Z.ltb 0 (depth scale ss s)) ss", "forallb (fun s => Z.leb 0 (depth scale ss s)) ss",
+     "convex.v", "convex_legal"),
+    ("a face ends at a side where it is left", "convex.v",
+     "| 0%nat => false\n    | S n => existsb", "| 0%nat => true\n    | S n => existsb", "convex.v", "walk_covers"),
 ]
 ERROR = re.compile(r'^File "\./([\w.]+)", line (\d+)', re.M)
 

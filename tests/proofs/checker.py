@@ -5,7 +5,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Every golden case's certificate must be verified, and one of ten generated points of each. Then rows of each, one at a time and changed as
 tests/check/mutants.py changes them, are given to both programs, which must agree row by row; a change that
-is not among those that may leave a row true must be refused.
+is not among those that may leave a row true must be refused. A solid is said to be legal, not assumed to be,
+if all its vertices are behind the planes of all its simplices, and only then.
 """
 import argparse
 import json
@@ -53,6 +54,35 @@ def check_verified(checks, checkers, case, files, points):
     return text
 
 
+def is_convex(printed):
+    """No vertex is before a plane, and some are behind each: of the simplices that --print has printed."""
+    simplices = [[int(w) for w in line.split()[1:]] for line in printed.splitlines() if line.startswith("simplex")]
+    d = int(printed.split()[1])
+    vertices = {tuple(s[k:k + d]) for s in simplices for k in range(0, d * d, d)}
+    for s in simplices:
+        p, *others = (s[k:k + d] for k in range(0, d * d, d))
+        edges = [[a - b for a, b in zip(q, p)] for q in others]
+        heights = [determinant(edges + [[a - b for a, b in zip(v, p)]]) * (1 if d == 3 else -1) for v in vertices]
+        if max(heights) > 0 or min(heights) == 0:
+            return False
+    return len(simplices) <= 200
+
+
+def determinant(m):
+    if len(m) == 2:
+        return m[0][0] * m[1][1] - m[0][1] * m[1][0]
+    return sum(m[0][k] * (m[1][k - 2] * m[2][k - 1] - m[1][k - 1] * m[2][k - 2]) for k in range(3))
+
+
+def check_legal(checks, checkers, case, files):
+    """Whether the last certificate's solid is proved legal; which ones are is told by their vertices."""
+    done = harness.run([checkers.coq, *files, checkers.path])
+    convex = is_convex(harness.run([checkers.coq, "--print", *files]).stdout)
+    want = "verified: " if convex else "verified, assuming a legal solid: "
+    checks.holds(done.stdout.startswith(want), f"{case.name}: {done.stdout}, expected {want}")
+    return convex
+
+
 def check_motion(checks, checkers, case):
     """What is read of a motion against a second reader, at five times a piece; that reads some forms alone."""
     solid, _ = checkers.programs.convert(case, os.path.dirname(checkers.path))
@@ -88,7 +118,7 @@ def check_case(checks, checkers, case, every):
     lib.write(generated, points.stdout)
     check_verified(checks, checkers, case, (solid, motion), generated)
     text = check_verified(checks, checkers, case, (solid, motion), case.path("points.csv"))
-    tried = 0
+    convex, tried = check_legal(checks, checkers, case, (solid, motion)), 0
     for kind, mutant in mutants_of(lib.Certificate(text), 2, every):
         first, second = checkers.both(solid, motion, mutant)
         what = f"{case.name}: {kind}:\n{mutant}graze-check {first}, graze-check-coq {second}"
@@ -96,7 +126,7 @@ def check_case(checks, checkers, case, every):
         if kind not in mutants.STILL_TRUE:
             checks.holds(second[0] == lib.REFUTED or second[0] == lib.NOT_CHECKED, "accepted: " + what)
         tried += 1
-    return tried
+    return tried, convex
 
 
 def main():
@@ -105,16 +135,18 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--every", type=int, default=32)
     args = parser.parse_args()
-    checks, tried, cases, motions = harness.Checks(), 0, 0, 0
+    checks, tried, cases, motions, legal = harness.Checks(), 0, 0, 0, 0
     with tempfile.TemporaryDirectory() as folder:
         checkers = Checkers(args.build, folder)
         for name in casefile.names():
             if args.only in name:
                 case = casefile.Case(name)
-                tried, cases = tried + check_case(checks, checkers, case, args.every), cases + 1
+                mutants_tried, convex = check_case(checks, checkers, case, args.every)
+                tried, cases, legal = tried + mutants_tried, cases + 1, legal + convex
                 motions += check_motion(checks, checkers, case)
-    print(f"graze-check-coq: {cases} cases, {tried} mutants, {motions} motions by a second reader")
-    checks.holds(args.only or (cases >= 60 and tried >= 900 and motions >= 20), "too few cases, mutants or motions")
+    print(f"graze-check-coq: {cases} cases, {tried} mutants, {motions} motions by a second reader, {legal} solids proved legal")
+    checks.holds(args.only or (cases >= 60 and tried >= 900 and motions >= 20 and 20 <= legal < cases),
+                 "too few cases, mutants, motions or solids of a kind")
     checks.finish()
 
 
