@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 #include "context/file.h"
 
 static const char *const column_names[COLUMN_COUNT] = {
@@ -75,13 +76,8 @@ static graze_status read_note(table *t, field line) {
 
 /* Copy a line into a row and cut it into fields. */
 static graze_status split(table *t, table_row *row, field line) {
-    if (row->capacity < line.length + 1) {
-        char *grown = realloc(row->bytes, line.length + 256);
-        if (!grown)
-            return table_no_memory(t);
-        row->bytes = grown;
-        row->capacity = line.length + 256;
-    }
+    if (!array_reserve(&row->bytes, &row->capacity, line.length + 1, 1))
+        return table_no_memory(t);
     memcpy(row->bytes, line.start, line.length);
     row->keyed = 0;
     row->line = t->in.line;

@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 #include "context/context.h"
 
 static group *find(tally *t, field name) {
@@ -20,14 +21,8 @@ static group *find(tally *t, field name) {
 static group *append(tally *t, field name) {
     if (t->count == MOST_GROUPS)
         return &t->others;
-    if (t->count == t->capacity) {
-        size_t capacity = 2 * t->capacity + 16;
-        group *grown = realloc(t->groups, capacity * sizeof *grown);
-        if (!grown)
-            return NULL;
-        t->groups = grown;
-        t->capacity = capacity;
-    }
+    if (!array_reserve(&t->groups, &t->capacity, t->count + 1, sizeof *t->groups))
+        return NULL;
     group *g = &t->groups[t->count];
     memset(g, 0, sizeof *g);
     g->name = strndup(name.start, name.length);

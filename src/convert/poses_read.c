@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 #include "context/file.h"
 #include "number/rational.h"
 #include "table/stream.h"
@@ -85,14 +86,8 @@ static graze_status read_names(reading *r) {
 
 static pose *append_pose(reading *r) {
     pose_list *list = r->list;
-    if (list->count == r->capacity) {
-        size_t capacity = r->capacity ? 2 * r->capacity : 64;
-        pose *item = realloc(list->item, capacity * sizeof *item);
-        if (!item)
-            return NULL;
-        list->item = item;
-        r->capacity = capacity;
-    }
+    if (!array_reserve(&list->item, &r->capacity, list->count + 1, sizeof *list->item))
+        return NULL;
     pose *p = list->item + list->count++;
     fmpq_init(p->time);
     for (int k = 0; k < 12; k++)

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 #include "context/context.h"
 
 static int is_blank(char byte) {
@@ -105,14 +106,8 @@ int field_take(field *out, field *rest) {
 }
 
 static int add(fields *f, field one) {
-    if (f->count == f->capacity) {
-        size_t capacity = 2 * f->capacity + 16;
-        field *grown = realloc(f->item, capacity * sizeof *grown);
-        if (!grown)
-            return 0;
-        f->item = grown;
-        f->capacity = capacity;
-    }
+    if (!array_reserve(&f->item, &f->capacity, f->count + 1, sizeof *f->item))
+        return 0;
     f->item[f->count++] = one;
     return 1;
 }
