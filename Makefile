@@ -336,10 +336,9 @@ $B/graze-check-coq:
 
 # Every target in turn for so many seconds; what breaks one is kept in $(FUZZ_BUILD)/found. With FUZZ_PLAIN=1 without
 # sanitizers, five to ten times as fast, for many executions.
-, := ,
 SECONDS ?= 60
 FUZZ_BUILD := build-fuzz$(if $(FUZZ_PLAIN),-plain)
-FUZZ_FLAGS := $(if $(FUZZ_PLAIN),-O2 -fsanitize=fuzzer-no-link,-O1 -fsanitize=fuzzer-no-link$(,)address$(,)undefined \
+FUZZ_FLAGS := $(if $(FUZZ_PLAIN),-O2 -fsanitize=fuzzer-no-link,-O1 -fsanitize=fuzzer-no-link$(comma)address$(comma)undefined \
               -fno-sanitize-recover=all -fno-omit-frame-pointer)
 .PHONY: fuzz
 fuzz: $B/.packages-all

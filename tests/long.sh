@@ -6,12 +6,14 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 failed=0
 passed=0
+broken=()
 stage() {
     local name=$1
     shift
     echo "== $name"
     if "$@"; then passed=$((passed + 1)); else
         failed=$((failed + 1))
+        broken+=("$name")
         echo "== $name FAILED"
     fi
 }
@@ -66,4 +68,6 @@ stage "the checker weakened" python3 tests/check/weakened.py --graze build/graze
 stage "falsified decisions" flips
 stage "mutants of the rules" python3 tests/mutate.py --only src/verdict
 echo "$passed passed, $failed failed"
+# Named once more at the end: of a long log often the end alone is read.
+for name in "${broken[@]}"; do echo "== $name FAILED, see above"; done
 [ "$failed" = 0 ]
