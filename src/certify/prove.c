@@ -24,6 +24,7 @@ void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c)
     dyadic_interval_init(&e->at);
     e->coefficients = _fmpz_vec_init((c->dimension + 1) * terms(e));
     e->value = _fmpz_vec_init(terms(e));
+    e->out_of_memory = !control_init(&e->points, c->degree);
 }
 
 void enclosure_clear(enclosure *e) {
@@ -32,6 +33,7 @@ void enclosure_clear(enclosure *e) {
     _fmpz_vec_clear(e->value, terms(e));
     for (int k = 0; k < 8; k++)
         fmpz_clear(e->form + k);
+    control_clear(&e->points);
     free(e->near);
 }
 
@@ -67,8 +69,9 @@ static int enclose(enclosure *e, const dyadic_interval *at) {
     for (int i = 0; i <= e->c->dimension; i++)
         bernstein_from_poly(e->coefficients + i * terms(e), &e->c->x[i], e->c->degree, at);
     e->count = 0;
-    if (!trajectory_bound(&b, e->c, e->coefficients))
+    if (e->out_of_memory || !trajectory_bound(&b, e->c, e->coefficients))
         return 0;
+    control_set(&e->points, e->c, e->coefficients);
     for (int i = 0; i < e->c->dimension; i++) {
         b.low[i] -= fabs(b.low[i]) * 0x1p-40;
         b.high[i] += fabs(b.high[i]) * 0x1p-40;
@@ -121,6 +124,8 @@ static const fmpz *side_of(enclosure *e, size_t k, int side) {
 }
 
 static int cleared(enclosure *e, size_t k) {
+    if (control_clears(&e->points, e->solid, e->near[k]))
+        return 1;
     if (strict(e, prove_plane(e, k)))
         return 1;
     for (int i = 0; i < e->c->dimension; i++)

@@ -5,6 +5,7 @@
 #ifndef GRAZE_CERTIFY_PROVE_H
 #define GRAZE_CERTIFY_PROVE_H
 
+#include "certify/control.h"
 #include "number/bernstein.h"
 #include "solid/solid.h"
 #include "trace/trajectory.h"
@@ -16,7 +17,8 @@ typedef struct enclosure {
     dyadic_interval at;
     fmpz *coefficients; /* d + 1 times degree + 1 */
     fmpz *value;        /* degree + 1 */
-    fmpz form[8];       /* a plane and a side */
+    control points;
+    fmpz form[8]; /* a plane and a side */
     size_t count, capacity;
     uint32_t *near;
     int out_of_memory;

@@ -19,11 +19,12 @@
 enum { DEEPEST = 2000 };
 
 /* A time at which the trajectory is on the boundary and its state or cell changes: the root of q,
- * primitive and irreducible, in u. */
+ * in u. */
 typedef struct event {
     fmpz_poly_t q;
     dyadic_interval at, known; /* what is hinted; what isolates the time from the start */
     int place;                 /* -1: u = 0; 1: u = 1; else 0 */
+    int irreducible;           /* q is known to be so */
 } event;
 
 typedef struct piece_row {
@@ -45,16 +46,17 @@ static graze_status row_no_memory(graze_context *context) {
 
 /* ------------------------------------------------------------------------------------- events */
 
-/* The irreducible factor of p that has the root in `where`. */
-static void find_factor(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *where) {
+/* Make q irreducible: what each pullback that is 0 at the time can be divided by. */
+static void find_factor(event *v) {
     fmpz_poly_factor_t factors;
     fmpz_poly_factor_init(factors);
-    fmpz_poly_factor(factors, p);
+    fmpz_poly_factor(factors, v->q);
     for (slong k = 0; k < factors->num; k++)
-        if (dyadic_sign(factors->p + k, where->low, where->exponent) !=
-            dyadic_sign(factors->p + k, where->high, where->exponent))
-            fmpz_poly_set(out, factors->p + k);
+        if (dyadic_sign(factors->p + k, v->known.low, v->known.exponent) !=
+            dyadic_sign(factors->p + k, v->known.high, v->known.exponent))
+            fmpz_poly_set(v->q, factors->p + k);
     fmpz_poly_factor_clear(factors);
+    v->irreducible = 1;
 }
 
 static void set_linear(fmpz_poly_t q, const fmpq_t root) {
@@ -74,9 +76,10 @@ static void event_set(event *v, const algebraic *time) {
     dyadic_interval_set_si(&v->at, 0, 1);
     dyadic_interval_set_si(&v->known, 0, 1);
     v->place = 0;
-    if (!algebraic_is_rational(time)) {
+    v->irreducible = algebraic_is_rational(time);
+    if (!v->irreducible) {
         dyadic_interval_set(&v->known, &time->where);
-        find_factor(v->q, time->poly, &time->where);
+        fmpz_poly_set(v->q, time->poly);
         return;
     }
     set_linear(v->q, time->value);
@@ -195,13 +198,13 @@ static void narrow(event *v) {
     fmpz_init(middle);
     ulong exponent = v->at.exponent + 1;
     fmpz_add(middle, v->at.low, v->at.high);
-    int sign = dyadic_sign(v->q, middle, exponent);
-    if (sign == 0)
-        keep_middle(&v->at);
-    else if (compare_ends(middle, exponent, v->known.high, v->known.exponent) >= 0)
+    int sign = 0;
+    if (compare_ends(middle, exponent, v->known.high, v->known.exponent) >= 0)
         halve(&v->at, 0);
     else if (compare_ends(middle, exponent, v->known.low, v->known.exponent) <= 0)
         halve(&v->at, 1);
+    else if ((sign = dyadic_sign(v->q, middle, exponent)) == 0)
+        keep_middle(&v->at);
     else
         halve(&v->at, sign == dyadic_sign(v->q, v->known.low, v->known.exponent));
     fmpz_clear(middle);
@@ -251,7 +254,10 @@ static graze_status place_events(piece_row *r) {
         for (int n = 0; !prove_root(&r->e, &v->at, claim); n++) {
             if (n > DEEPEST)
                 return too_deep(r);
-            narrow(v);
+            if (v->irreducible)
+                narrow(v);
+            else
+                find_factor(v);
         }
     }
     return GRAZE_OK;
