@@ -1,9 +1,8 @@
-/* Arrays, words, number tokens, files and their tokens.
+/* Arrays, words, number tokens.
  * SPDX-License-Identifier: MIT
  */
 #include "base.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,67 +26,74 @@ void integers_free(mpz_t *x, size_t count) {
     free(x);
 }
 
-/* --------------------------------------------------------------------------------------- words */
+word word_of(const char *text) {
+    return (word){text, strlen(text)};
+}
 
 int word_is(word w, const char *text) {
     return w.length == strlen(text) && memcmp(w.at, text, w.length) == 0;
 }
 
-int word_next(word *out, const char **at, const char *end) {
-    while (*at < end && (**at == ' ' || **at == '\t'))
-        ++*at;
-    out->at = *at;
-    while (*at < end && **at != ' ' && **at != '\t')
-        ++*at;
-    out->length = (size_t)(*at - out->at);
-    return out->length > 0;
+/* The first n bytes of w, taken off it. */
+static word take(word *w, size_t n) {
+    word out = {w->at, n};
+    *w = (word){w->at + n, w->length - n};
+    return out;
 }
 
-size_t word_digits(word w) {
-    size_t n = 0;
-    while (n < w.length && w.at[n] >= '0' && w.at[n] <= '9')
-        n++;
-    return n;
-}
-
-void word_skip(word *w, size_t n) {
-    w->at += n;
-    w->length -= n;
+static int is_in(char c, const char *set) {
+    return c != '\0' && strchr(set, c) != NULL;
 }
 
 int word_take(word *w, const char *any) {
-    if (w->length == 0 || !*w->at || !strchr(any, *w->at))
-        return 0;
-    word_skip(w, 1);
-    return 1;
+    return take(w, w->length > 0 && is_in(*w->at, any)).length > 0;
 }
 
-/* ------------------------------------------------------------------------------------- numbers */
-
-/* Move the digits at the beginning of w behind the text that ends at *end; how many. */
-static size_t take_digits(char **end, word *w) {
-    size_t n = word_digits(*w);
-    memcpy(*end, w->at, n);
-    *end += n;
-    **end = '\0';
-    word_skip(w, n);
-    return n;
+word word_cut(word *w, const char *stops) {
+    size_t n = 0;
+    while (n < w->length && !is_in(w->at[n], stops))
+        n++;
+    return take(w, n);
 }
 
-/* An exponent may follow: its value, at most one past MOST_DIGITS; 0 if it is none. */
+word word_digits(word *w) {
+    size_t n = 0;
+    while (n < w->length && is_in(w->at[n], "0123456789"))
+        n++;
+    return take(w, n);
+}
+
+/* The number whose digits are those of a and then those of b. */
+static void read_digits(mpz_t out, word a, word b) {
+    if (a.length + b.length > MOST_DIGITS)
+        give_up("'%.*s...' has more than %d digits", WORD(a), MOST_DIGITS);
+    char *text = grow(NULL, a.length + b.length + 1, 1);
+    memcpy(text, a.at, a.length);
+    memcpy(text + a.length, b.at, b.length);
+    text[a.length + b.length] = '\0';
+    mpz_set_str(out, text, 10);
+    free(text);
+}
+
+/* 1 after a minus; a plus is passed over. */
+static int take_sign(word *w) {
+    int minus = word_take(w, "-");
+    if (!minus)
+        (void)word_take(w, "+");
+    return minus;
+}
+
+/* An exponent may follow: its value, not much past MOST_DIGITS; 0 if it is none. */
 static int read_exponent(long *out, word *w) {
     *out = 0;
     if (!word_take(w, "eE"))
         return 1;
-    int negative = word_take(w, "-");
-    if (!negative)
-        (void)word_take(w, "+");
-    size_t n = word_digits(*w);
-    for (size_t k = 0; k < n && *out <= MOST_DIGITS; k++)
-        *out = 10 * *out + (w->at[k] - '0');
-    word_skip(w, n);
-    *out = negative ? -*out : *out;
-    return n > 0;
+    int minus = take_sign(w);
+    word digits = word_digits(w);
+    for (size_t k = 0; k < digits.length && *out <= MOST_DIGITS; k++)
+        *out = 10 * *out + (digits.at[k] - '0');
+    *out = minus ? -*out : *out;
+    return digits.length > 0;
 }
 
 static void scale_by_ten(mpq_t out, long exponent) {
@@ -101,152 +107,53 @@ static void scale_by_ten(mpq_t out, long exponent) {
     mpz_clear(power);
 }
 
-/* Without its sign. `text` has room for all digits. */
-static int read_positive(mpq_t out, word w, char *text) {
-    char *end = text;
-    size_t whole = take_digits(&end, &w), part = 0;
+/* Without its sign, not yet canonical. */
+static int read_positive(mpq_t out, word w) {
+    word whole = word_digits(&w), part = {w.at, 0};
     long exponent;
-    if (whole > 0 && word_take(&w, "/")) {
-        mpz_set_str(mpq_numref(out), text, 10);
-        end = text;
-        if (take_digits(&end, &w) == 0 || w.length > 0)
+    if (whole.length > 0 && word_take(&w, "/")) {
+        word below = word_digits(&w);
+        if (below.length == 0 || w.length > 0)
             return 0;
-        mpz_set_str(mpq_denref(out), text, 10);
+        read_digits(mpq_numref(out), whole, part);
+        read_digits(mpq_denref(out), below, part);
         return mpz_sgn(mpq_denref(out)) != 0;
     }
     if (word_take(&w, "."))
-        part = take_digits(&end, &w);
-    if (whole + part == 0 || !read_exponent(&exponent, &w) || w.length > 0)
+        part = word_digits(&w);
+    if (whole.length + part.length == 0 || !read_exponent(&exponent, &w) || w.length > 0)
         return 0;
-    mpz_set_str(mpq_numref(out), text, 10);
-    scale_by_ten(out, exponent - (long)part);
+    read_digits(mpq_numref(out), whole, part);
+    scale_by_ten(out, exponent - (long)part.length);
     return 1;
 }
 
 int number_read(mpq_t out, word w) {
-    if (w.length > MOST_DIGITS)
-        give_up("'%.*s...' has more than %d digits", WORD(w), MOST_DIGITS);
-    char *text = grow(NULL, w.length + 1, 1);
-    int negative = word_take(&w, "-");
-    if (!negative)
-        (void)word_take(&w, "+");
+    int minus = take_sign(&w);
     mpq_set_ui(out, 0, 1);
-    int good = read_positive(out, w, text);
-    free(text);
-    if (!good)
+    if (!read_positive(out, w))
         return 0;
     mpq_canonicalize(out);
-    if (negative)
+    if (minus)
         mpq_neg(out, out);
     return 1;
 }
 
 int integer_read(mpz_t out, word w) {
-    mpq_t value;
-    word digits = w;
-    (void)word_take(&digits, "-");
-    if (digits.length == 0 || word_digits(digits) != digits.length)
+    int minus = word_take(&w, "-");
+    word digits = word_digits(&w);
+    if (digits.length == 0 || w.length > 0)
         return 0;
-    mpq_init(value);
-    int good = number_read(value, w);
-    mpz_set(out, mpq_numref(value));
-    mpq_clear(value);
-    return good;
-}
-
-int count_read(size_t *out, word w) {
-    *out = 0;
-    if (w.length == 0 || w.length > 9 || word_digits(w) != w.length)
-        return 0;
-    for (size_t k = 0; k < w.length; k++)
-        *out = 10 * *out + (size_t)(w.at[k] - '0');
+    read_digits(out, digits, w);
+    if (minus)
+        mpz_neg(out, out);
     return 1;
 }
 
-/* --------------------------------------------------------------------------------------- files */
-
-static FILE *opened(const char *path) {
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        give_up("%s: cannot be opened", path);
-    return file;
-}
-
-char *read_file(size_t *length, const char *path) {
-    FILE *file = opened(path);
-    char *text = NULL;
-    size_t room = 0, used = 0;
-    do {
-        room = 2 * room + 65536;
-        text = grow(text, room, 1);
-        used += fread(text + used, 1, room - used - 1, file);
-    } while (used == room - 1);
-    if (ferror(file))
-        give_up("%s: cannot be read", path);
-    fclose(file);
-    text[used] = '\0';
-    *length = used;
-    return text;
-}
-
-source source_open(const char *path, const char *text, size_t length) {
-    size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
-    return (source){path, text + mark, text + length, 1, 0, 0};
-}
-
-void source_fail(const source *f, const char *what) {
-    give_up("%s:%zu: %s", f->path, f->line, what);
-}
-
-/* Pass over blanks and comments. */
-static void skip_blanks(source *f) {
-    int comment = 0;
-    f->first = 0;
-    for (; f->at < f->end; f->at++) {
-        comment = (comment || (f->comments && *f->at == '#')) && *f->at != '\n';
-        if (!comment && *f->at != ' ' && *f->at != '\t' && *f->at != '\r' && *f->at != '\n')
-            return;
-        f->first = f->first || *f->at == '\n';
-        f->line += *f->at == '\n';
-    }
-}
-
-static int is_in(char c, const char *set) {
-    return c != '\0' && strchr(set, c) != NULL;
-}
-
-word token(source *f, const char *marks) {
-    skip_blanks(f);
-    word out = {f->at, 0};
-    size_t rest = (size_t)(f->end - f->at);
-    if (rest > 0 && is_in(*f->at, marks)) {
-        out.length = 1;
-    } else if (rest > 0 && *f->at == '"') {
-        for (out.length = 1; out.length < rest && out.at[out.length] != '"'; out.length++)
-            if (out.at[out.length] == '\\' || (unsigned char)out.at[out.length] < ' ')
-                source_fail(f, "a backslash or control character in a string");
-        if (out.length++ == rest)
-            source_fail(f, "a string has no end");
-    } else {
-        while (out.length < rest && !is_in(out.at[out.length], marks) &&
-               !is_in(out.at[out.length], " \t\r\n"))
-            out.length++;
-    }
-    f->at += out.length;
-    return out;
-}
-
-void token_want(source *f, const char *marks, const char *expected) {
-    word w = token(f, marks);
-    if (!word_is(w, expected))
-        give_up("%s:%zu: '%.*s'; expected %s", f->path, f->line, WORD(w), expected);
-}
-
-int token_goes_on(source *f, const char *marks, const char *close) {
-    word w = token(f, marks);
-    if (word_is(w, ","))
-        return 1;
-    if (!word_is(w, close))
-        give_up("%s:%zu: '%.*s'; expected ',' or %s", f->path, f->line, WORD(w), close);
-    return 0;
+int count_read(size_t *out, word w) {
+    word digits = word_digits(&w);
+    *out = 0;
+    for (size_t k = 0; k < digits.length && k < 9; k++)
+        *out = 10 * *out + (size_t)(digits.at[k] - '0');
+    return digits.length > 0 && digits.length <= 9 && w.length == 0;
 }

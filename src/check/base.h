@@ -1,4 +1,4 @@
-/* What every part of graze-check uses: how it ends, memory, words, numbers, SHA-256.
+/* What every part of graze-check uses: how it ends, memory, words, numbers, files, SHA-256.
  * SPDX-License-Identifier: MIT
  *
  * graze-check ends at the first thing that is wrong: status 1, refuted; status 2, could not check.
@@ -9,6 +9,7 @@
 
 #include <gmp.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum { VERIFIED = 0, REFUTED = 1, NOT_CHECKED = 2 };
 
@@ -43,15 +44,13 @@ typedef struct word {
 
 /** For messages: "%.*s", WORD(w) */
 #define WORD(w) (int)((w).length < 60 ? (w).length : 60), (w).at
+word word_of(const char *text);
 int word_is(word w, const char *text);
-/** The next word of [*at, end), parted by blanks and tabs; 0 if there is none. */
-int word_next(word *out, const char **at, const char *end);
-/** How many of its first bytes are digits. */
-size_t word_digits(word w);
-/** Take one of these characters off its beginning, if it stands there. */
+/** Take off the beginning of w: one of these characters, if it stands there; what stands before the
+ * first of them; the digits. */
 int word_take(word *w, const char *any);
-/** Take that many bytes off its beginning. */
-void word_skip(word *w, size_t n);
+word word_cut(word *w, const char *stops);
+word word_digits(word *w);
 
 /** Read a whole number token: `-12`, `0.1`, `1.5e-3`, `22/7`; 1, or 0 if it is none. Gives up past
  * the digits. */
@@ -60,26 +59,42 @@ int number_read(mpq_t out, word w);
 int integer_read(mpz_t out, word w);
 int count_read(size_t *out, word w);
 
-/** A file being read: tokens. */
+/** A file read line by line. */
+typedef struct lines {
+    const char *path;
+    FILE *file;
+    char *text;
+    size_t room, line;
+} lines;
+
+/** Gives up if it cannot be opened. */
+lines lines_open(const char *path);
+/** The next line without its end, valid until the next; 0 at the end of the file. */
+int lines_next(lines *l, word *out);
+/** A whole file's bytes, for free. */
+char *read_file(size_t *length, const char *path);
+
+/** A text being read: tokens. */
 typedef struct source {
     const char *path, *at, *end;
     size_t line;
-    int first;    /* the last token is the first of its line */
-    int comments; /* from # to the end of a line */
+    const char *marks; /* what ends a token, blanks too; a mark that is no blank is one itself */
+    int comments;      /* there are some, from # to the end of a line */
+    int first;         /* the last token is the first of its line */
 } source;
 
+#define BLANKS " \t\r\n"
+
 _Noreturn void source_fail(const source *f, const char *what);
-/** A file's bytes, with a NUL behind them, for free. Gives up if it cannot be read. */
-char *read_file(size_t *length, const char *path);
-/** Begin to read a text. */
-source source_open(const char *path, const char *text, size_t length);
-/** The next token: one of the marks, a text in quotes with them, or what stands up to a blank or a
- * mark; blanks, line ends and comments are passed over. Empty at the end. */
-word token(source *f, const char *marks);
-/** The next token must be this. */
-void token_want(source *f, const char *marks, const char *expected);
+/** Begin to read a file's text. */
+source source_open(const char *path, const char *text, size_t length, const char *marks);
+/** The next token: a mark, a text in quotes with them if they are marks, or what stands before the
+ * next mark; blanks and comments are passed over. Empty at the end. */
+word token(source *f);
+/** The next tokens must be these, which blanks part. */
+void token_want(source *f, const char *expected);
 /** 1 after a comma, 0 after `close`. */
-int token_goes_on(source *f, const char *marks, const char *close);
+int token_goes_on(source *f, const char *close);
 
 /** SHA-256 of bytes as 64 hexadecimal digits and a NUL. */
 void sha256_text(char out[65], const char *bytes, size_t length);

@@ -10,44 +10,49 @@ static _Noreturn void fail(const certificate *c, const char *what) {
     refute("%s:%zu: %s", c->l.path, c->l.line, what);
 }
 
-static word want(const certificate *c, const char **at, const char *end, const char *what) {
-    word w;
-    if (!word_next(&w, at, end))
+static int next_line(certificate *c) {
+    word line;
+    int more = lines_next(&c->l, &line);
+    c->line = (source){.at = line.at, .end = line.at + line.length, .marks = BLANKS};
+    return more;
+}
+
+static word want(certificate *c, const char *what) {
+    word w = token(&c->line);
+    if (w.length == 0)
         refute("%s:%zu: %s is missing", c->l.path, c->l.line, what);
     return w;
 }
 
-static void want_end(const certificate *c, const char *at, const char *end) {
-    word w;
-    if (word_next(&w, &at, end))
+static void want_end(certificate *c) {
+    if (token(&c->line).length > 0)
         fail(c, "there is too much on the line");
 }
 
-static size_t read_count(const certificate *c, const char **at, const char *end, const char *what) {
+static void want_number(mpq_t out, certificate *c, const char *what) {
+    if (!number_read(out, want(c, what)))
+        refute("%s:%zu: %s is not a number", c->l.path, c->l.line, what);
+}
+
+static size_t want_count(certificate *c, const char *what) {
     size_t out;
-    if (!count_read(&out, want(c, at, end, what)))
+    if (!count_read(&out, want(c, what)))
         refute("%s:%zu: %s is not a count", c->l.path, c->l.line, what);
     return out;
 }
 
-/* ---------------------------------------------------------------------------------------- head */
-
-/* What follows KEY on the next line of the head. */
-static word head_line(certificate *c, const char *key) {
-    word line;
-    if (!lines_next(&c->l, &line))
+/* The next line of the head begins with KEY. */
+static void head_line(certificate *c, const char *key) {
+    if (!next_line(c))
         fail(c, "the certificate ends in its head");
-    const char *at = line.at, *end = at + line.length;
-    if (!word_is(want(c, &at, end, key), key))
+    if (!word_is(want(c, key), key))
         refute("%s:%zu: expected '%s'", c->l.path, c->l.line, key);
-    return (word){at, (size_t)(end - at)};
 }
 
 static word head_value(certificate *c, const char *key) {
-    word rest = head_line(c, key);
-    const char *at = rest.at, *end = at + rest.length;
-    word value = want(c, &at, end, "a value");
-    want_end(c, at, end);
+    head_line(c, key);
+    word value = want(c, "a value");
+    want_end(c);
     return value;
 }
 
@@ -76,18 +81,16 @@ certificate certificate_open(const char *path) {
     c.h.dimension = 2 + head_choice(&c, "dimension", "2", "3");
     c.h.unsweep = head_choice(&c, "operation", "sweep", "unsweep");
     c.h.combined = head_choice(&c, "folds", "separate", "combined");
-    word w, rest = head_line(&c, "signs");
-    const char *at = rest.at, *end = at + rest.length;
-    for (size_t room = 0; word_next(&w, &at, end); c.time_count++) {
+    head_line(&c, "signs");
+    word w = token(&c.line);
+    for (size_t room = 0; w.length > 0; w = token(&c.line)) {
         c.times = room_for(c.times, c.time_count, &room, sizeof *c.times);
         mpq_init(c.times[c.time_count]);
-        if (!number_read(c.times[c.time_count], w))
+        if (!number_read(c.times[c.time_count++], w))
             fail(&c, "a time is not a number");
     }
     return c;
 }
-
-/* ---------------------------------------------------------------------------------------- rows */
 
 /* A row that is open: its word as it stands. */
 typedef struct row {
@@ -97,13 +100,12 @@ typedef struct row {
 
 /* What the row claims beside its word is held to the word at once; the word to the intervals when
  * the row ends. */
-static void begin_row(certificate *c, trace *r, row *open, const char *at, const char *end) {
+static void begin_row(certificate *c, trace *r, row *open) {
     r->row = c->row_count;
     r->line = c->l.line;
     for (int k = 0; k < c->h.dimension; k++)
-        if (!number_read(r->point[k], want(c, &at, end, "a coordinate")))
-            fail(c, "a coordinate is not a number");
-    word w = want(c, &at, end, "the word");
+        want_number(r->point[k], c, "a coordinate");
+    word w = want(c, "the word");
     if (w.length > MOST_WORD)
         give_up("%s:%zu: a word of more than %d letters", c->l.path, c->l.line, MOST_WORD);
     open->word = grow(open->word, w.length + 1, 1);
@@ -112,14 +114,13 @@ static void begin_row(certificate *c, trace *r, row *open, const char *at, const
     if (strspn(open->word, "IBO") != w.length)
         fail(c, "the word is not of the letters I, B and O");
     verdict v = verdict_of(w, &c->h);
-    char *claim = strtok(v.claims, ",");
-    for (; claim; claim = strtok(NULL, ","))
-        if (!word_is(want(c, &at, end, "a claim about the word"), claim))
+    for (char *claim = strtok(v.claims, ","); claim; claim = strtok(NULL, ","))
+        if (!word_is(want(c, "a claim about the word"), claim))
             refute("%s:%zu: what is said of the word is not so; expected %s", c->l.path, c->l.line,
                    claim);
-    if (!c->h.unsweep && read_count(c, &at, end, "k") != v.k)
+    if (!c->h.unsweep && want_count(c, "k") != v.k)
         fail(c, "k is not that of the word");
-    want_end(c, at, end);
+    want_end(c);
     trace_start(r, (word){open->word, w.length});
 }
 
@@ -129,19 +130,17 @@ static void end_row(certificate *c, trace *r, row *open, table *t) {
     if (open->tested)
         trace_end(r);
     if (t)
-        table_row(t, open->tested, (const mpq_t *)r->point, open->word);
+        table_row(t, open->tested, r->point, open->word);
     c->row_count++;
     open->open = 0;
 }
 
-static void read_interval(certificate *c, trace *r, word kind, const char *at, const char *end) {
+static void read_interval(certificate *c, trace *r, word kind) {
     mpq_t to;
     poly q = {0};
-    word w;
     mpq_init(to);
-    if (!number_read(to, want(c, &at, end, "a time")))
-        fail(c, "a time is not a number");
-    while (word_next(&w, &at, end)) {
+    want_number(to, c, "a time");
+    for (word w = token(&c->line); w.length > 0; w = token(&c->line)) {
         if (q.n > MOST_DEGREE)
             give_up("%s:%zu: a polynomial of degree above %d", c->l.path, c->l.line, MOST_DEGREE);
         poly_extend(&q, q.n + 1);
@@ -158,36 +157,33 @@ static void read_interval(certificate *c, trace *r, word kind, const char *at, c
 }
 
 /* `complete N` and nothing behind it. */
-static void read_end(certificate *c, const char *at, const char *end) {
-    word line;
-    if (read_count(c, &at, end, "the number of rows") != c->row_count)
+static void read_end(certificate *c) {
+    if (want_count(c, "the number of rows") != c->row_count)
         fail(c, "the number of rows is another");
-    want_end(c, at, end);
-    if (lines_next(&c->l, &line))
+    want_end(c);
+    if (next_line(c))
         fail(c, "text follows 'complete'");
 }
 
 void certificate_follow(certificate *c, trace *r, table *t, size_t part, size_t parts) {
-    word line;
     row open = {0, 0, NULL};
     int complete = 0;
-    while (!complete && lines_next(&c->l, &line)) {
-        const char *at = line.at, *end = at + line.length;
-        word w = want(c, &at, end, "'row', 'complete' or an interval");
+    while (!complete && next_line(c)) {
+        word w = want(c, "'row', 'complete' or an interval");
+        int begins = word_is(w, "row");
         complete = word_is(w, "complete");
-        if (complete || word_is(w, "row"))
+        if (begins || complete)
             end_row(c, r, &open, t);
-        if (word_is(w, "row")) {
-            open.open = 1;
-            open.tested = c->row_count % parts == part;
+        if (complete) {
+            read_end(c);
+        } else if (begins) {
+            open = (row){1, c->row_count % parts == part, open.word};
             if (open.tested)
-                begin_row(c, r, &open, at, end);
-        } else if (complete) {
-            read_end(c, at, end);
+                begin_row(c, r, &open);
         } else if (!open.open) {
             fail(c, "expected 'row'");
         } else if (open.tested) {
-            read_interval(c, r, w, at, end);
+            read_interval(c, r, w);
         }
     }
     if (!complete)

@@ -10,6 +10,7 @@
 /** One certificate being read. */
 typedef struct certificate {
     lines l;
+    source line; /* what is left of the one at hand */
     head h;
     mpq_t *times; /* of the head's line `signs` */
     size_t time_count, row_count;

@@ -63,7 +63,7 @@ size_t check_files(const task *work) {
     free(text);
     if (s.d != c.h.dimension || m.d != c.h.dimension)
         refute("%s: the dimension is not that of solid and motion", work->path[2]);
-    motion_check_signs(&m, (const mpq_t *)c.times, c.time_count);
+    motion_check_signs(&m, c.times, c.time_count);
     if (!work->assume_legal)
         solid_check(&s);
     follow_all(work, &s, &m, &c);

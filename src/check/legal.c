@@ -7,7 +7,7 @@
 
 enum { MOST_WEIGHTS = 40 };
 
-/* A simplex as vectors: its vertices, its edges from each to the next, its normal. */
+/* A simplex: its vertices, its edges from each to the next, its normal. */
 typedef struct shape {
     mpz_t *vertex[3], *edge[3], *normal;
 } shape;
@@ -19,38 +19,19 @@ typedef struct work {
     mpz_t *n, *low, *high, *value; /* low and high: 2 each */
 } work;
 
-static void shape_make(shape *a) {
-    for (int k = 0; k < 3; k++) {
-        a->vertex[k] = integers(3);
-        a->edge[k] = integers(3);
-    }
-    a->normal = integers(3);
-}
-
 static void load(shape *a, const solid *s, const simplex *f) {
-    size_t d = (size_t)s->d;
-    for (size_t k = 0; k < d; k++)
-        for (size_t i = 0; i < d; i++) {
-            mpz_set(a->vertex[k][i], s->x[f->v[k] * d + i]);
-            mpz_sub(a->edge[k][i], s->x[f->v[(k + 1) % d] * d + i], a->vertex[k][i]);
-            mpz_set(a->normal[i], f->plane[i]);
-        }
-}
-
-static void cross(mpz_t *out, mpz_t *a, mpz_t *b) {
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        mpz_mul(out[i], a[j], b[k]);
-        mpz_submul(out[i], a[k], b[j]);
-    }
+    int d = s->d;
+    a->normal = f->plane;
+    for (int k = 0; k < d; k++)
+        a->vertex[k] = solid_vertex(s, f->v[k]);
+    for (int k = 0; k < d * d; k++)
+        mpz_sub(a->edge[k / d][k % d], a->vertex[(k / d + 1) % d][k % d], a->vertex[k / d][k % d]);
 }
 
 /* The least and the greatest value of n on `count` points. */
 static void range(work *w, int which, mpz_t *n, mpz_t *const *p, int count) {
     for (int k = 0; k < count; k++) {
-        mpz_set_ui(w->value[0], 0);
-        for (int i = 0; i < w->s->d; i++)
-            mpz_addmul(w->value[0], n[i], p[k][i]);
+        form_value(w->value[0], n, p[k], w->s->d);
         if (k == 0 || mpz_cmp(w->value[0], w->low[which]) < 0)
             mpz_set(w->low[which], w->value[0]);
         if (k == 0 || mpz_cmp(w->value[0], w->high[which]) > 0)
@@ -121,8 +102,10 @@ static void check_pairs(const solid *s) {
     list found = {0, 0, NULL};
     work w = {
         .s = s, .n = integers(3), .low = integers(2), .high = integers(2), .value = integers(1)};
-    shape_make(&w.a);
-    shape_make(&w.b);
+    for (int k = 0; k < 3; k++) {
+        w.a.edge[k] = integers(3);
+        w.b.edge[k] = integers(3);
+    }
     for (size_t i = 0; i < s->count; i++) {
         int sides = 0;
         load(&w.b, s, &s->simplex[i]);
@@ -177,27 +160,25 @@ static void check_closed(const solid *s) {
     free(all);
 }
 
-/* Claim K4 for one simplex. */
+/* Claim K4 for one simplex, from its points with the weights 1 : k : k^2. */
 static void check_sides(const solid *s, const simplex *f) {
-    size_t d = (size_t)s->d;
-    mpz_t *x = integers(d + 1);
+    mpz_t *x = integers(4);
     long sum = 0;
     int off = 0;
     for (unsigned long k = 1; k <= MOST_WEIGHTS && !off; k++) {
         unsigned long weight[3] = {1, k, k * k};
-        mpz_set_ui(x[d], d == 2 ? 1 + k : 1 + k + k * k);
-        for (size_t i = 0; i < d; i++) {
+        for (int i = 0; i <= s->d; i++) {
             mpz_set_ui(x[i], 0);
-            for (size_t v = 0; v < d; v++)
-                mpz_addmul_ui(x[i], s->x[f->v[v] * d + i], weight[v]);
+            for (int v = 0; v < s->d; v++)
+                mpz_addmul_ui(x[i], solid_vertex(s, f->v[v])[i], weight[v]);
         }
-        off = solid_ray(&sum, s, (const mpz_t *)x, f->axis, f);
+        off = solid_ray(&sum, s, x, f->axis, f);
     }
     if (!off)
         give_up("solid: no point of facet %zu was found that lies on no other", f->facet);
     if (sum != (mpz_sgn(f->plane[f->axis]) > 0 ? 0 : 1))
         refute("solid: facet %zu does not have the interior on its inner side", f->facet);
-    integers_free(x, d + 1);
+    integers_free(x, 4);
 }
 
 void solid_check(const solid *s) {

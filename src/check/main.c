@@ -35,8 +35,7 @@ int main(int argc, char **argv) {
         if (strcmp(argv[k], "--assume-legal") == 0) {
             work.assume_legal = 1;
         } else if (strcmp(argv[k], "--jobs") == 0) {
-            if (!count_read(&work.jobs, (word){next, strlen(next)}) || work.jobs < 1 ||
-                work.jobs > MOST_JOBS)
+            if (!count_read(&work.jobs, word_of(next)) || work.jobs < 1 || work.jobs > MOST_JOBS)
                 give_up("--jobs %s; expected a number from 1 to %d", next, MOST_JOBS);
             k++;
         } else if (argv[k][0] == '-' || given == 4) {

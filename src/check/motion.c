@@ -11,49 +11,55 @@ void motion_check_size(const poly *p) {
             give_up("the motion has a coefficient of more than %d bits", MOST_BITS);
 }
 
+void fraction_clear(fraction *f) {
+    poly_clear(&f->num);
+    poly_clear(&f->den);
+}
+
 static void divide(poly *a, const poly *b) {
     if (!poly_divide(a, b))
         give_up("a divisor of the motion's polynomials does not divide");
 }
 
-/* Divide a map by a factor common to its entries and its weight. */
-static void shorten(poly *map) {
+/* Divide a map by a factor common to its entries and its weight, and by the weight's sign at x. */
+static void shorten(poly *map, const mpq_t x) {
     poly g = {0};
+    mpz_t *sign = integers(1);
     for (int k = 0; k < MAP; k++) {
         motion_check_size(&map[k]);
         poly_common(&g, &g, &map[k]);
     }
     for (int k = 0; k < MAP; k++)
         divide(&map[k], &g);
+    poly_values(sign, &map[WEIGHT], 1, x);
+    mpz_set_si(*sign, mpz_sgn(*sign) < 0 ? -1 : 1);
+    for (int k = 0; k < MAP; k++)
+        poly_scale(&map[k], *sign);
     poly_clear(&g);
+    integers_free(sign, 1);
 }
 
 /* Entries over the least common multiple of their denominators. */
-static void make_forward(poly *map, fraction *entry, int d) {
-    poly g = {0}, factor = {0};
-    poly_set_si(&map[WEIGHT], 1);
-    for (int k = 0; k < 4 * d; k++) {
-        if (k % 4 > d)
-            continue;
+static void make_forward(piece *p, fraction *entry) {
+    poly g = {0}, factor = {0}, *weight = &p->forward[WEIGHT];
+    poly_set_si(weight, 1);
+    for (int k = 0; k < WEIGHT; k++) {
         poly product = {0};
-        poly_common(&g, &map[WEIGHT], &entry[k].den);
+        poly_common(&g, weight, &entry[k].den);
         poly_set(&factor, &entry[k].den);
         divide(&factor, &g);
-        poly_add_product(&product, &map[WEIGHT], &factor, 1);
-        poly_set(&map[WEIGHT], &product);
+        poly_add_product(&product, weight, &factor, 1);
+        poly_set(weight, &product);
         poly_clear(&product);
-        motion_check_size(&map[WEIGHT]);
+        motion_check_size(weight);
     }
-    for (int k = 0; k < 4 * d; k++) {
-        if (k % 4 > d)
-            continue;
-        poly_set(&factor, &map[WEIGHT]);
+    for (int k = 0; k < WEIGHT; k++) {
+        poly_set(&factor, weight);
         divide(&factor, &entry[k].den);
-        poly_add_product(&map[k], &entry[k].num, &factor, 1);
-        poly_clear(&entry[k].num);
-        poly_clear(&entry[k].den);
+        poly_add_product(&p->forward[k], &entry[k].num, &factor, 1);
+        fraction_clear(&entry[k]);
     }
-    shorten(map);
+    shorten(p->forward, p->lo);
     poly_clear(&g);
     poly_clear(&factor);
 }
@@ -87,24 +93,22 @@ static void make_inverse(piece *p, int d) {
     if (p->det.n == 0)
         refute("motion: the determinant is zero");
     poly_set(&p->inverse[WEIGHT], &p->det);
-    shorten(p->inverse);
+    shorten(p->inverse, p->lo);
 }
 
 /* Both maps are the same at x: the products with the other's weight are. */
 static int agree(const piece *p, const piece *q, const mpq_t x) {
-    mpq_t a, b, wp, wq;
+    mpz_t *a = integers(MAP), *b = integers(MAP);
     int same = 1;
-    mpq_inits(a, b, wp, wq, NULL);
-    poly_value(wp, &p->forward[WEIGHT], x);
-    poly_value(wq, &q->forward[WEIGHT], x);
+    poly_values(a, p->forward, MAP, x);
+    poly_values(b, q->forward, MAP, x);
     for (int k = 0; k < WEIGHT && same; k++) {
-        poly_value(a, &p->forward[k], x);
-        poly_value(b, &q->forward[k], x);
-        mpq_mul(a, a, wq);
-        mpq_mul(b, b, wp);
-        same = mpq_equal(a, b);
+        mpz_mul(a[k], a[k], b[WEIGHT]);
+        mpz_mul(b[k], b[k], a[WEIGHT]);
+        same = mpz_cmp(a[k], b[k]) == 0;
     }
-    mpq_clears(a, b, wp, wq, NULL);
+    integers_free(a, MAP);
+    integers_free(b, MAP);
     return same;
 }
 
@@ -122,7 +126,7 @@ void motion_add(motion *m, const mpq_t lo, const mpq_t hi, fraction entry[WEIGHT
     mpq_inits(p->lo, p->hi, NULL);
     mpq_set(p->lo, lo);
     mpq_set(p->hi, hi);
-    make_forward(p->forward, entry, m->d);
+    make_forward(p, entry);
     make_inverse(p, m->d);
     if (k > 0 && !agree(p - 1, p, lo))
         refute("motion: it jumps at the beginning of piece %zu", k);
@@ -136,19 +140,19 @@ static int has_one_sign(const poly *p, const mpq_t lo, const mpq_t hi) {
     return sign != 0;
 }
 
-void motion_check_signs(const motion *m, const mpq_t *times, size_t count) {
+void motion_check_signs(const motion *m, mpq_t *times, size_t count) {
     size_t piece = 0;
     if (count < 2 || !mpq_equal(times[0], m->piece[0].lo) ||
         !mpq_equal(times[count - 1], m->piece[m->count - 1].hi))
         refute("motion: the times of signs do not go from t0 to t1");
     for (size_t k = 0; k + 1 < count; k++) {
-        const mpq_t *lo = &times[k], *hi = &times[k + 1];
-        piece += mpq_cmp(*lo, m->piece[piece].hi) >= 0;
-        if (mpq_cmp(*lo, *hi) >= 0 || piece == m->count || mpq_cmp(*hi, m->piece[piece].hi) > 0)
+        mpq_srcptr lo = times[k], hi = times[k + 1];
+        piece += mpq_cmp(lo, m->piece[piece].hi) >= 0;
+        if (mpq_cmp(lo, hi) >= 0 || piece == m->count || mpq_cmp(hi, m->piece[piece].hi) > 0)
             refute("motion: the times of signs do not follow the pieces");
-        if (!has_one_sign(&m->piece[piece].forward[WEIGHT], *lo, *hi))
+        if (!has_one_sign(&m->piece[piece].forward[WEIGHT], lo, hi))
             refute("motion: signs, interval %zu: the denominator has no strict sign", k);
-        if (!has_one_sign(&m->piece[piece].det, *lo, *hi))
+        if (!has_one_sign(&m->piece[piece].det, lo, hi))
             refute("motion: signs, interval %zu: the determinant has no strict sign", k);
     }
 }

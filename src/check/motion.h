@@ -12,7 +12,7 @@ enum { WEIGHT = 12, MAP = 13 };
 
 typedef struct piece {
     mpq_t lo, hi;
-    poly forward[MAP]; /* without a factor common to all */
+    poly forward[MAP]; /* without a factor common to all; the weight is positive at lo or 0 */
     poly inverse[MAP]; /* the same of its inverse */
     poly det;          /* of the d by d part of `forward` */
 } piece;
@@ -28,6 +28,8 @@ typedef struct fraction {
     poly num, den;
 } fraction;
 
+void fraction_clear(fraction *f);
+
 /** Read a motion file of plain pieces. t0 < t1, order and continuity are tested; poles and det by
  * motion_check_signs. */
 motion motion_read(const char *path, const char *text, size_t length);
@@ -37,7 +39,7 @@ motion motion_read(const char *path, const char *text, size_t length);
 void motion_add(motion *m, const mpq_t lo, const mpq_t hi, fraction entry[WEIGHT]);
 /** The denominator and the determinant have one strict sign between neighbouring times, which go
  * from t0 to t1 and take in all break points; or refutes. */
-void motion_check_signs(const motion *m, const mpq_t *times, size_t count);
+void motion_check_signs(const motion *m, mpq_t *times, size_t count);
 /** Gives up on a degree or coefficients past the caps. */
 void motion_check_size(const poly *p);
 

@@ -129,14 +129,21 @@ void poly_common(poly *out, const poly *a, const poly *b) {
     mpz_clears(common, lead, NULL);
 }
 
-void poly_value(mpq_t out, const poly *p, const mpq_t x) {
-    mpq_t term;
-    mpq_init(term);
-    mpq_set_ui(out, 0, 1);
-    for (size_t k = p->n; k-- > 0;) {
-        mpq_mul(out, out, x);
-        mpq_set_z(term, p->c[k]);
-        mpq_add(out, out, term);
+void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x) {
+    mpz_t power; /* of x's denominator */
+    size_t n = 0;
+    mpz_init(power);
+    for (size_t i = 0; i < count; i++)
+        n = p[i].n > n ? p[i].n : n;
+    for (size_t i = 0; i < count; i++) {
+        mpz_set_ui(out[i], 0);
+        mpz_set_ui(power, 1);
+        for (size_t k = n; k-- > 0;) {
+            mpz_mul(out[i], out[i], mpq_numref(x));
+            if (k < p[i].n)
+                mpz_addmul(out[i], power, p[i].c[k]);
+            mpz_mul(power, power, mpq_denref(x));
+        }
     }
-    mpq_clear(term);
+    mpz_clear(power);
 }

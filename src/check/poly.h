@@ -30,8 +30,8 @@ void poly_make_primitive(poly *p);
 int poly_divide(poly *a, const poly *b);
 /** A common divisor. That it is the greatest matters to no proof: it shortens. */
 void poly_common(poly *out, const poly *a, const poly *b);
-/** out = p(x) */
-void poly_value(mpq_t out, const poly *p, const mpq_t x);
+/** out[i] = p[i](x), all times one positive integer. */
+void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x);
 
 /**
  * Scaled Bernstein coefficients C(n, k) b_k of p on [a, b], to degree n, all times one positive

@@ -24,13 +24,11 @@ static void add_simplex(solid *s, size_t a, size_t b, size_t c, size_t facet) {
     s->simplex[s->count++] = (simplex){.v = {a, b, c}, .facet = facet};
 }
 
-/* ---------------------------------------------------------------------------------- positions */
-
 static const solid *sorted; /* what compare_vertices compares */
 
 static int compare_vertices(const void *a, const void *b) {
-    const mpz_t *p = (const mpz_t *)sorted->x + *(const size_t *)a * (size_t)sorted->d;
-    const mpz_t *q = (const mpz_t *)sorted->x + *(const size_t *)b * (size_t)sorted->d;
+    mpz_t *p = solid_vertex(sorted, *(const size_t *)a),
+          *q = solid_vertex(sorted, *(const size_t *)b);
     int order = 0;
     for (int i = 0; i < sorted->d && order == 0; i++)
         order = mpz_cmp(p[i], q[i]);
@@ -56,71 +54,65 @@ static void join_positions(solid *s) {
     free(order);
 }
 
-/* Integer coordinates. */
+/* Integer coordinates, and a 1 behind those of each vertex. */
 static void take_positions(solid *s, draft *in) {
+    size_t d = (size_t)s->d;
     mpz_init_set_ui(s->scale, 1);
     for (size_t k = 0; k < in->count; k++) {
         mpz_lcm(s->scale, s->scale, mpq_denref(in->x[k]));
         if (mpz_sizeinbase(s->scale, 2) > MOST_BITS)
             give_up("the coordinates' common denominator is past %d bits", MOST_BITS);
     }
-    s->vertex_count = in->count / (size_t)s->d;
-    s->x = integers(in->count);
+    s->vertex_count = in->count / d;
+    s->x = integers(s->vertex_count * (d + 1));
     for (size_t k = 0; k < in->count; k++) {
-        mpz_divexact(s->x[k], s->scale, mpq_denref(in->x[k]));
-        mpz_mul(s->x[k], s->x[k], mpq_numref(in->x[k]));
+        mpz_t *x = solid_vertex(s, k / d);
+        mpz_divexact(x[k % d], s->scale, mpq_denref(in->x[k]));
+        mpz_mul(x[k % d], x[k % d], mpq_numref(in->x[k]));
+        mpz_set_ui(x[d], 1);
         mpq_clear(in->x[k]);
     }
     free(in->x);
     join_positions(s);
 }
 
-/* ---------------------------------------------------------------------------------------- OFF */
-
 /* The next token, which must begin a line or go on with one. */
 static word off_token(draft *in, int first, const char *what) {
-    word w = token(&in->f, "");
+    word w = token(&in->f);
     if (w.length == 0 || in->f.first != first)
         source_fail(&in->f, what);
     return w;
 }
 
-static void read_facet(solid *s, draft *in, size_t vertices, size_t facet) {
+static void read_facet(solid *s, draft *in, size_t facet) {
     static const char what[] =
         "a facet is not its number of corners and as many numbers of vertices";
-    size_t n, v, start = 0, last = 0;
+    size_t n, v[3] = {0, 0, 0}; /* the first corner, the one before, this one */
     if (!count_read(&n, off_token(in, 1, what)) || n < 3)
         source_fail(&in->f, what);
     for (size_t k = 0; k < n; k++) {
-        if (!count_read(&v, off_token(in, 0, what)) || v >= vertices)
+        if (!count_read(&v[2], off_token(in, 0, what)) || v[2] >= in->count / 3)
             source_fail(&in->f, what);
-        if (k == 0)
-            start = v;
         if (k > 1)
-            add_simplex(s, start, last, v, facet);
-        last = v;
+            add_simplex(s, v[0], v[1], v[2], facet);
+        v[k > 0] = v[2];
     }
 }
 
 static void read_off(solid *s, draft *in) {
     size_t counts[3] = {0, 0, 0};
-    in->f.comments = 1;
-    token_want(&in->f, "", "OFF");
+    token_want(&in->f, "OFF");
     for (int k = 0; k < 3; k++)
-        if (!count_read(&counts[k], token(&in->f, "")))
+        if (!count_read(&counts[k], token(&in->f)))
             source_fail(&in->f, "three counts are expected");
     for (size_t v = 0; v < counts[0]; v++)
         for (int k = 0; k < 3; k++)
             add_number(in, off_token(in, k == 0, "a vertex is not three numbers on a line"));
     for (size_t k = 0; k < counts[1]; k++)
-        read_facet(s, in, counts[0], k);
-    if (token(&in->f, "").length > 0)
+        read_facet(s, in, k);
+    if (token(&in->f).length > 0)
         source_fail(&in->f, "text follows the last facet");
 }
-
-/* ---------------------------------------------------------------------------------------- WKT */
-
-static const char marks[] = "(),";
 
 /* Twice the area of positions [first, end), which are closed: the last is the first. */
 static int ring_sign(const draft *in, size_t first, size_t end) {
@@ -143,11 +135,11 @@ static int same_position(const draft *in, size_t v, size_t w) {
 
 static void read_ring(solid *s, draft *in, int outer, size_t polygon) {
     size_t first = in->count / 2;
-    token_want(&in->f, marks, "(");
+    token_want(&in->f, "(");
     do {
-        add_number(in, token(&in->f, marks));
-        add_number(in, token(&in->f, marks));
-    } while (token_goes_on(&in->f, marks, ")"));
+        add_number(in, token(&in->f));
+        add_number(in, token(&in->f));
+    } while (token_goes_on(&in->f, ")"));
     size_t end = in->count / 2;
     if (end - first < 4 || !same_position(in, first, end - 1))
         source_fail(&in->f, "a ring has at least four positions, the last one its first");
@@ -161,37 +153,39 @@ static void read_ring(solid *s, draft *in, int outer, size_t polygon) {
 
 static void read_polygon(solid *s, draft *in, size_t polygon) {
     int outer = 1;
-    token_want(&in->f, marks, "(");
+    token_want(&in->f, "(");
     do {
         read_ring(s, in, outer, polygon);
         outer = 0;
-    } while (token_goes_on(&in->f, marks, ")"));
+    } while (token_goes_on(&in->f, ")"));
 }
 
 static void read_wkt(solid *s, draft *in) {
     size_t polygon = 0;
-    word w = token(&in->f, marks);
+    word w = token(&in->f);
     if (word_is(w, "POLYGON")) {
         read_polygon(s, in, 0);
     } else if (word_is(w, "MULTIPOLYGON")) {
-        token_want(&in->f, marks, "(");
+        token_want(&in->f, "(");
         do
             read_polygon(s, in, polygon++);
-        while (token_goes_on(&in->f, marks, ")"));
+        while (token_goes_on(&in->f, ")"));
     } else
         source_fail(&in->f, "POLYGON or MULTIPOLYGON is expected");
-    if (token(&in->f, marks).length > 0)
+    if (token(&in->f).length > 0)
         source_fail(&in->f, "text follows the last ')'");
 }
 
 solid solid_read(const char *path, const char *text, size_t length) {
     solid s = {.d = 0};
-    draft in = {.f = source_open(path, text, length)};
-    size_t n = strlen(path);
-    if (n > 4 && strcmp(path + n - 4, ".off") == 0) {
+    draft in = {.f = source_open(path, text, length, "()," BLANKS)};
+    const char *dot = strrchr(path, '.');
+    if (dot && strcmp(dot, ".off") == 0) {
         s.d = 3;
+        in.f.marks = BLANKS;
+        in.f.comments = 1;
         read_off(&s, &in);
-    } else if (n > 4 && strcmp(path + n - 4, ".wkt") == 0) {
+    } else if (dot && strcmp(dot, ".wkt") == 0) {
         s.d = 2;
         read_wkt(&s, &in);
     } else

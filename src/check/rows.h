@@ -1,22 +1,10 @@
-/* Lines of a file one by one; what a word says; the golden table beside the certificate.
+/* What a word says; the golden table beside the certificate.
  * SPDX-License-Identifier: MIT
  */
 #ifndef CHECK_ROWS_H
 #define CHECK_ROWS_H
 
-#include <stdio.h>
 #include "base.h"
-
-typedef struct lines {
-    const char *path;
-    FILE *file;
-    char *text;
-    size_t room, line;
-} lines;
-
-lines lines_open(const char *path);
-/** The next line without its end, valid until the next; 0 at the end of the file. */
-int lines_next(lines *l, word *out);
 
 /** What a certificate's head says. */
 typedef struct head {
@@ -41,7 +29,7 @@ typedef struct table {
 
 table table_open(const char *path, const head *h);
 /** The next row of the table; if it is `held`, it must say this. */
-void table_row(table *t, int held, const mpq_t *point, const char *states);
+void table_row(table *t, int held, mpq_t *point, const char *states);
 /** The table must end with `# complete N`. */
 void table_end(table *t);
 

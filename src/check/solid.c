@@ -30,10 +30,10 @@ static void box_add(box *a, const box *b, int first) {
     }
 }
 
-void box_take(box *b, mpz_t *const *x, size_t k, int d, int first) {
+void box_take(box *b, mpz_t *x, int d, int first) {
     box at = {{0, 0, 0}, {0, 0, 0}};
     for (int i = 0; i < d; i++)
-        ratio_bounds(&at.low[i], &at.high[i], x[i][k], x[d][k]);
+        ratio_bounds(&at.low[i], &at.high[i], x[i], x[d]);
     box_add(b, &at, first);
 }
 
@@ -44,39 +44,45 @@ static int boxes_meet(const box *a, const box *b) {
     return 1;
 }
 
-/* --------------------------------------------------------------------------------------- forms */
-
-static mpz_t *vertex(const solid *s, size_t v) {
-    return s->x + v * (size_t)s->d;
+mpz_t *solid_vertex(const solid *s, size_t v) {
+    return s->x + v * ((size_t)s->d + 1);
 }
 
-/* out += sign (q - p) (s - r) */
-static void add_product(mpz_t out, int sign, const mpz_t p, const mpz_t q, const mpz_t r,
-                        const mpz_t s) {
-    mpz_t a, b;
-    mpz_inits(a, b, NULL);
-    mpz_sub(a, q, p);
-    mpz_sub(b, s, r);
-    (sign < 0 ? mpz_submul : mpz_addmul)(out, a, b);
-    mpz_clears(a, b, NULL);
+void cross(mpz_t *out, mpz_t *a, mpz_t *b) {
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        mpz_mul(out[i], a[j], b[k]);
+        mpz_submul(out[i], a[k], b[j]);
+    }
 }
 
-/* (q - p) x (r - p), or in the plane (q - p) turned to the right; then the constant. */
+int form_value(mpz_t out, mpz_t *form, mpz_t *x, int n) {
+    mpz_set_ui(out, 0);
+    for (int i = 0; i < n; i++)
+        mpz_addmul(out, form[i], x[i]);
+    return mpz_sgn(out);
+}
+
+/* The normal (q - p) x (r - p), in the plane q - p turned to the right; then the constant. */
 static void make_plane(simplex *f, const solid *s) {
     int d = s->d;
-    mpz_t *p = vertex(s, f->v[0]), *q = vertex(s, f->v[1]), *r = vertex(s, f->v[d - 1]);
-    f->plane = integers((size_t)d + 1);
+    mpz_t *p = solid_vertex(s, f->v[0]), *q = solid_vertex(s, f->v[1]);
+    mpz_t *r = solid_vertex(s, f->v[d - 1]), *a = integers(3), *b = integers(3);
+    f->plane = integers(4);
     for (int i = 0; i < d; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        if (d == 2) {
-            mpz_sub(f->plane[i], i == 0 ? q[1] : p[0], i == 0 ? p[1] : q[0]);
-            continue;
-        }
-        add_product(f->plane[i], 1, p[j], q[j], p[k], r[k]);
-        add_product(f->plane[i], -1, p[k], q[k], p[j], r[j]);
+        mpz_sub(a[i], q[i], p[i]);
+        mpz_sub(b[i], r[i], p[i]);
     }
-    for (int i = 0; i < d; i++)
-        mpz_submul(f->plane[d], f->plane[i], p[i]);
+    if (d == 3)
+        cross(f->plane, a, b);
+    else {
+        mpz_swap(f->plane[0], a[1]);
+        mpz_neg(f->plane[1], a[0]);
+    }
+    form_value(a[0], f->plane, p, d);
+    mpz_neg(f->plane[d], a[0]);
+    integers_free(a, 3);
+    integers_free(b, 3);
     while (f->axis < d && mpz_sgn(f->plane[f->axis]) == 0)
         f->axis++;
     if (f->axis == d)
@@ -87,24 +93,20 @@ static void make_plane(simplex *f, const solid *s) {
 
 /* One more piece of the fan of a facet: in the plane of the one before, and turned the same way. */
 static void check_fan(const solid *s, const simplex *before, const simplex *f) {
-    mpz_t *x = vertex(s, f->v[2]), *p = vertex(s, before->v[0]), sum;
-    mpz_init(sum);
-    for (int i = 0; i < 3; i++)
-        mpz_addmul(sum, before->plane[i], x[i]);
-    for (int i = 0; i < 3; i++)
-        mpz_submul(sum, before->plane[i], p[i]);
-    if (mpz_sgn(sum) != 0)
+    mpz_t value;
+    mpz_init(value);
+    if (form_value(value, before->plane, solid_vertex(s, f->v[2]), 4) != 0)
         refute("solid: facet %zu is not planar", f->facet);
     if (mpz_sgn(before->plane[before->axis]) != mpz_sgn(f->plane[before->axis]))
         give_up("solid: facet %zu is not the fan of its first corner; expected what graze convert "
                 "writes",
                 f->facet);
-    mpz_clear(sum);
+    mpz_clear(value);
 }
 
 void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k) {
     int d = s->d;
-    mpz_t *p = vertex(s, f->v[k]), *q = vertex(s, f->v[(k + 1) % d]);
+    mpz_t *p = solid_vertex(s, f->v[k]), *q = solid_vertex(s, f->v[(k + 1) % d]);
     for (int i = 0; i <= d; i++)
         mpz_set_ui(out[i], 0);
     if (d == 2) {
@@ -119,18 +121,6 @@ void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k) {
     mpz_submul(out[3], out[b], p[b]);
     mpz_submul(out[3], out[c], p[c]);
 }
-
-int form_sign(const mpz_t *form, const mpz_t *x, int d) {
-    mpz_t sum;
-    mpz_init(sum);
-    for (int i = 0; i <= d; i++)
-        mpz_addmul(sum, form[i], x[i]);
-    int sign = mpz_sgn(sum);
-    mpz_clear(sum);
-    return sign;
-}
-
-/* ---------------------------------------------------------------------------------------- tree */
 
 typedef struct keyed {
     double key;
@@ -167,27 +157,22 @@ static void build(solid *s, size_t at, keyed *k, size_t n) {
 }
 
 void solid_finish(solid *s) {
-    mpz_t *one = integers(1);
     if (s->count == 0)
         refute("solid: it has no facets");
     keyed *k = grow(NULL, s->count, sizeof *k);
-    mpz_set_ui(one[0], 1);
     for (size_t i = 0; i < s->count; i++) {
         simplex *f = &s->simplex[i];
         make_plane(f, s);
         if (s->d == 3 && i > 0 && f->facet == f[-1].facet)
             check_fan(s, f - 1, f);
-        for (int v = 0; v < s->d; v++) {
-            mpz_t *p = vertex(s, f->v[v]), *x[] = {p, p + 1, s->d == 3 ? p + 2 : one, one};
-            box_take(&f->box, x, 0, s->d, v == 0);
-        }
+        for (int v = 0; v < s->d; v++)
+            box_take(&f->box, solid_vertex(s, f->v[v]), s->d, v == 0);
         k[i] = (keyed){0, i};
     }
     s->node = grow(NULL, 2 * s->count, sizeof *s->node);
     s->node_count = 1;
     build(s, 0, k, s->count);
     free(k);
-    integers_free(one, 1);
 }
 
 static void near_below(list *out, const solid *s, const box *b, size_t at) {
@@ -208,37 +193,27 @@ void solid_near(list *out, const solid *s, const box *b) {
     near_below(out, s, b, 0);
 }
 
-/* ----------------------------------------------------------------------------------------- ray */
-
-/* The sign of a form without coordinate `axis` at x displaced by (e, e^2). */
-static int displaced_sign(const mpz_t *form, const mpz_t *x, int d, int axis) {
-    int sign = form_sign(form, x, d);
-    for (int k = 1; k < d && sign == 0; k++)
-        sign = mpz_sgn(form[(axis + k) % d]);
-    return sign;
-}
-
-/* Is x, or the line through it along the axis displaced, on the inner side of all side forms? */
-static int is_within(const solid *s, const simplex *f, const mpz_t *x, int axis, int displaced) {
-    mpz_t *side = integers((size_t)s->d + 1);
-    int within = 1;
-    for (int k = 0; k < s->d && within; k++) {
+/* Is x, or if `displaced` the line through it along the axis, displaced by (e, e^2), on the inner
+ * side of all side forms? `side` is scratch, d + 2. */
+static int is_within(const solid *s, const simplex *f, mpz_t *x, int axis, int displaced,
+                     mpz_t *side) {
+    int d = s->d, within = 1;
+    for (int k = 0; k < d && within; k++) {
         solid_side(side, s, f, axis, k);
-        const mpz_t *g = (const mpz_t *)side;
-        within = displaced ? displaced_sign(g, x, s->d, axis) > 0 : form_sign(g, x, s->d) >= 0;
+        int sign = form_value(side[d + 1], side, x, d + 1);
+        for (int i = 1; i < d && sign == 0 && displaced; i++)
+            sign = mpz_sgn(side[(axis + i) % d]);
+        within = sign >= 0;
     }
-    integers_free(side, (size_t)s->d + 1);
     return within;
 }
 
-int solid_ray(long *sum, const solid *s, const mpz_t *x, int axis, const simplex *skip) {
-    mpz_t *at[4];
+int solid_ray(long *sum, const solid *s, mpz_t *x, int axis, const simplex *skip) {
+    mpz_t *side = integers(5);
     box b;
     list found = {0, 0, NULL};
-    int off = 1;
-    for (int i = 0; i <= s->d; i++)
-        at[i] = (mpz_t *)(x + i);
-    box_take(&b, at, 0, s->d, 1);
+    int d = s->d, off = 1;
+    box_take(&b, x, d, 1);
     b.high[axis] = HUGE_VAL;
     solid_near(&found, s, &b);
     *sum = 0;
@@ -246,12 +221,13 @@ int solid_ray(long *sum, const solid *s, const mpz_t *x, int axis, const simplex
         const simplex *f = &s->simplex[found.item[k]];
         if (f == skip)
             continue;
-        int sign = form_sign((const mpz_t *)f->plane, x, s->d), way = mpz_sgn(f->plane[axis]);
+        int sign = form_value(side[d + 1], f->plane, x, d + 1), way = mpz_sgn(f->plane[axis]);
         if (sign == 0)
-            off = !is_within(s, f, x, f->axis, 0);
-        else if (sign == -way && is_within(s, f, x, axis, 1))
+            off = !is_within(s, f, x, f->axis, 0, side);
+        else if (sign == -way && is_within(s, f, x, axis, 1, side))
             *sum += way;
     }
     free(found.item);
+    integers_free(side, 5);
     return off;
 }

@@ -32,7 +32,7 @@ typedef struct node {
 typedef struct solid {
     int d;
     size_t vertex_count, count, room, node_count;
-    mpz_t *x; /* d for each vertex; equal positions have one number */
+    mpz_t *x; /* d + 1 for each vertex, the last 1; equal positions have one number */
     mpz_t scale;
     simplex *simplex;
     node *node;
@@ -50,26 +50,30 @@ solid solid_read(const char *path, const char *text, size_t length);
  * plane and one turn. */
 void solid_finish(solid *s);
 
+/** The homogeneous coordinates of a vertex. */
+mpz_t *solid_vertex(const solid *s, size_t v);
 /** The simplices whose boxes have a point in common with b. */
 void solid_near(list *out, const solid *s, const box *b);
+/** Make a box hold the point with the d coordinates x[i] / x[d], x[d] > 0; `first` in an empty one.
+ */
+void box_take(box *b, mpz_t *x, int d, int first);
+
+/** a x b, 3 each */
+void cross(mpz_t *out, mpz_t *a, mpz_t *b);
+/** The sum of the n products form[i] x[i]; returns its sign. */
+int form_value(mpz_t out, mpz_t *form, mpz_t *x, int n);
 /** Side form k < d, d + 1 integers: not negative on the simplex within its plane, without the
  * coordinate `axis`, in which its normal is not zero. */
 void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k);
-/** The sign of a form at a homogeneous point of d + 1 integers, the last positive. */
-int form_sign(const mpz_t *form, const mpz_t *x, int d);
 
 /**
- * The signed crossings of the ray from x in direction `axis`, displaced by infinitesimals
- * (proofs/claims.md C6), over all simplices but `skip`.
+ * The signed crossings of the ray from x, d + 1 integers, the last positive, in direction `axis`,
+ * displaced by infinitesimals (proofs/claims.md C6), over all simplices but `skip`.
  * @return 0 if x lies on a simplex that is not skipped: then `sum` means nothing
  */
-int solid_ray(long *sum, const solid *s, const mpz_t *x, int axis, const simplex *skip);
+int solid_ray(long *sum, const solid *s, mpz_t *x, int axis, const simplex *skip);
 
 /** All of proofs/certificate.md on the legal solid; refutes or gives up. */
 void solid_check(const solid *s);
-
-/** Make a box hold the point with the d coordinates x[i] / x[d], x[d] > 0; `first` in an empty one.
- */
-void box_take(box *b, mpz_t *const *x, size_t k, int d, int first);
 
 #endif

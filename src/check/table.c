@@ -1,32 +1,8 @@
-/* Lines of files, and a golden table held to what was certified.
+/* A golden table held to what was certified.
  * SPDX-License-Identifier: MIT
  */
-#include <stdlib.h>
 #include <string.h>
 #include "rows.h"
-
-lines lines_open(const char *path) {
-    lines l = {.path = path, .file = fopen(path, "rb")};
-    if (!l.file)
-        give_up("%s: cannot be opened", path);
-    return l;
-}
-
-int lines_next(lines *l, word *out) {
-    size_t n = 0;
-    int c;
-    while ((c = getc(l->file)) != EOF && c != '\n') {
-        if (n >= MOST_LINE)
-            give_up("%s:%zu: a line of more than %d bytes", l->path, l->line + 1, MOST_LINE);
-        l->text = room_for(l->text, n + 1, &l->room, 1);
-        l->text[n++] = (char)c;
-    }
-    if (ferror(l->file))
-        give_up("%s: cannot be read", l->path);
-    l->line += n > 0 || c != EOF;
-    *out = (word){n > 0 ? l->text : "", n};
-    return n > 0 || c != EOF;
-}
 
 static _Noreturn void differs(const table *t, const char *what) {
     refute("%s:%zu: the table differs from the certificate in %s", t->l.path, t->l.line, what);
@@ -47,11 +23,9 @@ static void check_line(const table *t, word line, unsigned *seen) {
                                        {"folds", h->combined ? "combined" : "separate"},
                                        {"round", "none"},
                                        {"triangulate", "no"}};
-    const char *at = line.at, *end = at + line.length;
-    word mark, key, value;
-    (void)word_next(&mark, &at, end);
-    (void)word_next(&key, &at, end);
-    (void)word_next(&value, &at, end);
+    (void)word_take(&line, "#");
+    source f = {.at = line.at, .end = line.at + line.length, .marks = BLANKS};
+    word key = token(&f), value = token(&f);
     for (int k = 0; k < KEYS; k++) {
         if (!word_is(key, keys[k][0]))
             continue;
@@ -61,23 +35,20 @@ static void check_line(const table *t, word line, unsigned *seen) {
     }
 }
 
-/* What stands before the next comma. */
 static word next_cell(word *rest) {
-    word out = {rest->at, 0};
-    while (out.length < rest->length && out.at[out.length] != ',')
-        out.length++;
-    word_skip(rest, out.length);
+    word out = word_cut(rest, ",");
     (void)word_take(rest, ",");
     return out;
 }
 
-/* The next cells are these, and a cell ends behind them. */
+/* The next cells are these, which commas part. */
 static int cells_are(word *rest, const char *expected) {
-    size_t n = strlen(expected);
-    int same = rest->length >= n && memcmp(rest->at, expected, n) == 0 &&
-               (rest->length == n || rest->at[n] == ',');
-    if (same)
-        word_skip(rest, n + (rest->length > n));
+    word cells = word_of(expected);
+    int same = 1;
+    while (same && cells.length > 0) {
+        word want = next_cell(&cells), cell = next_cell(rest);
+        same = want.length == cell.length && memcmp(want.at, cell.at, cell.length) == 0;
+    }
     return same;
 }
 
@@ -108,8 +79,8 @@ table table_open(const char *path, const head *h) {
     refute("%s: the table has no rows", path);
 }
 
-static void check_row(const table *t, word rest, const mpq_t *point, const char *states) {
-    verdict v = verdict_of((word){states, strlen(states)}, t->h);
+static void check_row(const table *t, word rest, mpq_t *point, const char *states) {
+    verdict v = verdict_of(word_of(states), t->h);
     mpq_t x;
     mpq_init(x);
     for (int k = 0; k < t->h->dimension; k++)
@@ -121,14 +92,14 @@ static void check_row(const table *t, word rest, const mpq_t *point, const char 
                v.claims);
     if (!cells_are(&rest, states))
         differs(t, "the word");
-    size_t quotes = 0;
+    int quoted = 0;
     for (size_t k = 0; k < rest.length; k++)
-        quotes += rest.at[k] == '"';
-    if (quotes % 2 != 0)
+        quoted ^= rest.at[k] == '"';
+    if (quoted)
         give_up("%s:%zu: a cell with a line break", t->l.path, t->l.line);
 }
 
-void table_row(table *t, int held, const mpq_t *point, const char *states) {
+void table_row(table *t, int held, mpq_t *point, const char *states) {
     word line;
     if (!lines_next(&t->l, &line) || line.length == 0 || *line.at == '#')
         refute("%s:%zu: the table has fewer rows than the certificate", t->l.path, t->l.line);
@@ -138,13 +109,9 @@ void table_row(table *t, int held, const mpq_t *point, const char *states) {
 }
 
 void table_end(table *t) {
-    word line, mark, name, count, more;
-    size_t rows;
-    if (!lines_next(&t->l, &line))
-        refute("%s: the table is not complete", t->l.path);
-    const char *at = line.at, *end = at + line.length;
-    if (!word_next(&mark, &at, end) || !word_is(mark, "#") || !word_next(&name, &at, end) ||
-        !word_is(name, "complete") || !word_next(&count, &at, end) || !count_read(&rows, count) ||
-        rows != t->rows || word_next(&more, &at, end) || lines_next(&t->l, &line))
-        refute("%s:%zu: the table does not end with the number of its rows", t->l.path, t->l.line);
+    char expected[60];
+    word line;
+    snprintf(expected, sizeof expected, "# complete %zu", t->rows);
+    if (!lines_next(&t->l, &line) || !word_is(line, expected) || lines_next(&t->l, &line))
+        refute("%s:%zu: the table does not end with '%s'", t->l.path, t->l.line, expected);
 }

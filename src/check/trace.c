@@ -18,7 +18,7 @@ typedef struct profile {
 
 /* The interval at hand. */
 typedef struct claim {
-    mpq_t a, b;
+    mpq_srcptr a, b;
     char letter[PLACES]; /* O, I or B; 0: the interval has no such side */
     const poly *q;
     int q_sign[PLACES]; /* of q on the sides */
@@ -31,23 +31,11 @@ static _Noreturn void fail(const trace *r, const char *what) {
 
 void trace_init(trace *r, const solid *s, const motion *m, int unsweep) {
     *r = (trace){.s = s, .m = m, .unsweep = unsweep};
-    mpq_inits(r->at, r->sample, r->point[0], r->point[1], r->point[2], NULL);
-    for (int i = 0; i < 4; i++)
-        r->beta[i] = integers(MOST_DEGREE + 1);
+    mpq_inits(r->at, r->point[0], r->point[1], r->point[2], NULL);
+    r->beta = integers(4 * (MOST_DEGREE + 1));
     r->root = integers(MOST_DEGREE + 1);
     r->form = integers(5);
 }
-
-void trace_start(trace *r, word claimed) {
-    r->word = claimed;
-    mpq_set(r->at, r->m->piece[0].lo);
-    r->piece = 0;
-    r->made = 0;
-    r->length = 0;
-    r->free = 0;
-}
-
-/* ---------------------------------------------------------------------------------- trajectory */
 
 /* With P = p / q: X_i = scale (sum_j N_ij p_j + N_id q), W = weight q. */
 static void make_trajectory(trace *r) {
@@ -74,59 +62,50 @@ static void make_trajectory(trace *r) {
     for (int i = 0; i <= d; i++)
         r->n = r->x[i].n > r->n + 1 ? r->x[i].n - 1 : r->n;
     mpz_clears(q, p, NULL);
-    r->made = 1;
 }
 
-/* Change all signs where W < 0, which it is on the whole piece or nowhere (K6). */
-static void make_weight_positive(trace *r) {
-    int d = r->m->d;
-    mpz_t minus;
-    if (mpz_sgn(r->beta[d][0]) >= 0)
-        return;
-    mpz_init_set_si(minus, -1);
-    for (int i = 0; i <= d; i++) {
-        poly_scale(&r->x[i], minus);
-        for (size_t k = 0; k <= r->n; k++)
-            mpz_neg(r->beta[i][k], r->beta[i][k]);
-    }
-    mpz_clear(minus);
+void trace_start(trace *r, word claimed) {
+    r->word = claimed;
+    r->length = 0;
+    r->piece = 0;
+    mpq_set(r->at, r->m->piece[0].lo);
+    make_trajectory(r);
+}
+
+/* The d + 1 coefficients number k of the trajectory. */
+static mpz_t *control_point(const trace *r, size_t k) {
+    return r->beta + k * ((size_t)r->m->d + 1);
 }
 
 /* The interval lies in one piece; its coefficients, and the simplices near it: test L1. */
 static void enclose(trace *r, const claim *c) {
     int d = r->m->d;
     box b;
-    while (r->piece < r->m->count && mpq_cmp(c->a, r->m->piece[r->piece].hi) >= 0) {
+    while (r->piece + 1 < r->m->count && mpq_cmp(c->a, r->m->piece[r->piece].hi) >= 0) {
         r->piece++;
-        r->made = 0;
-    }
-    if (r->piece == r->m->count || mpq_cmp(c->b, r->m->piece[r->piece].hi) > 0)
-        fail(r, "the interval does not lie in one piece of the motion");
-    if (!r->made)
         make_trajectory(r);
-    for (int i = 0; i <= d; i++)
-        bernstein(r->beta[i], &r->x[i], r->n, c->a, c->b);
-    make_weight_positive(r);
-    if (strict_sign(r->beta[d], r->n + 1) != 1)
-        fail(r, "the weight's coefficients do not have one sign on the interval");
+    }
+    if (mpq_cmp(c->b, r->m->piece[r->piece].hi) > 0)
+        fail(r, "the interval does not lie in one piece of the motion");
+    for (int i = 0; i <= d; i++) {
+        bernstein(r->root, &r->x[i], r->n, c->a, c->b);
+        if (i == d && strict_sign(r->root, r->n + 1) != 1)
+            fail(r, "the weight's coefficients do not have one sign on the interval");
+        for (size_t k = 0; k <= r->n; k++)
+            mpz_swap(control_point(r, k)[i], r->root[k]);
+    }
     for (size_t k = 0; k <= r->n; k++)
-        box_take(&b, r->beta, k, d, k == 0);
+        box_take(&b, control_point(r, k), d, k == 0);
     solid_near(&r->near, r->s, &b);
 }
 
-/* ---------------------------------------------------------------------------------------- forms */
-
 /* The sign of coefficient k of a form's pullback. */
-static int pulled_sign(trace *r, const mpz_t *form, size_t k) {
-    mpz_t *value = &r->form[4];
-    mpz_set_ui(*value, 0);
-    for (int i = 0; i <= r->m->d; i++)
-        mpz_addmul(*value, form[i], r->beta[i][k]);
-    return mpz_sgn(*value);
+static int pulled_sign(trace *r, mpz_t *form, size_t k) {
+    return form_value(r->form[4], form, control_point(r, k), r->m->d + 1);
 }
 
 /* The one strict sign of a form's pullback on the interval, or 0. */
-static int form_strict(trace *r, const mpz_t *form) {
+static int form_strict(trace *r, mpz_t *form) {
     int sign = pulled_sign(r, form, 0);
     for (size_t k = 1; k <= r->n && sign != 0; k++)
         if (pulled_sign(r, form, k) != sign)
@@ -135,7 +114,7 @@ static int form_strict(trace *r, const mpz_t *form) {
 }
 
 /* 1 if all coefficients of a form's pullback are 0, or if `most` is 1, none is negative. */
-static int form_holds(trace *r, const mpz_t *form, int most) {
+static int form_holds(trace *r, mpz_t *form, int most) {
     for (size_t k = 0; k <= r->n; k++) {
         int sign = pulled_sign(r, form, k);
         if (sign < 0 || sign > most)
@@ -144,21 +123,21 @@ static int form_holds(trace *r, const mpz_t *form, int most) {
     return 1;
 }
 
-static const mpz_t *side_form(trace *r, const simplex *f, int k) {
+static mpz_t *side_form(trace *r, const simplex *f, int k) {
     solid_side(r->form, r->s, f, f->axis, k);
-    return (const mpz_t *)r->form;
+    return r->form;
 }
 
 /* Tests L2 and L3. */
 static int cleared(trace *r, const simplex *f) {
-    int clear = form_strict(r, (const mpz_t *)f->plane) != 0;
+    int clear = form_strict(r, f->plane) != 0;
     for (int k = 0; k < r->s->d && !clear; k++)
         clear = form_strict(r, side_form(r, f, k)) < 0;
     return clear;
 }
 
 /* f = q^e g, e as large as can be: the signs of g and of q give those of f. */
-static profile form_profile(trace *r, const claim *c, const mpz_t *form) {
+static profile form_profile(trace *r, const claim *c, mpz_t *form) {
     int sign = form_strict(r, form);
     profile out = {{sign, sign, sign}};
     poly f = {0};
@@ -178,13 +157,10 @@ static profile form_profile(trace *r, const claim *c, const mpz_t *form) {
     return out;
 }
 
-/* ---------------------------------------------------------------------------------------- claims
- */
-
 /* A simplex near the root: tests L4 and L5 on the sides that must be free of it; and where does it
  * hold the trajectory? */
 static void meet(trace *r, claim *c, const simplex *f) {
-    profile plane = form_profile(r, c, (const mpz_t *)f->plane);
+    profile plane = form_profile(r, c, f->plane);
     int out[PLACES], in[PLACES];
     for (int p = 0; p < PLACES; p++) {
         out[p] = plane.at[p] == 1 || plane.at[p] == -1;
@@ -234,7 +210,7 @@ static void check_slide(trace *r) {
     int found = 0;
     for (size_t k = 0; k < r->near.count && !found; k++) {
         const simplex *f = near_simplex(r, k);
-        found = form_holds(r, (const mpz_t *)f->plane, 0);
+        found = form_holds(r, f->plane, 0);
         for (int i = 0; i < r->s->d && found; i++)
             found = form_holds(r, side_form(r, f, i), 1);
     }
@@ -263,10 +239,10 @@ static void isolate(trace *r, claim *c) {
 
 /* q = t - e for an end e of the interval. */
 static void root_at_end(poly *q, claim *c) {
-    const mpq_t *e = c->letter[LEFT] ? (const mpq_t *)&c->b : (const mpq_t *)&c->a;
+    mpq_srcptr e = c->letter[LEFT] ? c->b : c->a;
     poly_extend(q, 2);
-    mpz_neg(q->c[0], mpq_numref(*e));
-    mpz_set(q->c[1], mpq_denref(*e));
+    mpz_neg(q->c[0], mpq_numref(e));
+    mpz_set(q->c[1], mpq_denref(e));
     c->q = q;
     c->q_sign[LEFT] = -1;
     c->q_sign[RIGHT] = 1;
@@ -290,75 +266,29 @@ static void check_kind(trace *r, claim *c, word kind, const poly *q) {
     poly_clear(&end);
 }
 
-/* ---------------------------------------------------------------------------------------- states
+/* The state at a time of the interval at hand, off the boundary, by one ray (proofs/claims.md C6).
  */
-
-/* c at the sample as d + 1 homogeneous integers, the last positive. */
-static void sample_position(mpz_t *out, const trace *r) {
-    int d = r->m->d;
-    mpz_t power;
-    mpz_init(power);
-    for (int i = 0; i <= d; i++) {
-        mpz_set_ui(power, 1);
-        for (size_t k = r->n + 1; k-- > 0;) {
-            mpz_mul(out[i], out[i], mpq_numref(r->sample));
-            if (k < r->x[i].n)
-                mpz_addmul(out[i], power, r->x[i].c[k]);
-            mpz_mul(power, power, mpq_denref(r->sample));
-        }
-    }
-    int negative = mpz_sgn(out[d]) < 0;
-    for (int i = 0; i <= d && negative; i++)
-        mpz_neg(out[i], out[i]);
-    mpz_clear(power);
-}
-
-/* The state of the stretch that ends, by one ray (proofs/claims.md C6). */
-static void check_state(trace *r) {
-    size_t keep = r->piece;
-    long sum;
-    if (!r->free)
-        return;
-    if (r->sample_piece != r->piece || !r->made) {
-        r->piece = r->sample_piece;
-        make_trajectory(r);
-    }
+static void check_state(trace *r, char state, mpq_srcptr t) {
     mpz_t *x = integers(4);
-    sample_position(x, r);
-    if (!solid_ray(&sum, r->s, (const mpz_t *)x, 0, NULL) || sum != (r->free == 'I'))
+    long sum;
+    poly_values(x, r->x, (size_t)r->m->d + 1, t);
+    if (!solid_ray(&sum, r->s, x, 0, NULL) || sum != (state == 'I'))
         fail(r, "the state between two contacts is not what is claimed");
     integers_free(x, 4);
-    r->made = r->made && keep == r->piece;
-    r->piece = keep;
-    r->free = 0;
 }
 
-/* The trajectory is off X at a time of the stretch r->free; keep the shortest. */
-static void offer_sample(trace *r, const mpq_t t, int first) {
-    size_t now = mpz_sizeinbase(mpq_numref(t), 2) + mpz_sizeinbase(mpq_denref(t), 2);
-    size_t old =
-        mpz_sizeinbase(mpq_numref(r->sample), 2) + mpz_sizeinbase(mpq_denref(r->sample), 2);
-    if (!first && now >= old)
-        return;
-    mpq_set(r->sample, t);
-    r->sample_piece = r->piece;
-}
-
-/* A letter at one or more times of the interval, those from `a` on or up to `b` where given. */
-static void add_letter(trace *r, char letter, const mpq_t *a, const mpq_t *b) {
-    if (r->length == 0 || r->word.at[r->length - 1] != letter) {
-        check_state(r);
+/* The letters of an interval go on with the word; the state of each stretch off the boundary is
+ * found at the end that it has of the interval in which it begins. */
+static void add_letters(trace *r, const claim *c, word kind) {
+    for (size_t k = 0; k < kind.length; k++) {
+        char letter = kind.at[k];
+        if (r->length > 0 && r->word.at[r->length - 1] == letter)
+            continue;
         if (r->length == r->word.length || r->word.at[r->length++] != letter)
             fail(r, "the intervals' word is not the row's");
+        if (letter != 'B')
+            check_state(r, letter, k == 0 ? c->a : c->b);
     }
-    if (letter == 'B')
-        return;
-    int first = !r->free;
-    r->free = letter;
-    if (a)
-        offer_sample(r, *a, first);
-    if (b)
-        offer_sample(r, *b, first && !a);
 }
 
 /* O, I, B; one of O, I beside B; B between two of O, I, B. */
@@ -373,22 +303,17 @@ static int is_kind(word w) {
 }
 
 void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
-    claim c = {.q = NULL};
+    claim c = {.a = r->at, .b = to};
     if (!is_kind(kind) || (q != NULL) != (kind.length == 3))
         fail(r, "an interval is of a kind that does not exist, or its polynomial is missing or too "
                 "much");
-    if (mpq_cmp(r->at, to) >= 0)
+    if (mpq_cmp(c.a, c.b) >= 0)
         fail(r, "an interval does not end after its beginning");
     if (r->length > 0 && r->word.at[r->length - 1] != *kind.at)
         fail(r, "an interval begins with another state than the one before it ends with");
-    mpq_inits(c.a, c.b, NULL);
-    mpq_set(c.a, r->at);
-    mpq_set(c.b, to);
     check_kind(r, &c, kind, q);
-    for (size_t k = 0; k < kind.length; k++)
-        add_letter(r, kind.at[k], k == 0 ? &c.a : NULL, k + 1 == kind.length ? &c.b : NULL);
+    add_letters(r, &c, kind);
     mpq_set(r->at, to);
-    mpq_clears(c.a, c.b, NULL);
 }
 
 void trace_end(trace *r) {
@@ -396,5 +321,4 @@ void trace_end(trace *r) {
         fail(r, "the row's intervals do not end at t1");
     if (r->length != r->word.length)
         fail(r, "the intervals' word is only the beginning of the row's");
-    check_state(r);
 }

@@ -16,7 +16,6 @@ typedef struct trace {
     mpq_t point[3];
 
     size_t piece; /* whose trajectory is in x: polynomials X_0 .. X_(d-1), W of degree <= n */
-    int made;
     poly x[4];
     size_t n;
 
@@ -24,14 +23,10 @@ typedef struct trace {
     word word;     /* that the row claims; borrowed */
     size_t length; /* of its beginning that the intervals so far have spelled */
 
-    char free;    /* the letter of the stretch off the boundary that goes on, or 0 */
-    mpq_t sample; /* its time with the shortest numbers so far */
-    size_t sample_piece;
-
-    /* The interval at hand: MOST_DEGREE + 1 integers each. */
-    mpz_t *beta[4]; /* scaled Bernstein coefficients of x */
-    mpz_t *root;    /* of a quotient */
-    mpz_t *form;    /* 4, and one for a value */
+    /* The interval at hand. */
+    mpz_t *beta; /* n + 1 times the d + 1 scaled Bernstein coefficients of x */
+    mpz_t *root; /* n + 1: of one polynomial */
+    mpz_t *form; /* d + 1, and one for a value */
     list near;
 } trace;
 
