@@ -18,15 +18,16 @@ enum {
     MOST_DIGITS = 20000, /* of one number token, its exponent written out */
     MOST_DEGREE = 300,   /* of a polynomial */
     MOST_BITS = 1 << 20, /* of a coefficient of the motion, of the solid's common denominator */
-    MOST_PIECES = 20000, /* of the motion */
     MOST_LINE = 1 << 24, /* bytes of a line of a certificate or a table */
     MOST_WORD = 100000   /* letters of a word */
 };
 
-/** Write `graze-check: refuted: MESSAGE`, end with status 1. */
-_Noreturn void refute(const char *format, ...) __attribute__((format(printf, 1, 2)));
-/** Write `graze-check: not checked: MESSAGE`, end with status 2. */
-_Noreturn void give_up(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/** Write `graze-check: refuted: MESSAGE`, or `not checked`, and end with this status. */
+_Noreturn void end_with(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
+#define refute(...) end_with(REFUTED, __VA_ARGS__)
+#define give_up(...) end_with(NOT_CHECKED, __VA_ARGS__)
+/** Where only the system, or this program, can be at fault. */
+#define must(holds, ...) ((holds) ? (void)0 : give_up(__VA_ARGS__))
 
 /** As realloc, for count items; gives up without memory. */
 void *grow(void *old, size_t count, size_t size);

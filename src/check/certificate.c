@@ -1,9 +1,8 @@
 /* The grammar of certificates: proofs/certificate.md, section 1.
  * SPDX-License-Identifier: MIT
  */
-#include "certificate.h"
+#include "check.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static _Noreturn void fail(const certificate *c, const char *what) {
@@ -92,15 +91,9 @@ certificate certificate_open(const char *path) {
     return c;
 }
 
-/* A row that is open: its word as it stands. */
-typedef struct row {
-    int open, tested;
-    char *word;
-} row;
-
 /* What the row claims beside its word is held to the word at once; the word to the intervals when
  * the row ends. */
-static void begin_row(certificate *c, trace *r, row *open) {
+static void begin_row(certificate *c, trace *r) {
     r->row = c->row_count;
     r->line = c->l.line;
     for (int k = 0; k < c->h.dimension; k++)
@@ -108,12 +101,8 @@ static void begin_row(certificate *c, trace *r, row *open) {
     word w = want(c, "the word");
     if (w.length > MOST_WORD)
         give_up("%s:%zu: a word of more than %d letters", c->l.path, c->l.line, MOST_WORD);
-    open->word = grow(open->word, w.length + 1, 1);
-    memcpy(open->word, w.at, w.length);
-    open->word[w.length] = '\0';
-    if (strspn(open->word, "IBO") != w.length)
-        fail(c, "the word is not of the letters I, B and O");
-    verdict v = verdict_of(w, &c->h);
+    trace_start(r, w);
+    verdict v = verdict_of(r->word, &c->h);
     for (char *claim = strtok(v.claims, ","); claim; claim = strtok(NULL, ","))
         if (!word_is(want(c, "a claim about the word"), claim))
             refute("%s:%zu: what is said of the word is not so; expected %s", c->l.path, c->l.line,
@@ -121,18 +110,6 @@ static void begin_row(certificate *c, trace *r, row *open) {
     if (!c->h.unsweep && want_count(c, "k") != v.k)
         fail(c, "k is not that of the word");
     want_end(c);
-    trace_start(r, (word){open->word, w.length});
-}
-
-static void end_row(certificate *c, trace *r, row *open, table *t) {
-    if (!open->open)
-        return;
-    if (open->tested)
-        trace_end(r);
-    if (t)
-        table_row(t, open->tested, r->point, open->word);
-    c->row_count++;
-    open->open = 0;
 }
 
 static void read_interval(certificate *c, trace *r, word kind) {
@@ -156,37 +133,37 @@ static void read_interval(certificate *c, trace *r, word kind) {
     mpq_clear(to);
 }
 
-/* `complete N` and nothing behind it. */
-static void read_end(certificate *c) {
+static word next_first(certificate *c) {
+    if (!next_line(c))
+        fail(c, "the certificate ends without 'complete'");
+    return want(c, "'row', 'complete' or an interval");
+}
+
+/* A row and its intervals; returns the first word of the line behind them. */
+static word follow_row(certificate *c, trace *r, table *t, int tested) {
+    if (tested)
+        begin_row(c, r);
+    word w = next_first(c);
+    for (; !word_is(w, "row") && !word_is(w, "complete"); w = next_first(c))
+        if (tested)
+            read_interval(c, r, w);
+    if (tested)
+        trace_end(r);
+    if (t)
+        table_row(t, tested ? r : NULL);
+    c->row_count++;
+    return w;
+}
+
+void certificate_follow(certificate *c, trace *r, table *t, size_t part, size_t parts) {
+    word w = next_first(c);
+    while (word_is(w, "row"))
+        w = follow_row(c, r, t, c->row_count % parts == part);
+    if (!word_is(w, "complete"))
+        fail(c, "expected 'row'");
     if (want_count(c, "the number of rows") != c->row_count)
         fail(c, "the number of rows is another");
     want_end(c);
     if (next_line(c))
         fail(c, "text follows 'complete'");
-}
-
-void certificate_follow(certificate *c, trace *r, table *t, size_t part, size_t parts) {
-    row open = {0, 0, NULL};
-    int complete = 0;
-    while (!complete && next_line(c)) {
-        word w = want(c, "'row', 'complete' or an interval");
-        int begins = word_is(w, "row");
-        complete = word_is(w, "complete");
-        if (begins || complete)
-            end_row(c, r, &open, t);
-        if (complete) {
-            read_end(c);
-        } else if (begins) {
-            open = (row){1, c->row_count % parts == part, open.word};
-            if (open.tested)
-                begin_row(c, r, &open);
-        } else if (!open.open) {
-            fail(c, "expected 'row'");
-        } else if (open.tested) {
-            read_interval(c, r, w);
-        }
-    }
-    if (!complete)
-        fail(c, "the certificate ends without 'complete'");
-    free(open.word);
 }

@@ -33,8 +33,7 @@ static void follow_all(const task *work, const solid *s, const motion *m, certif
     int worst = VERIFIED;
     for (size_t part = 1; part < work->jobs; part++) {
         pid_t child = fork();
-        if (child < 0)
-            give_up("a process cannot be started");
+        must(child >= 0, "a process cannot be started");
         if (child == 0) {
             certificate own = certificate_open(work->path[2]);
             own.h = c->h; /* the head that solid and motion were held to */

@@ -1,11 +1,58 @@
-/* What graze-check is asked.
+/* A certificate and its rows; what a word says; the golden table beside it; all of them together.
  * SPDX-License-Identifier: MIT
  */
 #ifndef CHECK_CHECK_H
 #define CHECK_CHECK_H
 
-#include "certificate.h"
+#include "trace.h"
 
+/** What a certificate's head says. */
+typedef struct head {
+    int dimension, unsweep, combined;
+    char solid[65], motion[65], scene[65];
+} head;
+
+/** What proofs/claims.md sections 3 and 4 make of a word. */
+typedef struct verdict {
+    char claims[80]; /* pmc, and for a sweep class, definition, case, i, t; commas between them */
+    unsigned long k; /* for a sweep */
+} verdict;
+
+/** Of a word of the letters I, B and O, one or more. */
+verdict verdict_of(const char *states, const head *h);
+
+/** A golden table, its head held to that of the certificate. */
+typedef struct table {
+    lines l;
+    const head *h;
+    size_t rows;
+} table;
+
+table table_open(const char *path, const head *h);
+/** The next row of the table must say what was found of the point of r, if that is given. */
+void table_row(table *t, const trace *r);
+/** The table must end with `# complete N`. */
+void table_end(table *t);
+
+/** One certificate being read. */
+typedef struct certificate {
+    lines l;
+    source line; /* what is left of the one at hand */
+    head h;
+    mpq_t *times; /* of the head's line `signs` */
+    size_t time_count, row_count;
+} certificate;
+
+/** Open it and read its head. */
+certificate certificate_open(const char *path);
+/**
+ * Follow its rows to the end of the file; those with a number of `part` modulo `parts` are tested,
+ * the others passed over.
+ * @param t the table beside it, or NULL
+ */
+void certificate_follow(certificate *c, trace *r, table *t, size_t part, size_t parts);
+
+/** What graze-check is asked. */
 typedef struct task {
     const char *path[4]; /* solid, motion, certificate, table or NULL */
     int assume_legal;

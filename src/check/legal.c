@@ -126,18 +126,26 @@ static void check_pairs(const solid *s) {
     }
 }
 
-/* A side of a simplex: an edge from a to b > a (in the plane a vertex), run through one way or the
- * other. */
+/* A side of a simplex: an edge between positions a <= b (in the plane a vertex, a = b), run through
+ * one way or the other. */
 typedef struct side {
-    size_t a, b;
-    int way;
+    mpz_t *a, *b;
+    size_t facet;
+    int d, way;
 } side;
+
+/* The order of two positions. */
+static int compare(mpz_t *p, mpz_t *q, int d) {
+    int order = 0;
+    for (int i = 0; i < d && order == 0; i++)
+        order = mpz_cmp(p[i], q[i]);
+    return order;
+}
 
 static int compare_sides(const void *x, const void *y) {
     const side *p = x, *q = y;
-    if (p->a != q->a)
-        return p->a < q->a ? -1 : 1;
-    return p->b < q->b ? -1 : p->b > q->b;
+    int order = compare(p->a, q->a, p->d);
+    return order != 0 ? order : compare(p->b, q->b, p->d);
 }
 
 /* Claim K2. */
@@ -145,17 +153,18 @@ static void check_closed(const solid *s) {
     size_t d = (size_t)s->d, n = d * s->count;
     side *all = grow(NULL, n, sizeof *all);
     for (size_t i = 0; i < n; i++) {
-        const size_t *v = s->simplex[i / d].v;
-        size_t a = v[i % d], b = d == 3 ? v[(i % d + 1) % 3] : a;
-        int ahead = d == 3 ? a < b : i % d == 0;
-        all[i] = (side){a < b ? a : b, a < b ? b : a, ahead ? 1 : -1};
+        const simplex *f = &s->simplex[i / d];
+        mpz_t *a = solid_vertex(s, f->v[i % d]);
+        mpz_t *b = d == 3 ? solid_vertex(s, f->v[(i + 1) % d]) : a;
+        int ahead = d == 3 ? compare(a, b, 3) < 0 : i % d == 0;
+        all[i] = (side){ahead ? a : b, ahead ? b : a, f->facet, s->d, ahead ? 1 : -1};
     }
     qsort(all, n, sizeof *all, compare_sides);
     long sum = 0;
     for (size_t k = 0; k < n; k++) {
         sum += all[k].way;
         if ((k + 1 == n || compare_sides(&all[k], &all[k + 1]) != 0) && sum != 0)
-            refute("solid: it is not closed at vertices %zu and %zu", all[k].a, all[k].b);
+            refute("solid: it is not closed at a side of facet %zu", all[k].facet);
     }
     free(all);
 }

@@ -16,11 +16,6 @@ void fraction_clear(fraction *f) {
     poly_clear(&f->den);
 }
 
-static void divide(poly *a, const poly *b) {
-    if (!poly_divide(a, b))
-        give_up("a divisor of the motion's polynomials does not divide");
-}
-
 /* Divide a map by a factor common to its entries and its weight, and by the weight's sign at x. */
 static void shorten(poly *map, const mpq_t x) {
     poly g = {0};
@@ -30,7 +25,7 @@ static void shorten(poly *map, const mpq_t x) {
         poly_common(&g, &g, &map[k]);
     }
     for (int k = 0; k < MAP; k++)
-        divide(&map[k], &g);
+        must(poly_divide(&map[k], &g), "motion: a divisor does not divide");
     poly_values(sign, &map[WEIGHT], 1, x);
     mpz_set_si(*sign, mpz_sgn(*sign) < 0 ? -1 : 1);
     for (int k = 0; k < MAP; k++)
@@ -47,7 +42,7 @@ static void make_forward(piece *p, fraction *entry) {
         poly product = {0};
         poly_common(&g, weight, &entry[k].den);
         poly_set(&factor, &entry[k].den);
-        divide(&factor, &g);
+        must(poly_divide(&factor, &g), "motion: a divisor does not divide");
         poly_add_product(&product, weight, &factor, 1);
         poly_set(weight, &product);
         poly_clear(&product);
@@ -55,7 +50,7 @@ static void make_forward(piece *p, fraction *entry) {
     }
     for (int k = 0; k < WEIGHT; k++) {
         poly_set(&factor, weight);
-        divide(&factor, &entry[k].den);
+        must(poly_divide(&factor, &entry[k].den), "motion: a divisor does not divide");
         poly_add_product(&p->forward[k], &entry[k].num, &factor, 1);
         fraction_clear(&entry[k]);
     }
@@ -114,8 +109,6 @@ static int agree(const piece *p, const piece *q, const mpq_t x) {
 
 void motion_add(motion *m, const mpq_t lo, const mpq_t hi, fraction entry[WEIGHT]) {
     size_t k = m->count;
-    if (k >= MOST_PIECES)
-        give_up("the motion has more than %d pieces", MOST_PIECES);
     if (mpq_cmp(lo, hi) >= 0)
         refute("motion: piece %zu does not have lo < hi", k);
     if (k > 0 && !mpq_equal(m->piece[k - 1].hi, lo))

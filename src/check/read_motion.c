@@ -83,29 +83,26 @@ static int read_poly(fraction *out, word *w) {
     return good;
 }
 
-/* (A)/(B) behind its first bracket, over integers. */
-static int read_quotient(fraction *out, word *w) {
-    fraction top = {{0}, {0}}, bottom = {{0}, {0}};
-    int good = read_poly(&top, w) && take(w, ")") && take(w, "/") && take(w, "(") &&
-               read_poly(&bottom, w) && take(w, ")") && bottom.num.n > 0;
-    if (good) {
-        poly_set_si(&out->num, 0);
-        poly_set_si(&out->den, 0);
-        poly_add_product(&out->num, &top.num, &bottom.den, 1);
-        poly_add_product(&out->den, &top.den, &bottom.num, 1);
-    }
-    fraction_clear(&top);
-    fraction_clear(&bottom);
-    return good;
-}
-
+/* A, or (A)/(A). */
 static void read_entry(fraction *out, source *f) {
     word w = value(f), rest = w;
-    int good = take(&rest, "(") ? read_quotient(out, &rest) : read_poly(out, &rest);
+    fraction top = {{0}, {0}}, bottom = {{0}, {0}};
+    int quotient = take(&rest, "("), good = read_poly(&top, &rest);
+    poly_set_si(&bottom.num, 1);
+    poly_set_si(&bottom.den, 1);
+    if (good && quotient)
+        good = take(&rest, ")") && take(&rest, "/") && take(&rest, "(") &&
+               read_poly(&bottom, &rest) && take(&rest, ")") && bottom.num.n > 0;
     (void)take(&rest, "");
     if (!good || rest.length > 0)
         give_up("%s:%zu: '%.*s' is neither A nor (A)/(B); expected what graze convert writes",
                 f->path, f->line, WORD(w));
+    poly_set_si(&out->num, 0);
+    poly_set_si(&out->den, 0);
+    poly_add_product(&out->num, &top.num, &bottom.den, 1);
+    poly_add_product(&out->den, &top.den, &bottom.num, 1);
+    fraction_clear(&top);
+    fraction_clear(&bottom);
 }
 
 /* d rows of d + 1, or their last column alone; what is not given is that of the identity. */

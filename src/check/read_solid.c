@@ -24,36 +24,6 @@ static void add_simplex(solid *s, size_t a, size_t b, size_t c, size_t facet) {
     s->simplex[s->count++] = (simplex){.v = {a, b, c}, .facet = facet};
 }
 
-static const solid *sorted; /* what compare_vertices compares */
-
-static int compare_vertices(const void *a, const void *b) {
-    mpz_t *p = solid_vertex(sorted, *(const size_t *)a),
-          *q = solid_vertex(sorted, *(const size_t *)b);
-    int order = 0;
-    for (int i = 0; i < sorted->d && order == 0; i++)
-        order = mpz_cmp(p[i], q[i]);
-    return order;
-}
-
-/* Give the corners of all simplices one number for each position. */
-static void join_positions(solid *s) {
-    size_t n = s->vertex_count, *order = grow(NULL, n, sizeof *order);
-    size_t *number = grow(NULL, n, sizeof *number);
-    for (size_t v = 0; v < n; v++)
-        order[v] = v;
-    sorted = s;
-    qsort(order, n, sizeof *order, compare_vertices);
-    for (size_t k = 0; k < n; k++)
-        number[order[k]] = k > 0 && compare_vertices(&order[k - 1], &order[k]) == 0
-                               ? number[order[k - 1]]
-                               : order[k];
-    for (size_t k = 0; k < s->count; k++)
-        for (int i = 0; i < s->d; i++)
-            s->simplex[k].v[i] = number[s->simplex[k].v[i]];
-    free(number);
-    free(order);
-}
-
 /* Integer coordinates, and a 1 behind those of each vertex. */
 static void take_positions(solid *s, draft *in) {
     size_t d = (size_t)s->d;
@@ -73,7 +43,6 @@ static void take_positions(solid *s, draft *in) {
         mpq_clear(in->x[k]);
     }
     free(in->x);
-    join_positions(s);
 }
 
 /* The next token, which must begin a line or go on with one. */

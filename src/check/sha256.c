@@ -6,37 +6,25 @@
 #include <string.h>
 #include "base.h"
 
-/* The first 32 bits behind the point of the square roots of the first 8 primes and of the cube
- * roots of the first 64, made exactly. */
-static uint32_t root_bits(unsigned long prime, unsigned long degree) {
-    mpz_t x;
-    mpz_init_set_ui(x, prime);
-    mpz_mul_2exp(x, x, 32 * degree);
-    mpz_root(x, x, degree);
-    uint32_t out = (uint32_t)mpz_get_ui(x);
-    mpz_clear(x);
-    return out;
-}
+/* The first 32 bits behind the point of the cube roots of the first 64 primes, and of the square
+ * roots of the first 8. */
+static const uint32_t k[64] = {
+    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
+    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
+    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
+    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
+    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
+    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
+    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
+    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
+static const uint32_t begin[8] = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                  0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
 
 static uint32_t turn(uint32_t x, int n) {
     return x >> n | x << (32 - n);
 }
 
-static void constants(uint32_t state[8], uint32_t k[64]) {
-    int n = 0;
-    for (unsigned long p = 2; n < 64; p++) {
-        int prime = 1;
-        for (unsigned long q = 2; q * q <= p; q++)
-            prime = prime && p % q != 0;
-        if (!prime)
-            continue;
-        if (n < 8)
-            state[n] = root_bits(p, 2);
-        k[n++] = root_bits(p, 3);
-    }
-}
-
-static void block(uint32_t state[8], const uint32_t k[64], const unsigned char *bytes) {
+static void block(uint32_t state[8], const unsigned char *bytes) {
     uint32_t w[64], s[8];
     for (int i = 0; i < 16; i++)
         w[i] = (uint32_t)bytes[4 * i] << 24 | (uint32_t)bytes[4 * i + 1] << 16 |
@@ -60,18 +48,18 @@ static void block(uint32_t state[8], const uint32_t k[64], const unsigned char *
 }
 
 void sha256_text(char out[65], const char *bytes, size_t length) {
-    uint32_t state[8], k[64];
+    uint32_t state[8];
     unsigned char last[128] = {0};
     size_t whole = length / 64 * 64, rest = length - whole, size = rest < 56 ? 64 : 128;
-    constants(state, k);
+    memcpy(state, begin, sizeof state);
     for (size_t i = 0; i < whole; i += 64)
-        block(state, k, (const unsigned char *)bytes + i);
+        block(state, (const unsigned char *)bytes + i);
     memcpy(last, bytes + whole, rest);
     last[rest] = 0x80;
     for (size_t i = 0; i < 8; i++)
         last[size - 1 - i] = (unsigned char)((uint64_t)length * 8 >> 8 * i);
     for (size_t i = 0; i < size; i += 64)
-        block(state, k, last + i);
+        block(state, last + i);
     for (int i = 0; i < 8; i++)
         sprintf(out + 8 * i, "%08x", state[i]);
 }

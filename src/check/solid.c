@@ -3,24 +3,19 @@
  */
 #include "solid.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
 /* Bounds of x / w, w > 0. The mantissas are cut off, which loses less than 2^-51 each; the margin
- * is 2^-46. */
+ * is 2^-46, and more than what is lost of a number next to 0. Past the range of doubles the last
+ * one is a bound. */
 static void ratio_bounds(double *low, double *high, const mpz_t x, const mpz_t w) {
     long ex, ew;
     double mx = mpz_get_d_2exp(&ex, x), mw = mpz_get_d_2exp(&ew, w), m = mx / mw;
     double margin = fabs(m) * 0x1p-46;
-    long e = ex - ew;
-    if (e > 900 || e < -900) {
-        double large = e > 0 ? 0x1p890 : 0, beyond = e > 0 ? HUGE_VAL : 0x1p-890;
-        *low = m < 0 ? -beyond : m > 0 ? large : 0;
-        *high = m < 0 ? -large : m > 0 ? beyond : 0;
-        return;
-    }
-    *low = ldexp(m - margin, (int)e);
-    *high = ldexp(m + margin, (int)e);
+    *low = fmin(scalbln(m - margin, ex - ew) - 0x1p-1000, DBL_MAX);
+    *high = fmax(scalbln(m + margin, ex - ew) + 0x1p-1000, -DBL_MAX);
 }
 
 static void box_add(box *a, const box *b, int first) {
@@ -132,13 +127,13 @@ static int compare_keys(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Fill a node with n simplices; halves along the longest side. */
+/* Fill a node and those below it with n simplices; halves along the longest side. */
 static void build(solid *s, size_t at, keyed *k, size_t n) {
     box all = {{0, 0, 0}, {0, 0, 0}};
     int axis = 0;
     for (size_t i = 0; i < n; i++)
         box_add(&all, &s->simplex[k[i].simplex].box, i == 0);
-    s->node[at] = (node){all, 0, k[0].simplex};
+    s->node[at] = (node){all, k[0].simplex};
     if (n == 1)
         return;
     for (int i = 1; i < s->d; i++)
@@ -149,11 +144,8 @@ static void build(solid *s, size_t at, keyed *k, size_t n) {
         k[i].key = b->low[axis] / 2 + b->high[axis] / 2;
     }
     qsort(k, n, sizeof *k, compare_keys);
-    size_t child = s->node_count;
-    s->node[at].child = child;
-    s->node_count += 2;
-    build(s, child, k, n / 2);
-    build(s, child + 1, k + n / 2, n - n / 2);
+    build(s, at + 1, k, n / 2);
+    build(s, at + n / 2 * 2, k + n / 2, n - n / 2);
 }
 
 void solid_finish(solid *s) {
@@ -170,27 +162,25 @@ void solid_finish(solid *s) {
         k[i] = (keyed){0, i};
     }
     s->node = grow(NULL, 2 * s->count, sizeof *s->node);
-    s->node_count = 1;
     build(s, 0, k, s->count);
     free(k);
 }
 
-static void near_below(list *out, const solid *s, const box *b, size_t at) {
-    const node *n = &s->node[at];
-    if (!boxes_meet(&n->box, b))
+static void near_below(list *out, const solid *s, const box *b, size_t at, size_t n) {
+    if (!boxes_meet(&s->node[at].box, b))
         return;
-    if (n->child) {
-        near_below(out, s, b, n->child);
-        near_below(out, s, b, n->child + 1);
+    if (n > 1) {
+        near_below(out, s, b, at + 1, n / 2);
+        near_below(out, s, b, at + n / 2 * 2, n - n / 2);
         return;
     }
     out->item = room_for(out->item, out->count, &out->room, sizeof *out->item);
-    out->item[out->count++] = n->simplex;
+    out->item[out->count++] = s->node[at].simplex;
 }
 
 void solid_near(list *out, const solid *s, const box *b) {
     out->count = 0;
-    near_below(out, s, b, 0);
+    near_below(out, s, b, 0, s->count);
 }
 
 /* Is x, or if `displaced` the line through it along the axis, displaced by (e, e^2), on the inner

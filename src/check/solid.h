@@ -23,19 +23,19 @@ typedef struct simplex {
     box box;
 } simplex;
 
-/** Children of an inner node are `child` and `child` + 1; a leaf has child 0. */
+/** A node of n > 1 simplices has those of its first n / 2 simplices and of the others behind it. */
 typedef struct node {
     box box;
-    size_t child, simplex;
+    size_t simplex; /* of a leaf */
 } node;
 
 typedef struct solid {
     int d;
-    size_t vertex_count, count, room, node_count;
-    mpz_t *x; /* d + 1 for each vertex, the last 1; equal positions have one number */
+    size_t vertex_count, count, room;
+    mpz_t *x; /* d + 1 for each vertex, the last 1 */
     mpz_t scale;
     simplex *simplex;
-    node *node;
+    node *node; /* 2 count - 1 */
 } solid;
 
 /** Numbers of simplices. */

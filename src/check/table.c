@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
-#include "rows.h"
+#include "check.h"
 
 static _Noreturn void differs(const table *t, const char *what) {
     refute("%s:%zu: the table differs from the certificate in %s", t->l.path, t->l.line, what);
@@ -79,18 +79,18 @@ table table_open(const char *path, const head *h) {
     refute("%s: the table has no rows", path);
 }
 
-static void check_row(const table *t, word rest, mpq_t *point, const char *states) {
-    verdict v = verdict_of(word_of(states), t->h);
+static void check_row(const table *t, word rest, const trace *r) {
+    verdict v = verdict_of(r->word, t->h);
     mpq_t x;
     mpq_init(x);
     for (int k = 0; k < t->h->dimension; k++)
-        if (!number_read(x, next_cell(&rest)) || !mpq_equal(x, point[k]))
+        if (!number_read(x, next_cell(&rest)) || !mpq_equal(x, r->point[k]))
             differs(t, "the point");
     mpq_clear(x);
     if (!cells_are(&rest, v.claims))
         refute("%s:%zu: the table differs from the certificate; expected %s", t->l.path, t->l.line,
                v.claims);
-    if (!cells_are(&rest, states))
+    if (!cells_are(&rest, r->word))
         differs(t, "the word");
     int quoted = 0;
     for (size_t k = 0; k < rest.length; k++)
@@ -99,12 +99,12 @@ static void check_row(const table *t, word rest, mpq_t *point, const char *state
         give_up("%s:%zu: a cell with a line break", t->l.path, t->l.line);
 }
 
-void table_row(table *t, int held, mpq_t *point, const char *states) {
+void table_row(table *t, const trace *r) {
     word line;
     if (!lines_next(&t->l, &line) || line.length == 0 || *line.at == '#')
         refute("%s:%zu: the table has fewer rows than the certificate", t->l.path, t->l.line);
-    if (held)
-        check_row(t, line, point, states);
+    if (r)
+        check_row(t, line, r);
     t->rows++;
 }
 

@@ -24,8 +24,7 @@ static int read_up_to(lines *l, word *out, int stop, size_t most) {
         l->text = room_for(l->text, n, &l->room, 1);
         l->text[n++] = (char)c;
     }
-    if (ferror(l->file))
-        give_up("%s: cannot be read", l->path);
+    must(!ferror(l->file), "%s: cannot be read", l->path);
     *out = (word){l->text, n};
     return n > 0 || c != EOF;
 }

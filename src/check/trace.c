@@ -8,13 +8,9 @@
 
 /* Before, at and after the root. */
 enum { LEFT, MID, RIGHT, PLACES };
+/* The sign of a polynomial there, if it is not known; 0 before or after says that it is the zero
+ * polynomial. */
 enum { UNKNOWN = 2 };
-
-/* Signs of a polynomial there, or UNKNOWN. 0 before or after says that it is the zero polynomial.
- */
-typedef struct profile {
-    int at[PLACES];
-} profile;
 
 /* The interval at hand. */
 typedef struct claim {
@@ -35,37 +31,41 @@ void trace_init(trace *r, const solid *s, const motion *m, int unsweep) {
     r->beta = integers(4 * (MOST_DEGREE + 1));
     r->root = integers(MOST_DEGREE + 1);
     r->form = integers(5);
+    r->p = integers(4);
 }
 
-/* With P = p / q: X_i = scale (sum_j N_ij p_j + N_id q), W = weight q. */
+/* X_i = scale (N_i0 P_0 + ... + N_id P_d), W = weight P_d. */
 static void make_trajectory(trace *r) {
     const piece *m = &r->m->piece[r->piece];
     const poly *map = r->unsweep ? m->forward : m->inverse;
     int d = r->m->d;
-    mpz_t q, p;
-    mpz_inits(q, p, NULL);
-    mpz_set_ui(q, 1);
-    for (int j = 0; j < d; j++)
-        mpz_lcm(q, q, mpq_denref(r->point[j]));
+    r->n = 0;
     for (int i = 0; i <= d; i++) {
         r->x[i].n = 0;
-        poly_add_scaled(&r->x[i], i < d ? &map[4 * i + d] : &map[WEIGHT], q);
-        for (int j = 0; i < d && j < d; j++) {
-            mpz_divexact(p, q, mpq_denref(r->point[j]));
-            mpz_mul(p, p, mpq_numref(r->point[j]));
-            poly_add_scaled(&r->x[i], &map[4 * i + j], p);
-        }
+        if (i == d)
+            poly_add_scaled(&r->x[i], &map[WEIGHT], r->p[d]);
+        for (int j = 0; j <= d && i < d; j++)
+            poly_add_scaled(&r->x[i], &map[4 * i + j], r->p[j]);
         if (i < d)
             poly_scale(&r->x[i], r->s->scale);
-    }
-    r->n = 0;
-    for (int i = 0; i <= d; i++)
         r->n = r->x[i].n > r->n + 1 ? r->x[i].n - 1 : r->n;
-    mpz_clears(q, p, NULL);
+    }
 }
 
 void trace_start(trace *r, word claimed) {
-    r->word = claimed;
+    int d = r->m->d;
+    r->word = grow(r->word, claimed.length + 1, 1);
+    memcpy(r->word, claimed.at, claimed.length);
+    r->word[claimed.length] = '\0';
+    if (strspn(r->word, "IBO") != claimed.length)
+        fail(r, "the word is not of the letters I, B and O");
+    mpz_set_ui(r->p[d], 1);
+    for (int j = 0; j < d; j++)
+        mpz_lcm(r->p[d], r->p[d], mpq_denref(r->point[j]));
+    for (int j = 0; j < d; j++) {
+        mpz_divexact(r->p[j], r->p[d], mpq_denref(r->point[j]));
+        mpz_mul(r->p[j], r->p[j], mpq_numref(r->point[j]));
+    }
     r->length = 0;
     r->piece = 0;
     mpq_set(r->at, r->m->piece[0].lo);
@@ -99,28 +99,19 @@ static void enclose(trace *r, const claim *c) {
     solid_near(&r->near, r->s, &b);
 }
 
-/* The sign of coefficient k of a form's pullback. */
-static int pulled_sign(trace *r, mpz_t *form, size_t k) {
-    return form_value(r->form[4], form, control_point(r, k), r->m->d + 1);
-}
-
-/* The one strict sign of a form's pullback on the interval, or 0. */
-static int form_strict(trace *r, mpz_t *form) {
-    int sign = pulled_sign(r, form, 0);
-    for (size_t k = 1; k <= r->n && sign != 0; k++)
-        if (pulled_sign(r, form, k) != sign)
-            sign = 0;
-    return sign;
-}
-
-/* 1 if all coefficients of a form's pullback are 0, or if `most` is 1, none is negative. */
-static int form_holds(trace *r, mpz_t *form, int most) {
+/* The signs of all coefficients of a form's pullback lie from `low` to `high`. */
+static int form_within(trace *r, mpz_t *form, int low, int high) {
     for (size_t k = 0; k <= r->n; k++) {
-        int sign = pulled_sign(r, form, k);
-        if (sign < 0 || sign > most)
+        int sign = form_value(r->form[4], form, control_point(r, k), r->m->d + 1);
+        if (sign < low || sign > high)
             return 0;
     }
     return 1;
+}
+
+/* The one strict sign of all of them, or 0. */
+static int form_strict(trace *r, mpz_t *form) {
+    return form_within(r, form, 1, 1) - form_within(r, form, -1, -1);
 }
 
 static mpz_t *side_form(trace *r, const simplex *f, int k) {
@@ -132,45 +123,45 @@ static mpz_t *side_form(trace *r, const simplex *f, int k) {
 static int cleared(trace *r, const simplex *f) {
     int clear = form_strict(r, f->plane) != 0;
     for (int k = 0; k < r->s->d && !clear; k++)
-        clear = form_strict(r, side_form(r, f, k)) < 0;
+        clear = form_within(r, side_form(r, f, k), -1, -1);
     return clear;
 }
 
 /* f = q^e g, e as large as can be: the signs of g and of q give those of f. */
-static profile form_profile(trace *r, const claim *c, mpz_t *form) {
+static void form_signs(int *out, trace *r, const claim *c, mpz_t *form) {
     int sign = form_strict(r, form);
-    profile out = {{sign, sign, sign}};
+    size_t power = 0;
     poly f = {0};
     for (int i = 0; i <= r->m->d && sign == 0; i++)
         poly_add_scaled(&f, &r->x[i], form[i]);
+    for (int p = 0; p < PLACES; p++)
+        out[p] = sign;
     if (f.n > 0) {
-        size_t power = 0;
         while (poly_divide(&f, c->q))
             power++;
         bernstein(r->root, &f, f.n - 1, c->a, c->b);
         sign = strict_sign(r->root, f.n);
-        for (int p = 0; p < PLACES; p++)
-            out.at[p] = sign == 0 ? UNKNOWN : power % 2 == 1 ? sign * c->q_sign[p] : sign;
-        out.at[MID] = power > 0 ? 0 : UNKNOWN;
+        for (int p = LEFT; p <= RIGHT; p += 2)
+            out[p] = sign == 0 ? UNKNOWN : power % 2 == 1 ? sign * c->q_sign[p] : sign;
+        out[MID] = power > 0 ? 0 : UNKNOWN;
     }
     poly_clear(&f);
-    return out;
 }
 
-/* A simplex near the root: tests L4 and L5 on the sides that must be free of it; and where does it
- * hold the trajectory? */
+/* A simplex that is not cleared: tests L4 and L5 on the sides that must be free of it; and where
+ * does it hold the trajectory? */
 static void meet(trace *r, claim *c, const simplex *f) {
-    profile plane = form_profile(r, c, f->plane);
-    int out[PLACES], in[PLACES];
+    int sign[PLACES], out[PLACES], in[PLACES];
+    form_signs(sign, r, c, f->plane);
     for (int p = 0; p < PLACES; p++) {
-        out[p] = plane.at[p] == 1 || plane.at[p] == -1;
-        in[p] = plane.at[p] == 0;
+        out[p] = sign[p] == 1 || sign[p] == -1;
+        in[p] = sign[p] == 0;
     }
     for (int k = 0; k < r->s->d; k++) {
-        profile side = form_profile(r, c, side_form(r, f, k));
+        form_signs(sign, r, c, side_form(r, f, k));
         for (int p = 0; p < PLACES; p++) {
-            out[p] = out[p] || side.at[p] == -1;
-            in[p] = in[p] && (side.at[p] == 0 || side.at[p] == 1);
+            out[p] = out[p] || sign[p] == -1;
+            in[p] = in[p] && (sign[p] == 0 || sign[p] == 1);
         }
     }
     for (int p = 0; p < PLACES; p++) {
@@ -181,38 +172,25 @@ static void meet(trace *r, claim *c, const simplex *f) {
     }
 }
 
-static const simplex *near_simplex(const trace *r, size_t k) {
-    return &r->s->simplex[r->near.item[k]];
-}
-
-static void check_root(trace *r, claim *c) {
-    const char *side = c->letter;
-    for (size_t k = 0; k < r->near.count; k++)
-        if (!cleared(r, near_simplex(r, k)))
-            meet(r, c, near_simplex(r, k));
-    for (int p = LEFT; p <= RIGHT; p += 2)
-        if (side[p] == 'B' && !c->held[p])
-            fail(r, "no facet holds the trajectory beside the root");
-    int implied = side[LEFT] == 'B' || side[RIGHT] == 'B' ||
-                  (side[LEFT] && side[RIGHT] && side[LEFT] != side[RIGHT]);
-    if (!implied && !c->held[MID])
-        fail(r, "no facet holds the trajectory at the root");
-}
-
-static void check_clear(trace *r) {
-    for (size_t k = 0; k < r->near.count; k++)
-        if (!cleared(r, near_simplex(r, k)))
-            refute("line %zu, row %zu: facet %zu is not cleared", r->line, r->row,
-                   near_simplex(r, k)->facet);
+/* All simplices near the trajectory are cleared, those near a root as far as they must be. */
+static void check_near(trace *r, claim *c) {
+    for (size_t k = 0; k < r->near.count; k++) {
+        const simplex *f = &r->s->simplex[r->near.item[k]];
+        if (cleared(r, f))
+            continue;
+        if (!c->q)
+            refute("line %zu, row %zu: facet %zu is not cleared", r->line, r->row, f->facet);
+        meet(r, c, f);
+    }
 }
 
 static void check_slide(trace *r) {
     int found = 0;
     for (size_t k = 0; k < r->near.count && !found; k++) {
-        const simplex *f = near_simplex(r, k);
-        found = form_holds(r, f->plane, 0);
+        const simplex *f = &r->s->simplex[r->near.item[k]];
+        found = form_within(r, f->plane, 0, 0);
         for (int i = 0; i < r->s->d && found; i++)
-            found = form_holds(r, side_form(r, f, i), 1);
+            found = form_within(r, side_form(r, f, i), 0, 1);
     }
     if (!found)
         fail(r, "no facet holds the trajectory on the interval");
@@ -248,24 +226,6 @@ static void root_at_end(poly *q, claim *c) {
     c->q_sign[RIGHT] = 1;
 }
 
-static void check_kind(trace *r, claim *c, word kind, const poly *q) {
-    poly end = {0};
-    enclose(r, c);
-    if (kind.length == 1) {
-        (*kind.at == 'B' ? check_slide : check_clear)(r);
-        return;
-    }
-    c->letter[LEFT] = kind.length == 3 || *kind.at != 'B' ? kind.at[0] : 0;
-    c->letter[RIGHT] = kind.length == 3 || *kind.at == 'B' ? kind.at[kind.length - 1] : 0;
-    c->q = q;
-    if (kind.length == 2)
-        root_at_end(&end, c);
-    else
-        isolate(r, c);
-    check_root(r, c);
-    poly_clear(&end);
-}
-
 /* The state at a time of the interval at hand, off the boundary, by one ray (proofs/claims.md C6).
  */
 static void check_state(trace *r, char state, mpq_srcptr t) {
@@ -282,9 +242,9 @@ static void check_state(trace *r, char state, mpq_srcptr t) {
 static void add_letters(trace *r, const claim *c, word kind) {
     for (size_t k = 0; k < kind.length; k++) {
         char letter = kind.at[k];
-        if (r->length > 0 && r->word.at[r->length - 1] == letter)
+        if (r->length > 0 && r->word[r->length - 1] == letter)
             continue;
-        if (r->length == r->word.length || r->word.at[r->length++] != letter)
+        if (r->word[r->length++] != letter)
             fail(r, "the intervals' word is not the row's");
         if (letter != 'B')
             check_state(r, letter, k == 0 ? c->a : c->b);
@@ -293,25 +253,50 @@ static void add_letters(trace *r, const claim *c, word kind) {
 
 /* O, I, B; one of O, I beside B; B between two of O, I, B. */
 static int is_kind(word w) {
-    size_t contacts = 0;
-    for (size_t k = 0; k < w.length; k++) {
+    for (size_t k = 0; k < w.length; k++)
         if (w.at[k] != 'O' && w.at[k] != 'I' && w.at[k] != 'B')
             return 0;
-        contacts += w.at[k] == 'B';
-    }
-    return w.length == 1 || (w.length == 2 && contacts == 1) || (w.length == 3 && w.at[1] == 'B');
+    return w.length == 1 || (w.length == 2 && (w.at[0] == 'B') != (w.at[1] == 'B')) ||
+           (w.length == 3 && w.at[1] == 'B');
+}
+
+/* An interval with a root, which parts its sides. */
+static void check_root(trace *r, claim *c, word kind) {
+    poly end = {0};
+    char *side = c->letter;
+    side[LEFT] = kind.length == 3 || *kind.at != 'B' ? kind.at[0] : 0;
+    side[RIGHT] = kind.length == 3 || *kind.at == 'B' ? kind.at[kind.length - 1] : 0;
+    if (kind.length == 2)
+        root_at_end(&end, c);
+    else
+        isolate(r, c);
+    check_near(r, c);
+    for (int p = LEFT; p <= RIGHT; p += 2)
+        if (side[p] == 'B' && !c->held[p])
+            fail(r, "no facet holds the trajectory beside the root");
+    int implied = side[LEFT] == 'B' || side[RIGHT] == 'B' ||
+                  (side[LEFT] && side[RIGHT] && side[LEFT] != side[RIGHT]);
+    if (!implied && !c->held[MID])
+        fail(r, "no facet holds the trajectory at the root");
+    poly_clear(&end);
 }
 
 void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
-    claim c = {.a = r->at, .b = to};
+    claim c = {.a = r->at, .b = to, .q = q};
     if (!is_kind(kind) || (q != NULL) != (kind.length == 3))
         fail(r, "an interval is of a kind that does not exist, or its polynomial is missing or too "
                 "much");
     if (mpq_cmp(c.a, c.b) >= 0)
         fail(r, "an interval does not end after its beginning");
-    if (r->length > 0 && r->word.at[r->length - 1] != *kind.at)
+    if (r->length > 0 && r->word[r->length - 1] != *kind.at)
         fail(r, "an interval begins with another state than the one before it ends with");
-    check_kind(r, &c, kind, q);
+    enclose(r, &c);
+    if (kind.length > 1)
+        check_root(r, &c, kind);
+    else if (*kind.at == 'B')
+        check_slide(r);
+    else
+        check_near(r, &c);
     add_letters(r, &c, kind);
     mpq_set(r->at, to);
 }
@@ -319,6 +304,6 @@ void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
 void trace_end(trace *r) {
     if (mpq_cmp(r->at, r->m->piece[r->m->count - 1].hi) != 0)
         fail(r, "the row's intervals do not end at t1");
-    if (r->length != r->word.length)
+    if (r->word[r->length] != '\0')
         fail(r, "the intervals' word is only the beginning of the row's");
 }

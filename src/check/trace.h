@@ -14,13 +14,14 @@ typedef struct trace {
     int unsweep;
     size_t line, row; /* for messages */
     mpq_t point[3];
+    mpz_t *p; /* its homogeneous coordinates, d + 1, the last positive */
 
     size_t piece; /* whose trajectory is in x: polynomials X_0 .. X_(d-1), W of degree <= n */
     poly x[4];
     size_t n;
 
     mpq_t at;      /* the end of the last interval */
-    word word;     /* that the row claims; borrowed */
+    char *word;    /* that the row claims */
     size_t length; /* of its beginning that the intervals so far have spelled */
 
     /* The interval at hand. */

@@ -2,27 +2,25 @@
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
-#include "rows.h"
+#include "check.h"
 
 static int column(char state) {
     return state == 'O' ? 0 : state == 'B' ? 1 : 2;
 }
 
 /* An inner contact is an intersection iff its sides differ; one at an end iff its germ is I. */
-static void count(unsigned long *i, unsigned long *t, word w) {
-    for (size_t k = 0; k < w.length; k++) {
-        if (w.at[k] != 'B')
-            continue;
-        char left = k > 0 ? w.at[k - 1] : 0, right = k + 1 < w.length ? w.at[k + 1] : 0;
+static void count(unsigned long *i, unsigned long *t, const char *states) {
+    for (const char *at = states; *at; at++) {
+        char left = at > states ? at[-1] : 0, right = at[1];
         int crosses = left && right ? left != right : left == 'I' || right == 'I';
-        ++*(crosses ? i : t);
+        *(crosses ? i : t) += *at == 'B';
     }
 }
 
-static verdict of_unsweep(word w) {
-    int inside = w.length == 1 && *w.at == 'I';
+static verdict of_unsweep(const char *states) {
+    int inside = strcmp(states, "I") == 0;
     verdict v = {"on", 0};
-    if (inside || memchr(w.at, 'O', w.length))
+    if (inside || strchr(states, 'O'))
         strcpy(v.claims, inside ? "in" : "out");
     return v;
 }
@@ -38,14 +36,14 @@ static const char *class_of(unsigned long k, unsigned long t, int combined) {
     return k >= 2 ? "in,fold,6" : "in,regular,5";
 }
 
-verdict verdict_of(word w, const head *h) {
+verdict verdict_of(const char *states, const head *h) {
     static const int cases[3][3] = {{1, 4, 7}, {2, 5, 8}, {3, 6, 9}}; /* [at t1][at t0] */
     verdict v;
     unsigned long i = 0, t = 0;
     if (h->unsweep)
-        return of_unsweep(w);
-    char first = w.at[0], last = w.at[w.length - 1];
-    count(&i, &t, w);
+        return of_unsweep(states);
+    char first = states[0], last = states[strlen(states) - 1];
+    count(&i, &t, states);
     v.k = (i + (first == 'I') + (last == 'I')) / 2;
     const char *class_ = class_of(v.k, t, h->combined);
     int position = cases[column(last)][column(first)];

@@ -30,7 +30,7 @@ CORE = "include/graze/core.h"
 PARTS = {room: room for room in ("report", "generate", "compare", "convert", "draw", "boundary", "certify")}
 PARTS["table"] = "report"
 # What the checker of certificates may include.
-STANDARD = {"gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",
+STANDARD = {"float.h", "gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",
             "unistd.h"}
 failures = []
 checks = 0
