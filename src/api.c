@@ -26,22 +26,38 @@ graze_status api_misuse(graze_context *context, const char *function, const char
     return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;
 }
 
-/* More than `digits` digits: mpz_sizeinbase is exact or one too large. */
+/* More than `digits` digits. A limb has fewer than 20, and mpz_sizeinbase is exact or one too
+ * large. */
 static int too_long(const mpz_t value, unsigned long digits) {
-    return mpz_sizeinbase(value, 10) - 1 > digits;
+    return mpz_size(value) > digits / 20 && mpz_sizeinbase(value, 10) - 1 > digits;
 }
 
-graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value) {
+graze_status api_rational_check(graze_context *context, const mpq_t value) {
     unsigned long digits = context->limits[GRAZE_LIMIT_DIGITS];
     if (mpz_sgn(mpq_denref(value)) <= 0)
         return context_fail(context, GRAZE_EUSE, "a rational's denominator must be positive");
     if (too_long(mpq_numref(value), digits) || too_long(mpq_denref(value), digits))
         return context_limit(context, GRAZE_LIMIT_DIGITS, "a rational");
-    fmpq_set_mpq(out, value);
-    if (!rational_is_canonical(out))
+    if (!rational_is_canonical(value))
         return context_fail(context, GRAZE_EUSE,
                             "a rational must be in lowest terms (mpq_canonicalize)");
     return GRAZE_OK;
+}
+
+graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value) {
+    graze_status status = api_rational_check(context, value);
+    if (!status)
+        fmpq_set_mpq(out, value);
+    return status;
+}
+
+graze_status api_point(fmpq *out, graze_context *context, const graze_scene *scene,
+                       graze_rationals point) {
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < scene->motion->dimension && !status; k++)
+        if ((status = api_rational(out + k, context, point[k])) != GRAZE_OK)
+            status = api_coordinate(context, status, NULL, 0, (size_t)k);
+    return status;
 }
 
 graze_status api_coordinate(graze_context *context, graze_status status, const char *item,
@@ -242,7 +258,7 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
     fmpq *point = _fmpq_vec_init((slong)d);
     for (size_t p = 0; p < n && !status; p++)
         for (size_t k = 0; k < d && !status; k++)
-            if ((status = api_rational(point + k, context, points[p * d + k])) != GRAZE_OK)
+            if ((status = api_rational_check(context, points[p * d + k])) != GRAZE_OK)
                 status = api_coordinate(context, status, "point", p, k);
     for (size_t p = 0; p < n && !status; p++) {
         for (size_t k = 0; k < d; k++)

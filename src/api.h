@@ -13,11 +13,19 @@
 graze_status api_misuse(graze_context *context, const char *function, const char *reason);
 
 /**
- * Take a caller's rational over.
+ * Check a caller's rational.
  * @return GRAZE_EUSE it is not in lowest terms with a positive denominator; GRAZE_ELIMIT it has
  * more digits than the limit allows
  */
+graze_status api_rational_check(graze_context *context, const mpq_t value);
+
+/** Check a caller's rational and take it over. */
 graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value);
+
+/** Check a caller's point and take it over, into d rationals; the place of a failure is recorded.
+ */
+graze_status api_point(fmpq *out, graze_context *context, const graze_scene *scene,
+                       graze_rationals point);
 
 /** Put item and coordinate before a message and record the place; `item` may be NULL. */
 graze_status api_coordinate(graze_context *context, graze_status status, const char *item,
@@ -33,7 +41,7 @@ graze_status api_coordinate(graze_context *context, graze_status status, const c
 graze_status api_options(void *out, size_t known, size_t at, graze_context *context,
                          const char *function, const void *options);
 
-/** Hand a rational or an integer to the caller's initialised variable. */
+/** Hand a rational to the caller's initialised variable. */
 void api_rational_out(mpq_t out, const fmpq_t value);
 
 #endif

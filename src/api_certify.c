@@ -66,11 +66,8 @@ graze_status graze_certificate_row(char **out, graze_context *context,
                           "out, context, certifier and point must not be NULL");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     int d = certifier->inner.scene->motion->dimension;
-    graze_status status = GRAZE_OK;
     fmpq *p = _fmpq_vec_init(d);
-    for (int k = 0; k < d && !status; k++)
-        if ((status = api_rational(p + k, context, point[k])) != GRAZE_OK)
-            status = api_coordinate(context, status, NULL, 0, (size_t)k);
+    graze_status status = api_point(p, context, certifier->inner.scene, point);
     text t;
     text_init(&t);
     if (!status)

@@ -15,22 +15,6 @@
 #include "verdict/classify.h"
 #include "verdict/verdict.h"
 
-/* A caller's point as d rationals for _fmpq_vec_clear; NULL on failure. */
-static graze_status take_point(fmpq **out, graze_context *context, const graze_scene *scene,
-                               graze_rationals point) {
-    int d = scene->motion->dimension;
-    graze_status status = GRAZE_OK;
-    *out = _fmpq_vec_init(d);
-    for (int k = 0; k < d && !status; k++)
-        if ((status = api_rational(*out + k, context, point[k])) != GRAZE_OK)
-            status = api_coordinate(context, status, NULL, 0, (size_t)k);
-    if (status) {
-        _fmpq_vec_clear(*out, d);
-        *out = NULL;
-    }
-    return status;
-}
-
 graze_status graze_trace_create(graze_trace **out, graze_context *context, const graze_scene *scene,
                                 graze_rationals point) {
     if (out)
@@ -39,21 +23,19 @@ graze_status graze_trace_create(graze_trace **out, graze_context *context, const
         return api_misuse(context, "graze_trace_create",
                           "out, context, scene and point must not be NULL");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *p;
-    graze_status status = take_point(&p, context, scene, point);
-    if (status)
-        return status;
+    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
     graze_trace *trace = malloc(sizeof *trace);
-    status =
-        trace ? classify_point(trace, context, scene, (query_point){.rational = p}, TRACE_CONTACTS)
-              : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    graze_status status = trace ? api_point(p, context, scene, point)
+                                : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    if (!status)
+        status =
+            classify_point(trace, context, scene, (query_point){.rational = p}, TRACE_CONTACTS);
     _fmpq_vec_clear(p, scene->motion->dimension);
-    if (status) {
+    if (status)
         free(trace);
-        return status;
-    }
-    *out = trace;
-    return GRAZE_OK;
+    else
+        *out = trace;
+    return status;
 }
 
 void graze_trace_destroy(graze_trace *trace) {
@@ -188,13 +170,12 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *p;
-    status = take_point(&p, context, scene, point);
-    if (status)
-        return status;
+    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
     text t;
     text_init(&t);
-    status = put_trace_row(&t, context, scene, p, trace, format, rest);
+    status = api_point(p, context, scene, point);
+    if (!status)
+        status = put_trace_row(&t, context, scene, p, trace, format, rest);
     _fmpq_vec_clear(p, scene->motion->dimension);
     if (status) {
         text_clear(&t);
@@ -205,19 +186,14 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
 
 /* Trace one point and add its row. */
 static graze_status report_point(text *out, graze_context *context, const graze_scene *scene,
-                                 graze_rationals point, graze_format format, const char *rest) {
-    fmpq *p;
+                                 const fmpq *point, graze_format format, const char *rest) {
     graze_trace trace;
-    graze_status status = take_point(&p, context, scene, point);
-    if (status)
-        return status;
-    status = classify_point(&trace, context, scene, (query_point){.rational = p},
-                            format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
+    graze_status status = classify_point(&trace, context, scene, (query_point){.rational = point},
+                                         format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
     if (!status) {
-        status = put_trace_row(out, context, scene, p, &trace, format, rest);
+        status = put_trace_row(out, context, scene, point, &trace, format, rest);
         trace_clear(&trace);
     }
-    _fmpq_vec_clear(p, scene->motion->dimension);
     return !status && out->failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : status;
 }
 
@@ -239,13 +215,17 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     size_t d = (size_t)scene->motion->dimension, whole = 0;
+    fmpq *point = _fmpq_vec_init((slong)d);
     text t;
     text_init(&t);
     for (size_t k = 0; k < n && !status; k++) {
-        status = report_point(&t, context, scene, points + k * d, format, rest ? rest[k] : NULL);
+        status = api_point(point, context, scene, points + k * d);
+        if (!status)
+            status = report_point(&t, context, scene, point, format, rest ? rest[k] : NULL);
         whole = status ? whole : t.length;
         *done += !status;
     }
+    _fmpq_vec_clear(point, (slong)d);
     if (*done) {
         t.data[whole] = '\0';
         *length = whole;
@@ -311,11 +291,10 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
         return api_misuse(context, "graze_report_explain",
                           "out, context, scene, point and trace must not be NULL");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *p;
-    graze_status status = take_point(&p, context, scene, point);
-    if (status)
-        return status;
-    status = trace_canonicalise(trace, context);
+    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    graze_status status = api_point(p, context, scene, point);
+    if (!status)
+        status = trace_canonicalise(trace, context);
     if (!status)
         status = report_explain(out, context, scene, p, trace);
     _fmpq_vec_clear(p, scene->motion->dimension);

@@ -236,14 +236,21 @@ static uint64_t small_magnitude(const fmpz_t value) {
     return word;
 }
 
-int rational_is_canonical(const fmpq_t value) {
+int rational_is_canonical(const mpq_t value) {
+    const mpz_srcptr top = mpq_numref(value), bottom = mpq_denref(value);
     const uint64_t fives = UINT64_C(7450580596923828125); /* 5^27, the largest in 64 bits */
-    if (fmpz_sgn(fmpq_denref(value)) <= 0 || !fmpz_abs_fits_ui(fmpq_numref(value)) ||
-        !fmpz_abs_fits_ui(fmpq_denref(value))) {
-        return fmpq_is_canonical(value);
+    if (mpz_sgn(bottom) <= 0) {
+        return 0;
     }
-    uint64_t numerator = small_magnitude(fmpq_numref(value));
-    uint64_t denominator = small_magnitude(fmpq_denref(value));
+    if (mpz_size(top) > 1 || mpz_size(bottom) > 1) {
+        mpz_t common;
+        mpz_init(common);
+        mpz_gcd(common, top, bottom);
+        int coprime = mpz_cmp_ui(common, 1) == 0;
+        mpz_clear(common);
+        return coprime;
+    }
+    uint64_t numerator = mpz_getlimbn(top, 0), denominator = mpz_getlimbn(bottom, 0);
     uint64_t odd = denominator / (denominator & -denominator);
     if (fives % odd != 0) {
         return n_gcd(numerator, denominator) == 1;

@@ -4,6 +4,7 @@
 #ifndef GRAZE_NUMBER_RATIONAL_H
 #define GRAZE_NUMBER_RATIONAL_H
 
+#include <gmp.h>
 #include <flint/fmpq.h>
 #include "context/context.h"
 
@@ -18,9 +19,9 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
 /** 1 if the text is one number token of a form rational_parse reads, else 0. */
 int rational_is_token(const char *text, size_t length);
 
-/** 1 if numerator and denominator have no common factor and the denominator is positive: the same
- * as fmpq_is_canonical, without a gcd where the denominator has no prime but 2 and 5. */
-int rational_is_canonical(const fmpq_t value);
+/** 1 if numerator and denominator have no common factor and the denominator is positive; without a
+ * gcd where the denominator has no prime but 2 and 5. */
+int rational_is_canonical(const mpq_t value);
 
 /** Integer or ratio in lowest terms, malloc'ed; NULL when out of memory. */
 char *rational_text(const fmpq_t value);

@@ -15,35 +15,42 @@ static int dimension_of(const tracer *r) {
     return r->scene->motion->dimension;
 }
 
-static void set_exactly(const tracer *r, trajectory *c, const point_map *map) {
+static void set_homogeneous(fmpz *out, const tracer *r) {
+    int d = dimension_of(r);
     if (r->point.rational) {
-        trajectory_set(c, map, r->point.rational);
+        _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, r->point.rational, d);
         return;
     }
-    fmpq *p = _fmpq_vec_init(dimension_of(r));
-    for (int k = 0; k < dimension_of(r); k++)
+    fmpq *p = _fmpq_vec_init(d);
+    for (int k = 0; k < d; k++)
         (void)rational_from_double(p + k, r->context, r->point.value[k]); /* finite, by contract */
-    trajectory_set(c, map, p);
-    _fmpq_vec_clear(p, dimension_of(r));
+    _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, p, d);
+    _fmpq_vec_clear(p, d);
+}
+
+/* Make the point that trajectories carry, and room for them. */
+static void begin_exact(tracer *r) {
+    size_t n = r->scene->motion->piece_count;
+    r->exact = malloc(n * sizeof *r->exact);
+    r->is_exact = calloc(n, 1);
+    for (size_t k = 0; r->exact && k < n; k++)
+        trajectory_init(&r->exact[k], dimension_of(r));
+    r->homogeneous = _fmpz_vec_init(dimension_of(r) + 1);
+    set_homogeneous(r->homogeneous, r);
 }
 
 const trajectory *tracer_exact(tracer *r, size_t piece) {
-    size_t n = r->scene->motion->piece_count;
-    if (!r->exact) {
-        r->exact = malloc(n * sizeof *r->exact);
-        r->is_exact = calloc(n, 1);
-        for (size_t k = 0; r->exact && k < n; k++)
-            trajectory_init(&r->exact[k], dimension_of(r));
-    }
+    if (!r->homogeneous)
+        begin_exact(r);
     if (!r->exact || !r->is_exact) {
         (void)context_fail(r->context, GRAZE_ESYSTEM, "out of memory for %zu pieces of a motion",
-                           n);
+                           r->scene->motion->piece_count);
         return NULL;
     }
     if (!r->is_exact[piece]) {
         const motion_piece *p = &r->scene->motion->piece[piece];
         const point_map *map = motion_tracing(p, r->scene->options.operation);
-        set_exactly(r, &r->exact[piece], map);
+        trajectory_carry(&r->exact[piece], map, r->homogeneous);
         r->is_exact[piece] = 1;
     }
     return &r->exact[piece];
@@ -102,6 +109,8 @@ void tracer_clear(tracer *r) {
     for (size_t k = 0; r->exact && k < r->scene->motion->piece_count; k++)
         trajectory_clear(&r->exact[k]);
     r->context->exact_count += r->exact != NULL;
+    if (r->homogeneous)
+        _fmpz_vec_clear(r->homogeneous, dimension_of(r) + 1);
     free(r->exact);
     free(r->is_exact);
     free(r->list.item);

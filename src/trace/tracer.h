@@ -24,8 +24,9 @@ typedef struct tracer {
     trace_detail detail;
     filter_workspace *workspace; /* NULL: no filter */
     filter_point near;
-    trajectory *exact; /* one per piece, set for those of `exact_piece`; NULL until needed */
-    unsigned char *is_exact;
+    fmpz *homogeneous;       /* the point as d + 1 integers, the last one positive, and */
+    trajectory *exact;       /* its trajectories, one per piece; NULL until the first is needed */
+    unsigned char *is_exact; /* which of them are set */
     candidates list;
     last_seen last;
 } tracer;

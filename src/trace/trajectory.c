@@ -20,10 +20,8 @@ void trajectory_clear(trajectory *c) {
 }
 
 /* With P = p / q: X_i = sum_j N_ij p_j + N_id q, over q W. */
-void trajectory_set(trajectory *c, const point_map *map, const fmpq *point) {
+void trajectory_carry(trajectory *c, const point_map *map, const fmpz *p) {
     int d = c->dimension;
-    fmpz *p = _fmpz_vec_init(d + 1);
-    _fmpq_vec_get_fmpz_vec_fmpz(p, p + d, point, d);
     c->degree = 0;
     for (int i = 0; i <= d; i++) {
         fmpz_poly_zero(&c->x[i]);
@@ -35,6 +33,13 @@ void trajectory_set(trajectory *c, const point_map *map, const fmpq *point) {
         if (fmpz_poly_degree(&c->x[i]) > c->degree)
             c->degree = fmpz_poly_degree(&c->x[i]);
     }
+}
+
+void trajectory_set(trajectory *c, const point_map *map, const fmpq *point) {
+    int d = c->dimension;
+    fmpz *p = _fmpz_vec_init(d + 1);
+    _fmpq_vec_get_fmpz_vec_fmpz(p, p + d, point, d);
+    trajectory_carry(c, map, p);
     _fmpz_vec_clear(p, d + 1);
 }
 

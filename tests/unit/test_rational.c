@@ -298,13 +298,22 @@ static void corner_digits(char *out) {
     fmpz_clear(value);
 }
 
+static int is_canonical(const fmpq_t value) {
+    mpq_t copy;
+    mpq_init(copy);
+    fmpz_get_mpz(mpq_numref(copy), fmpq_numref(value));
+    fmpz_get_mpz(mpq_denref(copy), fmpq_denref(value));
+    int canonical = rational_is_canonical(copy);
+    mpq_clear(copy);
+    return canonical;
+}
+
 /* Read, written and found canonical as FLINT's own functions have it. */
 static void check_against(const char *token, fmpq_t expected) {
     fmpq_t value;
     fmpq_init(value);
     fmpq_canonicalise(expected);
-    if (parse(value, token) != GRAZE_OK || !fmpq_equal(value, expected) ||
-        !rational_is_canonical(value)) {
+    if (parse(value, token) != GRAZE_OK || !fmpq_equal(value, expected) || !is_canonical(value)) {
         fail_msg("'%s' is read wrongly", token);
     }
     char *text = rational_text(value), *wanted = fmpq_get_str(NULL, 10, expected);
@@ -374,7 +383,7 @@ static void canonical_is_what_the_gcd_says(void **state) {
         if (random_below(8) == 0) {
             fmpz_neg(fmpq_denref(value), fmpq_denref(value));
         }
-        if (rational_is_canonical(value) != fmpq_is_canonical(value)) {
+        if (is_canonical(value) != fmpq_is_canonical(value)) {
             fail_msg("%s/%s: canonical or not", numerator, denominator);
         }
         found += fmpq_is_canonical(value);
