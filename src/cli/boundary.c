@@ -87,14 +87,15 @@ static int summarize_boundary(const graze_boundary *b) {
     return output_text(NULL, text);
 }
 
-static int write_boundary(const graze_boundary *b, const boundary_given *o, int dimension) {
+static int write_boundary(const graze_boundary *b, graze_context *context, const boundary_given *o,
+                          int dimension) {
     int status = EXIT_DONE;
     if (o->surface)
-        status = boundary_write_surface(o->surface, b, dimension);
+        status = boundary_write_surface(o->surface, b, context, dimension);
     if (!status && o->cells)
-        status = boundary_write_cells(o->cells, b, dimension);
+        status = boundary_write_cells(o->cells, b, context, dimension);
     if (!status && o->points)
-        status = boundary_write_points(o->points, b, dimension);
+        status = boundary_write_points(o->points, b, context, dimension);
     return status ? status : summarize_boundary(b);
 }
 
@@ -112,7 +113,7 @@ static int sample_boundary(const loaded *l, const boundary_given *o, mpq_t *box)
     graze_status made = graze_boundary_create(&b, l->context, l->scene, &how);
     status = complain_of_use(made, l->context);
     if (!status)
-        status = write_boundary(b, o, dimension);
+        status = write_boundary(b, l->context, o, dimension);
     graze_boundary_destroy(b);
     return status;
 }

@@ -67,6 +67,16 @@ graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding
                      : GRAZE_OK;
 }
 
+graze_status rational_nearest(double *out, graze_context *context, const fmpq_t value) {
+    fmpq_t rounded;
+    fmpq_init(rounded);
+    fmpq_set(rounded, value);
+    graze_status status = rational_round(rounded, context, GRAZE_ROUND_BINARY64);
+    *out = status == GRAZE_OK ? fmpq_get_d(rounded) : 0;
+    fmpq_clear(rounded);
+    return status;
+}
+
 graze_status rational_from_double(fmpq_t out, graze_context *context, double value) {
     uint64_t image;
     memcpy(&image, &value, sizeof image);

@@ -9,6 +9,9 @@
  * Overflow: GRAZE_EINPUT. */
 graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding);
 
+/** The nearest binary64, ties to even, subnormals included. Overflow: GRAZE_EINPUT, `out` 0. */
+graze_status rational_nearest(double *out, graze_context *context, const fmpq_t value);
+
 /** The dyadic rational a finite double is; NaN and infinities are GRAZE_EINPUT. */
 graze_status rational_from_double(fmpq_t out, graze_context *context, double value);
 

@@ -49,27 +49,28 @@ static void clear_point(mpq_t point[3]) {
 
 typedef enum source { OF_POINTS, OF_VERTICES } source;
 
-static void put_coordinates(const graze_boundary *b, int dimension, source which, size_t count) {
+static int put_coordinates(const graze_boundary *b, graze_context *context, int dimension,
+                           source which, size_t count) {
     mpq_t point[3];
+    graze_status status = GRAZE_OK;
     init_point(point);
-    for (size_t i = 0; i < count; i++) {
-        double at[3] = {0, 0, 0};
+    for (size_t i = 0; i < count && !status; i++) {
         if (which == OF_VERTICES)
             graze_boundary_vertex(point, b, i);
         else
             (void)graze_boundary_point(point, b, i);
-        for (int k = 0; k < dimension; k++)
-            at[k] = mpq_get_d(point[k]);
-        vtk_point(&lines, at);
+        status = vtk_rational_point(&lines, context, point, dimension);
     }
     clear_point(point);
+    return complain_of(status, context);
 }
 
 /* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so all are this. */
-static void put_vtk_points(const graze_boundary *b, int dimension, source which, size_t count) {
+static int put_vtk_points(const graze_boundary *b, graze_context *context, int dimension,
+                          source which, size_t count) {
     vtk_begin(&lines, "graze " GRAZE_VERSION " boundary; " MISSES, "UNSTRUCTURED_GRID");
     vtk_points_begin(&lines, count);
-    put_coordinates(b, dimension, which, count);
+    return put_coordinates(b, context, dimension, which, count);
 }
 
 static void put_faces(const graze_boundary *b, int dimension, size_t count) {
@@ -86,7 +87,8 @@ static void put_count(const char *before, size_t count, const char *behind) {
     output_put(&out, behind);
 }
 
-static void put_ply(const graze_boundary *b, int dimension, const graze_boundary_summary *s) {
+static int put_ply(const graze_boundary *b, graze_context *context, int dimension,
+                   const graze_boundary_summary *s) {
     output_put(&out, "ply\nformat ascii 1.0\ncomment graze " GRAZE_VERSION " boundary\n"
                      "comment " MISSES "\n");
     put_count("element vertex ", s->vertices,
@@ -94,7 +96,7 @@ static void put_ply(const graze_boundary *b, int dimension, const graze_boundary
     put_count(dimension == 3 ? "element face " : "element edge ", s->faces,
               dimension == 3 ? "\nproperty list uchar int vertex_indices\nend_header\n"
                              : "\nproperty int vertex1\nproperty int vertex2\nend_header\n");
-    put_coordinates(b, dimension, OF_VERTICES, s->vertices);
+    int status = put_coordinates(b, context, dimension, OF_VERTICES, s->vertices);
     for (size_t i = 0; i < s->faces && dimension == 2; i++) {
         const size_t *edge = graze_boundary_face(b, i);
         put_count("", edge[0], " ");
@@ -102,22 +104,30 @@ static void put_ply(const graze_boundary *b, int dimension, const graze_boundary
     }
     if (dimension == 3)
         put_faces(b, 3, s->faces);
+    return status;
 }
 
-int boundary_write_surface(const char *path, const graze_boundary *b, int dimension) {
+/* Close the file, which holds all or nothing. */
+static int close_whole(int status) {
+    if (status)
+        output_drop(&out);
+    int closed = output_close(&out);
+    return status ? status : closed;
+}
+
+int boundary_write_surface(const char *path, const graze_boundary *b, graze_context *context,
+                           int dimension) {
     graze_boundary_summary s = graze_boundary_summarize(b);
     int status = output_open(&out, path);
     if (status)
         return status;
-    if (!ends_in(path, ".vtk")) {
-        put_ply(b, dimension, &s);
-        return output_close(&out);
-    }
-    put_vtk_points(b, dimension, OF_VERTICES, s.vertices);
+    if (!ends_in(path, ".vtk"))
+        return close_whole(put_ply(b, context, dimension, &s));
+    status = put_vtk_points(b, context, dimension, OF_VERTICES, s.vertices);
     vtk_cells_begin(&lines, s.faces, (size_t)dimension);
     put_faces(b, dimension, s.faces);
     vtk_cell_types(&lines, s.faces, dimension == 3 ? VTK_TRIANGLE : VTK_LINE);
-    return output_close(&out);
+    return close_whole(status);
 }
 
 /* One column of the cells. */
@@ -131,14 +141,15 @@ static void put_column(const graze_boundary *b, size_t count, const char *name, 
 }
 
 /* VTK goes round a quadrilateral, where graze_boundary_cell has bits for x, y and z. */
-int boundary_write_cells(const char *path, const graze_boundary *b, int dimension) {
+int boundary_write_cells(const char *path, const graze_boundary *b, graze_context *context,
+                         int dimension) {
     graze_boundary_summary s = graze_boundary_summarize(b);
     static const unsigned round[8] = {0, 1, 3, 2, 4, 5, 7, 6};
     size_t corners = (size_t)1 << dimension;
     int status = output_open(&out, path);
     if (status)
         return status;
-    put_vtk_points(b, dimension, OF_POINTS, s.points);
+    status = put_vtk_points(b, context, dimension, OF_POINTS, s.points);
     vtk_cells_begin(&lines, s.cells, corners);
     for (size_t i = 0; i < s.cells; i++) {
         graze_boundary_cell c = graze_boundary_cell_at(b, i);
@@ -152,7 +163,7 @@ int boundary_write_cells(const char *path, const graze_boundary *b, int dimensio
     put_column(b, s.cells, "level", 0);
     put_column(b, s.cells, "pmc", 1);
     put_column(b, s.cells, "contact", 2);
-    return output_close(&out);
+    return close_whole(status);
 }
 
 static void put_exact_points(const graze_boundary *b, int dimension, size_t count) {
@@ -171,7 +182,8 @@ static void put_exact_points(const graze_boundary *b, int dimension, size_t coun
     clear_point(point);
 }
 
-int boundary_write_points(const char *path, const graze_boundary *b, int dimension) {
+int boundary_write_points(const char *path, const graze_boundary *b, graze_context *context,
+                          int dimension) {
     graze_boundary_summary s = graze_boundary_summarize(b);
     int status = output_open(&out, path);
     if (status)
@@ -181,7 +193,7 @@ int boundary_write_points(const char *path, const graze_boundary *b, int dimensi
         put_exact_points(b, dimension, s.points);
         return output_close(&out);
     }
-    put_vtk_points(b, dimension, OF_POINTS, s.points);
+    status = put_vtk_points(b, context, dimension, OF_POINTS, s.points);
     vtk_cells_begin(&lines, s.points, 1);
     for (size_t i = 0; i < s.points; i++)
         vtk_cell(&lines, &i, 1);
@@ -193,5 +205,5 @@ int boundary_write_points(const char *path, const graze_boundary *b, int dimensi
     for (size_t i = 0; i < s.points; i++)
         vtk_int(&lines, (unsigned)graze_boundary_point(point, b, i));
     clear_point(point);
-    return output_close(&out);
+    return close_whole(status);
 }

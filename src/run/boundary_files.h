@@ -10,10 +10,14 @@
  */
 int boundary_check_names(const char *surface, const char *cells, const char *points);
 
-/** Write a file, its form told by the extension. Coordinates are binary64, in CSV exact. Each
- * returns an exit status and says what is wrong. */
-int boundary_write_surface(const char *path, const graze_boundary *b, int dimension);
-int boundary_write_cells(const char *path, const graze_boundary *b, int dimension);
-int boundary_write_points(const char *path, const graze_boundary *b, int dimension);
+/** Write a file in the form of its extension. Coordinates are the nearest binary64, in CSV exact.
+ * Each returns an exit status and says what is wrong; EXIT_INPUT for a coordinate past the range of
+ * binary64. */
+int boundary_write_surface(const char *path, const graze_boundary *b, graze_context *context,
+                           int dimension);
+int boundary_write_cells(const char *path, const graze_boundary *b, graze_context *context,
+                         int dimension);
+int boundary_write_points(const char *path, const graze_boundary *b, graze_context *context,
+                          int dimension);
 
 #endif

@@ -103,17 +103,6 @@ static int typed_reserve(typed_table *t) {
 
 /* -------------------------------------------------------------------------------- fields */
 
-/* The double nearest to a number, ties to even. GRAZE_EINPUT past the range of doubles: an infinity
- * is near to no number. */
-static graze_status nearest_double(double *out, graze_context *context, fmpq_t value, field f) {
-    graze_status status = rational_round(value, context, GRAZE_ROUND_BINARY64);
-    if (status)
-        return context_fail(context, status, "'%.*s'; expected a number that binary64 can hold",
-                            FIELD_SHOWN(f));
-    *out = fmpq_get_d(value);
-    return GRAZE_OK;
-}
-
 /* *number: the field is a number, whether or not a double can hold it. */
 static graze_status read_number(double *out, int *number, graze_context *context, field f) {
     fmpq_t value;
@@ -121,7 +110,10 @@ static graze_status read_number(double *out, int *number, graze_context *context
     graze_status status = rational_parse(value, context, f.start, f.length);
     *number = status == GRAZE_OK;
     if (!status)
-        status = nearest_double(out, context, value, f);
+        status = rational_nearest(out, context, value);
+    if (*number && status == GRAZE_EINPUT)
+        status = context_fail(context, status, "'%.*s'; expected a number that binary64 can hold",
+                              FIELD_SHOWN(f));
     fmpq_clear(value);
     return status;
 }

@@ -6,6 +6,7 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include "number/rounding.h"
 
 static void vtk_put(const vtk *w, const char *text) {
     w->to.put(w->to.to, text, strlen(text));
@@ -69,6 +70,24 @@ void vtk_point(const vtk *w, const double at[3]) {
         snprintf(text, sizeof text, "%.17g %.17g %.17g\n", at[0], at[1], at[2]);
         vtk_put(w, text);
     }
+}
+
+graze_status vtk_rational_point(const vtk *w, graze_context *context, const mpq_t *point,
+                                int dimension) {
+    double at[3] = {0, 0, 0};
+    graze_status status = GRAZE_OK;
+    fmpq_t value;
+    fmpq_init(value);
+    for (int k = 0; k < dimension && !status; k++) {
+        fmpq_set_mpq(value, point[k]);
+        status = rational_nearest(&at[k], context, value);
+    }
+    fmpq_clear(value);
+    if (status)
+        return context_fail(context, status,
+                            "a coordinate is past the range of binary64; expected one below 2^1024");
+    vtk_point(w, at);
+    return GRAZE_OK;
 }
 
 void vtk_cells_begin(const vtk *w, size_t count, size_t corners) {

@@ -7,7 +7,9 @@
 #ifndef GRAZE_TABLE_VTK_H
 #define GRAZE_TABLE_VTK_H
 
+#include <gmp.h>
 #include <stdint.h>
+#include "context/context.h"
 #include "table/field.h"
 #include "table/sink.h"
 
@@ -27,6 +29,10 @@ void vtk_bytes_begin(const vtk *w, field name, size_t length);
 /** Begin the points, each of which is put by vtk_point. */
 void vtk_points_begin(const vtk *w, size_t count);
 void vtk_point(const vtk *w, const double at[3]);
+/** The same of d rationals: the nearest binary64, ties to even, and 0 for z in the plane.
+ * GRAZE_EINPUT past its range. */
+graze_status vtk_rational_point(const vtk *w, graze_context *context, const mpq_t *point,
+                                int dimension);
 /** Begin the cells, each of which is put by vtk_cell. */
 void vtk_cells_begin(const vtk *w, size_t count, size_t corners);
 void vtk_cell(const vtk *w, const size_t *corner, size_t corners);

@@ -195,6 +195,24 @@ def test_vtk(graze, folder):
         check(alone == [(k,) for k in range(len(points))], "vertices of VTK")
 
 
+def test_nearest(graze, folder):
+    """Coordinates that are no doubles are the nearest ones; past the range of doubles no file is left."""
+    square, path = os.path.join(COMMON, "square.wkt"), os.path.join(folder, "p.vtk")
+    run = Run(graze, folder, square, move(2, "t", "0"), "--depth", "4", "--box", "-1/3,-1/7,10/3,22/7")
+    command = [graze, "boundary", square, os.path.join(folder, "motion.json"), "--depth", "4",
+               "--points", path, "--box"]
+    done = harness.run([*command, "-1/3,-1/7,10/3,22/7"])
+    check(done.returncode == 0, "a box of thirds", done.stderr)
+    points, _, _ = read_faces(path, 2)
+    read = {tuple(map(float, p)) for p in points}
+    near = {tuple(x.numerator / x.denominator for x in p) for p in run.points}  # a quotient of integers is the nearest
+    check(read == near, "the nearest doubles", sorted(read - near)[:3])
+    check(any(F(x) != y for p in run.points for x, y in zip(map(float, p), p)), "no coordinate needs rounding")
+    done = harness.run([*command, "-1e400,-1,1e400,1"])
+    check(done.returncode == 3 and "past the range of binary64" in done.stderr, done.returncode, done.stderr)
+    check(os.path.getsize(path) == 0, "the file is left empty")
+
+
 def test_budget(graze, folder):
     """Spent in the midst of a level: the surface is that of a level before, and still closed."""
     square = os.path.join(COMMON, "square.wkt")
@@ -248,6 +266,7 @@ def main():
         test_scenes(graze, folder)
         test_default_box(graze, folder)
         test_vtk(graze, folder)
+        test_nearest(graze, folder)
         test_budget(graze, folder)
         test_thin(graze, folder)
         test_border(graze, folder)
