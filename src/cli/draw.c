@@ -6,6 +6,7 @@
 #include <string.h>
 #include "cli/commands.h"
 #include "cli/values.h"
+#include "context/array.h"
 #include "run/csv.h"
 #include "run/grid.h"
 #include "run/load.h"
@@ -38,16 +39,17 @@ typedef struct draw_given {
     const char *output, *grid, *times, *box, *plane, *view, *title;
 } draw_given;
 
-/* The points of a picture with their names; both grow together. */
+/* The points of a picture with their names. */
 typedef struct marks {
     int dimension;
     mpq_t *value;
+    size_t values, value_capacity; /* values that are initialised */
     char **name;
     size_t count, capacity;
 } marks;
 
 static void marks_clear(marks *m) {
-    for (size_t k = 0; k < m->capacity * (size_t)m->dimension; k++)
+    for (size_t k = 0; k < m->values; k++)
         mpq_clear(m->value[k]);
     for (size_t k = 0; k < m->count; k++)
         free(m->name[k]);
@@ -57,20 +59,12 @@ static void marks_clear(marks *m) {
 
 /* Room for one more point; 0 where there is none. */
 static int marks_grow(marks *m) {
-    size_t d = (size_t)m->dimension, capacity = 2 * m->capacity + 16;
-    if (m->count < m->capacity)
-        return 1;
-    char **name = realloc(m->name, capacity * sizeof *name);
-    if (name)
-        m->name = name;
-    mpq_t *value = realloc(m->value, capacity * d * sizeof *value);
-    if (value)
-        m->value = value;
-    if (!name || !value)
+    size_t values = (m->count + 1) * (size_t)m->dimension;
+    if (!array_reserve(&m->name, &m->capacity, m->count + 1, sizeof *m->name) ||
+        !array_reserve(&m->value, &m->value_capacity, values, sizeof *m->value))
         return 0;
-    for (size_t k = m->capacity * d; k < capacity * d; k++)
-        mpq_init(value[k]);
-    m->capacity = capacity;
+    for (; m->values < values; m->values++)
+        mpq_init(m->value[m->values]);
     return 1;
 }
 

@@ -43,7 +43,7 @@ typedef struct merger {
 
 /* Where two parts of one run cannot differ. */
 static int compare_heads(const part *a, const part *b) {
-    const char *x = a->head, *y = b->head;
+    const char *x = a->head.data, *y = b->head.data;
     if (a->shard.count != b->shard.count)
         return complain(EXIT_INPUT,
                         "%s is a shard of %lu and %s one of %lu; expected parts of one run",
@@ -141,7 +141,7 @@ static int merge_parts(merger *m, const merge_options *o, const operands *given)
     m->opened = !status;
     if (status)
         return status;
-    output_put(&m->out, m->parts[0].head);
+    output_put(&m->out, m->parts[0].head.data);
     status = copy_rows(m, o);
     char text[40];
     snprintf(text, sizeof text, "# complete %lu\n", m->parts[0].rows_of_all);

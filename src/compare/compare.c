@@ -9,6 +9,7 @@
 #include "compare/judge.h"
 #include "compare/match.h"
 #include "compare/rounding.h"
+#include "context/array.h"
 
 /* Both tables and their matching during a comparison. */
 typedef struct run {
@@ -157,10 +158,9 @@ static graze_status show(graze_comparison *c, const run *r, const table_row *gol
                          const table_row *candidate) {
     if (c->shown == c->options.show)
         return GRAZE_OK;
-    disagreement *grown = realloc(c->disagreements, (c->shown + 1) * sizeof *grown);
-    if (!grown)
+    if (!array_reserve(&c->disagreements, &c->shown_capacity, c->shown + 1,
+                       sizeof *c->disagreements))
         return comparison_no_memory(r->context);
-    c->disagreements = grown;
     disagreement *d = &c->disagreements[c->shown++];
     memset(d, 0, sizeof *d);
     d->golden_line = golden ? golden->line : 0;

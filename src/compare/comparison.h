@@ -46,7 +46,7 @@ struct graze_comparison {
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table tells */
     tally tallies[GROUPING_COUNT];
-    size_t shown;
+    size_t shown, shown_capacity;
     disagreement *disagreements;
 };
 

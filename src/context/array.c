@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/context.h"
 
 enum { LEAST_BYTES = 256 };
 

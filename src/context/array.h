@@ -2,7 +2,8 @@
 #ifndef GRAZE_CONTEXT_ARRAY_H
 #define GRAZE_CONTEXT_ARRAY_H
 
-#include "context/context.h"
+#include <stddef.h>
+#include "graze/core.h"
 
 /**
  * Make room for `count` entries of `size` bytes. The room at least doubles when it grows, so that

@@ -7,6 +7,7 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 
 void message_clear(message *m) {
     free(m->bytes);
@@ -14,14 +15,7 @@ void message_clear(message *m) {
 }
 
 int message_reserve(message *m, size_t length) {
-    if (m->capacity >= length)
-        return 1;
-    char *grown = realloc(m->bytes, 2 * length);
-    if (!grown)
-        return 0;
-    m->bytes = grown;
-    m->capacity = 2 * length;
-    return 1;
+    return array_reserve(&m->bytes, &m->capacity, length, 1);
 }
 
 /* Nothing is added to a message of which a part could not be: `good` stays 0. */

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 
 int fault_set(fault *f, int status, const char *format, ...) {
     va_list arguments;
@@ -46,14 +47,8 @@ block *block_create(void) {
 }
 
 int block_add(block *b, field text, unsigned long number) {
-    if (b->capacity - b->used < text.length) {
-        size_t capacity = 2 * (b->used + text.length);
-        char *grown = realloc(b->bytes, capacity);
-        if (!grown)
-            return 0;
-        b->bytes = grown;
-        b->capacity = capacity;
-    }
+    if (!array_reserve(&b->bytes, &b->capacity, b->used + text.length, 1))
+        return 0;
     memcpy(b->bytes + b->used, text.start, text.length);
     b->lines[b->count++] = (line){b->used, text.length, number};
     b->used += text.length;

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 
 /* 0, 1, 2 for x, y, z; -1 for any other name. */
 static int axis_of(field f, int dimension) {
@@ -96,14 +97,8 @@ int columns_fix(int *header, fault *f, columns *c, graze_context *context, field
 
 /* Add the fields that are no coordinates to `rest` as they were. They are shorter than the line. */
 static int keep_others(reader *r, const columns *c, size_t length) {
-    if (r->rest_capacity - r->rest_length <= length) {
-        size_t capacity = 2 * (r->rest_length + length) + 64;
-        char *grown = realloc(r->rest, capacity);
-        if (!grown)
-            return 0;
-        r->rest = grown;
-        r->rest_capacity = capacity;
-    }
+    if (!array_reserve(&r->rest, &r->rest_capacity, r->rest_length + length + 1, 1))
+        return 0;
     char *at = r->rest + r->rest_length;
     int some = 0;
     for (size_t k = 0; k < r->cut.count; k++) {

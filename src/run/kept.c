@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 
 void kept_init(kept *k, graze_context *context, row_source source) {
     memset(k, 0, sizeof *k);
@@ -43,13 +44,8 @@ static field point_text(kept *k) {
     for (int c = 0; c < k->form.dimension; c++)
         room += mpz_sizeinbase(mpq_numref(k->point[c]), 10) +
                 mpz_sizeinbase(mpq_denref(k->point[c]), 10) + 4;
-    if (room > k->capacity) {
-        char *grown = realloc(k->text, 2 * room);
-        if (!grown)
-            return (field){NULL, 0};
-        k->text = grown;
-        k->capacity = 2 * room;
-    }
+    if (!array_reserve(&k->text, &k->capacity, room, 1))
+        return (field){NULL, 0};
     for (int c = 0; c < k->form.dimension; c++) {
         if (c)
             k->text[used++] = ',';
@@ -81,7 +77,7 @@ static int check_row(kept *k, results *t) {
 
 int kept_check(kept *k, results *t, const block *b) {
     int status = EXIT_DONE;
-    if (!k->form.dimension && !row_form_read(&k->form, t->head))
+    if (!k->form.dimension && !row_form_read(&k->form, t->head.data))
         return complain(EXIT_FAULT, "%s: its head is not understood", t->resumed);
     for (size_t r = 0; r < b->count && !status; r++) {
         status = make_point(k, b, r);

@@ -67,16 +67,8 @@ static int take_head(part *p, field line, int *named) {
         *named = shard_read(&p->shard, text);
         return EXIT_DONE;
     }
-    char *grown = realloc(p->head, p->head_length + line.length + 2);
-    if (!grown)
-        return complain(EXIT_IO, "out of memory");
-    p->head = grown;
-    memcpy(grown + p->head_length, line.start, line.length);
-    p->head_length += line.length;
-    if (p->in.whole)
-        p->head[p->head_length++] = '\n';
-    p->head[p->head_length] = '\0';
-    return EXIT_DONE;
+    stream_copy_line(&p->head, &p->in, line);
+    return p->head.failed ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
 }
 
 static int read_head(part *p) {
@@ -102,7 +94,7 @@ static int read_head(part *p) {
                         "%s: has no line `" SHARD_LINE "i/n` in its head; expected a "
                         "table of graze classify --shard i/n",
                         p->in.name);
-    if (!row_form_read(&p->form, p->head ? p->head : ""))
+    if (!row_form_read(&p->form, p->head.data ? p->head.data : ""))
         return complain(EXIT_INPUT,
                         "%s:%lu: is not the column line of graze classify: expected coordinates "
                         "and answers, and then the further columns",
@@ -181,5 +173,5 @@ int part_open(part *p, graze_context *context, const char *path) {
 
 void part_close(part *p) {
     stream_close(&p->in);
-    free(p->head);
+    text_clear(&p->head);
 }

@@ -16,8 +16,7 @@
 typedef struct part {
     stream in;
     shard shard;
-    char *head; /* without its `# shard` line; malloc'ed */
-    size_t head_length;
+    text head; /* without its `# shard` line */
     row_form form;
     unsigned long rows, rows_of_all;
     char checksum[32]; /* of the points, as text */

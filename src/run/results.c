@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 #include "run/status.h"
 
 static int no_memory(void) {
@@ -14,15 +15,9 @@ static int no_memory(void) {
 
 /* Add a line to the head. */
 static int keep_head(results *t, field line) {
-    char *grown = realloc(t->head, t->head_length + line.length + 2);
-    if (!grown)
+    stream_copy_line(&t->head, &t->in, line);
+    if (t->head.failed)
         return no_memory();
-    t->head = grown;
-    memcpy(grown + t->head_length, line.start, line.length);
-    t->head_length += line.length;
-    if (t->in.whole)
-        t->head[t->head_length++] = '\n';
-    t->head[t->head_length] = '\0';
     t->head_lines++;
     t->head_whole = t->in.whole && (!line.length || *line.start != '#');
     return EXIT_DONE;
@@ -30,13 +25,8 @@ static int keep_head(results *t, field line) {
 
 /* Keep a row, with a newline, in place of the one before it. */
 static int keep_last(results *t, field line, long long start) {
-    if (t->last_room <= line.length) {
-        char *grown = realloc(t->last, 2 * line.length + 2);
-        if (!grown)
-            return no_memory();
-        t->last = grown;
-        t->last_room = 2 * line.length + 2;
-    }
+    if (!array_reserve(&t->last, &t->last_room, line.length + 1, 1))
+        return no_memory();
     memcpy(t->last, line.start, line.length);
     t->last[line.length] = '\n';
     t->last_length = line.length + 1;
@@ -78,7 +68,7 @@ static int scan(results *t) {
     if (status)
         return status;
     t->in.line = t->head_lines;
-    return complain_of(stream_seek(&t->in, (long long)t->head_length), t->in.context);
+    return complain_of(stream_seek(&t->in, (long long)t->head.length), t->in.context);
 }
 
 /* The file is locked before it is looked at. Closing any descriptor of it would end the lock. */
@@ -120,8 +110,8 @@ int results_refuse(const results *t, field there, const char *expected, field he
 
 /* Name the line at which the head there and this run's differ. */
 static int complain_of_head(const results *t, const char *here) {
-    const char *there = t->head;
-    size_t left = t->head_length;
+    const char *there = t->head.data;
+    size_t left = t->head.length;
     unsigned long number = 1;
     for (;; number++) {
         size_t n = strcspn(here, "\n"), m = 0;
@@ -144,9 +134,9 @@ static int complain_of_head(const results *t, const char *here) {
 int results_begin(results *t, const char *head) {
     size_t length = strlen(head);
     if (t->resumed) {
-        size_t there = t->head_length;
+        size_t there = t->head.length;
         int same = t->head_whole ? there == length : there < length;
-        if (!same || (there && memcmp(t->head, head, there) != 0))
+        if (!same || (there && memcmp(t->head.data, head, there) != 0))
             return complain_of_head(t, head);
         if (t->last)
             return EXIT_DONE;
@@ -197,7 +187,7 @@ int results_close(results *t, int status) {
     }
     if (t->resumed)
         stream_close(&t->in);
-    free(t->head);
+    text_clear(&t->head);
     free(t->last);
     return status;
 }

@@ -16,10 +16,9 @@ typedef struct results {
     int opened;
     const char *resumed; /* the file that is continued, or NULL */
     unsigned long rows;  /* rows written, or taken over from an earlier run */
-    char *head;          /* what the file had of a head, with a NUL; malloc'ed */
-    size_t head_length;
-    int head_whole; /* it ends with the column line */
-    char *last;     /* the last whole row there was, until it is made again; malloc'ed */
+    text head;           /* what the file had of a head */
+    int head_whole;      /* it ends with the column line */
+    char *last;          /* the last whole row there was, until it is made again; malloc'ed */
     size_t last_length, last_room; /* with its newline */
     long long last_start;          /* byte of the file */
     stream in; /* the resumed file, from which kept rows are read; open while it is locked */

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "context/array.h"
 #include "context/input.h"
 
 /* Bytes of the buffer at first; less where there may be many streams. */
@@ -81,12 +82,9 @@ static graze_status make_line_room(stream *s) {
     graze_status status = check_line_length(s, s->to, s->line + 1);
     if (status || s->to < s->capacity)
         return status;
-    char *grown = realloc(s->buffer, 2 * s->capacity);
-    if (!grown)
-        return stream_no_memory(s->context);
-    s->buffer = grown;
-    s->capacity *= 2;
-    return GRAZE_OK;
+    return array_reserve(&s->buffer, &s->capacity, s->capacity + 1, 1)
+               ? GRAZE_OK
+               : stream_no_memory(s->context);
 }
 
 static graze_status seek(const stream *s, int fd) {
@@ -162,6 +160,12 @@ graze_status stream_next(stream *s, field *out) {
         line = stripped(s, line);
     *out = line;
     return check_line_length(s, line.length, s->line);
+}
+
+void stream_copy_line(text *to, const stream *s, field line) {
+    text_bytes(to, line.start, line.length);
+    if (s->whole)
+        text_put(to, "\n");
 }
 
 long long stream_tell(const stream *s) {

@@ -5,6 +5,7 @@
 #define GRAZE_TABLE_STREAM_H
 
 #include "graze/core.h"
+#include "number/text.h"
 #include "table/field.h"
 
 typedef struct stream {
@@ -47,6 +48,9 @@ int stream_ready(stream *s);
  * GRAZE_ECANCELED
  */
 graze_status stream_next(stream *s, field *out);
+
+/** Add a line of stream_next to a text as it stands in the file, with the end it has there. */
+void stream_copy_line(text *to, const stream *s, field line);
 
 /** The place in the file of the next line, and to go on from another; lines are counted on. */
 long long stream_tell(const stream *s);

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 
 void texts_clear(texts *t) {
     text_clear(&t->bytes);
@@ -34,26 +35,22 @@ static uint32_t *slot_of(const texts *t, field one) {
     return &t->slot[at];
 }
 
-static int grow_texts(texts *t) {
-    size_t capacity = t->capacity ? 2 * t->capacity : 64;
-    size_t *end = realloc(t->end, capacity * sizeof *end);
-    if (!end)
-        return 0;
-    t->end = end;
-    uint32_t *slot = calloc(2 * capacity, sizeof *slot);
+static int grow_text_slots(texts *t) {
+    size_t slots = t->slots ? 2 * t->slots : 128;
+    uint32_t *slot = calloc(slots, sizeof *slot);
     if (!slot)
         return 0;
     free(t->slot);
     t->slot = slot;
-    t->slots = 2 * capacity;
-    t->capacity = capacity;
+    t->slots = slots;
     for (size_t k = 0; k < t->count; k++)
         *slot_of(t, texts_at(t, (uint32_t)k)) = (uint32_t)k + 1;
     return 1;
 }
 
 int texts_number(uint32_t *out, texts *t, field one) {
-    if (t->count == t->capacity && !grow_texts(t))
+    if ((2 * t->count == t->slots && !grow_text_slots(t)) ||
+        !array_reserve(&t->end, &t->capacity, t->count + 1, sizeof *t->end))
         return 0;
     uint32_t *slot = slot_of(t, one);
     if (!*slot) {

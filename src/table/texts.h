@@ -14,7 +14,7 @@ typedef struct texts {
     size_t *end; /* of each text in the bytes, behind its newline */
     size_t count, capacity;
     uint32_t *slot; /* of a hash table: number + 1, or 0; at most half in use */
-    size_t slots;
+    size_t slots;   /* a power of two */
 } texts;
 
 void texts_clear(texts *t);

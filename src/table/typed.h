@@ -30,8 +30,9 @@ typedef struct column {
     double *number; /* COORDINATE, NUMBER: the nearest double */
     uint32_t *code; /* pmc and class as in graze.h; definition, 0 for ext; counts; else the number
                        of the text */
-    texts texts;    /* WORD, TEXT */
-    text fields;    /* NUMBER: the fields, a newline behind each, in case a later one is none */
+    size_t capacity;
+    texts texts; /* WORD, TEXT */
+    text fields; /* NUMBER: the fields, a newline behind each, in case a later one is none */
 } column;
 
 typedef struct typed_table {
@@ -42,7 +43,7 @@ typedef struct typed_table {
     size_t grid[3];       /* points along each axis, 1 for an axis that is not; all 0: no grid */
     fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
     text names;           /* the column line */
-    size_t row_count, row_capacity, column_count;
+    size_t row_count, column_count;
     size_t own; /* the first so many columns are Graze's, the others the points' */
     column *column;
 } typed_table;

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "context/array.h"
 #include "number/rational.h"
 #include "number/rounding.h"
 #include "table/typed_head.h"
@@ -81,24 +82,17 @@ static int is_number(const column *c) {
     return c->kind == COLUMN_COORDINATE || c->kind == COLUMN_NUMBER;
 }
 
-/* Room for one more row; 0 where there is none. */
+/* Room for one more value; 0 where there is none. */
+static int column_reserve(column *c, size_t rows) {
+    return is_number(c) ? array_reserve(&c->number, &c->capacity, rows + 1, sizeof *c->number)
+                        : array_reserve(&c->code, &c->capacity, rows + 1, sizeof *c->code);
+}
+
 static int typed_reserve(typed_table *t) {
-    if (t->row_count < t->row_capacity)
-        return 1;
-    size_t capacity = t->row_capacity ? 2 * t->row_capacity : 1024;
-    for (size_t k = 0; k < t->column_count; k++) {
-        column *c = &t->column[k];
-        void *array = is_number(c) ? realloc(c->number, capacity * sizeof *c->number)
-                                   : realloc(c->code, capacity * sizeof *c->code);
-        if (!array)
-            return 0;
-        if (is_number(c))
-            c->number = array;
-        else
-            c->code = array;
-    }
-    t->row_capacity = capacity;
-    return 1;
+    int done = 1;
+    for (size_t k = 0; k < t->column_count && done; k++)
+        done = column_reserve(&t->column[k], t->row_count);
+    return done;
 }
 
 /* -------------------------------------------------------------------------------- fields */
@@ -166,8 +160,8 @@ static graze_status add_text(const typed_table *t, column *c, size_t row, field 
 static graze_status become_texts(const typed_table *t, column *c) {
     graze_status status = GRAZE_OK;
     c->kind = COLUMN_TEXT;
-    c->code = malloc(t->row_capacity * sizeof *c->code);
-    if (!c->code)
+    c->capacity = 0;
+    if (!column_reserve(c, t->row_count))
         return typed_no_memory(t);
     field rest = {c->fields.data, c->fields.length}, one;
     for (size_t row = 0; row < t->row_count && !status; row++) {

@@ -84,8 +84,9 @@ graze_status vtk_rational_point(const vtk *w, graze_context *context, const mpq_
     }
     fmpq_clear(value);
     if (status)
-        return context_fail(context, status,
-                            "a coordinate is past the range of binary64; expected one below 2^1024");
+        return context_fail(
+            context, status,
+            "a coordinate is past the range of binary64; expected one below 2^1024");
     vtk_point(w, at);
     return GRAZE_OK;
 }
