@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The bounds are derived in proofs/filter.md (C32, C33). Every operation rounds to
- * nearest; U is the unit of rounding. SLACK covers the rounding of the error terms themselves.
+ * nearest; U is the unit of rounding.
  */
 #include "filter/curve.h"
 
@@ -11,11 +11,11 @@
 #include <string.h>
 #include "context/array.h"
 #include "filter/flip.h"
+#include "filter/normal.h"
 
 #define U UNIT_ROUNDING
-#define SLACK (1 + 0x1p-20)
-/* More than all that underflow and numbers too small to convert can add to a coefficient. */
-#define FLOOR 0x1p-780
+#define SLACK FILTER_SLACK
+#define FLOOR FILTER_FLOOR
 
 /* A curve that needs more is left to the exact path. */
 enum { MOST_SPANS = 8192 };
@@ -51,11 +51,11 @@ static void bound_shift(span *piece, const curve *c) {
         const double *x = curve_coefficients(c, piece, i);
         double step = 0;
         for (int k = 0; k < n; k++)
-            step = fmax(step, fabs(x[k + 1] - x[k]));
+            step = larger(step, fabs(x[k + 1] - x[k]));
         if (i < d) {
-            error = fmax(error, piece->error[i] + 2 * U * c->size[i]);
-            size = fmax(size, c->size[i]);
-            steepest = fmax(steepest, step + 2 * piece->error[i]);
+            error = larger(error, piece->error[i] + 2 * U * c->size[i]);
+            size = larger(size, c->size[i]);
+            steepest = larger(steepest, step + 2 * piece->error[i]);
         } else {
             error += (c->corners->reach + c->corners->error) * piece->error[d] +
                      (c->corners->error + 4 * U * c->corners->reach) * c->size[d];
@@ -68,13 +68,26 @@ static void bound_shift(span *piece, const curve *c) {
     piece->speed = SLACK * n * (steepest + 2 * U * size);
 }
 
+/* What forms at the chord's places need (proofs/filter.md C35 (f)). */
+static void bound_forms(span *piece, const curve *c) {
+    double size = 0, thick = 0, off = c->corners->error;
+    for (int i = 0; i < 3; i++) {
+        piece->end[i] = piece->from[i] + piece->along[i];
+        size = larger(size, larger(fabs(piece->from[i]), fabs(piece->end[i])));
+        thick = larger(thick, piece->thick[i]);
+    }
+    piece->far = SLACK * (c->corners->reach + off + size + thick);
+    for (int i = 0; i < 3; i++)
+        piece->wide[i] = SLACK * (piece->thick[i] + off + 16 * U * piece->far);
+}
+
 /* The control points X_k / W_k against the points of the chord at k / n. */
 static void bound_space(span *piece, const curve *c) {
     int d = c->dimension, n = c->degree;
     const double *w = curve_coefficients(c, piece, d);
     double least = w[0];
     for (int k = 1; k <= n; k++)
-        least = fmin(least, w[k]);
+        least = smaller(least, w[k]);
     piece->bounded = flip(FLIP_WEIGHT, least > 2 * piece->error[d]);
     piece->bend = 0;
     for (int i = 0; i < 3; i++)
@@ -84,8 +97,8 @@ static void bound_space(span *piece, const curve *c) {
         double from = x[0] / w[0], along = x[n] / w[n] - from, off = 0, most = fabs(from);
         for (int k = 1; k <= n; k++) {
             double at = x[k] / w[k];
-            off = fmax(off, fabs(at - (from + along * k / n)));
-            most = fmax(most, fabs(at));
+            off = larger(off, fabs(at - (from + along * k / n)));
+            most = larger(most, fabs(at));
         }
         piece->from[i] = from;
         piece->along[i] = along;
@@ -94,10 +107,11 @@ static void bound_space(span *piece, const curve *c) {
         piece->thick[i] += 16 * U * (c->corners->axis_reach[i] + most + piece->thick[i]);
         /* Less than that is rounding, which no cut makes smaller. */
         if (off > 0.5 * piece->thick[i])
-            piece->bend = fmax(piece->bend, off);
+            piece->bend = larger(piece->bend, off);
     }
     for (int i = 0; i < 3; i++)
         piece->inverse[i] = 1 / piece->along[i];
+    bound_forms(piece, c);
 }
 
 /* A span whose coefficients stand in their place; its level and start are given. */
@@ -120,9 +134,9 @@ static int finish_curve(curve *c, const double *error) {
         const double *x = curve_coefficients(c, c->spans, i);
         c->size[i] = 0;
         for (int k = 0; k <= c->degree; k++)
-            c->size[i] = fmax(c->size[i], fabs(x[k]));
+            c->size[i] = larger(c->size[i], fabs(x[k]));
         c->size[i] += error[i];
-        largest = fmax(largest, c->size[i]);
+        largest = larger(largest, c->size[i]);
     }
     finish_span(c, 0, error);
     return largest <= 0x1p410;
@@ -156,7 +170,7 @@ int curve_set(curve *c, const carrier *map, const filter_point *point, const cor
                 size += fabs(term);
             }
             x[k] = sum;
-            most = fmax(most, size);
+            most = larger(most, size);
         }
         error[i] = 20 * U * most + FLOOR;
     }

@@ -28,6 +28,9 @@ typedef struct span {
     uint32_t child; /* the halves stand at child and child + 1; 0: not cut yet */
     int bounded;
     double from[3], along[3], inverse[3], thick[3];
+    double end[3];   /* from + along, rounded */
+    double wide[3];  /* `thick` and all errors of a place of the chord against a corner */
+    double far;      /* no place of the set is further from a corner, coordinate by coordinate */
     double bend;     /* how far it strays from the chord; 0 where that is hardly more than rounding:
                         cutting     would not make it thinner */
     double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */

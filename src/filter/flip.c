@@ -15,6 +15,8 @@ enum { FLIP_PERIOD = 10000 };
 
 static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_BOX] = "box",
+    [FLIP_CHORD_PLANE] = "chord, plane",
+    [FLIP_CHORD_BESIDE] = "chord, beside",
     [FLIP_ONE_SIGN] = "one sign",
     [FLIP_ONE_ROOT] = "one root",
     [FLIP_BESIDE] = "beside",

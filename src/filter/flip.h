@@ -12,6 +12,8 @@
  */
 typedef enum flip_site {
     FLIP_BOX,          /* a span misses a box */
+    FLIP_CHORD_PLANE,  /* a thick chord is on one side of a simplex's plane */
+    FLIP_CHORD_BESIDE, /* where it can be in the plane it is beside the simplex */
     FLIP_ONE_SIGN,     /* a plane's pullback has one sign on a span */
     FLIP_ONE_ROOT,     /* it has just one root there */
     FLIP_BESIDE,       /* the whole span is beside the simplex */

@@ -10,15 +10,11 @@
 #include <math.h>
 #include <string.h>
 #include "filter/flip.h"
+#include "filter/normal.h"
 
 #define U UNIT_ROUNDING
-#define SLACK (1 + 0x1p-20)
-#define FLOOR 0x1p-780
-
-/* The normal of the simplex's plane, outward, and a bound for the error of each coordinate. */
-typedef struct normal {
-    double at[3], error;
-} normal;
+#define SLACK FILTER_SLACK
+#define FLOOR FILTER_FLOOR
 
 /* A pullback in Bernstein form with one error bound for all coefficients. */
 typedef struct pullback {
@@ -33,34 +29,6 @@ typedef struct meeter {
     normal normal;
     pullback plane;
 } meeter;
-
-static double largest3(const double *x) {
-    return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2])));
-}
-
-static void make_normal(meeter *m) {
-    const double *v = m->corner;
-    double ev = m->corner_error;
-    normal *out = &m->normal;
-    if (m->c->dimension == 2) {
-        out->at[0] = v[3] - v[1];
-        out->at[1] = v[0] - v[2];
-        out->at[2] = 0;
-        out->error = SLACK * (U * largest3(out->at) + 2 * ev) + FLOOR;
-        return;
-    }
-    double a[3], b[3];
-    for (int i = 0; i < 3; i++) {
-        a[i] = v[3 + i] - v[i];
-        b[i] = v[6 + i] - v[i];
-    }
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        out->at[i] = a[j] * b[k] - a[k] * b[j];
-    }
-    double la = largest3(a), lb = largest3(b);
-    out->error = SLACK * (9 * U * la * lb + 4 * ev * (la + lb) + 8 * ev * ev) + FLOOR;
-}
 
 /* n . (X - v_0 W), coefficient by coefficient. */
 static void make_plane(meeter *m) {
@@ -81,7 +49,7 @@ static void make_plane(meeter *m) {
                FLOOR;
     p->size = 0;
     for (int k = 0; k <= n; k++)
-        p->size = fmax(p->size, fabs(p->at[k]));
+        p->size = larger(p->size, fabs(p->at[k]));
 }
 
 static int sign_beyond(double value, double error) {
@@ -113,17 +81,6 @@ static int side_sign(const meeter *m, int k, int drop, const shifted *at) {
     }
     double error = SLACK * (length * (at->error + 8 * U * size) + 4 * ev * size) + FLOOR;
     return sign_beyond(value, error);
-}
-
-/* The coordinate along which the simplex is projected; -1 if its size is not certain. */
-static int dropped_axis(const meeter *m) {
-    int drop = 0;
-    if (m->c->dimension == 2)
-        return 0;
-    for (int i = 1; i < 3; i++)
-        if (fabs(m->normal.at[i]) > fabs(m->normal.at[drop]))
-            drop = i;
-    return fabs(m->normal.at[drop]) > m->normal.error ? drop : -1;
 }
 
 /* The two coordinates that side_sign asks for. */
@@ -210,11 +167,11 @@ static int find_window(meet_window *out, const meeter *m) {
 
 /* The sides at the window of the plane's one root. */
 static meeting judge_window(meet_window *out, const meeter *m) {
-    int d = m->c->dimension, drop = dropped_axis(m), all = 1;
+    int d = m->c->dimension, drop = normal_axis(&m->normal, d), all = 1;
     if (drop < 0)
         return MEET_ASK;
     double at[4], error[4], middle = 0.5 * (out->low + out->high);
-    double away = (fmax(out->high - middle, middle - out->low)) * m->piece->speed;
+    double away = (larger(out->high - middle, middle - out->low)) * m->piece->speed;
     curve_at(at, error, m->c, m->piece, middle);
     int i = first_axis(m, drop), j = second_axis(m, drop);
     double e = SLACK * (m->piece->shift_error + 5 * m->c->degree * U * m->piece->shift_size + away);
@@ -259,7 +216,10 @@ meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const 
                      double corner_error) {
     meeter m = {.c = c, .piece = piece, .corner = corner, .corner_error = corner_error};
     *out = (meet_window){0, 1, 0};
-    make_normal(&m);
+    if (c->dimension == 2)
+        normal_plane(&m.normal, corner, corner_error);
+    else
+        normal_space(&m.normal, corner, corner_error);
     make_plane(&m);
     signs s = read_signs(&m);
     if (flip(FLIP_ONE_SIGN, s.one))
@@ -271,7 +231,7 @@ meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const 
         *out = (meet_window){0, 1, 0};
         return MEET_ASK;
     }
-    int drop = dropped_axis(&m);
+    int drop = normal_axis(&m.normal, c->dimension);
     if (flip(FLIP_BESIDE, drop >= 0 && is_beside(&m, drop)))
         return MEET_NONE;
     /* Where errors are not far below the values, halves would be as uncertain. */

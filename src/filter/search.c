@@ -1,14 +1,21 @@
-/* Time and tree are subdivided together: a span much thicker than the box it meets is cut before
+/* Time and tree are subdivided together: a span that is thick beside the box it meets is cut before
  * the descent goes on. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "filter/search.h"
 
 #include <math.h>
+#include "filter/chord.h"
 #include "filter/flip.h"
 #include "filter/meet.h"
+#include "filter/normal.h"
 
-/* A span is cut for the sake of boxes, and for that of one simplex, down to these levels. */
-enum { BOX_LEVELS = 20, SIMPLEX_LEVELS = 14 };
+/* Spans are cut down to these levels: for the sake of boxes, of one simplex before its Bernstein
+ * forms, and after them. */
+enum { BOX_LEVELS = 20, CHORD_LEVELS = 8, SIMPLEX_LEVELS = 14 };
+
+/* A span is cut where its thickness gives a box a surface so many times as large. Measured: much
+ * less cuts curves in vain, much more leaves long triangles to be tested in vain. */
+static const double MOST_SURFACE = 1.2;
 
 typedef struct searcher {
     findings *out;
@@ -21,8 +28,8 @@ typedef struct searcher {
 static candidate whole_units(uint32_t simplex, const span *piece, const meet_window *w) {
     double length = (double)(UINT32_C(1) << (WINDOW_LEVELS - piece->level));
     double from = floor(w->low * length) - 1, to = ceil(w->high * length) + 1;
-    from = fmax(0, from + piece->start);
-    to = fmin((double)(UINT32_C(1) << WINDOW_LEVELS), to + piece->start);
+    from = larger(0, from + piece->start);
+    to = smaller((double)(UINT32_C(1) << WINDOW_LEVELS), to + piece->start);
     return (candidate){simplex, (uint32_t)from, (uint32_t)to};
 }
 
@@ -52,9 +59,16 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     uint32_t simplex = s->solid->boxes.node[node].simplex;
     const corners *corners = &s->solid->corners;
     size_t d = (size_t)s->solid->input.dimension;
+    const double *corner = corners->at + simplex * d * d;
+    chord_meeting chord = chord_meets(s->curve, piece, corner, corners->error);
+    if (chord == CHORD_MISSES)
+        return;
+    if (chord == CHORD_NEAR && piece->bend > 0 && piece->level < CHORD_LEVELS) {
+        cut_and_descend(s, node, span_index);
+        return;
+    }
     meet_window window;
-    meeting found =
-        meet_simplex(&window, s->curve, piece, corners->at + simplex * d * d, corners->error);
+    meeting found = meet_simplex(&window, s->curve, piece, corner, corners->error);
     int kept = 1;
     if (found == MEET_CUT && piece->level < SIMPLEX_LEVELS)
         cut_and_descend(s, node, span_index);
@@ -65,13 +79,21 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     s->failed |= !kept;
 }
 
+/* Whether a span is so thick that it meets many boxes which its curve misses: with the thickness
+ * around it the box has a larger surface, which is the chance that a chord meets it. */
+static int is_thick(const span *piece, const box *b) {
+    double x = b->high[0] - b->low[0], y = b->high[1] - b->low[1], z = b->high[2] - b->low[2];
+    double wx = x + 2 * piece->thick[0], wy = y + 2 * piece->thick[1], wz = z + 2 * piece->thick[2];
+    return piece->bend > 0 && wx * (wy + wz) + wy * wz > MOST_SURFACE * (x * (y + z) + y * z);
+}
+
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
     for (;;) {
         const span *piece = &s->curve->spans[span_index];
         const tree_node *here = &s->solid->boxes.node[node];
         if (s->failed || flip(FLIP_BOX, !span_meets(piece, &here->box)))
             return;
-        if (!piece->bounded || 2 * piece->bend > box_extent(&here->box)) {
+        if (!piece->bounded || is_thick(piece, &here->box)) {
             if (piece->level < BOX_LEVELS) {
                 cut_and_descend(s, node, span_index);
                 return;

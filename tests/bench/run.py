@@ -14,6 +14,7 @@ import tempfile
 
 import certificates
 import scenes
+import turns
 from cores import Cores
 from measure import Server, Stream, fitting, in_turns, run_cpu, same_numbers
 from table import Table
@@ -260,6 +261,7 @@ class Bench:
         self.prepare()
         for size in self.sizes:
             self.mesh(size)
+        turns.measure(self)
         self.table.head("Over all sizes")
         if len(self.sizes) > 1:
             self.grown()

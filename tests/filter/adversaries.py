@@ -11,6 +11,7 @@ import random
 from fractions import Fraction as F
 
 import jets
+import parts
 from motion import build, compose, conjugated, keyframes, legs, matrix, quaternion, rotation
 from motion import scaling, translate, turn
 from scenes import plane_motions, space_motions
@@ -57,6 +58,12 @@ def needle(x, y, z, thin):
                 [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]])
 
 
+def part(mesh):
+    """A mesh of tests/lib/parts.py; its doubles are meant exactly."""
+    vertices, facets = mesh
+    return Mesh([tuple(map(F, v)) for v in vertices], [list(f) for f in facets])
+
+
 def plane_solids():
     tiny, huge = F(1, 10 ** 30), F(10 ** 30)
     return dict(polygons(), **{
@@ -82,6 +89,10 @@ def space_solids():
                           block(1, 3, 0, 2, 3 + F(1, 10 ** 12), 2)),
         "decades": joined(block(0, 0, 0, tiny, tiny, 1), block(1, 0, 0, 2, tiny, huge),
                           block(3, -huge, 0, huge, huge, 2)),
+        "disk": part(parts.disk(24)),
+        "slits": part(parts.plate(6)),
+        "ribs": part(parts.ribs(5)),
+        "lathe": part(parts.lathe(16)),
         "shells": joined(block(0, 0, 0, 5, 5, 5), inside_out(block(1, 1, 1, 4, 4, 4)),
                          block(F(3, 2), F(3, 2), F(3, 2), 3, 3, 4 - F(1, 2 ** 50))),
     })
@@ -148,6 +159,8 @@ def space_adversaries():
                                            translate([[0, 3], [0], [0, 0, 2]], "s")))]),
         "tumble": build([(0, 1, compose(quaternion([[1, -1], [0, 2, -1], [0, 1], [0, 0, 3]]),
                                         translate([[0, 3, 0, 2], [0], [1]])))]),
+        "skew": build([(0, 1, turn(3, axis=[2, 3, 6], length=7, center=[F(1, 2), F(0), F(0)]))]),
+        "two rounds": build([(0, 1, turn(8, axis=[2, 3, 6], length=7, center=[F(1, 2), F(0), F(0)]))]),
         "shear": build([(-1, 1, matrix([[[1], [0, 2], [0], [0, 5]], [[0], [1], [0, 0, 1], [0]],
                                         [[0, 1], [0], [2], [-2]]], [2, 1]))]),
     })
@@ -234,6 +247,9 @@ SPACE = [
     ("cube", "screw", "near the top"), ("octahedron", "mirror", "60 decades"),
     ("star3", "scaling", "sliver"), ("holed", "parabola", "", UNSWEEP),
     ("cube", "weight", "", UNSWEEP), ("cube", "shear", ""),
+    ("disk", "skew", ""), ("disk", "two rounds", "sliver"), ("slits", "skew", ""),
+    ("slits", "screw", "thirds"), ("ribs", "two rounds", ""), ("lathe", "skew", ""),
+    ("lathe", "quaternion", "far"), ("ribs", "oblique", ""),
 ]
 
 

@@ -13,7 +13,7 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", *part.split("/"))
-                for part in ("cases", "generate", "agree/lib")]
+                for part in ("cases", "generate", "agree/lib", "lib")]
 
 import casefile  # noqa: E402
 from adversaries import scenes  # noqa: E402

@@ -21,7 +21,7 @@ import sys
 from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [os.path.join(HERE, "..", *part.split("/")) for part in ("generate", "agree/lib")]
+sys.path[:0] = [os.path.join(HERE, "..", *part.split("/")) for part in ("generate", "agree/lib", "lib")]
 
 from adversaries import Scene, places, plane_adversaries, plane_solids  # noqa: E402
 from adversaries import space_adversaries, space_solids, terrain  # noqa: E402

@@ -4,11 +4,12 @@
  * The trajectories stray from a simplex's plane by about as much as the filter can just tell from
  * zero, and by more. Exact touches are those of src/number. A failure prints its seed.
  */
+#include "filter/chord.h"
 #include "filter/meet.h"
 #include "filter_scene.h"
 #include "numbers.h"
 
-enum { SCENES = 900, DIRECTED = 500 };
+enum { SCENES = 900, DIRECTED = 500, THROUGH = 1500 };
 
 /* ---- the bounds that a span states ---- */
 
@@ -131,6 +132,7 @@ static void check_span(scene *s, const span *piece, forms f) {
 /* ---- what it says of the simplex ---- */
 
 typedef struct tally {
+    long chord[CHORD_NEAR + 1];
     long meeting[MEET_CUT + 1];
     long several; /* asked or cut, with more than one root */
 } tally;
@@ -204,6 +206,10 @@ static void check_meeting(const scene *s, const span *piece, forms f, tally *cou
     meet_window window;
     meeting said = meet_simplex(&window, &s->curve, piece, s->near, s->bounds.error);
     truth is = find_truth(s, f, &window);
+    chord_meeting chord = chord_meets(&s->curve, piece, s->near, s->bounds.error);
+    count->chord[chord]++;
+    if (chord == CHORD_MISSES && is.on > 0)
+        fail_msg("seed %lu: %d times on the simplex, its chord misses it", s->seed, is.on);
     count->meeting[said]++;
     if (said == MEET_NONE && is.on > 0)
         fail_msg("seed %lu: %d times on the simplex, none was seen", s->seed, is.on);
@@ -316,6 +322,8 @@ static void test_random(void **state) {
     }
     for (int k = 0; k <= MEET_CUT; k++)
         assert_true(count.meeting[k] > SCENES / 50);
+    for (int k = 0; k <= CHORD_NEAR; k++)
+        assert_true(count.chord[k] > SCENES / 50);
 }
 
 /* Three roots near the middle, in a simplex's interior: (y - 1)((y - 1)^2 - h) with y = t / (1 - t)
@@ -343,10 +351,51 @@ static void test_triple(void **state) {
     assert_true(count.several > DIRECTED / 4);
 }
 
+/* Control points evenly along the segment from the first to the last: all that bends is the way
+ * through the plane, and the place where it is met moves far. */
+static void straighten(scene *s) {
+    fmpq_t share, step;
+    fmpq_init(share);
+    fmpq_init(step);
+    for (int i = 0; i <= s->d; i++)
+        for (int k = 1; k < s->n; k++) {
+            fmpq_set_si(share, k, (ulong)s->n);
+            fmpq_sub(step, &s->control[i][s->n], &s->control[i][0]);
+            fmpq_mul(step, step, share);
+            fmpq_add(&s->control[i][k], &s->control[i][0], step);
+        }
+    fmpq_clear(share);
+    fmpq_clear(step);
+}
+
+/* Curves that bend as they go through the plane, in the simplex, past a side of it, or between. */
+static void test_through(void **state) {
+    (void)state;
+    tally count = {.several = 0};
+    for (ulong seed = 1; seed <= THROUGH; seed++) {
+        scene s;
+        double certain;
+        scene_init(&s, seed, 0);
+        if (seed % 2)
+            straighten(&s);
+        if (prepare(&s, &certain)) {
+            int exponent = 40 + (int)random_below(14), side = random_below(2) ? 1 : -1;
+            for (int k = 0; k <= s.n; k++)
+                bend(&s, k, side * ldexp(certain * (2 * k - s.n + random_fraction()), exponent));
+            if (scene_convert(&s))
+                check_curve(&s, &count, (int)random_below(6));
+        }
+        scene_clear(&s);
+    }
+    for (int k = 0; k <= CHORD_NEAR; k++)
+        assert_true(count.chord[k] > THROUGH / 50);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random),
         cmocka_unit_test(test_triple),
+        cmocka_unit_test(test_through),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
