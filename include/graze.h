@@ -72,5 +72,6 @@
 #include <graze/draw.h>     /* pictures */
 #include <graze/boundary.h> /* the boundary of a sweep by sampling */
 #include <graze/certify.h>  /* certificates */
+#include <graze/topo.h>     /* positions relative to the closed sweep */
 
 #endif

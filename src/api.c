@@ -136,7 +136,8 @@ static graze_status take_options(graze_options *out, graze_context *context, con
         return status;
     if ((out->operation == GRAZE_SWEEP || out->operation == GRAZE_UNSWEEP) &&
         (out->overlap == GRAZE_OVERLAP_EXTEND || out->overlap == GRAZE_OVERLAP_REJECT) &&
-        (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED))
+        (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED) &&
+        (out->topo == 0 || out->topo == 1))
         return GRAZE_OK;
     return api_misuse(context, function, "an option has an unknown value");
 }

@@ -12,6 +12,7 @@
 #include "report/table.h"
 #include "table/typed_read.h"
 #include "table/typed_write.h"
+#include "topo/topo.h"
 #include "verdict/classify.h"
 #include "verdict/verdict.h"
 
@@ -141,13 +142,18 @@ static graze_status put_trace_row(text *out, graze_context *context, const graze
                                   const fmpq *point, const graze_trace *trace, graze_format format,
                                   const char *rest) {
     graze_status status = GRAZE_OK;
-    if (format == GRAZE_FORMAT_CSV) {
-        report_csv(out, scene, point, trace, rest);
-    } else {
+    topo_finding found;
+    finding_init(&found);
+    const topo_finding *topo = scene->options.topo ? &found : NULL;
+    if (topo)
+        status = topo_decide(&found, context, scene, point, trace);
+    if (status == GRAZE_OK && format == GRAZE_FORMAT_JSONL)
         status = trace_canonicalise(trace, context);
-        if (status == GRAZE_OK)
-            report_json(out, scene, point, trace);
-    }
+    if (status == GRAZE_OK && format == GRAZE_FORMAT_JSONL)
+        report_json(out, scene, point, trace, topo);
+    else if (status == GRAZE_OK)
+        report_csv(out, scene, point, trace, rest, topo);
+    finding_clear(&found);
     return status;
 }
 

@@ -235,6 +235,7 @@ typedef struct graze_options {
     graze_overlap overlap;     /**< extend: nine cases; reject: GRAZE_EILLEGAL if S^0 meets S^1 */
     graze_folds folds;         /**< Definitions 6, 7 or 10, 11 */
     size_t size;               /**< sizeof(graze_options) or 0 */
+    int topo; /**< 1: rows of reports end with the position relative to the closed sweep */
 } graze_options;
 
 /**

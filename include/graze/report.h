@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A table is graze_report_header, then rows, then a line `# complete N` (formats.md, Tables). Rows
- * of one scene may be made by several threads, each with its own context.
+ * of one scene may be made by several threads, each with its own context. The scene's option `topo`
+ * adds the position relative to the closed sweep, as the last column (graze/topo.h).
  */
 #ifndef GRAZE_REPORT_H
 #define GRAZE_REPORT_H

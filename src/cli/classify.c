@@ -16,6 +16,7 @@ static const char classify_help[] =
     "  --operation sweep|unsweep     the set points are classified against (sweep)\n"
     "  --overlap extend|reject       S^0 and S^1 that meet: nine cases (default), or an error\n"
     "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
+    "  --topo               one column more, last: the position relative to the closed sweep\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with its contacts\n"
     "  --format vtk|npy     the table as a legacy VTK file or a structured numpy array\n"
@@ -59,6 +60,7 @@ static const option_entry classify_table[] = {
     OPTION("operation", classify_options, scene.scene.operation, value_operation),
     OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
     OPTION("folds", classify_options, scene.scene.folds, value_folds),
+    FLAG("topo", classify_options, scene.scene.topo, value_flag),
     OPTION("format", classify_options, format, value_format),
     OPTION("round", classify_options, scene.context.rounding, value_rounding),
     FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
@@ -98,7 +100,8 @@ static int run_classify(void *options, const operands *given) {
     return status ? status : classify_run(options);
 }
 
-static const classify_options whole_run = {.shard.part = {0, 1}};
+static const classify_options whole_run = {.shard.part = {0, 1},
+                                           .scene.scene.size = sizeof(graze_options)};
 
 const command command_classify = {.name = "classify",
                                   .options = classify_table,

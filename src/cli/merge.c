@@ -34,6 +34,7 @@ typedef struct merge_options {
 } merge_options;
 
 typedef struct merger {
+
     part *parts; /* part i is that of shard i */
     size_t count;
     graze_context *context;
@@ -128,6 +129,19 @@ static int copy_rows(merger *m, const merge_options *o) {
     return status;
 }
 
+/* The last lines. */
+static void put_counts(merger *m) {
+    char text[64];
+    unsigned long undecided = 0;
+    for (size_t k = 0; k < m->count; k++)
+        undecided += m->parts[k].undecided;
+    snprintf(text, sizeof text, UNDECIDED_LINE "%lu\n", undecided);
+    if (part_has_topo(&m->parts[0]))
+        output_put(&m->out, text);
+    snprintf(text, sizeof text, "# complete %lu\n", m->parts[0].rows_of_all);
+    output_put(&m->out, text);
+}
+
 static int merge_parts(merger *m, const merge_options *o, const operands *given) {
     int status = graze_context_create(&m->context) ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
     if (!status)
@@ -143,10 +157,8 @@ static int merge_parts(merger *m, const merge_options *o, const operands *given)
         return status;
     output_put(&m->out, m->parts[0].head.data);
     status = copy_rows(m, o);
-    char text[40];
-    snprintf(text, sizeof text, "# complete %lu\n", m->parts[0].rows_of_all);
     if (!status)
-        output_put(&m->out, text);
+        put_counts(m);
     return status;
 }
 

@@ -130,14 +130,28 @@ static void json_verdict(writer *w, const graze_scene *scene, const graze_verdic
     json_count(w, "t", v->t);
 }
 
-static void json_row(writer *w, const graze_scene *scene, const fmpq *point,
-                     const graze_trace *trace) {
-    check_writer(w, yajl_gen_map_open(w->gen));
-    put_string(w, "point");
+static void json_point(writer *w, const char *key, const fmpq *point, int dimension) {
+    put_string(w, key);
     check_writer(w, yajl_gen_array_open(w->gen));
-    for (int k = 0; k < scene->motion->dimension; k++)
+    for (int k = 0; k < dimension; k++)
         put_owned(w, rational_text(point + k));
     check_writer(w, yajl_gen_array_close(w->gen));
+}
+
+static void json_topo(writer *w, const topo_finding *topo, int dimension) {
+    json_text(w, "topo", graze_topo_name(topo->position));
+    if (topo->position == GRAZE_TOPO_UNDECIDED)
+        json_text(w, "topo_reason", topo->reason);
+    else
+        json_text(w, "topo_level", graze_topo_level_name(topo->level));
+    if (topo->has_witness)
+        json_point(w, "topo_witness", topo->witness, dimension);
+}
+
+static void json_row(writer *w, const graze_scene *scene, const fmpq *point,
+                     const graze_trace *trace, const topo_finding *topo) {
+    check_writer(w, yajl_gen_map_open(w->gen));
+    json_point(w, "point", point, scene->motion->dimension);
     json_verdict(w, scene, &trace->verdict);
     json_text(w, "word", trace->word);
     put_string(w, "contacts");
@@ -145,6 +159,8 @@ static void json_row(writer *w, const graze_scene *scene, const fmpq *point,
     for (size_t k = 0; k < trace->contact_count; k++)
         json_contact(w, &trace->contact[k]);
     check_writer(w, yajl_gen_array_close(w->gen));
+    if (topo)
+        json_topo(w, topo, scene->motion->dimension);
     check_writer(w, yajl_gen_map_close(w->gen));
 }
 
@@ -154,19 +170,20 @@ static void print_row(void *out, const char *bytes, size_t length) {
 
 /* 0 when memory runs out within yajl. */
 static int put_line(writer *w, const graze_scene *scene, const fmpq *point,
-                    const graze_trace *trace) {
+                    const graze_trace *trace, const topo_finding *topo) {
     json_memory_init(&w->memory);
     if (setjmp(w->memory.short_of) != 0)
         return 0;
     w->gen = yajl_gen_alloc(&w->memory.functions);
     yajl_gen_config(w->gen, yajl_gen_print_callback, print_row, w->out);
-    json_row(w, scene, point, trace);
+    json_row(w, scene, point, trace, topo);
     return !w->failed;
 }
 
-void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace) {
+void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
+                 const topo_finding *topo) {
     writer w = {.out = out};
-    if (!put_line(&w, scene, point, trace))
+    if (!put_line(&w, scene, point, trace, topo))
         out->failed = 1;
     json_memory_clear(&w.memory);
     text_put(out, "\n");

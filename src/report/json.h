@@ -5,9 +5,11 @@
 #define GRAZE_REPORT_JSON_H
 
 #include "number/text.h"
+#include "topo/finding.h"
 #include "trace/trace.h"
 
-/** Add one line of JSON. */
-void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace);
+/** Add one line of JSON. `topo`: the position, or NULL. */
+void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
+                 const topo_finding *topo);
 
 #endif

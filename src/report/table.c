@@ -31,6 +31,8 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
     text_format(&t, "# folds %s\n",
                 options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(&t, "# round %s\n", graze_rounding_name(context->rounding));
+    if (options->topo)
+        text_put(&t, "# topo yes\n");
     if (notes)
         text_put(&t, notes);
     text_format(&t, "# ends-meet %s\n", scene->ends_meet ? "yes" : "no");
@@ -40,6 +42,8 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
         text_put(&t, ",");
         text_put(&t, columns);
     }
+    if (options->topo)
+        text_put(&t, ",topo");
     text_put(&t, "\n");
     return text_finish(out, context, &t);
 }
@@ -62,7 +66,7 @@ static void put_verdict(text *t, const graze_verdict *v) {
 }
 
 void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                const char *rest) {
+                const char *rest, const topo_finding *topo) {
     for (int k = 0; k < scene->motion->dimension; k++) {
         text_rational(out, point + k);
         text_put(out, ",");
@@ -75,6 +79,10 @@ void report_csv(text *out, const graze_scene *scene, const fmpq *point, const gr
     if (rest) {
         text_put(out, ",");
         text_put(out, rest);
+    }
+    if (topo) {
+        text_put(out, ",");
+        text_put(out, graze_topo_name(topo->position));
     }
     text_put(out, "\n");
 }

@@ -5,14 +5,16 @@
 #define GRAZE_REPORT_TABLE_H
 
 #include "number/text.h"
+#include "topo/finding.h"
 #include "trace/trace.h"
 
 /** The `#` lines and the column line. `notes`: further `# key value` lines, or NULL. */
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
                            const char *notes, const char *columns);
 
-/** Add one row of the table. `rest`: further columns as they were, or NULL. */
+/** Add one row of the table. `rest`: further columns as they were, or NULL; `topo`: the
+ * position for the last column, or NULL. */
 void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                const char *rest);
+                const char *rest, const topo_finding *topo);
 
 #endif

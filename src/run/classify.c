@@ -62,7 +62,23 @@ static int export_lines(run_state *s, const char *text, size_t length) {
     return complain_of(typed_add(&s->typed, text, length), s->l.context);
 }
 
+/* The last column has its name for itself. */
+static int check_other_names(const run_state *s, const classify_options *o) {
+    const char *others = s->points ? csv_columns(s->points)->others : NULL;
+    field rest = {others, others ? strlen(others) : 0}, name;
+    while (o->scene.scene.topo && rest.start && field_take(&name, &rest))
+        if (field_is(field_content(name), "topo"))
+            return complain(EXIT_INPUT,
+                            "%s: has a column `topo`; expected another name for it "
+                            "beside --topo",
+                            o->points);
+    return EXIT_DONE;
+}
+
 static int put_table_head(run_state *s, const classify_options *o) {
+    int named = check_other_names(s, o);
+    if (named)
+        return named;
     char *notes = make_head_notes(s, o), *text = NULL;
     if (!notes)
         return complain(EXIT_IO, "out of memory");
@@ -81,6 +97,7 @@ static int put_run(run_state *s, const classify_options *o, const row_run *one) 
     if (!o->format.table)
         return results_add(&s->table, one->text, one->length, one->done);
     s->table.rows += one->done;
+    results_count_undecided(&s->table, one->text, one->length);
     return export_lines(s, one->text, one->length);
 }
 
@@ -188,6 +205,14 @@ static int do_all_blocks(run_state *s, const classify_options *o) {
 /* The last lines; those of a shard describe the whole run, so that merge can match the parts. */
 static int put_last_lines(run_state *s, const classify_options *o) {
     char text[160];
+    if (o->scene.scene.topo) {
+        snprintf(text, sizeof text, UNDECIDED_LINE "%lu\n", s->table.undecided);
+        int status = o->format.table ? export_lines(s, text, strlen(text)) : EXIT_DONE;
+        if (status)
+            return status;
+        if (!o->format.table)
+            output_put(&s->table.out, text);
+    }
     if (o->shard.given) {
         snprintf(text, sizeof text, SHARD_ROWS "%lu\n" SHARD_POINTS "%016llx\n",
                  s->grid ? grid_count(s->grid) : csv_rows(s->points),
@@ -240,6 +265,7 @@ static int prepare_run(run_state *s, const classify_options *o) {
         .format = o->format.rows};
     if (!status)
         status = jobs_start(&s->jobs, o->threads, &task);
+    s->table.counts_undecided = o->scene.scene.topo;
     if (!status)
         status = results_open(&s->table, s->l.context, o->output, o->resume);
     return status ? status : check_kept_rows(s, o, task.source);
@@ -293,6 +319,9 @@ int classify_run(const classify_options *o) {
     if (!status && o->format.table)
         status = export_table(s, o);
     status = results_close(&s->table, status);
+    if (!status && o->scene.scene.topo)
+        complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided",
+                 s->table.undecided, s->table.rows);
     if (status == EXIT_SIGNAL)
         report_whole_rows(s, o);
     end_run(s);

@@ -46,8 +46,13 @@ int part_copy_row(part *p, output *out) {
     if (expected)
         return complain(EXIT_INPUT, "%s:%lu: is no row that graze classify writes; expected %s",
                         p->in.name, p->in.line, expected);
+    p->undecided += (unsigned long)row_is_undecided(line);
     output_bytes(out, line.start, line.length + 1); /* its line end stands behind it */
     return EXIT_DONE;
+}
+
+int part_has_topo(const part *p) {
+    return strstr(p->head.data, "\n" TOPO_LINE) != NULL;
 }
 
 int part_end(part *p) {

@@ -19,7 +19,8 @@ typedef struct part {
     text head; /* without its `# shard` line */
     row_form form;
     unsigned long rows, rows_of_all;
-    char checksum[32]; /* of the points, as text */
+    unsigned long undecided; /* of the rows that are copied */
+    char checksum[32];       /* of the points, as text */
 } part;
 
 /** Read head and last lines, and see that they fit together. Returns an exit status and says what
@@ -27,8 +28,12 @@ typedef struct part {
 int part_open(part *p, graze_context *context, const char *path);
 void part_close(part *p);
 
-/** Copy the next row. EXIT_INPUT: there is none, or it is none that graze classify writes. */
+/** Copy the next row, which is counted if its position is undecided. EXIT_INPUT: there is none, or
+ * it is none that graze classify writes. */
 int part_copy_row(part *p, output *out);
+
+/** 1 if the rows end with positions. */
+int part_has_topo(const part *p);
 
 /** All rows are copied. EXIT_INPUT: there are more. */
 int part_end(part *p);

@@ -7,10 +7,21 @@
 #include <stdlib.h>
 #include <string.h>
 #include "context/array.h"
+#include "run/row.h"
 #include "run/status.h"
 
 static int no_memory(void) {
     return complain(EXIT_IO, "out of memory");
+}
+
+void results_count_undecided(results *t, const char *text, size_t length) {
+    const char *end = text + length;
+    while (t->counts_undecided && text < end) {
+        const char *newline = memchr(text, '\n', (size_t)(end - text));
+        const char *stop = newline ? newline : end;
+        t->undecided += row_is_undecided((field){text, (size_t)(stop - text)});
+        text = stop + 1;
+    }
 }
 
 /* Add a line to the head. */
@@ -96,8 +107,10 @@ int results_next(results *t, field *row) {
         return status;
     if (!row->start)
         return complain(EXIT_IO, "%s: another program has changed it", t->resumed);
-    return row->length && *row->start == '#' ? results_refuse(t, *row, "a row", (field){"", 0})
-                                             : EXIT_DONE;
+    if (row->length && *row->start == '#')
+        return results_refuse(t, *row, "a row", (field){"", 0});
+    results_count_undecided(t, row->start, row->length);
+    return EXIT_DONE;
 }
 
 int results_refuse(const results *t, field there, const char *expected, field here) {
@@ -167,6 +180,7 @@ int results_add(results *t, const char *text, size_t length, unsigned long rows)
         t->rows--;
     }
     output_bytes(&t->out, text, length);
+    results_count_undecided(t, text, length);
     t->rows += rows;
     return EXIT_DONE;
 }

@@ -16,6 +16,8 @@ typedef struct results {
     int opened;
     const char *resumed; /* the file that is continued, or NULL */
     unsigned long rows;  /* rows written, or taken over from an earlier run */
+    int counts_undecided;
+    unsigned long undecided; /* of these rows, if they are counted */
     text head;           /* what the file had of a head */
     int head_whole;      /* it ends with the column line */
     char *last;          /* the last whole row there was, until it is made again; malloc'ed */
@@ -24,6 +26,9 @@ typedef struct results {
     stream in; /* the resumed file, from which kept rows are read; open while it is locked */
     unsigned long head_lines;
 } results;
+
+/** Count the undecided positions among rows, whose last line may lack its end. */
+void results_count_undecided(results *t, const char *text, size_t length);
 
 /** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
  * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is no table, or it is

@@ -4,6 +4,7 @@
  * Counts, case, class, definition and pmc all follow from the word (graze_word_verdict), so they
  * are made from it and compared as text.
  */
+#define _GNU_SOURCE /* memmem */
 #include "run/row.h"
 
 #include <ctype.h>
@@ -29,6 +30,8 @@ int row_form_read(row_form *out, const char *head) {
             out->options.operation = GRAZE_UNSWEEP;
         if (strncmp(at, "# folds combined\n", 17) == 0)
             out->options.folds = GRAZE_FOLDS_COMBINED;
+        if (strncmp(at, TOPO_LINE, strlen(TOPO_LINE)) == 0)
+            out->topo = 1;
     }
     if (!length || head[length - 1] != '\n' || !skip_text(&at, "x,y,"))
         return 0;
@@ -38,7 +41,9 @@ int row_form_read(row_form *out, const char *head) {
         return 0;
     if (*at == ',')
         out->others = fields_count((field){at + 1, (size_t)(head + length - 1 - at - 1)});
-    return *at == ',' ? out->others > 0 : *at == '\n';
+    int good = *at == ',' ? out->others > 0 : *at == '\n' && !out->topo;
+    out->others -= (size_t)(good && out->topo);
+    return good;
 }
 
 /* Take the bytes before the next comma, or up to the end. */
@@ -79,6 +84,26 @@ static size_t write_row_answers(char text[ANSWERS], const row_form *form, const 
     return (size_t)(put_row_count(put_row_count(at, v->i), v->t) - text);
 }
 
+/* Take the last column off. */
+static field take_last_column(field *rest) {
+    field out = {rest->start + rest->length, 0};
+    while (out.start > rest->start && out.start[-1] != ',')
+        out.start--, out.length++;
+    rest->length -= out.length + (out.length < rest->length);
+    return out;
+}
+
+/* Does the position go with the verdict? */
+static int position_fits(const row_form *form, graze_pmc pmc, field topo) {
+    if (pmc != GRAZE_ON)
+        return field_is(
+            topo, graze_topo_name(pmc == GRAZE_IN ? GRAZE_TOPO_INTERIOR : GRAZE_TOPO_EXTERIOR));
+    int sweep = form->options.operation == GRAZE_SWEEP;
+    return field_is(topo, graze_topo_name(GRAZE_TOPO_BOUNDARY)) ||
+           (sweep && (field_is(topo, graze_topo_name(GRAZE_TOPO_INTERIOR)) ||
+                      field_is(topo, graze_topo_name(GRAZE_TOPO_UNDECIDED))));
+}
+
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row) {
     char answers[ANSWERS];
     graze_verdict verdict;
@@ -99,7 +124,10 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
     size_t length = write_row_answers(answers, form, &verdict);
     if ((size_t)(before_word - own) != length || memcmp(own, answers, length) != 0)
         return "the answers that belong to its word";
-    if (more != (form->others > 0))
+    out->topo = form->topo && more ? take_last_column(&rest) : (field){"", 0};
+    if (form->topo && !position_fits(form, verdict.pmc, out->topo))
+        return "a position in the last column that goes with pmc";
+    if ((form->topo ? rest.length > 0 : more) != (form->others > 0))
         return form->others ? "the further columns of the column line" : "no further columns";
     out->rest = rest;
     return NULL;
@@ -130,4 +158,12 @@ int row_point_is_written(field point, int dimension) {
     for (int k = 0; k < dimension; k++)
         good &= is_written_number(take_column(&point));
     return good && !point.length;
+}
+
+int row_is_undecided(field row) {
+    static const char csv[] = ",undecided", json[] = "\"topo\":\"undecided\"";
+    size_t length = sizeof csv - 1;
+    if (row.length >= length && memcmp(row.start + row.length - length, csv, length) == 0)
+        return 1;
+    return row.length && *row.start == '{' && memmem(row.start, row.length, json, sizeof json - 1);
 }

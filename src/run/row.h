@@ -12,12 +12,13 @@ typedef struct row_form {
     int dimension;
     graze_options options; /* operation and folds */
     size_t others;         /* further columns */
+    int topo;              /* rows end with a position */
 } row_form;
 
-/** A row's point and further columns, as they stand in it; without the commas beside the answers.
- */
+/** A row's point, further columns and position, as they stand in it; without the commas beside
+ * the answers. */
 typedef struct row_parts {
-    field point, rest;
+    field point, rest, topo;
 } row_parts;
 
 /** Read it from a head, up to the column line; 0 if that is none of graze classify. */
@@ -25,7 +26,8 @@ int row_form_read(row_form *out, const char *head);
 
 /**
  * Check a row, without its line end: a point, the answers that belong to its word and to no other,
- * and further columns only where the table has some. How many those are is left to the caller.
+ * further columns only where the table has some, and a position that goes with pmc. How many
+ * further columns those are is left to the caller.
  * @return NULL, or what is expected
  */
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row);
@@ -33,5 +35,13 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
 /** Is each coordinate an integer or a ratio as graze classify writes it? Whether a ratio could be
  * reduced is not looked at. */
 int row_point_is_written(field point, int dimension);
+
+/** The line of a head that says that rows end with the position relative to the closed sweep, and
+ * the last line that counts those that are undecided. */
+#define TOPO_LINE "# topo yes\n"
+#define UNDECIDED_LINE "# undecided "
+
+/** Is that position undecided? In a table it is the last column, in JSON a member. */
+int row_is_undecided(field row);
 
 #endif

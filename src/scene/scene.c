@@ -122,6 +122,23 @@ graze_status scene_ends(int *out, graze_context *context, const graze_solid *sol
     return status;
 }
 
+static graze_status make_memo(scene_memo **out, graze_context *context) {
+    scene_memo *memo = calloc(1, sizeof *memo);
+    if (!memo || pthread_mutex_init(&memo->lock, NULL) != 0) {
+        free(memo);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a scene");
+    }
+    *out = memo;
+    return GRAZE_OK;
+}
+
+static void free_memo(scene_memo *memo) {
+    if (memo->value)
+        memo->free(memo->value);
+    pthread_mutex_destroy(&memo->lock);
+    free(memo);
+}
+
 graze_status scene_make(graze_scene *out, graze_context *context, const graze_solid *solid,
                         const graze_motion *motion, const graze_options *options) {
     memset(out, 0, sizeof *out);
@@ -143,10 +160,17 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
                             "S^0 and S^1 meet, which overlap `reject` excludes; `extend` "
                             "classifies all nine cases");
     status = scene_hash(out->sha256, context, solid, motion);
-    return status ? status
-                  : filter_make(&out->filter, context, solid, motion, out->options.operation);
+    if (!status)
+        status = make_memo(&out->memo, context);
+    if (status)
+        return status;
+    status = filter_make(&out->filter, context, solid, motion, out->options.operation);
+    if (status)
+        free_memo(out->memo);
+    return status;
 }
 
 void scene_clear(graze_scene *scene) {
+    free_memo(scene->memo);
     filter_clear(&scene->filter);
 }

@@ -3,14 +3,23 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends_meet` is
- * decided exactly. A scene never changes once made.
+ * decided exactly. A scene never changes once made, but for its memo.
  */
 #ifndef GRAZE_SCENE_SCENE_H
 #define GRAZE_SCENE_SCENE_H
 
+#include <pthread.h>
 #include "filter/filter.h"
 #include "motion/motion.h"
 #include "solid/solid.h"
+
+/** What a later stage makes of a scene once and keeps: the only part that changes, under the lock.
+ */
+typedef struct scene_memo {
+    pthread_mutex_t lock;
+    void *value; /* NULL until it is made */
+    void (*free)(void *);
+} scene_memo;
 
 struct graze_scene {
     const graze_solid *solid;
@@ -19,6 +28,7 @@ struct graze_scene {
     filter filter;            /* for the operation of the options */
     int ends_meet;            /* 1 if S^0 and S^1 have a point in common, else 0 */
     unsigned char sha256[32]; /* of the canonical text of solid and motion, see scene_hash */
+    scene_memo *memo;
 };
 
 /**

@@ -253,6 +253,8 @@ static graze_status add_line(typed_table *t, field line) {
         return typed_broken(t->context, "something stands after # complete");
     if (t->state == TYPED_ROWS && field_behind(&value, line, "# complete "))
         return end_rows(t, value);
+    if (t->state == TYPED_ROWS && field_behind(&value, line, "# undecided "))
+        return GRAZE_OK;
     if (t->state == TYPED_ROWS)
         return note ? typed_broken(t->context, "`%.*s` stands behind the column line",
                                    FIELD_SHOWN(line))

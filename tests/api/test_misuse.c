@@ -353,6 +353,24 @@ static void certificates(bench *b) {
     HARMLESS(graze_certifier_destroy, CALLS(graze_certifier_destroy(NULL)));
 }
 
+static void positions(bench *b) {
+    graze_context *c = b->s.context;
+    graze_options unknown = {.topo = 2, .size = sizeof unknown};
+    WRONG(graze_trace_topo(NULL, c, b->s.scene, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_topo(&out, NULL, b->s.scene, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_topo(&out, c, NULL, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, NULL, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, b->point, NULL));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &unknown));
+    HARMLESS(graze_topo_name, graze_topo_name((graze_topo)-1)[0] == 'n');
+    HARMLESS(graze_topo_level_name, graze_topo_level_name((graze_topo_level)-1)[0] == 'n');
+    HARMLESS(graze_topology_destroy, CALLS(graze_topology_destroy(NULL)));
+    HARMLESS(graze_topology_position, !graze_topology_position(NULL));
+    HARMLESS(graze_topology_level, !graze_topology_level(NULL));
+    HARMLESS(graze_topology_reason, !*graze_topology_reason(NULL));
+    HARMLESS(graze_topology_witness, !graze_topology_witness(NULL, NULL));
+}
+
 static void boundaries(bench *b) {
     graze_context *c = b->s.context;
     const graze_scene *s = b->s.scene;
@@ -467,6 +485,7 @@ static void all(void **state) {
     conversions(&b);
     boundaries(&b);
     certificates(&b);
+    positions(&b);
     none_is_left_out(&b);
     graze_comparison_destroy(b.comparison);
     graze_boundary_destroy(b.boundary);

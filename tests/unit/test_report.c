@@ -331,7 +331,7 @@ static char *csv_row(fixture *f, const char *rest) {
     char *out;
     text row;
     text_init(&row);
-    report_csv(&row, &f->scene, f->point, &f->trace, rest);
+    report_csv(&row, &f->scene, f->point, &f->trace, rest, NULL);
     assert_int_equal(text_finish(&out, f->context, &row), GRAZE_OK);
     return out;
 }
@@ -351,7 +351,7 @@ static void rows(void **state) {
     free(out);
     text line;
     text_init(&line);
-    report_json(&line, &f.scene, f.point, &f.trace);
+    report_json(&line, &f.scene, f.point, &f.trace, NULL);
     assert_int_equal(text_finish(&out, f.context, &line), GRAZE_OK);
     /* 1 + sqrt(2) = 2.41421356237309504880...; t^2 - 2t - 1 has its other root at -0.414, so (2, 3)
      * is the widest dyadic interval that isolates it. */

@@ -1,0 +1,72 @@
+/* graze/topo.h - where a point lies relative to the closed sweep.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * `in` and `out` lie in the interior and in the exterior of the closed sweep, but a point that is
+ * `on` may lie in its interior all the same, where swept parts close around it (semantics.md 5).
+ */
+#ifndef GRAZE_TOPO_H
+#define GRAZE_TOPO_H
+
+#include <graze/core.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Position relative to the closed sweep. Zero is never an answer. */
+typedef enum graze_topo {
+    GRAZE_TOPO_NONE = 0,
+    GRAZE_TOPO_INTERIOR = 1,
+    GRAZE_TOPO_BOUNDARY = 2,
+    GRAZE_TOPO_EXTERIOR = 3,
+    GRAZE_TOPO_UNDECIDED = 4 /**< no level decides it, or a limit is met */
+} graze_topo;
+/** What decided the position. */
+typedef enum graze_topo_level {
+    GRAZE_LEVEL_NONE = 0, /**< undecided */
+    GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
+    GRAZE_LEVEL_L1 = 2,   /**< leading directions at the contacts (topology.md C53) */
+    GRAZE_LEVEL_L3 = 3    /**< the curves near the point, in the plane (topology.md C52) */
+} graze_topo_level;
+
+/** Verdict on one point. */
+typedef struct graze_topology graze_topology;
+
+/** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
+GRAZE_API const char *graze_topo_name(graze_topo topo);
+/** "word", "L1" or "L3", else "none". Static. */
+GRAZE_API const char *graze_topo_level_name(graze_topo_level level);
+
+/**
+ * Decide where a point lies relative to the closed sweep, or unsweep. In the plane every point is
+ * decided unless a limit is met; in space some `on` points are undecided.
+ * @param point d canonical rationals
+ * @param trace trace of the point
+ * @return GRAZE_EUSE a NULL, or a coordinate that is not canonical; GRAZE_ELIMIT; GRAZE_ECANCELED;
+ * GRAZE_ESYSTEM; GRAZE_EINTERNAL
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_trace_topo(graze_topology **out, graze_context *context,
+                                                      const graze_scene *scene,
+                                                      graze_rationals point,
+                                                      const graze_trace *trace);
+/** Free a verdict. NULL is allowed. */
+GRAZE_API void graze_topology_destroy(graze_topology *topology);
+/** The position; GRAZE_TOPO_NONE for NULL. */
+GRAZE_API graze_topo graze_topology_position(const graze_topology *topology);
+/** What decided it; GRAZE_LEVEL_NONE for NULL. */
+GRAZE_API graze_topo_level graze_topology_level(const graze_topology *topology);
+/** Why a point is undecided, in one line; "" for another, and for NULL. Static. */
+GRAZE_API const char *graze_topology_reason(const graze_topology *topology);
+/**
+ * A point that is `out`, for an `on` point of a sweep that is `boundary`. By L3 it lies on a square
+ * about the point, and every smaller one holds such a point as well; by L1 all points between the
+ * two are `out`.
+ * @param[out] out d initialised rationals; unchanged if there is no such point
+ * @return 1, or 0 if there is none
+ */
+GRAZE_API int graze_topology_witness(mpq_t *out, const graze_topology *topology);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,65 @@
+/* The public functions of positions relative to the closed sweep.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "api.h"
+#include "context/environment.h"
+#include "topo/topo.h"
+
+struct graze_topology {
+    topo_finding inner;
+    int dimension;
+};
+
+graze_status graze_trace_topo(graze_topology **out, graze_context *context,
+                              const graze_scene *scene, graze_rationals point,
+                              const graze_trace *trace) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !point || !trace)
+        return api_misuse(context, "graze_trace_topo",
+                          "out, context, scene, point and trace must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_topology *made = malloc(sizeof *made);
+    if (!made)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    made->dimension = scene->motion->dimension;
+    finding_init(&made->inner);
+    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    graze_status status = api_point(p, context, scene, point);
+    if (!status)
+        status = topo_decide(&made->inner, context, scene, p, trace);
+    _fmpq_vec_clear(p, scene->motion->dimension);
+    if (status)
+        graze_topology_destroy(made);
+    else
+        *out = made;
+    return status;
+}
+
+void graze_topology_destroy(graze_topology *topology) {
+    if (topology)
+        finding_clear(&topology->inner);
+    free(topology);
+}
+
+graze_topo graze_topology_position(const graze_topology *topology) {
+    return topology ? topology->inner.position : GRAZE_TOPO_NONE;
+}
+
+graze_topo_level graze_topology_level(const graze_topology *topology) {
+    return topology ? topology->inner.level : GRAZE_LEVEL_NONE;
+}
+
+const char *graze_topology_reason(const graze_topology *topology) {
+    return topology ? topology->inner.reason : "";
+}
+
+int graze_topology_witness(mpq_t *out, const graze_topology *topology) {
+    if (!out || !topology || !topology->inner.has_witness)
+        return 0;
+    for (int k = 0; k < topology->dimension; k++)
+        api_rational_out(out[k], topology->inner.witness + k);
+    return 1;
+}

@@ -1,0 +1,36 @@
+/* Findings, and their names. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "topo/finding.h"
+
+const char *graze_topo_name(graze_topo topo) {
+    static const char *const name[] = {"none", "interior", "boundary", "exterior", "undecided"};
+    return (unsigned)topo < sizeof name / sizeof *name ? name[topo] : "none";
+}
+
+const char *graze_topo_level_name(graze_topo_level level) {
+    static const char *const name[] = {"none", "word", "L1", "L3"};
+    return (unsigned)level < sizeof name / sizeof *name ? name[level] : "none";
+}
+
+void finding_init(topo_finding *f) {
+    f->position = GRAZE_TOPO_NONE;
+    f->level = GRAZE_LEVEL_NONE;
+    f->reason = "";
+    f->has_witness = 0;
+    for (int k = 0; k < 3; k++)
+        fmpq_init(f->witness + k);
+}
+
+void finding_clear(topo_finding *f) {
+    for (int k = 0; k < 3; k++)
+        fmpq_clear(f->witness + k);
+}
+
+void finding_set(topo_finding *f, graze_topo position, graze_topo_level level) {
+    f->position = position;
+    f->level = level;
+}
+
+void finding_undecided(topo_finding *f, const char *reason) {
+    finding_set(f, GRAZE_TOPO_UNDECIDED, GRAZE_LEVEL_NONE);
+    f->reason = reason;
+}

@@ -1,0 +1,25 @@
+/* What is found out about a point and the closed sweep.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TOPO_FINDING_H
+#define GRAZE_TOPO_FINDING_H
+
+#include <flint/fmpq.h>
+#include "graze/topo.h"
+
+/** `reason` is set for an undecided point alone, `witness` if `has_witness`. */
+typedef struct topo_finding {
+    graze_topo position;
+    graze_topo_level level;
+    const char *reason; /* static */
+    int has_witness;
+    fmpq witness[3]; /* a point that is `out` */
+} topo_finding;
+
+/** Nothing is found. */
+void finding_init(topo_finding *f);
+void finding_clear(topo_finding *f);
+void finding_set(topo_finding *f, graze_topo position, graze_topo_level level);
+void finding_undecided(topo_finding *f, const char *reason);
+
+#endif

@@ -1,0 +1,18 @@
+/* The position of a point relative to the closed sweep, by the cheapest level that decides it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TOPO_TOPO_H
+#define GRAZE_TOPO_TOPO_H
+
+#include "topo/finding.h"
+#include "trace/trace.h"
+
+/**
+ * @param[out] out initialised
+ * @param trace    that of the point, decided
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
+ */
+graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                         const fmpq *point, const graze_trace *trace);
+
+#endif

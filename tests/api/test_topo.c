@@ -1,0 +1,150 @@
+/* Positions relative to the closed sweep through the public functions.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "walk.h"
+
+/* Like `slide`, and back to (4, 0) over (9, 9): the square's right side rests at x = 6 for an
+ * instant, its left side later comes to x = 6. */
+static const char seam[] =
+    "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"translate\": [\"4*t\", 0]}},"
+    "{\"t\": [1, 2], \"transform\": {\"translate\": [\"4-4*s\", \"8*s\"]}},"
+    "{\"t\": [2, 3], \"transform\": {\"translate\": [\"12*s\", 8]}},"
+    "{\"t\": [3, 4], \"transform\": {\"translate\": [\"12-6*s\", \"8-8*s\"]}}]}";
+static const char turn_about[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": "
+                                 "{\"turn\": {\"quarters\": 1}}}]}";
+
+typedef struct answer {
+    graze_topo position;
+    graze_topo_level level;
+    int has_witness;
+    char reason[100];
+} answer;
+
+/* The answer for a point, whose witness is out. */
+static answer ask(scene *s, const char *x, const char *y) {
+    graze_trace *trace = NULL;
+    graze_topology *topology = NULL;
+    graze_verdict verdict;
+    answer out;
+    mpq_t p[2], witness[2];
+    mpq_inits(p[0], p[1], witness[0], witness[1], NULL);
+    assert_int_equal(mpq_set_str(p[0], x, 10) + mpq_set_str(p[1], y, 10), 0);
+    assert_int_equal(graze_trace_create(&trace, s->context, s->scene, p), GRAZE_OK);
+    assert_int_equal(graze_trace_topo(&topology, s->context, s->scene, p, trace), GRAZE_OK);
+    out.position = graze_topology_position(topology);
+    out.level = graze_topology_level(topology);
+    out.has_witness = graze_topology_witness(witness, topology);
+    snprintf(out.reason, sizeof out.reason, "%s", graze_topology_reason(topology));
+    if (out.has_witness) {
+        assert_int_equal(graze_classify(&verdict, s->context, s->scene, witness, 1), GRAZE_OK);
+        assert_int_equal(verdict.pmc, GRAZE_OUT);
+    }
+    mpz_set_ui(mpq_denref(p[0]), 0);
+    assert_int_equal(graze_trace_topo(NULL, s->context, s->scene, p, trace), GRAZE_EUSE);
+    graze_topology_destroy(topology);
+    assert_int_equal(graze_trace_topo(&topology, s->context, s->scene, p, trace), GRAZE_EUSE);
+    assert_null(topology);
+    mpq_clears(p[0], p[1], witness[0], witness[1], NULL);
+    graze_trace_destroy(trace);
+    return out;
+}
+
+static void positions(void **state) {
+    (void)state;
+    scene s;
+    scene_open(&s, slide, NULL);
+    answer a = ask(&s, "5", "1");
+    assert_true(a.position == GRAZE_TOPO_INTERIOR && a.level == GRAZE_LEVEL_WORD);
+    a = ask(&s, "5", "3");
+    assert_true(a.position == GRAZE_TOPO_EXTERIOR && a.level == GRAZE_LEVEL_WORD);
+    a = ask(&s, "5", "2"); /* the top edge slides along it */
+    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level > GRAZE_LEVEL_WORD && a.has_witness);
+    assert_string_equal(a.reason, "");
+    scene_close(&s);
+    scene_open(&s, seam, NULL);
+    a = ask(&s, "6", "1");
+    assert_true(a.position == GRAZE_TOPO_INTERIOR && a.level > GRAZE_LEVEL_WORD && !a.has_witness);
+    a = ask(&s, "6", "0"); /* below is nothing */
+    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.has_witness);
+    scene_close(&s);
+}
+
+/* The corner that is turned about is `on` the unsweep, which is a quarter of the plane near it. */
+static void unsweep(void **state) {
+    (void)state;
+    scene s;
+    scene_open(&s, turn_about, &(graze_options){.operation = GRAZE_UNSWEEP});
+    answer a = ask(&s, "0", "0");
+    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level == GRAZE_LEVEL_WORD && !a.has_witness);
+    a = ask(&s, "-1", "0");
+    assert_true(a.position == GRAZE_TOPO_EXTERIOR && a.level == GRAZE_LEVEL_WORD);
+    scene_close(&s);
+}
+
+/* The top edge slides along the point, and the line x = 2 of the start is 2^-100 away from it. */
+static void limit(void **state) {
+    (void)state;
+    static const char x[] = "2535301200456458802993406410753/1267650600228229401496703205376";
+    scene s;
+    scene_open(&s, slide, NULL);
+    assert_int_equal(ask(&s, x, "2").position, GRAZE_TOPO_BOUNDARY);
+    assert_int_equal(graze_context_set_limit(s.context, GRAZE_LIMIT_BITS, 50), GRAZE_OK);
+    answer a = ask(&s, x, "2");
+    assert_true(a.position == GRAZE_TOPO_UNDECIDED && a.level == GRAZE_LEVEL_NONE);
+    assert_non_null(strstr(a.reason, "`bits`"));
+    scene_close(&s);
+}
+
+static char *row(scene *s, long x, long y, graze_format format) {
+    char *text = NULL;
+    mpq_t p[2];
+    mpq_inits(p[0], p[1], NULL);
+    mpq_set_si(p[0], x, 1);
+    mpq_set_si(p[1], y, 1);
+    assert_int_equal(graze_report_point(&text, s->context, s->scene, p, format, "a,b"), GRAZE_OK);
+    mpq_clears(p[0], p[1], NULL);
+    return text;
+}
+
+static void rows(void **state) {
+    (void)state;
+    scene s;
+    char *text;
+    scene_open(&s, slide, &(graze_options){.topo = 1, .size = sizeof(graze_options)});
+    assert_int_equal(graze_report_header(&text, s.context, s.scene, NULL, "m,n"), GRAZE_OK);
+    assert_non_null(strstr(text, "# topo yes\n"));
+    assert_non_null(strstr(text, ",word,m,n,topo\n"));
+    graze_free(text);
+    text = row(&s, 5, 1, GRAZE_FORMAT_CSV);
+    assert_string_equal(text, "5,1,in,regular,5,1,2,0,OBIBO,a,b,interior\n");
+    graze_free(text);
+    text = row(&s, 5, 2, GRAZE_FORMAT_CSV);
+    assert_string_equal(text, "5,2,on,boundary,8,1,0,1,OBO,a,b,boundary\n");
+    graze_free(text);
+    text = row(&s, 5, 3, GRAZE_FORMAT_JSONL);
+    assert_non_null(
+        strstr(text, "\"contacts\":[],\"topo\":\"exterior\",\"topo_level\":\"word\"}\n"));
+    graze_free(text);
+    scene_close(&s);
+}
+
+static void names(void **state) {
+    (void)state;
+    assert_string_equal(graze_topo_name(GRAZE_TOPO_INTERIOR), "interior");
+    assert_string_equal(graze_topo_name(GRAZE_TOPO_BOUNDARY), "boundary");
+    assert_string_equal(graze_topo_name(GRAZE_TOPO_EXTERIOR), "exterior");
+    assert_string_equal(graze_topo_name(GRAZE_TOPO_UNDECIDED), "undecided");
+    assert_string_equal(graze_topo_name(GRAZE_TOPO_NONE), "none");
+    assert_string_equal(graze_topo_name((graze_topo)9), "none");
+    assert_string_equal(graze_topo_level_name(GRAZE_LEVEL_WORD), "word");
+    assert_string_equal(graze_topo_level_name(GRAZE_LEVEL_L1), "L1");
+    assert_string_equal(graze_topo_level_name(GRAZE_LEVEL_L3), "L3");
+    assert_string_equal(graze_topo_level_name((graze_topo_level)9), "none");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(positions), cmocka_unit_test(unsweep),
+                                       cmocka_unit_test(limit), cmocka_unit_test(rows),
+                                       cmocka_unit_test(names)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

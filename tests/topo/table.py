@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+# suite
+"""`classify --topo`: the column in tables, shards, continued and exported tables, and where it is refused.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Rows without --topo are those with it less the last column; parts merge to the table of one run.
+"""
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+
+from program import Checks, Graze, options, run  # noqa: E402
+
+EXAMPLES = os.path.join(HERE, "..", "examples")
+# Example 49 and points about it: in, out, the seam, a corner.
+CUBE = os.path.join(EXAMPLES, "solids", "c2.off"), os.path.join(EXAMPLES, "motions", "seam_ends_3.json")
+# Examples 17b, 7 and points about them, with the answers' last column.
+SQUARE = os.path.join(EXAMPLES, "solids", "q2.wkt"), os.path.join(EXAMPLES, "motions", "seam_ends.json")
+ROWS = [("4", "1", "interior"), ("0", "1", "boundary"), ("1", "1", "interior"), ("40", "1", "exterior"),
+        ("4", "0", "boundary"), ("4", "1/3", "interior"), ("0", "0", "boundary")]
+
+
+def rows_of(text):
+    return [line for line in text.splitlines() if not line.startswith("#")]
+
+
+def check_table(checks, graze, points):
+    plain = graze.call("classify", *SQUARE, points, "--quiet")
+    topo = graze.call("classify", *SQUARE, points, "--quiet", "--topo")
+    checks.equal(topo.returncode, 0, topo.stderr)
+    checks.equal([line.rsplit(",", 1)[0] for line in rows_of(topo.stdout)], rows_of(plain.stdout), "rows")
+    checks.equal([line.rsplit(",", 1)[1] for line in rows_of(topo.stdout)], ["topo"] + [r[2] for r in ROWS])
+    checks.equal(topo.stdout.splitlines()[-2:], ["# undecided 0", f"# complete {len(ROWS)}"])
+    checks.holds("# topo yes" in topo.stdout and "topo" not in plain.stdout, "the head")
+    checks.holds(f"the position of 0 of {len(ROWS)} rows is undecided" in topo.stderr, topo.stderr)
+    checks.equal(plain.stderr, "", "nothing is said without --topo")
+    return topo.stdout
+
+
+def check_parts(checks, graze, points, whole):
+    parts = []
+    for k in range(3):
+        out = graze.call("classify", *SQUARE, points, "--quiet", "--topo", "--shard", f"{k + 1}/3")
+        parts.append(graze.write(f"part-{k}.csv", out.stdout))
+    merged = graze.call("merge", "--quiet", *parts)
+    checks.equal(merged.stdout, whole, "merged", merged.stderr)
+    lines = whole.splitlines(keepends=True)
+    begun = graze.write("begun.csv", "".join(lines[:-4]) + lines[-4][:3])
+    ended = graze.call("classify", *SQUARE, points, "--quiet", "--topo", "--resume", begun)
+    with open(begun, encoding="utf-8") as f:
+        checks.equal(f.read(), whole, "continued", ended.stderr)
+    other = graze.write("other.csv", "".join(lines[:-4]))
+    refused = graze.call("classify", *SQUARE, points, "--quiet", "--resume", other)
+    checks.equal(refused.returncode, 3, "a table with positions is not continued without")
+
+
+def check_forged(checks, graze, points):
+    """merge and --resume refuse a row whose position does not go with pmc."""
+    parts = []
+    for k in range(2):
+        text = graze.call("classify", *SQUARE, points, "--quiet", "--topo", "--shard", f"{k + 1}/2").stdout
+        parts.append(graze.write(f"forged-{k}.csv", text.replace("p2,interior", "p2,boundary")))
+    refused = graze.call("merge", "--quiet", *parts)
+    checks.equal(refused.returncode, 3, "a forged position", refused.stderr)
+    checks.holds("goes with pmc" in refused.stderr, refused.stderr)
+
+
+def check_undecided(checks, graze):
+    """Where a row is undecided, and that it is counted, is found by the limit `bits`: x = 2 is 2^-100 away."""
+    near = f"{2 * 2 ** 100 + 1}/{2 ** 100}"
+    slide = os.path.join(EXAMPLES, "motions", "right8.json")
+    points = graze.write("near.csv", f"{near},2\n5,2\n{near},2\n5,1\n")
+    flags = ("--quiet", "--topo", "--limit", "bits=50")
+    out = graze.call("classify", SQUARE[0], slide, points, *flags)
+    checks.equal([line.rsplit(",", 1)[1] for line in rows_of(out.stdout)[1:]],
+                 ["undecided", "boundary", "undecided", "interior"])
+    checks.equal(out.stdout.splitlines()[-2:], ["# undecided 2", "# complete 4"])
+    checks.holds("the position of 2 of 4 rows is undecided" in out.stderr, out.stderr)
+    lines = graze.call("classify", SQUARE[0], slide, points, *flags, "--format", "jsonl")
+    checks.equal(lines.stdout.count('"topo":"undecided","topo_reason":"'), 2)
+    checks.holds("the position of 2 of 4 rows is undecided" in lines.stderr, lines.stderr)
+    parts = [graze.write(f"near-{k}.csv", graze.call("classify", SQUARE[0], slide, points, *flags, "--shard",
+                                                     f"{k + 1}/2").stdout) for k in range(2)]
+    checks.equal(graze.call("merge", "--quiet", *parts).stdout, out.stdout, "merged counts")
+    begun = graze.write("near-begun.csv", "".join(out.stdout.splitlines(keepends=True)[:-3]))
+    graze.call("classify", SQUARE[0], slide, points, *flags, "--resume", begun)
+    with open(begun, encoding="utf-8") as f:
+        checks.equal(f.read(), out.stdout, "continued counts")
+
+
+def check_others(checks, graze, points):
+    for form in ("vtk", "npy"):
+        out = graze.write("export." + form, "")
+        made = graze.call("classify", *SQUARE, points, "--quiet", "--topo", "--format", form, "--output", out)
+        checks.equal(made.returncode, 0, form, made.stderr)
+        with open(out, "rb") as f:
+            checks.holds(b"topo" in f.read(), form, "has the column")
+    named = graze.write("named.csv", "x,y,topo\n4,1,a\n")
+    refused = graze.call("classify", *SQUARE, named, "--quiet", "--topo")
+    checks.equal((refused.returncode, refused.stdout), (3, ""), refused.stderr)
+    checks.holds("column `topo`" in refused.stderr, refused.stderr)
+    checks.equal(graze.call("classify", *SQUARE, named, "--quiet").returncode, 0, "without --topo")
+    unsweep = graze.call("classify", *SQUARE, points, "--quiet", "--topo", "--operation", "unsweep")
+    of_pmc = {"in": "interior", "on": "boundary", "out": "exterior"}
+    for line in rows_of(unsweep.stdout)[1:]:
+        fields = line.split(",")
+        checks.equal(fields[-1], of_pmc[fields[2]], line)
+    space = graze.call("classify", *CUBE, graze.write("cube.csv", "4,1,1\n9,9,9\n"), "--quiet", "--topo")
+    checks.equal(rows_of(space.stdout)[2].split(",")[-1], "exterior", space.stderr)
+
+
+def check_checker(checks, graze, points):
+    checker = os.path.join(os.path.dirname(graze.path), "graze-check")
+    certificate, motion = graze.write("certificate.txt", ""), graze.write("plain.json", "")
+    graze.call("convert", SQUARE[1], "-o", motion)
+    whole = graze.call("classify", SQUARE[0], motion, points, "--quiet", "--topo").stdout
+    graze.call("certify", SQUARE[0], motion, points, "-o", certificate)
+    said = run([checker, SQUARE[0], motion, certificate, graze.write("whole.csv", whole)])
+    checks.equal(said.returncode, 0, "graze-check takes the table", said.stdout, said.stderr)
+
+
+def main():
+    args = options(__doc__.splitlines()[0])
+    checks = Checks()
+    graze = Graze(args, checks)
+    points = graze.write("points.csv", "x,y,id\n" + "".join(f"{x},{y},p{k}\n" for k, (x, y, _) in enumerate(ROWS)))
+    whole = check_table(checks, graze, points)
+    check_parts(checks, graze, points, whole)
+    check_forged(checks, graze, points)
+    check_undecided(checks, graze)
+    check_others(checks, graze, points)
+    check_checker(checks, graze, points)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
