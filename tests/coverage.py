@@ -5,6 +5,9 @@ Every file of src, CGAL's headers left out, must have 90 % of its lines and 90 %
 tests/coverage.txt that says why not, and below which figures it must not fall. Rows that are no longer
 needed are named. Branches that only exceptions take are not counted.
 
+Of graze-check (src/check) every line must be run and every branch taken, or tests/check/branches.txt has a row for the
+branch's line.
+
     coverage.py [--measured]     --measured: do not run the suites again
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -58,6 +61,43 @@ def reasons():
     return rows
 
 
+def missed_by_checker():
+    """{(file, line's text): "line" or "branch"} of graze-check, which is built in one call beside the other objects."""
+    out, missed, files = BUILD + "/checker.json", {}, 0
+    subprocess.run(["gcovr", "--root", ".", "--filter", "src/check/", "--exclude-throw-branches", "--json", out,
+                    "--exclude-directories", BUILD + "/src", "--exclude-directories", BUILD + "/tests", BUILD],
+                   check=True, stdout=subprocess.DEVNULL)
+    with open(out, encoding="utf-8") as file:
+        for one in json.load(file)["files"]:
+            files += 1
+            with open(one["file"], encoding="utf-8") as source:
+                text = source.read().splitlines()
+            for line in one["lines"]:
+                if line.get("gcovr/noncode"):
+                    continue
+                what = "line" if line["count"] == 0 else "branch"
+                if what == "line" or any(branch["count"] == 0 for branch in line["branches"]):
+                    missed[os.path.basename(one["file"]), text[line["line_number"] - 1].strip()] = what
+    if files != len(glob.glob("src/check/*.c")):
+        sys.exit(f"{BUILD}: counts of {files} files of src/check")
+    return missed
+
+
+def judge_checker():
+    """(passed, failed): each branch not taken has its reason, each reason its branch."""
+    missed, rows = missed_by_checker(), set()
+    with open("tests/check/branches.txt", encoding="utf-8") as file:
+        for line in file:
+            if line.strip() and not line.startswith("#"):
+                name, text, _ = line.rstrip("\n").split(" | ")
+                rows.add((name, text))
+    wrong = [(key, f"a {what} that is never run") for key, what in missed.items() if what == "line" or key not in rows]
+    for (name, text), why in wrong + [(key, "its row is not needed") for key in sorted(rows - set(missed))]:
+        print(f"  src/check/{name}: {text}: {why}")
+    print(f"  {len(missed)} branches of graze-check are not taken")
+    return len(missed) - len(wrong), len(wrong)
+
+
 def percent(part, whole):
     return 100.0 * part / whole if whole else 100.0
 
@@ -84,6 +124,8 @@ def main():
         print(f"FAILED tests/coverage.txt: {name} is not there")
         failed += 1
     print(f"  {percent(*sums[:2]):5.1f} {percent(*sums[2:]):5.1f}    all")
+    checker = judge_checker()
+    passed, failed = passed + checker[0], failed + checker[1]
     print(f"{passed} passed, {failed} failed")
     sys.exit(1 if failed else 0)
 

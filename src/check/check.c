@@ -16,39 +16,44 @@ static char *read_hashed(const char *path, const char *expected, size_t *length)
     return text;
 }
 
-/* Follow the rows of one part. */
-static void follow(const task *work, const solid *s, const motion *m, certificate *c, size_t part) {
+/* Follow the rows of one part; the number of all rows. */
+static size_t follow(const task *work, const solid *s, const motion *m, certificate *c,
+                     size_t part) {
     trace r;
     table t;
+    if (work->jobs > 1) { /* processes share the place in the file that is open */
+        certificate own = certificate_open(work->path[2]);
+        own.h = c->h; /* the head that solid and motion were held to */
+        *c = own;
+    }
     if (work->path[3])
         t = table_open(work->path[3], &c->h);
     trace_init(&r, s, m, c->h.unsweep);
     certificate_follow(c, &r, work->path[3] ? &t : NULL, part, work->jobs);
     if (work->path[3])
         table_end(&t);
+    return c->row_count;
 }
 
 /* Part 0 is followed here, the others by processes of their own. */
-static void follow_all(const task *work, const solid *s, const motion *m, certificate *c) {
+static size_t follow_all(const task *work, const solid *s, const motion *m, certificate *c) {
     int worst = VERIFIED;
     for (size_t part = 1; part < work->jobs; part++) {
         pid_t child = fork();
         must(child >= 0, "a process cannot be started");
         if (child == 0) {
-            certificate own = certificate_open(work->path[2]);
-            own.h = c->h; /* the head that solid and motion were held to */
-            follow(work, s, m, &own, part);
-            _Exit(VERIFIED); /* exit would move the place in the files that are open here */
+            follow(work, s, m, c, part);
+            exit(VERIFIED);
         }
     }
-    follow(work, s, m, c, 0);
-    for (int status; wait(&status) > 0;)
-        if (!WIFEXITED(status))
-            worst = NOT_CHECKED;
-        else if (WEXITSTATUS(status) != VERIFIED && worst != NOT_CHECKED)
-            worst = WEXITSTATUS(status);
+    size_t rows = follow(work, s, m, c, 0);
+    for (int status; wait(&status) > 0;) {
+        int end = WIFEXITED(status) ? WEXITSTATUS(status) : NOT_CHECKED;
+        worst = end > worst ? end : worst;
+    }
     if (worst != VERIFIED)
         exit(worst);
+    return rows;
 }
 
 size_t check_files(const task *work) {
@@ -65,6 +70,5 @@ size_t check_files(const task *work) {
     motion_check_signs(&m, c.times, c.time_count);
     if (!work->assume_legal)
         solid_check(&s);
-    follow_all(work, &s, &m, &c);
-    return c.row_count;
+    return follow_all(work, &s, &m, &c);
 }

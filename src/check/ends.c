@@ -19,7 +19,7 @@ void end_with(int status, const char *format, ...) {
 }
 
 void *grow(void *old, size_t count, size_t size) {
-    void *out = count <= SIZE_MAX / 2 / size ? realloc(old, count ? count * size : 1) : NULL;
+    void *out = count <= SIZE_MAX / 2 / size ? realloc(old, count * size + 1) : NULL;
     must(out != NULL, "out of memory for %zu items of %zu bytes", count, size);
     return out;
 }

@@ -40,8 +40,7 @@ void poly_set_si(poly *out, long value) {
 }
 
 void poly_add_product(poly *out, const poly *a, const poly *b, int sign) {
-    if (a->n > 0 && b->n > 0)
-        poly_extend(out, a->n + b->n - 1);
+    poly_extend(out, a->n + b->n);
     for (size_t i = 0; i < a->n; i++)
         for (size_t j = 0; j < b->n; j++)
             (sign < 0 ? mpz_submul : mpz_addmul)(out->c[i + j], a->c[i], b->c[j]);
@@ -87,12 +86,12 @@ int poly_divide(poly *a, const poly *b) {
     poly rest = {0}, quotient = {0};
     poly_set(&rest, a);
     poly_extend(&quotient, a->n);
-    while (b->n > 0 && rest.n >= b->n && mpz_divisible_p(rest.c[rest.n - 1], b->c[b->n - 1])) {
+    while (rest.n >= b->n && mpz_divisible_p(rest.c[rest.n - 1], b->c[b->n - 1])) {
         mpz_t *q = &quotient.c[rest.n - b->n];
         mpz_divexact(*q, rest.c[rest.n - 1], b->c[b->n - 1]);
         cancel_lead(&rest, b, *q);
     }
-    int exact = b->n > 0 && rest.n == 0;
+    int exact = rest.n == 0;
     poly_trim(&quotient);
     if (exact)
         poly_set(a, &quotient);
@@ -184,7 +183,7 @@ void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b
 }
 
 int strict_sign(mpz_t *c, size_t count) {
-    int sign = count > 0 ? mpz_sgn(c[0]) : 0;
+    int sign = mpz_sgn(c[0]);
     for (size_t k = 1; k < count; k++)
         if (mpz_sgn(c[k]) != sign)
             return 0;

@@ -25,8 +25,8 @@ void poly_add_scaled(poly *out, const poly *a, const mpz_t z);
 void poly_scale(poly *p, const mpz_t z);
 /** Divide by the greatest common divisor of the coefficients. */
 void poly_make_primitive(poly *p);
-/** a /= b if that is exact in Z[t]; 1 or 0. If b is primitive it is exact in Z[t] if it is so over
- * the rationals (Gauss). */
+/** a /= b, which is not zero, if that is exact in Z[t]; 1 or 0. If b is primitive it is exact in
+ * Z[t] if it is so over the rationals (Gauss). */
 int poly_divide(poly *a, const poly *b);
 /** A common divisor. That it is the greatest matters to no proof: it shortens. */
 void poly_common(poly *out, const poly *a, const poly *b);
@@ -38,7 +38,7 @@ void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x);
  * integer that depends on n, a and b alone. `out` are n + 1.
  */
 void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b);
-/** 1 or -1 if all have this strict sign, else 0. */
+/** 1 or -1 if all, one or more, have this strict sign, else 0. */
 int strict_sign(mpz_t *c, size_t count);
 
 #endif

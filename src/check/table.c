@@ -59,7 +59,8 @@ static void check_columns(const table *t, word rest) {
     while (rest.length > 0) {
         word w = next_cell(&rest);
         if (word_is(w, "topo") || word_is(w, "sdf"))
-            fprintf(stderr, "graze-check: note: column %.*s is not certified\n", WORD(w));
+            fprintf(stderr, "graze-check: note: column %.*s is not certified\n", (int)w.length,
+                    w.at);
     }
 }
 

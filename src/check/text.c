@@ -86,7 +86,8 @@ void token_want(source *f, const char *expected) {
     for (word want = token(&list); want.length > 0; want = token(&list)) {
         word w = token(f);
         if (w.length != want.length || memcmp(w.at, want.at, w.length) != 0)
-            give_up("%s:%zu: '%.*s'; expected %.*s", f->path, f->line, WORD(w), WORD(want));
+            give_up("%s:%zu: '%.*s'; expected %.*s", f->path, f->line, WORD(w), (int)want.length,
+                    want.at);
     }
 }
 

@@ -18,10 +18,11 @@ static void count(unsigned long *i, unsigned long *t, const char *states) {
 }
 
 static verdict of_unsweep(const char *states) {
-    int inside = strcmp(states, "I") == 0;
     verdict v = {"on", 0};
-    if (inside || strchr(states, 'O'))
-        strcpy(v.claims, inside ? "in" : "out");
+    if (strcmp(states, "I") == 0)
+        strcpy(v.claims, "in");
+    else if (strchr(states, 'O'))
+        strcpy(v.claims, "out");
     return v;
 }
 

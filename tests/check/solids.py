@@ -8,10 +8,11 @@ Of an illegal solid graze certify makes no certificate. It gets that of a small 
 from the one point asked about, with the hashes of its own files.
 """
 import os
+import subprocess
 import tempfile
 from fractions import Fraction
 
-from lib_certificate import Certificate, NOT_CHECKED, Programs, REFUTED, VERIFIED, run, sha256, write
+from lib_certificate import Certificate, ENVIRONMENT, NOT_CHECKED, Programs, REFUTED, VERIFIED, run, sha256, write
 from meshes import CUBE, MOVE, SQUARE, both, off, prism, scaled, tetrahedron, turned, without
 from harness import ONLY, Checks, options
 
@@ -172,6 +173,11 @@ MOTIONS = {
     "a product": PIECE % ("0", "1", "t*t"),
     "a quotient without brackets": PIECE % ("0", "1", "1/t"),
     "half a quotient": PIECE % ("0", "1", "(1)/"),
+    "a bracket alone": PIECE % ("0", "1", "(1)"),
+    "a bracket that is open": PIECE % ("0", "1", "(1"),
+    "a bracket with nothing": PIECE % ("0", "1", "(1)/()"),
+    "two terms and no end": PIECE % ("0", "1", "(1 1)/(1)"),
+    "brackets and more": PIECE % ("0", "1", "(1)/(1) 1"),
     "a quotient of one bracket": PIECE % ("0", "1", "(1)/t"),
     "an open bracket": PIECE % ("0", "1", "(1)/(t"),
     "an unknown key": '{"t": ["0", "1"], "transform": {"translat": ["t", "0", "0"]}}',
@@ -303,13 +309,17 @@ def check_usage(tally, programs, folder):
     solid, motion = os.path.join(folder, "far.off"), os.path.join(folder, "motion.json")
     path = write(os.path.join(folder, "certificate"), certificate.text())
     for name, words in (("nothing", []), ("two files", [solid, motion]), ("five files", [solid, motion, path, path, path]),
-                        ("no jobs", [solid, motion, path, "--jobs", "0"]), ("jobs", [solid, motion, path, "--jobs"]),
+                        ("no jobs", [solid, motion, path, "--jobs", "0"]), ("many jobs", [solid, motion, path, "--jobs", "1001"]), ("jobs", [solid, motion, path, "--jobs"]),
                         ("an option", ["--force", solid, motion, path]), ("no solid", ["none.off", motion, path]),
                         ("no motion", [solid, "none.json", path]), ("no certificate", [solid, motion, "none"]),
                         ("no table", [solid, motion, path, "none"]),
                         ("another ending", [motion, motion, path])):
         status, out, _ = programs.check(*words)
         tally.holds(status != VERIFIED and not out, f"{status} {out}", name)
+    for words in ([solid, motion, path], ["--help"]):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            done = subprocess.run([programs.check_program, *words], stdout=full, stderr=subprocess.DEVNULL, env=ENVIRONMENT)
+        tally.equal(done.returncode, NOT_CHECKED, "nowhere to write to", words)
     status, out, _ = programs.check("--help")
     tally.holds(status == 0 and "graze-check SOLID MOTION CERTIFICATE" in out, out, "help")
 

@@ -27,7 +27,7 @@ from harness import ONLY, Checks, options
 HERE = os.path.dirname(os.path.abspath(__file__))
 SPARED = ("main.c", "ends.c", "sha256.c")
 EACH = 60
-SUITES = ("solids.py", "limits.py", "golden.py", "mutants.py")
+SUITES = ("solids.py", "limits.py", "rows.py", "golden.py", "mutants.py")
 FLAGS = ["-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1", "-w", "-Dfree=checker_free", "-Dfopen=checker_fopen",
          "-Dfclose=checker_fclose"]
 TURNED = {"==": ["!="], "!=": ["=="], "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"],

@@ -1,0 +1,77 @@
+"""Rows made by hand that only one test of graze-check refutes, each beside one that is right.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+# suite
+
+The squares have their sides on the axes; c is the position of the row's point in the solid, at the time t.
+"""
+import os
+import tempfile
+
+from lib_certificate import Certificate, Programs, REFUTED, Row, VERIFIED, sha256, write
+from meshes import SQUARE
+from harness import ONLY, Checks, options
+
+TEETH = "POLYGON ((1 0, 6 0, 6 1, 4 1, 4 1/2, 3 1/2, 3 1, 1 1, 1 0))"
+APART = "POLYGON ((3/4 -1/4, 5/4 -1/4, 5/4 1/4, 3/4 1/4, 3/4 -1/4))"
+# Turns that take (1, 0) around the origin; the weight 16 t^2 - 16 t + 5 has the coefficients 5, -3, 5.
+TURN = ("(-16*t^2 + 16*t - 3)/(16*t^2 - 16*t + 5)", "(8*t - 4)/(16*t^2 - 16*t + 5)", "(4 - 8*t)/(16*t^2 - 16*t + 5)")
+AROUND = '{"matrix": [["%s", "%s", "0"], ["%s", "%s", "0"]]}' % (TURN[0], TURN[2], TURN[1], TURN[0])
+SLIDE = ["O 1/2", "OBB 3/2 -1 1", "B 2"], ["B 11/2", "BBO 13/2 -6 1", "O 7"]
+GAP = ["B 5/2", "BBO 13/4 -3 1", "O 15/4", "OBB 9/2 -4 1"]
+QUARTERS = ["O 1/4", "O 1/2", "O 3/4", "O 1"]
+
+
+def along(x, y="0"):
+    """c = (x0 - x, y0 - y) for the point (x0, y0)."""
+    return '{"translate": ["%s", "%s"]}' % (x, y)
+
+
+# What, solid, motion on [0, end], end, signs, point, word, intervals, whether it is right.
+ROWS = [
+    ("a slide, a gap, a slide", TEETH, along("-t"), 7, "0 7", "0 1", "OBOBO", [*SLIDE[0], *GAP, *SLIDE[1]], True),
+    ("a slide that goes on over a gap", TEETH, along("-t"), 7, "0 7", "0 1", "OBO", [*SLIDE[0], "BBB 5 -7 2", *SLIDE[1]], False),
+    ("a point apart", APART, AROUND, 1, "0 1/4 1/2 3/4 1", "-9 0", "O", QUARTERS, True),
+    ("control points apart, over a weight of both signs", APART, AROUND, 1, "0 1/4 1/2 3/4 1", "1 0", "O", ["O 1"], False),
+    # c_x = 1 - t + 2 t^2: on the right side at 0 and at 1/2, inside between.
+    ("a root in the middle", SQUARE, along("t - 2*t^2"), 1, "0 1", "1 1/2", "BIBO", ["BI 1/4", "IBO 1 -1 2"], True),
+    ("a root at the beginning, too", SQUARE, along("t - 2*t^2"), 1, "0 1", "1 1/2", "BO", ["BBO 1 0 -1 2"], False),
+    # c_x = 2 - 3 t + 2 t^2: on it at 1/2 and at 1, inside between.
+    ("a root in the middle", SQUARE, along("3*t - 2*t^2"), 1, "0 1", "2 1/2", "OBIB", ["OBI 3/4 -1 2", "IB 1"], True),
+    ("a root at the end, too", SQUARE, along("3*t - 2*t^2"), 1, "0 1", "2 1/2", "OB", ["OBB 1 1 -3 2"], False),
+    # c_x = 1 + (2 t - 1)^2 touches the right side's line; c_y = 1/2, or 2/3 + t, which is past its end by then.
+    ("a touch", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2", "O 1"], True),
+    ("a touch of its line", SQUARE, along("4*t - 4*t^2", "1/3 - t"), 1, "0 1", "2 1", "OBO", ["O 1/4", "OBO 3/4 -1 2", "O 1"], False),
+    # The times of signs leave the motion and come back.
+    ("a time more", SQUARE, along("t"), 1, "0 1/2 1", "9 9", "O", ["O 1"], True),
+    ("times past the end", SQUARE, along("t"), 1, "0 1 2 1", "9 9", "O", ["O 1"], False),
+]
+
+
+def certificate(solid, motion, signs, point, word, intervals):
+    row = Row([*point.split(), word], 2)
+    row.claim(word, False, False)
+    row.intervals = [interval.split() for interval in intervals]
+    out = Certificate("complete 1\n")
+    out.head = [["graze-certificate", "1"], ["solid-sha256", sha256(solid)], ["motion-sha256", sha256(motion)],
+                ["scene-sha256", "0" * 64], ["dimension", "2"], ["operation", "sweep"], ["folds", "separate"], ["signs", *signs.split()]]
+    out.rows = [row]
+    return out.text()
+
+
+def main():
+    chosen = options(__doc__, ONLY)
+    programs, tally = Programs(chosen.graze), Checks()
+    with tempfile.TemporaryDirectory() as folder:
+        for what, polygon, transform, end, signs, point, word, intervals, right in ROWS:
+            solid = write(os.path.join(folder, "solid.wkt"), polygon)
+            motion = write(os.path.join(folder, "motion.json"),
+                           '{"dimension": 2, "pieces": [{"t": ["0", "%d"], "transform": %s}]}' % (end, transform))
+            path = write(os.path.join(folder, "certificate"), certificate(solid, motion, signs, point, word, intervals))
+            status, _, error = programs.check(solid, motion, path)
+            tally.equal(status, VERIFIED if right else REFUTED, what, error)
+    tally.finish()
+
+
+if __name__ == "__main__":
+    main()
