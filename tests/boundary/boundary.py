@@ -2,7 +2,7 @@
 # suite
 """`graze boundary` against scenes whose sweep is a convex polygon or box known by hand.
 
-The exact set gives every point's answer; a second refinement (lib/second.py) gives the set of cells;
+The exact set gives every point's answer; a second refinement (second.py) gives the set of cells;
 the surface must be closed, turned outwards, near the known boundary, and enclose about its volume.
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -31,6 +31,13 @@ def read_objects(build, files):
     return objects
 
 
+def free_functions(names):
+    """Names of functions as written; members of classes are left out, whose declaration is that of the class."""
+    done = subprocess.run(["c++filt"], input="\n".join(names).encode(), stdout=subprocess.PIPE, check=True)
+    plain = {line.split("(")[0] for line in done.stdout.decode().splitlines()}
+    return {name for name in plain if "::" not in name}
+
+
 def holders(objects):
     """{symbol: the sources that define it}. Of two, one is the other's stand-in in a second program."""
     found = collections.defaultdict(list)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """# suite: the structure of the sources: includes and calls point down the pipeline only and make no circle, each
 source that others call has one header, a function's name stands once, the command line stands on the public
-header, table/ and two small tools alone, only validate/ touches CGAL, and the top level holds nothing that is not named.
+header, table/ and two small tools alone, only validate/ touches CGAL, the top level holds nothing that is not named,
+and the paths that comments and pages name are there.
 
 A call through a pointer is an arrow from the file that names the function (calls.py), so a callback that a higher
 room hands to a lower one points down.
@@ -14,6 +15,7 @@ import subprocess
 import sys
 
 import calls
+import paths
 import sources
 
 # Rooms from the bottom to the top; those of one line know nothing of one another.
@@ -112,14 +114,21 @@ def check_headers(files, objects, arrows):
     for (_, source), names in arrows.items():
         given[source] |= names & objects[source].functions
     for source, names in sorted(given.items()):
-        if not source.endswith(".c"):
-            continue
-        own = sources.unit_of(source) + ".h"
-        for name in sorted(names):
+        own = sources.unit_of(source) + (".h" if source.endswith(".c") else ".h*")
+        for name in sorted(calls.free_functions(names)):
             places = [path for path, known in headers.items() if name in known]
-            right = len(places) == 1 and (places[0] == own or sources.is_public(places[0]))
+            right = len(places) == 1 and (sources.unit_of(places[0]) == sources.unit_of(source)
+                                          or sources.is_public(places[0]))
             check(right, f"{source} defines {name} for others; expected a declaration in {own} or the public header, "
                   f"found {' '.join(places) or 'none'}")
+
+
+def check_paths():
+    """Every path that a comment or a page names is there."""
+    wrong, seen = paths.missing()
+    check(seen > 400, f"{seen} paths are found in comments and pages")
+    for file, path in wrong:
+        check(False, f"{file} names {path}, which is not there")
 
 
 def check_names(files, objects):
@@ -184,6 +193,7 @@ def main():
     check_names(files, objects)
     check_top()
     check_public(files)
+    check_paths()
     print(f"{checks - len(failures)} passed, {len(failures)} failed")
     sys.exit(1 if failures else 0)
 
