@@ -1,5 +1,5 @@
-/* The public functions of scenes and verdicts, and what belongs to no handle: argument checks and
- * one call each.
+/* Public functions of scenes and verdicts, and those without a handle: argument checks and one call
+ * each.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api.h"

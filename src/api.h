@@ -1,4 +1,4 @@
-/* What the files of the public functions share.
+/* Declarations shared by the files of the public functions.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_API_INTERNAL_H
 #define GRAZE_API_INTERNAL_H

@@ -9,7 +9,7 @@
 #include "convert/uniform.h"
 #include "motion/motion_read.h"
 
-/* Read what was made: it is handed out only if it is a legal motion. */
+/* Read the motion that was made; only a legal one is handed out. */
 static graze_status finish_conversion(char **json, char **report, graze_context *context,
                                       conversion *made, graze_status status) {
     graze_motion *motion = NULL;

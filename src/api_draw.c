@@ -7,7 +7,7 @@
 #include "context/environment.h"
 #include "draw/draw.h"
 
-/* What is wrong with the options, or NULL. */
+/* Fault of the options, or NULL. */
 static const char *misused(const graze_draw_options *o, int d) {
     if (o->times == 1 || o->times > 64)
         return "times must be from 2 to 64";

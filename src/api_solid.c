@@ -1,4 +1,4 @@
-/* The public functions of solids: from files, from arrays, and what can be asked of them.
+/* The public functions of solids: from files, from arrays, and their properties.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
@@ -65,7 +65,7 @@ typedef struct arrays {
     size_t index_count;
 } arrays;
 
-/* Everything that can be wrong with the arrays themselves, before anything is copied. */
+/* Check the arrays before anything is copied. */
 static graze_status check_arrays(arrays *a, graze_context *context, unsigned flags) {
     const char *name = a->doubles ? "graze_solid_from_doubles" : "graze_solid_from_arrays";
     unsigned long limit = context->limits[GRAZE_LIMIT_CELLS];

@@ -42,7 +42,7 @@ typedef struct merger {
     int opened;
 } merger;
 
-/* Where two parts of one run cannot differ. */
+/* Refuse two parts that differ where the parts of one run are equal. */
 static int compare_heads(const part *a, const part *b) {
     const char *x = a->head.data, *y = b->head.data;
     if (a->shard.count != b->shard.count)
@@ -85,7 +85,7 @@ static int by_shard(const void *a, const void *b) {
     return (i > j) - (i < j);
 }
 
-/* Each shard once. */
+/* Check that each shard is there once. */
 static int check_parts(merger *m) {
     unsigned long count = m->parts[0].shard.count;
     qsort(m->parts, m->count, sizeof *m->parts, by_shard);

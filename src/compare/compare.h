@@ -1,4 +1,4 @@
-/* Golden table against candidate: what is asked, what is counted.
+/* Comparison of a golden table with the table of a candidate.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant of a finished comparison: rows = agree + wrong + apart + missing, and every tally adds

@@ -1,4 +1,4 @@
-/* What a comparison asks and counts.
+/* Options and counts of a comparison.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COMPARE_COMPARISON_H
@@ -8,10 +8,10 @@
 #include "graze/compare.h"
 #include "number/text.h"
 
-/** What is judged, in the order of columns. */
+/** Answers that are judged, in the order of their columns. */
 enum { JUDGED_PMC, JUDGED_CLASS, JUDGED_I, JUDGED_T, JUDGED_WORD, JUDGED_COUNT };
 
-/** What errors are counted by. */
+/** Groupings of errors. */
 typedef enum grouping {
     BY_STRATUM,
     BY_DISTANCE,
@@ -44,7 +44,7 @@ struct graze_comparison {
     unsigned long column_wrong[JUDGED_COUNT];
     unsigned long apart_answers[3]; /* the candidate's, for rows that are apart */
     matrix confusion;
-    int grouped[GROUPING_COUNT]; /* 1: the golden table tells */
+    int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
     tally tallies[GROUPING_COUNT];
     size_t shown, shown_capacity;
     disagreement *disagreements;

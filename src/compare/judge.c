@@ -117,7 +117,7 @@ static int surely_boundary(const table *t, const table_row *row) {
     return one && in_face && instant && table_field(t, row, COLUMN_K).length == 0;
 }
 
-/* What the golden answer is under the question. */
+/* The golden pmc under the question. */
 static int truth_of(int *apart, const graze_comparison *c, const table *t, const table_row *row,
                     int pmc) {
     *apart = 0;

@@ -6,7 +6,7 @@
 
 #include "compare/comparison.h"
 
-/** Names of what is judged, and of the answers in the matrices. */
+/** Names of the judged answers, and of their values in the matrices. */
 const char *judged_name(int judged);
 extern const char *const pmc_words[3], *const class_words[5];
 

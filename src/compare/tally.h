@@ -20,7 +20,7 @@ typedef struct tally {
     group others;
 } tally;
 
-/** Count a row under its group. `status` is 'a'gree, 'w'rong, a'p'art or 'm'issing.
+/** Count a row under its group. `status` is 'a' (agree), 'w' (wrong), 'p' (apart) or 'm' (missing).
  * @return GRAZE_ESYSTEM */
 graze_status tally_add(tally *t, graze_context *context, field name, char status);
 /** Order the groups by name, numbers by value. */

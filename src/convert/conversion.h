@@ -1,8 +1,8 @@
-/* Motion files from what people have: angles in degrees, screws, joints, lists of poses.
+/* Motion files from angles in degrees, screws, joints and lists of poses.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * What is made is a text in the form of a motion file, read and checked before it is handed out,
- * and a report of what was approximated with proved bounds.
+ * The result is a text in the form of a motion file, read and checked before it is handed out, and
+ * a report of the approximations with proved bounds.
  */
 #ifndef GRAZE_CONVERT_CONVERSION_H
 #define GRAZE_CONVERT_CONVERSION_H

@@ -47,9 +47,7 @@ static graze_status measure_axis(graze_context *context, joint *j, size_t index)
     dot(j->square, j->axis, j->axis);
     if (fmpq_is_zero(j->square) && !j->is_slide)
         return context_fail(context, GRAZE_EUSE,
-                            "joint %zu: the axis is zero; it must have a "
-                            "direction",
-                            index);
+                            "joint %zu: the axis is zero; expected a direction", index);
     if (fmpz_is_square(fmpq_numref(j->square)) && fmpz_is_square(fmpq_denref(j->square))) {
         fmpz_sqrt(fmpq_numref(j->length), fmpq_numref(j->square));
         fmpz_sqrt(fmpq_denref(j->length), fmpq_denref(j->square));

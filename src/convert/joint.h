@@ -21,7 +21,7 @@ typedef struct joint {
     mpfr_t reach;  /* no point is further from the axis, upwards */
 } joint;
 
-/** What an approximation must reach, and for which points. */
+/** Tolerance of an approximation, and the points that it holds for. */
 typedef struct target {
     int dimension;
     fmpq_t tolerance; /* positive; in the unit of the coordinates */

@@ -9,7 +9,7 @@
 /**
  * The unit quaternion, up to the rounding of doubles, that is nearest to a matrix: the eigenvector
  * of the largest eigenvalue of a symmetric 4x4 matrix (Horn 1987; Bar-Itzhack 2000), of the sign
- * nearer to `before`. How near it came is for pose_deviation to say.
+ * nearer to `before`. pose_deviation has its distance.
  */
 void pose_nearest(double out[4], const double matrix[9], const double before[4]);
 

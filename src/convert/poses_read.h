@@ -7,7 +7,7 @@
 #include <flint/fmpq.h>
 #include "context/context.h"
 
-/** One pose: what the columns said, exactly. */
+/** One pose: the numbers of its line, exactly. */
 typedef struct pose {
     fmpq_t time;
     fmpq matrix[12];    /* rows of (linear part, position); with quaternions only the positions */

@@ -130,7 +130,7 @@ static void report_turn(text *t, const target *goal, const joint *j, const half_
     text_put(t, "error: at the end, a point within ");
     text_rational(t, goal->radius);
     put_fact(t, " of the origin is off by", off, "");
-    text_put(t, "speed: not uniform; graze motion screw makes uniform turns\n");
+    text_put(t, "speed: not uniform; as a screw or a joint the turn is uniform\n");
     mpfr_clear(off);
 }
 

@@ -1,4 +1,4 @@
-/* What both kinds of canvas share: paths, texts, the file.
+/* Parts of both kinds of canvas: paths, texts, the file.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "draw/canvas.h"

@@ -12,7 +12,7 @@
 /** A colour 0xRRGGBB as paint; 0 paints nothing. */
 #define PAINT(rgb) (0x1000000u | (rgb))
 
-/** How a path or circle is drawn. Zeroed it draws nothing. */
+/** Style of a path or circle. Zeroed it draws nothing. */
 typedef struct style {
     unsigned fill, stroke; /* paints */
     double width;          /* of the stroke */
@@ -40,7 +40,7 @@ void path_to(path *p, char verb, double x, double y);
 /** Where the text's anchor is: at its start, middle or end. */
 typedef enum anchor { ANCHOR_START, ANCHOR_MIDDLE, ANCHOR_END } anchor;
 
-/** How a text is set; its colour is dark. */
+/** Style of a text, whose colour is dark. */
 typedef struct lettering {
     double size;
     anchor anchor;
@@ -62,10 +62,11 @@ void canvas_unclip(canvas *c);
 /** Draw a path; even-odd. `name` is the class of the element, or NULL. */
 void canvas_path(canvas *c, const path *p, const style *s, const char *name);
 void canvas_circle(canvas *c, double x, double y, double radius, const style *s);
-/** A line of UTF-8 on its baseline. What is no character or a control comes as a question mark. */
+/** A line of UTF-8 on its baseline. Control characters and bytes that are no character become
+ * question marks. */
 void canvas_text(canvas *c, double x, double y, const lettering *l, const char *string);
 
-/** What a text takes, for fonts as wide as DejaVu Sans. */
+/** Width of a text in pixels, for fonts as wide as DejaVu Sans. */
 double canvas_text_width(const char *string, double size);
 
 /* ---------------------------------------------------------------------------- the two kinds */

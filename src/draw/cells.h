@@ -13,7 +13,7 @@
 /** A grid more than so many times as wide as high is drawn wide. */
 #define CELLS_WIDE 1.6
 
-/** What a point is, as a colour: the class of a sweep, the pmc of an unsweep. Zero is none. */
+/** Colour of a point: its class for a sweep, its pmc for an unsweep. Zero is none. */
 typedef enum tone {
     TONE_REGULAR = 1,
     TONE_FOLD = 2,
@@ -43,7 +43,8 @@ typedef struct cells {
  * Lay the grid out: square cells, `longer` of them along the box's longer side, that cover the box
  * evenly.
  * @param[out] out    cleared by cells_clear, also on failure
- * @param low, high   d rationals each, low < high on both axes; the two of another axis count not
+ * @param low, high   d rationals each, low < high on both axes; the two of another axis have no
+ * effect
  * @param longer      0: as many as give each two pixels
  * @param plane       the place on the axis that is left, in E^3
  * @return GRAZE_ELIMIT more cells than the limit `grid`

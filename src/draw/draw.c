@@ -1,4 +1,4 @@
-/* The stages of a picture: what it shows is made exactly, then the panels are laid out and drawn.
+/* The stages of a picture: its contents are made exactly, then the panels are laid out and drawn.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "draw/draw.h"
@@ -114,7 +114,7 @@ static graze_status make_trails(picture *p, graze_context *context) {
     return status;
 }
 
-/* What the legend must explain. */
+/* Collect the signs that the legend explains. */
 static void make_legend(picture *p) {
     size_t count = p->cells.count[0] * p->cells.count[1];
     legend *l = &p->legend;
@@ -132,7 +132,7 @@ static void make_legend(picture *p) {
     }
 }
 
-/* Where things stand: panels in rows from the left, the legend on the right of them all. */
+/* Places of the parts: panels in rows from the left, the legend on the right of them all. */
 typedef struct layout {
     double width, height, x, y, row, legend_x;
 } layout;

@@ -6,8 +6,8 @@
 
 #include "draw/canvas.h"
 
-/** Whether canvas_create will know what to make, before anything long is done: GRAZE_EUSE an
- * extension but .svg and .png, GRAZE_ESYSTEM no library for the latter. */
+/** Check before long work that canvas_create can make the picture: GRAZE_EUSE an extension other
+ * than .svg and .png, GRAZE_ESYSTEM no library for the latter. */
 graze_status canvas_check(graze_context *context, const char *file);
 /** The kind of a path's extension, .svg or .png; what canvas_check returns, or GRAZE_ESYSTEM. */
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,

@@ -36,7 +36,7 @@ enum { REACH_NEAR = 24, REACH_FAR = 124 };
 /** Write a name beside a place, where it is free, with a thin line to the place if the name is not
  * next to it. The name is an obstacle from then on. Returns 0 where nothing is free. */
 int labels_place(labels *l, canvas *c, const panel *p, place at, const char *name);
-/** Say over the panel's right corner how many names were left out, if any were. */
+/** Write the number of names that were left out, if any were, over the panel's right corner. */
 void labels_tell(const labels *l, canvas *c, const panel *p);
 
 #endif

@@ -20,14 +20,14 @@ enum { MARK_RADIUS = 5, MARK_LARGE = 8 };
  * edge, a triangle on a vertex. */
 void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kind cell);
 
-/** How S is outlined at the start, at the end and between. */
+/** Outlines of S at the start, at the end and between. */
 extern const style outline_start, outline_end, outline_between;
 /** The rectangle of the cells, seen in space. */
 extern const style outline_plane;
 /** A trajectory outside, inside and on the boundary of S. */
 extern const style trail_outside, trail_inside, trail_sliding;
 
-/** What a picture holds, for its legend. */
+/** Contents of a picture, for its legend. */
 typedef struct legend {
     int tones[TONE_COUNT];
     int plane; /* the cells lie in a plane of space */
@@ -37,7 +37,7 @@ typedef struct legend {
 
 /** Draw the legend from (x, y) on. */
 void legend_draw(canvas *c, const legend *l, double x, double y);
-/** What it takes. */
+/** Height of the legend in pixels. */
 double legend_height(const legend *l);
 enum { LEGEND_WIDTH = 190 };
 

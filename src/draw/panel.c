@@ -141,7 +141,7 @@ static void power_text(char *out, size_t room, const char *sign, long value, int
              exponent + n - 1);
 }
 
-/* The number index * step, by its digits: no locale has a say in it. */
+/* The number index * step, by its digits, independent of the locale. */
 static void tick_text(char *out, size_t room, long index, const tick_step *s) {
     const char *sign = index < 0 ? "-" : "";
     long value = (index < 0 ? -index : index) * s->mantissa;

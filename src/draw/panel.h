@@ -14,7 +14,7 @@ typedef struct projection {
 
 /** The plane of two coordinate axes. */
 projection projection_of_axes(int horizontal, int vertical);
-/** What is seen from a direction, z (or y, where the direction is along z) upwards.
+/** The view from a direction, z (or y, where the direction is along z) upwards.
  * @param from not zero */
 projection projection_from(const double from[3]);
 /** Coordinate k of a point's image. */
@@ -47,7 +47,7 @@ void panel_map(double *x, double *y, const panel *p, const double point[3]);
 /** The pixel of a point of the plane. */
 void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical);
 
-/** What the frame takes above and below it; on its left it takes `left`. */
+/** Room above and below the frame; that on its left is `left`. */
 enum { PANEL_ABOVE = 26, PANEL_BELOW = 24 };
 
 /** Give a panel its title, and room on the left, where `numbered` for those of panel_ticks. */

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Fontconfig and pixman fall over where memory runs out within them. This much is more than they
- * and the library's code take; the image itself is cairo's, which says so. */
+/* Fontconfig and pixman crash when memory runs out within them. This much is more than they and the
+ * library's code take; for the image itself cairo reports it. */
 enum { ROOM = 64 << 20 };
 
 static graze_status check_room(graze_context *context) {

@@ -1,4 +1,4 @@
-/* How PNG canvases are found: in a shared object of the same version, loaded at need.
+/* PNG canvases, made by a shared object of the same version that is loaded at need.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_DRAW_PNG_H
@@ -12,7 +12,7 @@
 /** Its function: a new canvas of a size in pixels, or NULL without memory. */
 canvas *graze_png_create(double width, double height);
 
-/** Whether canvas_create_png finds what it needs. */
+/** Check that canvas_create_png finds the shared object and memory. */
 graze_status canvas_check_png(graze_context *context);
 graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height);
 

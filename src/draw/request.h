@@ -1,4 +1,4 @@
-/* What a picture is to show.
+/* The request for a picture.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_DRAW_REQUEST_H
@@ -7,7 +7,7 @@
 #include <flint/fmpq.h>
 #include <stddef.h>
 
-/** What to draw; see graze_draw_options, whose numbers these are, checked and with their defaults.
+/** Contents of a picture: the numbers of graze_draw_options, checked and with their defaults.
  */
 typedef struct draw_request {
     const char *title;

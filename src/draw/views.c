@@ -53,7 +53,7 @@ static void fit_trajectories(picture *p, const projection *look) {
                is_plane(p));
 }
 
-/* What the cells show: a long ratio as a decimal, marked where that is not the number itself. */
+/* Title of the cells: a long ratio as a decimal, marked where that is not the number itself. */
 static void name_classes(picture *p) {
     enum { LONG = 16 };
     const char *what = is_unsweep(p) ? "The unsweep" : "The sweep by class";
@@ -243,8 +243,8 @@ static int clip_segment(double share[2], const panel *p, const double from[2], c
     return share[0] <= share[1];
 }
 
-/* What of a trajectory is seen: where it begins, and where it is after a length, with its
- * direction there. */
+/* The visible part of a trajectory: its beginning, and the place after a length with the direction
+ * there. */
 typedef struct seen_part {
     int any;
     double start[2], length;

@@ -75,7 +75,7 @@ static int try_row(sample *out, const struct graze_generator *g, graze_stratum s
     return 0;
 }
 
-/* Take the weight of strata that no trial brings. */
+/* Set the weight of strata that no trial makes to 0. */
 static graze_status try_strata(struct graze_generator *g, graze_context *context) {
     sample s;
     sample_init(&s);

@@ -1,4 +1,5 @@
-/* Facets that are touched over their whole face at once: what a search at sampled times would miss.
+/* Facets that are touched over their whole face at once, which a search at sampled times would
+ * miss.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_GENERATE_SPECIAL_H

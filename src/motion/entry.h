@@ -7,7 +7,8 @@
 #include "motion/json.h"
 #include "motion/quotient.h"
 
-/** What to refuse an entry for when the motion is known to be illegal and the culprit is sought. */
+/** Fault for which an entry is refused while the entry that makes a motion illegal is searched for.
+ */
 typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
 
 /** The part of a piece that is being made, with u in [0, 1] running along it. */
@@ -16,7 +17,7 @@ typedef struct stretch {
     fmpq_t from, to;    /* in s, which runs from 0 to 1 along the piece as written */
     fmpq_t lo, hi;      /* the same in t */
     fmpz_poly_q_t t, s; /* as functions of u */
-    entry_fault fault;  /* what an entry is refused for on this stretch, beyond nonsense */
+    entry_fault fault;  /* fault for which an entry is refused on this stretch, beside bad input */
 } stretch;
 
 /** All of a piece lo < hi; dimension d. */

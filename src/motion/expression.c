@@ -142,7 +142,7 @@ static void read_exponent(parser *p, fmpz_t n) {
     p->place += sign == '+' || sign == '-';
     size_t end = digits_end(p, p->place);
     if (end == p->place || byte_at(p, end) == '.' || number_end(p, p->place) != end) {
-        fail_at(p, start, "the exponent after ^ must be an integer, written in digits");
+        fail_at(p, start, "expected an integer in digits after ^");
         return;
     }
     fmpq_t value;
@@ -174,7 +174,7 @@ static void parse_power(parser *p, fmpz_poly_q_t out) {
         if (has_failed(p)) {
             tell_place(p, operator);
         } else if (peek(p) == '^') {
-            fail_at(p, p->place, "a^b^c has no meaning here; write (a^b)^c");
+            fail_at(p, p->place, "a^b^c has no meaning here; expected (a^b)^c");
         }
     }
     fmpz_clear(n);

@@ -146,7 +146,7 @@ static int on_end(void *data) {
     return 1;
 }
 
-/* yajl's own words, up to the end of their line. */
+/* The message of yajl, up to the end of its line. */
 static void syntax_error(builder *b, size_t length) {
     count_lines(b);
     unsigned char *words = yajl_get_error(b->handle, 0, (const unsigned char *)b->text, length);

@@ -55,8 +55,9 @@ static graze_status read_relative(draft *out, graze_context *context, const json
         status = motion_read_draft(&frame, context, member[1], out->dimension);
     }
     if (status == GRAZE_OK && !same_interval(&moving, &frame)) {
-        status = json_fail(context, GRAZE_EILLEGAL, value,
-                           "moving and frame must have the same interval of t");
+        status =
+            json_fail(context, GRAZE_EILLEGAL, value,
+                      "moving and frame have different intervals of t; expected the same interval");
     } else if (status == GRAZE_OK) {
         status = draft_relative(out, context, &moving, &frame);
         if (status != GRAZE_OK) {
@@ -94,8 +95,8 @@ static graze_status read_sequence(draft *out, graze_context *context, const json
         status = motion_read_draft(&next, context, item, out->dimension);
         if (status == GRAZE_OK && item->index > 0 && !starts_at_identity(&next)) {
             status = json_fail(context, GRAZE_EILLEGAL, item,
-                               "the motion jumps at t = %zu: each motion of a sequence but the "
-                               "first must start at the identity",
+                               "the motion jumps at t = %zu: expected every motion of a sequence "
+                               "but the first to start at the identity",
                                item->index);
         } else if (status == GRAZE_OK) {
             status = draft_follow(out, context, &next, (slong)item->index, &end);

@@ -11,7 +11,7 @@
  * Read a MOTION and check that it is legal: pieces in order, no pole and no zero determinant on a
  * closed piece, continuous at the breaks; and so for every motion it is made of.
  * @param[out] out  uninitialised; the caller clears it, also after a failure
- * @param dimension what the motion around this one has, or 0
+ * @param dimension dimension of the motion around this one, or 0
  * @return GRAZE_EINPUT, GRAZE_EILLEGAL, GRAZE_ELIMIT with file, line and path; GRAZE_ECANCELED
  */
 graze_status motion_read_draft(draft *out, graze_context *context, const json *value,

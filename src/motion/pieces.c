@@ -1,4 +1,4 @@
-/* Motions from parsed JSON: pieces and keyframes, and what makes a piece legal.
+/* Motions from parsed JSON: pieces and keyframes, and the check that a piece is legal.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "motion/pieces.h"
@@ -145,7 +145,7 @@ static graze_status read_interval(fmpq_t lo, fmpq_t hi, graze_context *context, 
     if (fmpq_cmp(lo, hi) >= 0) {
         number_text(last, hi);
         return json_fail(context, GRAZE_EILLEGAL, value,
-                         "the piece starts at %s and ends at %s; its end must come later", first,
+                         "the piece starts at %s and ends at %s; expected a later end", first,
                          last);
     }
     if (before->count > 0 && !fmpq_equal(lo, before->piece[before->count - 1].hi)) {
@@ -287,15 +287,15 @@ static graze_status read_next_frame(draft *out, graze_context *context, const js
     }
     if (frame->given != before->given) {
         return json_fail(context, GRAZE_EINPUT, value,
-                         "position and rotation must be given in all frames or in none, but this "
-                         "frame differs from the one before it");
+                         "this frame differs from the one before it; expected position and "
+                         "rotation in all frames or in none");
     }
     if (fmpq_cmp(before->time, frame->time) >= 0) {
         char first[NUMBER_SIZE], last[NUMBER_SIZE];
         number_text(first, before->time);
         number_text(last, frame->time);
         return json_fail(context, GRAZE_EILLEGAL, value,
-                         "the times of the frames must grow, but %s follows %s", last, first);
+                         "the time %s follows %s; expected times that grow", last, first);
     }
     return append_between(out, context, value, before, frame);
 }

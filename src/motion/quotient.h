@@ -5,11 +5,10 @@
  * the denominator positive. Two values within the limits make a result of at most about twice their
  * size, so it is enough that every result is looked at.
  *
- * What a motion costs, in time and in memory, is the product of its pieces, their degree and the
- * digits of their coefficients, and no limit on one of the three bounds it. So the work of all
- * results is counted as they are made: w + w^2/64 for a coefficient of w words of 64 bits, and
- * something for the operation. A unit of it then takes about 100 ns at most, whatever the three
- * are.
+ * The cost of a motion in time and memory is the product of its pieces, their degree and the digits
+ * of their coefficients, and no limit on one of the three bounds it. So the work of all results is
+ * counted as they are made: w + w^2/64 for a coefficient of w words of 64 bits, and a constant for
+ * the operation. A unit of it then takes about 100 ns at most, whatever the three are.
  */
 #ifndef GRAZE_MOTION_QUOTIENT_H
 #define GRAZE_MOTION_QUOTIENT_H

@@ -137,7 +137,7 @@ static int wait_for_answer(jobs *j) {
     return there;
 }
 
-/* Receive a message from anyone or from one rank; its sender, or -1 when memory is short. */
+/* Receive a message from any rank or from one; its sender, or -1 when memory is short. */
 static int receive_message(message *m, int from, int *kind) {
     MPI_Status about;
     int length;

@@ -109,7 +109,7 @@ static void png_text(canvas *c, double x, double y, const lettering *l, const ch
     cairo_set_fill_rule(p->to, CAIRO_FILL_RULE_EVEN_ODD);
 }
 
-/* Where the bytes of the file go. */
+/* Destination of the bytes of the file. */
 typedef struct sink {
     canvas_put *put;
     void *to;

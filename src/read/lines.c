@@ -41,12 +41,12 @@ graze_status lines_start(lines *l, const char *text, size_t length) {
             return lines_at(l, context_limit(l->context, GRAZE_LIMIT_LINE, "bytes of a line"));
         }
         if (memchr(text, '\0', size) != NULL) {
-            return lines_fail(l, GRAZE_EINPUT, "a NUL byte; a text in UTF-8 is expected");
+            return lines_fail(l, GRAZE_EINPUT, "a NUL byte; expected a text in UTF-8");
         }
         const char *cr = memchr(text, '\r', size);
         if (cr != NULL && cr + 1 != newline) {
             return lines_fail(l, GRAZE_EINPUT,
-                              "a carriage return within the line; lines end with LF or CRLF");
+                              "a carriage return within the line; expected LF or CRLF at its end");
         }
         l->where++;
         text += size + (newline != NULL);

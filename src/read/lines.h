@@ -21,7 +21,7 @@ typedef struct lines {
     const char *marks; /* bytes that are tokens by themselves; "" for none */
     char comment;      /* begins a comment that ends with its line; 0 for none */
     int continued;     /* a backslash before the line's end joins the next line */
-    const char *at;    /* what is not yet read */
+    const char *at;    /* first byte not yet read */
     const char *end;
     size_t line;              /* of `at`, from 1 */
     size_t where;             /* line of the last token read, for messages */

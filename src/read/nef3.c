@@ -26,11 +26,11 @@ static graze_status check_volume_marks(const nef *n) {
         marked += (size_t)n->volume[c].mark;
     }
     if (n->count[NEF_VOLUME] == 0) {
-        return nef_fail(n, GRAZE_EINPUT, "there are no volumes; the outer one always is");
+        return nef_fail(n, GRAZE_EINPUT, "there are no volumes; expected at least the outer one");
     }
     if (n->volume[0].mark) {
         return nef_fail(n, GRAZE_EILLEGAL,
-                        "unbounded: the outer volume is marked; a solid is bounded");
+                        "unbounded: the outer volume is marked; expected a bounded solid");
     }
     return marked > 0 ? GRAZE_OK
                       : nef_fail(n, GRAZE_EILLEGAL, "empty interior: no volume is marked");
@@ -42,12 +42,13 @@ static graze_status check_facets(const nef *n) {
         int here = n->volume[item->volume].mark;
         if (here == n->volume[n->halffacet[item->twin].volume].mark) {
             return illegal(n, "half-facet", f,
-                           here ? "lies inside marked volumes; a regular closed set has no facet "
-                                  "there"
+                           here ? "lies inside marked volumes; expected a regular closed set, "
+                                  "without such a facet"
                                 : "is dangling: both its volumes are unmarked");
         }
         if (!item->mark) {
-            return illegal(n, "half-facet", f, "is not marked; a closed set has its boundary");
+            return illegal(n, "half-facet", f,
+                           "is not marked; expected a closed set, with its boundary");
         }
     }
     return GRAZE_OK;
@@ -61,17 +62,19 @@ static graze_status check_solid(const nef *n) {
     }
     for (size_t e = 0; e < n->count[NEF_HALFEDGE] && status == GRAZE_OK; e++) {
         if (n->halfedge[e].isolated) {
-            status = illegal(n, "half-edge", e, "lies in no facet; a regular closed set has none");
+            status = illegal(n, "half-edge", e, "lies in no facet; expected a regular closed set");
         } else if (!n->halfedge[e].mark) {
-            status = illegal(n, "half-edge", e, "is not marked; a closed set has its boundary");
+            status = illegal(n, "half-edge", e,
+                             "is not marked; expected a closed set, with its boundary");
         }
     }
     for (size_t v = 0; v < n->count[NEF_VERTEX] && status == GRAZE_OK; v++) {
         const nef_vertex *item = n->vertex + v;
         if (item->part[0][0] == NEF_NONE && item->loop == NEF_NONE) {
-            status = illegal(n, "vertex", v, "lies in no facet; a regular closed set has none");
+            status = illegal(n, "vertex", v, "lies in no facet; expected a regular closed set");
         } else if (!item->mark) {
-            status = illegal(n, "vertex", v, "is not marked; a closed set has its boundary");
+            status =
+                illegal(n, "vertex", v, "is not marked; expected a closed set, with its boundary");
         }
     }
     return status;

@@ -30,7 +30,7 @@ graze_status nef_fail(const nef *n, graze_status status, const char *format, ...
 static token next(nef *n, const char *expected) {
     token t = {"", 0};
     if (n->status == GRAZE_OK && !lines_any(&n->l, &t)) {
-        n->status = lines_fail(&n->l, GRAZE_EINPUT, "the file ends where %s is expected", expected);
+        n->status = lines_fail(&n->l, GRAZE_EINPUT, "the file ends; expected %s", expected);
         t = (token){"", 0};
     }
     return t;
@@ -40,8 +40,7 @@ static void nef_expect(nef *n, const char *word) {
     token t = next(n, word);
     if (n->status == GRAZE_OK &&
         (t.length != strlen(word) || memcmp(t.text, word, t.length) != 0)) {
-        n->status = lines_fail(&n->l, GRAZE_EINPUT, "'%.*s' stands where '%s' is expected",
-                               TOKEN_SHOWN(t), word);
+        n->status = lines_fail(&n->l, GRAZE_EINPUT, "'%.*s'; expected '%s'", TOKEN_SHOWN(t), word);
     }
 }
 
@@ -49,8 +48,8 @@ static long long integer(nef *n, const char *expected) {
     long long value = 0;
     token t = next(n, expected);
     if (n->status == GRAZE_OK && !token_integer(t, &value)) {
-        n->status = lines_fail(&n->l, GRAZE_EINPUT, "'%.*s' stands where %s is expected",
-                               TOKEN_SHOWN(t), expected);
+        n->status =
+            lines_fail(&n->l, GRAZE_EINPUT, "'%.*s'; expected %s", TOKEN_SHOWN(t), expected);
     }
     return n->status == GRAZE_OK ? value : 0;
 }
@@ -105,8 +104,8 @@ static void integers(nef *n, fmpz *out) {
         if (n->status != GRAZE_OK) {
             n->status = lines_at(&n->l, n->status);
         } else if (!fmpz_is_one(fmpq_denref(value))) {
-            n->status = lines_fail(&n->l, GRAZE_EINPUT,
-                                   "'%.*s' stands where an integer is expected", TOKEN_SHOWN(t));
+            n->status =
+                lines_fail(&n->l, GRAZE_EINPUT, "'%.*s'; expected an integer", TOKEN_SHOWN(t));
         } else if (out != NULL) {
             fmpz_set(out + k, fmpq_numref(value));
         }
@@ -136,9 +135,8 @@ static void homogeneous(nef *n, fmpq *point) {
 static void begin_item(nef *n, enum nef_kind kind, size_t index) {
     long long value = integer(n, "the number of an item");
     if (n->status == GRAZE_OK && (value < 0 || (size_t)value != index)) {
-        n->status = lines_fail(&n->l, GRAZE_EINPUT,
-                               "item %lld stands where number %zu of the %zu %s is expected", value,
-                               index, n->count[kind], kind_name[kind]);
+        n->status = lines_fail(&n->l, GRAZE_EINPUT, "item %lld; expected number %zu of the %zu %s",
+                               value, index, n->count[kind], kind_name[kind]);
     }
     nef_expect(n, "{");
 }

@@ -112,7 +112,7 @@ static graze_status obj_facet(soup *s, lines *l, size_t above) {
         return lines_at(l, status);
     }
     if (size < 3) {
-        return lines_fail(l, GRAZE_EINPUT, "facet %zu has %zu corners; a facet has at least 3", f,
+        return lines_fail(l, GRAZE_EINPUT, "facet %zu has %zu corners; expected at least 3", f,
                           size);
     }
     return GRAZE_OK;
@@ -122,7 +122,7 @@ static graze_status check_keyword(lines *l, token t) {
     if (is_one_of(t, refused)) {
         return lines_fail(l, GRAZE_EINPUT,
                           "'%.*s': points, lines, curves and free-form surfaces bound no polygonal "
-                          "solid; only facets (f) do",
+                          "solid; expected facets (f)",
                           TOKEN_SHOWN(t));
     }
     if (!is_one_of(t, passed_over)) {

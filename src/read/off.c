@@ -54,7 +54,7 @@ static graze_status off_head(columns *c, lines *l) {
     }
     lines after = *l;
     if (lines_any(&after, &t) && token_is(t, "BINARY")) {
-        return lines_fail(&after, GRAZE_EINPUT, "a binary OFF is not read; write it as text");
+        return lines_fail(&after, GRAZE_EINPUT, "a binary OFF is not read; expected a text");
     }
     return GRAZE_OK;
 }
@@ -132,16 +132,17 @@ static graze_status pass_colours(lines *l, size_t f) {
     size_t count = 0;
     while (lines_token(l, &t)) {
         if (!rational_is_token(t.text, t.length)) {
-            return lines_fail(l, GRAZE_EINPUT,
-                              "facet %zu: '%.*s' follows its indices; a colour is of numbers", f,
-                              TOKEN_SHOWN(t));
+            return lines_fail(
+                l, GRAZE_EINPUT,
+                "facet %zu: '%.*s' follows its indices; expected the numbers of a colour", f,
+                TOKEN_SHOWN(t));
         }
         count++;
     }
     if (count == 2 || count > 4) {
-        return lines_fail(l, GRAZE_EINPUT,
-                          "facet %zu: %zu values follow its indices; a colour has 1, 3 or 4", f,
-                          count);
+        return lines_fail(
+            l, GRAZE_EINPUT,
+            "facet %zu: %zu values follow its indices; expected 1, 3 or 4 of a colour", f, count);
     }
     return GRAZE_OK;
 }
@@ -155,7 +156,7 @@ static graze_status off_facet(soup *s, lines *l, size_t f) {
                           TOKEN_SHOWN(t));
     }
     if (size < 3) {
-        return lines_fail(l, GRAZE_EINPUT, "facet %zu has %lld vertices; a facet has at least 3", f,
+        return lines_fail(l, GRAZE_EINPUT, "facet %zu has %lld vertices; expected at least 3", f,
                           size);
     }
     graze_status status = soup_add_facet(s, l->context);

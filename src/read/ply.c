@@ -158,7 +158,7 @@ static graze_status read_list(ply *p, const ply_property *property) {
         return fail(p, "a list has the length %lld", size);
     }
     if (status == GRAZE_OK && taken && size < 3) {
-        return fail(p, "it has %lld vertices; a facet has at least 3", size);
+        return fail(p, "it has %lld vertices; expected at least 3", size);
     }
     for (long long k = 0; k < size && status == GRAZE_OK; k++) {
         if (!taken) {

@@ -53,7 +53,8 @@ static graze_status read_type(lines *l, ply_type *out) {
 static graze_status read_format(ply_header *h, lines *l) {
     token t, version;
     if (!lines_next(l) || !lines_token(l, &t) || !token_is(t, "format")) {
-        return lines_fail(l, GRAZE_EINPUT, "the line after 'ply' must begin with 'format'");
+        return lines_fail(l, GRAZE_EINPUT,
+                          "expected 'format' at the beginning of the line after 'ply'");
     }
     graze_status status = word(l, &t, "the format's name");
     if (status == GRAZE_OK) {
@@ -124,14 +125,14 @@ static graze_status check_property(const ply_header *h, const lines *l, const pl
         }
     }
     if (p->is_list && p->count_type >= PLY_FLOAT32) {
-        return lines_fail(l, GRAZE_EINPUT, "the length of a list must have an integer type");
+        return lines_fail(l, GRAZE_EINPUT, "expected an integer type for the length of a list");
     }
     if (p->role == PLY_INDICES && (!p->is_list || p->type >= PLY_FLOAT32)) {
-        return lines_fail(l, GRAZE_EINPUT, "'%.*s' must be a list of an integer type",
+        return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected a list of an integer type",
                           TOKEN_SHOWN(p->name));
     }
     if (p->role <= PLY_Z && p->is_list) {
-        return lines_fail(l, GRAZE_EINPUT, "coordinate '%.*s' must not be a list",
+        return lines_fail(l, GRAZE_EINPUT, "coordinate '%.*s' is a list; expected a number",
                           TOKEN_SHOWN(p->name));
     }
     return GRAZE_OK;

@@ -1,4 +1,4 @@
-/* The header of a PLY file: which elements with which properties follow, and how they are written.
+/* The header of a PLY file: the elements that follow, their properties, and their form.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_READ_PLY_HEADER_H

@@ -56,8 +56,7 @@ graze_status soup_read(soup *s, graze_context *context, const char *path) {
     free(text);
     if (status == GRAZE_OK && s->facet_count == 0) {
         status = context_fail_in(context, GRAZE_EILLEGAL, path, 0,
-                                 "empty interior: there are no facets, and a solid needs a closed "
-                                 "boundary");
+                                 "empty interior: there are no facets; expected a closed boundary");
     }
     if (status != GRAZE_OK) {
         soup_clear(s);

@@ -122,12 +122,11 @@ static graze_status read_binary(merger *m, const char *path, const unsigned char
 static graze_status stl_expect(lines *l, const char *word, size_t f) {
     token t;
     if (!lines_any(l, &t)) {
-        return lines_fail(l, GRAZE_EINPUT, "the file ends where '%s' of facet %zu is expected",
-                          word, f);
+        return lines_fail(l, GRAZE_EINPUT, "the file ends; expected '%s' of facet %zu", word, f);
     }
     if (!token_is(t, word)) {
-        return lines_fail(l, GRAZE_EINPUT, "facet %zu: '%.*s' stands where '%s' is expected", f,
-                          TOKEN_SHOWN(t), word);
+        return lines_fail(l, GRAZE_EINPUT, "facet %zu: '%.*s'; expected '%s'", f, TOKEN_SHOWN(t),
+                          word);
     }
     return GRAZE_OK;
 }
@@ -139,7 +138,8 @@ static graze_status stl_facet(merger *m, lines *l) {
     graze_status status = stl_expect(l, "normal", f);
     for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
         if (!lines_token(l, &ignored)) {
-            return lines_fail(l, GRAZE_EINPUT, "facet %zu: its normal has %d of 3 numbers", f, k);
+            return lines_fail(l, GRAZE_EINPUT, "facet %zu: its normal has %d numbers; expected 3",
+                              f, k);
         }
     }
     status = status == GRAZE_OK ? stl_expect(l, "outer", f) : status;
@@ -176,8 +176,7 @@ static graze_status read_part(merger *m, lines *l) {
             break;
         }
         if (!token_is(t, "facet")) {
-            return lines_fail(l, GRAZE_EINPUT,
-                              "'%.*s' stands where 'facet' or 'endsolid' is expected",
+            return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected 'facet' or 'endsolid'",
                               TOKEN_SHOWN(t));
         }
         graze_status status = stl_facet(m, l);
@@ -196,8 +195,7 @@ static graze_status read_text(merger *m, const char *path, const char *text, siz
     token t;
     while (status == GRAZE_OK && lines_any(&l, &t)) {
         if (!token_is(t, "solid")) {
-            return lines_fail(&l, GRAZE_EINPUT, "'%.*s' stands where 'solid' is expected",
-                              TOKEN_SHOWN(t));
+            return lines_fail(&l, GRAZE_EINPUT, "'%.*s'; expected 'solid'", TOKEN_SHOWN(t));
         }
         status = read_part(m, &l);
     }
@@ -232,8 +230,8 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
                                HEADER);
     }
     return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
-                           "has %zu bytes; a binary STL of %zu facets has %zu", length, count,
-                           HEADER + RECORD * count);
+                           "has %zu bytes; expected %zu, as a binary STL of %zu facets has", length,
+                           HEADER + RECORD * count, count);
 }
 
 graze_status read_stl(soup *s, graze_context *context, const char *path, const char *text,

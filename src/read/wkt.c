@@ -21,12 +21,11 @@ typedef struct wkt {
 static graze_status expect(wkt *w, const char *mark, const char *what) {
     token t;
     if (!lines_any(&w->l, &t)) {
-        return lines_fail(&w->l, GRAZE_EINPUT, "the file ends where '%s' %s is expected", mark,
-                          what);
+        return lines_fail(&w->l, GRAZE_EINPUT, "the file ends; expected '%s' %s", mark, what);
     }
     if (!token_is(t, mark)) {
-        return lines_fail(&w->l, GRAZE_EINPUT, "'%.*s' stands where '%s' %s is expected",
-                          TOKEN_SHOWN(t), mark, what);
+        return lines_fail(&w->l, GRAZE_EINPUT, "'%.*s'; expected '%s' %s", TOKEN_SHOWN(t), mark,
+                          what);
     }
     return GRAZE_OK;
 }
@@ -39,10 +38,10 @@ static graze_status list_goes_on(wkt *w, int *more, const char *what) {
     }
     *more = token_is(t, ",");
     if (!*more && !token_is(t, ")")) {
-        return lines_fail(&w->l, GRAZE_EINPUT,
-                          "'%.*s' stands in %s where ',' or ')' is expected; positions are in the "
-                          "plane, x y",
-                          TOKEN_SHOWN(t), what);
+        return lines_fail(
+            &w->l, GRAZE_EINPUT,
+            "'%.*s' stands in %s; expected ',' or ')', and positions in the plane, x y",
+            TOKEN_SHOWN(t), what);
     }
     return GRAZE_OK;
 }
@@ -119,17 +118,16 @@ static graze_status turn_ring(wkt *w) {
 /* Check that the last position of a ring, w->point, is its first. */
 static graze_status close_ring(wkt *w, size_t first, size_t count) {
     if (count < 4) {
-        return lines_fail(
-            &w->l, GRAZE_EINPUT,
-            "polygon %zu, ring %zu has %zu positions; a ring has at least 4, the last "
-            "repeating the first",
-            w->polygon, w->ring, count);
+        return lines_fail(&w->l, GRAZE_EINPUT,
+                          "polygon %zu, ring %zu has %zu positions; expected at least 4, the last "
+                          "repeating the first",
+                          w->polygon, w->ring, count);
     }
     const fmpq *start = w->s->coordinates + 2 * first;
     if (!fmpq_equal(start, w->point) || !fmpq_equal(start + 1, w->point + 1)) {
         return lines_fail(&w->l, GRAZE_EINPUT,
-                          "polygon %zu, ring %zu is not closed; its last position must repeat the "
-                          "first exactly",
+                          "polygon %zu, ring %zu is not closed; expected its first position, "
+                          "exactly, as its last",
                           w->polygon, w->ring);
     }
     return turn_ring(w);
@@ -192,7 +190,7 @@ static graze_status read_kind(wkt *w, int *multi) {
     *multi = token_is(t, "MULTIPOLYGON");
     if (t.length >= 4 && token_is((token){t.text, 4}, "SRID")) {
         return lines_fail(&w->l, GRAZE_EINPUT,
-                          "a reference system ('%.*s') is not taken; the plane is Euclidean",
+                          "a reference system ('%.*s'); expected none, the plane is Euclidean",
                           TOKEN_SHOWN(t));
     }
     if (!*multi && !token_is(t, "POLYGON")) {
@@ -208,8 +206,7 @@ static graze_status read_kind(wkt *w, int *multi) {
         return lines_fail(&ahead, GRAZE_EILLEGAL, "empty interior: EMPTY is no solid");
     }
     if (token_is(t, "Z") || token_is(t, "M") || token_is(t, "ZM")) {
-        return lines_fail(&ahead, GRAZE_EINPUT, "coordinates %.*s are not taken; expected x y",
-                          TOKEN_SHOWN(t));
+        return lines_fail(&ahead, GRAZE_EINPUT, "coordinates %.*s; expected x y", TOKEN_SHOWN(t));
     }
     return GRAZE_OK;
 }
@@ -230,8 +227,8 @@ graze_status read_wkt(soup *s, graze_context *context, const char *path, const c
     }
     token t;
     if (status == GRAZE_OK && lines_any(&w.l, &t)) {
-        status = lines_fail(&w.l, GRAZE_EINPUT, "'%.*s' follows the last ')'; one geometry a file",
-                            TOKEN_SHOWN(t));
+        status = lines_fail(&w.l, GRAZE_EINPUT,
+                            "'%.*s' follows the last ')'; expected one geometry", TOKEN_SHOWN(t));
     }
     fmpq_clear(w.point);
     fmpq_clear(w.point + 1);

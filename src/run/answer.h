@@ -15,7 +15,7 @@ typedef struct row_source {
     shard part;
 } row_source;
 
-/** Common data of all who answer rows. All is borrowed, and only read. */
+/** Common data of all answerers. All is borrowed, and only read. */
 typedef struct answer_task {
     const context_options *context;
     const graze_scene *scene;

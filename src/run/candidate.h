@@ -23,8 +23,8 @@ int candidate_split(char ***words, const char *command, const candidate_paths *p
 void candidate_free(char **words);
 
 /**
- * Run the words and wait, at most `timeout` seconds. Its standard output goes to our standard
- * error.
+ * Run the words and wait, at most `timeout` seconds. Its standard output goes to the standard error
+ * of graze.
  * @param[out] seconds of the clock, from start to end
  * @return EXIT_INPUT it cannot be run, fails or takes too long; EXIT_SIGNAL
  */

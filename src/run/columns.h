@@ -1,4 +1,4 @@
-/* The columns of a file of points: which hold the coordinates, and what the others are called.
+/* The columns of a file of points: places of the coordinates, names of the others.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_RUN_COLUMNS_H
@@ -15,7 +15,8 @@ typedef struct columns {
     char *others;    /* names of the further columns, comma-joined; NULL if none */
 } columns;
 
-/** What a thread reads rows with. The context is borrowed, the rest is freed by reader_clear. */
+/** Working memory of a thread that reads rows. The context is borrowed, the rest is freed by
+ * reader_clear. */
 typedef struct reader {
     graze_context *context;
     fields cut;

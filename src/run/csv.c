@@ -73,8 +73,8 @@ static int skipped(field text) {
     return (text.length && *text.start == '#') || field_trimmed(text).length == 0;
 }
 
-/* 64 bits that tell one sequence of lines from another, as far as accidents go: 8 bytes at a time,
- * the first one lowest, the line's length last. */
+/* Checksum of 64 bits over a sequence of lines, against accidents: 8 bytes at a time, the first one
+ * lowest, the line's length last. */
 static unsigned long long add_to_checksum(unsigned long long sum, field text) {
     const unsigned char *at = (const unsigned char *)text.start;
     for (size_t left = text.length; left; left -= left < 8 ? left : 8, at += 8) {
@@ -110,7 +110,8 @@ int csv_ready(csv *c) {
     return stream_ready(&c->in);
 }
 
-/* A block is also done when no further line is ready, so that who reads its rows does not wait. */
+/* A block is also done when no further line is ready, so that the threads that read its rows do not
+ * wait. */
 int csv_fill(csv *c, block *b, unsigned long most) {
     int status = EXIT_DONE;
     while (!status && b->count < BLOCK_ROWS && b->count < most && b->used < BLOCK_BYTES &&

@@ -30,7 +30,7 @@ const fault *csv_fault(const csv *c);
 const columns *csv_columns(const csv *c);
 /** 1 if both are the same file. */
 int csv_same_file(const csv *c, const char *path);
-/** How much of the file is read; of a pipe nobody knows. */
+/** How much of the file is read; unknown for a pipe. */
 portion csv_portion(const csv *c);
 /** Rows read so far, those of other shards too, and a checksum of their text. */
 unsigned long csv_rows(const csv *c);

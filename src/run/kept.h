@@ -1,8 +1,8 @@
 /* The rows that a continued table has already, held to the points of this run.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * They are not made again but the last (results.h). Of the others all is checked that their points
- * and words tell: point, further columns, and the answers that belong to the word.
+ * Only the last one is made again (results.h). The others are checked as far as their points and
+ * words go: point, further columns, and the answers that belong to the word.
  */
 #ifndef GRAZE_RUN_KEPT_H
 #define GRAZE_RUN_KEPT_H

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A part is a plain file that is open only while it is read from, so that there is no limit to how
- * many there are. What its head and its last lines say is known before its rows are read, and the
- * rows are held to it: their number, their form, and the answers that belong to their words.
+ * many there are. Its head and its last lines are read first, and the rows are checked against
+ * them: their number, their form, and the answers that belong to their words.
  */
 #ifndef GRAZE_RUN_PART_H
 #define GRAZE_RUN_PART_H

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A table that is continued has the head this run would write, to the byte, rows of its points
- * (kept.h), and its last whole row is the one this run makes of the same point. Until all that is
- * known nothing in the file changes.
+ * (kept.h), and its last whole row is the one this run makes of the same point. Until all of it is
+ * checked nothing in the file changes.
  */
 #ifndef GRAZE_RUN_RESULTS_H
 #define GRAZE_RUN_RESULTS_H
@@ -18,7 +18,7 @@ typedef struct results {
     unsigned long rows;  /* rows written, or taken over from an earlier run */
     int counts_undecided;
     unsigned long undecided; /* of these rows, if they are counted */
-    text head;           /* what the file had of a head */
+    text head;           /* the part of a head that the file had */
     int head_whole;      /* it ends with the column line */
     char *last;          /* the last whole row there was, until it is made again; malloc'ed */
     size_t last_length, last_room; /* with its newline */

@@ -26,8 +26,8 @@ int row_form_read(row_form *out, const char *head);
 
 /**
  * Check a row, without its line end: a point, the answers that belong to its word and to no other,
- * further columns only where the table has some, and a position that goes with pmc. How many
- * further columns those are is left to the caller.
+ * further columns only where the table has some, and a position that goes with pmc. The caller
+ * checks how many further columns there are.
  * @return NULL, or what is expected
  */
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row);

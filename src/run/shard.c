@@ -1,4 +1,4 @@
-/* Which rows are a shard's.
+/* The rows of a shard.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/shard.h"

@@ -1,4 +1,4 @@
-/* The hash by which a scene is known.
+/* The hash that identifies a scene.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_SCENE_HASH_H

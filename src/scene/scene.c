@@ -147,10 +147,10 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
     if (options)
         out->options = *options;
     if (solid->input.dimension != motion->dimension)
-        return context_fail(context, GRAZE_EILLEGAL,
-                            "the solid has dimension %d and the motion dimension %d; they must "
-                            "agree",
-                            solid->input.dimension, motion->dimension);
+        return context_fail(
+            context, GRAZE_EILLEGAL,
+            "the solid has dimension %d and the motion dimension %d; expected equal dimensions",
+            solid->input.dimension, motion->dimension);
     graze_status status = scene_ends(&out->ends_meet, context, solid, motion);
     if (status)
         return status;

@@ -1,5 +1,5 @@
-/* A scene: a solid, a motion of the same dimension, the options its answers depend on, and what is
- * known about the pair.
+/* A scene: a solid, a motion of the same dimension, the options its answers depend on, and facts
+ * decided about the pair.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends_meet` is

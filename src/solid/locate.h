@@ -7,10 +7,9 @@
 #include "solid/solid.h"
 
 /**
- * Where a point lies: I, B or O. Counts the signed crossings of one ray, made generic by an
+ * Location of a point: I, B or O. Counts the signed crossings of one ray, made generic by an
  * infinitesimal displacement (proofs/claims.md C6). `x` are d + 1 homogeneous integers, x[d] > 0.
- * @return GRAZE_STATE_ABSENT if the crossings add up to neither, which only a fault of ours can
- * bring about
+ * @return GRAZE_STATE_ABSENT if the crossings add up to neither, which only a fault of Graze causes
  */
 graze_state solid_locate(const graze_solid *solid, const fmpz *x);
 

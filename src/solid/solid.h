@@ -22,7 +22,7 @@ struct graze_solid {
     double *low, *high;
     tree boxes; /* of the simplices */
     corners corners;
-    char note[256]; /* what is unusual about the input; "" if nothing */
+    char note[256]; /* note on an unusual input; "" if none */
 };
 
 /**

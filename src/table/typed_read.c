@@ -119,7 +119,7 @@ static int is_word(field f) {
     return f.length > 0;
 }
 
-/* The number of a name of graze.h, of which there are `count`; 0 if it is none. */
+/* The number of a name of graze.h; 0 if it is none. */
 static unsigned long name_code(const column *c, field f) {
     for (int k = 1; k <= 3 && c->kind == COLUMN_PMC; k++)
         if (field_is(f, graze_pmc_name((graze_pmc)k)))

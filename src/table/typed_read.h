@@ -8,7 +8,7 @@
 
 /**
  * Read the next lines of the table, the last of which may lack its line end only at the table's
- * end. Numbers are not rounded as the context says: they are none of the scene.
+ * end. The rounding of the context has no effect: these numbers do not belong to the scene.
  * @return GRAZE_EINPUT it is no table of answers, or has another number of rows than it says;
  * GRAZE_ELIMIT; GRAZE_ESYSTEM; where a row is wrong, the message names row and column
  */

@@ -1,5 +1,5 @@
-/* Which simplices a trajectory can meet, and when: a search of the solid's tree with pieces of the
- * curve. SPDX-License-Identifier: GPL-3.0-or-later
+/* Simplices that a trajectory can meet, with the times: a search of the solid's tree with pieces of
+ * the curve. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TRACE_CANDIDATES_H
 #define GRAZE_TRACE_CANDIDATES_H

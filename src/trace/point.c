@@ -1,4 +1,4 @@
-/* The trace of a point: what the filter finds certain, touches and contacts in the windows it asks
+/* The trace of a point: certain findings of the filter, touches and contacts in the windows it asks
  * for, then the states between them. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Without the filter, or where it cannot be used, the one window is the whole piece, with the

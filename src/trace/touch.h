@@ -1,4 +1,4 @@
-/* When a trajectory lies in which boundary cells, exactly, on one piece of the motion.
+/* Exact times at which a trajectory lies in boundary cells, on one piece of the motion.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TRACE_TOUCH_H

@@ -30,7 +30,7 @@ typedef struct query_point {
     const double *value;
 } query_point;
 
-/** How much of a trace is wanted: contacts with times and cells, or states and the word alone. */
+/** Wanted part of a trace: contacts with times and cells, or states and the word alone. */
 typedef enum trace_detail { TRACE_CONTACTS, TRACE_WORD } trace_detail;
 
 void trace_clear(graze_trace *trace);

@@ -1,5 +1,5 @@
-/* What the tracing of one point works with: the scene, the point, its exact trajectories when they
- * are needed, and the location of a time off the boundary.
+/* Data for tracing one point: the scene, the point, its exact trajectories when they are needed;
+ * and the location of a time off the boundary.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TRACE_TRACER_H

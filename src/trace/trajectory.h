@@ -20,7 +20,8 @@ typedef struct trajectory {
 void trajectory_init(trajectory *c, int dimension);
 void trajectory_clear(trajectory *c);
 
-/** The trajectory under a map of a point of d + 1 homogeneous integers, the last one positive. */
+/** The trajectory under a map of a point given as d + 1 homogeneous integers, the last one
+ * positive. */
 void trajectory_carry(trajectory *c, const point_map *map, const fmpz *point);
 /** The trajectory under a map of a point of d rationals. */
 void trajectory_set(trajectory *c, const point_map *map, const fmpq *point);

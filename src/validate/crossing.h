@@ -11,7 +11,7 @@ extern "C" {
 #endif
 
 /**
- * Say where a ring of E^2 with area zero crosses itself, in two edges or in a vertex.
+ * Name the two edges or the vertex in which a ring of E^2 with area zero crosses itself.
  * @param cycle the ring in the soup, which need not be whole
  * @return GRAZE_EILLEGAL naming the edges; GRAZE_OK if it crosses nowhere, or only in edges that
  * lie on one another; GRAZE_ECANCELED; GRAZE_EINTERNAL

@@ -188,8 +188,8 @@ int orientation(graze_context *context, std::size_t facet, const Triangulation &
             const int here = (u->balance > 0) == ascends ? 1 : -1;
             if (sense != 0 && here != sense)
                 refuse(context,
-                       "facet %zu: its inside is left of some sides and right of side %zu-%zu; a "
-                       "hole must lie inside the outer cycle and run the other way",
+                       "facet %zu: its inside is left of some sides and right of side %zu-%zu; "
+                       "expected a hole inside the outer cycle that runs the other way",
                        facet, u->from, u->to);
             sense = here;
         }

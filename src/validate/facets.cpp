@@ -1,6 +1,7 @@
 /* Facets of a polygon soup in E^3, checked one by one: enough positions, an area, a plane; then cut
- * into triangles, or fanned where --triangulate allows it. Corners that follow one another at one
- * position make a run, of which the last is taken. SPDX-License-Identifier: GPL-3.0-or-later
+ * into triangles, or fanned where GRAZE_SOLID_TRIANGULATE allows it. Corners that follow one
+ * another at one position make a run, of which the last is taken. SPDX-License-Identifier:
+ * GPL-3.0-or-later
  */
 #include "validate/facets.hpp"
 
@@ -133,7 +134,7 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
         refuse(context,
                "facet %zu is not planar: vertex %zu is off the plane of vertices %u, %u, %u%s",
                facet, v, plane.cell.vertex[0], plane.cell.vertex[1], plane.cell.vertex[2],
-               cycles == 1 ? "; --triangulate accepts it" : "; move it into that plane");
+               cycles == 1 ? "; cutting into triangles accepts it" : "; move it into that plane");
     }
     if (!convex_quadrilateral(out, at, facet, all, plane.drop))
         cut_planar_facet(context, out, at, s, facet, plane);

@@ -1,4 +1,4 @@
-/* Germs around a segment or a point, sorted by angle, and whether in and out alternate.
+/* Germs around a segment or a point, sorted by angle, and the check that in and out alternate.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_GERMS_HPP

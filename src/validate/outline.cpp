@@ -1,6 +1,6 @@
-/* Polygons in E^2: how the edges of their rings come together: none crossing, in and out
- * alternating around every point of contact, every hole in its own outer ring; and the components.
- * Sides without length are no edges. SPDX-License-Identifier: GPL-3.0-or-later
+/* Contacts between the edges of polygons in E^2: none crossing, in and out alternating around every
+ * point of contact, every hole in its own outer ring; and the components. Sides without length are
+ * no edges. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "validate/outline.hpp"
 
@@ -130,7 +130,7 @@ void outline::report_pair() {
         refuse(context_, "edges %u-%u and %u-%u cross; edges may touch in vertices only",
                e.vertex[0], e.vertex[1], f.vertex[0], f.vertex[1]);
     refuse(context_,
-           "edges %u-%u and %u-%u lie on one another; the insides of edges must be disjoint",
+           "edges %u-%u and %u-%u lie on one another; expected edges with disjoint insides",
            e.vertex[0], e.vertex[1], f.vertex[0], f.vertex[1]);
 }
 
@@ -193,7 +193,7 @@ void outline::check_point(std::uint32_t vertex, const std::vector<std::uint32_t>
     const simplex &f = edges_[germs[(k + 1) % germs.size()].piece].cell;
     refuse(context_,
            "around vertex %u edges %u-%u and %u-%u follow one another and both have the %s behind "
-           "them: parts overlap there; around every vertex in and out must alternate",
+           "them: parts overlap there; expected in and out to alternate around every vertex",
            vertex, e.vertex[0], e.vertex[1], f.vertex[0], f.vertex[1],
            germs[k].crossing > 0 ? "inside" : "outside");
 }
@@ -257,7 +257,7 @@ void outline::check_holes() {
             if (outside)
                 refuse(context_,
                        "polygon %zu, ring %zu: edge %u-%u of this hole is outside the outer ring; "
-                       "a hole must lie inside it",
+                       "expected a hole inside it",
                        r.polygon, r.number, e.cell.vertex[0], e.cell.vertex[1]);
         }
     }

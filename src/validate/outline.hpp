@@ -1,4 +1,4 @@
-/* How the edges of polygons in E^2 come together.
+/* Contacts between the edges of polygons in E^2.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_OUTLINE_HPP
@@ -9,7 +9,7 @@
 /** The edges of a soup in E^2 that have a length, ring by ring. */
 std::vector<piece> cut_rings(const points &at, const soup &s);
 
-/** Check how the edges of polygons come together, and number their components.
+/** Check the contacts between the edges of polygons, and number their components.
  * @return the number of components */
 std::size_t check_outline(graze_context *context, std::vector<piece> &pieces, const points &at,
                           const soup &s);

@@ -143,7 +143,7 @@ plane_signs signs_beside(const points &at, const piece &s, int k, const piece &t
     return signs;
 }
 
-/* A side of s whose line keeps the two apart decides: what they share lies in that line. */
+/* A side of s whose line keeps the two apart decides: their common points lie in that line. */
 bool separated(triangles &answer, contact_sides &sides, const points &at, const piece &s,
                const piece &t) {
     for (int k = 0; k < 3; k++) {

@@ -11,8 +11,8 @@
 #include "validate/simplices.h"
 
 /**
- * A simplex with what the tests ask of it again and again. Invariant for d = 3: the positions are
- * not collinear, and `facing` = turn(drop, at[0], at[1], at[2]) is not 0.
+ * A simplex with the data that the tests use again and again. Invariant for d = 3: the positions
+ * are not collinear, and `facing` = turn(drop, at[0], at[1], at[2]) is not 0.
  */
 struct piece {
     simplex cell;
@@ -25,8 +25,8 @@ struct piece {
 /** Set `drop` and `facing` from the positions; false if they are collinear. */
 bool piece_orient(piece &p, const points &at);
 
-/** How two segments of one plane lie: apart, sharing an end, one end resting inside the other,
- * crossing inside both, having more than a point in common, or being the same. */
+/** Relative position of two segments of one plane: apart, sharing an end, one end resting inside
+ * the other, crossing inside both, having more than a point in common, or being the same. */
 enum class segments { apart, share, touch, cross, overlap, same };
 
 /**
@@ -40,8 +40,9 @@ segments segments_lie(std::uint32_t &touching, const points &at, int drop, std::
 bool collinear_overlap(const points &at, std::uint32_t a, std::uint32_t b, std::uint32_t c,
                        std::uint32_t d);
 
-/** How two triangles of positive area lie: having at most points or a common side in common, in
- * contact along a segment of a side, crossing inside both, or overlapping in their plane. */
+/** Relative position of two triangles of positive area: having at most points or a common side in
+ * common, in contact along a segment of a side, crossing inside both, or overlapping in their
+ * plane. */
 enum class triangles { clear, contact, cross, overlap };
 
 /** The sides along which two triangles are in contact; -1 for none. Such a side of one runs, for

@@ -1,4 +1,4 @@
-/* The boundary of a solid as simplices: what the validation makes of a soup.
+/* The boundary of a solid as simplices, which the validation makes of a soup.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_SIMPLICES_H

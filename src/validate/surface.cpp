@@ -127,16 +127,16 @@ void surface::report_unbalanced(place first, place last) {
     if (along.size() == 1)
         refuse(context_,
                "edge %u-%u is used once by facet %zu and never the other way: the surface is open "
-               "there; every edge must be run through as often one way as the other",
+               "there; expected every edge to be run through as often one way as the other",
                u, v, facet(e.piece));
     if (along.size() == 2 && against.empty())
         refuse(context_,
                "edge %u-%u is used twice in the same direction by facets %zu and %zu: they are "
-               "inconsistently oriented; one of them must be reversed",
+               "inconsistently oriented; expected one of them reversed",
                u, v, facet(e.piece), facet(along[1].piece));
     refuse(context_,
            "edge %u-%u is run through %zu times by facets such as %zu but %zu times the other way; "
-           "every edge must be run through as often one way as the other",
+           "expected every edge to be run through as often one way as the other",
            u, v, along.size(), facet(e.piece), against.size());
 }
 
@@ -165,11 +165,12 @@ void surface::report_junction(const half_edge &broken) {
         for (int turn = 0; turn < 2; turn++, std::swap(whole, part))
             for (int k = 0; k < 2; k++)
                 if (inside_edge(pieces_[part->piece].at[(part->side + k) % 3], *whole))
-                    refuse(context_,
-                           "edge %u-%u of facet %zu has vertex %u in its middle, where facet %zu "
-                           "has a corner: a T-junction; the edge must be split at that vertex",
-                           end(*whole, 0), end(*whole, 1), facet(whole->piece), end(*part, k),
-                           facet(part->piece));
+                    refuse(
+                        context_,
+                        "edge %u-%u of facet %zu has vertex %u in its middle, where facet %zu "
+                        "has a corner: a T-junction; expected the edge to be split at that vertex",
+                        end(*whole, 0), end(*whole, 1), facet(whole->piece), end(*part, k),
+                        facet(part->piece));
     }
 }
 
@@ -219,7 +220,7 @@ void surface::report_pair() {
     if (lie == triangles::overlap)
         refuse(context_,
                "facets %zu and %zu lie on one another in their common plane: overlapping coplanar "
-               "facets; the insides of facets must be disjoint",
+               "facets; expected facets with disjoint insides",
                facet(i), facet(j));
     refuse(context_,
            "facets %zu and %zu intersect each other; they may touch in vertices and along edges "
@@ -335,7 +336,7 @@ void surface::check_part(const half_edge &e, const std::vector<std::uint32_t> &a
     std::size_t one = facet(germs[k].piece), two = facet(germs[(k + 1) % germs.size()].piece);
     refuse(context_,
            "around edge %u-%u facets %zu and %zu follow one another and both have the %s behind "
-           "them: parts overlap there; around every edge in and out must alternate",
+           "them: parts overlap there; expected in and out to alternate around every edge",
            end(e, 0), end(e, 1), one, two, germs[k].crossing > 0 ? "inside" : "outside");
 }
 

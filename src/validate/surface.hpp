@@ -1,4 +1,4 @@
-/* How the triangles of a boundary in E^3 come together.
+/* Contacts between the triangles of a boundary in E^3.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_SURFACE_HPP
@@ -6,7 +6,7 @@
 
 #include "validate/pairs.hpp"
 
-/** Check how the triangles of a boundary come together, and number their components. With
+/** Check the contacts between the triangles of a boundary, and number their components. With
  * `trust_contacts` only the balance of edges is looked at: (1) and (3) are known, and components
  * are joined by common edges alone, which makes them no larger, so the theorem holds for them too.
  * @return the number of components */

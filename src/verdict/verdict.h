@@ -6,8 +6,7 @@
 
 #include "trace/trace.h"
 
-/** What a contact counts as, from the states beside it (GRAZE_STATE_ABSENT at an end of the
- * motion). */
+/** Kind of a contact, from the states beside it (GRAZE_STATE_ABSENT at an end of the motion). */
 graze_kind verdict_kind(graze_state left, graze_state right);
 
 /** Position case of [EI] Table 1 from the states at t0 and t1. */
