@@ -1,4 +1,4 @@
-# What both makers of man pages share. SPDX-License-Identifier: GPL-3.0-or-later
+# Functions that both makers of man pages use. SPDX-License-Identifier: GPL-3.0-or-later
 
 # Text as roff prints it: every sign is the one of the keyboard, and no line is a request.
 function roff(text) {

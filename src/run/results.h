@@ -18,9 +18,9 @@ typedef struct results {
     unsigned long rows;  /* rows written, or taken over from an earlier run */
     int counts_undecided;
     unsigned long undecided; /* of these rows, if they are counted */
-    text head;           /* the part of a head that the file had */
-    int head_whole;      /* it ends with the column line */
-    char *last;          /* the last whole row there was, until it is made again; malloc'ed */
+    text head;               /* the part of a head that the file had */
+    int head_whole;          /* it ends with the column line */
+    char *last;              /* the last whole row there was, until it is made again; malloc'ed */
     size_t last_length, last_room; /* with its newline */
     long long last_start;          /* byte of the file */
     stream in; /* the resumed file, from which kept rows are read; open while it is locked */

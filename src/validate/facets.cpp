@@ -134,7 +134,8 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
         refuse(context,
                "facet %zu is not planar: vertex %zu is off the plane of vertices %u, %u, %u%s",
                facet, v, plane.cell.vertex[0], plane.cell.vertex[1], plane.cell.vertex[2],
-               cycles == 1 ? "; cutting into triangles accepts it" : "; move it into that plane");
+               cycles == 1 ? "; expected a planar facet, or triangulation"
+                           : "; expected it in that plane");
     }
     if (!convex_quadrilateral(out, at, facet, all, plane.drop))
         cut_planar_facet(context, out, at, s, facet, plane);

@@ -321,7 +321,7 @@ static const surface_case surfaces[] = {
      CUBE_FACETS, GRAZE_SOLID_TRIANGULATE, NULL, 1},
 
     {"not planar", "0 0 0, 1 0 0, 1 1 0, 0 1 0, 0 0 1, 1 0 1, 1 1 2, 0 1 1", CUBE_FACETS, 0,
-     "--triangulate accepts it", 0},
+     "expected a planar facet, or triangulation", 0},
     /* Corners 0, 1, 2 are collinear, and 3, 4, 5, for the variants that run the other way. */
     {"a flat triangle in a fan", "0 0 1, 1/2 1/2 1, 1 1 1, 2 0 1, 1 1 3/2, 0 2 2", "0 1 2 3 4 5",
      GRAZE_SOLID_TRIANGULATE, "of its fan has no area", 0},

@@ -23,7 +23,7 @@ def choice(name: str, value: str, allowed: Tuple[str, ...]) -> int:
 
 
 class Settings(NamedTuple):
-    """What a context is made with."""
+    """Settings of a context."""
 
     rounding: int
     limits: Tuple[Tuple[int, int], ...]

@@ -1,4 +1,4 @@
-"""Rows of coordinates from what names its columns, and what must not be read by position.
+"""Rows of coordinates from tables with named columns, and what must not be read by position.
 
 A DataFrame of pandas or polars, a table of astropy or pyarrow is known by what it offers, and none
 of these packages is imported. Columns are taken by their names, in whatever order they stand.
