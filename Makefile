@@ -231,7 +231,7 @@ $B/install/libgraze.a: $(LIB_O)
 	@objcopy --strip-debug --wildcard --keep-global-symbol='graze_*' $B/install/graze.o
 	@ar rcs $@ $B/install/graze.o
 # The pages say what --help and the headers say.
-$(PAGES): $B/graze include/graze.h $(wildcard include/graze/*.h) $(wildcard src/install/*.awk)
+$(PAGES): $B/graze $B/graze-check include/graze.h $(wildcard include/graze/*.h) $(wildcard src/install/*.awk)
 	@echo "  MAN  $@"
 	@src/install/pages.sh $@.new $B/graze $(VERSION)
 	@rm -rf $@ && mv $@.new $@

@@ -110,8 +110,8 @@ static void read_ring(solid *s, draft *in, int outer, size_t polygon) {
         add_number(in, token(&in->f));
     } while (token_goes_on(&in->f, ")"));
     size_t end = in->count / 2;
-    if (end - first < 4 || !same_position(in, first, end - 1))
-        source_fail(&in->f, "a ring has at least four positions, the last one its first");
+    if (!same_position(in, first, end - 1))
+        source_fail(&in->f, "the last position of a ring is not its first");
     int sign = ring_sign(in, first, end), ahead = (sign > 0) == outer;
     if (sign == 0)
         refute("solid: a ring of polygon %zu has no area", polygon);

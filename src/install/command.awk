@@ -1,9 +1,10 @@
 # A man page of section 1 from the text that --help prints. SPDX-License-Identifier: GPL-3.0-or-later
 #
-#   awk -v version=V [-v command=NAME] -f roff.awk -f command.awk OVERVIEW [HELP]
+#   awk -v version=V [-v command=NAME [-v program=1]] -f roff.awk -f command.awk OVERVIEW [HELP]
 #
 # OVERVIEW is what `graze --help` prints. With a command its HELP follows; the one line about it and the exit
 # status are taken from the overview, the rest from HELP. Without, the page is the overview itself.
+# HELP of a program of its own, graze-NAME, has both itself.
 # In a help text a line `  TAG   text` describes TAG, deeper lines go on with it, a blank line ends it.
 
 # The line without its indentation, cut at the first wide gap: sets `tag` and `rest`.
@@ -99,10 +100,11 @@ NR == FNR && command == "" {
 
 # The help of a command.
 NR != FNR && FNR == 1 {
-    usage = $0
+    usage = title = $0
     if (!sub(/: .*/, "", usage) && about[command] == "")
         exit 1
-    head("graze-" command, 1, about[command])
+    sub(/^[^:]*: /, "", title)
+    head("graze-" command, 1, program ? title : about[command])
     print ".SH SYNOPSIS\n.B " roff(usage) "\n[options]"
     section("DESCRIPTION")
 }
@@ -110,7 +112,7 @@ NR != FNR && FNR > 1 { body($0, "OPTIONS") }
 
 END {
     block("")
-    if (command != "")
+    if (command != "" && !program)
         printf ".SH EXIT STATUS\n%s", exits
     print ".SH SEE ALSO"
     if (command != "")

@@ -21,4 +21,15 @@ while read -r command; do
     "$program" "$command" --help >"$folder/help"
     page "graze-$command.1" -v command="$command" -f "$here/command.awk" "$folder/overview" "$folder/help"
 done <"$folder/commands"
-rm "$folder/overview" "$folder/commands" "$folder/help"
+# The program graze-check has the name of the page of `graze check`, which becomes a section of the program's.
+mv "$folder/graze-check.1" "$folder/command"
+"$program-check" --help >"$folder/help"
+page program -v command=check -v program=1 -f "$here/command.awk" "$folder/overview" "$folder/help"
+{
+    sed '/^\.SH SEE ALSO/,$d' "$folder/program"
+    printf '.SH THE COMMAND graze check\n.BR graze (1)\nhas a command of this name: '
+    sed -n 's/^graze.*-check \\- //p' "$folder/command"
+    sed -n 's/^\.SH/.SS/; /^\.SS SYNOPSIS/,/^\.SS SEE ALSO/p' "$folder/command" | sed '$d'
+    sed -n '/^\.SH SEE ALSO/,$p' "$folder/program"
+} >"$folder/graze-check.1"
+rm "$folder/overview" "$folder/commands" "$folder/help" "$folder/command" "$folder/program"

@@ -79,6 +79,12 @@ def check_files(b):
         with open(path, "wb") as file:
             file.write(text)
         b.ends((NOT_CHECKED,), what, solid=path)
+    for what, text in (("text behind the last facet", cube + "x\n"),
+                       ("a facet more, of two corners", cube.replace("8 6 0", "8 7 0") + "2 0 1\n")):
+        b.ends((NOT_CHECKED,), what, solid=b.file("file.off", text))
+    for what, text in (("text behind the last bracket", square + "x"), ("an open ring", square.replace(", 0 0))", "))"))):
+        b.ends((NOT_CHECKED,), what, 2, solid=b.file("file.wkt", text))
+    b.ends((REFUTED,), "a ring more, at one position", 2, solid=b.file("file.wkt", square[:-1] + ", (5 5, 5 5, 5 5, 5 5))"))
     b.ends((NOT_CHECKED,), "another ending", solid=b.file("cube.obj", cube + "# another file\n"))
     b.ends((NOT_CHECKED,), "no ending", solid=b.file("cube", cube + "# a third file\n"))
     b.ends((NOT_CHECKED,), "a byte 0", solid=b.file("file.off", cube.replace("OFF\n", "OFF \0 ")))

@@ -96,6 +96,7 @@ REFUSED = {
     "a tetrahedron inside along an edge": off(both(CUBE, INNER)),
     "a fin through a face": off(both(scaled(CUBE, 4), scaled(TETRA, 2, (1, 1, 3)))),
     "a face that is not planar": off(([(0, 0, 2), *scaled(CUBE, 4)[0][1:]], CUBE[1])),
+    "a facet that is not planar, closed": off(([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 2), (1, 1, 4), (0, 1, 2)], CUBE[1])),
     "a facet without area": off((CUBE[0] + [(2, 0, 0)], [*CUBE[1], (0, 1, 8), (8, 1, 0)])),
     "a facet that crosses itself": off((CUBE[0], [(0, 2, 3, 1), *CUBE[1][1:]])),
     "no facets": "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n",
