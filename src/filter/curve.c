@@ -18,7 +18,7 @@
 #define FLOOR FILTER_FLOOR
 
 /* A curve that needs more is left to the exact path. */
-enum { MOST_SPANS = 8192 };
+enum { MOST_SPANS = 8192, SPANS_A_PIECE = 64 };
 
 void curve_init(curve *c) {
     *c = (curve){.dimension = 0};
@@ -31,7 +31,7 @@ void curve_clear(curve *c) {
 }
 
 const double *curve_coefficients(const curve *c, const span *piece, int i) {
-    return c->coefficients + (size_t)(piece - c->spans) * c->stride + i * (c->degree + 1);
+    return c->coefficients + (size_t)(piece - c->spans) * c->stride + i * (piece->degree + 1);
 }
 
 /* Room for two more spans; 0 if there is no memory. */
@@ -45,7 +45,7 @@ static int reserve_halves(curve *c) {
 
 /* shift_error, shift_size, speed from the coefficients and their errors. */
 static void bound_shift(span *piece, const curve *c) {
-    int d = c->dimension, n = c->degree;
+    int d = c->dimension, n = piece->degree;
     double error = 0, size = 0, steepest = 0;
     for (int i = 0; i <= d; i++) {
         const double *x = curve_coefficients(c, piece, i);
@@ -53,13 +53,13 @@ static void bound_shift(span *piece, const curve *c) {
         for (int k = 0; k < n; k++)
             step = larger(step, fabs(x[k + 1] - x[k]));
         if (i < d) {
-            error = larger(error, piece->error[i] + 2 * U * c->size[i]);
-            size = larger(size, c->size[i]);
+            error = larger(error, piece->error[i] + 2 * U * piece->size[i]);
+            size = larger(size, piece->size[i]);
             steepest = larger(steepest, step + 2 * piece->error[i]);
         } else {
             error += (c->corners->reach + c->corners->error) * piece->error[d] +
-                     (c->corners->error + 4 * U * c->corners->reach) * c->size[d];
-            size += c->corners->reach * c->size[d];
+                     (c->corners->error + 4 * U * c->corners->reach) * piece->size[d];
+            size += c->corners->reach * piece->size[d];
             steepest += c->corners->reach * (step + 2 * piece->error[d]);
         }
     }
@@ -83,7 +83,7 @@ static void bound_forms(span *piece, const curve *c) {
 
 /* The control points X_k / W_k against the points of the chord at k / n. */
 static void bound_space(span *piece, const curve *c) {
-    int d = c->dimension, n = c->degree;
+    int d = c->dimension, n = piece->degree;
     const double *w = curve_coefficients(c, piece, d);
     double least = w[0];
     for (int k = 1; k <= n; k++)
@@ -114,7 +114,7 @@ static void bound_space(span *piece, const curve *c) {
     bound_forms(piece, c);
 }
 
-/* A span whose coefficients stand in their place; its level and start are given. */
+/* A span whose coefficients stand in their place; all but errors, bounds and halves is set. */
 static void finish_span(curve *c, size_t index, const double *error) {
     span *piece = &c->spans[index];
     piece->child = 0;
@@ -124,48 +124,36 @@ static void finish_span(curve *c, size_t index, const double *error) {
     bound_space(piece, c);
 }
 
-/* The whole curve's coefficients stand in their place: sizes, and the first span. */
-static int finish_curve(curve *c, const double *error) {
+/* A whole piece whose coefficients stand in their place. */
+static void finish_whole(curve *c, size_t index, const double *error) {
+    span *piece = &c->spans[index];
     double largest = 0;
-    c->count = 1;
-    c->spans[0].start = 0;
-    c->spans[0].level = 0;
     for (int i = 0; i <= c->dimension; i++) {
-        const double *x = curve_coefficients(c, c->spans, i);
-        c->size[i] = 0;
-        for (int k = 0; k <= c->degree; k++)
-            c->size[i] = larger(c->size[i], fabs(x[k]));
-        c->size[i] += error[i];
-        largest = larger(largest, c->size[i]);
+        const double *x = curve_coefficients(c, piece, i);
+        piece->size[i] = 0;
+        for (int k = 0; k <= piece->degree; k++)
+            piece->size[i] = larger(piece->size[i], fabs(x[k]));
+        piece->size[i] += error[i];
+        largest = larger(largest, piece->size[i]);
     }
-    finish_span(c, 0, error);
-    return largest <= 0x1p410;
+    finish_span(c, index, error);
+    piece->lost = !(largest <= 0x1p410);
 }
 
-static int begin_curve(curve *c, int dimension, int degree, const corners *corners) {
-    c->dimension = dimension;
-    c->degree = degree;
-    c->corners = corners;
-    c->stride = (size_t)(dimension + 1) * (size_t)(degree + 1);
-    c->count = 0;
-    return reserve_halves(c);
-}
-
-int curve_set(curve *c, const carrier *map, const filter_point *point, const corners *corners) {
+static void set_piece(curve *c, size_t index, const carrier *map) {
     int d = map->dimension, n = map->degree;
-    double error[4];
-    if (!map->usable || !begin_curve(c, d, n, corners))
-        return 0;
-    for (int j = 0; j < d; j++)
-        if (!(fabs(point->at[j]) <= CARRIER_REACH))
-            return 0;
+    double error[4], *to = c->coefficients + index * c->stride;
+    c->spans[index].degree = n;
+    c->spans[index].lost = !map->usable;
+    if (!map->usable)
+        return;
     for (int i = 0; i < d; i++) {
-        double most = 0, *x = c->coefficients + i * (n + 1);
+        double most = 0, *x = to + i * (n + 1);
         for (int k = 0; k <= n; k++) {
             const double *entry = map->entry + i * (d + 1) * (n + 1) + k;
             double sum = entry[d * (n + 1)], size = fabs(sum);
             for (int j = 0; j < d; j++) {
-                double term = entry[j * (n + 1)] * point->at[j];
+                double term = entry[j * (n + 1)] * c->point.at[j];
                 sum += term;
                 size += fabs(term);
             }
@@ -175,9 +163,70 @@ int curve_set(curve *c, const carrier *map, const filter_point *point, const cor
         error[i] = 20 * U * most + FLOOR;
     }
     for (int k = 0; k <= n; k++)
-        c->coefficients[d * (n + 1) + k] = map->weight[k];
+        to[d * (n + 1) + k] = map->weight[k];
     error[d] = 4 * U + FLOOR;
-    return finish_curve(c, error);
+    finish_whole(c, index, error);
+}
+
+/* The chord of several pieces, as thick as the means of their matrices ask (proofs/filter.md C34).
+ */
+static void bound_several(span *whole, const curve *c, const piece_group *g) {
+    int d = c->dimension;
+    for (int i = 0; i < d; i++) {
+        const double *first = g->first + i * (d + 1), *last = g->last + i * (d + 1);
+        const double *off = g->off + i * (d + 1);
+        double from = first[d], to = last[d], stray = off[d];
+        double size = fabs(from) + fabs(to) + stray;
+        for (int j = 0; j < d; j++) {
+            double p = c->point.at[j];
+            from += first[j] * p;
+            to += last[j] * p;
+            stray += off[j] * fabs(p);
+            size += (fabs(first[j]) + fabs(last[j]) + off[j]) * fabs(p);
+        }
+        double most = larger(fabs(from), fabs(to)),
+               thick = SLACK * (stray + 0x1p-46 * size) + FLOOR;
+        whole->from[i] = from;
+        whole->along[i] = to - from;
+        whole->thick[i] = thick + 16 * U * (c->corners->axis_reach[i] + most + thick);
+        whole->bend = larger(whole->bend, whole->thick[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        whole->inverse[i] = 1 / whole->along[i];
+    bound_forms(whole, c);
+}
+
+/* A group of the course: a piece, or several. */
+static void set_group(curve *c, size_t index, uint32_t group) {
+    const piece_group *g = &c->course->group[group];
+    c->spans[index] = (span){.piece = g->piece, .group = group};
+    if (!g->child) {
+        set_piece(c, index, &c->course->piece[g->piece]);
+    } else if (g->bounded) {
+        c->spans[index].bounded = 1;
+        bound_several(&c->spans[index], c, g);
+    }
+}
+
+static int begin_curve(curve *c, int dimension, int degree, const corners *corners) {
+    c->dimension = dimension;
+    c->corners = corners;
+    c->stride = (size_t)(dimension + 1) * (size_t)(degree + 1);
+    c->count = 0;
+    return reserve_halves(c);
+}
+
+int curve_set(curve *c, const course *course, const filter_point *point, const corners *corners) {
+    if (!begin_curve(c, course->dimension, course->degree, corners))
+        return 0;
+    for (int j = 0; j < course->dimension; j++)
+        if (!(fabs(point->at[j]) <= CARRIER_REACH))
+            return 0;
+    c->course = course;
+    c->point = *point;
+    c->count = 1;
+    set_group(c, 0, 0);
+    return 1;
 }
 
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
@@ -185,6 +234,9 @@ int curve_set_segment(curve *c, int dimension, const double *at, const double *e
     double e[4];
     if (!begin_curve(c, dimension, 1, corners))
         return 0;
+    c->course = NULL;
+    c->count = 1;
+    c->spans[0] = (span){.degree = 1};
     for (int i = 0; i <= dimension; i++) {
         double *x = c->coefficients + 2 * i;
         x[0] = at[i];
@@ -192,7 +244,8 @@ int curve_set_segment(curve *c, int dimension, const double *at, const double *e
         e[i] = error[i] + FLOOR;
     }
     /* The far end may be anywhere near: its own rounding moves the direction and nothing else. */
-    return finish_curve(c, e);
+    finish_whole(c, 0, e);
+    return !c->spans[0].lost;
 }
 
 /* Averages of neighbours, level after level: one rounding each. */
@@ -207,34 +260,57 @@ static void halve_coefficients(double *left, double *right, const double *x, int
     }
 }
 
-int curve_cut(curve *c, uint32_t index) {
-    if (c->spans[index].child)
-        return 1;
-    if (c->count > MOST_SPANS || !reserve_halves(c))
-        return 0;
-    int d = c->dimension, n = c->degree;
+static void cut_piece(curve *c, const span *whole, uint32_t child) {
+    int n = whole->degree;
     double error[4];
-    uint32_t child = (uint32_t)c->count;
-    span *whole = &c->spans[index];
-    for (int i = 0; i <= d; i++) {
+    for (int i = 0; i <= c->dimension; i++) {
         halve_coefficients(c->coefficients + child * c->stride + (size_t)(i * (n + 1)),
                            c->coefficients + (child + 1) * c->stride + (size_t)(i * (n + 1)),
                            curve_coefficients(c, whole, i), n);
-        error[i] = whole->error[i] + (n + 1) * U * c->size[i];
+        error[i] = whole->error[i] + (n + 1) * U * whole->size[i];
     }
-    whole->child = child;
-    c->count += 2;
     for (uint32_t half = 0; half < 2; half++) {
         span *piece = &c->spans[child + half];
+        *piece = *whole;
         piece->level = whole->level + 1;
         piece->start = whole->start + half * (UINT32_C(1) << (WINDOW_LEVELS - piece->level));
         finish_span(c, child + half, error);
     }
+}
+
+int curve_cut(curve *c, uint32_t index) {
+    size_t most = MOST_SPANS + (c->course ? SPANS_A_PIECE * c->course->piece_count : 0);
+    if (c->spans[index].child)
+        return 1;
+    if (c->count > most || !reserve_halves(c))
+        return 0;
+    uint32_t child = (uint32_t)c->count;
+    const span *whole = &c->spans[index];
+    c->count += 2;
+    if (whole->degree) {
+        cut_piece(c, whole, child);
+    } else {
+        uint32_t group = c->course->group[whole->group].child;
+        set_group(c, child, group);
+        set_group(c, child + 1, group + 1);
+    }
+    c->spans[index].child = child;
     return 1;
 }
 
+const span *curve_piece(curve *c, size_t piece) {
+    uint32_t at = 0;
+    while (c->spans[at].degree == 0 && !c->spans[at].lost) {
+        if (!curve_cut(c, at))
+            return NULL;
+        uint32_t half = c->spans[at].child;
+        at = piece < c->spans[half + 1].piece ? half : half + 1;
+    }
+    return &c->spans[at];
+}
+
 void curve_at(double *at, double *error, const curve *c, const span *piece, double s) {
-    int n = c->degree;
+    int n = piece->degree;
     for (int i = 0; i <= c->dimension; i++) {
         const double *x = curve_coefficients(c, piece, i);
         double row[CARRIER_DEGREE + 1];
@@ -243,7 +319,7 @@ void curve_at(double *at, double *error, const curve *c, const span *piece, doub
             for (int k = 0; k <= n - level; k++)
                 row[k] += s * (row[k + 1] - row[k]);
         at[i] = row[0];
-        error[i] = SLACK * (piece->error[i] + 5 * n * U * c->size[i]);
+        error[i] = SLACK * (piece->error[i] + 5 * n * U * piece->size[i]);
     }
 }
 

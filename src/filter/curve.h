@@ -1,4 +1,5 @@
-/* A trajectory in doubles, cut into spans on demand, each with its errors and a bound in space.
+/* A trajectory in doubles, over all pieces of a motion, cut into spans on demand, each with its
+ * errors and a bound in space.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_CURVE_H
@@ -7,7 +8,7 @@
 #include <float.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "filter/carrier.h"
+#include "filter/course.h"
 #include "solid/corners.h"
 #include "solid/tree.h"
 
@@ -17,14 +18,18 @@ _Static_assert(FLT_EVAL_METHOD == 0, "the filter's bounds are those of arithmeti
 enum { WINDOW_LEVELS = 24 };
 
 /**
- * The piece [start, start + 2^(WINDOW_LEVELS - level)] of the curve, local parameter s in [0, 1].
+ * The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1].
  * Its Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
- * other. Where `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <=
- * thick_i }, and `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34).
+ * other. Or, of degree 0, several pieces: then there are no coefficients, nor their errors. Where
+ * `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <= thick_i }, and
+ * `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34).
  */
 typedef struct span {
+    uint32_t piece; /* the first, for several */
+    uint32_t group; /* of degree 0: the course's */
     uint32_t start;
-    int level;
+    int level, degree;
+    int lost;       /* a piece that is beyond the filter */
     uint32_t child; /* the halves stand at child and child + 1; 0: not cut yet */
     int bounded;
     double from[3], along[3], inverse[3], thick[3];
@@ -33,6 +38,7 @@ typedef struct span {
     double far;      /* no place of the set is further from a corner, coordinate by coordinate */
     double bend;     /* how far it strays from the chord; 0 where that is hardly more than rounding:
                         cutting     would not make it thinner */
+    double size[4];  /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole piece */
     double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
     /* With D = X - v W for any corner v, coefficient by coordinate (proofs/filter.md C35): */
     double shift_error; /* of a computed D */
@@ -40,11 +46,17 @@ typedef struct span {
     double speed;       /* |dD/ds| is at most this */
 } span;
 
+/** A query point in doubles, each within 2^-50 of itself of the exact coordinate. */
+typedef struct filter_point {
+    double at[3];
+} filter_point;
+
 /** A curve with its spans: span 0 is the whole. Reused from query to query; one thread at a time.
  */
 typedef struct curve {
-    int dimension, degree;
-    double size[4];         /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole */
+    int dimension;
+    filter_point point;
+    const course *course;   /* borrowed; NULL for a segment */
     const corners *corners; /* borrowed */
     size_t stride, count, capacity, room;
     span *spans;
@@ -52,20 +64,15 @@ typedef struct curve {
     int out_of_memory;
 } curve;
 
-/** A query point in doubles, each within 2^-50 of itself of the exact coordinate. */
-typedef struct filter_point {
-    double at[3];
-} filter_point;
-
 void curve_init(curve *c);
 void curve_clear(curve *c);
 
 /**
- * Set the curve that a carrier gives a point.
- * @param corners the solid's, kept
+ * Set the curve that a course gives a point.
+ * @param course, corners of the motion and of the solid, kept
  * @return 0 if the numbers are beyond the filter, or without memory
  */
-int curve_set(curve *c, const carrier *map, const filter_point *point, const corners *corners);
+int curve_set(curve *c, const course *course, const filter_point *point, const corners *corners);
 
 /**
  * Set the segment from a point to a point + direction, as a curve of degree 1.
@@ -74,8 +81,11 @@ int curve_set(curve *c, const carrier *map, const filter_point *point, const cor
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
                       const double *direction, const corners *corners);
 
-/** Cut a span in halves, if that was not done yet; 0 if there are too many, or without memory.
- * Pointers to spans end here. */
+/** Make the whole of one piece a span; NULL if there are too many, or without memory. */
+const span *curve_piece(curve *c, size_t piece);
+
+/** Cut a span in halves, or in two groups of pieces, if that was not done yet; 0 if there are too
+ * many, or without memory. Pointers to spans end here. */
 int curve_cut(curve *c, uint32_t index);
 
 /**

@@ -11,25 +11,14 @@
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation) {
     *out = (filter){.solid = solid};
-    out->piece = calloc(motion->piece_count, sizeof *out->piece);
-    for (size_t k = 0; out->piece && k < motion->piece_count; k++) {
-        const motion_piece *piece = &motion->piece[k];
-        out->piece_count = k + 1;
-        if (!carrier_make(&out->piece[k], motion_tracing(piece, operation))) {
-            filter_clear(out);
-            break;
-        }
-    }
-    return out->piece
+    return course_make(&out->course, motion, operation)
                ? GRAZE_OK
                : context_fail(context, GRAZE_ESYSTEM, "out of memory for the filter of %zu pieces",
                               motion->piece_count);
 }
 
 void filter_clear(filter *f) {
-    for (size_t k = 0; k < f->piece_count; k++)
-        carrier_clear(&f->piece[k]);
-    free(f->piece);
+    course_clear(&f->course);
     *f = (filter){.solid = NULL};
 }
 
@@ -52,6 +41,8 @@ filter_workspace *filter_workspace_of(graze_context *context) {
 
 static int compare_by_time(const void *left, const void *right) {
     const candidate *a = left, *b = right;
+    if (a->piece != b->piece)
+        return a->piece < b->piece ? -1 : 1;
     if (a->from != b->from)
         return a->from < b->from ? -1 : 1;
     return a->to < b->to ? -1 : a->to > b->to;
@@ -59,6 +50,8 @@ static int compare_by_time(const void *left, const void *right) {
 
 static int compare_crossings(const void *left, const void *right) {
     const crossing *a = left, *b = right;
+    if (a->piece != b->piece)
+        return a->piece < b->piece ? -1 : 1;
     return a->from < b->from ? -1 : a->from > b->from;
 }
 
@@ -70,10 +63,11 @@ static int unite_windows(findings *found) {
     for (size_t k = 0; k < found->asked.count; k++) {
         const candidate *next = &found->asked.item[k];
         exact_window *last = found->window_count ? &found->window[found->window_count - 1] : NULL;
-        if (last && !flip(FLIP_APART, next->from > last->to)) {
+        if (last && last->piece == next->piece && !flip(FLIP_APART, next->from > last->to)) {
             last->to = next->to > last->to ? next->to : last->to;
             last->count++;
-        } else if (!findings_add_window(found, (exact_window){next->from, next->to, k, 1})) {
+        } else if (!findings_add_window(found,
+                                        (exact_window){next->piece, next->from, next->to, k, 1})) {
             return 0;
         }
     }
@@ -82,33 +76,45 @@ static int unite_windows(findings *found) {
 
 static const double UNITS = (double)(UINT32_C(1) << WINDOW_LEVELS);
 
-static int meets_window(const findings *found, const crossing *c) {
-    for (size_t k = 0; k < found->window_count; k++)
+/* `first`: the first window of the crossing's piece. */
+static int meets_window(const findings *found, size_t first, const crossing *c) {
+    for (size_t k = first; k < found->window_count && found->window[k].piece == c->piece; k++)
         if (!flip(FLIP_APART,
                   c->from * UNITS > found->window[k].to || c->to * UNITS < found->window[k].from))
             return 1;
     return 0;
 }
 
+static int meets_crossing(const crossing *c, const crossing *other) {
+    return c->piece == other->piece && !flip(FLIP_APART, other->from > c->to);
+}
+
+static int ask_for_crossing(findings *found, const crossing *c) {
+    candidate asked = {c->piece, c->simplex, (uint32_t)floor(fmax(0, c->from * UNITS)),
+                       (uint32_t)ceil(fmin(UNITS, c->to * UNITS))};
+    return candidates_append(&found->asked, asked);
+}
+
 /* A crossing that is not certainly apart from all else becomes a candidate: 1 if there was one, -1
- * without
- * memory. */
+ * without memory. */
 static int ask_for_meeting(findings *found) {
-    size_t kept = 0, n = found->crossing_count;
-    crossing *c = found->crossing;
-    double reached = -INFINITY; /* the latest end so far */
+    size_t kept = 0, n = found->crossing_count, window = 0;
+    crossing *c = found->crossing, latest = {.to = -INFINITY}; /* of the latest end so far */
     int moved = 0;
     for (size_t k = 0; k < n; k++) {
-        int meets = meets_window(found, &c[k]) || !flip(FLIP_APART, c[k].from > reached) ||
-                    (k + 1 < n && !flip(FLIP_APART, c[k + 1].from > c[k].to));
-        reached = fmax(reached, c[k].to);
+        crossing here = c[k];
+        while (window < found->window_count && found->window[window].piece < here.piece)
+            window++;
+        int meets = meets_window(found, window, &here) ||
+                    (k > 0 && meets_crossing(&latest, &here)) ||
+                    (k + 1 < n && meets_crossing(&here, &c[k + 1]));
+        if (k == 0 || latest.piece != here.piece || here.to > latest.to)
+            latest = here;
         if (!meets) {
-            c[kept++] = c[k];
+            c[kept++] = here;
             continue;
         }
-        candidate asked = {c[k].simplex, (uint32_t)floor(fmax(0, c[k].from * UNITS)),
-                           (uint32_t)ceil(fmin(UNITS, c[k].to * UNITS))};
-        if (!candidates_append(&found->asked, asked))
+        if (!ask_for_crossing(found, &here))
             return -1;
         moved = 1;
     }
@@ -116,25 +122,54 @@ static int ask_for_meeting(findings *found) {
     return moved;
 }
 
+static int compare_pieces(const void *left, const void *right) {
+    const uint32_t *a = left, *b = right;
+    return *a < *b ? -1 : *a > *b;
+}
+
+static int is_lost(const findings *found, uint32_t piece) {
+    return bsearch(&piece, found->lost, found->lost_count, sizeof *found->lost, compare_pieces) !=
+           NULL;
+}
+
+/* Order the lost pieces, each once, and drop what was found of them. */
+static void drop_lost(findings *found) {
+    size_t kept = 0;
+    if (!found->lost_count)
+        return;
+    qsort(found->lost, found->lost_count, sizeof *found->lost, compare_pieces);
+    for (size_t k = 0; k < found->lost_count; k++)
+        if (!kept || found->lost[kept - 1] != found->lost[k])
+            found->lost[kept++] = found->lost[k];
+    found->lost_count = kept;
+    kept = 0;
+    for (size_t k = 0; k < found->crossing_count; k++)
+        if (!is_lost(found, found->crossing[k].piece))
+            found->crossing[kept++] = found->crossing[k];
+    found->crossing_count = kept;
+    kept = 0;
+    for (size_t k = 0; k < found->asked.count; k++)
+        if (!is_lost(found, found->asked.item[k].piece))
+            found->asked.item[kept++] = found->asked.item[k];
+    found->asked.count = kept;
+}
+
 void filter_begin(filter_workspace *w) {
-    w->piece = SIZE_MAX;
+    w->set = 0;
 }
 
-int filter_set(filter_workspace *w, const filter *f, size_t piece, const filter_point *point) {
+int filter_set(filter_workspace *w, const filter *f, const filter_point *point) {
     const corners *corners = &f->solid->corners;
-    if (w->piece == piece)
-        return 1;
-    w->piece = SIZE_MAX;
-    if (!corners->at || !curve_set(&w->curve, &f->piece[piece], point, corners))
-        return 0;
-    w->piece = piece;
-    return 1;
+    if (!w->set)
+        w->set = corners->at && curve_set(&w->curve, &f->course, point, corners);
+    return w->set;
 }
 
-int filter_search(filter_workspace *w, const filter *f, size_t piece, const filter_point *point) {
+int filter_search(filter_workspace *w, const filter *f, const filter_point *point) {
     findings *found = &w->found;
-    if (!filter_set(w, f, piece, point) || !search_curve(found, &w->curve, f->solid))
+    if (!filter_set(w, f, point) || !search_curve(found, &w->curve, f->solid))
         return 0;
+    drop_lost(found);
     if (found->crossing_count)
         qsort(found->crossing, found->crossing_count, sizeof *found->crossing, compare_crossings);
     int moved;

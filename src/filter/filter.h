@@ -14,8 +14,7 @@
 /** What a filter keeps of a scene; immutable, shared by threads. */
 typedef struct filter {
     const graze_solid *solid; /* borrowed */
-    size_t piece_count;
-    carrier *piece;
+    course course;
 } filter;
 
 /**
@@ -27,13 +26,13 @@ void filter_clear(filter *f);
 
 /** Memory of one thread, used again from query to query. */
 typedef struct filter_workspace {
-    size_t piece; /* that `curve` was set for, or SIZE_MAX */
+    int set; /* `curve` is that of the point */
     curve curve, ray;
     findings found, ray_found;
 } filter_workspace;
 
-/** Set the workspace's curve to a piece, unless it is; 0 if the filter cannot be used for it. */
-int filter_set(filter_workspace *w, const filter *f, size_t piece, const filter_point *point);
+/** Set the workspace's curve, unless it is; 0 if the filter cannot be used for it. */
+int filter_set(filter_workspace *w, const filter *f, const filter_point *point);
 
 /** The context's workspace, made at the first call; NULL without memory. */
 filter_workspace *filter_workspace_of(graze_context *context);
@@ -42,10 +41,9 @@ filter_workspace *filter_workspace_of(graze_context *context);
 void filter_begin(filter_workspace *w);
 
 /**
- * Search one piece. The findings stand in the workspace until its next use.
- * @return 0 if the filter cannot be used for this piece and point, or without memory: ask the exact
- * search
+ * Search all pieces. The findings stand in the workspace until the next search.
+ * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search
  */
-int filter_search(filter_workspace *w, const filter *f, size_t piece, const filter_point *point);
+int filter_search(filter_workspace *w, const filter *f, const filter_point *point);
 
 #endif

@@ -29,9 +29,20 @@ int findings_add_window(findings *found, exact_window item) {
     return 1;
 }
 
+int findings_lose(findings *found, uint32_t piece) {
+    if (found->lost_count && found->lost[found->lost_count - 1] == piece)
+        return 1;
+    if (!array_reserve(&found->lost, &found->lost_capacity, found->lost_count + 1,
+                       sizeof *found->lost))
+        return 0;
+    found->lost[found->lost_count++] = piece;
+    return 1;
+}
+
 void findings_clear(findings *found) {
     free(found->crossing);
     free(found->asked.item);
     free(found->window);
+    free(found->lost);
     *found = (findings){.crossing_count = 0};
 }

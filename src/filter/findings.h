@@ -9,7 +9,7 @@
 
 /** The trajectory may meet the simplex within the closed window, in units of 2^-WINDOW_LEVELS. */
 typedef struct candidate {
-    uint32_t simplex;
+    uint32_t piece, simplex;
     uint32_t from, to;
 } candidate;
 
@@ -25,29 +25,33 @@ int candidates_append(candidates *list, candidate item);
  * goes through the relative interior of the simplex; `enters`: from outside to inside. */
 typedef struct crossing {
     double from, to;
-    uint32_t simplex;
+    uint32_t piece, simplex;
     int enters;
 } crossing;
 
 /** Candidates first ... first + count - 1 with overlapping windows: the exact path answers for all
  * of [from, to] at once. */
 typedef struct exact_window {
-    uint32_t from, to;
+    uint32_t piece, from, to;
     size_t first, count;
 } exact_window;
 
-/** What the filter found on one piece: crossings and windows, each in order of time, none touching
- * another. All other times are off the boundary. */
+/** What the filter found: crossings and windows, each in order of time, none touching another in
+ * one piece, and the pieces it cannot be used for, in order. All other times are off the boundary.
+ */
 typedef struct findings {
     size_t crossing_count, crossing_capacity;
     crossing *crossing;
     candidates asked;
     size_t window_count, window_capacity;
     exact_window *window;
+    size_t lost_count, lost_capacity;
+    uint32_t *lost;
 } findings;
 
 int findings_add_crossing(findings *found, crossing item);
 int findings_add_window(findings *found, exact_window item);
+int findings_lose(findings *found, uint32_t piece);
 void findings_clear(findings *found);
 
 #endif

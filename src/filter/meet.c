@@ -32,7 +32,7 @@ typedef struct meeter {
 
 /* n . (X - v_0 W), coefficient by coefficient. */
 static void make_plane(meeter *m) {
-    int d = m->c->dimension, n = m->c->degree;
+    int d = m->c->dimension, n = m->piece->degree;
     const double *w = curve_coefficients(m->c, m->piece, d);
     double norm = 0;
     pullback *p = &m->plane;
@@ -93,7 +93,8 @@ static int second_axis(const meeter *m, int drop) {
 
 /* Whether the whole span is certainly beyond one side. */
 static int is_beside(const meeter *m, int drop) {
-    int d = m->c->dimension, n = m->c->degree, i = first_axis(m, drop), j = second_axis(m, drop);
+    int d = m->c->dimension, n = m->piece->degree, i = first_axis(m, drop),
+        j = second_axis(m, drop);
     const double *w = curve_coefficients(m->c, m->piece, d);
     const double *xi = curve_coefficients(m->c, m->piece, i);
     const double *xj = curve_coefficients(m->c, m->piece, j);
@@ -112,7 +113,7 @@ static int is_beside(const meeter *m, int drop) {
 
 /* The plane's pullback at s; its error is that of the coefficients and of de Casteljau's scheme. */
 static int plane_sign(const meeter *m, double s, double *value) {
-    int n = m->c->degree;
+    int n = m->piece->degree;
     double row[CARRIER_DEGREE + 1];
     memcpy(row, m->plane.at, (size_t)(n + 1) * sizeof *row);
     for (int level = 1; level <= n; level++)
@@ -124,10 +125,10 @@ static int plane_sign(const meeter *m, double s, double *value) {
 
 /* A guess at the root between two places of opposite sign: the Illinois method. */
 static double guess_root(const meeter *m) {
-    double low = 0, high = 1, at_low = m->plane.at[0], at_high = m->plane.at[m->c->degree];
+    double low = 0, high = 1, at_low = m->plane.at[0], at_high = m->plane.at[m->piece->degree];
     double s = at_low / (at_low - at_high), value;
     int kept = 0;
-    for (int step = 0; step < 24 && m->c->degree > 1; step++) {
+    for (int step = 0; step < 24 && m->piece->degree > 1; step++) {
         if (plane_sign(m, s, &value) == 0)
             break;
         if ((value > 0) == (at_low > 0)) {
@@ -152,7 +153,7 @@ static double guess_root(const meeter *m) {
 /* A window around the one root, its ends certain; 0 if none is found. */
 static int find_window(meet_window *out, const meeter *m) {
     const double *p = m->plane.at;
-    int n = m->c->degree, before = p[0] > 0 ? 1 : -1;
+    int n = m->piece->degree, before = p[0] > 0 ? 1 : -1;
     double s = guess_root(m), value;
     double width = 0x1p-48 + 4 * m->plane.error / fabs(p[n] - p[0]);
     for (int attempt = 0; attempt < 8; attempt++, width *= 32) {
@@ -174,7 +175,8 @@ static meeting judge_window(meet_window *out, const meeter *m) {
     double away = (larger(out->high - middle, middle - out->low)) * m->piece->speed;
     curve_at(at, error, m->c, m->piece, middle);
     int i = first_axis(m, drop), j = second_axis(m, drop);
-    double e = SLACK * (m->piece->shift_error + 5 * m->c->degree * U * m->piece->shift_size + away);
+    double e =
+        SLACK * (m->piece->shift_error + 5 * m->piece->degree * U * m->piece->shift_size + away);
     for (int side = 0; side < d; side++) {
         const double *v = m->corner + d * side;
         shifted place = {at[i] - v[i] * at[d], at[j] - v[j] * at[d], e};
@@ -194,7 +196,7 @@ typedef struct signs {
 } signs;
 
 static signs read_signs(const meeter *m) {
-    int n = m->c->degree;
+    int n = m->piece->degree;
     enum { FIRST_RUN, UNCERTAIN, LAST_RUN };
     int before = FIRST_RUN;
     signs s = {sign_beyond(m->plane.at[0], m->plane.error),

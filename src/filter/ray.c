@@ -80,9 +80,10 @@ graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
     double at[4], error[4], direction[3];
     int d = f->solid->input.dimension;
     const corners *corners = &f->solid->corners;
-    if (!filter_set(w, f, piece, point))
+    const span *whole = filter_set(w, f, point) ? curve_piece(&w->curve, piece) : NULL;
+    if (!whole || whole->lost)
         return GRAZE_STATE_ABSENT;
-    curve_at(at, error, &w->curve, &w->curve.spans[0], u);
+    curve_at(at, error, &w->curve, whole, u);
     if (!(at[d] > 4 * error[d]))
         return GRAZE_STATE_ABSENT;
     if (flip(FLIP_FAR, is_far(f, at, error, d)))
@@ -90,7 +91,8 @@ graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
     for (int turn = 0; turn < 2; turn++) {
         choose_direction(direction, f, at, d, turn);
         if (!curve_set_segment(&w->ray, d, at, error, direction, corners) ||
-            !ends_far(&w->ray, f, error, d) || !search_curve(&w->ray_found, &w->ray, f->solid))
+            !ends_far(&w->ray, f, error, d) || !search_curve(&w->ray_found, &w->ray, f->solid) ||
+            w->ray_found.lost_count)
             return GRAZE_STATE_ABSENT;
         graze_state state = read_ray(&w->ray_found);
         if (state != GRAZE_STATE_ABSENT)

@@ -21,7 +21,7 @@ typedef struct searcher {
     findings *out;
     curve *curve;
     const graze_solid *solid;
-    int failed; /* without memory, or the weight's sign is not certain */
+    int failed; /* without memory, or too many spans */
 } searcher;
 
 /* A window of a span's own parameter, outward, in units of 2^-WINDOW_LEVELS. */
@@ -30,7 +30,7 @@ static candidate whole_units(uint32_t simplex, const span *piece, const meet_win
     double from = floor(w->low * length) - 1, to = ceil(w->high * length) + 1;
     from = larger(0, from + piece->start);
     to = smaller((double)(UINT32_C(1) << WINDOW_LEVELS), to + piece->start);
-    return (candidate){simplex, (uint32_t)from, (uint32_t)to};
+    return (candidate){piece->piece, simplex, (uint32_t)from, (uint32_t)to};
 }
 
 /* The same window in units of the piece. The start is a multiple of 2^-24, so only the product and
@@ -38,7 +38,8 @@ static candidate whole_units(uint32_t simplex, const span *piece, const meet_win
 static crossing whole_crossing(uint32_t simplex, const span *piece, const meet_window *w) {
     double start = ldexp(piece->start, -WINDOW_LEVELS);
     return (crossing){start + ldexp(w->low, -piece->level) - 0x1p-51,
-                      start + ldexp(w->high, -piece->level) + 0x1p-51, simplex, w->enters};
+                      start + ldexp(w->high, -piece->level) + 0x1p-51, piece->piece, simplex,
+                      w->enters};
 }
 
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index);
@@ -63,7 +64,7 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     chord_meeting chord = chord_meets(s->curve, piece, corner, corners->error);
     if (chord == CHORD_MISSES)
         return;
-    if (chord == CHORD_NEAR && piece->bend > 0 && piece->level < CHORD_LEVELS) {
+    if (!piece->degree || (chord == CHORD_NEAR && piece->bend > 0 && piece->level < CHORD_LEVELS)) {
         cut_and_descend(s, node, span_index);
         return;
     }
@@ -91,14 +92,20 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
     for (;;) {
         const span *piece = &s->curve->spans[span_index];
         const tree_node *here = &s->solid->boxes.node[node];
-        if (s->failed || flip(FLIP_BOX, !span_meets(piece, &here->box)))
+        if (piece->lost)
+            s->failed |= !findings_lose(s->out, piece->piece);
+        if (s->failed || piece->lost || flip(FLIP_BOX, !span_meets(piece, &here->box)))
             return;
         if (!piece->bounded || is_thick(piece, &here->box)) {
             if (piece->level < BOX_LEVELS) {
                 cut_and_descend(s, node, span_index);
                 return;
             }
-            s->failed |= !piece->bounded;
+            if (!piece->bounded) {
+                /* The weight's sign is not certain. */
+                s->failed |= !findings_lose(s->out, piece->piece);
+                return;
+            }
         }
         if (!here->child) {
             meet_leaf(s, node, span_index);
@@ -111,7 +118,7 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
 
 int search_curve(findings *out, curve *c, const graze_solid *solid) {
     searcher s = {out, c, solid, 0};
-    out->crossing_count = out->asked.count = out->window_count = 0;
+    out->crossing_count = out->asked.count = out->window_count = out->lost_count = 0;
     descend_curve(&s, 0, 0);
     return !s.failed;
 }

@@ -79,7 +79,7 @@ static int cut_span(searcher *s, size_t index) {
 
 static void record(searcher *s, uint32_t simplex, const exact_span *when) {
     uint32_t length = UINT32_C(1) << (WINDOW_LEVELS - when->level);
-    if (!candidates_append(s->out, (candidate){simplex, when->start, when->start + length}))
+    if (!candidates_append(s->out, (candidate){0, simplex, when->start, when->start + length}))
         s->out_of_memory = 1;
 }
 

@@ -39,11 +39,11 @@ static graze_status trace_exactly(tracer *r, size_t piece) {
 }
 
 /* The contacts of a window of the filter. */
-static graze_status trace_exact_window(tracer *r, size_t piece, const findings *found,
+static graze_status trace_exact_window(tracer *r, const findings *found,
                                        const exact_window *window) {
     candidates asked = {window->count, window->count, found->asked.item + window->first};
-    graze_status status = crosscheck_window(r, piece, window->from, window->to);
-    return status == GRAZE_OK ? trace_window(r, piece, &asked, window->from == 0) : status;
+    graze_status status = crosscheck_window(r, window->piece, window->from, window->to);
+    return status == GRAZE_OK ? trace_window(r, window->piece, &asked, window->from == 0) : status;
 }
 
 static graze_status trace_crossing(tracer *r, size_t piece, int enters) {
@@ -51,52 +51,110 @@ static graze_status trace_crossing(tracer *r, size_t piece, int enters) {
     return status == GRAZE_OK ? contacts_append_crossing(r->out, r->context, enters) : status;
 }
 
-/* Crossings and windows in order of time. */
-static graze_status trace_findings(tracer *r, size_t piece, const findings *found) {
-    size_t c = 0, w = 0;
+/* Nothing is met at the beginning of a piece. */
+static graze_status trace_nothing(tracer *r, size_t piece) {
     touches none;
     touches_init(&none);
-    int opens = w == found->window_count || found->window[0].from > 0;
-    graze_status status =
-        contacts_append(r->out, r->context, r->scene->motion, piece, &none, opens);
-    while (status == GRAZE_OK && (c < found->crossing_count || w < found->window_count)) {
-        const exact_window *window = w < found->window_count ? &found->window[w] : NULL;
-        const crossing *next = c < found->crossing_count ? &found->crossing[c] : NULL;
-        if (next && (!window || ldexp(next->from, WINDOW_LEVELS) < window->from)) {
+    return contacts_append(r->out, r->context, r->scene->motion, piece, &none, 1);
+}
+
+/* Where in the findings a trace has come. */
+typedef struct place_in {
+    size_t crossing, window, lost;
+} place_in;
+
+static const crossing *next_crossing(const findings *found, const place_in *at) {
+    return at->crossing < found->crossing_count ? &found->crossing[at->crossing] : NULL;
+}
+
+static const exact_window *next_window(const findings *found, const place_in *at) {
+    return at->window < found->window_count ? &found->window[at->window] : NULL;
+}
+
+/* The first piece of which there is something; SIZE_MAX if there is none. */
+static size_t next_piece(const findings *found, const place_in *at) {
+    const crossing *c = next_crossing(found, at);
+    const exact_window *w = next_window(found, at);
+    size_t piece = at->lost < found->lost_count ? found->lost[at->lost] : SIZE_MAX;
+    piece = c && c->piece < piece ? c->piece : piece;
+    return w && w->piece < piece ? w->piece : piece;
+}
+
+/* Crossings and windows of a piece in order of time. */
+static graze_status trace_findings(tracer *r, size_t piece, const findings *found, place_in *at) {
+    const exact_window *window = next_window(found, at);
+    int opens = !window || window->piece != piece || window->from > 0;
+    graze_status status = opens ? trace_nothing(r, piece) : GRAZE_OK;
+    while (status == GRAZE_OK && next_piece(found, at) == piece) {
+        const crossing *next = next_crossing(found, at);
+        window = next_window(found, at);
+        window = window && window->piece == piece ? window : NULL;
+        if (next && next->piece == piece &&
+            (!window || ldexp(next->from, WINDOW_LEVELS) < window->from)) {
             status = trace_crossing(r, piece, next->enters);
-            c++;
+            at->crossing++;
         } else {
-            status = trace_exact_window(r, piece, found, window);
-            w++;
+            status = trace_exact_window(r, found, window);
+            at->window++;
         }
     }
     return status;
 }
 
-/* All that the filter found, with exact times. */
-static graze_status trace_all(tracer *r, size_t piece, findings *found) {
-    for (size_t k = 0; k < found->crossing_count; k++) {
-        const crossing *c = &found->crossing[k];
+/* All that the filter found of a piece, with exact times. */
+static graze_status trace_all(tracer *r, size_t piece, const findings *found, place_in *at) {
+    int kept = 1;
+    r->list.count = 0;
+    for (; at->crossing < found->crossing_count && found->crossing[at->crossing].piece == piece;
+         at->crossing++) {
+        const crossing *c = &found->crossing[at->crossing];
         double from = floor(ldexp(fmax(c->from, 0), WINDOW_LEVELS));
         double to = ceil(ldexp(fmin(c->to, 1), WINDOW_LEVELS));
-        if (!candidates_append(&found->asked,
-                               (candidate){c->simplex, (uint32_t)from, (uint32_t)to}))
-            return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for a trace");
+        kept = kept && candidates_append(&r->list, (candidate){(uint32_t)piece, c->simplex,
+                                                               (uint32_t)from, (uint32_t)to});
     }
-    return trace_window(r, piece, &found->asked, 1);
+    for (; at->window < found->window_count && found->window[at->window].piece == piece;
+         at->window++) {
+        const exact_window *w = &found->window[at->window];
+        for (size_t k = 0; k < w->count; k++)
+            kept = kept && candidates_append(&r->list, found->asked.item[w->first + k]);
+    }
+    if (!kept)
+        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for a trace");
+    return trace_window(r, piece, &r->list, 1);
 }
 
-static graze_status trace_piece(tracer *r, size_t piece) {
-    if (!r->workspace || !filter_search(r->workspace, &r->scene->filter, piece, &r->near))
-        return trace_exactly(r, piece);
-    findings *found = &r->workspace->found;
-    return r->detail == TRACE_WORD ? trace_findings(r, piece, found) : trace_all(r, piece, found);
+/* The pieces of which there is something; contacts must not end where one begins of which there
+ * is nothing. */
+static graze_status trace_found(tracer *r, const findings *found) {
+    graze_status status = GRAZE_OK;
+    place_in at = {0, 0, 0};
+    for (size_t piece, after = 0; status == GRAZE_OK; after = piece + 1) {
+        piece = next_piece(found, &at);
+        if (after > 0 && after < r->scene->motion->piece_count && piece != after)
+            status = trace_nothing(r, after);
+        if (piece == SIZE_MAX || status != GRAZE_OK)
+            break;
+        if (at.lost < found->lost_count && found->lost[at.lost] == piece) {
+            status = trace_exactly(r, piece);
+            at.lost++;
+        } else {
+            status = r->detail == TRACE_WORD ? trace_findings(r, piece, found, &at)
+                                             : trace_all(r, piece, found, &at);
+        }
+    }
+    return status;
 }
 
 static graze_status trace_pieces(tracer *r) {
     graze_status status = context_poll(r->context);
-    for (size_t k = 0; k < r->scene->motion->piece_count && status == GRAZE_OK; k++)
-        status = trace_piece(r, k);
+    if (status == GRAZE_OK && r->workspace &&
+        filter_search(r->workspace, &r->scene->filter, &r->near)) {
+        status = trace_found(r, &r->workspace->found);
+    } else {
+        for (size_t k = 0; k < r->scene->motion->piece_count && status == GRAZE_OK; k++)
+            status = trace_exactly(r, k);
+    }
     if (status == GRAZE_OK)
         status = contacts_name(r->out, r->context, &r->scene->solid->cut.names);
     return status == GRAZE_OK ? word_read(r) : status;

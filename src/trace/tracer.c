@@ -33,8 +33,6 @@ static void begin_exact(tracer *r) {
     size_t n = r->scene->motion->piece_count;
     r->exact = malloc(n * sizeof *r->exact);
     r->is_exact = calloc(n, 1);
-    for (size_t k = 0; r->exact && k < n; k++)
-        trajectory_init(&r->exact[k], dimension_of(r));
     r->homogeneous = _fmpz_vec_init(dimension_of(r) + 1);
     set_homogeneous(r->homogeneous, r);
 }
@@ -50,6 +48,7 @@ const trajectory *tracer_exact(tracer *r, size_t piece) {
     if (!r->is_exact[piece]) {
         const motion_piece *p = &r->scene->motion->piece[piece];
         const point_map *map = motion_tracing(p, r->scene->options.operation);
+        trajectory_init(&r->exact[piece], dimension_of(r));
         trajectory_carry(&r->exact[piece], map, r->homogeneous);
         r->is_exact[piece] = 1;
     }
@@ -106,8 +105,9 @@ void tracer_begin(tracer *r) {
 }
 
 void tracer_clear(tracer *r) {
-    for (size_t k = 0; r->exact && k < r->scene->motion->piece_count; k++)
-        trajectory_clear(&r->exact[k]);
+    for (size_t k = 0; r->exact && r->is_exact && k < r->scene->motion->piece_count; k++)
+        if (r->is_exact[k])
+            trajectory_clear(&r->exact[k]);
     r->context->exact_count += r->exact != NULL;
     if (r->homogeneous)
         _fmpz_vec_clear(r->homogeneous, dimension_of(r) + 1);

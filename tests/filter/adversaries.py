@@ -117,6 +117,17 @@ def raised(c, p):
     return [F(p[0]) + c] + list(p[1:])
 
 
+def journey(count, d):
+    """Many short pieces: positions on a curve, turning as they go."""
+    frames = []
+    for k in range(count + 1):
+        t = F(k, count)
+        place = (8 * t - 4, 4 * t * (1 - t), t * t)[:d]
+        turned = (1, 2 * t - 1, t, 3 * t * t) if d == 3 else (1, 3 * t - 1)
+        frames.append((t, place, turned))
+    return keyframes(frames)
+
+
 def plane_adversaries():
     high, other = chebyshev(18), chebyshev(17)
     flat = [[(-8, 0), (8, 0), (8, 4), (-8, 4)], [(0, -8), (0, 8), (2, 8), (2, -8)]]
@@ -132,6 +143,7 @@ def plane_adversaries():
         "identity": build([(0, 1, translate([[0], [0]]))]),
         "quarters": build([(0, 1, compose(turn(-5, center=[F(2), F(1)]),
                                           translate([[0, 4], [0]], "s")))]),
+        "journey": journey(40, 2),
         "squeeze": build([(0, 1, scaling([[1, F(-3, 4)], [1, 3]], center=[F(1), F(1)]))]),
     })
 
@@ -159,6 +171,7 @@ def space_adversaries():
                                            translate([[0, 3], [0], [0, 0, 2]], "s")))]),
         "tumble": build([(0, 1, compose(quaternion([[1, -1], [0, 2, -1], [0, 1], [0, 0, 3]]),
                                         translate([[0, 3, 0, 2], [0], [1]])))]),
+        "journey": journey(60, 3),
         "skew": build([(0, 1, turn(3, axis=[2, 3, 6], length=7, center=[F(1, 2), F(0), F(0)]))]),
         "two rounds": build([(0, 1, turn(8, axis=[2, 3, 6], length=7, center=[F(1, 2), F(0), F(0)]))]),
         "shear": build([(-1, 1, matrix([[[1], [0, 2], [0], [0, 5]], [[0], [1], [0, 0, 1], [0]],
@@ -232,6 +245,7 @@ PLANE = [
     ("pinch", "rotation", "boundless"), ("touch", "parabola", "vanishing"),
     ("star", "turns", "far"), ("islands", "graze", "", UNSWEEP), ("ring", "weight", "", UNSWEEP),
     ("comb", "identity", ""), ("pinch", "mirror", "near the top"), ("ell", "rational", ""),
+    ("comb", "journey", ""), ("star", "journey", "thirds"), ("ring", "journey", "", UNSWEEP),
 ]
 SPACE = [
     ("cube", "slide", ""), ("cube", "weight", ""), ("hollow", "screw", ""), ("ell3", "sextic", ""),
@@ -250,6 +264,7 @@ SPACE = [
     ("disk", "skew", ""), ("disk", "two rounds", "sliver"), ("slits", "skew", ""),
     ("slits", "screw", "thirds"), ("ribs", "two rounds", ""), ("lathe", "skew", ""),
     ("lathe", "quaternion", "far"), ("ribs", "oblique", ""),
+    ("disk", "journey", ""), ("lathe", "journey", "thirds"), ("torus", "journey", "far"),
 ]
 
 

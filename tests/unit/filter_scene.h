@@ -33,6 +33,7 @@ typedef struct scene {
     forms control;                   /* X_i / W at k, and W */
     fmpq linear[9][MOST_DEGREE + 1]; /* the entries but for the last column */
     forms exact;                     /* of the curve, scaled as the carrier scales */
+    course course;                   /* of one piece; the curve keeps it */
     curve curve;
 } scene;
 
@@ -284,7 +285,10 @@ static int scene_convert(scene *s) {
     for (int j = 0; j < s->d; j++)
         rational_bounds(&at.at[j], &high, &s->point[j]);
     assert_true(converted.usable);
-    int done = converted.degree == s->n && curve_set(&s->curve, &converted, &at, &s->bounds);
+    piece_group whole = {.child = 0};
+    s->course = (course){s->d, converted.degree, 1, 1, &converted, &whole};
+    int done = converted.degree == s->n && curve_set(&s->curve, &s->course, &at, &s->bounds) &&
+               !s->curve.spans[0].lost;
     scale_exact(s, scale);
     carrier_clear(&converted);
     clear_map(&map);
