@@ -3,10 +3,11 @@
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "api.h"
+#include "api_trace.h"
 #include "certify/head.h"
 #include "certify/row.h"
 #include "context/environment.h"
+#include "verdict/classify.h"
 
 struct graze_certifier {
     certifier inner;
@@ -57,6 +58,26 @@ graze_status graze_certificate_head(char **out, graze_context *context,
     return status;
 }
 
+/* Trace one point for its row of the certificate and, unless `table` is NULL, that of the table. */
+static graze_status certify_point(text *out, text *table, graze_context *context,
+                                  const certifier *c, const fmpq *point, graze_format format,
+                                  const char *rest) {
+    graze_trace trace;
+    int with_contacts = table && format == GRAZE_FORMAT_JSONL;
+    graze_status status =
+        classify_point(&trace, context, c->scene, (query_point){.rational = point},
+                       with_contacts ? TRACE_CONTACTS : TRACE_WORD);
+    if (!status) {
+        status = certify_row(out, context, c, point, &trace);
+        if (!status && table)
+            status = api_trace_row(table, context, c->scene, point, &trace, format, rest);
+        trace_clear(&trace);
+    }
+    return !status && (out->failed || (table && table->failed))
+               ? context_fail(context, GRAZE_ESYSTEM, "out of memory")
+               : status;
+}
+
 graze_status graze_certificate_row(char **out, graze_context *context,
                                    const graze_certifier *certifier, graze_rationals point) {
     if (out)
@@ -64,17 +85,62 @@ graze_status graze_certificate_row(char **out, graze_context *context,
     if (!out || !context || !certifier || !point)
         return api_misuse(context, "graze_certificate_row",
                           "out, context, certifier and point must not be NULL");
+    size_t length, done;
+    return graze_certificate_points(out, &length, NULL, NULL, &done, context, certifier, point, 1,
+                                    GRAZE_FORMAT_CSV, NULL);
+}
+
+/* Hand over the first `length` bytes, those of whole rows. */
+static void hand_over_rows(char **out, size_t *out_length, text *t, size_t length) {
+    if (!length) {
+        text_clear(t);
+        return;
+    }
+    t->data[length] = '\0';
+    *out = t->data;
+    *out_length = length;
+}
+
+graze_status graze_certificate_points(char **out, size_t *length, char **table,
+                                      size_t *table_length, size_t *done, graze_context *context,
+                                      const graze_certifier *certifier, graze_rationals points,
+                                      size_t n, graze_format format, const char *const *rest) {
+    if (out)
+        *out = NULL;
+    if (table)
+        *table = NULL;
+    if (length)
+        *length = 0;
+    if (table_length)
+        *table_length = 0;
+    if (done)
+        *done = 0;
+    if (!out || !length || !table != !table_length || !done || !context || !certifier ||
+        (n && !points))
+        return api_misuse(context, "graze_certificate_points",
+                          "out, length, done, context and certifier, and with n > 0 also points, "
+                          "must not be NULL; nor one alone of table and table_length");
+    graze_status status = api_check_format(context, "graze_certificate_points", format);
+    if (status)
+        return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    int d = certifier->inner.scene->motion->dimension;
-    fmpq *p = _fmpq_vec_init(d);
-    graze_status status = api_point(p, context, certifier->inner.scene, point);
-    text t;
-    text_init(&t);
-    if (!status)
-        status = certify_row(&t, context, &certifier->inner, p);
-    _fmpq_vec_clear(p, d);
-    if (!status)
-        return text_finish(out, context, &t);
-    text_clear(&t);
+    size_t d = (size_t)certifier->inner.scene->motion->dimension, whole = 0, whole_rows = 0;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    text certificate, rows;
+    text_init(&certificate);
+    text_init(&rows);
+    for (size_t k = 0; k < n && !status; k++) {
+        status = api_point(point, context, certifier->inner.scene, points + k * d);
+        if (!status)
+            status = certify_point(&certificate, table ? &rows : NULL, context, &certifier->inner,
+                                   point, format, rest ? rest[k] : NULL);
+        whole = status ? whole : certificate.length;
+        whole_rows = status ? whole_rows : rows.length;
+        *done += !status;
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    hand_over_rows(out, length, &certificate, whole);
+    if (table)
+        hand_over_rows(table, table_length, &rows, whole_rows);
     return status;
 }

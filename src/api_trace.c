@@ -4,7 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "api.h"
+#include "api_trace.h"
 #include "context/environment.h"
 #include "report/decimal.h"
 #include "report/explain.h"
@@ -138,9 +138,9 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
     return report_header(out, context, scene, notes, columns);
 }
 
-static graze_status put_trace_row(text *out, graze_context *context, const graze_scene *scene,
-                                  const fmpq *point, const graze_trace *trace, graze_format format,
-                                  const char *rest) {
+graze_status api_trace_row(text *out, graze_context *context, const graze_scene *scene,
+                           const fmpq *point, const graze_trace *trace, graze_format format,
+                           const char *rest) {
     graze_status status = GRAZE_OK;
     topo_finding found;
     finding_init(&found);
@@ -157,8 +157,7 @@ static graze_status put_trace_row(text *out, graze_context *context, const graze
     return status;
 }
 
-static graze_status check_format(graze_context *context, const char *function,
-                                 graze_format format) {
+graze_status api_check_format(graze_context *context, const char *function, graze_format format) {
     if (format == GRAZE_FORMAT_CSV || format == GRAZE_FORMAT_JSONL)
         return GRAZE_OK;
     return api_misuse(context, function, "the format is unknown");
@@ -172,7 +171,7 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     if (!out || !context || !scene || !point || !trace)
         return api_misuse(context, "graze_report_row",
                           "out, context, scene, point and trace must not be NULL");
-    graze_status status = check_format(context, "graze_report_row", format);
+    graze_status status = api_check_format(context, "graze_report_row", format);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
@@ -181,7 +180,7 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     text_init(&t);
     status = api_point(p, context, scene, point);
     if (!status)
-        status = put_trace_row(&t, context, scene, p, trace, format, rest);
+        status = api_trace_row(&t, context, scene, p, trace, format, rest);
     _fmpq_vec_clear(p, scene->motion->dimension);
     if (status) {
         text_clear(&t);
@@ -197,7 +196,7 @@ static graze_status report_point(text *out, graze_context *context, const graze_
     graze_status status = classify_point(&trace, context, scene, (query_point){.rational = point},
                                          format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
     if (!status) {
-        status = put_trace_row(out, context, scene, point, &trace, format, rest);
+        status = api_trace_row(out, context, scene, point, &trace, format, rest);
         trace_clear(&trace);
     }
     return !status && out->failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : status;
@@ -216,7 +215,7 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
         return api_misuse(context, "graze_report_points",
                           "out, length, done, context and scene, and with n > 0 also points, must "
                           "not be NULL");
-    graze_status status = check_format(context, "graze_report_points", format);
+    graze_status status = api_check_format(context, "graze_report_points", format);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();

@@ -7,7 +7,7 @@
 #ifndef GRAZE_CERTIFY_H
 #define GRAZE_CERTIFY_H
 
-#include <graze/core.h>
+#include <graze/report.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -43,6 +43,24 @@ GRAZE_API GRAZE_CHECKED graze_status graze_certificate_head(char **out, graze_co
 GRAZE_API GRAZE_CHECKED graze_status graze_certificate_row(char **out, graze_context *context,
                                                            const graze_certifier *certifier,
                                                            graze_rationals point);
+/**
+ * Rows of a certificate, and of a table beside it, for n points, each of which is traced once.
+ * @param[out] out    rows of the certificate for the first *done points as one text for
+ * graze_free, also if a later point fails; NULL if *done is 0
+ * @param[out] length bytes of the text
+ * @param[out] table  rows of the table for the same points, as graze_report_points writes them, and
+ * for graze_free too; this and `table_length` are NULL where no table is wanted
+ * @param[out] table_length bytes of that text
+ * @param[out] done   number of points: n, or on failure the index of the point that failed
+ * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
+ * @param format      of the table's rows
+ * @param rest        further columns of each point for the table, entries may be NULL; or NULL
+ * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_certificate_points(
+    char **out, size_t *length, char **table, size_t *table_length, size_t *done,
+    graze_context *context, const graze_certifier *certifier, graze_rationals points, size_t n,
+    graze_format format, const char *const *rest);
 
 #ifdef __cplusplus
 }

@@ -14,7 +14,6 @@
 #include "trace/candidates.h"
 #include "trace/touch.h"
 #include "trace/trace.h"
-#include "verdict/classify.h"
 
 enum { DEEPEST = 2000 };
 
@@ -437,14 +436,10 @@ static void write_row(text *out, const certifier *c, const fmpq *point, const gr
     text_put(out, "\n");
 }
 
-graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point) {
-    graze_trace trace;
-    graze_status status =
-        classify_point(&trace, context, c->scene, (query_point){.rational = point}, TRACE_WORD);
-    if (status)
-        return status;
-    write_row(out, c, point, &trace);
-    trace_clear(&trace);
+graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point,
+                         const graze_trace *trace) {
+    graze_status status = GRAZE_OK;
+    write_row(out, c, point, trace);
     for (size_t k = 0; k < c->scene->motion->piece_count && !status; k++)
         status = certify_piece(out, context, c, k, point);
     return status;

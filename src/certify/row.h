@@ -5,8 +5,10 @@
 #define GRAZE_CERTIFY_ROW_H
 
 #include "certify/head.h"
+#include "trace/trace.h"
 
-/** The lines of one row. */
-graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point);
+/** The lines of one row; `trace` is that of its point. */
+graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point,
+                         const graze_trace *trace);
 
 #endif

@@ -25,6 +25,8 @@ static const char classify_help[] =
     "  --jobs N             threads (default: all cores); the output is the same for any N\n"
     "  --no-filter          the exact path alone: the same answers, slower\n"
     "  --output FILE        write there instead of to standard output\n"
+    "  --certify FILE       a certificate beside the table, as graze certify writes it; continued\n"
+    "                       with the table where there is --resume\n"
     "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
     "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
     "  --receipt FILE       spare the validation of a solid that graze check --receipt has done\n"
@@ -34,7 +36,7 @@ static const char classify_help[] =
     "\n"
     "Example: graze classify cube.off move.json points.csv > table.csv\n";
 
-static int value_shard(void *to, const char *name, const char *value) {
+int value_shard(void *to, const char *name, const char *value) {
     struct shard_choice *out = to;
     out->given = 1;
     if (!shard_read(&out->part, value))
@@ -68,12 +70,19 @@ static const option_entry classify_table[] = {
     FLAG("no-filter", classify_options, scene.context.exact_only, value_flag),
     OPTION("output", classify_options, output, value_text),
     OPTION("o", classify_options, output, value_text),
+    OPTION("certify", classify_options, certificate, value_text),
     OPTION("resume", classify_options, resume, value_text),
     OPTION("shard", classify_options, shard, value_shard),
     OPTION("receipt", classify_options, receipt, value_text),
     FLAG("quiet", classify_options, quiet, value_flag),
     OPTION("limit", classify_options, scene.context.limits, value_limit),
     {NULL, OPTION_FLAG, NULL, 0}};
+
+int classify_check_files(const classify_options *o) {
+    if (o->resume && o->output)
+        return complain(EXIT_USAGE, "--resume FILE writes to FILE; expected no --output beside it");
+    return EXIT_DONE;
+}
 
 int classify_take(classify_options *o, const operands *given) {
     int wanted = o->grid.sizes ? 2 : 3;
@@ -84,8 +93,9 @@ int classify_take(classify_options *o, const operands *given) {
                         "classify takes SOLID, MOTION and %s, %d operands given; see graze "
                         "classify --help",
                         o->grid.sizes ? "with --grid no POINTS" : "POINTS or --grid", given->count);
-    if (o->resume && o->output)
-        return complain(EXIT_USAGE, "--resume FILE writes to FILE; expected no --output beside it");
+    int status = classify_check_files(o);
+    if (status)
+        return status;
     if ((o->resume || o->shard.given) && (o->format.rows != GRAZE_FORMAT_CSV || o->format.table))
         return complain(EXIT_USAGE, "%s needs the head of a table; expected --format csv",
                         o->resume ? "--resume" : "--shard");

@@ -1,4 +1,4 @@
-/* graze classify, for the programs that start it.
+/* graze classify, for the programs that start it, and what graze certify shares with it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_CLASSIFY_H
@@ -13,5 +13,11 @@ extern const command command_classify;
 /** Take the operands over, and check that they and the options go together. Returns an exit status
  * and says what is wrong. */
 int classify_take(classify_options *o, const operands *given);
+
+/** Do --output and --resume go together? Returns an exit status and says what is wrong. */
+int classify_check_files(const classify_options *o);
+
+/** Read the value i/n of --shard into a struct shard_choice. */
+int value_shard(void *to, const char *name, const char *value);
 
 #endif

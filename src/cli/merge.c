@@ -1,4 +1,5 @@
-/* graze merge: puts the parts of a table together, byte for byte as one run would write it.
+/* graze merge: puts the parts of a table or a certificate together, byte for byte as one run would
+ * write it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Rows were dealt to the shards in turn (shard.h) and are taken from the parts in turn. Heads
@@ -16,15 +17,16 @@
 #include "run/status.h"
 
 static const char merge_help[] =
-    "graze merge PART...: one table of the tables of all shards\n"
+    "graze merge PART...: one table of the tables of all shards, or one certificate\n"
     "\n"
     "The parts come in any order: all n of them, each once, whole, and of one run, with the same\n"
-    "scene, options and points. The table is that of one run without shards.\n"
+    "scene, options and points. The result is that of one run without shards.\n"
     "\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --quiet              no progress on the terminal\n"
     "\n"
-    "A part is the table that graze classify writes for one shard.\n"
+    "A part is the table that graze classify writes for one shard, or the certificate of graze\n"
+    "certify or classify --certify.\n"
     "\n"
     "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
 
@@ -34,7 +36,6 @@ typedef struct merge_options {
 } merge_options;
 
 typedef struct merger {
-
     part *parts; /* part i is that of shard i */
     size_t count;
     graze_context *context;
@@ -138,7 +139,8 @@ static void put_counts(merger *m) {
     snprintf(text, sizeof text, UNDECIDED_LINE "%lu\n", undecided);
     if (part_has_topo(&m->parts[0]))
         output_put(&m->out, text);
-    snprintf(text, sizeof text, "# complete %lu\n", m->parts[0].rows_of_all);
+    snprintf(text, sizeof text, "%s" COMPLETE_LINE "%lu\n", result_mark(m->parts[0].form.kind),
+             m->parts[0].rows_of_all);
     output_put(&m->out, text);
 }
 
@@ -169,7 +171,9 @@ static const option_entry merge_table[] = {OPTION("output", merge_options, outpu
 
 static int run_merge(void *options, const operands *given) {
     if (given->count < 1)
-        return complain(EXIT_USAGE, "merge takes the parts of a table; see graze merge --help");
+        return complain(
+            EXIT_USAGE,
+            "merge takes the parts of a table or a certificate; see graze merge --help");
     merger *m = calloc(1, sizeof *m);
     if (!m)
         return complain(EXIT_IO, "out of memory");

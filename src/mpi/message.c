@@ -78,19 +78,23 @@ int message_get_run(const message *m, block *b, columns *c) {
     return 1;
 }
 
-/* The head of an answer; the text and the fault's message follow. */
+/* The head of an answer; the texts and the fault's message follow. */
 typedef struct answer_head {
-    size_t done, length, message;
+    size_t done, length[RESULT_KINDS], message;
     int status;
 } answer_head;
 
 int message_put_answer(message *m, const row_run *r) {
     const char *why = r->fault.message;
-    answer_head head = {r->done, r->length, why ? strlen(why) + 1 : 0, r->fault.status};
+    answer_head head = {
+        .done = r->done, .message = why ? strlen(why) + 1 : 0, .status = r->fault.status};
     int good = 1;
     m->length = 0;
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        head.length[kind] = r->out[kind].length;
     pack_bytes(m, &good, &head, sizeof head);
-    pack_bytes(m, &good, r->text, r->length);
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        pack_bytes(m, &good, r->out[kind].text, r->out[kind].length);
     pack_bytes(m, &good, why, head.message);
     return good;
 }
@@ -99,12 +103,16 @@ int message_get_answer(const message *m, row_run *r) {
     answer_head head;
     size_t at = 0;
     unpack_bytes(m, &at, &head, sizeof head);
-    r->text = head.length ? malloc(head.length) : NULL;
-    if (head.length && !r->text)
-        return 0;
-    if (head.length)
-        unpack_bytes(m, &at, r->text, head.length);
-    r->length = head.length;
+    for (int kind = 0; kind < RESULT_KINDS; kind++) {
+        size_t length = head.length[kind];
+        struct row_text *out = &r->out[kind];
+        out->text = length ? malloc(length) : NULL;
+        if (length && !out->text)
+            return 0;
+        if (length)
+            unpack_bytes(m, &at, out->text, length);
+        out->length = length;
+    }
     r->done = head.done;
     if (head.status)
         fault_set(&r->fault, head.status, "%s", head.message ? m->bytes + at : "");

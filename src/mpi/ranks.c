@@ -261,10 +261,13 @@ int ranks_serve(const classify_options *o) {
     int ready = 0;
     if (!status && o->grid.sizes)
         status = grid_open(&g, &o->grid, l.context, l.scene);
+    if (!status && o->certificate)
+        status = loaded_certify(&l, &o->scene);
     if (!status) {
         c.dimension = graze_scene_dimension(l.scene);
         answer_task task = {.context = &o->scene.context,
                             .scene = l.scene,
+                            .certifier = l.certifier,
                             .source = {g ? NULL : &c, g, o->shard.part},
                             .format = o->format.rows};
         status = answerer_init(&a, &task);

@@ -26,12 +26,24 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
     return n;
 }
 
+/* Write the rows of the first n points, for a table, a certificate or both. */
+static graze_status write_answers(answerer *a, row_run *r, size_t n) {
+    const answer_task *task = &a->task;
+    struct row_text *table = task->no_table ? NULL : &r->out[RESULT_TABLE];
+    struct row_text *certificate = &r->out[RESULT_CERTIFICATE];
+    const char *const *rest = task->source.columns && task->source.columns->others ? a->rest : NULL;
+    if (!task->certifier)
+        return graze_report_points(&table->text, &table->length, &r->done, a->context, task->scene,
+                                   a->points, n, task->format, rest);
+    return graze_certificate_points(&certificate->text, &certificate->length,
+                                    table ? &table->text : NULL, table ? &table->length : NULL,
+                                    &r->done, a->context, task->certifier, a->points, n,
+                                    task->format, rest);
+}
+
 void answer(answerer *a, row_run *r, const block *b, size_t first) {
     size_t n = make_run_points(a, r, b, first);
-    int has_rest = a->task.source.columns && a->task.source.columns->others;
-    graze_status status =
-        graze_report_points(&r->text, &r->length, &r->done, a->context, a->task.scene, a->points, n,
-                            a->task.format, has_rest ? a->rest : NULL);
+    graze_status status = write_answers(a, r, n);
     if (status)
         fault_clear(&r->fault);
     if (status == GRAZE_ECANCELED)

@@ -19,6 +19,8 @@ typedef struct row_source {
 typedef struct answer_task {
     const context_options *context;
     const graze_scene *scene;
+    const graze_certifier *certifier; /* NULL: no certificate is wanted */
+    int no_table;                     /* a certificate alone is */
     row_source source;
     graze_format format;
 } answer_task;

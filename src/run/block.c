@@ -57,7 +57,8 @@ int block_add(block *b, field text, unsigned long number) {
 
 void block_reset(block *b, unsigned long before) {
     for (size_t r = 0; r < b->count; r++) {
-        graze_free(b->runs[r].text);
+        for (int kind = 0; kind < RESULT_KINDS; kind++)
+            graze_free(b->runs[r].out[kind].text);
         fault_clear(&b->runs[r].fault);
         memset(&b->runs[r], 0, sizeof b->runs[r]);
     }

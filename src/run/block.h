@@ -4,6 +4,7 @@
 #ifndef GRAZE_RUN_BLOCK_H
 #define GRAZE_RUN_BLOCK_H
 
+#include "run/lines.h"
 #include "run/status.h"
 #include "table/field.h"
 
@@ -35,9 +36,11 @@ typedef struct line {
 /** Neighbouring rows answered by one thread, at the place of the first of them. */
 typedef struct row_run {
     size_t taken; /* rows; 0 until a thread takes them */
-    size_t done;  /* rows the text holds */
-    char *text;   /* for graze_free */
-    size_t length;
+    size_t done;  /* rows the texts hold */
+    struct row_text {
+        char *text; /* for graze_free; NULL where none is wanted */
+        size_t length;
+    } out[RESULT_KINDS];
     fault fault; /* why row `done` has no answer, where done < taken; EXIT_SIGNAL until answered */
 } row_run;
 

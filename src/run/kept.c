@@ -1,4 +1,4 @@
-/* Checks rows that a table has already.
+/* Checks rows that a table or a certificate has already.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/kept.h"
@@ -17,6 +17,7 @@ void kept_init(kept *k, graze_context *context, row_source source) {
 
 void kept_clear(kept *k) {
     reader_clear(&k->reader);
+    certified_clear(&k->intervals);
     for (int c = 0; c < 3; c++)
         mpq_clear(k->point[c]);
     free(k->text);
@@ -48,11 +49,26 @@ static field point_text(kept *k) {
         return (field){NULL, 0};
     for (int c = 0; c < k->form.dimension; c++) {
         if (c)
-            k->text[used++] = ',';
+            k->text[used++] = k->form.separator;
         mpq_get_str(k->text + used, 10, k->point[c]);
         used += strlen(k->text + used);
     }
     return (field){k->text, used};
+}
+
+/* The intervals of a row, up to the last time. */
+static int check_intervals(kept *k, results *t, field word) {
+    int status = EXIT_DONE;
+    if (!certified_begin(&k->intervals, word))
+        return complain(EXIT_IO, "out of memory");
+    while (!status && !k->intervals.ended) {
+        field line;
+        status = results_next(t, &line);
+        const char *expected = status ? NULL : certified_interval(&k->intervals, &k->form, line);
+        if (expected)
+            status = results_refuse(t, line, expected, (field){"", 0});
+    }
+    return status;
 }
 
 static int check_row(kept *k, results *t) {
@@ -72,12 +88,12 @@ static int check_row(kept *k, results *t) {
         return results_refuse(t, parts.point, "this run's point, ", point);
     if (!field_equal(parts.rest, rest))
         return results_refuse(t, parts.rest, "this run's further columns, ", rest);
-    return EXIT_DONE;
+    return t->kind == RESULT_CERTIFICATE ? check_intervals(k, t, parts.word) : EXIT_DONE;
 }
 
 int kept_check(kept *k, results *t, const block *b) {
     int status = EXIT_DONE;
-    if (!k->form.dimension && !row_form_read(&k->form, t->head.data))
+    if (!k->form.dimension && !row_form_read(&k->form, t->kind, t->head.data))
         return complain(EXIT_FAULT, "%s: its head is not understood", t->resumed);
     for (size_t r = 0; r < b->count && !status; r++) {
         status = make_point(k, b, r);

@@ -1,8 +1,9 @@
-/* The rows that a continued table has already, held to the points of this run.
+/* The rows that a continued table or certificate has already, held to the points of this run.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Only the last one is made again (results.h). The others are checked as far as their points and
- * words go: point, further columns, and the answers that belong to the word.
+ * words go: point, further columns, the answers that belong to the word, and intervals of a
+ * certificate that spell it.
  */
 #ifndef GRAZE_RUN_KEPT_H
 #define GRAZE_RUN_KEPT_H
@@ -10,6 +11,7 @@
 #include "run/results.h"
 #include "run/row.h"
 #include "run/answer.h"
+#include "run/certified.h"
 
 typedef struct kept {
     graze_context *context; /* borrowed */
@@ -17,15 +19,16 @@ typedef struct kept {
     row_form form;
     reader reader;
     mpq_t point[3];
-    char *text; /* the point's coordinates, comma-joined; malloc'ed */
+    certified intervals;
+    char *text; /* the point's coordinates as they stand in a row; malloc'ed */
     size_t capacity;
 } kept;
 
-/** kept_clear in any case. */
+/** For one file, table or certificate. kept_clear in any case. */
 void kept_init(kept *k, graze_context *context, row_source source);
 void kept_clear(kept *k);
 
-/** Check the rows of a block against the next ones of the table. Returns an exit status and says
+/** Check the rows of a block against the next ones of the file. Returns an exit status and says
  * what is wrong: EXIT_INPUT they are not rows of these points, or a point cannot be read. */
 int kept_check(kept *k, results *t, const block *b);
 

@@ -43,7 +43,24 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
     return status == GRAZE_EILLEGAL ? illegal : code;
 }
 
+static int has_ending(const char *path, const char *ending) {
+    size_t n = strlen(path), m = strlen(ending);
+    return n > m && strcmp(path + n - m, ending) == 0;
+}
+
+int load_certifiable(const char *solid) {
+    if (has_ending(solid, ".off") || has_ending(solid, ".wkt"))
+        return EXIT_DONE;
+    return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt", solid);
+}
+
+int loaded_certify(loaded *l, const scene_options *o) {
+    graze_status made = graze_certifier_create(&l->certifier, l->context, l->scene, o->solid_flags);
+    return complain_of_use(made, l->context);
+}
+
 void loaded_clear(loaded *l) {
+    graze_certifier_destroy(l->certifier);
     graze_scene_destroy(l->scene);
     graze_motion_destroy(l->motion);
     graze_solid_destroy(l->solid);

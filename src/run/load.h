@@ -25,12 +25,13 @@ typedef struct scene_options {
  * destroyed in either case. */
 int context_make(graze_context **out, const context_options *o);
 
-/** Solid, motion and scene, made and freed together. */
+/** Solid, motion and scene, made and freed together; and a certifier, or NULL. */
 typedef struct loaded {
     graze_context *context;
     graze_solid *solid;
     graze_motion *motion;
     graze_scene *scene;
+    graze_certifier *certifier;
 } loaded;
 
 /**
@@ -41,6 +42,10 @@ typedef struct loaded {
  *                 or NULL
  */
 int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted);
+/** Can graze-check read solids of this file's form? EXIT_INPUT, with a message, where it cannot. */
+int load_certifiable(const char *solid);
+/** Make the certifier of a scene that was read. On failure says why and returns an exit status. */
+int loaded_certify(loaded *l, const scene_options *o);
 void loaded_clear(loaded *l);
 
 #endif

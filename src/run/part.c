@@ -1,4 +1,4 @@
-/* Reads a part of a table (part.h).
+/* Reads a part of a table or a certificate (part.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/part.h"
@@ -21,38 +21,68 @@ static int complain_of_row(const part *p) {
 }
 
 /* What is expected of a row that graze classify has not written, else NULL. */
-static const char *wrong(const part *p, field row) {
-    row_parts parts;
+static const char *wrong(row_parts *parts, const part *p, field row) {
     const char *expected = memchr(row.start, '\0', row.length)
                                ? "no byte 0"
-                               : row_check(&parts, &p->form, p->in.context, row);
+                               : row_check(parts, &p->form, p->in.context, row);
     if (expected)
         return expected;
-    if (!row_point_is_written(parts.point, p->form.dimension))
+    if (!row_point_is_written(parts->point, &p->form))
         return "coordinates such as -12 or 22/7";
-    if (p->form.others && fields_count(parts.rest) != p->form.others)
+    if (p->form.others && fields_count(parts->rest) != p->form.others)
         return "as many further columns as the column line has";
     return NULL;
 }
 
+static int refuse_row(const part *p, const char *expected) {
+    return complain(EXIT_INPUT, "%s:%lu: is no row that %s writes; expected %s", p->in.name,
+                    p->in.line, result_command(p->form.kind), expected);
+}
+
+static void copy_line(output *out, field line) {
+    output_bytes(out, line.start, line.length + 1); /* its line end stands behind it */
+}
+
+/* The intervals of a certificate's row, up to the last time. */
+static int copy_intervals(part *p, output *out) {
+    int status = EXIT_DONE;
+    while (!status && !p->intervals.ended) {
+        field line;
+        status = next_line(p, &line);
+        if (status)
+            break;
+        if (!line.start || !p->in.whole)
+            return complain_of_row(p);
+        const char *expected = certified_interval(&p->intervals, &p->form, line);
+        if (expected)
+            return refuse_row(p, expected);
+        copy_line(out, line);
+    }
+    return status;
+}
+
 int part_copy_row(part *p, output *out) {
     field line;
+    row_parts parts;
     int status = next_line(p, &line);
     if (status)
         return status;
-    if (!line.start || !p->in.whole || (line.length && *line.start == '#'))
+    if (!line.start || !p->in.whole || line_part_of(p->form.kind, line) == LINE_NOTE)
         return complain_of_row(p);
-    const char *expected = wrong(p, line);
+    const char *expected = wrong(&parts, p, line);
     if (expected)
-        return complain(EXIT_INPUT, "%s:%lu: is no row that graze classify writes; expected %s",
-                        p->in.name, p->in.line, expected);
+        return refuse_row(p, expected);
     p->undecided += (unsigned long)row_is_undecided(line);
-    output_bytes(out, line.start, line.length + 1); /* its line end stands behind it */
-    return EXIT_DONE;
+    copy_line(out, line);
+    if (p->form.kind == RESULT_TABLE)
+        return EXIT_DONE;
+    if (!certified_begin(&p->intervals, parts.word))
+        return complain(EXIT_IO, "out of memory");
+    return copy_intervals(p, out);
 }
 
 int part_has_topo(const part *p) {
-    return strstr(p->head.data, "\n" TOPO_LINE) != NULL;
+    return p->form.topo;
 }
 
 int part_end(part *p) {
@@ -60,13 +90,13 @@ int part_end(part *p) {
     int status = next_line(p, &line);
     if (status)
         return status;
-    return line.length && *line.start == '#' ? EXIT_DONE : complain_of_row(p);
+    return line_part_of(p->form.kind, line) == LINE_NOTE ? EXIT_DONE : complain_of_row(p);
 }
 
 /* Take one line of the head; the one that names the shard is left out. */
 static int take_head(part *p, field line, int *named) {
     field name;
-    if (!*named && field_behind(&name, line, SHARD_LINE)) {
+    if (!*named && line_note(&name, p->form.kind, line, SHARD_LINE)) {
         char text[32] = "";
         memcpy(text, name.start, name.length < sizeof text ? name.length : sizeof text - 1);
         *named = shard_read(&p->shard, text);
@@ -76,35 +106,59 @@ static int take_head(part *p, field line, int *named) {
     return p->head.failed ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
 }
 
-static int read_head(part *p) {
-    int status = EXIT_DONE, named = 0, ended = 0;
+/* The first line says what the file is. */
+static int find_kind(part *p, field line) {
+    field version;
+    p->form.kind = field_is(line, "graze-certificate 1") ? RESULT_CERTIFICATE : RESULT_TABLE;
+    if (p->form.kind == RESULT_TABLE && !field_behind(&version, line, "# graze "))
+        return complain(EXIT_INPUT,
+                        "%s: expected a table of graze classify, or a certificate of graze certify",
+                        p->in.name);
+    return EXIT_DONE;
+}
+
+static int read_head_lines(part *p, int *named) {
+    int status = EXIT_DONE, ended = 0;
     while (!status && !ended) {
-        field line, version;
+        field line;
         status = next_line(p, &line);
         if (status || !line.start)
             break;
-        if (p->in.line == 1 && !field_behind(&version, line, "# graze "))
-            return complain(EXIT_INPUT, "%s: expected a table of graze classify", p->in.name);
+        if (p->in.line == 1)
+            status = find_kind(p, line);
+        if (status)
+            break;
         if (memchr(line.start, '\0', line.length))
             return complain(EXIT_INPUT, "%s:%lu: a byte 0 in a text file", p->in.name, p->in.line);
-        ended = p->in.whole && (!line.length || *line.start != '#');
-        status = take_head(p, line, &named);
+        ended = p->in.whole && line_ends_head(p->form.kind, line);
+        status = take_head(p, line, named);
     }
+    return status;
+}
+
+static int read_head(part *p) {
+    int named = 0, status = read_head_lines(p, &named);
+    result_kind kind = p->form.kind;
     if (status)
         return status;
     if (p->in.line == 0)
-        return complain(EXIT_INPUT, "%s: expected a table of graze classify", p->in.name);
+        return find_kind(p, (field){"", 0});
     if (!named)
         return complain(EXIT_INPUT,
-                        "%s: has no line `" SHARD_LINE "i/n` in its head; expected a "
-                        "table of graze classify --shard i/n",
-                        p->in.name);
-    if (!row_form_read(&p->form, p->head.data ? p->head.data : ""))
+                        "%s: has no line `%s" SHARD_LINE "i/n` in its head; expected a %s of %s "
+                        "--shard i/n",
+                        p->in.name, result_mark(kind), result_name(kind), result_command(kind));
+    if (row_form_read(&p->form, kind, p->head.data ? p->head.data : ""))
+        return EXIT_DONE;
+    if (kind == RESULT_TABLE)
         return complain(EXIT_INPUT,
                         "%s:%lu: is not the column line of graze classify: expected coordinates "
                         "and answers, and then the further columns",
                         p->in.name, p->in.line);
-    return EXIT_DONE;
+    return complain(EXIT_INPUT,
+                    "%s: its head has no line `dimension` or `signs`, as graze certify "
+                    "writes them",
+                    p->in.name);
 }
 
 /* Take the value of last line `index`; 0 if it is no count. */
@@ -119,7 +173,7 @@ static int take_last_line(part *p, int index, field value) {
 /* Read the last lines, of which there must be these three. *found counts them, and is -1 where
  * another stands among them. */
 static int read_last_lines(part *p, int *found) {
-    static const char *const key[3] = {SHARD_ROWS, SHARD_POINTS, "# complete "};
+    static const char *const key[3] = {SHARD_ROWS, SHARD_POINTS, COMPLETE_LINE};
     field line, value;
     int status = next_line(p, &line); /* perhaps a piece of one */
     *found = 0;
@@ -127,7 +181,7 @@ static int read_last_lines(part *p, int *found) {
         status = next_line(p, &line);
         if (status || !line.start)
             break;
-        if (*found < 3 && p->in.whole && field_behind(&value, line, key[*found]) &&
+        if (*found < 3 && p->in.whole && line_note(&value, p->form.kind, line, key[*found]) &&
             take_last_line(p, *found, value))
             ++*found;
         else if (*found || memchr(line.start, '\0', line.length))
@@ -148,9 +202,9 @@ static int read_tail(part *p, long long size) {
         return status;
     if (found != 3)
         return complain(EXIT_INPUT,
-                        "%s: does not end with `# complete`: the run was interrupted; graze "
-                        "classify --resume continues it",
-                        p->in.name);
+                        "%s: does not end with `%scomplete`: the run was interrupted; %s --resume "
+                        "continues it",
+                        p->in.name, result_mark(p->form.kind), result_command(p->form.kind));
     unsigned long dealt = shard_rows(p->shard, p->rows_of_all);
     if (p->rows != dealt)
         return complain(EXIT_INPUT, "%s: counts %lu rows; expected %lu of %lu in all", p->in.name,
@@ -178,5 +232,6 @@ int part_open(part *p, graze_context *context, const char *path) {
 
 void part_close(part *p) {
     stream_close(&p->in);
+    certified_clear(&p->intervals);
     text_clear(&p->head);
 }

@@ -1,4 +1,4 @@
-/* A part: the table of one shard, as graze merge reads it.
+/* A part: the table or the certificate of one shard, as graze merge reads it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A part is a plain file that is open only while it is read from, so that there is no limit to how
@@ -9,15 +9,16 @@
 #define GRAZE_RUN_PART_H
 
 #include "run/output.h"
-#include "run/row.h"
+#include "run/certified.h"
 #include "run/shard.h"
 #include "table/stream.h"
 
 typedef struct part {
     stream in;
     shard shard;
-    text head; /* without its `# shard` line */
+    text head; /* without the line that names the shard */
     row_form form;
+    certified intervals;
     unsigned long rows, rows_of_all;
     unsigned long undecided; /* of the rows that are copied */
     char checksum[32];       /* of the points, as text */
@@ -29,7 +30,7 @@ int part_open(part *p, graze_context *context, const char *path);
 void part_close(part *p);
 
 /** Copy the next row, which is counted if its position is undecided. EXIT_INPUT: there is none, or
- * it is none that graze classify writes. */
+ * it is none that graze writes. */
 int part_copy_row(part *p, output *out);
 
 /** 1 if the rows end with positions. */

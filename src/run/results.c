@@ -1,13 +1,15 @@
-/* Writes a table, and continues one.
+/* Writes a table or a certificate, and continues one.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/results.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "context/array.h"
 #include "run/row.h"
+#include "run/shard.h"
 #include "run/status.h"
 
 static int no_memory(void) {
@@ -30,20 +32,27 @@ static int keep_head(results *t, field line) {
     if (t->head.failed)
         return no_memory();
     t->head_lines++;
-    t->head_whole = t->in.whole && (!line.length || *line.start != '#');
+    t->head_whole = t->in.whole && line_ends_head(t->kind, line);
     return EXIT_DONE;
 }
 
-/* Keep a row, with a newline, in place of the one before it. */
-static int keep_last(results *t, field line, long long start) {
-    if (!array_reserve(&t->last, &t->last_room, line.length + 1, 1))
+/* Add a line, with a newline, to the row that is kept. */
+static int keep_line(results *t, field line) {
+    size_t length = t->last_length + line.length + 1;
+    if (!array_reserve(&t->last, &t->last_room, length, 1))
         return no_memory();
-    memcpy(t->last, line.start, line.length);
-    t->last[line.length] = '\n';
-    t->last_length = line.length + 1;
+    memcpy(t->last + t->last_length, line.start, line.length);
+    t->last[length - 1] = '\n';
+    t->last_length = length;
+    return EXIT_DONE;
+}
+
+/* Keep a row's first line in place of the row before it. */
+static int keep_row(results *t, field line, long long start) {
+    t->last_length = 0;
     t->last_start = start;
     t->rows++;
-    return EXIT_DONE;
+    return keep_line(t, line);
 }
 
 /* One line of the file, at byte `start`. */
@@ -53,14 +62,21 @@ static int take_kept_line(results *t, field line, long long start, int *complete
         return keep_head(t, line);
     if (!t->in.whole)
         return EXIT_DONE;
-    if (!line.length || *line.start != '#')
-        return keep_last(t, line, start);
-    *complete |= field_behind(&value, line, "# complete ");
+    switch (line_part_of(t->kind, line)) {
+    case LINE_ROW:
+        return keep_row(t, line, start);
+    case LINE_OF_ROW:
+        return t->last ? keep_line(t, line) : EXIT_DONE;
+    case LINE_NOTE:
+        break;
+    }
+    *complete |= line_note(&value, t->kind, line, COMPLETE_LINE);
     return EXIT_DONE;
 }
 
-/* Find out how far the file has come, and go back to its first row. */
-static int scan(results *t) {
+/* Find out how far the file has come, at most to the end of row `most`, and go back to its first
+ * row. */
+static int scan(results *t, unsigned long most) {
     int status = EXIT_DONE, complete = 0;
     for (;;) {
         long long start = stream_tell(&t->in);
@@ -68,14 +84,16 @@ static int scan(results *t) {
         status = complain_of(stream_next(&t->in, &line), t->in.context);
         if (status || !line.start)
             break;
+        if (t->head_whole && t->rows == most && line_part_of(t->kind, line) == LINE_ROW)
+            break;
         status = take_kept_line(t, line, start, &complete);
         if (status)
             break;
     }
-    if (!status && complete)
+    if (!status && complete && !t->beside)
         status =
-            complain(EXIT_INPUT, "%s: is complete with its %lu rows; expected an interrupted table",
-                     t->resumed, t->rows);
+            complain(EXIT_INPUT, "%s: is complete with its %lu rows; expected an interrupted %s",
+                     t->resumed, t->rows, result_name(t->kind));
     if (status)
         return status;
     t->in.line = t->head_lines;
@@ -87,7 +105,23 @@ static int open_resumed(results *t, graze_context *context) {
     int status = complain_of(stream_open_own(&t->in, context, t->resumed, 0), context);
     if (!status)
         status = output_lock(&t->out);
-    return status ? status : scan(t);
+    return status ? status : scan(t, ULONG_MAX);
+}
+
+int results_shorten(results *t, unsigned long rows) {
+    if (t->rows < rows)
+        return complain(EXIT_INPUT, "%s: has %lu rows; expected the %lu of the table beside it",
+                        t->resumed, t->rows, rows);
+    if (t->rows == rows)
+        return EXIT_DONE;
+    t->rows = 0;
+    t->last_length = 0;
+    if (rows)
+        return scan(t, rows);
+    free(t->last);
+    t->last = NULL;
+    t->last_room = 0;
+    return EXIT_DONE;
 }
 
 int results_open(results *t, graze_context *context, const char *path, const char *resumed) {
@@ -101,24 +135,25 @@ unsigned long results_skip(const results *t) {
     return t->last ? t->rows - 1 : 0;
 }
 
-int results_next(results *t, field *row) {
-    int status = complain_of(stream_next(&t->in, row), t->in.context);
+int results_next(results *t, field *line) {
+    int status = complain_of(stream_next(&t->in, line), t->in.context);
     if (status)
         return status;
-    if (!row->start)
+    if (!line->start)
         return complain(EXIT_IO, "%s: another program has changed it", t->resumed);
-    if (row->length && *row->start == '#')
-        return results_refuse(t, *row, "a row", (field){"", 0});
-    results_count_undecided(t, row->start, row->length);
+    if (line_part_of(t->kind, *line) == LINE_NOTE)
+        return results_refuse(t, *line, "a row", (field){"", 0});
+    results_count_undecided(t, line->start, line->length);
     return EXIT_DONE;
 }
 
 int results_refuse(const results *t, field there, const char *expected, field here) {
     return complain(EXIT_INPUT,
-                    "%s:%lu: `%.*s` stands there; expected %s%.*s, as in a table of these points "
+                    "%s:%lu: `%.*s` stands there; expected %s%.*s, as in a %s of these points "
                     "that was not changed",
                     t->resumed, t->in.line, there.length < 200 ? (int)there.length : 200,
-                    there.start, expected, here.length < 200 ? (int)here.length : 200, here.start);
+                    there.start, expected, here.length < 200 ? (int)here.length : 200, here.start,
+                    result_name(t->kind));
 }
 
 /* Name the line at which the head there and this run's differ. */
@@ -134,9 +169,9 @@ static int complain_of_head(const results *t, const char *here) {
             return complain(
                 EXIT_INPUT,
                 "%s:%lu: `%.*s` stands in the file and `%.*s` is this run's: expected a "
-                "table of this run",
-                t->resumed, number, (int)(m < 200 ? m : 200), there, (int)(n < 200 ? n : 200),
-                here);
+                "%s of this run",
+                t->resumed, number, (int)(m < 200 ? m : 200), there, (int)(n < 200 ? n : 200), here,
+                result_name(t->kind));
         here += n + 1;
         m += m < left;
         there += m;
@@ -172,8 +207,8 @@ int results_add(results *t, const char *text, size_t length, unsigned long rows)
             return complain(
                 EXIT_INPUT,
                 "%s: its last row, %lu, is not what this run makes of its point; expected "
-                "the points the table was begun with",
-                t->resumed, t->rows);
+                "the points the %s was begun with",
+                t->resumed, t->rows, result_name(t->kind));
         output_from(&t->out, t->last_start);
         free(t->last);
         t->last = NULL;
@@ -190,8 +225,8 @@ int results_end(results *t) {
         return EXIT_DONE;
     return complain(EXIT_INPUT,
                     "%s: has %lu rows already, more than there are points; expected the points "
-                    "the table was begun with",
-                    t->resumed, t->rows);
+                    "the %s was begun with",
+                    t->resumed, t->rows, result_name(t->kind));
 }
 
 int results_close(results *t, int status) {

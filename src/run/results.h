@@ -1,27 +1,30 @@
-/* The table that classify writes: begun anew, or continued where an earlier run was interrupted.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* The table or the certificate that a run writes: begun anew, or continued where an earlier run was
+ * interrupted. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A table that is continued has the head this run would write, to the byte, rows of its points
- * (kept.h), and its last whole row is the one this run makes of the same point. Until all of it is
- * checked nothing in the file changes.
+ * A file that is continued has the head this run would write, to the byte, rows of its points
+ * (kept.h), and its last row is the one this run makes of the same point; a certificate's may be
+ * the beginning of it. Until all of it is checked nothing in the file changes.
  */
 #ifndef GRAZE_RUN_RESULTS_H
 #define GRAZE_RUN_RESULTS_H
 
+#include "run/lines.h"
 #include "run/output.h"
 #include "table/stream.h"
 
 typedef struct results {
     output out;
+    result_kind kind;
     int opened;
+    int beside; /* a certificate beside a table, which alone tells how far a run has come */
     const char *resumed; /* the file that is continued, or NULL */
     unsigned long rows;  /* rows written, or taken over from an earlier run */
     int counts_undecided;
     unsigned long undecided; /* of these rows, if they are counted */
     text head;               /* the part of a head that the file had */
-    int head_whole;          /* it ends with the column line */
-    char *last;              /* the last whole row there was, until it is made again; malloc'ed */
-    size_t last_length, last_room; /* with its newline */
+    int head_whole;          /* it ends with the head's last line */
+    char *last; /* whole lines of the last row there was, until it is made again; malloc'ed */
+    size_t last_length, last_room; /* with their newlines */
     long long last_start;          /* byte of the file */
     stream in; /* the resumed file, from which kept rows are read; open while it is locked */
     unsigned long head_lines;
@@ -31,18 +34,22 @@ typedef struct results {
 void results_count_undecided(results *t, const char *text, size_t length);
 
 /** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
- * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is no table, or it is
- * whole already. `t` is zeroed before; results_close ends it in any case. */
+ * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is whole already, which
+ * one that is `beside` another may be. `t` is zeroed before but for `kind` and `beside`;
+ * results_close ends it in any case. */
 int results_open(results *t, graze_context *context, const char *path, const char *resumed);
+
+/** Take over the first `rows` rows alone. EXIT_INPUT: there are fewer. */
+int results_shorten(results *t, unsigned long rows);
 
 /** The rows that need not be made again. The last one there is made again, as a check. */
 unsigned long results_skip(const results *t);
 
-/** The next of these rows, without its line end; borrowed until the next call. EXIT_INPUT: another
- * line stands there. */
-int results_next(results *t, field *row);
+/** The next line of these rows, without its line end; borrowed until the next call. EXIT_INPUT: one
+ * that is no part of a row stands there. */
+int results_next(results *t, field *line);
 
-/** Refuse that row: `there` is what it has, and after `expected` comes `here`. EXIT_INPUT. */
+/** Refuse that line: `there` is what it has, and after `expected` comes `here`. EXIT_INPUT. */
 int results_refuse(const results *t, field there, const char *expected, field here);
 
 /** Write the head, or see that it is the one there. EXIT_INPUT: it is not. */

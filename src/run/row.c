@@ -10,7 +10,7 @@
 #include <ctype.h>
 #include <string.h>
 
-/* Room for the longest: two names, `ext`, a digit and two counts. */
+/* Room for the longest: two names, `ext`, a digit and three counts. */
 enum { ANSWERS = 128 };
 
 /* Go past a text if the line at hand begins with it. */
@@ -21,18 +21,41 @@ static int skip_text(const char **at, const char *text) {
     return same;
 }
 
-int row_form_read(row_form *out, const char *head) {
+/* The value of a line of a head; a field without start if there is none. */
+static field note_of(const char *head, const char *key) {
+    field rest = {head, strlen(head)}, value;
+    while (rest.length)
+        if (field_behind(&value, field_line(&rest), key))
+            return value;
+    return (field){NULL, 0};
+}
+
+static int read_options(row_form *out, const char *operation, const char *folds, const char *head) {
+    if (field_is(note_of(head, operation), "unsweep"))
+        out->options.operation = GRAZE_UNSWEEP;
+    if (field_is(note_of(head, folds), "combined"))
+        out->options.folds = GRAZE_FOLDS_COMBINED;
+    return 1;
+}
+
+static int read_certificate_form(row_form *out, const char *head) {
+    field dimension = note_of(head, "dimension "), times = note_of(head, "signs ");
+    if (!dimension.start || !times.start || !(field_is(dimension, "2") || field_is(dimension, "3")))
+        return 0;
+    out->dimension = *dimension.start - '0';
+    out->separator = ' ';
+    while (times.length)
+        out->end = row_take(&times, ' ');
+    return read_options(out, "operation ", "folds ", head);
+}
+
+static int read_table_form(row_form *out, const char *head) {
     size_t length = strlen(head);
     const char *at = head;
-    memset(out, 0, sizeof *out);
-    for (const char *next; *at == '#' && (next = strchr(at, '\n')) != NULL; at = next + 1) {
-        if (strncmp(at, "# operation unsweep\n", 20) == 0)
-            out->options.operation = GRAZE_UNSWEEP;
-        if (strncmp(at, "# folds combined\n", 17) == 0)
-            out->options.folds = GRAZE_FOLDS_COMBINED;
-        if (strncmp(at, TOPO_LINE, strlen(TOPO_LINE)) == 0)
-            out->topo = 1;
-    }
+    for (const char *next; *at == '#' && (next = strchr(at, '\n')) != NULL; at = next + 1)
+        ;
+    (void)read_options(out, "# operation ", "# folds ", head);
+    out->topo = field_is(note_of(head, "# topo "), "yes");
     if (!length || head[length - 1] != '\n' || !skip_text(&at, "x,y,"))
         return 0;
     out->dimension = skip_text(&at, "z,") ? 3 : 2;
@@ -46,10 +69,14 @@ int row_form_read(row_form *out, const char *head) {
     return good;
 }
 
-/* Take the bytes before the next comma, or up to the end. */
-static field take_column(field *rest) {
+int row_form_read(row_form *out, result_kind kind, const char *head) {
+    *out = (row_form){.kind = kind, .separator = ','};
+    return kind == RESULT_TABLE ? read_table_form(out, head) : read_certificate_form(out, head);
+}
+
+field row_take(field *rest, char separator) {
     field out = {rest->start, 0}; /* fields are a few bytes long */
-    while (out.length < rest->length && out.start[out.length] != ',')
+    while (out.length < rest->length && out.start[out.length] != separator)
         out.length++;
     size_t gone = out.length + (out.length < rest->length);
     *rest = (field){rest->start + gone, rest->length - gone};
@@ -104,22 +131,32 @@ static int position_fits(const row_form *form, graze_pmc pmc, field topo) {
                       field_is(topo, graze_topo_name(GRAZE_TOPO_UNDECIDED))));
 }
 
-const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row) {
+/* Take the point from the front of a row. */
+static int take_point_of(row_parts *out, field *rest, const row_form *form) {
+    const char *start = rest->start;
+    for (int k = 0; k < form->dimension; k++)
+        row_take(rest, form->separator);
+    out->point = (field){start, (size_t)(rest->start - start)};
+    if (out->point.length < (size_t)form->dimension)
+        return 0;
+    out->point.length--; /* the separator behind it */
+    return 1;
+}
+
+static const char *check_table_row(row_parts *out, const row_form *form, graze_context *context,
+                                   field row) {
     char answers[ANSWERS];
     graze_verdict verdict;
     field rest = row;
-    for (int k = 0; k < form->dimension; k++)
-        take_column(&rest);
-    const char *own = rest.start;
-    if (own - row.start < form->dimension || row.start == own)
+    if (!take_point_of(out, &rest, form))
         return "a point and its answers";
-    out->point = (field){row.start, (size_t)(own - row.start - 1)};
+    const char *own = rest.start;
     for (int k = form->options.operation == GRAZE_UNSWEEP ? 1 : 6; k > 0; k--)
-        take_column(&rest);
+        row_take(&rest, ',');
     const char *before_word = rest.start;
-    field word = take_column(&rest);
-    int more = word.start + word.length < row.start + row.length;
-    if (graze_word_verdict(&verdict, context, word.start, word.length, &form->options))
+    out->word = row_take(&rest, ',');
+    int more = out->word.start + out->word.length < row.start + row.length;
+    if (graze_word_verdict(&verdict, context, out->word.start, out->word.length, &form->options))
         return "a word of letters O, I, B of which every second one is B";
     size_t length = write_row_answers(answers, form, &verdict);
     if ((size_t)(before_word - own) != length || memcmp(own, answers, length) != 0)
@@ -133,8 +170,42 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
     return NULL;
 }
 
+/* As in a table, but with blanks, and k behind the others. */
+static size_t write_certified_answers(char text[ANSWERS], const row_form *form,
+                                      const graze_verdict *v, field word) {
+    size_t length = write_row_answers(text, form, v);
+    unsigned long ends =
+        (unsigned long)(*word.start == 'I') + (unsigned long)(word.start[word.length - 1] == 'I');
+    if (form->options.operation == GRAZE_SWEEP)
+        length = (size_t)(put_row_count(text + length, ((unsigned long)v->i + ends) / 2) - text);
+    for (size_t k = 0; k < length; k++)
+        text[k] = text[k] == ',' ? ' ' : text[k];
+    return length - 1; /* without the last blank */
+}
+
+static const char *check_certified_row(row_parts *out, const row_form *form, graze_context *context,
+                                       field row) {
+    char answers[ANSWERS];
+    graze_verdict verdict;
+    field rest = row;
+    if (!field_is(row_take(&rest, ' '), "row") || !take_point_of(out, &rest, form))
+        return "`row`, a point and its answers";
+    out->word = row_take(&rest, ' ');
+    out->rest = (field){"", 0};
+    if (graze_word_verdict(&verdict, context, out->word.start, out->word.length, &form->options))
+        return "a word of letters O, I, B of which every second one is B";
+    size_t length = write_certified_answers(answers, form, &verdict, out->word);
+    return field_equal(rest, (field){answers, length}) ? NULL
+                                                       : "the answers that belong to its word";
+}
+
+const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row) {
+    return (form->kind == RESULT_TABLE ? check_table_row : check_certified_row)(out, form, context,
+                                                                                row);
+}
+
 /* A minus, digits without a zero in front; then nothing, or a slash and the same from 2 up. */
-static int is_written_number(field f) {
+int row_is_number(field f) {
     const char *at = f.start, *end = at + f.length;
     for (int part = 0; part < 2; part++) {
         int minus = part == 0 && at < end && *at == '-';
@@ -153,10 +224,10 @@ static int is_written_number(field f) {
     return 0;
 }
 
-int row_point_is_written(field point, int dimension) {
+int row_point_is_written(field point, const row_form *form) {
     int good = 1;
-    for (int k = 0; k < dimension; k++)
-        good &= is_written_number(take_column(&point));
+    for (int k = 0; k < form->dimension; k++)
+        good &= row_is_number(row_take(&point, form->separator));
     return good && !point.length;
 }
 

@@ -8,11 +8,14 @@
 #ifndef GRAZE_RUN_SHARD_H
 #define GRAZE_RUN_SHARD_H
 
-/** Lines of a shard's table that a whole one lacks: the shard, in the head; and before the last
- * line the number of rows of all shards, and a checksum of their points (0 for a grid). */
-#define SHARD_LINE "# shard "
-#define SHARD_ROWS "# rows-of-all-shards "
-#define SHARD_POINTS "# points-checksum "
+/** Notes (lines.h) that a shard's table or certificate has and a whole one lacks: the shard, in the
+ * head; and before the last line the number of rows of all shards, and a checksum of their points
+ * (0 for a grid). */
+#define SHARD_LINE "shard "
+#define SHARD_ROWS "rows-of-all-shards "
+#define SHARD_POINTS "points-checksum "
+/** The last line, with the number of rows. */
+#define COMPLETE_LINE "complete "
 
 /** Shard `index` < `count`; one shard is the whole run. */
 typedef struct shard {

@@ -14,6 +14,83 @@ static graze_scene *open_files(graze_context *context, graze_solid **solid, graz
     return out;
 }
 
+/* Both texts of many points are those of the calls for one; a point that fails ends them. */
+static void check_points(graze_context *context, const graze_certifier *c,
+                         const graze_scene *scene) {
+    enum { POINTS = 3 };
+    mpq_t p[3 * POINTS];
+    char *out, *table, *one, whole[2][4096] = {"", ""};
+    const char *rest[POINTS] = {"a", NULL, "c"};
+    size_t length, table_length, done;
+    for (int k = 0; k < 3 * POINTS; k++) {
+        mpq_init(p[k]);
+        mpq_set_si(p[k], k % 3 ? 1 : k, 1);
+    }
+    for (int f = GRAZE_FORMAT_CSV; f <= GRAZE_FORMAT_JSONL; f++) {
+        whole[0][0] = whole[1][0] = '\0';
+        for (int k = 0; k < POINTS; k++) {
+            assert_int_equal(graze_certificate_row(&one, context, c, p + 3 * k), GRAZE_OK);
+            strcat(whole[0], one);
+            graze_free(one);
+            assert_int_equal(
+                graze_report_point(&one, context, scene, p + 3 * k, (graze_format)f, rest[k]),
+                GRAZE_OK);
+            strcat(whole[1], one);
+            graze_free(one);
+        }
+        assert_int_equal(graze_certificate_points(&out, &length, &table, &table_length, &done,
+                                                  context, c, p, POINTS, (graze_format)f, rest),
+                         GRAZE_OK);
+        assert_int_equal(done, POINTS);
+        assert_string_equal(out, whole[0]);
+        assert_string_equal(table, whole[1]);
+        assert_int_equal(length, strlen(out));
+        assert_int_equal(table_length, strlen(table));
+        graze_free(out);
+        graze_free(table);
+    }
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, context, c, p,
+                                              POINTS, GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_OK);
+    assert_string_equal(out, whole[0]);
+    graze_free(out);
+    mpz_set_si(mpq_denref(p[5]), -1);
+    assert_int_equal(graze_certificate_points(&out, &length, &table, &table_length, &done, context,
+                                              c, p, POINTS, GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
+    assert_int_equal(done, 1);
+    assert_int_equal(strlen(out), length);
+    assert_int_equal(strncmp(out, whole[0], length), 0);
+    assert_int_equal(strlen(table), table_length);
+    assert_null(strchr(table, '\n')[1] ? table : NULL);
+    graze_free(out);
+    graze_free(table);
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, context, c, NULL, 0,
+                                              GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_OK);
+    assert_null(out);
+    assert_int_equal(graze_certificate_points(&out, &length, &table, NULL, &done, context, c, p, 1,
+                                              GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, context, c, NULL, 1,
+                                              GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, context, c, p, 1,
+                                              (graze_format)2, NULL),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_certificate_points(NULL, &length, NULL, NULL, &done, context, c, p, 1,
+                                              GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, NULL, context, c, p, 1,
+                                              GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
+    for (int k = 0; k < 3 * POINTS; k++) {
+        if (k == 5)
+            mpz_set_si(mpq_denref(p[k]), 1);
+        mpq_clear(p[k]);
+    }
+}
+
 static void rows(void **state) {
     (void)state;
     graze_context *context;
@@ -42,6 +119,7 @@ static void rows(void **state) {
     assert_int_equal(graze_certificate_row(&text, context, c, NULL), GRAZE_EUSE);
     assert_int_equal(graze_certificate_head(&text, context, NULL), GRAZE_EUSE);
     assert_int_equal(graze_certificate_head(NULL, context, c), GRAZE_EUSE);
+    check_points(context, c, scene);
     graze_certifier_destroy(c);
     graze_certifier_destroy(NULL);
 

@@ -350,6 +350,9 @@ static void certificates(bench *b) {
     WRONG_OUT(graze_certifier, graze_certifier_create(&out, c, b->s.scene, 8));
     WRONG_OUT(char, graze_certificate_head(&out, c, NULL));
     WRONG_OUT(char, graze_certificate_row(&out, c, NULL, b->point));
+    size_t length, done;
+    WRONG_LENGTH(graze_certificate_points(&out, &length, NULL, NULL, &done, c, NULL, b->point, 1,
+                                          GRAZE_FORMAT_CSV, NULL));
     HARMLESS(graze_certifier_destroy, CALLS(graze_certifier_destroy(NULL)));
 }
 

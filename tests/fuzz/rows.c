@@ -30,8 +30,9 @@ static size_t answer_block(answerer *a, block *b) {
         EXPECT(r->fault.status == 0 || r->fault.status == EXIT_INPUT ||
                r->fault.status == EXIT_LIMIT);
         size_t lines = 0;
-        for (size_t k = 0; k < r->length; k++)
-            lines += r->text[k] == '\n';
+        const struct row_text *table = &r->out[RESULT_TABLE];
+        for (size_t k = 0; k < table->length; k++)
+            lines += table->text[k] == '\n';
         EXPECT(lines == r->done);
         rows += r->done;
         if (r->fault.status)
@@ -54,7 +55,10 @@ static int read_points(const char *path, int dimension, shard part, graze_format
         b = block_create();
     EXPECT(b != NULL);
     EXPECT(csv_open(&points, path, dimension, part, context) == EXIT_DONE);
-    answer_task task = {&o, scene, {csv_columns(points), NULL, part}, format};
+    answer_task task = {.context = &o,
+                        .scene = scene,
+                        .source = {csv_columns(points), NULL, part},
+                        .format = format};
     EXPECT(answerer_init(&a, &task) == EXIT_DONE);
     block_reset(b, 0);
     int status = csv_fill(points, b, BLOCK_ROWS);

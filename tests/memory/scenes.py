@@ -65,9 +65,9 @@ class Scene:
             (folder / name).write_bytes(content)
 
 
-def shards(graze, solid, motion, points):
-    """The tables of three shards."""
-    return [subprocess.run([graze, "classify", "--jobs", "1", "--shard", f"{i}/3", solid, motion, points],
+def shards(graze, command, solid, motion, points):
+    """The tables or certificates of three shards."""
+    return [subprocess.run([graze, command, "--jobs", "1", "--shard", f"{i}/3", solid, motion, points],
                            stdout=subprocess.PIPE, check=True).stdout for i in (1, 2, 3)]
 
 
@@ -95,7 +95,10 @@ def make(graze, folder):
     receipt = str(folder / "input" / "receipt")
     subprocess.run([graze, "check", cube, turn, "--receipt", receipt], stdout=subprocess.DEVNULL, check=True)
     begun = b"".join(golden.splitlines(keepends=True)[:-3])
-    parts = {f"{k}.csv": text for k, text in enumerate(shards(graze, u, roll, two))}
+    parts = {f"{k}.csv": text for k, text in enumerate(shards(graze, "classify", u, roll, two))}
+    certificate = subprocess.run([graze, "certify", *one, u, roll, two], stdout=subprocess.PIPE, check=True).stdout
+    certified = certificate[:certificate.rindex(b"row ")]
+    certificates = {f"{k}.txt": text for k, text in enumerate(shards(graze, "certify", u, roll, two))}
     candidate = ["--candidate", f"sh -c 'cp {golden_at} $1' sh {{out}} {{points}} {{solid}} {{motion}}"]
     nef = str(ROOT / "tests" / "refuse" / "common" / "nef3" / "ring.nef3")
     yield from (Scene(f"check-{name.rsplit('.', maxsplit=1)[-1]}", ["check", at[name], turn])
@@ -117,6 +120,11 @@ def make(graze, folder):
                 tables=("table",))
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
+    yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))
+    yield Scene("certify-resume", ["certify", *one, u, roll, two, "--resume", "made"], files={"made": certified}, tables=("made",))
+    yield Scene("classify-certify", ["classify", *one, u, roll, two, "--resume", "table", "--certify", "made"],
+                files={"table": begun, "made": certificate}, tables=("table", "made"))
+    yield Scene("merge-certificates", ["merge", "2.txt", "0.txt", "1.txt", "--output", "made"], files=certificates, tables=("made",))
     yield Scene("explain", ["explain", cube, turn, "5", "1", "2"])
     yield Scene("explain-2", ["explain", u, roll, "9", "2"])
     yield Scene("generate", ["generate", cube, turn, "-n", "14", "--seed", "5", "--output", "points"],

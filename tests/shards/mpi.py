@@ -54,6 +54,11 @@ def check_tables(bench):
     status, _, err = run(bench, 4, *cube, points, "--resume", path)
     bench.check(status == 3 and path.read_bytes() == begun and b"resumed.csv:%d: " % (at + 1) in err,
                 "four ranks refuse a row of another point", status, err)
+    beside, alone = bench.folder / "beside.txt", bench.good("certify", *cube, points)
+    for ranks in (1, 4):
+        status, out, err = run(bench, ranks, *cube, points, "--certify", beside)
+        bench.check(status == 0 and out == whole and beside.read_bytes() == alone, f"{ranks} ranks write a certificate too",
+                    status, err)
     receipt = bench.folder / "receipt.txt"
     bench.good("check", "--receipt", receipt, *cube)
     status, out, err = run(bench, 4, *cube, points, "--receipt", receipt)

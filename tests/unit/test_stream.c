@@ -188,8 +188,8 @@ static void closing_spares_other_files(void **state) {
     clear_sample(&s);
 }
 
-/* A line as long as the limit passes, one longer is refused by its number; a file of Graze's own has
- * no limit. */
+/* A line as long as the limit passes, one longer is refused by its number; a file of Graze's own
+ * has no limit. */
 static void limit_holds_for_one_line(void **state) {
     (void)state;
     static const size_t sizes[] = {100, 65535, 65536, 70000, 140000};

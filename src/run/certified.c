@@ -1,0 +1,65 @@
+/* Checks the form of a certificate's intervals (proofs/certificate.md, section 1).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "run/certified.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "context/array.h"
+
+void certified_clear(certified *c) {
+    free(c->word);
+    *c = (certified){.word = NULL};
+}
+
+int certified_begin(certified *c, field word) {
+    if (!array_reserve(&c->word, &c->capacity, word.length, 1))
+        return 0;
+    memcpy(c->word, word.start, word.length);
+    c->length = word.length;
+    c->at = 0;
+    c->begun = c->ended = 0;
+    return 1;
+}
+
+static int is_kind(field f) {
+    size_t boundaries = 0;
+    for (size_t k = 0; k < f.length; k++) {
+        if (!memchr("OBI", f.start[k], 3))
+            return 0;
+        boundaries += f.start[k] == 'B';
+    }
+    return f.length == 1 || (f.length == 2 && boundaries == 1) ||
+           (f.length == 3 && f.start[1] == 'B');
+}
+
+/* The coefficients of a polynomial: at least two integers. */
+static int are_coefficients(field rest) {
+    size_t count = 0;
+    for (; rest.length; count++) {
+        field f = row_take(&rest, ' ');
+        if (!row_is_number(f) || memchr(f.start, '/', f.length))
+            return 0;
+    }
+    return count >= 2;
+}
+
+/* Go on in the word by one letter, or stay at it. */
+static int spell(certified *c, char letter) {
+    if (c->begun && c->word[c->at] != letter)
+        c->at++;
+    c->begun = 1;
+    return c->at < c->length && c->word[c->at] == letter;
+}
+
+const char *certified_interval(certified *c, const row_form *form, field line) {
+    field rest = line, kind = row_take(&rest, ' '), time = row_take(&rest, ' ');
+    if (!is_kind(kind) || !row_is_number(time) ||
+        (kind.length == 3 ? !are_coefficients(rest) : rest.length != 0))
+        return "an interval of the row: letters, its end and, of three letters, a polynomial";
+    for (size_t k = 0; k < kind.length; k++)
+        if (!spell(c, kind.start[k]))
+            return "intervals that spell the row's word";
+    c->ended = field_equal(time, form->end);
+    return c->ended && c->at + 1 != c->length ? "intervals that spell the row's word" : NULL;
+}
