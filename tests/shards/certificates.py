@@ -46,10 +46,10 @@ def check_whole(bench):
         count = len(cut(whole)[1])
         bench.check((done.returncode, done.stdout) == (0, f"verified: {count} rows\n"), f"{name}: verified", done.stderr)
         beside = bench.folder / "beside.txt"
-        for form in ("csv", "jsonl", "npy"):
-            table = bench.good("classify", *words, "--format", form)
-            both = bench.good("classify", *words, "--format", form, "--certify", beside)
-            bench.check(both == table and beside.read_bytes() == whole, f"{name}: with a table as {form}")
+        for more in (["--format", "csv"], ["--format", "jsonl"], ["--format", "npy"], ["--topo"]):
+            _, table, note = bench.run("classify", *words, *more)
+            status, both, its_note = bench.run("classify", *words, *more, "--certify", beside)
+            bench.check((status, both, its_note) == (0, table, note) and beside.read_bytes() == whole, f"{name}: with a table {more}")
 
 
 def check_shards(bench):
