@@ -223,7 +223,10 @@ static int is_inside(const event *v) {
     return inside;
 }
 
+/* Why no interval could be proved. */
 static graze_status too_deep(const piece_row *r) {
+    if (r->e.out_of_memory)
+        return row_no_memory(r->context);
     return context_fail(r->context, GRAZE_EINTERNAL,
                         "a part of a trajectory cannot be certified in %d halvings", DEEPEST);
 }
@@ -331,15 +334,15 @@ static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at
         text_put(r->out, "\n");
         return GRAZE_OK;
     }
-    if (depth > DEEPEST || r->e.out_of_memory)
-        return r->e.out_of_memory ? row_no_memory(r->context) : too_deep(r);
-    graze_status status = context_poll(r->context);
+    graze_status status =
+        depth > DEEPEST || r->e.out_of_memory ? too_deep(r) : context_poll(r->context);
+    if (status)
+        return status;
     dyadic_interval left, right;
     dyadic_interval_init(&left);
     dyadic_interval_init(&right);
     dyadic_interval_halves(&left, &right, at);
-    if (!status)
-        status = put_gap(r, letter, &left, depth + 1);
+    status = put_gap(r, letter, &left, depth + 1);
     if (!status)
         status = put_gap(r, letter, &right, depth + 1);
     dyadic_interval_clear(&left);
