@@ -21,7 +21,8 @@ GLUE = {
                    f"{REFUSE} usage certify"],
     "src/convert": ["tests/api/test_writing", "tests/motioncmd/motion.py", "tests/api/test_export",
                     f"{REFUSE} motion motion-limits"],
-    "src/table": ["tests/unit/test_compare", "tests/api/test_export", "tests/compare/compare.py", "tests/draw/draw.py",
+    "src/table": ["tests/unit/test_stream", "tests/unit/test_compare", "tests/api/test_export",
+                  "tests/compare/compare.py", "tests/draw/draw.py",
                   "tests/shards/shards.py", "tests/shards/resume.py", f"{REFUSE} points compare shards motion"],
 }
 SECONDS = 600       # of one suite; a mutant may make it slower

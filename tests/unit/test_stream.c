@@ -4,6 +4,8 @@
  */
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 #include "../lib/random.h"
 #include "fixture.h"
@@ -262,10 +264,28 @@ static void pipe_is_ready_with_a_line(void **state) {
     close(ends[0]);
 }
 
+/* A pipe into which a child writes two parts, one after the other. */
+static void begin_parts(char *path, size_t room, int *end) {
+    int ends[2];
+    assert_int_equal(pipe(ends), 0);
+    snprintf(path, room, "/dev/fd/%d", ends[0]);
+    *end = ends[0];
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        struct timespec wait = {0, 100000000};
+        int good = write(ends[1], "abcdefghij", 10) == 10;
+        nanosleep(&wait, NULL);
+        _exit(!good || write(ends[1], "klmnopqrstuvwxyz", 16) != 16);
+    }
+    close(ends[1]);
+}
+
 /* The first bytes of a file, and nothing behind the room for them. */
 static void beginning_keeps_to_its_room(void **state) {
     (void)state;
     static const size_t sizes[] = {0, 1, 14, 15, 16, 17, 40};
+    int before = descriptors();
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
         char text[80];
         size_t length = 99, wanted = sizes[k] < 15 ? sizes[k] : 15;
@@ -281,7 +301,21 @@ static void beginning_keeps_to_its_room(void **state) {
         for (size_t i = 16; i < sizeof text; i++)
             assert_int_equal(text[i], 'z');
         clear_sample(&s);
+        assert_int_equal(descriptors(), before);
     }
+    char path[32], text[80];
+    size_t length;
+    int end, status;
+    memset(text, 'z', sizeof text);
+    begin_parts(path, sizeof path, &end);
+    assert_int_equal(stream_beginning(text, 16, &length, context, path), GRAZE_OK);
+    assert_int_equal(length, 15);
+    assert_memory_equal(text, "abcdefghijklmno", 16);
+    for (size_t i = 16; i < sizeof text; i++)
+        assert_int_equal(text[i], 'z');
+    wait(&status);
+    assert_int_equal(status, 0);
+    close(end);
 }
 
 static void other_files_are_refused(void **state) {

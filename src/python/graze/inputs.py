@@ -82,7 +82,7 @@ class Solid:
 
     @property
     def note(self) -> str:
-        """What is unusual about the input: vertices that repeat a position; "" if nothing."""
+        """Note on an unusual input: vertices that repeat a position; "" if there is none."""
         return library().graze_solid_note(self._handle.pointer).decode()
 
 
@@ -128,7 +128,7 @@ class Motion:
 
 
 def input_settings(made: "Solid | Motion") -> Settings:
-    """What a solid or motion was read with."""
+    """Settings that a solid or motion was read with."""
     return made._settings
 
 

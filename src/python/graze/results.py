@@ -36,7 +36,7 @@ class Class(enum.IntEnum):
 
 
 class Verdict(NamedTuple):
-    """What a point is.
+    """Verdict of one point.
 
     `definition` is 5 to 11, or 0: for cases 5, 6, 8, 9, which tables call `ext`, and for unsweep.
     `case` is the position case 1 to 9, 0 for unsweep. i and t count intersections and tangencies.
