@@ -194,7 +194,7 @@ static void make_weight(calculation *c, fmpz_poly_q_t weight, const affine *a) {
     fmpz_poly_struct *h = fmpz_poly_q_numref(weight);
     fmpz_poly_q_one(weight);
     for (int k = 0; k < a->dimension * (a->dimension + 1) && c->status == GRAZE_OK; k++) {
-        fmpz_poly_lcm(h, h, fmpz_poly_q_denref(a->entry[k]));
+        quotient_widen(h, a->entry[k]);
         quotient_check(c, weight);
     }
     if (fmpz_sgn(fmpz_poly_get_coeff_ptr(h, 0)) < 0) {
@@ -207,8 +207,10 @@ void point_map_from_affine(calculation *c, point_map *out, const affine *a) {
     fmpz_poly_q_init(weight);
     fmpz_poly_q_init(entry);
     make_weight(c, weight, a);
-    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
-        quotient_mul(c, entry, a->entry[k], weight);
+    fmpz_poly_q_one(entry);
+    for (int k = 0; k < a->dimension * (a->dimension + 1) && c->status == GRAZE_OK; k++) {
+        quotient_over(fmpz_poly_q_numref(entry), a->entry[k], fmpz_poly_q_numref(weight));
+        quotient_check(c, entry);
         fmpz_poly_set(&out->entry[k], fmpz_poly_q_numref(entry));
     }
     fmpz_poly_set(out->weight, fmpz_poly_q_numref(weight));

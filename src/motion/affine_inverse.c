@@ -46,8 +46,7 @@ void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
 static int linear_denominator(calculation *c, fmpz_poly_t out, const affine *a) {
     fmpz_poly_one(out);
     for (int k = 0; k < a->dimension * a->dimension; k++) {
-        fmpz_poly_lcm(out, out,
-                      fmpz_poly_q_denref(affine_get(a, k / a->dimension, k % a->dimension)));
+        quotient_widen(out, affine_get(a, k / a->dimension, k % a->dimension));
         if (fmpz_poly_degree(out) > (slong)c->context->limits[GRAZE_LIMIT_DEGREE]) {
             return 0;
         }
@@ -69,8 +68,7 @@ static int is_orthogonal(calculation *c, const affine *a) {
     int holds = linear_denominator(c, w, a);
     for (int k = 0; k < d * d && holds; k++) {
         const fmpz_poly_q_struct *entry = affine_get(a, k / d, k % d);
-        fmpz_poly_div(factor, w, fmpz_poly_q_denref(entry));
-        fmpz_poly_mul(n[k], fmpz_poly_q_numref(entry), factor);
+        quotient_over(n[k], entry, w);
         calculation_spend(c, polynomial_work(n[k]));
     }
     for (int i = 0; i < d && holds; i++) {
@@ -116,19 +114,42 @@ static void invert_linear(calculation *c, affine *out, const affine *a) {
     fmpz_poly_q_clear(determinant);
 }
 
-void affine_inverse(calculation *c, affine *out, const affine *a) {
+/* Minus row i of the inverse's linear part times the shift of a, over the product of two common
+ * denominators, reduced once. */
+static void shift_back(calculation *c, affine *out, const affine *a, int i) {
     int d = a->dimension;
-    fmpz_poly_q_t product;
-    fmpz_poly_q_init(product);
-    out->dimension = d;
-    invert_linear(c, out, a);
-    for (int i = 0; i < d; i++) {
-        fmpz_poly_q_struct *shift = affine_at(out, i, d);
-        fmpz_poly_q_zero(shift);
-        for (int j = 0; j < d; j++) {
-            quotient_mul(c, product, affine_at(out, i, j), affine_get(a, j, d));
-            quotient_sub(c, shift, shift, product);
-        }
+    fmpz_poly_q_struct *shift = affine_at(out, i, d);
+    fmpz_poly_t row, column, left, right;
+    fmpz_poly_init(row);
+    fmpz_poly_init(column);
+    fmpz_poly_init(left);
+    fmpz_poly_init(right);
+    fmpz_poly_one(row);
+    fmpz_poly_one(column);
+    for (int j = 0; j < d; j++) {
+        quotient_widen(row, affine_get(out, i, j));
+        quotient_widen(column, affine_get(a, j, d));
     }
-    fmpz_poly_q_clear(product);
+    fmpz_poly_q_zero(shift);
+    for (int j = 0; j < d; j++) {
+        quotient_over(left, affine_get(out, i, j), row);
+        quotient_over(right, affine_get(a, j, d), column);
+        fmpz_poly_mul(left, left, right);
+        fmpz_poly_sub(fmpz_poly_q_numref(shift), fmpz_poly_q_numref(shift), left);
+    }
+    fmpz_poly_mul(fmpz_poly_q_denref(shift), row, column);
+    fmpz_poly_q_canonicalise(shift);
+    quotient_check(c, shift);
+    fmpz_poly_clear(right);
+    fmpz_poly_clear(left);
+    fmpz_poly_clear(column);
+    fmpz_poly_clear(row);
+}
+
+void affine_inverse(calculation *c, affine *out, const affine *a) {
+    out->dimension = a->dimension;
+    invert_linear(c, out, a);
+    for (int i = 0; i < a->dimension && c->status == GRAZE_OK; i++) {
+        shift_back(c, out, a, i);
+    }
 }

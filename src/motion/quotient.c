@@ -92,6 +92,44 @@ void quotient_div(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, cons
     quotient_check(c, out);
 }
 
+/* Denominators of one motion are often multiples of one polynomial by numbers, or numbers: then no
+ * divisor of polynomials is sought. */
+void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a) {
+    const fmpz_poly_struct *other = fmpz_poly_q_denref(a);
+    if (fmpz_poly_equal(common, other)) {
+        return;
+    }
+    fmpz_poly_t left, right;
+    fmpz_t content, factor;
+    fmpz_poly_init(left);
+    fmpz_poly_init(right);
+    fmpz_init(content);
+    fmpz_init(factor);
+    fmpz_poly_content(content, common);
+    fmpz_poly_content(factor, other);
+    fmpz_poly_scalar_divexact_fmpz(left, common, content);
+    fmpz_poly_scalar_divexact_fmpz(right, other, factor);
+    if (fmpz_poly_is_one(right) || fmpz_poly_equal(left, right) || fmpz_poly_is_one(left)) {
+        fmpz_lcm(factor, content, factor);
+        fmpz_poly_scalar_mul_fmpz(common, fmpz_poly_is_one(left) ? right : left, factor);
+    } else {
+        fmpz_poly_lcm(common, common, other);
+    }
+    fmpz_clear(factor);
+    fmpz_clear(content);
+    fmpz_poly_clear(right);
+    fmpz_poly_clear(left);
+}
+
+void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t common) {
+    if (fmpz_poly_equal(common, fmpz_poly_q_denref(a))) {
+        fmpz_poly_set(out, fmpz_poly_q_numref(a));
+    } else {
+        fmpz_poly_div(out, common, fmpz_poly_q_denref(a));
+        fmpz_poly_mul(out, out, fmpz_poly_q_numref(a));
+    }
+}
+
 /* From the exponent's highest bit down, so that no power above the wanted one is ever made and
  * the limits stop a large one after a few squarings. */
 void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_t n) {

@@ -33,6 +33,11 @@ void quotient_div(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, cons
 /** a^n for any integer n, a^0 = 1; GRAZE_EINPUT for a negative power of zero. */
 void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_t n);
 
+/** common = lcm(common, denominator of a); the leading coefficients are positive. */
+void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a);
+/** The numerator of a over a common denominator, a multiple of its own. */
+void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t common);
+
 void quotient_set_rational(fmpz_poly_q_t out, const fmpq_t value);
 /** low + (high - low) u. */
 void quotient_set_line(fmpz_poly_q_t out, const fmpq_t low, const fmpq_t high);

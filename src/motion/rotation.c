@@ -44,20 +44,25 @@ static graze_status clear_denominators(calculation *c, const json *where, fmpz_p
     return c->status;
 }
 
-/* out = 2 (a b + sign p q) / norm */
-static void twice_sum(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
-                      const fmpz_poly_q_t b, int sign, const fmpz_poly_q_t p, const fmpz_poly_q_t q,
-                      const fmpz_poly_q_t norm) {
-    fmpz_poly_q_t first, second;
-    fmpz_poly_q_init(first);
-    fmpz_poly_q_init(second);
-    quotient_mul(c, first, a, b);
-    quotient_mul(c, second, p, q);
-    (sign > 0 ? quotient_add : quotient_sub)(c, first, first, second);
-    quotient_add(c, first, first, first);
-    quotient_div(c, out, first, norm);
-    fmpz_poly_q_clear(second);
-    fmpz_poly_q_clear(first);
+/* out = (start + twice (a b + sign p q)) / norm, all of them polynomials; reduced once. */
+static void sum_over(calculation *c, fmpz_poly_q_t out, const fmpz_poly_t start, slong twice,
+                     const fmpz_poly_q_t a, const fmpz_poly_q_t b, int sign, const fmpz_poly_q_t p,
+                     const fmpz_poly_q_t q, const fmpz_poly_q_t norm) {
+    fmpz_poly_struct *sum = fmpz_poly_q_numref(out);
+    fmpz_poly_t second;
+    if (c->status != GRAZE_OK) {
+        return;
+    }
+    fmpz_poly_init(second);
+    fmpz_poly_mul(sum, fmpz_poly_q_numref(a), fmpz_poly_q_numref(b));
+    fmpz_poly_mul(second, fmpz_poly_q_numref(p), fmpz_poly_q_numref(q));
+    (sign > 0 ? fmpz_poly_add : fmpz_poly_sub)(sum, sum, second);
+    fmpz_poly_scalar_mul_si(sum, sum, twice);
+    fmpz_poly_add(sum, sum, start);
+    fmpz_poly_set(fmpz_poly_q_denref(out), fmpz_poly_q_numref(norm));
+    fmpz_poly_q_canonicalise(out);
+    quotient_check(c, out);
+    fmpz_poly_clear(second);
 }
 
 static void norm_of(calculation *c, fmpz_poly_q_t out, fmpz_poly_q_t *v, int count) {
@@ -77,25 +82,26 @@ graze_status rotation_of(affine *out, graze_context *context, const json *where,
     if (clear_denominators(&c, where, q, lo, hi) != GRAZE_OK) {
         return c.status;
     }
-    fmpz_poly_q_t norm, one;
+    fmpz_poly_q_t norm;
+    fmpz_poly_t zero;
     fmpz_poly_q_init(norm);
-    fmpz_poly_q_init(one);
-    fmpz_poly_q_one(one);
+    fmpz_poly_init(zero);
     norm_of(&c, norm, q, 4);
     affine_identity(out);
     for (int i = 0; i < out->dimension; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpz_poly_q_struct *diagonal = affine_at(out, i, i);
-        twice_sum(&c, diagonal, q[1 + j], q[1 + j], 1, q[1 + k], q[1 + k], norm);
-        quotient_sub(&c, diagonal, one, diagonal);
+        sum_over(&c, affine_at(out, i, i), fmpz_poly_q_numref(norm), -2, q[1 + j], q[1 + j], 1,
+                 q[1 + k], q[1 + k], norm);
         if (j < out->dimension) {
-            twice_sum(&c, affine_at(out, i, j), q[1 + i], q[1 + j], -1, q[0], q[1 + k], norm);
+            sum_over(&c, affine_at(out, i, j), zero, 2, q[1 + i], q[1 + j], -1, q[0], q[1 + k],
+                     norm);
         }
         if (k < out->dimension) {
-            twice_sum(&c, affine_at(out, i, k), q[1 + i], q[1 + k], 1, q[0], q[1 + j], norm);
+            sum_over(&c, affine_at(out, i, k), zero, 2, q[1 + i], q[1 + k], 1, q[0], q[1 + j],
+                     norm);
         }
     }
-    fmpz_poly_q_clear(one);
+    fmpz_poly_clear(zero);
     fmpz_poly_q_clear(norm);
     return c.status;
 }
