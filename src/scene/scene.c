@@ -16,8 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "scene/hash.h"
+#include "scene/meeting.h"
 #include "solid/locate.h"
-#include "validate/overlap.h"
 
 /* d x (d + 1) affine maps as square homogeneous matrices, so that FLINT multiplies and inverts. */
 static void homogeneous_matrix(fmpq_mat_t out, const point_map *map, const fmpq_t u) {
@@ -86,7 +86,7 @@ static graze_status meet_under(int *out, graze_context *context, const graze_sol
     for (int row = 0; row < d; row++)
         for (int column = 0; column <= d; column++)
             fmpq_set(rows + row * (d + 1) + column, fmpq_mat_entry(map, row, column));
-    graze_status status = boundaries_meet(out, context, &solid->input, &solid->cut, rows);
+    graze_status status = meeting_find(out, context, solid, rows);
     _fmpq_vec_clear(rows, d * (d + 1));
     return status;
 }
