@@ -262,6 +262,7 @@ class Bench:
         for size in self.sizes:
             self.mesh(size)
         turns.measure(self)
+        turns.measure_poses(self)
         self.table.head("Over all sizes")
         if len(self.sizes) > 1:
             self.grown()

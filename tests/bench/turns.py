@@ -2,10 +2,13 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import math
 import os
+import random
+import subprocess
 import sys
 
-from measure import in_turns
+from measure import in_turns, run_cpu
 from scenes import Motion, apply, points_crossing, save, tan_half, write_off
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
@@ -73,3 +76,53 @@ def measure(bench):
             bench.table.row(f"{part}, {name} ({n:,} points)", ratio, most=most, graze=graze, peer=peer)
         inside.close()
         peers.close()
+
+
+POSES = 20, 500, 9990  # pieces
+
+
+def write_poses(path, count):
+    """Poses on one arc of 270 degrees, whatever their number."""
+    with open(path, "w", encoding="ascii") as file:
+        file.write("t,x,y,z,qw,qx,qy,qz\n")
+        for k in range(count + 1):
+            t, a = k / count, 1.5 * math.pi * k / count
+            axis = [math.sin(a / 2) * x for x in AXIS]
+            numbers = [t, 3 * math.cos(a) - 3, 3 * math.sin(a), t, math.cos(a / 2), *axis]
+            file.write(",".join(map(repr, numbers)) + "\n")
+
+
+def points_near_poses(count):
+    """Points near the arc."""
+    rng = random.Random(5)
+    for _ in range(count):
+        t = rng.random()
+        a = 1.5 * math.pi * t
+        centre, width = (3 * math.cos(a) - 3, 3 * math.sin(a), t), (1, 1, 0.6)
+        yield tuple(x + rng.uniform(-w, w) for x, w in zip(centre, width))
+
+
+def measure_poses(bench):
+    """One path cut into few and into many pieces: what the pieces cost."""
+    bench.table.head("Many pieces: one path, a disk of 2,236 faces; the peer is the path in 20 pieces")
+    write_off(bench.path("part.off"), disk(559))
+    save(bench.path("poses.points"), (x for p in points_near_poses(bench.total) for x in p))
+    with open(bench.path("one.csv"), "w", encoding="ascii") as file:
+        file.write("0,0,0\n")
+    few, many = bench.inside("part.off"), bench.inside("part.off")
+    for count in POSES:
+        poses, motion = bench.path(f"poses{count}.csv"), bench.path(f"poses{count}.json")
+        write_poses(poses, count)
+        subprocess.run([bench.graze, "motion", "poses", poses, "--output", motion], check=True,
+                       stderr=subprocess.DEVNULL)
+        (few if count == POSES[0] else many).ask("motion", motion)
+        if count == POSES[0]:
+            continue
+        peer, graze, ratio, n = in_turns(bench.points(few, "poses"), bench.points(many, "poses"), bench.total,
+                                         bench.target / 3, REPEATS)
+        bench.table.row(f"{count:,} pieces ({n:,} points)", 1 / ratio, most=3, graze=graze, peer=peer)
+        loading, _ = run_cpu([bench.graze, "classify", "--jobs", "1", bench.path("part.off"), motion,
+                              bench.path("one.csv")])
+        bench.table.row(f"{count:,} pieces, a whole run for one point", loading, most=1, unit=" s")
+    few.close()
+    many.close()
