@@ -21,7 +21,7 @@ typedef enum graze_topo {
     GRAZE_TOPO_EXTERIOR = 3,
     GRAZE_TOPO_UNDECIDED = 4 /**< no level decides it, or a limit is met */
 } graze_topo;
-/** What decided the position. */
+/** Level that decided the position. */
 typedef enum graze_topo_level {
     GRAZE_LEVEL_NONE = 0, /**< undecided */
     GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
@@ -53,7 +53,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_trace_topo(graze_topology **out, graz
 GRAZE_API void graze_topology_destroy(graze_topology *topology);
 /** The position; GRAZE_TOPO_NONE for NULL. */
 GRAZE_API graze_topo graze_topology_position(const graze_topology *topology);
-/** What decided it; GRAZE_LEVEL_NONE for NULL. */
+/** Level that decided it; GRAZE_LEVEL_NONE for NULL. */
 GRAZE_API graze_topo_level graze_topology_level(const graze_topology *topology);
 /** Why a point is undecided, in one line; "" for another, and for NULL. Static. */
 GRAZE_API const char *graze_topology_reason(const graze_topology *topology);

@@ -33,7 +33,7 @@ void shape_rings(path *out, const shape *s, const panel *p);
 /** Add the lines in which the boundary meets the plane where coordinate `axis` is `place` (E^3). */
 void shape_slice(path *out, const shape *s, const panel *p, int axis, double place);
 
-/** How the faces of a shape are painted. */
+/** Paint of the faces of a shape. */
 typedef struct finish {
     unsigned colour; /* 0xRRGGBB, in full light */
     double faintness;

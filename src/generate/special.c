@@ -121,7 +121,7 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     return status;
 }
 
-/* Of every plane the first simplex in it, in the order of the simplices. */
+/* The first simplex of every plane, in the order of the simplices. */
 static graze_status look_at_planes(specials *out, graze_context *context, const graze_scene *scene,
                                    const plane_list *planes, uint32_t *plane_from) {
     size_t pieces = scene->motion->piece_count, seen = 0;

@@ -11,8 +11,8 @@
 #include "number/rational.h"
 #include "read/lines.h"
 
-/* What the head declares. Each letter stands once, in any order: Geomview writes ST C N, others
- * N C ST. */
+/* Declarations of the head. Each letter stands once, in any order: Geomview writes ST C N, others N
+ * C ST. */
 typedef struct columns {
     int normal, colour, texture; /* declared? */
     size_t further;              /* numbers behind the coordinates; 0 until the first vertex */

@@ -18,8 +18,8 @@ void certified_clear(certified *c);
 /** Begin with the intervals of a row with this word; 0 without memory. */
 int certified_begin(certified *c, field word);
 /**
- * Check the next interval's line: its form, and that the intervals spell the word. Whether what
- * they claim is true is left to graze-check.
+ * Check the next interval's line: its form, and that the intervals spell the word. graze-check
+ * verifies their claims.
  * @return NULL, or what is expected; `ended` is set behind the interval up to the last time
  */
 const char *certified_interval(certified *c, const row_form *form, field line);

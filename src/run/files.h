@@ -1,4 +1,4 @@
-/* What one run of graze classify or graze certify reads, writes and how.
+/* Files and options of one run of graze classify or graze certify.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_RUN_FILES_H

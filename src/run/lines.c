@@ -1,4 +1,4 @@
-/* What the lines of tables and certificates are (src/cli/formats.md, proofs/certificate.md).
+/* Kinds of lines in tables and certificates (src/cli/formats.md, proofs/certificate.md).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/lines.h"

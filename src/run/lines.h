@@ -12,13 +12,13 @@ typedef enum result_kind { RESULT_TABLE, RESULT_CERTIFICATE, RESULT_KINDS } resu
 const char *result_name(result_kind kind);
 /** The command that writes such a file. */
 const char *result_command(result_kind kind);
-/** What stands before the key of a note (shard.h) and of the last line: "# " in a table. */
+/** The text before the key of a note (shard.h) and of the last line: "# " in a table. */
 const char *result_mark(result_kind kind);
 
 /** A row of a table is one line; one of a certificate goes on in the lines of its intervals. */
 typedef enum line_part { LINE_ROW, LINE_OF_ROW, LINE_NOTE } line_part;
 
-/** What a line behind the head is. */
+/** The kind of a line behind the head. */
 line_part line_part_of(result_kind kind, field line);
 /** Is the line the last one of the head? */
 int line_ends_head(result_kind kind, field line);

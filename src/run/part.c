@@ -20,7 +20,7 @@ static int complain_of_row(const part *p) {
     return complain(EXIT_INPUT, "%s: has other rows than the %lu it counts", p->in.name, p->rows);
 }
 
-/* What is expected of a row that graze classify has not written, else NULL. */
+/* The expected form, where graze classify has not written the row, else NULL. */
 static const char *wrong(row_parts *parts, const part *p, field row) {
     const char *expected = memchr(row.start, '\0', row.length)
                                ? "no byte 0"

@@ -13,7 +13,8 @@
 #include "motion/motion.h"
 #include "solid/solid.h"
 
-/** What a later stage makes of a scene once and keeps: the only part that changes, under the lock.
+/** A value that a later stage makes of a scene once and keeps: the only part that changes, under
+ * the lock.
  */
 typedef struct scene_memo {
     pthread_mutex_t lock;
