@@ -35,22 +35,26 @@ static size_t follow(const task *work, const solid *s, const motion *m, certific
     return c->row_count;
 }
 
-/* Part 0 is followed here, the others by processes of their own. */
+/* Part 0 is followed here, the others by processes of their own; the caller may have left this one
+ * others, which are not waited for. */
 static size_t follow_all(const task *work, const solid *s, const motion *m, certificate *c) {
-    int worst = VERIFIED;
+    int worst = VERIFIED, status;
+    pid_t *child = grow(NULL, work->jobs, sizeof *child);
     for (size_t part = 1; part < work->jobs; part++) {
-        pid_t child = fork();
-        must(child >= 0, "a process cannot be started");
-        if (child == 0) {
+        child[part] = fork();
+        must(child[part] >= 0, "a process cannot be started");
+        if (child[part] == 0) {
             follow(work, s, m, c, part);
             exit(VERIFIED);
         }
     }
     size_t rows = follow(work, s, m, c, 0);
-    for (int status; wait(&status) > 0;) {
+    for (size_t part = 1; part < work->jobs; part++) {
+        must(waitpid(child[part], &status, 0) == child[part], "a process cannot be waited for");
         int end = WIFEXITED(status) ? WEXITSTATUS(status) : NOT_CHECKED;
         worst = end > worst ? end : worst;
     }
+    free(child);
     if (worst != VERIFIED)
         exit(worst);
     return rows;

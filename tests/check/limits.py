@@ -200,6 +200,10 @@ def check_jobs(b):
     for jobs in ("1", "2", "5", "7"):
         status, out, error = b.programs.check(b.solid[3], b.motion[3], path, "--jobs", jobs)
         b.tally.equal((status, out), (VERIFIED, "verified: 5 rows\n"), "jobs", jobs, error)
+    # A shell that becomes graze-check leaves it a child of its own.
+    status, out, error = run("sh", "-c", 'sleep 90 >/dev/null 2>&1 & exec "$@"', "sh", b.programs.check_program,
+                             b.solid[3], b.motion[3], path, "--jobs", "2")
+    b.tally.equal((status, out), (VERIFIED, "verified: 5 rows\n"), "a child that is not its own", error)
 
 
 def main():
