@@ -99,6 +99,9 @@ GRAZE_API void graze_context_set_filter(graze_context *context, int on);
 GRAZE_API unsigned long graze_context_exact_count(const graze_context *context);
 /** Set the cancel callback; NULL removes it. It runs in the thread of the call. */
 GRAZE_API void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data);
+/** A cancel callback that counts the int at `left` down and asks to stop when it was 0 or less. A
+ * handler of a signal or another thread ends the call by setting it to 0. */
+GRAZE_API int graze_cancel_countdown(void *left);
 
 /** Name of a status: "ok", "use", "input", "illegal", "limit", "system", "canceled", "internal";
  * NULL for an unknown one. Static. */

@@ -125,6 +125,10 @@ graze_status graze_context_set_rounding(graze_context *context, graze_rounding r
     return GRAZE_OK;
 }
 
+int graze_cancel_countdown(void *left) {
+    return left != NULL && __atomic_fetch_sub((int *)left, 1, __ATOMIC_RELAXED) <= 0;
+}
+
 void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data) {
     if (context != NULL) {
         context->cancel = cancel;

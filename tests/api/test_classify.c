@@ -223,6 +223,25 @@ static void cancel_keeps_what_is_done(void **state) {
     scene_close(&s);
 }
 
+/* As many questions as points: one for each, at its beginning. */
+static void cancel_countdown(void **state) {
+    (void)state;
+    static double points[2 * MANY];
+    static graze_verdict some[MANY];
+    scene s;
+    scene_open(&s, slide, NULL);
+    random_points(points, 22);
+    int left = MANY;
+    graze_context_set_cancel(s.context, graze_cancel_countdown, &left);
+    assert_int_equal(graze_classify_doubles(some, s.context, s.scene, points, MANY), GRAZE_OK);
+    assert_int_equal(left, 0);
+    assert_int_equal(graze_classify_doubles(some, s.context, s.scene, points, MANY),
+                     GRAZE_ECANCELED);
+    assert_int_equal(some[0].pmc, GRAZE_PMC_NONE);
+    assert_int_equal(graze_cancel_countdown(NULL), 0);
+    scene_close(&s);
+}
+
 typedef struct job {
     const graze_scene *scene;
     const double *points;
@@ -330,7 +349,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(worked_examples),           cmocka_unit_test(irrational_time),
         cmocka_unit_test(doubles_are_exact),         cmocka_unit_test(points_must_be_canonical),
-        cmocka_unit_test(cancel_keeps_what_is_done), cmocka_unit_test(threads_share_a_scene),
+        cmocka_unit_test(cancel_keeps_what_is_done),
+        cmocka_unit_test(cancel_countdown), cmocka_unit_test(threads_share_a_scene),
         cmocka_unit_test(box_holds_the_sweep),       cmocka_unit_test(ends_that_meet),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

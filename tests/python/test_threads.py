@@ -140,6 +140,45 @@ class Threads(unittest.TestCase):
             library.graze_classify_doubles = classify
         self.assertEqual(len(scene.classify(points[:10])), 10)
 
+    @unittest.skipIf(threading.current_thread() is not threading.main_thread(), "not the main thread")
+    def test_interrupt_within_a_call(self):
+        """Ctrl-C ends a call that runs, whatever it does, and the next one goes on."""
+        library = _library.library()
+        square = ((0, 0), (1, 0), (1, 1), (0, 1)), ((0, 1, 2, 3),)
+        # Two roots 10^-1530 apart: seconds of exact arithmetic for one point.
+        close = {"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {
+            "translate": ["t^100-2*(10^30*t-1)^2", "0"]}}]}
+        scene = graze.Scene(square, close)
+
+        def wait_for_writer():
+            with tempfile.TemporaryDirectory() as folder:
+                pipe = os.path.join(folder, "solid.off")
+                os.mkfifo(pipe)
+                graze.Solid(pipe)
+
+        for name, act in (("graze_trace_create", lambda: scene.trace((0, 0))),
+                          ("graze_report_points", lambda: scene.rows([(0, 0)], jobs=1)),
+                          ("graze_classify", lambda: scene.classify([(0, 0)] * 1024, jobs=2)),
+                          ("graze_solid_read", wait_for_writer)):
+            function, statuses = getattr(library, name), []
+
+            def call(*arguments):
+                timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+                if not statuses:
+                    statuses.append(None)
+                    timer.start()
+                statuses.append(function(*arguments))
+                return statuses[-1]
+
+            setattr(library, name, call)
+            try:
+                with self.subTest(name), self.assertRaises(KeyboardInterrupt):
+                    act()
+            finally:
+                setattr(library, name, function)
+            self.assertEqual(set(statuses[1:]), {6}, name)  # GRAZE_ECANCELED
+        self.assertEqual(scene.trace((0, 5)).word, "O")
+
 
 class Memory(unittest.TestCase):
     def test_every_handle_is_destroyed_once(self):

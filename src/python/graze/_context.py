@@ -7,8 +7,9 @@ from __future__ import annotations
 import ctypes
 import os
 import threading
-from typing import Any, Dict, Mapping, NamedTuple, Tuple
+from typing import Any, Callable, Dict, Mapping, NamedTuple, Tuple
 
+from . import _calls
 from ._library import Handle, library
 from .errors import BY_STATUS, InternalError, UseError
 
@@ -55,13 +56,25 @@ class Context:
         status = library().graze_context_create(ctypes.byref(pointer))
         if status:
             raise BY_STATUS.get(status, InternalError)("out of memory for a context")
-        self.handle = Handle(pointer, _end_context)
+        self._countdown = _calls.Countdown()
+        self.stop = self._countdown.stop
+        self.handle = Handle(pointer, _end_context, self._countdown)
         self.pointer = pointer
         self.rounding = chosen.rounding
         self.check(library().graze_context_set_rounding(pointer, chosen.rounding))
         library().graze_context_set_filter(pointer, int(chosen.use_filter))
         for limit, value in chosen.limits:
             self.check(library().graze_context_set_limit(pointer, limit, value))
+        library().graze_context_set_cancel(pointer, library().graze_cancel_countdown,
+                                           ctypes.byref(self._countdown.left))
+
+    def call(self, function: Callable[..., int], *arguments: Any, brief: bool = False) -> int:
+        """The status of function(*arguments), which a signal ends; `brief` as in `_calls`."""
+        return _calls.call(self._countdown, function, *arguments, brief=brief)
+
+    def run(self, function: Callable[..., int], *arguments: Any, brief: bool = False) -> None:
+        """`call`, and raise the error of its status."""
+        self.check(self.call(function, *arguments, brief=brief))
 
     def check(self, status: int, place: str = "") -> None:
         """Raise the error of a status, its message after `place`, unless it is GRAZE_OK."""

@@ -100,6 +100,8 @@ _FUNCTIONS = {
     "graze_solid_facet_count": (c_size_t, [c_void_p]),
     "graze_solid_component_count": (c_size_t, [c_void_p]),
     "graze_solid_note": (c_char_p, [c_void_p]),
+    "graze_context_set_cancel": (None, [c_void_p, c_void_p, c_void_p]),
+    "graze_cancel_countdown": (c_int, [c_void_p]),
     "graze_motion_read": (c_int, [_OUT, c_void_p, c_char_p]),
     "graze_motion_from_json": (c_int, [_OUT, c_void_p, c_char_p, c_size_t]),
     "graze_motion_destroy": (None, [c_void_p]),

@@ -1,6 +1,6 @@
 """Work on n things in pieces, in one thread or several, each with a context of its own.
 
-Pieces are short, so that a signal or another thread's failure ends the work soon.
+A signal or another thread's failure ends the calls that run, and no further piece begins.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
@@ -39,9 +39,11 @@ def _run_threads(jobs: int, count: int, contexts: Contexts,
     lock, stop = threading.Lock(), threading.Event()
     starts = iter(range(0, count, PIECE))
     failures: List[BaseException] = []
+    used: List[Context] = []
 
     def take_pieces(ended: threading.Event) -> None:
         try:
+            used.append(contexts.mine())
             while not stop.is_set():
                 with lock:
                     first = next(starts, None)
@@ -50,9 +52,14 @@ def _run_threads(jobs: int, count: int, contexts: Contexts,
                 work(contexts.mine(), first, min(PIECE, count - first))
         except BaseException as failure:
             failures.append(failure)
-            stop.set()
+            end_calls()
         finally:
             ended.set()
+
+    def end_calls() -> None:
+        stop.set()
+        for context in used:
+            context.stop()
 
     ends = [threading.Event() for _ in range(jobs)]
     threads = [threading.Thread(target=take_pieces, args=(end,), daemon=True) for end in ends]
@@ -63,7 +70,7 @@ def _run_threads(jobs: int, count: int, contexts: Contexts,
         for end in ends:
             end.wait()
     finally:
-        stop.set()
+        end_calls()
         for thread, end in zip(threads, ends):
             if thread.ident is not None:
                 end.wait()

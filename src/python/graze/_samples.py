@@ -39,9 +39,8 @@ def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: 
         given = [_within(weights.get(name, 0), 64) for name in names]
         chosen = (ctypes.c_ulong * len(names))(*given)
     pointer = ctypes.c_void_p()
-    context.check(library().graze_generator_create(
-        ctypes.byref(pointer), context.pointer, scene.pointer, _within(seed, 64), chosen,
-        _REPRESENTABLE if representable else 0))
+    context.run(library().graze_generator_create, ctypes.byref(pointer), context.pointer,
+                scene.pointer, _within(seed, 64), chosen, _REPRESENTABLE if representable else 0)
     generator = Handle(pointer, library().graze_generator_destroy, scene)
     return _each(context, generator, dimension, rows, names)
 
@@ -56,9 +55,8 @@ def _each(context: Context, generator: Handle, dimension: int, rows: range,
           names: List[str]) -> Iterator[Sample]:
     numbers, made = Rationals(dimension + 1), CSample()
     for row in rows:
-        context.check(library().graze_generator_point(
-            numbers.address, numbers.at(dimension), ctypes.byref(made), context.pointer,
-            generator.pointer, row))
+        context.run(library().graze_generator_point, numbers.address, numbers.at(dimension),
+                    ctypes.byref(made), context.pointer, generator.pointer, row, brief=True)
         cell = cell_of(made.cell)
         yield Sample(tuple(numbers[k] for k in range(dimension)), names[made.stratum],
                      numbers[dimension] if cell else None, cell, made.order, made.k,

@@ -50,8 +50,8 @@ class Solid:
         pointer = ctypes.c_void_p()
         flags = _TRIANGULATE if triangulate else 0
         if isinstance(source, (str, bytes, os.PathLike)):
-            context.check(library().graze_solid_read(
-                ctypes.byref(pointer), context.pointer, _path(source), flags))
+            context.run(library().graze_solid_read, ctypes.byref(pointer), context.pointer,
+                        _path(source), flags)
         else:
             try:
                 vertices, facets = source
@@ -108,12 +108,11 @@ class Motion:
             source = json.dumps(_plain(source))
         if isinstance(source, str) and source.lstrip().startswith("{"):
             text = source.encode("utf-8")
-            status = library().graze_motion_from_json(ctypes.byref(pointer), context.pointer, text,
-                                                      len(text))
+            context.run(library().graze_motion_from_json, ctypes.byref(pointer), context.pointer,
+                        text, len(text))
         else:
-            status = library().graze_motion_read(ctypes.byref(pointer), context.pointer,
-                                                 _path(source))
-        context.check(status)
+            context.run(library().graze_motion_read, ctypes.byref(pointer), context.pointer,
+                        _path(source))
         self._handle = Handle(pointer, library().graze_motion_destroy)
 
     @property
@@ -166,8 +165,8 @@ def _from_arrays(out: ctypes.c_void_p, context: Context, vertices: Any, facets: 
     sizes, indices, keep = _facet_arrays(facets)
     make = (library().graze_solid_from_doubles if points.are_doubles
             else library().graze_solid_from_arrays)
-    context.check(make(ctypes.byref(out), context.pointer, points.dimension, points.address(0),
-                       points.count, sizes, len(keep[0]), indices, flags))
+    context.run(make, ctypes.byref(out), context.pointer, points.dimension, points.address(0),
+                points.count, sizes, len(keep[0]), indices, flags)
 
 
 def _facet_arrays(facets: Any) -> Tuple[Any, Any, Tuple[Any, ...]]:

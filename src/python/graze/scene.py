@@ -23,6 +23,7 @@ OPERATIONS = ("sweep", "unsweep")
 OVERLAPS = ("extend", "reject")
 FOLDS = ("separate", "combined")
 FORMATS = ("csv", "jsonl")
+_FEW = 8  # points, of which a call may well be brief
 
 Number = Union[int, float, str, Fraction]
 
@@ -77,9 +78,8 @@ class Scene:
         self._contexts = Contexts(chosen)
         context, pointer = self._contexts.mine(), ctypes.c_void_p()
         parts = input_handle(solid), input_handle(motion)
-        context.check(library().graze_scene_create(
-            ctypes.byref(pointer), context.pointer, parts[0].pointer, parts[1].pointer,
-            ctypes.byref(options)))
+        context.run(library().graze_scene_create, ctypes.byref(pointer), context.pointer,
+                    parts[0].pointer, parts[1].pointer, ctypes.byref(options))
         self._handle = Handle(pointer, library().graze_scene_destroy, *parts)
 
     @property
@@ -95,8 +95,8 @@ class Scene:
     def box(self) -> Tuple[Tuple[Fraction, ...], Tuple[Fraction, ...]]:
         """The lowest and the highest corner of a dyadic box that holds the sweep (the unsweep)."""
         low, high, context = Rationals(self.dimension), Rationals(self.dimension), self._context()
-        context.check(library().graze_scene_box(low.address, high.address, context.pointer,
-                                                self._handle.pointer))
+        context.run(library().graze_scene_box, low.address, high.address, context.pointer,
+                    self._handle.pointer)
         return tuple(low[k] for k in range(low.count)), tuple(high[k] for k in range(high.count))
 
     def classify(self, points: Any, jobs: Optional[int] = 1) -> Any:
@@ -126,8 +126,9 @@ class Scene:
                     else library().graze_classify)
 
         def piece(context: Context, first: int, count: int) -> None:
-            status = function(address + first * ctypes.sizeof(CVerdict), context.pointer,
-                              self._handle.pointer, given.address(first), count)
+            status = context.call(function, address + first * ctypes.sizeof(CVerdict),
+                                  context.pointer, self._handle.pointer, given.address(first),
+                                  count, brief=count < _FEW)
             context.check(status, f"from point {first}: " if first else "")
 
         try:
@@ -151,9 +152,8 @@ class Scene:
         """The whole reasoning for one point, for a person to read. Raises as `trace`."""
         rationals, context, text = self._point(point), self._context(), ctypes.c_void_p()
         with self._trace(rationals) as pointer:
-            context.check(library().graze_report_explain(
-                ctypes.byref(text), context.pointer, self._handle.pointer, rationals.address,
-                pointer))
+            context.run(library().graze_report_explain, ctypes.byref(text), context.pointer,
+                        self._handle.pointer, rationals.address, pointer, brief=True)
         return take_text(text)
 
     def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1) -> List[str]:
@@ -165,9 +165,10 @@ class Scene:
         def piece(context: Context, first: int, count: int) -> None:
             rationals, start = given.exact(first, count)
             text, length, done = ctypes.c_void_p(), ctypes.c_size_t(), ctypes.c_size_t()
-            status = library().graze_report_points(
-                ctypes.byref(text), ctypes.byref(length), ctypes.byref(done), context.pointer,
-                self._handle.pointer, rationals.at(start), count, kind, None)
+            status = context.call(
+                library().graze_report_points, ctypes.byref(text), ctypes.byref(length),
+                ctypes.byref(done), context.pointer, self._handle.pointer, rationals.at(start),
+                count, kind, None)
             rows = take_text(text, length.value).split("\n")[:-1] if text else []
             context.check(status, f"point {first + done.value}: ")
             pieces[first] = rows
@@ -212,8 +213,8 @@ class Scene:
 
     def _trace(self, point: Rationals) -> Handle:
         context, pointer = self._context(), ctypes.c_void_p()
-        context.check(library().graze_trace_create(ctypes.byref(pointer), context.pointer,
-                                                   self._handle.pointer, point.address))
+        context.run(library().graze_trace_create, ctypes.byref(pointer), context.pointer,
+                    self._handle.pointer, point.address, brief=True)
         return Handle(pointer, library().graze_trace_destroy, self._handle)
 
 
