@@ -31,6 +31,7 @@ static void contexts(bench *b) {
     HARMLESS(graze_context_set_filter, CALLS(graze_context_set_filter(NULL, 1)));
     HARMLESS(graze_context_exact_count, !graze_context_exact_count(NULL));
     HARMLESS(graze_context_set_cancel, CALLS(graze_context_set_cancel(NULL, NULL, NULL)));
+    HARMLESS(graze_cancel_countdown, !graze_cancel_countdown(NULL));
     HARMLESS(graze_free, CALLS(graze_free(NULL)));
     HARMLESS(graze_version, *graze_version());
     HARMLESS(graze_version_number, graze_version_number() == GRAZE_VERSION_NUMBER);
