@@ -38,29 +38,11 @@ let make num den =
   let g = gcd den num in
   { num = trim (fst (divide num g)); den = trim (fst (divide den g)) }
 
-let constant c = make [ c ] [ Q.one ]
-let integer n = constant (Q.of_int n)
-let zero = integer 0
-let one = integer 1
-let t = make [ Q.zero; Q.one ] [ Q.one ]
+(* c t^k *)
+let monomial c k = make (List.init (k + 1) (fun i -> if i = k then c else Q.zero)) [ Q.one ]
+let zero = monomial Q.zero 0
+let one = monomial Q.one 0
 let ( +: ) a b = make (add (mul a.num b.den) (mul b.num a.den)) (mul a.den b.den)
 let ( *: ) a b = make (mul a.num b.num) (mul a.den b.den)
-let ( -: ) a b = a +: (integer (-1) *: b)
+let ( -: ) a b = a +: (monomial Q.minus_one 0 *: b)
 let ( /: ) a b = make (mul a.num b.den) (mul a.den b.num)
-
-(* The value of a constant one. *)
-let value f =
-  match (f.num, f.den) with
-  | [], _ -> Some Q.zero
-  | [ c ], [ e ] -> Some (Q.div c e)
-  | _ -> None
-
-(* f (a + b t) *)
-let substitute f a b =
-  let at p = List.fold_right (fun c sum -> add [ c ] (mul [ a; b ] sum)) p [] in
-  make (at f.num) (at f.den)
-
-let at f x =
-  let value p = List.fold_right (fun c sum -> Q.add c (Q.mul x sum)) p Q.zero in
-  if Q.sign (value f.den) = 0 then raise (Refuted "motion: a pole");
-  constant (Q.div (value f.num) (value f.den))

@@ -58,14 +58,13 @@ let off text =
   let corners k = match lines.(vertices + k) with
     | n :: rest ->
         let n = count "a number of corners" n in
-        let colours = List.length rest - n in
-        if n < 3 || not (List.mem colours [ 0; 1; 3; 4 ]) then unread "a facet is corners and a colour";
-        List.iteri (fun i w -> if i >= n then ignore (number w)) rest;
-        List.filteri (fun i _ -> i < n) rest
-        |> List.map (fun w ->
-               let v = count "a corner" w in
-               if v >= vertices then unread "a corner is the number of a vertex";
-               positions.(v))
+        if n < 3 || List.length rest <> n then unread "a facet is its number of corners and as many vertices";
+        List.map
+          (fun w ->
+            let v = count "a corner" w in
+            if v >= vertices then unread "a corner is the number of a vertex";
+            positions.(v))
+          rest
     | [] -> unread "a facet is expected" in
   (3, scale, List.concat (List.init facets (fun k -> facet (corners k))))
 

@@ -1,4 +1,4 @@
-(* Numbers, JSON and expressions as text.
+(* Numbers, entries of motions, and JSON as text.
    SPDX-License-Identifier: GPL-3.0-or-later *)
 open Fraction
 
@@ -44,64 +44,47 @@ let number text =
       let n = Q.of_bigint (Z.of_string (whole ^ part)) in
       Q.mul sign (if power >= 0 then Q.mul n ten else Q.div n ten)
 
-(* ---------------------------------------------------------------- expressions *)
-(* A sum of terms, products of signed powers; an atom is a number, t, s or a sum in brackets. Without s neither t nor s is read. *)
-let expression ?s text =
+(* A sum of terms c t^k, or (a sum)/(a sum): proofs/certificate.md, section 2. *)
+let expression text =
   let at = ref 0 and n = String.length text in
-  let fail () = unread (Printf.sprintf "'%s' is no expression at character %d" text (!at + 1)) in
-  let char k = if k < n then text.[k] else '\000' in
-  let rec peek () =
-    if !at < n && String.contains " \t\r\n" text.[!at] then (incr at; peek ()) else char !at in
-  let take c = peek () = c && !at < n && (incr at; true) in
-  let rec digits_from k = if is_digit (char k) then digits_from (k + 1) else k in
-  let literal () =
-    let k = digits_from !at in
-    let k = if char k = '.' then digits_from (k + 1) else k in
-    let k = if char k = 'e' || char k = 'E'
-      then digits_from (if char (k + 1) = '+' || char (k + 1) = '-' then k + 2 else k + 1) else k in
-    let out = String.sub text !at (k - !at) in
-    if out = "" then fail ();
-    at := k;
-    constant (number out) in
-  let rec sum () =
-    let rec more f =
-      if take '+' then more (f +: term ()) else if take '-' then more (f -: term ()) else f in
-    more (term ())
-  and term () =
-    let rec more f =
-      if take '*' then more (f *: signed ()) else if take '/' then more (f /: signed ()) else f in
-    more (signed ())
-  and signed () =
-    if take '-' then zero -: signed () else if take '+' then signed () else power ()
-  and power () =
-    let f = atom () in
-    if not (take '^') then f
+  let fail () = unread (Printf.sprintf "'%s' is neither A nor (A)/(A) at character %d" text (!at + 1)) in
+  let rec blanks () = if !at < n && text.[!at] = ' ' then (incr at; blanks ()) in
+  let take c = blanks (); !at < n && text.[!at] = c && (incr at; true) in
+  let cut goes_on =
+    let first = !at in
+    while !at < n && goes_on text.[!at] do incr at done;
+    String.sub text first (!at - first) in
+  let power () =
+    if not (take '^') then 1
     else begin
-      let negative = take '-' in
-      if not negative then ignore (take '+');
-      ignore (peek ());
-      let k = digits_from !at in
-      if k = !at then fail ();
-      let e = number (String.sub text !at (k - !at)) in
-      if Q.gt e (Q.of_int 300) then unread "an exponent above 300";
-      at := k;
-      let rec raised k = if k = 0 then one else if negative then raised (k - 1) /: f else raised (k - 1) *: f in
-      let out = raised (Z.to_int (Q.num e)) in
-      if peek () = '^' then fail ();
-      out
-    end
-  and atom () =
-    if take '(' then begin
-      let f = sum () in
+      blanks ();
+      let k = cut is_digit in
+      if k = "" || String.length k > 9 then fail ();
+      if int_of_string k > 300 then unread "a polynomial of degree above 300";
+      int_of_string k
+    end in
+  let term () =
+    blanks ();
+    let w = cut (fun c -> not (String.contains "* )t" c)) in
+    let c = if w = "" then Q.one else number w in
+    if w <> "" && not (take '*') then monomial c 0
+    else if take 't' then monomial c (power ())
+    else fail () in
+  let rec sum f minus =
+    let g = term () in
+    let f = if minus then f -: g else f +: g in
+    if take '-' then sum f true else if take '+' then sum f false else f in
+  let polynomial () = sum zero (take '-') in
+  let out =
+    if not (take '(') then polynomial ()
+    else begin
+      let top = polynomial () in
+      if not (take ')' && take '/' && take '(') then fail ();
+      let bottom = polynomial () in
       if not (take ')') then fail ();
-      f
-    end else
-      match s with
-      | Some _ when take 't' -> t
-      | Some s when take 's' -> s
-      | _ -> ignore (peek ()); literal () in
-  let out = sum () in
-  ignore (peek ());
+      top /: bottom
+    end in
+  blanks ();
   if !at < n then fail ();
   out
 
@@ -150,9 +133,6 @@ let json text =
   if peek () <> '\000' || !at < n then fail "the end";
   out
 
-let member key = function Object pairs -> List.assoc_opt key pairs | _ -> None
-let wanted key where = match member key where with Some x -> x | None -> unread ("key '" ^ key ^ "' is expected")
 let items = function List l -> l | _ -> unread "an array is expected"
-let entry ?s = function Text e | Number e -> expression ?s e | _ -> unread "an expression is expected"
-let constant_entry where =
-  match value (entry where) with Some q -> q | None -> unread "a number is expected"
+let content = function Text w | Number w -> w | _ -> unread "a number or an entry is expected"
+let entry where = expression (content where)

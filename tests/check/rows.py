@@ -42,6 +42,8 @@ ROWS = [
     # c_x = 1 + (2 t - 1)^2 touches the right side's line; c_y = 1/2, or 2/3 + t, which is past its end by then.
     ("a touch", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2", "O 1"], True),
     ("a touch of its line", SQUARE, along("4*t - 4*t^2", "1/3 - t"), 1, "0 1", "2 1", "OBO", ["O 1/4", "OBO 3/4 -1 2", "O 1"], False),
+    ("a coefficient that is no integer", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2/3", "O 1"], False),
+    ("a coefficient without digits", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2 -", "O 1"], False),
     # The times of signs leave the motion and come back.
     ("a time more", SQUARE, along("t"), 1, "0 1/2 1", "9 9", "O", ["O 1"], True),
     ("times past the end", SQUARE, along("t"), 1, "0 1 2 1", "9 9", "O", ["O 1"], False),

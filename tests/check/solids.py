@@ -293,9 +293,10 @@ def check_signs(tally, programs, folder):
     """A motion with a pole, or with det = 0, that no row shows: the map that carries the points has none. The trajectory
     of (0, 0, 1000) stays on the z axis, far from the solid."""
     solid = write(os.path.join(folder, "aside.off"), off(scaled(CUBE, 1, (5, 5, 5))))
-    for operation, entry in (("sweep", "(1)/(2*t - 1)"), ("unsweep", "2*t - 1")):
+    uniform = SCALE.replace('"1", "0"', '"%s", "0"')
+    for operation, form, entry in (("sweep", SCALE, "(1)/(2*t - 1)"), ("unsweep", SCALE, "2*t - 1"), ("sweep", uniform, "(1)/(2*t - 1)")):
         for name, x, wanted in (("without", "2", (VERIFIED,)), ("with", entry, (REFUTED,))):
-            motion = write(os.path.join(folder, "signs.json"), '{"dimension": 3, "pieces": [' + SCALE % x + "]}")
+            motion = write(os.path.join(folder, "signs.json"), '{"dimension": 3, "pieces": [' + form.replace("%s", x) + "]}")
             certificate = Certificate(
                 f"graze-certificate 1\nsolid-sha256 {sha256(solid)}\nmotion-sha256 {sha256(motion)}\n"
                 f"scene-sha256 {'0' * 64}\ndimension 3\noperation {operation}\nfolds separate\nsigns 0 1\n"
