@@ -133,6 +133,8 @@ def check_caps(b):
     b.ends((NOT_CHECKED,), "a line", change=lambda t: t.replace("complete", " " * (1 << 24) + "complete"))
     b.ends((NOT_CHECKED,), "a coefficient", change=lambda t: t.replace("O 1\n", "OBO 1 1 " + "1" * 20001 + "\n"))
     b.ends((NOT_CHECKED,), "another version", change=lambda t: t.replace("graze-certificate 1", "graze-certificate 2"))
+    b.ends((VERIFIED,), "no rows", change=lambda t: t[:t.index("row")] + "complete 0\n")
+    b.ends((REFUTED,), "no rows and no end", change=lambda t: t[:t.index("row")] + "ended 0\n")
     b.ends((REFUTED,), "a sign for a coefficient", change=lambda t: t.replace("O 1\n", "OBO 1 1 -\n"))
     b.ends((REFUTED,), "half a coefficient", change=lambda t: t.replace("O 1\n", "OBO 1 1 1/2\n"))
     b.ends((REFUTED,), "an empty line", change=lambda t: t.replace("O 1\n", "O 1\n\n"))
@@ -182,6 +184,13 @@ def check_tables(b):
         status, out, error = b.programs.check(b.solid[3], b.motion[3], certificate, b.file("table.csv", text))
         b.tally.equal((status, bool(out)), (wanted, wanted == VERIFIED), what, error)
     b.tally.holds(len({row, "x,y,z,pmc,class,definition,case,i,t,word,topo,note"} & set(table.splitlines())) == 2, "its form", table)
+    points = b.file("points.csv", "x,y,z,note\n1000,1000,1000,one\n1000,1000,1000,two\n")
+    two = b.programs.table(b.solid[3], b.motion[3], points)
+    certificate = b.file("certificate", b.programs.certify(b.solid[3], b.motion[3], points))
+    for what, text, wanted in (("two rows", two, VERIFIED),
+                               ("two rows that are one", two.replace(",one", ',"one').replace(",two", ',two"'), NOT_CHECKED)):
+        status, _, error = b.programs.check(b.solid[3], b.motion[3], certificate, b.file("table.csv", text))
+        b.tally.equal(status, wanted, what, error)
 
 
 def check_jobs(b):
