@@ -134,6 +134,8 @@ def check_caps(b):
     b.ends((NOT_CHECKED,), "a coefficient", change=lambda t: t.replace("O 1\n", "OBO 1 1 " + "1" * 20001 + "\n"))
     b.ends((NOT_CHECKED,), "another version", change=lambda t: t.replace("graze-certificate 1", "graze-certificate 2"))
     b.ends((VERIFIED,), "no rows", change=lambda t: t[:t.index("row")] + "complete 0\n")
+    b.ends((VERIFIED,), "a last line without its end", change=lambda t: t[:-1])
+    b.ends((REFUTED,), "an empty line behind the end", change=lambda t: t + "\nrow\n")
     b.ends((REFUTED,), "no rows and no end", change=lambda t: t[:t.index("row")] + "ended 0\n")
     b.ends((REFUTED,), "a sign for a coefficient", change=lambda t: t.replace("O 1\n", "OBO 1 1 -\n"))
     b.ends((REFUTED,), "half a coefficient", change=lambda t: t.replace("O 1\n", "OBO 1 1 1/2\n"))
@@ -188,6 +190,8 @@ def check_tables(b):
     two = b.programs.table(b.solid[3], b.motion[3], points)
     certificate = b.file("certificate", b.programs.certify(b.solid[3], b.motion[3], points))
     for what, text, wanted in (("two rows", two, VERIFIED),
+                               ("a count of what is not decided", two.replace("# complete", "# undecided 0\n# complete"), VERIFIED),
+                               ("another count", two.replace("# complete", "# undecide 0\n# complete"), REFUTED),
                                ("two rows that are one", two.replace(",one", ',"one').replace(",two", ',two"'), NOT_CHECKED)):
         status, _, error = b.programs.check(b.solid[3], b.motion[3], certificate, b.file("table.csv", text))
         b.tally.equal(status, wanted, what, error)
