@@ -58,9 +58,9 @@ GRAZE_API graze_topo_level graze_topology_level(const graze_topology *topology);
 /** Why a point is undecided, in one line; "" for another, and for NULL. Static. */
 GRAZE_API const char *graze_topology_reason(const graze_topology *topology);
 /**
- * A point that is `out`, for an `on` point of a sweep that is `boundary`. By L3 it lies on a square
- * about the point, and every smaller one holds such a point as well; by L1 all points between the
- * two are `out`.
+ * A point that is `out`, for an `on` point of a sweep that is `boundary`. By L1 all points near
+ * enough in its direction are `out`; by L3 it lies on a square about the point, and every smaller
+ * one holds such a point too.
  * @param[out] out d initialised rationals; unchanged if there is no such point
  * @return 1, or 0 if there is none
  */

@@ -3,61 +3,92 @@
 
 #include <stdlib.h>
 #include "topo/curves.h"
+#include "topo/leading.h"
 #include "topo/square.h"
 
-/* What all points of a scene share, made once. */
-typedef struct scene_curves {
-    int refused;
-    curve_list list;
-} scene_curves;
+/* What all points of a scene share: its facets' planes, and its curves once they are needed. */
+typedef struct scene_shares {
+    plane_list planes;
+    int has_curves, refused;
+    curve_list curves;
+} scene_shares;
 
-static void scene_curves_free(void *value) {
-    scene_curves *c = value;
-    curves_clear(&c->list);
-    free(c);
+static void free_shares(void *value) {
+    scene_shares *s = value;
+    planes_clear(&s->planes);
+    curves_clear(&s->curves);
+    free(s);
 }
 
-static graze_status make_scene_curves(scene_curves **out, graze_context *context,
-                                      const graze_scene *scene) {
-    scene_curves *made = malloc(sizeof *made);
-    if (!made)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the curves of a sweep");
-    curves_init(&made->list);
-    graze_status status = curves_of_scene(&made->list, &made->refused, context, scene);
-    if (status)
-        scene_curves_free(made);
-    else
-        *out = made;
+static graze_status make_shares(scene_memo *memo, graze_context *context,
+                                const graze_scene *scene) {
+    scene_shares *made = calloc(1, sizeof *made);
+    if (!made || planes_find(&made->planes, scene->solid, NULL, scene->solid->cut.count) != 0) {
+        free(made);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of a solid");
+    }
+    curves_init(&made->curves);
+    memo->value = made;
+    memo->free = free_shares;
+    return GRAZE_OK;
+}
+
+/* Curves that could not be made are tried again by the next point. */
+static graze_status make_curves(scene_shares *s, graze_context *context, const graze_scene *scene) {
+    graze_status status = curves_of_scene(&s->curves, &s->refused, context, scene);
+    s->has_curves = !status;
+    if (status) {
+        curves_clear(&s->curves);
+        curves_init(&s->curves);
+    }
     return status;
 }
 
-/* The curves of a scene, kept with it. */
-static graze_status curves_for(const scene_curves **out, graze_context *context,
-                               const graze_scene *scene) {
+/* What is shared, with or without curves; it stays as it is until the scene ends. */
+static graze_status shares_of(const scene_shares **out, graze_context *context,
+                              const graze_scene *scene, int with_curves) {
     scene_memo *memo = scene->memo;
-    scene_curves *made = NULL;
     graze_status status = GRAZE_OK;
     pthread_mutex_lock(&memo->lock);
-    if (!memo->value && (status = make_scene_curves(&made, context, scene)) == GRAZE_OK) {
-        memo->value = made;
-        memo->free = scene_curves_free;
-    }
-    *out = memo->value;
+    if (!memo->value)
+        status = make_shares(memo, context, scene);
+    scene_shares *s = memo->value;
+    if (!status && with_curves && !s->has_curves)
+        status = make_curves(s, context, scene);
+    *out = s;
     pthread_mutex_unlock(&memo->lock);
     return status;
 }
 
-static graze_status decide_in_plane(topo_finding *out, graze_context *context,
-                                    const graze_scene *scene, const fmpq *point) {
-    const scene_curves *curves = NULL;
-    graze_status status = curves_for(&curves, context, scene);
+graze_status topo_by_leading(topo_finding *out, graze_context *context, const graze_scene *scene,
+                             const fmpq *point) {
+    const scene_shares *s = NULL;
+    graze_status status = shares_of(&s, context, scene, 0);
+    return status ? status : leading_decide(out, context, scene, &s->planes, point);
+}
+
+graze_status topo_by_curves(topo_finding *out, graze_context *context, const graze_scene *scene,
+                            const fmpq *point) {
+    const scene_shares *s = NULL;
+    graze_status status = shares_of(&s, context, scene, 1);
     if (status)
         return status;
-    if (!curves->refused)
-        return square_decide(out, context, scene, &curves->list, point);
+    if (!s->refused)
+        return square_decide(out, context, scene, &s->curves, point);
     finding_undecided(out, "the scene has more curves, or curves of a higher degree, than are "
                            "looked at");
     return GRAZE_OK;
+}
+
+/* An `on` point of a sweep. */
+static graze_status decide_on(topo_finding *out, graze_context *context, const graze_scene *scene,
+                              const fmpq *point) {
+    graze_status status = topo_by_leading(out, context, scene, point);
+    if (status || out->position != GRAZE_TOPO_UNDECIDED || scene->motion->dimension == 3)
+        return status;
+    finding_set(out, GRAZE_TOPO_NONE, GRAZE_LEVEL_NONE);
+    out->reason = "";
+    return topo_by_curves(out, context, scene, point);
 }
 
 graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
@@ -70,9 +101,7 @@ graze_status topo_decide(topo_finding *out, graze_context *context, const graze_
                     : pmc == GRAZE_OUT ? GRAZE_TOPO_EXTERIOR
                                        : GRAZE_TOPO_BOUNDARY,
                     GRAZE_LEVEL_WORD);
-    else if (scene->motion->dimension == 2)
-        return decide_in_plane(out, context, scene, point);
     else
-        finding_undecided(out, "no level decides it in space");
+        return decide_on(out, context, scene, point);
     return GRAZE_OK;
 }

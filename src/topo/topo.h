@@ -15,4 +15,10 @@
 graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                          const fmpq *point, const graze_trace *trace);
 
+/** One level alone, for an `on` point of a sweep: leading directions, or (E^2) curves. */
+graze_status topo_by_leading(topo_finding *out, graze_context *context, const graze_scene *scene,
+                             const fmpq *point);
+graze_status topo_by_curves(topo_finding *out, graze_context *context, const graze_scene *scene,
+                            const fmpq *point);
+
 #endif

@@ -58,6 +58,7 @@ UNREACHED = {
     "coordinates of a path vanishes": "a fault of Graze itself",
     "a curve of a sweep is not": "a fault of Graze itself",
     "irreducible curves of a sweep": "a fault of Graze itself",
+    "of a ray beside a contact do not add up": "a fault of Graze itself",
     "a certificate is of facets as they stand in the file": "certify has no --triangulate; tests/api reaches it",
     "a certificate is of the numbers": "certify has no --round; tests/api reaches it",
     "a certificate names its files": "certify reads files; tests/api reaches it",

@@ -1,0 +1,187 @@
+/* Local cones, by location next to the point. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Next to the point means: nearer than where the ray first meets a plane of a facet that does not
+ * pass through the point. The state is constant up to there.
+ */
+#include "topo/cone.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "context/array.h"
+#include "solid/forms.h"
+#include "solid/locate.h"
+
+/* Does a facet of the plane contain the point, at which the plane's form is 0? */
+static int plane_holds_point(const local_cone *cone, size_t plane) {
+    int d = cone->dimension, found = 0;
+    const plane_list *list = cone->planes;
+    fmpz *side = _fmpz_vec_init(d + 1);
+    for (uint32_t k = list->start[plane]; k < list->start[plane + 1] && !found; k++) {
+        int inside = 1;
+        for (int s = 0; s < d && inside; s++) {
+            solid_side(side, cone->solid, list->order[k], list->form + plane * (size_t)(d + 1), s);
+            inside = form_sign(side, cone->at, d) >= 0;
+        }
+        found = inside;
+    }
+    _fmpz_vec_clear(side, d + 1);
+    return found;
+}
+
+graze_status cone_make(local_cone *cone, graze_context *context, const graze_solid *solid,
+                       const plane_list *planes, const fmpz *at) {
+    slong d = planes->dimension;
+    memset(cone, 0, sizeof *cone);
+    cone->solid = solid;
+    cone->planes = planes;
+    cone->dimension = (int)d;
+    cone->at = _fmpz_vec_init(d + 1);
+    _fmpz_vec_set(cone->at, at, d + 1);
+    cone->value = _fmpz_vec_init((slong)planes->count);
+    cone->normal = _fmpz_vec_init((slong)planes->count * d);
+    for (size_t p = 0; p < planes->count; p++) {
+        const fmpz *form = planes->form + p * (size_t)(d + 1);
+        _fmpz_vec_dot(cone->value + p, form, at, d + 1);
+        if (fmpz_is_zero(cone->value + p) && plane_holds_point(cone, p))
+            _fmpz_vec_set(cone->normal + cone->count++ * (size_t)d, form, d);
+    }
+    return context_poll(context);
+}
+
+void cone_clear(local_cone *cone) {
+    _fmpz_vec_clear(cone->at, cone->dimension + 1);
+    _fmpz_vec_clear(cone->value, (slong)cone->planes->count);
+    _fmpz_vec_clear(cone->normal, (slong)cone->planes->count * cone->dimension);
+    free(cone->known_item);
+}
+
+/* A point on the ray before any plane that does not pass through the cone's point. */
+static void point_beside(fmpz *out, const local_cone *cone, const fmpz *direction) {
+    int d = cone->dimension;
+    fmpq_t way, least;
+    fmpz_t slope;
+    fmpq_init(way);
+    fmpq_init(least);
+    fmpz_init(slope);
+    fmpq_one(least);
+    for (size_t p = 0; p < cone->planes->count; p++) {
+        if (fmpz_is_zero(cone->value + p))
+            continue;
+        _fmpz_vec_dot(slope, cone->planes->form + p * (size_t)(d + 1), direction, d);
+        if (fmpz_sgn(slope) * fmpz_sgn(cone->value + p) >= 0)
+            continue;
+        fmpz_neg(slope, slope);
+        fmpq_set_fmpz_frac(way, cone->value + p, slope);
+        fmpq_div_2exp(way, way, 1);
+        if (fmpq_cmp(way, least) < 0)
+            fmpq_set(least, way);
+    }
+    /* `way` counts in units of the last coordinate: at + way direction, over the same one */
+    for (int k = 0; k < d; k++) {
+        fmpz_mul(out + k, cone->at + k, fmpq_denref(least));
+        fmpz_addmul(out + k, direction + k, fmpq_numref(least));
+    }
+    fmpz_mul(out + d, cone->at + d, fmpq_denref(least));
+    fmpq_clear(way);
+    fmpq_clear(least);
+    fmpz_clear(slope);
+}
+
+static graze_status locate_beside(graze_state *out, const local_cone *cone, graze_context *context,
+                                  const fmpz *direction) {
+    fmpz *x = _fmpz_vec_init(cone->dimension + 1);
+    point_beside(x, cone, direction);
+    *out = solid_locate(cone->solid, x);
+    _fmpz_vec_clear(x, cone->dimension + 1);
+    if (*out == GRAZE_STATE_ABSENT)
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "the crossings of a ray beside a contact do not add up");
+    return context_poll(context);
+}
+
+graze_status cone_state(graze_state *out, local_cone *cone, graze_context *context,
+                        const fmpz *direction) {
+    size_t width = cone->count + 1;
+    graze_status status =
+        array_grow(context, &cone->known_item, &cone->known_capacity, (cone->known + 1) * width,
+                   sizeof *cone->known_item, "the directions of a cone");
+    if (status)
+        return status;
+    signed char *signs = cone->known_item + cone->known * width;
+    fmpz_t value;
+    fmpz_init(value);
+    for (size_t j = 0; j < cone->count; j++) {
+        _fmpz_vec_dot(value, cone->normal + j * (size_t)cone->dimension, direction,
+                      cone->dimension);
+        signs[j] = (signed char)fmpz_sgn(value);
+    }
+    fmpz_clear(value);
+    for (size_t k = 0; k < cone->known; k++)
+        if (memcmp(cone->known_item + k * width, signs, width - 1) == 0) {
+            *out = (graze_state)cone->known_item[k * width + width - 1];
+            return GRAZE_OK;
+        }
+    status = locate_beside(out, cone, context, direction);
+    signs[width - 1] = (signed char)*out;
+    cone->known += !status;
+    return status;
+}
+
+static int compare_cuts(const void *a, const void *b) {
+    return fmpq_cmp(a, b);
+}
+
+/* The direction u + s e, times the denominator of s. */
+static graze_status look_at(int *in_interior, int *in_cone, local_cone *cone,
+                            graze_context *context, const fmpz *u, const fmpz *e, const fmpq_t s) {
+    graze_state state = GRAZE_STATE_O;
+    slong d = cone->dimension;
+    fmpz *w = _fmpz_vec_init(d);
+    _fmpz_vec_scalar_mul_fmpz(w, u, d, fmpq_denref(s));
+    _fmpz_vec_scalar_addmul_fmpz(w, e, d, fmpq_numref(s));
+    graze_status status = cone_state(&state, cone, context, w);
+    _fmpz_vec_clear(w, d);
+    *in_interior |= state == GRAZE_STATE_I;
+    *in_cone |= state != GRAZE_STATE_O;
+    return status;
+}
+
+/* The signs of u + s e change at the cuts alone: each cut, and a number in each gap. */
+graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
+                        const fmpz *u, const fmpz *e) {
+    slong d = cone->dimension, count = 1;
+    fmpq *cut = _fmpq_vec_init((slong)cone->count + 1); /* 0 first */
+    fmpz_t a, b;
+    fmpq_t between;
+    fmpz_init(a);
+    fmpz_init(b);
+    fmpq_init(between);
+    for (size_t j = 0; j < cone->count; j++) {
+        _fmpz_vec_dot(a, cone->normal + j * (size_t)d, u, d);
+        _fmpz_vec_dot(b, cone->normal + j * (size_t)d, e, d);
+        fmpz_neg(b, b);
+        if (fmpz_sgn(a) * fmpz_sgn(b) > 0)
+            fmpq_set_fmpz_frac(cut + count++, a, b);
+    }
+    qsort(cut, (size_t)count, sizeof *cut, compare_cuts);
+    *in_interior = *in_cone = 0;
+    graze_status status = GRAZE_OK;
+    for (slong k = 0; k < count && !status && !*in_interior; k++) {
+        status = look_at(in_interior, in_cone, cone, context, u, e, cut + k);
+        if (k + 1 < count) {
+            fmpq_add(between, cut + k, cut + k + 1);
+            fmpq_div_2exp(between, between, 1);
+        } else {
+            fmpq_add_si(between, cut + k, 1);
+        }
+        if (!status)
+            status = look_at(in_interior, in_cone, cone, context, u, e, between);
+    }
+    _fmpq_vec_clear(cut, (slong)cone->count + 1);
+    fmpz_clear(a);
+    fmpz_clear(b);
+    fmpq_clear(between);
+    return status;
+}

@@ -1,0 +1,39 @@
+/* What a solid is near one of its points: a cone, asked about directions.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Vectors are d integers; a positive factor does not matter.
+ */
+#ifndef GRAZE_TOPO_CONE_H
+#define GRAZE_TOPO_CONE_H
+
+#include "solid/planes.h"
+
+/** The cone at a point. `normal` has the outward or inward normals of the `count` different planes
+ * of the facets that contain it. Answers are kept: the state of a direction depends on its signs
+ * against these planes alone (proofs/claims.md C1). */
+typedef struct local_cone {
+    const graze_solid *solid;
+    const plane_list *planes; /* of all facets */
+    int dimension;
+    fmpz *at;    /* the point: d + 1 homogeneous integers, the last one positive */
+    fmpz *value; /* of the planes' forms there */
+    size_t count;
+    fmpz *normal; /* d of each */
+    size_t known, known_capacity;
+    signed char *known_item; /* signs, then the state */
+} local_cone;
+
+/** The cone at a point; cone_clear in any case. */
+graze_status cone_make(local_cone *cone, graze_context *context, const graze_solid *solid,
+                       const plane_list *planes, const fmpz *at);
+void cone_clear(local_cone *cone);
+
+/** The state of the points that follow next to the point in a direction. */
+graze_status cone_state(graze_state *out, local_cone *cone, graze_context *context,
+                        const fmpz *direction);
+
+/** Of the directions u + s e, s >= 0: is one in the interior, is one in the cone? */
+graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
+                        const fmpz *u, const fmpz *e);
+
+#endif

@@ -1,0 +1,131 @@
+/* Every cell of the arrangement is asked about once for each ray in its closure.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A cell of full dimension that nothing covers proves the boundary. Interior is proved if every
+ * cell is covered with a neighbourhood or has all full cells around it in exact closed cones.
+ */
+#include "topo/leading.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "topo/borders.h"
+#include "verdict/classify.h"
+
+/* Halvings of the distance at which a witness is looked for. */
+enum { WITNESS_HALVINGS = 1200 };
+
+typedef struct leading_maker {
+    topo_finding *out;
+    graze_context *context;
+    const graze_scene *scene;
+    const fmpq *point;
+    germ_list germs;
+    borders borders;
+    int is_interior; /* as far as has been looked at */
+} leading_maker;
+
+/* The point at 2^-places of a direction is the witness if it is out. */
+static graze_status try_witness(leading_maker *m, const fmpz *direction, ulong places) {
+    int d = m->borders.dimension;
+    graze_verdict verdict;
+    graze_status status;
+    fmpq_t step;
+    fmpq_init(step);
+    for (int k = 0; k < d; k++) {
+        fmpq_set_fmpz(step, direction + k);
+        fmpq_div_2exp(step, step, places);
+        fmpq_add(m->out->witness + k, m->point + k, step);
+    }
+    status = classify_verdict(&verdict, m->context, m->scene,
+                              (query_point){.rational = m->out->witness});
+    m->out->has_witness = !status && verdict.pmc == GRAZE_OUT;
+    fmpq_clear(step);
+    return status;
+}
+
+/* Nothing covers the direction: near enough all points are out. */
+static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
+    graze_status status = GRAZE_OK;
+    ulong size = (ulong)FLINT_ABS(_fmpz_vec_max_bits(direction, m->borders.dimension));
+    for (ulong k = 0; k < WITNESS_HALVINGS && !status && !m->out->has_witness; k += 1 + k / 4)
+        status = try_witness(m, direction, size + k);
+    if (!status && m->out->has_witness)
+        finding_set(m->out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L1);
+    else if (!status)
+        finding_undecided(m->out, "no witness of the boundary is found");
+    return status;
+}
+
+/* Look at the cells around ray r. */
+static graze_status look_around(leading_maker *m, size_t r) {
+    int d = m->borders.dimension;
+    fmpz *cell;
+    size_t count;
+    germ_cover ray, first = {0, 0, 0}, last = {0, 0, 0};
+    graze_status status = germs_cover(&ray, &m->germs, m->context, m->borders.ray + r * (size_t)d);
+    borders_around(&cell, &count, &m->borders, r);
+    int all_exact = 1, between_open = 1;
+    for (size_t k = 0; k < count && !status && m->out->position == GRAZE_TOPO_NONE; k++) {
+        germ_cover here;
+        const fmpz *direction = cell + k * (size_t)d;
+        int full = d == 2 || k % 2 == 0;
+        status = germs_cover(&here, &m->germs, m->context, direction);
+        if (status)
+            break;
+        if (!full) {
+            between_open = here.open;
+            continue;
+        }
+        if (!here.covered && m->germs.bounded)
+            status = set_boundary(m, direction);
+        m->is_interior &= here.open || here.exact;
+        /* the cell between the one before and this one */
+        if (d == 3 && k > 0)
+            m->is_interior &= between_open || (last.exact && here.exact);
+        all_exact &= here.exact;
+        first = k == 0 ? here : first;
+        last = here;
+    }
+    if (d == 3)
+        m->is_interior &= between_open || (last.exact && first.exact);
+    m->is_interior &= ray.open || all_exact;
+    _fmpz_vec_clear(cell, (slong)count * d);
+    return status;
+}
+
+static graze_status look_at_all(leading_maker *m) {
+    graze_status status = GRAZE_OK;
+    m->is_interior = 1;
+    for (size_t r = 0; r < m->borders.ray_count && !status && m->out->position == GRAZE_TOPO_NONE &&
+                       (m->is_interior || m->germs.bounded);
+         r++)
+        status = look_around(m, r);
+    if (status || m->out->position != GRAZE_TOPO_NONE)
+        return status;
+    if (m->is_interior)
+        finding_set(m->out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_L1);
+    else
+        finding_undecided(m->out, m->germs.bounded
+                                      ? "to first order the contacts close around the point, and "
+                                        "what is left is thinner than every cone"
+                                      : m->germs.reason);
+    return GRAZE_OK;
+}
+
+graze_status leading_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                            const plane_list *planes, const fmpq *point) {
+    leading_maker m = {.out = out, .context = context, .scene = scene, .point = point};
+    int refused = 0;
+    germs_init(&m.germs);
+    borders_init(&m.borders, scene->motion->dimension);
+    graze_status status = germs_find(&m.germs, context, scene, planes, point);
+    if (!status)
+        status = borders_find(&m.borders, &refused, context, &m.germs);
+    if (!status && refused)
+        finding_undecided(out, "more planes border what the contacts cover than are looked at");
+    else if (!status)
+        status = look_at_all(&m);
+    borders_clear(&m.borders);
+    germs_clear(&m.germs);
+    return status;
+}
