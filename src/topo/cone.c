@@ -134,8 +134,9 @@ static int compare_cuts(const void *a, const void *b) {
 }
 
 /* The direction u + s e, times the denominator of s. */
-static graze_status look_at(int *in_interior, int *in_cone, local_cone *cone,
-                            graze_context *context, const fmpz *u, const fmpz *e, const fmpq_t s) {
+static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
+                               graze_context *context, const fmpz *u, const fmpz *e,
+                               const fmpq_t s) {
     graze_state state = GRAZE_STATE_O;
     slong d = cone->dimension;
     fmpz *w = _fmpz_vec_init(d);
@@ -169,7 +170,7 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
     *in_interior = *in_cone = 0;
     graze_status status = GRAZE_OK;
     for (slong k = 0; k < count && !status && !*in_interior; k++) {
-        status = look_at(in_interior, in_cone, cone, context, u, e, cut + k);
+        status = look_along(in_interior, in_cone, cone, context, u, e, cut + k);
         if (k + 1 < count) {
             fmpq_add(between, cut + k, cut + k + 1);
             fmpq_div_2exp(between, between, 1);
@@ -177,7 +178,7 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
             fmpq_add_si(between, cut + k, 1);
         }
         if (!status)
-            status = look_at(in_interior, in_cone, cone, context, u, e, between);
+            status = look_along(in_interior, in_cone, cone, context, u, e, between);
     }
     _fmpq_vec_clear(cut, (slong)cone->count + 1);
     fmpz_clear(a);

@@ -257,7 +257,7 @@ static int rational_of(fmpq_t out, const algebraic *x) {
     return found;
 }
 
-static graze_status add_time(germ_maker *m, const algebraic *time) {
+static graze_status add_germ_at(germ_maker *m, const algebraic *time) {
     graze_status status = GRAZE_OK;
     fmpq_t u;
     fmpq_init(u);
@@ -299,7 +299,7 @@ static graze_status add_touches(germ_maker *m, const touches *t) {
     for (size_t r = 0; r < ranks && !status; r++) {
         algebraic *time = &t->time.item[t->by_rank[r]];
         if (is_touched(t, r, r))
-            status = add_time(m, time);
+            status = add_germ_at(m, time);
         if (!status && is_touched(t, r, r + 1))
             status = add_stretch(m, time, &t->time.item[t->by_rank[r + 1]]);
     }
