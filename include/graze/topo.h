@@ -26,7 +26,7 @@ typedef enum graze_topo_level {
     GRAZE_LEVEL_NONE = 0, /**< undecided */
     GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
     GRAZE_LEVEL_L1 = 2,   /**< leading directions at the contacts (topology.md C53) */
-    GRAZE_LEVEL_L3 = 3    /**< the curves near the point, in the plane (topology.md C52) */
+    GRAZE_LEVEL_L3 = 3    /**< the curves near the point, in a plane (topology.md C52, C54) */
 } graze_topo_level;
 
 /** Verdict on one point. */

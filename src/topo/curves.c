@@ -7,10 +7,52 @@
 #include "topo/curves.h"
 
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "context/array.h"
+#include "number/isolate.h"
 #include "solid/planes.h"
+
+void view_init(plane_view *view) {
+    view->dimension = 2;
+    for (int i = 0; i < 3; i++) {
+        fmpq_init(view->origin + i);
+        for (int k = 0; k < 2; k++)
+            fmpz_init_set_si(view->along[k] + i, i == k);
+    }
+}
+
+void view_init_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b) {
+    view_init(view);
+    view->dimension = 3;
+    for (int i = 0; i < 3; i++) {
+        fmpq_set(view->origin + i, point + i);
+        fmpz_set(view->along[0] + i, a + i);
+        fmpz_set(view->along[1] + i, b + i);
+    }
+}
+
+void view_clear(plane_view *view) {
+    for (int i = 0; i < 3; i++) {
+        fmpq_clear(view->origin + i);
+        for (int k = 0; k < 2; k++)
+            fmpz_clear(view->along[k] + i);
+    }
+}
+
+void view_point(fmpq *out, const plane_view *view, const fmpq *xy) {
+    fmpq_t way;
+    fmpq_init(way);
+    for (int i = 0; i < view->dimension; i++) {
+        fmpq_set(out + i, view->origin + i);
+        for (int k = 0; k < 2; k++) {
+            fmpq_mul_fmpz(way, xy + k, view->along[k] + i);
+            fmpq_add(out + i, out + i, way);
+        }
+    }
+    fmpq_clear(way);
+}
 
 void curves_init(curve_list *list) {
     memset(list, 0, sizeof *list);
@@ -51,28 +93,65 @@ static void pullback_clear(pullback_form *f) {
         fmpz_poly_clear(&f->linear[i]);
 }
 
-/* The form over the images of all points under a map of the plane. */
-static void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form) {
-    for (int i = 0; i < 3; i++) {
+/* The form over the images of all points of E^d under a map, times an integer, as a function of the
+ * view's coordinates. */
+static void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
+                             const plane_view *view) {
+    int d = map->dimension;
+    fmpz scale[4] = {0, 0, 0, 0}; /* the origin over a common denominator, scale[d] */
+    fmpz_t factor;
+    fmpz_poly_t column;
+    fmpz_init(factor);
+    fmpz_poly_init(column);
+    _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + d, view->origin, d);
+    for (int i = 0; i < 3; i++)
         fmpz_poly_zero(&f->linear[i]);
-        for (int row = 0; row < 2; row++)
-            fmpz_poly_scalar_addmul_fmpz(&f->linear[i], &map->entry[row * 3 + i], form + row);
+    for (int j = 0; j <= d; j++) {
+        fmpz_poly_zero(column);
+        for (int row = 0; row < d; row++)
+            fmpz_poly_scalar_addmul_fmpz(column, &map->entry[row * (d + 1) + j], form + row);
+        if (j == d)
+            fmpz_poly_scalar_addmul_fmpz(column, map->weight, form + d);
+        fmpz_poly_scalar_addmul_fmpz(&f->linear[2], column, scale + j);
+        for (int i = 0; i < 2 && j < d; i++) {
+            fmpz_mul(factor, view->along[i] + j, scale + d);
+            fmpz_poly_scalar_addmul_fmpz(&f->linear[i], column, factor);
+        }
     }
-    fmpz_poly_scalar_addmul_fmpz(&f->linear[2], map->weight, form + 2);
+    for (int i = 0; i < 4; i++)
+        fmpz_clear(scale + i);
+    fmpz_clear(factor);
+    fmpz_poly_clear(column);
 }
 
-/* Divide by the common factor; returns the degree in time that remains. */
-static slong pullback_reduce(pullback_form *f) {
+/* Has a polynomial a root in [0, 1]? */
+static graze_status meets_piece(int *out, graze_context *context, const fmpz_poly_t p) {
+    graze_status status = GRAZE_OK;
+    *out = fmpz_poly_is_zero(p);
+    if (fmpz_poly_degree(p) < 1)
+        return status;
+    dyadic_interval piece;
+    algebraic_list roots;
+    dyadic_interval_init(&piece);
+    dyadic_interval_set_si(&piece, 0, 1);
+    algebraic_list_init(&roots);
+    status = algebraic_roots(&roots, context, p, &piece);
+    *out = roots.count > 0;
+    algebraic_list_clear(&roots);
+    dyadic_interval_clear(&piece);
+    return status;
+}
+
+/* Divide by the common factor, which is handed over; returns the degree in time that remains. */
+static slong pullback_reduce(pullback_form *f, fmpz_poly_t common) {
     slong degree = 0;
-    fmpz_poly_t common;
-    fmpz_poly_init(common);
+    fmpz_poly_zero(common);
     for (int i = 0; i < 3; i++)
         fmpz_poly_gcd(common, common, &f->linear[i]);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3 && !fmpz_poly_is_zero(common); i++) {
         fmpz_poly_div(&f->linear[i], &f->linear[i], common);
         degree = FLINT_MAX(degree, fmpz_poly_degree(&f->linear[i]));
     }
-    fmpz_poly_clear(common);
     return degree;
 }
 
@@ -95,10 +174,15 @@ static void polynomial_of_pullback(fmpz_mpoly_t out, const pullback_form *f,
 /* What the walk over pieces, lines and vertices shares. */
 typedef struct curve_maker {
     curve_list *list;
-    int refused;
+    const char *refused;
     graze_context *context;
     const graze_scene *scene;
+    const plane_view *view;
 } curve_maker;
+
+static const char too_dear[] =
+    "the scene has more curves, or curves of a higher degree, than are looked at";
+static const char in_plane[] = "facets or edges come to lie in a plane through the point";
 
 /* The line at u = 0 or 1. */
 static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
@@ -140,98 +224,160 @@ static graze_status add_discriminant(curve_maker *m, const pullback_form *f) {
     return status;
 }
 
-static graze_status add_curves_of_line(curve_maker *m, const motion_piece *piece,
-                                       const fmpz *form) {
-    const graze_operation operation = m->scene->options.operation;
+/* The pullback of a form without the factor that its coefficients share, and its degree in time. In
+ * E^2 the factor has no root on the piece. */
+static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *m,
+                                  const motion_piece *piece, const fmpz *form) {
+    int meets = 0;
+    fmpz_poly_t common;
+    fmpz_poly_init(common);
+    pullback_of_form(f, motion_tracing(piece, m->scene->options.operation), form, m->view);
+    *degree = pullback_reduce(f, common);
+    graze_status status = meets_piece(&meets, m->context, common);
+    if (meets)
+        m->refused = in_plane;
+    else if (*degree > CURVE_DEGREE)
+        m->refused = too_dear;
+    fmpz_poly_clear(common);
+    return status;
+}
+
+static graze_status add_curves_of_plane(curve_maker *m, const motion_piece *piece,
+                                        const fmpz *form) {
+    slong degree = 0;
     pullback_form f;
     pullback_init(&f);
-    pullback_of_form(&f, motion_tracing(piece, operation), form);
-    slong degree = pullback_reduce(&f);
-    graze_status status = add_line_at(m, &f, 0);
-    if (!status && degree > 0)
+    graze_status status = make_pullback(&f, &degree, m, piece, form);
+    if (!status && !m->refused)
+        status = add_line_at(m, &f, 0);
+    if (!status && !m->refused && degree > 0)
         status = add_line_at(m, &f, 1);
-    m->refused |= degree > CURVE_DEGREE;
-    if (!status && degree > 1 && !m->refused)
+    if (!status && !m->refused && degree > 1)
         status = add_discriminant(m, &f);
     pullback_clear(&f);
     return status;
 }
 
-/* The resultant of x W - X and y W - Y, each without its factor in time alone. */
-static graze_status add_path(curve_maker *m, const motion_piece *piece, const fmpq *vertex) {
+/* Where two irreducible functions of x, y and time vanish at one time. */
+static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, const slong *degree) {
     const fmpz_mpoly_ctx_struct *ring = m->list->ring;
-    const point_map *map = motion_placing(piece, m->scene->options.operation);
-    fmpz_mpoly_t side[2], curve;
-    fmpz scale[3] = {0, 0, 0};
-    slong degree[2];
-    pullback_form f;
-    pullback_init(&f);
-    fmpz_mpoly_init(curve, ring);
-    _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + 2, vertex, 2);
-    for (int row = 0; row < 2; row++) {
-        fmpz_mpoly_init(side[row], ring);
-        for (int i = 0; i < 3; i++)
-            fmpz_poly_zero(&f.linear[i]);
-        fmpz_poly_scalar_mul_fmpz(&f.linear[row], map->weight, scale + 2);
-        for (int i = 0; i < 3; i++)
-            fmpz_poly_scalar_submul_fmpz(&f.linear[2], &map->entry[row * 3 + i], scale + i);
-        degree[row] = pullback_reduce(&f);
-        polynomial_of_pullback(side[row], &f, ring);
-        m->refused |= degree[row] > CURVE_DEGREE;
-    }
     graze_status status = GRAZE_OK;
-    if (!m->refused && degree[0] == 0 && degree[1] > 0)
+    fmpz_mpoly_t side[2], curve;
+    fmpz_mpoly_init(curve, ring);
+    for (int k = 0; k < 2; k++) {
+        fmpz_mpoly_init(side[k], ring);
+        polynomial_of_pullback(side[k], f + k, ring);
+    }
+    if (degree[0] == 0 && degree[1] > 0)
         status = curves_append(m->list, m->context, side[0]);
-    else if (!m->refused && degree[1] == 0 && degree[0] > 0)
+    else if (degree[1] == 0 && degree[0] > 0)
         status = curves_append(m->list, m->context, side[1]);
-    else if (!m->refused && degree[0] > 0) {
-        if (!fmpz_mpoly_resultant(curve, side[0], side[1], RING_T, ring) ||
-            fmpz_mpoly_is_zero(curve, ring))
-            status = context_fail(m->context, GRAZE_EINTERNAL,
-                                  "the resultant of the coordinates of a path vanishes");
+    else if (degree[0] > 0) {
+        if (!fmpz_mpoly_resultant(curve, side[0], side[1], RING_T, ring))
+            status = context_fail(m->context, GRAZE_EINTERNAL, "a resultant is not found");
+        else if (fmpz_mpoly_is_zero(curve, ring))
+            m->refused = in_plane; /* one function twice, in E^3 alone */
         else
             status = curves_append(m->list, m->context, curve);
     }
+    for (int k = 0; k < 2; k++)
+        fmpz_mpoly_clear(side[k], ring);
+    fmpz_mpoly_clear(curve, ring);
+    return status;
+}
+
+/* The path of a vertex of E^2: x W - X and y W - Y, each without its factor in time alone. */
+static graze_status add_path(curve_maker *m, const motion_piece *piece, const fmpq *vertex) {
+    const point_map *map = motion_placing(piece, m->scene->options.operation);
+    fmpz scale[3] = {0, 0, 0};
+    slong degree[2];
+    pullback_form f[2];
+    fmpz_poly_t common;
+    fmpz_poly_init(common);
+    _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + 2, vertex, 2);
+    for (int row = 0; row < 2; row++) {
+        pullback_init(&f[row]);
+        fmpz_poly_scalar_mul_fmpz(&f[row].linear[row], map->weight, scale + 2);
+        for (int i = 0; i < 3; i++)
+            fmpz_poly_scalar_submul_fmpz(&f[row].linear[2], &map->entry[row * 3 + i], scale + i);
+        degree[row] = pullback_reduce(&f[row], common);
+        if (degree[row] > CURVE_DEGREE)
+            m->refused = too_dear;
+    }
+    graze_status status = m->refused ? GRAZE_OK : add_common_zeros(m, f, degree);
     for (int row = 0; row < 2; row++)
-        fmpz_mpoly_clear(side[row], ring);
+        pullback_clear(&f[row]);
     for (int i = 0; i < 3; i++)
         fmpz_clear(scale + i);
-    fmpz_mpoly_clear(curve, ring);
-    pullback_clear(&f);
+    fmpz_poly_clear(common);
     return status;
 }
 
-static graze_status add_piece(curve_maker *m, const motion_piece *piece, const plane_list *lines) {
-    const graze_solid *solid = m->scene->solid;
+/* The path of side k of a triangle of E^3, in the plane of the triangle and in that of its side
+ * form. */
+static graze_status add_edge_path(curve_maker *m, const motion_piece *piece, size_t triangle,
+                                  int k) {
+    fmpz *form = _fmpz_vec_init(8); /* two of 4 */
+    slong degree[2] = {0, 0};
+    pullback_form f[2];
     graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < lines->count && !status && !m->refused; k++) {
-        status = add_curves_of_line(m, piece, lines->form + 3 * k);
+    (void)solid_plane(form, m->scene->solid, triangle);
+    solid_side(form + 4, m->scene->solid, triangle, form, k);
+    for (int i = 0; i < 2; i++) {
+        pullback_init(&f[i]);
+        if (!status && !m->refused)
+            status = make_pullback(&f[i], &degree[i], m, piece, form + 4 * i);
+    }
+    if (!status && !m->refused)
+        status = add_common_zeros(m, f, degree);
+    for (int i = 0; i < 2; i++)
+        pullback_clear(&f[i]);
+    _fmpz_vec_clear(form, 8);
+    return status;
+}
+
+static graze_status add_paths_of(curve_maker *m, const motion_piece *piece, size_t s) {
+    const graze_solid *solid = m->scene->solid;
+    size_t first = solid->cut.item[s].vertex[0];
+    graze_status status = GRAZE_OK;
+    /* Each vertex is where some facet begins. */
+    if (m->view->dimension == 2)
+        return add_path(m, piece, solid->input.coordinates + 2 * first);
+    for (int k = 0; k < 3 && !status && !m->refused; k++)
+        status = add_edge_path(m, piece, s, k);
+    return status;
+}
+
+static graze_status add_piece(curve_maker *m, const motion_piece *piece, const plane_list *planes) {
+    size_t form_size = (size_t)planes->dimension + 1;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < planes->count && !status && !m->refused; k++) {
+        status = add_curves_of_plane(m, piece, planes->form + form_size * k);
         if (!status)
             status = context_poll(m->context);
     }
-    /* Each vertex is where some facet begins. */
-    for (size_t s = 0; s < solid->cut.count && !status && !m->refused; s++) {
-        size_t vertex = solid->cut.item[s].vertex[0];
-        status = add_path(m, piece, solid->input.coordinates + 2 * vertex);
+    for (size_t s = 0; s < m->scene->solid->cut.count && !status && !m->refused; s++) {
+        status = add_paths_of(m, piece, s);
         if (!status)
             status = context_poll(m->context);
     }
     return status;
 }
 
-graze_status curves_of_scene(curve_list *list, int *refused, graze_context *context,
-                             const graze_scene *scene) {
+graze_status curves_of_scene(curve_list *list, const char **refused, graze_context *context,
+                             const graze_scene *scene, const plane_view *view) {
     const graze_motion *motion = scene->motion;
-    curve_maker m = {list, 0, context, scene};
-    plane_list lines;
-    if (planes_find(&lines, scene->solid, NULL, scene->solid->cut.count) != 0)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the lines of a solid");
-    size_t each = 3 * lines.count + scene->solid->cut.count;
-    m.refused = motion->piece_count > CURVE_COUNT / each;
+    curve_maker m = {list, NULL, context, scene, view};
+    plane_list planes;
+    if (planes_find(&planes, scene->solid, NULL, scene->solid->cut.count) != 0)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of a solid");
+    size_t each = 3 * (planes.count + scene->solid->cut.count);
+    size_t most = view->dimension == 2 ? CURVE_COUNT : SLICE_CURVE_COUNT;
+    m.refused = motion->piece_count > most / each ? too_dear : NULL;
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < motion->piece_count && !status && !m.refused; k++)
-        status = add_piece(&m, &motion->piece[k], &lines);
-    planes_clear(&lines);
+        status = add_piece(&m, &motion->piece[k], &planes);
+    planes_clear(&planes);
     *refused = m.refused;
     return status;
 }

@@ -7,8 +7,9 @@
 #include <flint/fmpq_mpoly.h>
 #include "scene/scene.h"
 
-/** Largest degree in time of a line's pullback whose discriminant is taken, and most curves. */
-enum { CURVE_DEGREE = 16, CURVE_COUNT = 100000 };
+/** Largest degree in time of a pullback whose discriminant is taken; most curves in E^2, and in a
+ * plane of E^3. */
+enum { CURVE_DEGREE = 16, CURVE_COUNT = 100000, SLICE_CURVE_COUNT = 5000 };
 
 /** Variables of the ring. */
 enum { RING_X, RING_Y, RING_T, RING_VARIABLES };
@@ -27,12 +28,32 @@ void curves_clear(curve_list *list);
 graze_status curves_append(curve_list *list, graze_context *context, const fmpz_mpoly_t curve);
 
 /**
- * Append curves in the zeros of which the boundary of the closed sweep lies (proofs/topology.md
- * C50): the facets' lines at the ends of all pieces, the paths of the vertices, and the
- * discriminants of the lines' pullbacks. Not dependent on any point.
- * @param[out] refused 1 where a curve is too dear: then the list is not whole
+ * Coordinates of a plane: x, y stand for the point `origin` + x a + y b. In E^2 it is all of it
+ * with its own coordinates, in E^3 the plane through a point along two vectors.
  */
-graze_status curves_of_scene(curve_list *list, int *refused, graze_context *context,
-                             const graze_scene *scene);
+typedef struct plane_view {
+    int dimension;
+    fmpq origin[3];
+    fmpz along[2][3]; /* a and b */
+} plane_view;
+
+/** E^2 as it is. */
+void view_init(plane_view *view);
+/** The plane through a point of E^3 along two vectors of 3 integers, not parallel. */
+void view_init_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b);
+void view_clear(plane_view *view);
+/** The point with two coordinates, d initialised rationals. */
+void view_point(fmpq *out, const plane_view *view, const fmpq *xy);
+
+/**
+ * Append curves in the zeros of which the boundary of the closed sweep lies in the plane, up to
+ * finitely many points (proofs/topology.md C50, C54): of the facets' planes the lines at the ends
+ * of all pieces and the discriminants of the pullbacks, and the paths of the vertices, in E^3 of
+ * the edges.
+ * @param[out] refused why the list is not whole: curves that are too dear, or (E^3) a facet or an
+ * edge that comes to lie in the plane; else NULL
+ */
+graze_status curves_of_scene(curve_list *list, const char **refused, graze_context *context,
+                             const graze_scene *scene, const plane_view *view);
 
 #endif

@@ -15,14 +15,18 @@ void finding_init(topo_finding *f) {
     f->position = GRAZE_TOPO_NONE;
     f->level = GRAZE_LEVEL_NONE;
     f->reason = "";
-    f->has_witness = 0;
-    for (int k = 0; k < 3; k++)
+    f->has_witness = f->has_open = 0;
+    for (int k = 0; k < 3; k++) {
         fmpq_init(f->witness + k);
+        fmpz_init(f->open + k);
+    }
 }
 
 void finding_clear(topo_finding *f) {
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         fmpq_clear(f->witness + k);
+        fmpz_clear(f->open + k);
+    }
 }
 
 void finding_set(topo_finding *f, graze_topo position, graze_topo_level level) {

@@ -7,13 +7,16 @@
 #include <flint/fmpq.h>
 #include "graze/topo.h"
 
-/** `reason` is set for an undecided point alone, `witness` if `has_witness`. */
+/** `reason` is set for an undecided point alone, `witness` if `has_witness`, `open` if
+ * `has_open`. */
 typedef struct topo_finding {
     graze_topo position;
     graze_topo_level level;
     const char *reason; /* static */
     int has_witness;
     fmpq witness[3]; /* a point that is `out` */
+    int has_open;
+    fmpz open[3]; /* a direction that no contact looked at covers to first order */
 } topo_finding;
 
 /** Nothing is found. */

@@ -56,6 +56,13 @@ static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     return status;
 }
 
+/* The first one that is found. */
+static void keep_open_direction(topo_finding *out, const fmpz *direction, int d) {
+    if (!out->has_open)
+        _fmpz_vec_set(out->open, direction, d);
+    out->has_open = 1;
+}
+
 /* Look at the cells around ray r. */
 static graze_status look_around(leading_maker *m, size_t r) {
     int d = m->borders.dimension;
@@ -78,6 +85,8 @@ static graze_status look_around(leading_maker *m, size_t r) {
         }
         if (!here.covered && m->germs.bounded)
             status = set_boundary(m, direction);
+        else if (!here.covered)
+            keep_open_direction(m->out, direction, d);
         m->is_interior &= here.open || here.exact;
         /* the cell between the one before and this one */
         if (d == 3 && k > 0)

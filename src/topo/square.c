@@ -16,6 +16,7 @@ typedef struct square_maker {
     topo_finding *out;
     graze_context *context;
     const graze_scene *scene;
+    const plane_view *view;
     const fmpq *point;
     near_curves near;
     int axis, negative; /* the side at hand */
@@ -32,13 +33,12 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
     fmpq_set(sample + (1 - m->axis), along);
     for (int k = 0; k < 2; k++)
         fmpq_add(sample + k, sample + k, m->point + k);
-    graze_status status =
-        classify_verdict(&verdict, m->context, m->scene, (query_point){.rational = sample});
+    view_point(m->out->witness, m->view, sample);
+    graze_status status = classify_verdict(&verdict, m->context, m->scene,
+                                           (query_point){.rational = m->out->witness});
     if (!status && verdict.pmc == GRAZE_OUT) {
         finding_set(m->out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L3);
         m->out->has_witness = 1;
-        for (int k = 0; k < 2; k++)
-            fmpq_set(m->out->witness + k, sample + k);
     }
     for (int k = 0; k < 2; k++)
         fmpq_clear(sample + k);
@@ -88,8 +88,8 @@ static graze_status sample_side(square_maker *m) {
 }
 
 graze_status square_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
-                           const curve_list *curves, const fmpq *point) {
-    square_maker m = {.out = out, .context = context, .scene = scene, .point = point};
+                           const curve_list *curves, const plane_view *view, const fmpq *point) {
+    square_maker m = {.out = out, .context = context, .scene = scene, .view = view, .point = point};
     int refused = 0;
     near_init(&m.near);
     graze_status status = near_make(&m.near, &refused, context, curves, point);
@@ -100,7 +100,7 @@ graze_status square_decide(topo_finding *out, graze_context *context, const graz
         m.negative = side % 2;
         status = sample_side(&m);
     }
-    if (!status && !refused && !out->has_witness)
+    if (!status && !refused && !out->has_witness && view->dimension == 2)
         finding_set(out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_L3);
     near_clear(&m.near);
     return status;

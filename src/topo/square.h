@@ -8,10 +8,12 @@
 #include "topo/curves.h"
 
 /**
- * Decide a point of the plane that lies in the closed sweep (proofs/topology.md C52).
- * @param curves those of the scene, whole
+ * Look around a point that lies in the closed sweep, in a plane (proofs/topology.md C52, C54): it
+ * is on the boundary if a sample is out; else, in E^2, in the interior. In E^3 it stays as it was.
+ * @param curves those of the scene in the view, whole
+ * @param point  its 2 coordinates in the view
  */
 graze_status square_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
-                           const curve_list *curves, const fmpq *point);
+                           const curve_list *curves, const plane_view *view, const fmpq *point);
 
 #endif

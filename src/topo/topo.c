@@ -4,12 +4,14 @@
 #include <stdlib.h>
 #include "topo/curves.h"
 #include "topo/leading.h"
+#include "topo/slices.h"
 #include "topo/square.h"
 
 /* What all points of a scene share: its facets' planes, and its curves once they are needed. */
 typedef struct scene_shares {
     plane_list planes;
-    int has_curves, refused;
+    int has_curves;
+    const char *refused;
     curve_list curves;
 } scene_shares;
 
@@ -35,7 +37,10 @@ static graze_status make_shares(scene_memo *memo, graze_context *context,
 
 /* Curves that could not be made are tried again by the next point. */
 static graze_status make_curves(scene_shares *s, graze_context *context, const graze_scene *scene) {
-    graze_status status = curves_of_scene(&s->curves, &s->refused, context, scene);
+    plane_view view;
+    view_init(&view);
+    graze_status status = curves_of_scene(&s->curves, &s->refused, context, scene, &view);
+    view_clear(&view);
     s->has_curves = !status;
     if (status) {
         curves_clear(&s->curves);
@@ -73,19 +78,25 @@ graze_status topo_by_curves(topo_finding *out, graze_context *context, const gra
     graze_status status = shares_of(&s, context, scene, 1);
     if (status)
         return status;
-    if (!s->refused)
-        return square_decide(out, context, scene, &s->curves, point);
-    finding_undecided(out, "the scene has more curves, or curves of a higher degree, than are "
-                           "looked at");
-    return GRAZE_OK;
+    if (s->refused) {
+        finding_undecided(out, s->refused);
+        return GRAZE_OK;
+    }
+    plane_view view;
+    view_init(&view);
+    status = square_decide(out, context, scene, &s->curves, &view, point);
+    view_clear(&view);
+    return status;
 }
 
 /* An `on` point of a sweep. */
 static graze_status decide_on(topo_finding *out, graze_context *context, const graze_scene *scene,
                               const fmpq *point) {
     graze_status status = topo_by_leading(out, context, scene, point);
-    if (status || out->position != GRAZE_TOPO_UNDECIDED || scene->motion->dimension == 3)
+    if (status || out->position != GRAZE_TOPO_UNDECIDED)
         return status;
+    if (scene->motion->dimension == 3)
+        return slices_decide(out, context, scene, point);
     finding_set(out, GRAZE_TOPO_NONE, GRAZE_LEVEL_NONE);
     out->reason = "";
     return topo_by_curves(out, context, scene, point);

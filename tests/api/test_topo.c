@@ -81,20 +81,6 @@ static void unsweep(void **state) {
     scene_close(&s);
 }
 
-/* The top edge slides along the point, and the line x = 2 of the start is 2^-100 away from it. */
-static void limit(void **state) {
-    (void)state;
-    static const char x[] = "2535301200456458802993406410753/1267650600228229401496703205376";
-    scene s;
-    scene_open(&s, slide, NULL);
-    assert_int_equal(ask(&s, x, "2").position, GRAZE_TOPO_BOUNDARY);
-    assert_int_equal(graze_context_set_limit(s.context, GRAZE_LIMIT_BITS, 50), GRAZE_OK);
-    answer a = ask(&s, x, "2");
-    assert_true(a.position == GRAZE_TOPO_UNDECIDED && a.level == GRAZE_LEVEL_NONE);
-    assert_non_null(strstr(a.reason, "`bits`"));
-    scene_close(&s);
-}
-
 static char *row(scene *s, long x, long y, graze_format format) {
     char *text = NULL;
     mpq_t p[2];
@@ -144,7 +130,6 @@ static void names(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(positions), cmocka_unit_test(unsweep),
-                                       cmocka_unit_test(limit), cmocka_unit_test(rows),
-                                       cmocka_unit_test(names)};
+                                       cmocka_unit_test(rows), cmocka_unit_test(names)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,6 +39,22 @@ class Answers(unittest.TestCase):
         self.assertEqual((scene.solid.vertex_count, scene.solid.facet_count), (8, 6))
         self.assertEqual((scene.solid.component_count, scene.motion.piece_count), (1, 1))
 
+    def test_positions(self):
+        """The top face at z = 2 slides along (5, 1, 2): what is above is out."""
+        scene = common.cube_scene()
+        self.assertEqual(scene.topology((5, 1, 1)), ("interior", "word", "", None))
+        self.assertEqual(scene.topology((5, 3, 1)).position, "exterior")
+        found = scene.topology((5, 1, 2))
+        self.assertEqual((found.position, found.level, found.reason), ("boundary", "L1", ""))
+        self.assertEqual(scene.trace(found.witness).verdict.pmc, Pmc.OUT)
+        self.assertGreater(found.witness[2], 2)
+        rows = graze.Scene(scene.solid, scene.motion, topo=True)
+        self.assertEqual(rows.rows([(5, 1, 2)]), ["5,1,2,on,boundary,8,1,0,1,OBO,boundary"])
+        lines = rows.table([(5, 1, 2)]).splitlines()
+        self.assertEqual(lines[-2:], ["# undecided 0", "# complete 1"])
+        self.assertTrue(lines[-4].endswith(",topo"))
+        self.assertFalse(scene.rows([(5, 1, 2)])[0].endswith(",boundary"))
+
     def test_slide(self):
         """(5, 1, 2) has c = (5 - 8t, 1, 2) on the top from t = 3/8 to 5/8, over edges x = 2 and x = 0."""
         contact, = common.cube_scene().trace((5, 1, 2)).contacts

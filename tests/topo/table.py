@@ -69,24 +69,23 @@ def check_forged(checks, graze, points):
 
 
 def check_undecided(checks, graze):
-    """Where a row is undecided, and that it is counted, is found by the limit `bits`: x = 2 is 2^-100 away."""
-    near = f"{2 * 2 ** 100 + 1}/{2 ** 100}"
-    slide = os.path.join(EXAMPLES, "motions", "right8.json")
-    points = graze.write("near.csv", f"{near},2\n5,2\n{near},2\n5,1\n")
-    flags = ("--quiet", "--topo", "--limit", "bits=50")
-    out = graze.call("classify", SQUARE[0], slide, points, *flags)
+    """Example 51 is undecided in space; a point far away is not."""
+    roofs = os.path.join(EXAMPLES, "solids", "crossed_roofs.off"), os.path.join(EXAMPLES, "motions", "roofs_51.json")
+    points = graze.write("roofs.csv", "0,0,0\n90,0,0\n0,0,0\n")
+    flags = ("--quiet", "--topo")
+    out = graze.call("classify", *roofs, points, *flags)
     checks.equal([line.rsplit(",", 1)[1] for line in rows_of(out.stdout)[1:]],
-                 ["undecided", "boundary", "undecided", "interior"])
-    checks.equal(out.stdout.splitlines()[-2:], ["# undecided 2", "# complete 4"])
-    checks.holds("the position of 2 of 4 rows is undecided" in out.stderr, out.stderr)
-    lines = graze.call("classify", SQUARE[0], slide, points, *flags, "--format", "jsonl")
+                 ["undecided", "exterior", "undecided"])
+    checks.equal(out.stdout.splitlines()[-2:], ["# undecided 2", "# complete 3"])
+    checks.holds("the position of 2 of 3 rows is undecided" in out.stderr, out.stderr)
+    lines = graze.call("classify", *roofs, points, *flags, "--format", "jsonl")
     checks.equal(lines.stdout.count('"topo":"undecided","topo_reason":"'), 2)
-    checks.holds("the position of 2 of 4 rows is undecided" in lines.stderr, lines.stderr)
-    parts = [graze.write(f"near-{k}.csv", graze.call("classify", SQUARE[0], slide, points, *flags, "--shard",
-                                                     f"{k + 1}/2").stdout) for k in range(2)]
+    checks.holds("the position of 2 of 3 rows is undecided" in lines.stderr, lines.stderr)
+    parts = [graze.write(f"roofs-{k}.csv", graze.call("classify", *roofs, points, *flags, "--shard",
+                                                      f"{k + 1}/2").stdout) for k in range(2)]
     checks.equal(graze.call("merge", "--quiet", *parts).stdout, out.stdout, "merged counts")
-    begun = graze.write("near-begun.csv", "".join(out.stdout.splitlines(keepends=True)[:-3]))
-    graze.call("classify", SQUARE[0], slide, points, *flags, "--resume", begun)
+    begun = graze.write("roofs-begun.csv", "".join(out.stdout.splitlines(keepends=True)[:-3]))
+    graze.call("classify", *roofs, points, *flags, "--resume", begun)
     with open(begun, encoding="utf-8") as f:
         checks.equal(f.read(), out.stdout, "continued counts")
 

@@ -91,8 +91,43 @@ static void levels_agree(void **state) {
     assert_true(t.interior > 10);
 }
 
+/* The top edge of a square slides along the point, and a side stood 2^-100 beside it at t0. */
+static void limit(void **state) {
+    (void)state;
+    graze_solid *solid = NULL;
+    graze_motion *motion = NULL;
+    graze_scene *scene = NULL;
+    topo_finding found;
+    fmpq *p = _fmpq_vec_init(2);
+    assert_int_equal(graze_solid_read(&solid, context, "tests/examples/solids/q2.wkt", 0),
+                     GRAZE_OK);
+    assert_int_equal(graze_motion_read(&motion, context, "tests/examples/motions/right8.json"),
+                     GRAZE_OK);
+    assert_int_equal(graze_scene_create(&scene, context, solid, motion, NULL), GRAZE_OK);
+    fmpq_one(p);
+    fmpq_div_2exp(p, p, 100);
+    fmpq_add_si(p, p, 2);
+    fmpq_set_si(p + 1, 2, 1);
+    finding_init(&found);
+    assert_int_equal(topo_by_curves(&found, context, scene, p), GRAZE_OK);
+    assert_int_equal(found.position, GRAZE_TOPO_BOUNDARY);
+    finding_clear(&found);
+    finding_init(&found);
+    assert_int_equal(graze_context_set_limit(context, GRAZE_LIMIT_BITS, 50), GRAZE_OK);
+    assert_int_equal(topo_by_curves(&found, context, scene, p), GRAZE_OK);
+    assert_int_equal(found.position, GRAZE_TOPO_UNDECIDED);
+    assert_non_null(strstr(found.reason, "`bits`"));
+    finding_clear(&found);
+    _fmpq_vec_clear(p, 2);
+    graze_scene_destroy(scene);
+    graze_motion_destroy(motion);
+    graze_solid_destroy(solid);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(limit, set_up, tear_down),
+
         cmocka_unit_test_setup_teardown(levels_agree, set_up, tear_down)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

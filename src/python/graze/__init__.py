@@ -22,7 +22,7 @@ from .errors import (CanceledError, GrazeError, IllegalError, InputError, Intern
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
 from .results import (CLASS_NAMES, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact, Pmc, Sample,
-                      Trace, Verdict, class_names, columns, definition_names, pmc_names,
+                      Topology, Trace, Verdict, class_names, columns, definition_names, pmc_names,
                       to_dataframe)
 from .scene import Scene
 from .times import AlgebraicNumber, Time, decimal
@@ -30,8 +30,8 @@ from .times import AlgebraicNumber, Time, decimal
 __all__ = [
     "AlgebraicNumber", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Contact", "GrazeError",
     "IllegalError", "InputError", "InternalError", "LibraryError", "LimitError", "MachineError",
-    "Motion", "PMC_NAMES", "Pmc", "Sample", "Scene", "Solid", "Time", "Trace", "UseError",
-    "VERDICT_DTYPE", "Verdict", "__version__", "class_names", "columns", "decimal",
+    "Motion", "PMC_NAMES", "Pmc", "Sample", "Scene", "Solid", "Time", "Topology", "Trace",
+    "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_names", "columns", "decimal",
     "definition_names", "pmc_names", "to_dataframe", "version"]
 
 

@@ -36,7 +36,8 @@ class CMpq(ctypes.Structure):
 class COptions(ctypes.Structure):
     """graze_options."""
 
-    _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int), ("size", c_size_t)]
+    _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int), ("size", c_size_t),
+                ("topo", c_int)]
 
 
 class CVerdict(ctypes.Structure):
@@ -124,6 +125,14 @@ _FUNCTIONS = {
     "graze_time_degree": (c_int, [c_void_p]),
     "graze_time_coefficient": (None, [c_void_p, c_void_p, c_int]),
     "graze_time_interval": (None, [c_void_p, c_void_p, c_void_p]),
+    "graze_trace_topo": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
+    "graze_topology_destroy": (None, [c_void_p]),
+    "graze_topology_position": (c_int, [c_void_p]),
+    "graze_topology_level": (c_int, [c_void_p]),
+    "graze_topology_reason": (c_char_p, [c_void_p]),
+    "graze_topology_witness": (c_int, [c_void_p, c_void_p]),
+    "graze_topo_name": (c_char_p, [c_int]),
+    "graze_topo_level_name": (c_char_p, [c_int]),
     "graze_generator_create": (c_int, [_OUT, c_void_p, c_void_p, c_ulonglong, POINTER(c_ulong),
                                        c_uint]),
     "graze_generator_destroy": (None, [c_void_p]),

@@ -10,7 +10,7 @@ from typing import Optional, Tuple
 
 from ._library import CCell, CVerdict, library
 from ._numbers import Rationals
-from .results import Cell, Class, Contact, Pmc, Trace, Verdict
+from .results import Cell, Class, Contact, Pmc, Topology, Trace, Verdict
 from .times import AlgebraicNumber, Time
 
 _KINDS = {1: "intersection", 2: "tangency"}
@@ -42,6 +42,16 @@ def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
                                 chr(made.right) if made.right else None, start, end, cells))
     return Trace(point, library().graze_trace_word(trace).decode(),
                  verdict_of(library().graze_trace_verdict(trace)), tuple(contacts))
+
+
+def read_topology(topology: ctypes.c_void_p, dimension: int) -> Topology:
+    """A position relative to the closed sweep; the handle stays the caller's."""
+    call, witness = library(), Rationals(dimension)
+    found = call.graze_topology_witness(witness.address, topology)
+    return Topology(call.graze_topo_name(call.graze_topology_position(topology)).decode(),
+                    call.graze_topo_level_name(call.graze_topology_level(topology)).decode(),
+                    call.graze_topology_reason(topology).decode(),
+                    tuple(witness[k] for k in range(dimension)) if found else None)
 
 
 def _time_of(time: int) -> Time:

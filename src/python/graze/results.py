@@ -50,6 +50,20 @@ class Verdict(NamedTuple):
     t: int
 
 
+class Topology(NamedTuple):
+    """Where a point lies relative to the closed sweep.
+
+    `position` is `interior`, `boundary`, `exterior` or `undecided`, `level` what decided it (`word`,
+    `L1`, `L3`, else `none`), `reason` why it is undecided, else "". `witness` is a point that is
+    `out`, for an `on` point that is `boundary`.
+    """
+
+    position: str
+    level: str
+    reason: str
+    witness: Optional[Tuple[Fraction, ...]]
+
+
 PMC_NAMES: Tuple[str, ...] = tuple(pmc.name.lower() for pmc in Pmc)
 CLASS_NAMES: Tuple[str, ...] = tuple(class_.name.lower() for class_ in Class)
 #: The dtype of classify's arrays, whose layout is graze_verdict; None without numpy.

@@ -14,10 +14,10 @@ from ._context import Context, Contexts, choice, settings
 from ._library import COptions, CVerdict, Handle, library, take_text
 from ._numbers import Points, Rationals, numpy, read_points
 from ._samples import samples
-from ._traces import read_trace, verdict_of
+from ._traces import read_topology, read_trace, verdict_of
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
-from .results import VERDICT_DTYPE, Sample, Trace, Verdict
+from .results import VERDICT_DTYPE, Sample, Topology, Trace, Verdict
 
 OPERATIONS = ("sweep", "unsweep")
 OVERLAPS = ("extend", "reject")
@@ -45,7 +45,8 @@ class Scene:
                  motion: "Motion | str | os.PathLike[str] | Mapping[str, Any]",
                  operation: str = "sweep", overlap: str = "extend", folds: str = "separate",
                  triangulate: bool = False, round: str = "none", *,
-                 limits: Optional[Mapping[str, int]] = None, use_filter: bool = True) -> None:
+                 limits: Optional[Mapping[str, int]] = None, use_filter: bool = True,
+                 topo: bool = False) -> None:
         """Read, validate and put together; decide whether first and last position meet.
 
         Args:
@@ -57,6 +58,7 @@ class Scene:
             triangulate: take facets that are not planar, fanned from their first vertex.
             round: `binary64` or `binary32` rounds every number of solid, motion and points first.
             limits: limits by name, as of `graze --limit`: `digits`, `degree`, `pieces`, ...
+            topo: rows and tables end with the position relative to the closed sweep.
             use_filter: let the certified floating-point filter go first; answers are the same.
         Raises:
             UseError: a word that is none, or a solid or motion that was rounded otherwise.
@@ -65,7 +67,8 @@ class Scene:
         """
         chosen = settings(round, limits, use_filter)
         options = COptions(choice("operation", operation, OPERATIONS),
-                           choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS))
+                           choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS),
+                           ctypes.sizeof(COptions), int(topo))
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
@@ -75,6 +78,7 @@ class Scene:
                 raise UseError("solid, motion and points must be rounded alike")
         self.solid, self.motion = solid, motion
         self.operation, self.overlap, self.folds, self.round = operation, overlap, folds, round
+        self.topo = bool(topo)
         self._contexts = Contexts(chosen)
         context, pointer = self._contexts.mine(), ctypes.c_void_p()
         parts = input_handle(solid), input_handle(motion)
@@ -156,6 +160,16 @@ class Scene:
                         self._handle.pointer, rationals.address, pointer, brief=True)
         return take_text(text)
 
+    def topology(self, point: Sequence[Number]) -> Topology:
+        """Where one point lies relative to the closed sweep. Raises as `trace`."""
+        rationals, context, pointer = self._point(point), self._context(), ctypes.c_void_p()
+        with self._trace(rationals) as trace:
+            context.check(library().graze_trace_topo(
+                ctypes.byref(pointer), context.pointer, self._handle.pointer, rationals.address,
+                trace))
+        with Handle(pointer, library().graze_topology_destroy) as topology:
+            return read_topology(topology, self.dimension)
+
     def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1) -> List[str]:
         """The rows of `graze classify`, without line ends: CSV, or with `jsonl` JSON Lines, which
         hold every contact with its exact times. Raises as `classify`."""
@@ -183,7 +197,9 @@ class Scene:
         rows = self.rows(points, jobs=jobs)
         context.check(library().graze_report_header(ctypes.byref(head), context.pointer,
                                                     self._handle.pointer, notes, None))
+        undecided = sum(row.endswith(",undecided") for row in rows)
         return "".join([take_text(head), *(row + "\n" for row in rows),
+                        *([f"# undecided {undecided}\n"] if self.topo else []),
                         f"# complete {len(rows)}\n"])
 
     def generate(self, count: int, seed: int = 1, strata: Optional[Mapping[str, int]] = None,

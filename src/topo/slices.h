@@ -1,0 +1,15 @@
+/* The last level in space: planes through the point, in which the boundary may be proved.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TOPO_SLICES_H
+#define GRAZE_TOPO_SLICES_H
+
+#include "scene/scene.h"
+#include "topo/finding.h"
+
+/** Prove an undecided `on` point of E^3 to be on the boundary, or leave it undecided for the reason
+ * it has (proofs/topology.md C54). Where it has an open direction, a plane holds that. */
+graze_status slices_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                           const fmpq *point);
+
+#endif
