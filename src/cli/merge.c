@@ -25,8 +25,7 @@ static const char merge_help[] =
     "  --output FILE        write there instead of to standard output\n"
     "  --quiet              no progress on the terminal\n"
     "\n"
-    "A part is the table that graze classify writes for one shard, or the certificate of graze\n"
-    "certify or classify --certify.\n"
+    "A part is the table or the certificate that graze classify or certify writes for one shard.\n"
     "\n"
     "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
 

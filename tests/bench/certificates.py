@@ -48,7 +48,7 @@ def measured(table, graze, folder, faces, solid, motion, kind, count):
     points = {n: write_points(graze, folder, solid, motion, kind, n) for n in (1, count)}
     certificate = lambda n: os.path.join(folder, f"certificate{n}")
     exact = a_row(count, lambda n: [graze, "classify", solid, motion, points[n], "--no-filter", "--jobs", "1", "--quiet"])
-    making = a_row(count, lambda n: [graze, "certify", solid, motion, points[n], "-o", certificate(n)])
+    making = a_row(count, lambda n: [graze, "certify", solid, motion, points[n], "--jobs", "1", "-o", certificate(n)])
     check = os.path.join(os.path.dirname(graze), "graze-check")
     checking = a_row(count, lambda n: [check, solid, motion, certificate(n), "--assume-legal"])
     name = f"{faces:,} faces, {kind}"
