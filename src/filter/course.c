@@ -77,7 +77,7 @@ int course_make(course *out, const graze_motion *motion, graze_operation operati
     size_t n = motion->piece_count;
     *out = (course){.dimension = motion->dimension, .group_count = 1};
     out->piece = calloc(n, sizeof *out->piece);
-    out->group = malloc((2 * n - 1) * sizeof *out->group);
+    out->group = calloc(2 * n - 1, sizeof *out->group);
     int made = out->piece && out->group;
     for (; made && out->piece_count < n; out->piece_count++) {
         const motion_piece *from = &motion->piece[out->piece_count];

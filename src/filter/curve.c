@@ -202,7 +202,7 @@ static void set_group(curve *c, size_t index, uint32_t group) {
     c->spans[index] = (span){.piece = g->piece, .group = group};
     if (!g->child) {
         set_piece(c, index, &c->course->piece[g->piece]);
-    } else if (g->bounded) {
+    } else if (flip(FLIP_GROUP, g->bounded)) {
         c->spans[index].bounded = 1;
         bound_several(&c->spans[index], c, g);
     }

@@ -27,6 +27,7 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_FAR] = "far",
     [FLIP_FIRST] = "first",
     [FLIP_WEIGHT] = "weight",
+    [FLIP_GROUP] = "group",
 };
 
 static atomic_ulong calls;

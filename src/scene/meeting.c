@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A box of centre c and half sides h has its image in the box of centre A c + b and half sides
- * |A| h, widened by far more than what rounding takes. Comparisons that are false for NaN leave
- * nothing out.
+ * |A| h, widened by far more than what rounding takes (proofs/filter.md C34). Comparisons that are
+ * false for NaN leave nothing out.
  */
 #include "scene/meeting.h"
 

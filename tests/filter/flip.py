@@ -9,7 +9,7 @@ on a line, and lines `site K NAME`; with GRAZE_FLIP_SITE=K it turns the answer o
 one call of 10^4, and says on standard error how many calls and flips there were. A flip is noticed
 when the output is another, or the program ends with status 4. The files of points are long, so
 that each site is called often enough, and cover single crossings, misses, coincidences, curved
-pieces, negative weights and coordinates that doubles hold badly; the last five are made for one
+pieces, negative weights and coordinates that doubles hold badly; the last six are made for one
 site each. A site that no file notices is a failure: it has no test, or it decides nothing. Not a
 suite: it takes a minute.
 """
@@ -95,15 +95,15 @@ def corner_rays(graze, rng, count):
                        {"translate": ["t/1024", "0"]}, points)
 
 
-def weights(graze, rng, count):
+def weights(graze, rng, count, pieces=1):
     """1 + (4 t - 2)^2 is positive, but its coefficients are 5, -3, 5. For (1, 0) the control points
     are (-3/5, 4/5), (-5/3, 0), (-3/5, -4/5): far from the square, where the trajectory is at 1/2."""
     quarter = F(1, 4)
     points = [(rng.uniform(0.75, 1.25), rng.uniform(-0.25, 0.25)) for _ in range(count)]
     square = [(1 - quarter, -quarter), (1 + quarter, -quarter), (1 + quarter, quarter),
               (1 - quarter, quarter)]
-    return plane_query(graze, "a negative weight", square,
-                       {"rotate": {"tan_half": "4*t-2"}}, points)
+    return plane_query(graze, f"a negative weight, pieces {pieces}", square,
+                       {"rotate": {"tan_half": "4*t-2"}}, points, pieces)
 
 
 def over_the_break(graze, rng, count):
@@ -123,7 +123,7 @@ def over_the_break(graze, rng, count):
 
 
 def queries(graze, rng, scale):
-    """The files of FILES and the five made for one site, written."""
+    """The files of FILES and the six made for one site, written."""
     plane = plane_solids(), plane_adversaries()
     space = dict(space_solids(), ridges=terrain(20, random.Random(5))), space_adversaries()
     for k, (solid, motion, place, form, *counts) in enumerate(FILES):
@@ -142,6 +142,7 @@ def queries(graze, rng, scale):
     yield tip(graze, rng, 40000 * scale)
     yield corner_rays(graze, rng, 12000 * scale)
     yield weights(graze, rng, 12000 * scale)
+    yield weights(graze, rng, 12000 * scale, 2)
     yield from over_the_break(graze, rng, 24000 * scale)
 
 
