@@ -300,8 +300,14 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
     graze_status status = api_point(p, context, scene, point);
     if (!status)
         status = trace_canonicalise(trace, context);
+    topo_finding found;
+    finding_init(&found);
+    const topo_finding *topo = scene->options.topo ? &found : NULL;
+    if (!status && topo)
+        status = topo_decide(&found, context, scene, p, trace);
     if (!status)
-        status = report_explain(out, context, scene, p, trace);
+        status = report_explain(out, context, scene, p, trace, topo);
+    finding_clear(&found);
     _fmpq_vec_clear(p, scene->motion->dimension);
     return status;
 }

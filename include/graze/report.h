@@ -96,7 +96,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_export(char **out, size_t *len
                                                          size_t table_length, graze_export form);
 /**
  * Explain the answer for one point in plain text: position, trajectory, contacts in order of time
- * with the reason for the kind of each, counts, definition and case.
+ * with the reason for the kind of each, counts, definition and case; the position relative to the
+ * closed sweep if the scene has the option `topo`.
  * @param[out] out text for graze_free
  * @param point    d canonical rationals: the point that was traced
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM

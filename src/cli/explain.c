@@ -17,6 +17,7 @@ static const char explain_help[] =
     "  --no-filter          as in graze classify\n"
     "  --folds separate     Definitions 6 and 7 (default)\n"
     "  --folds combined     Definitions 10 and 11 in their place\n"
+    "  --topo               the position relative to the closed sweep too\n"
     "  --operation sweep    the set swept by the solid (default)\n"
     "  --operation unsweep  the points that stay in the solid\n"
     "\n"
@@ -61,6 +62,7 @@ static const option_entry explain_table[] = {
     FLAG("no-filter", scene_options, context.exact_only, value_flag),
     OPTION("folds", scene_options, scene.folds, value_folds),
     OPTION("operation", scene_options, scene.operation, value_operation),
+    FLAG("topo", scene_options, scene.topo, value_flag),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int run_explain(void *options, const operands *given) {
@@ -72,6 +74,7 @@ static int run_explain(void *options, const operands *given) {
                         "explain takes SOLID, MOTION and 2 or 3 coordinates, %d operands given; "
                         "see graze explain --help",
                         given->count);
+    o->scene.size = sizeof o->scene;
     o->solid = given->item[0];
     o->motion = given->item[1];
     mpq_inits(point[0], point[1], point[2], NULL);

@@ -282,8 +282,24 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
                       "reaches its boundary");
 }
 
+/* The position relative to the closed sweep or unsweep. */
+static void put_topo(text *t, const topo_finding *topo, int dimension) {
+    text_put(t, "\nRelative to the closed set ");
+    if (topo->position == GRAZE_TOPO_UNDECIDED) {
+        text_format(t, "it is undecided: %s.\n", topo->reason);
+        return;
+    }
+    text_format(t, "it is `%s`, by level `%s`.\n", graze_topo_name(topo->position),
+                graze_topo_level_name(topo->level));
+    for (int k = 0; topo->has_witness && k < dimension; k++) {
+        text_put(t, k ? ", " : "A point that is out: (");
+        text_rational(t, topo->witness + k);
+    }
+    text_put(t, topo->has_witness ? ").\n" : "");
+}
+
 graze_status report_explain(char **out, graze_context *context, const graze_scene *scene,
-                            const fmpq *point, const graze_trace *trace) {
+                            const fmpq *point, const graze_trace *trace, const topo_finding *topo) {
     text t;
     text_init(&t);
     put_answer(&t, scene, point, trace);
@@ -292,10 +308,14 @@ graze_status report_explain(char **out, graze_context *context, const graze_scen
     put_time_line(&t, scene, trace);
     if (scene->options.operation == GRAZE_UNSWEEP) {
         put_unsweep_rule(&t, &trace->verdict);
+        if (topo)
+            put_topo(&t, topo, scene->motion->dimension);
         text_put(&t, "\n[IS] Ilies and Shapiro 1998.\n");
     } else {
         explain_counts(&t, trace);
         put_sweep_rule(&t, scene, trace);
+        if (topo)
+            put_topo(&t, topo, scene->motion->dimension);
         text_put(&t, "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n");
     }
     return text_finish(out, context, &t);

@@ -5,10 +5,11 @@
 #define GRAZE_REPORT_EXPLAIN_H
 
 #include "number/text.h"
+#include "topo/finding.h"
 #include "trace/trace.h"
 
 /** The whole reasoning, for a person. */
 graze_status report_explain(char **out, graze_context *context, const graze_scene *scene,
-                            const fmpq *point, const graze_trace *trace);
+                            const fmpq *point, const graze_trace *trace, const topo_finding *topo);
 
 #endif

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""`classify --topo`: the column in tables, shards, continued and exported tables, and where it is refused.
+"""`classify --topo` and `explain --topo`: the column in tables, shards, continued and exported tables, and where it is refused.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -90,6 +90,18 @@ def check_undecided(checks, graze):
         checks.equal(f.read(), out.stdout, "continued counts")
 
 
+def check_explain(checks, graze):
+    """The same in words: example 7, 17b and 51."""
+    said = graze.call("explain", *SQUARE, "0", "1", "--topo").stdout
+    checks.holds("it is `boundary`, by level `L1`." in said and "A point that is out: (" in said, said)
+    said = graze.call("explain", *SQUARE, "4", "1", "--topo").stdout
+    checks.holds("it is `interior`, by level `L1`." in said and "that is out" not in said, said)
+    roofs = os.path.join(EXAMPLES, "solids", "crossed_roofs.off"), os.path.join(EXAMPLES, "motions", "roofs_51.json")
+    said = graze.call("explain", *roofs, "0", "0", "0", "--topo").stdout
+    checks.holds("it is undecided: to first order the contacts close" in said, said)
+    checks.holds("closed set" not in graze.call("explain", *SQUARE, "4", "1").stdout, "nothing without --topo")
+
+
 def check_others(checks, graze, points):
     for form in ("vtk", "npy"):
         out = graze.write("export." + form, "")
@@ -130,6 +142,7 @@ def main():
     check_parts(checks, graze, points, whole)
     check_forged(checks, graze, points)
     check_undecided(checks, graze)
+    check_explain(checks, graze)
     check_others(checks, graze, points)
     check_checker(checks, graze, points)
     checks.finish()
