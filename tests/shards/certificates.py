@@ -123,6 +123,9 @@ def altered(row):
     yield "another letter", lines[0] + (b"I" if words[4] != b"I" else b"O") + lines[1][1:] + b"".join(lines[2:])
     yield "a letter that is none", lines[0] + b"X" + lines[1][1:] + b"".join(lines[2:])
     yield "a letter twice", lines[0] + 2 * words[4][:1] + b" 1/1024\n" + b"".join(lines[1:])
+    if not words[4].startswith(b"B"):  # BBB is an interval
+        yield "a letter three times", lines[0] + 3 * words[4][:1] + b" 1/1024 1 1\n" + b"".join(lines[1:])
+    yield "a fraction in a polynomial", lines[0] + words[4][:1] + b"B" + words[4][:1] + b" 1/1024 1/2 1\n" + b"".join(lines[1:])
     yield "intervals that end before the word", lines[0] + words[4][:1] + b" 1\n"
     yield "a time that is none", lines[0] + words[4][:1] + b" 1/0\n" + b"".join(lines[1:])
     yield "a polynomial where none is", b"".join(lines[:-1]) + lines[-1][:-1] + b" 1 1\n"
