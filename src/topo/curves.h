@@ -9,7 +9,7 @@
 
 /** Largest degree in time of a pullback whose discriminant is taken; most curves in E^2, and in a
  * plane of E^3. */
-enum { CURVE_DEGREE = 16, CURVE_COUNT = 100000, SLICE_CURVE_COUNT = 5000 };
+enum { CURVE_DEGREE = 8, CURVE_COUNT = 100000, SLICE_CURVE_COUNT = 5000 };
 
 /** Variables of the ring. */
 enum { RING_X, RING_Y, RING_T, RING_VARIABLES };
