@@ -172,6 +172,8 @@ int filter_search(filter_workspace *w, const filter *f, const filter_point *poin
     drop_lost(found);
     if (found->crossing_count)
         qsort(found->crossing, found->crossing_count, sizeof *found->crossing, compare_crossings);
+    /* A slide is found in every span that it goes through. */
+    candidates_join(&found->asked);
     int moved;
     do {
         if (!unite_windows(found))

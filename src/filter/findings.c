@@ -13,6 +13,31 @@ int candidates_append(candidates *list, candidate item) {
     return 1;
 }
 
+static int compare_candidates(const void *left, const void *right) {
+    const candidate *a = left, *b = right;
+    if (a->piece != b->piece)
+        return a->piece < b->piece ? -1 : 1;
+    if (a->simplex != b->simplex)
+        return a->simplex < b->simplex ? -1 : 1;
+    return a->from < b->from ? -1 : a->from > b->from;
+}
+
+void candidates_join(candidates *list) {
+    size_t kept = 0;
+    if (list->count)
+        qsort(list->item, list->count, sizeof *list->item, compare_candidates);
+    for (size_t k = 0; k < list->count; k++) {
+        const candidate *next = &list->item[k];
+        candidate *last = kept ? &list->item[kept - 1] : NULL;
+        if (last && last->piece == next->piece && last->simplex == next->simplex &&
+            next->from <= last->to)
+            last->to = next->to > last->to ? next->to : last->to;
+        else
+            list->item[kept++] = *next;
+    }
+    list->count = kept;
+}
+
 int findings_add_crossing(findings *found, crossing item) {
     if (!array_reserve(&found->crossing, &found->crossing_capacity, found->crossing_count + 1,
                        sizeof *found->crossing))

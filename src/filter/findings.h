@@ -21,6 +21,9 @@ typedef struct candidates {
 /** Append; 0 without memory. */
 int candidates_append(candidates *list, candidate item);
 
+/** Order by piece, simplex and time; windows of one simplex that touch become one. */
+void candidates_join(candidates *list);
+
 /** A certain crossing: once, at some time of the window, which is in units of a piece, the curve
  * goes through the relative interior of the simplex; `enters`: from outside to inside. */
 typedef struct crossing {

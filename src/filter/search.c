@@ -11,7 +11,7 @@
 
 /* Spans are cut down to these levels: for the sake of boxes, of one simplex before its Bernstein
  * forms, and after them. */
-enum { BOX_LEVELS = 20, CHORD_LEVELS = 8, SIMPLEX_LEVELS = 14 };
+enum { BOX_LEVELS = 20, CHORD_LEVELS = 4, SIMPLEX_LEVELS = 14 };
 
 /* A span is cut where its thickness gives a box a surface so many times as large. Measured: much
  * less cuts curves in vain, much more leaves long triangles to be tested in vain. */
@@ -81,11 +81,16 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
 }
 
 /* Whether a span is so thick that it meets many boxes which its curve misses: with the thickness
- * around it the box has a larger surface, which is the chance that a chord meets it. */
-static int is_thick(const span *piece, const box *b) {
+ * around it the box has a larger surface (in the plane: outline), which is the chance that a chord
+ * meets it. */
+static int is_thick(const curve *c, const span *piece, const box *b) {
     double x = b->high[0] - b->low[0], y = b->high[1] - b->low[1], z = b->high[2] - b->low[2];
     double wx = x + 2 * piece->thick[0], wy = y + 2 * piece->thick[1], wz = z + 2 * piece->thick[2];
-    return piece->bend > 0 && wx * (wy + wz) + wy * wz > MOST_SURFACE * (x * (y + z) + y * z);
+    if (piece->bend <= 0)
+        return 0;
+    if (c->dimension == 2)
+        return wx + wy > MOST_SURFACE * (x + y);
+    return wx * (wy + wz) + wy * wz > MOST_SURFACE * (x * (y + z) + y * z);
 }
 
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
@@ -96,7 +101,8 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
             s->failed |= !findings_lose(s->out, piece->piece);
         if (s->failed || piece->lost || flip(FLIP_BOX, !span_meets(piece, &here->box)))
             return;
-        if (!piece->bounded || is_thick(piece, &here->box)) {
+        /* A single simplex is left to its own tests. */
+        if (!piece->bounded || (here->child && is_thick(s->curve, piece, &here->box))) {
             if (piece->level < BOX_LEVELS) {
                 cut_and_descend(s, node, span_index);
                 return;

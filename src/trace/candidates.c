@@ -7,8 +7,8 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
-#include "filter/curve.h"
 #include "context/array.h"
+#include "filter/curve.h"
 
 /* The piece [start, start + 2^(LEVELS - level)] of the curve. */
 typedef struct exact_span {
@@ -103,27 +103,6 @@ static void descend_exactly(searcher *s, size_t node_index, size_t span_index) {
     }
 }
 
-static int compare_candidates(const void *left, const void *right) {
-    const candidate *a = left, *b = right;
-    if (a->simplex != b->simplex)
-        return a->simplex < b->simplex ? -1 : 1;
-    return a->from < b->from ? -1 : a->from > b->from;
-}
-
-/* Windows of one simplex that touch become one. */
-static void join_windows(candidates *list) {
-    size_t kept = 0;
-    for (size_t k = 0; k < list->count; k++) {
-        const candidate *next = &list->item[k];
-        candidate *last = kept ? &list->item[kept - 1] : NULL;
-        if (last && last->simplex == next->simplex && next->from <= last->to)
-            last->to = next->to > last->to ? next->to : last->to;
-        else
-            list->item[kept++] = *next;
-    }
-    list->count = kept;
-}
-
 graze_status candidates_find(candidates *out, graze_context *context, const graze_solid *solid,
                              const trajectory *c) {
     searcher s = {.solid = solid, .c = c, .out = out};
@@ -144,8 +123,6 @@ graze_status candidates_find(candidates *out, graze_context *context, const graz
     free(s.spans);
     if (s.out_of_memory)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory while a trajectory is searched");
-    if (out->count)
-        qsort(out->item, out->count, sizeof *out->item, compare_candidates);
-    join_windows(out);
+    candidates_join(out);
     return GRAZE_OK;
 }
