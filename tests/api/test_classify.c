@@ -347,11 +347,15 @@ static void ends_that_meet(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(worked_examples),           cmocka_unit_test(irrational_time),
-        cmocka_unit_test(doubles_are_exact),         cmocka_unit_test(points_must_be_canonical),
+        cmocka_unit_test(worked_examples),
+        cmocka_unit_test(irrational_time),
+        cmocka_unit_test(doubles_are_exact),
+        cmocka_unit_test(points_must_be_canonical),
         cmocka_unit_test(cancel_keeps_what_is_done),
-        cmocka_unit_test(cancel_countdown), cmocka_unit_test(threads_share_a_scene),
-        cmocka_unit_test(box_holds_the_sweep),       cmocka_unit_test(ends_that_meet),
+        cmocka_unit_test(cancel_countdown),
+        cmocka_unit_test(threads_share_a_scene),
+        cmocka_unit_test(box_holds_the_sweep),
+        cmocka_unit_test(ends_that_meet),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
