@@ -27,7 +27,8 @@ void borders_clear(borders *b) {
     clear_vectors(b->ray, b->ray_count, b->dimension);
 }
 
-/* out = a x b; in E^2 the direction along the line of normal a. `out` is neither. */
+/* out = a x b; in E^2 the direction along the line of normal a, whatever b.
+ * `out` is neither. */
 static void cross_directions(fmpz *out, const fmpz *a, const fmpz *b, int d) {
     if (d == 2) {
         fmpz_neg(out, a + 1);
@@ -99,7 +100,7 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
     fmpz *ray = _fmpz_vec_init(d), *normal = _fmpz_vec_init(d);
     graze_status status = GRAZE_OK;
     if (d == 2) {
-        cross_directions(normal, e, NULL, d);
+        cross_directions(normal, e, e, d);
         status = add_body_border(b, context, g, normal);
     }
     for (size_t i = 0; d == 3 && i < g->cone.count && !status; i++)
