@@ -9,6 +9,7 @@
 
 #include <flint/fmpz_mpoly_factor.h>
 #include "number/bernstein.h"
+#include "topo/eliminate.h"
 
 void near_init(near_curves *n) {
     curves_init(&n->through);
@@ -178,23 +179,6 @@ static graze_status shift_curve(shift_to_point *s, graze_context *context, const
     return GRAZE_OK;
 }
 
-/* The coefficient of the highest power of one variable, as a polynomial in the other. */
-static void leading_in(fmpz_poly_t out, const fmpz_mpoly_t g, int variable,
-                       const fmpz_mpoly_ctx_t ring) {
-    ulong degree = (ulong)fmpz_mpoly_degree_si(g, variable, ring);
-    fmpz_t c;
-    fmpz_init(c);
-    fmpz_poly_zero(out);
-    for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
-        ulong e[2];
-        exponents_of(e, g, k, ring);
-        fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
-        if (e[variable] == degree)
-            fmpz_poly_set_coeff_fmpz(out, (slong)e[1 - variable], c);
-    }
-    fmpz_clear(c);
-}
-
 /* g(x, x), or g(x, -x). */
 static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
                         const fmpz_mpoly_ctx_t ring) {
@@ -218,47 +202,37 @@ static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
     fmpz_clear(sum);
 }
 
-/* A resultant or discriminant in one variable, made of polynomials that share no factor. */
-static graze_status stay_below_event(near_maker *m, int made, const fmpz_mpoly_t event, int other) {
-    fmpz_poly_t p;
-    fmpz_poly_init(p);
-    graze_status status = GRAZE_OK;
-    if (!made || fmpz_mpoly_is_zero(event, m->n->through.ring) ||
-        !fmpz_mpoly_get_fmpz_poly(p, event, other, m->n->through.ring))
+/* Stay clear of the events of curve a with itself, or with b. */
+static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const sliced_curve *b) {
+    fmpz_poly_t event;
+    fmpz_poly_init(event);
+    graze_status status = eliminate(event, m->context, a, b);
+    if (!status && fmpz_poly_is_zero(event))
         status = context_fail(m->context, GRAZE_EINTERNAL,
                               "irreducible curves of a sweep have a factor in common");
-    else
-        stay_below_roots(m, p);
-    fmpz_poly_clear(p);
+    else if (!status)
+        stay_below_roots(m, event);
+    fmpz_poly_clear(event);
     return status;
 }
 
 /* The events of curve k with itself and with those before it, as functions of `variable`. */
 static graze_status stay_below_meetings(near_maker *m, size_t k, int variable) {
     const curve_list *c = &m->n->through;
+    sliced_curve a, b;
     graze_status status = GRAZE_OK;
-    if (fmpz_mpoly_degree_si(&c->item[k], variable, c->ring) == 0)
-        return status;
-    fmpz_mpoly_t event;
-    fmpz_poly_t leading;
-    fmpz_mpoly_init(event, c->ring);
-    fmpz_poly_init(leading);
-    leading_in(leading, &c->item[k], variable, c->ring);
-    stay_below_roots(m, leading);
-    if (fmpz_mpoly_degree_si(&c->item[k], variable, c->ring) > 1) {
-        int made = fmpz_mpoly_discriminant(event, &c->item[k], variable, c->ring);
-        status = stay_below_event(m, made, event, 1 - variable);
+    sliced_init(&a, &c->item[k], variable, c);
+    if (a.degree > 1)
+        status = stay_below_event(m, &a, NULL);
+    for (size_t j = 0; j < k && a.degree > 0 && !status && !m->refused; j++) {
+        sliced_init(&b, &c->item[j], variable, c);
+        if (b.degree > 0)
+            status = stay_below_event(m, &a, &b);
+        sliced_clear(&b);
     }
-    for (size_t j = 0; j < k && !status && !m->refused; j++) {
-        if (fmpz_mpoly_degree_si(&c->item[j], variable, c->ring) == 0)
-            continue;
-        int made = fmpz_mpoly_resultant(event, &c->item[k], &c->item[j], variable, c->ring);
-        status = stay_below_event(m, made, event, 1 - variable);
-        if (!status)
-            status = context_poll(m->context);
-    }
-    fmpz_poly_clear(leading);
-    fmpz_mpoly_clear(event, c->ring);
+    if (a.degree > 0)
+        stay_below_roots(m, a.coefficient + a.degree); /* the last use of it */
+    sliced_clear(&a);
     return status;
 }
 

@@ -17,6 +17,12 @@ import time
 from bench import COMMON, SECONDS, run_checks
 
 
+def heed_signals():
+    """A shell's background job ignores SIGINT, one under nohup SIGHUP, and what it starts does too."""
+    for which in (signal.SIGINT, signal.SIGHUP):
+        signal.signal(which, signal.SIG_DFL)
+
+
 def check_lock(bench):
     """Two runs do not write one file."""
     words = ["classify", COMMON / "square.wkt", COMMON / "move2.json", "-", "--resume", bench.folder / "held.csv"]
@@ -41,9 +47,8 @@ def check_signals(bench):
         path.unlink(missing_ok=True)
         ends = told = 0
         for _ in range(40):
-            # A background job of a shell without job control ignores SIGINT, and hands that down.
             child = subprocess.Popen([bench.graze, *map(str, words), "--resume", path], stderr=subprocess.PIPE,
-                                     preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+                                     preexec_fn=heed_signals)
             end = time.monotonic() + bench.random.uniform(0.02, 0.2)
             size = path.stat().st_size if path.exists() else 0
             while child.poll() is None and (time.monotonic() < end or not path.exists() or path.stat().st_size <= size):

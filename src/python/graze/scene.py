@@ -164,9 +164,8 @@ class Scene:
         """Where one point lies relative to the closed sweep. Raises as `trace`."""
         rationals, context, pointer = self._point(point), self._context(), ctypes.c_void_p()
         with self._trace(rationals) as trace:
-            context.check(library().graze_trace_topo(
-                ctypes.byref(pointer), context.pointer, self._handle.pointer, rationals.address,
-                trace))
+            context.run(library().graze_trace_topo, ctypes.byref(pointer), context.pointer,
+                        self._handle.pointer, rationals.address, trace)
         with Handle(pointer, library().graze_topology_destroy) as topology:
             return read_topology(topology, self.dimension)
 
