@@ -17,12 +17,12 @@ static int no_memory(void) {
 }
 
 void results_count_undecided(results *t, const char *text, size_t length) {
-    const char *end = text + length;
-    while (t->counts_undecided && text < end) {
-        const char *newline = memchr(text, '\n', (size_t)(end - text));
-        const char *stop = newline ? newline : end;
-        t->undecided += row_is_undecided((field){text, (size_t)(stop - text)});
-        text = stop + 1;
+    while (t->counts_undecided && length) {
+        const char *newline = memchr(text, '\n', length);
+        size_t row = newline ? (size_t)(newline - text) : length, line = row + (newline != NULL);
+        t->undecided += row_is_undecided((field){text, row});
+        text += line;
+        length -= line;
     }
 }
 

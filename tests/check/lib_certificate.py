@@ -101,7 +101,7 @@ def sha256(path):
 
 
 # graze-check keeps solid and motion until it ends; what it takes for a row it gives back.
-ENVIRONMENT = dict(os.environ, ASAN_OPTIONS=os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0")
+ENVIRONMENT = harness.without_leaks()
 
 
 def run(*command, env=None):

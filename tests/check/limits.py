@@ -216,7 +216,7 @@ def check_jobs(b):
         b.tally.equal((status, out), (VERIFIED, "verified: 5 rows\n"), "jobs", jobs, error)
     # A shell that becomes graze-check leaves it a child of its own.
     done = harness.run(["sh", "-c", 'sleep 120 >/dev/null 2>&1 & exec "$@"', "sh", b.programs.check_program,
-                        b.solid[3], b.motion[3], path, "--jobs", "2"])
+                        b.solid[3], b.motion[3], path, "--jobs", "2"], env=ENVIRONMENT)
     b.tally.equal((done.returncode, done.stdout), (VERIFIED, "verified: 5 rows\n"), "a child not its own", done.stderr)
 
 

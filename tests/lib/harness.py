@@ -83,6 +83,11 @@ def bounded(memory):
     return bound
 
 
+def without_leaks():
+    """The environment of a program that keeps memory until it ends, as graze-check does."""
+    return dict(os.environ, ASAN_OPTIONS=os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0")
+
+
 def run(command, seconds=SECONDS, memory=0, text=True, **more):
     """One run of a program, as subprocess.CompletedProcess; status TOO_LATE if it had to be ended.
 

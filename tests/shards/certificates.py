@@ -42,7 +42,7 @@ def check_whole(bench):
         whole = bench.good("certify", *words, "--jobs", "1")
         bench.check(bench.good("certify", *words, "--jobs", "3") == whole, f"{name}: three threads")
         path = bench.file("whole.txt", whole)
-        done = harness.run([bench.graze + "-check", *words[:2], path], SECONDS)
+        done = harness.run([bench.graze + "-check", *words[:2], path], SECONDS, env=harness.without_leaks())
         count = len(cut(whole)[1])
         bench.check((done.returncode, done.stdout) == (0, f"verified: {count} rows\n"), f"{name}: verified", done.stderr)
         beside = bench.folder / "beside.txt"
@@ -72,7 +72,7 @@ def check_shards(bench):
                 bench.check((its_head, its_rows) == (head, rows[index - 1::count]), f"{name}: shard {index}/{count}")
                 bench.check(end[0] == b"rows-of-all-shards %d\n" % len(rows) and end[2] == b"complete %d\n" % len(its_rows),
                             f"{name}: end of {index}/{count}", end)
-                done = harness.run([bench.graze + "-check", *words[:2], parts[-1]], SECONDS)
+                done = harness.run([bench.graze + "-check", *words[:2], parts[-1]], SECONDS, env=harness.without_leaks())
                 bench.check(done.returncode != 0, f"{name}: a shard is no certificate", done.stdout)
             bench.random.shuffle(parts)
             bench.check(bench.good("merge", *parts) == whole, f"{name}: {count} certificates merge into the whole")

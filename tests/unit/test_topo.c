@@ -124,10 +124,40 @@ static void limit(void **state) {
     graze_solid_destroy(solid);
 }
 
+/* Where leading directions do not decide, curves of degree 9 in time are not made: a square's right
+ * side, x = 1, comes to the origin at t = 0, with speed 0, and goes back. */
+static void degree(void **state) {
+    (void)state;
+    static const char motion_text[] =
+        "{\"dimension\": 2, \"pieces\": [{\"t\": [-1, 1], \"transform\": {\"translate\": "
+        "[\"-1-t^9-t^2\", \"t\"]}}]}";
+    graze_solid *solid = NULL;
+    graze_motion *motion = NULL;
+    graze_scene *scene = NULL;
+    topo_finding found;
+    fmpq *p = _fmpq_vec_init(2);
+    const double corner[] = {0, -1, 1, -1, 1, 1, 0, 1};
+    const size_t sizes[] = {4}, ring[] = {0, 1, 2, 3};
+    assert_int_equal(graze_solid_from_doubles(&solid, context, 2, corner, 4, sizes, 1, ring, 0),
+                     GRAZE_OK);
+    assert_int_equal(graze_motion_from_json(&motion, context, motion_text, sizeof motion_text - 1),
+                     GRAZE_OK);
+    assert_int_equal(graze_scene_create(&scene, context, solid, motion, NULL), GRAZE_OK);
+    finding_init(&found);
+    assert_int_equal(topo_by_curves(&found, context, scene, p), GRAZE_OK);
+    assert_int_equal(found.position, GRAZE_TOPO_UNDECIDED);
+    assert_non_null(strstr(found.reason, "higher degree"));
+    finding_clear(&found);
+    _fmpq_vec_clear(p, 2);
+    graze_scene_destroy(scene);
+    graze_motion_destroy(motion);
+    graze_solid_destroy(solid);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(limit, set_up, tear_down),
-
+        cmocka_unit_test_setup_teardown(degree, set_up, tear_down),
         cmocka_unit_test_setup_teardown(levels_agree, set_up, tear_down)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
