@@ -17,6 +17,7 @@ APART = "POLYGON ((3/4 -1/4, 5/4 -1/4, 5/4 1/4, 3/4 1/4, 3/4 -1/4))"
 # Turns that take (1, 0) around the origin; the weight 16 t^2 - 16 t + 5 has the coefficients 5, -3, 5.
 TURN = ("(-16*t^2 + 16*t - 3)/(16*t^2 - 16*t + 5)", "(8*t - 4)/(16*t^2 - 16*t + 5)", "(4 - 8*t)/(16*t^2 - 16*t + 5)")
 AROUND = '{"matrix": [["%s", "%s", "0"], ["%s", "%s", "0"]]}' % (TURN[0], TURN[2], TURN[1], TURN[0])
+TWICE = "3*t - 11*t^2 + 16*t^3 - 8*t^4"
 SLIDE = ["O 1/2", "OBB 3/2 -1 1", "B 2"], ["B 11/2", "BBO 13/2 -6 1", "O 7"]
 GAP = ["B 5/2", "BBO 13/4 -3 1", "O 15/4", "OBB 9/2 -4 1"]
 QUARTERS = ["O 1/4", "O 1/2", "O 3/4", "O 1"]
@@ -39,9 +40,20 @@ ROWS = [
     # c_x = 2 - 3 t + 2 t^2: on it at 1/2 and at 1, inside between.
     ("a root in the middle", SQUARE, along("3*t - 2*t^2"), 1, "0 1", "2 1/2", "OBIB", ["OBI 3/4 -1 2", "IB 1"], True),
     ("a root at the end, too", SQUARE, along("3*t - 2*t^2"), 1, "0 1", "2 1/2", "OB", ["OBB 1 1 -3 2"], False),
+    # c_x = 1 + (4 t - 1)^2 (4 t - 3)^2/32 touches it twice.
+    ("two touches", SQUARE, along(TWICE), 1, "0 1", "41/32 1/2", "OBOBO", ["O 1/8", "OBO 3/8 -1 4", "O 5/8", "OBO 7/8 -3 4", "O 1"], True),
+    ("two touches as one", SQUARE, along(TWICE), 1, "0 1", "41/32 1/2", "OBO", ["OBO 1 3 -16 16"], False),
     # c_x = 1 + (2 t - 1)^2 touches the right side's line; c_y = 1/2, or 2/3 + t, which is past its end by then.
     ("a touch", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2", "O 1"], True),
     ("a touch of its line", SQUARE, along("4*t - 4*t^2", "1/3 - t"), 1, "0 1", "2 1", "OBO", ["O 1/4", "OBO 3/4 -1 2", "O 1"], False),
+    # c_y = 1 + (40 t^2 - 40 t + 11)/40 > 1, with a control point below 1.
+    ("a near miss", SQUARE, along("0", "t - t^2"), 1, "0 1", "1/2 51/40", "O", ["O 1/2", "O 1"], True),
+    ("a near miss as a touch", SQUARE, along("0", "t - t^2"), 1, "0 1", "1/2 51/40", "OBO", ["OBO 1 11 -40 40"], False),
+    ("two letters for one", TEETH, along("-t"), 7, "0 7", "0 1", "OBOBO", [*SLIDE[0][:2], "BB 2", *GAP, *SLIDE[1]], False),
+    ("three letters for one", SQUARE, along("0"), 1, "0 1", "1/2 1/2", "I", ["III 1 -1 2"], False),
+    # c_y = 1 + (2 t - 1)^2; c_x = t + 1/3 is on the upper side at 1/2, c_x = t + 2/3 past its end, from 1/3 on.
+    ("a touch beside a corner", SQUARE, along("-t", "4*t - 4*t^2"), 1, "0 1", "1/3 2", "OBO", ["O 1/4", "OBO 5/8 -1 2", "O 1"], True),
+    ("a touch past a corner", SQUARE, along("-t", "4*t - 4*t^2"), 1, "0 1", "2/3 2", "OBO", ["O 1/4", "OBO 5/8 -1 2", "O 1"], False),
     ("a coefficient that is no integer", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2/3", "O 1"], False),
     ("a coefficient without digits", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2 -", "O 1"], False),
     # The times of signs leave the motion and come back.
