@@ -27,14 +27,14 @@ void borders_clear(borders *b) {
     clear_vectors(b->ray, b->ray_count, b->dimension);
 }
 
-/* out = a x b; in E^2 the direction along the line of normal a, whatever b.
- * `out` is neither. */
-static void cross_directions(fmpz *out, const fmpz *a, const fmpz *b, int d) {
-    if (d == 2) {
-        fmpz_neg(out, a + 1);
-        fmpz_set(out + 1, a);
-        return;
-    }
+/* a turned to the left by a quarter, in E^2; `out` is not a. */
+static void turn_quarter(fmpz *out, const fmpz *a) {
+    fmpz_neg(out, a + 1);
+    fmpz_set(out + 1, a);
+}
+
+/* out = a x b; `out` is neither. */
+static void cross_directions(fmpz *out, const fmpz *a, const fmpz *b) {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         fmpz_mul(out + i, a + j, b + k);
@@ -100,18 +100,18 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
     fmpz *ray = _fmpz_vec_init(d), *normal = _fmpz_vec_init(d);
     graze_status status = GRAZE_OK;
     if (d == 2) {
-        cross_directions(normal, e, e, d);
+        turn_quarter(normal, e);
         status = add_body_border(b, context, g, normal);
     }
     for (size_t i = 0; d == 3 && i < g->cone.count && !status; i++)
         for (size_t j = 0; j < i && !status; j++) {
             graze_state state[2] = {GRAZE_STATE_O, GRAZE_STATE_O};
-            cross_directions(ray, g->cone.normal + 3 * i, g->cone.normal + 3 * j, d);
+            cross_directions(ray, g->cone.normal + 3 * i, g->cone.normal + 3 * j);
             for (int k = 0; k < 2 && !status; k++) {
                 status = cone_state(&state[k], &g->cone, context, ray);
                 _fmpz_vec_neg(ray, ray, d);
             }
-            cross_directions(normal, e, ray, d);
+            cross_directions(normal, e, ray);
             if (!status && (state[0] == GRAZE_STATE_B || state[1] == GRAZE_STATE_B))
                 status = add_body_border(b, context, g, normal);
         }
@@ -141,12 +141,15 @@ static graze_status add_axes(borders *b, graze_context *context) {
     return status;
 }
 
-/* Both rays of planes i and j. */
+/* Both rays in which planes i and j meet; in E^2 those of line i. */
 static graze_status add_rays(borders *b, graze_context *context, size_t i, size_t j) {
     int d = b->dimension;
     graze_status status = GRAZE_OK;
     fmpz *ray = _fmpz_vec_init(d);
-    cross_directions(ray, b->plane + i * (size_t)d, b->plane + j * (size_t)d, d);
+    if (d == 2)
+        turn_quarter(ray, b->plane + i * 2);
+    else
+        cross_directions(ray, b->plane + i * 3, b->plane + j * 3);
     make_primitive(ray, d);
     for (int k = 0; k < 2 && !status; k++) {
         status = add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, ray, d);
@@ -209,7 +212,7 @@ static int turn_about_ray(const fmpz *v, const fmpz *a, const fmpz *b) {
     fmpz cross[3] = {0, 0, 0};
     fmpz_t det;
     fmpz_init(det);
-    cross_directions(cross, a, b, 3);
+    cross_directions(cross, a, b);
     _fmpz_vec_dot(det, cross, v, 3);
     int sign = fmpz_sgn(det);
     for (int i = 0; i < 3; i++)
@@ -238,7 +241,7 @@ static size_t directions_across(fmpz *out, const borders *b, const fmpz *v) {
         _fmpz_vec_dot(at, b->plane + 3 * p, v, 3);
         if (!fmpz_is_zero(at))
             continue;
-        cross_directions(out + 3 * count, v, b->plane + 3 * p, 3);
+        cross_directions(out + 3 * count, v, b->plane + 3 * p);
         _fmpz_vec_neg(out + 3 * (count + 1), out + 3 * count, 3);
         count += 2;
     }
@@ -271,7 +274,7 @@ void borders_around(fmpz **out, size_t *count, const borders *b, size_t r) {
     fmpz *w = _fmpz_vec_init(2);
     *count = 2;
     *out = _fmpz_vec_init(4);
-    cross_directions(w, v, NULL, 2);
+    turn_quarter(w, v);
     step_from_ray(*out, b, v, w);
     _fmpz_vec_neg(w, w, 2);
     step_from_ray(*out + 2, b, v, w);

@@ -12,7 +12,6 @@
 #include <string.h>
 #include "context/array.h"
 #include "number/isolate.h"
-#include "solid/planes.h"
 
 void view_init(plane_view *view) {
     view->dimension = 2;
@@ -365,19 +364,16 @@ static graze_status add_piece(curve_maker *m, const motion_piece *piece, const p
 }
 
 graze_status curves_of_scene(curve_list *list, const char **refused, graze_context *context,
-                             const graze_scene *scene, const plane_view *view) {
+                             const graze_scene *scene, const plane_list *planes,
+                             const plane_view *view) {
     const graze_motion *motion = scene->motion;
     curve_maker m = {list, NULL, context, scene, view};
-    plane_list planes;
-    if (planes_find(&planes, scene->solid, NULL, scene->solid->cut.count) != 0)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of a solid");
-    size_t each = 3 * (planes.count + scene->solid->cut.count);
+    size_t each = 3 * (planes->count + scene->solid->cut.count);
     size_t most = view->dimension == 2 ? CURVE_COUNT : SLICE_CURVE_COUNT;
     m.refused = motion->piece_count > most / each ? too_dear : NULL;
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < motion->piece_count && !status && !m.refused; k++)
-        status = add_piece(&m, &motion->piece[k], &planes);
-    planes_clear(&planes);
+        status = add_piece(&m, &motion->piece[k], planes);
     *refused = m.refused;
     return status;
 }

@@ -6,6 +6,7 @@
 
 #include <flint/fmpq_mpoly.h>
 #include "scene/scene.h"
+#include "solid/planes.h"
 
 /** Largest degree in time of a pullback whose discriminant is taken; most curves in E^2, and in a
  * plane of E^3. */
@@ -47,13 +48,15 @@ void view_point(fmpq *out, const plane_view *view, const fmpq *xy);
 
 /**
  * Append curves in the zeros of which the boundary of the closed sweep lies in the plane, up to
- * finitely many points (proofs/topology.md C50, C54): of the facets' planes the lines at the ends
+ * finitely many points (proofs/topology.md C47, C50): of the facets' planes the lines at the ends
  * of all pieces and the discriminants of the pullbacks, and the paths of the vertices, in E^3 of
  * the edges.
  * @param[out] refused why the list is not whole: curves that are too dear, or (E^3) a facet or an
  * edge that comes to lie in the plane; else NULL
+ * @param planes       of all facets of the scene's solid
  */
 graze_status curves_of_scene(curve_list *list, const char **refused, graze_context *context,
-                             const graze_scene *scene, const plane_view *view);
+                             const graze_scene *scene, const plane_list *planes,
+                             const plane_view *view);
 
 #endif

@@ -165,7 +165,7 @@ static int is_in_cell(size_t *planes, const local_cone *cone, const fmpz *v) {
 }
 
 /* A leading direction along an edge that leaves a vertex is not enough to know what is covered,
- * unless the way is straight (proofs/topology.md C53). */
+ * unless the way is straight (proofs/topology.md C46). */
 static graze_status check_edge_ray(germ_maker *m, local_cone *cone, const germ_side *side,
                                    size_t planes) {
     graze_state state = GRAZE_STATE_O;

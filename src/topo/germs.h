@@ -33,7 +33,7 @@ typedef struct germ_list {
 void germs_init(germ_list *list);
 void germs_clear(germ_list *list);
 
-/** The germs of all contacts of a point (proofs/topology.md C53). */
+/** The germs of all contacts of a point (proofs/topology.md C46). */
 graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
                         const plane_list *planes, const fmpq *point);
 

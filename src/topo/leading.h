@@ -8,7 +8,7 @@
 #include "solid/planes.h"
 #include "topo/finding.h"
 
-/** Decide an `on` point, or find it undecided with a reason (proofs/topology.md C53). */
+/** Decide an `on` point, or find it undecided with a reason (proofs/topology.md C46). */
 graze_status leading_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                             const plane_list *planes, const fmpq *point);
 

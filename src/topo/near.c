@@ -3,7 +3,7 @@
  *
  * A polynomial g with g(0, 0) = c not 0 has no zero where the sum of its other terms stays below
  * |c| in absolute value. Of those through the origin every event is a root of a polynomial in one
- * variable: leading coefficient, discriminant, resultants, corners (proofs/topology.md C51).
+ * variable: leading coefficient, discriminant, resultants, corners (proofs/topology.md C48).
  */
 #include "topo/near.h"
 

@@ -8,7 +8,7 @@
 #include "topo/curves.h"
 
 /**
- * Invariant (proofs/topology.md C51): with P at the origin and r = 2^-places, no curve of the list
+ * Invariant (proofs/topology.md C48): with P at the origin and r = 2^-places, no curve of the list
  * that this was made of meets the square |x|, |y| <= r but in the zeros of `through`; these are
  * irreducible, pairwise coprime, vanish at the origin, and while 0 < |x| <= r the real roots in y
  * of all of them are simple, distinct, of a number that does not depend on |x|, and none is x or -x

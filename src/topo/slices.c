@@ -14,16 +14,17 @@ enum { SLICES = 3 };
 static const slong askew[SLICES][2][3] = {
     {{3, 1, 2}, {-1, 4, 1}}, {{2, -5, 1}, {1, 1, 4}}, {{1, 2, -7}, {5, -2, 3}}};
 
+/* Look at the plane through the point along two directions, 6 integers. */
 static graze_status look_in_plane(topo_finding *out, graze_context *context,
-                                  const graze_scene *scene, const fmpq *point, const fmpz *a,
-                                  const fmpz *b) {
+                                  const graze_scene *scene, const plane_list *planes,
+                                  const fmpq *point, const fmpz *along) {
     plane_view view;
     curve_list curves;
     const char *refused = NULL;
     fmpq origin[2] = {{0, 1}, {0, 1}};
-    view_init_through(&view, point, a, b);
+    view_init_through(&view, point, along, along + 3);
     curves_init(&curves);
-    graze_status status = curves_of_scene(&curves, &refused, context, scene, &view);
+    graze_status status = curves_of_scene(&curves, &refused, context, scene, planes, &view);
     if (!status && !refused)
         status = square_decide(out, context, scene, &curves, &view, origin);
     curves_clear(&curves);
@@ -46,7 +47,7 @@ static int are_parallel(const fmpz *a, const fmpz *b) {
 }
 
 graze_status slices_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
-                           const fmpq *point) {
+                           const plane_list *planes, const fmpq *point) {
     const char *reason = out->reason;
     graze_status status = GRAZE_OK;
     fmpz *along = _fmpz_vec_init(6);
@@ -57,7 +58,7 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
             _fmpz_vec_set(along, out->open, 3);
         if (are_parallel(along, along + 3))
             continue;
-        status = look_in_plane(out, context, scene, point, along, along + 3);
+        status = look_in_plane(out, context, scene, planes, point, along);
     }
     if (!status && !out->has_witness)
         finding_undecided(out, reason);

@@ -5,11 +5,12 @@
 #define GRAZE_TOPO_SLICES_H
 
 #include "scene/scene.h"
+#include "solid/planes.h"
 #include "topo/finding.h"
 
 /** Prove an undecided `on` point of E^3 to be on the boundary, or leave it undecided for the reason
- * it has (proofs/topology.md C54). Where it has an open direction, a plane holds that. */
+ * it has (proofs/topology.md C50). Where it has an open direction, a plane holds that. */
 graze_status slices_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
-                           const fmpq *point);
+                           const plane_list *planes, const fmpq *point);
 
 #endif

@@ -3,7 +3,7 @@
  *
  * Within the square the curves through the point cut each quarter between the diagonals into
  * sectors, which are connected and miss the boundary of the closed sweep: each lies in its interior
- * or in its exterior, and every smaller square meets the same sectors (proofs/topology.md C52).
+ * or in its exterior, and every smaller square meets the same sectors (proofs/topology.md C49).
  */
 #include "topo/square.h"
 

@@ -8,7 +8,7 @@
 #include "topo/curves.h"
 
 /**
- * Look around a point that lies in the closed sweep, in a plane (proofs/topology.md C52, C54): it
+ * Look around a point that lies in the closed sweep, in a plane (proofs/topology.md C49, C50): it
  * is on the boundary if a sample is out; else, in E^2, in the interior. In E^3 it stays as it was.
  * @param curves those of the scene in the view, whole
  * @param point  its 2 coordinates in the view

@@ -39,7 +39,8 @@ static graze_status make_shares(scene_memo *memo, graze_context *context,
 static graze_status make_curves(scene_shares *s, graze_context *context, const graze_scene *scene) {
     plane_view view;
     view_init(&view);
-    graze_status status = curves_of_scene(&s->curves, &s->refused, context, scene, &view);
+    graze_status status =
+        curves_of_scene(&s->curves, &s->refused, context, scene, &s->planes, &view);
     view_clear(&view);
     s->has_curves = !status;
     if (status) {
@@ -89,6 +90,13 @@ graze_status topo_by_curves(topo_finding *out, graze_context *context, const gra
     return status;
 }
 
+static graze_status by_slices(topo_finding *out, graze_context *context, const graze_scene *scene,
+                              const fmpq *point) {
+    const scene_shares *s = NULL;
+    graze_status status = shares_of(&s, context, scene, 0);
+    return status ? status : slices_decide(out, context, scene, &s->planes, point);
+}
+
 /* An `on` point of a sweep. */
 static graze_status decide_on(topo_finding *out, graze_context *context, const graze_scene *scene,
                               const fmpq *point) {
@@ -96,7 +104,7 @@ static graze_status decide_on(topo_finding *out, graze_context *context, const g
     if (status || out->position != GRAZE_TOPO_UNDECIDED)
         return status;
     if (scene->motion->dimension == 3)
-        return slices_decide(out, context, scene, point);
+        return by_slices(out, context, scene, point);
     finding_set(out, GRAZE_TOPO_NONE, GRAZE_LEVEL_NONE);
     out->reason = "";
     return topo_by_curves(out, context, scene, point);
