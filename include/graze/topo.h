@@ -25,8 +25,8 @@ typedef enum graze_topo {
 typedef enum graze_topo_level {
     GRAZE_LEVEL_NONE = 0, /**< undecided */
     GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
-    GRAZE_LEVEL_L1 = 2,   /**< leading directions at the contacts (topology.md C53) */
-    GRAZE_LEVEL_L3 = 3    /**< the curves near the point, in a plane (topology.md C52, C54) */
+    GRAZE_LEVEL_L1 = 2,   /**< leading directions at the contacts (topology.md C46) */
+    GRAZE_LEVEL_L3 = 3    /**< the curves near the point, in a plane (topology.md C49, C50) */
 } graze_topo_level;
 
 /** Verdict on one point. */
