@@ -14,6 +14,7 @@
 #include "trace/candidates.h"
 #include "trace/touch.h"
 #include "trace/trace.h"
+#include "verdict/verdict.h"
 
 enum { DEEPEST = 2000 };
 
@@ -419,8 +420,6 @@ static graze_status certify_piece(text *out, graze_context *context, const certi
 
 static void write_row(text *out, const certifier *c, const fmpq *point, const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
-    unsigned long ends = (unsigned long)(trace->first == GRAZE_STATE_I) +
-                         (unsigned long)(trace->last == GRAZE_STATE_I);
     text_put(out, "row");
     for (int k = 0; k < c->scene->motion->dimension; k++) {
         text_put(out, " ");
@@ -434,7 +433,7 @@ static void write_row(text *out, const certifier *c, const fmpq *point, const gr
         else
             text_put(out, "ext");
         text_format(out, " %d %lu %lu %lu", (int)v->case_, (unsigned long)v->i, (unsigned long)v->t,
-                    ((unsigned long)v->i + ends) / 2);
+                    verdict_k(trace->first, trace->last, v->i));
     }
     text_put(out, "\n");
 }

@@ -138,10 +138,14 @@ void motion_check_signs(const motion *m, mpq_t *times, size_t count) {
     if (count < 2 || !mpq_equal(times[0], m->piece[0].lo) ||
         !mpq_equal(times[count - 1], m->piece[m->count - 1].hi))
         refute("motion: the times of signs do not go from t0 to t1");
+    for (size_t k = 1; k < count; k++)
+        if (mpq_cmp(times[k - 1], times[k]) >= 0)
+            refute("motion: the times of signs do not increase");
+    /* So each lo is before t1, and no piece is asked for past the last. */
     for (size_t k = 0; k + 1 < count; k++) {
         mpq_srcptr lo = times[k], hi = times[k + 1];
         piece += mpq_cmp(lo, m->piece[piece].hi) >= 0;
-        if (mpq_cmp(lo, hi) >= 0 || piece == m->count || mpq_cmp(hi, m->piece[piece].hi) > 0)
+        if (mpq_cmp(hi, m->piece[piece].hi) > 0)
             refute("motion: the times of signs do not follow the pieces");
         if (!has_one_sign(&m->piece[piece].forward[WEIGHT], lo, hi))
             refute("motion: signs, interval %zu: the denominator has no strict sign", k);

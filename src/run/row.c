@@ -30,12 +30,12 @@ static field note_of(const char *head, const char *key) {
     return (field){NULL, 0};
 }
 
-static int read_options(row_form *out, const char *operation, const char *folds, const char *head) {
+static void read_options(row_form *out, const char *operation, const char *folds,
+                         const char *head) {
     if (field_is(note_of(head, operation), "unsweep"))
         out->options.operation = GRAZE_UNSWEEP;
     if (field_is(note_of(head, folds), "combined"))
         out->options.folds = GRAZE_FOLDS_COMBINED;
-    return 1;
 }
 
 static int read_certificate_form(row_form *out, const char *head) {
@@ -46,7 +46,8 @@ static int read_certificate_form(row_form *out, const char *head) {
     out->separator = ' ';
     while (times.length)
         out->end = row_take(&times, ' ');
-    return read_options(out, "operation ", "folds ", head);
+    read_options(out, "operation ", "folds ", head);
+    return 1;
 }
 
 static int read_table_form(row_form *out, const char *head) {
@@ -54,7 +55,7 @@ static int read_table_form(row_form *out, const char *head) {
     const char *at = head;
     for (const char *next; *at == '#' && (next = strchr(at, '\n')) != NULL; at = next + 1)
         ;
-    (void)read_options(out, "# operation ", "# folds ", head);
+    read_options(out, "# operation ", "# folds ", head);
     out->topo = field_is(note_of(head, "# topo "), "yes");
     if (!length || head[length - 1] != '\n' || !skip_text(&at, "x,y,"))
         return 0;
@@ -170,7 +171,8 @@ static const char *check_table_row(row_parts *out, const row_form *form, graze_c
     return NULL;
 }
 
-/* As in a table, but with blanks, and k behind the others. */
+/* As in a table, but with blanks, and behind the others k, which no verdict has: by parity
+ * (proofs/claims.md C11). */
 static size_t write_certified_answers(char text[ANSWERS], const row_form *form,
                                       const graze_verdict *v, field word) {
     size_t length = write_row_answers(text, form, v);

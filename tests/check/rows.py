@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 The squares have their sides on the axes; c is the position of the row's point in the solid, at the time t.
 """
+import json
 import os
 import tempfile
 
@@ -56,10 +57,15 @@ ROWS = [
     ("a touch past a corner", SQUARE, along("-t", "4*t - 4*t^2"), 1, "0 1", "2/3 2", "OBO", ["O 1/4", "OBO 5/8 -1 2", "O 1"], False),
     ("a coefficient that is no integer", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2/3", "O 1"], False),
     ("a coefficient without digits", SQUARE, along("4*t - 4*t^2"), 1, "0 1", "2 1/2", "OBO", ["O 1/4", "OBO 3/4 -1 2 -", "O 1"], False),
-    # The times of signs leave the motion and come back.
+    # The times of signs go back, or leave the motion and come back.
     ("a time more", SQUARE, along("t"), 1, "0 1/2 1", "9 9", "O", ["O 1"], True),
+    ("a time twice", SQUARE, along("t"), 1, "0 1/2 1/2 1", "9 9", "O", ["O 1"], False),
+    ("times of two pieces", SQUARE, along("t"), 2, "0 1 2", "9 9", "O", ["O 1", "O 2"], True),
+    ("an interval across two pieces", SQUARE, along("t"), 2, "0 2", "9 9", "O", ["O 1", "O 2"], False),
+    ("times that go back", SQUARE, along("t"), 1, "0 3/4 1/2 1", "9 9", "O", ["O 1"], False),
     ("times past the end", SQUARE, along("t"), 1, "0 1 2 1", "9 9", "O", ["O 1"], False),
 ]
+IN_PIECES = {"times of two pieces", "an interval across two pieces"}  # [0, 1], [1, 2], ...; others have one
 
 
 def certificate(solid, motion, signs, point, word, intervals):
@@ -79,8 +85,9 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for what, polygon, transform, end, signs, point, word, intervals, right in ROWS:
             solid = write(os.path.join(folder, "solid.wkt"), polygon)
-            motion = write(os.path.join(folder, "motion.json"),
-                           '{"dimension": 2, "pieces": [{"t": ["0", "%d"], "transform": %s}]}' % (end, transform))
+            starts = range(end) if what in IN_PIECES else [0]
+            pieces = [{"t": [str(lo), str(hi)], "transform": json.loads(transform)} for lo, hi in zip(starts, [*starts[1:], end])]
+            motion = write(os.path.join(folder, "motion.json"), json.dumps({"dimension": 2, "pieces": pieces}))
             path = write(os.path.join(folder, "certificate"), certificate(solid, motion, signs, point, word, intervals))
             status, _, error = programs.check(solid, motion, path)
             tally.equal(status, VERIFIED if right else REFUTED, what, error)
