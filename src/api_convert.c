@@ -4,10 +4,18 @@
 #include <stdlib.h>
 #include "api.h"
 #include "context/environment.h"
+#include "convert/dyadic.h"
 #include "convert/poses.h"
 #include "convert/rotation.h"
 #include "convert/uniform.h"
 #include "motion/motion_read.h"
+
+static void clear_texts(char **json, char **report) {
+    if (json)
+        *json = NULL;
+    if (report)
+        *report = NULL;
+}
 
 /* Read the motion that was made; only a legal one is handed out. */
 static graze_status finish_conversion(char **json, char **report, graze_context *context,
@@ -105,10 +113,7 @@ static graze_status chain(char **json, char **report, graze_context *context, in
 
 static int chain_usable(char **json, char **report, int dimension, const graze_joint *joints,
                         size_t count, mpq_srcptr tolerance, mpq_srcptr radius) {
-    if (json)
-        *json = NULL;
-    if (report)
-        *report = NULL;
+    clear_texts(json, report);
     return json && joints && count && tolerance && radius && (dimension == 2 || dimension == 3);
 }
 
@@ -133,26 +138,95 @@ graze_status graze_motion_write_joints(char **json, char **report, graze_context
     return chain(json, report, context, dimension, joints, count, tolerance, radius, 1);
 }
 
+static graze_status take_poses(pose_choice *out, graze_context *context,
+                               const graze_pose_options *o) {
+    *out = (pose_choice){.ignored = o->ignored,
+                         .ignored_count = o->ignored_count,
+                         .has_from = o->from != NULL,
+                         .has_to = o->to != NULL,
+                         .every = o->every ? o->every : 1,
+                         .text = o->text,
+                         .length = o->length};
+    fmpq_init(out->from);
+    fmpq_init(out->to);
+    fmpq_init(out->scale);
+    fmpq_one(out->scale);
+    graze_status status =
+        o->scale ? take_positive(out->scale, context, o->scale, 1, "scale") : GRAZE_OK;
+    if (!status && o->from)
+        status = api_rational(out->from, context, o->from);
+    return !status && o->to ? api_rational(out->to, context, o->to) : status;
+}
+
+/* Options that are known. */
+static graze_status write_poses(char **json, char **report, graze_context *context,
+                                const char *path, const graze_pose_options *o) {
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    conversion made;
+    pose_choice choice;
+    fmpq_t tolerance;
+    fmpq_init(tolerance);
+    fmpq_set_si(tolerance, 1, 1000000);
+    text_init(&made.motion);
+    text_init(&made.report);
+    graze_status status = take_poses(&choice, context, o);
+    if (!status && o->tolerance)
+        status = take_positive(tolerance, context, o->tolerance, 0, "tolerance");
+    if (!status)
+        status = convert_poses(&made, context, path, &choice, (o->flags & GRAZE_POSES_AFFINE) != 0,
+                               (o->flags & GRAZE_POSES_SHORTEST) != 0, tolerance);
+    fmpq_clear(choice.from);
+    fmpq_clear(choice.to);
+    fmpq_clear(choice.scale);
+    fmpq_clear(tolerance);
+    return finish_conversion(json, report, context, &made, status);
+}
+
 graze_status graze_motion_write_poses(char **json, char **report, graze_context *context,
                                       const char *path, mpq_srcptr tolerance, unsigned flags) {
-    if (json)
-        *json = NULL;
-    if (report)
-        *report = NULL;
+    clear_texts(json, report);
     if (!json || !context || !path || !tolerance)
         return api_misuse(context, "graze_motion_write_poses",
                           "no argument but report may be NULL");
     if (flags & ~GRAZE_POSES_AFFINE)
         return api_misuse(context, "graze_motion_write_poses", "an unknown flag is set");
+    graze_pose_options options = {.flags = flags, .tolerance = tolerance};
+    return write_poses(json, report, context, path, &options);
+}
+
+graze_status graze_motion_write_pose_list(char **json, char **report, graze_context *context,
+                                          const char *path, const graze_pose_options *options) {
+    static const char name[] = "graze_motion_write_pose_list";
+    clear_texts(json, report);
+    if (!json || !context || !path)
+        return api_misuse(context, name, "json, context and path must not be NULL");
+    graze_pose_options taken;
+    graze_status status = api_options(&taken, sizeof taken, offsetof(graze_pose_options, size),
+                                      context, name, options);
+    if (status)
+        return status;
+    if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST))
+        return api_misuse(context, name, "an unknown flag is set");
+    if (taken.ignored_count && !taken.ignored)
+        return api_misuse(context, name, "ignored must not be NULL where names are counted");
+    return write_poses(json, report, context, path, &taken);
+}
+
+graze_status graze_motion_write_dyadic(char **json, char **report, graze_context *context,
+                                       const graze_motion *motion, mpq_srcptr tolerance) {
+    clear_texts(json, report);
+    if (!json || !context || !motion || !tolerance)
+        return api_misuse(context, "graze_motion_write_dyadic",
+                          "no argument but report may be NULL");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     conversion made;
     fmpq_t allowed;
     fmpq_init(allowed);
     text_init(&made.motion);
     text_init(&made.report);
-    graze_status status = take_positive(allowed, context, tolerance, 0, "tolerance");
+    graze_status status = take_positive(allowed, context, tolerance, 1, "tolerance");
     if (!status)
-        status = convert_poses(&made, context, path, (flags & GRAZE_POSES_AFFINE) != 0, allowed);
+        status = convert_dyadic(&made, context, motion, allowed);
     fmpq_clear(allowed);
     return finish_conversion(json, report, context, &made, status);
 }

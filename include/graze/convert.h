@@ -60,7 +60,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_joints(
 /**
  * Make a motion file in E^3 through poses from a CSV file with a column line: qw, qx, qy, qz with
  * or without x, y, z; or m00 to m23 with or without m30 to m33; with or without t (then the times
- * are 0, 1, 2, ...). Other columns are errors. Numbers are rounded as the context says. Quaternions
+ * are 0, 1, 2, ...); in the forms of graze_motion_write_pose_list too. Other columns are errors.
+ * Numbers are rounded as the context says. Quaternions
  * keep their signs; a matrix becomes the quaternion of the nearest rotation in binary64, with the
  * sign nearest to the one before. Position and quaternion are interpolated linearly.
  * @param[out] json   text of the file for graze_free
@@ -74,6 +75,50 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_poses(char **json, char 
                                                               graze_context *context,
                                                               const char *path,
                                                               mpq_srcptr tolerance, unsigned flags);
+
+/** Change signs of quaternions where that makes the way from a pose to the next one shorter. */
+#define GRAZE_POSES_SHORTEST 2u
+
+/** Options of a motion through poses (rule 6). All pointers are borrowed. */
+typedef struct graze_pose_options {
+    unsigned flags;             /**< 0, or GRAZE_POSES_AFFINE and GRAZE_POSES_SHORTEST added */
+    mpq_srcptr tolerance;       /**< as for graze_motion_write_poses; NULL: 10^-6 */
+    const char *const *ignored; /**< names of `ignored_count` columns to pass over */
+    size_t ignored_count;
+    mpq_srcptr scale;    /**< positive factor of positions; NULL: 1 */
+    mpq_srcptr from, to; /**< only poses at these times and between; NULL: no such end */
+    unsigned long every; /**< of these the first, each so manieth and the last; 0: all */
+    const char *text;    /**< read these `length` bytes in place of the file, whose path is a name
+                              for messages; NULL: the file */
+    size_t length;
+    size_t size; /**< sizeof(graze_pose_options) or 0 */
+} graze_pose_options;
+
+/**
+ * Make a motion file in E^3 through poses, as graze_motion_write_poses does, with more choice.
+ * Columns t may be named time or timestamp too, x also tx or px, and so on. Fields stand between
+ * commas, semicolons or blanks. Without a line of names, rows are those of TUM (time tx ty tz qx qy
+ * qz qw between blanks) or matrices row by row (12 or 16 numbers).
+ * @param options NULL for the defaults
+ * @return as graze_motion_write_poses
+ */
+GRAZE_API GRAZE_CHECKED graze_status
+graze_motion_write_pose_list(char **json, char **report, graze_context *context, const char *path,
+                             const graze_pose_options *options);
+
+/**
+ * Make a motion file whose entries are dyadic where that is possible, near a motion: on pieces
+ * whose entries are polynomials (translations, affine poses), coefficients become multiples of one
+ * power of two. Other pieces, such as turns, are kept, and the report says so.
+ * @param[out] json   text of the file for graze_free
+ * @param[out] report text for graze_free; may be NULL
+ * @param tolerance   positive: largest change of an entry of the matrix at any time
+ * @return GRAZE_EUSE; GRAZE_EILLEGAL the motion near it is not legal; GRAZE_ELIMIT, GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_dyadic(char **json, char **report,
+                                                               graze_context *context,
+                                                               const graze_motion *motion,
+                                                               mpq_srcptr tolerance);
 
 /**
  * Write a solid as an exact file, which graze_solid_read and graze-check read: in E^3 OFF, its

@@ -22,13 +22,21 @@ static const char motion_help[] =
     "                       turn:DEGREES[:AXIS[:CENTER]], slide:WAY, "
     "screw:DEGREES:PITCH:AXIS[:CENTER]\n"
     "  poses FILE.csv       through poses: columns t, x,y,z (or left out), qw,qx,qy,qz; or t and\n"
-    "                       m00 to m23, m30 to m33; in any order, named so and no others\n"
+    "                       m00 to m33; or rows of TUM, or of 4x4 matrices, without names\n"
+    "  dyadic MOTION        a motion file near MOTION; as --dyadic\n"
     "\n"
     "  --tolerance E        no point is off by more than E at any time (1e-9; screw, joints "
     "1e-6),\n"
     "  --radius R           if it is within R of the origin at t = 0 (1)\n"
     "                       poses: no entry of a matrix is changed by more than E (1e-6)\n"
     "  --affine             poses: take matrices as they are, interpolate their entries\n"
+    "  --shortest           poses: change signs of quaternions that ask for over half a turn\n"
+    "  --ignore NAME        poses: pass over a column; may be repeated\n"
+    "  --scale F, --from T, --to T, --every N   poses: positions times F; those in [T, T], every\n"
+    "                       Nth and the last\n"
+    "  --dyadic             entries that are polynomials get dyadic coefficients, off by at most "
+    "E,\n"
+    "                       so that contacts have binary64 coordinates; turns stay as they are\n"
     "  --numbers binary64   poses: numbers are the doubles they were printed from (default)\n"
     "  --numbers written    poses: they are exactly what is written\n"
     "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; not for poses\n"
@@ -38,7 +46,25 @@ static const char motion_help[] =
     "Example: graze motion rotate --degrees 37.5 --axis 0,0,1 > move.json\n";
 
 /* Options that only some kinds take. */
-enum { DEGREES, AXIS, CENTER, PITCH, TOLERANCE, RADIUS, AFFINE, NUMBERS, DIMENSION, REPORT, OWN };
+enum {
+    DEGREES,
+    AXIS,
+    CENTER,
+    PITCH,
+    TOLERANCE,
+    RADIUS,
+    AFFINE,
+    SHORTEST,
+    SCALE,
+    FROM,
+    TO,
+    EVERY,
+    NUMBERS,
+    DYADIC,
+    DIMENSION,
+    REPORT,
+    OWN
+};
 
 typedef struct motion_options {
     context_options context;
@@ -54,12 +80,19 @@ static const option_entry motion_table[] = {
     [TOLERANCE] = OPTION("tolerance", motion_options, own[TOLERANCE], value_text),
     [RADIUS] = OPTION("radius", motion_options, own[RADIUS], value_text),
     [AFFINE] = FLAG("affine", motion_options, own[AFFINE], value_text),
+    [SHORTEST] = FLAG("shortest", motion_options, own[SHORTEST], value_text),
+    [SCALE] = OPTION("scale", motion_options, own[SCALE], value_text),
+    [FROM] = OPTION("from", motion_options, own[FROM], value_text),
+    [TO] = OPTION("to", motion_options, own[TO], value_text),
+    [EVERY] = OPTION("every", motion_options, own[EVERY], value_text),
     [NUMBERS] = OPTION("numbers", motion_options, own[NUMBERS], value_text),
+    [DYADIC] = FLAG("dyadic", motion_options, own[DYADIC], value_text),
     [DIMENSION] = OPTION("dimension", motion_options, own[DIMENSION], value_text),
     [REPORT] = OPTION("report", motion_options, own[REPORT], value_text),
     [OWN] = OPTION("output", motion_options, output, value_text),
     OPTION("o", motion_options, output, value_text),
     OPTION("limit", motion_options, context.limits, value_limit),
+    {"ignore", OPTION_VALUE, NULL, 0},
     {NULL, OPTION_FLAG, NULL, 0}};
 
 enum { NUMBERS_OF_JOINT = 8 }; /* degrees, pitch, axis, center */
@@ -78,6 +111,7 @@ typedef struct job {
     size_t count;
     own_joint *joints;
     mpq_t tolerance, radius;
+    mpq_t ends[3]; /* of poses: scale, from, to */
     char *json, *report;
 } job;
 
@@ -214,6 +248,26 @@ static int make_joint_chain(job *j) {
     return complain_of_use(made, j->context);
 }
 
+/* Scale, times and step of poses. */
+static int read_pose_choice(job *j, graze_pose_options *out) {
+    static const int option[3] = {SCALE, FROM, TO};
+    mpq_srcptr *const to[3] = {&out->scale, &out->from, &out->to};
+    const char *const *own = j->o->own;
+    int status = EXIT_DONE;
+    for (int k = 0; k < 3 && !status; k++) {
+        const char *value = own[option[k]], *name = motion_table[option[k]].name;
+        if (!value)
+            continue;
+        status = numbers_read(j->ends + k, j->context, name, value, strlen(value), 1);
+        *to[k] = j->ends[k];
+    }
+    if (!status && own[EVERY] && !numbers_count(&out->every, own[EVERY], 1))
+        return complain(EXIT_USAGE, "--every %s: expected a whole number from 1 up", own[EVERY]);
+    if (!status && out->scale && mpq_sgn(out->scale) <= 0)
+        return complain(EXIT_USAGE, "--scale %s: expected a number above 0", own[SCALE]);
+    return status;
+}
+
 static int make_poses(job *j) {
     const char *numbers = j->o->own[NUMBERS];
     int written = numbers && strcmp(numbers, "written") == 0;
@@ -221,15 +275,59 @@ static int make_poses(job *j) {
         return complain(EXIT_USAGE, "poses takes one FILE; see graze motion --help");
     if (numbers && !written && strcmp(numbers, "binary64") != 0)
         return complain(EXIT_USAGE, "--numbers %s: expected binary64 or written", numbers);
+    graze_pose_options chosen = {.flags = (j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0) |
+                                          (j->o->own[SHORTEST] ? GRAZE_POSES_SHORTEST : 0),
+                                 .tolerance = j->tolerance,
+                                 .ignored = j->given->repeated,
+                                 .ignored_count = (size_t)j->given->repeated_count};
     int status = read_motion_goal(j, "1e-6");
+    if (!status)
+        status = read_pose_choice(j, &chosen);
     if (status)
         return status;
     graze_status set =
         graze_context_set_rounding(j->context, written ? GRAZE_ROUND_NONE : GRAZE_ROUND_BINARY64);
     if (!set)
-        set = graze_motion_write_poses(&j->json, &j->report, j->context, j->given->item[1],
-                                       j->tolerance, j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0);
+        set = graze_motion_write_pose_list(&j->json, &j->report, j->context, j->given->item[1],
+                                           &chosen);
     return complain_of_use(set, j->context);
+}
+
+/* The dyadic motion near the one that was read takes the place of the file that was made. */
+static int make_near(job *j, graze_motion *motion) {
+    char *report = NULL, *before = j->report;
+    graze_free(j->json);
+    j->report = j->json = NULL;
+    graze_status made =
+        graze_motion_write_dyadic(&j->json, &report, j->context, motion, j->tolerance);
+    graze_motion_destroy(motion);
+    size_t room = strlen(before ? before : "") + strlen(report ? report : "") + 1;
+    j->report = made ? NULL : malloc(room);
+    if (j->report)
+        snprintf(j->report, room, "%s%s", before ? before : "", report);
+    graze_free(before);
+    graze_free(report);
+    if (!made && !j->report)
+        return complain(EXIT_IO, "out of memory");
+    return complain_of_use(made, j->context);
+}
+
+static int make_dyadic(job *j) {
+    graze_motion *motion = NULL;
+    if (j->given->count != 2)
+        return complain(EXIT_USAGE, "dyadic takes one MOTION; see graze motion --help");
+    int status = read_motion_goal(j, "1e-6");
+    if (!status)
+        status = complain_of(graze_motion_read(&motion, j->context, j->given->item[1]), j->context);
+    return status ? status : make_near(j, motion);
+}
+
+static int make_made_dyadic(job *j) {
+    graze_motion *motion = NULL;
+    graze_status read = graze_context_set_rounding(j->context, GRAZE_ROUND_NONE);
+    if (!read)
+        read = graze_motion_from_json(&motion, j->context, j->json, strlen(j->json));
+    return read ? complain_of(read, j->context) : make_near(j, motion);
 }
 
 static int make_rotation(job *j) {
@@ -241,9 +339,11 @@ static int make_screw(job *j) {
 }
 
 enum {
-    TAKEN_BY_JOINTS = 1 << TOLERANCE | 1 << RADIUS | 1 << DIMENSION | 1 << REPORT,
+    TAKEN_BY_DYADIC = 1 << TOLERANCE | 1 << REPORT,
+    TAKEN_BY_JOINTS = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << RADIUS | 1 << DIMENSION,
     TAKEN_BY_TURNS = TAKEN_BY_JOINTS | 1 << DEGREES | 1 << AXIS | 1 << CENTER | 1 << PITCH,
-    TAKEN_BY_POSES = 1 << TOLERANCE | 1 << AFFINE | 1 << NUMBERS | 1 << REPORT
+    TAKEN_BY_POSES = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << AFFINE | 1 << NUMBERS | 1 << SHORTEST |
+                     1 << SCALE | 1 << FROM | 1 << TO | 1 << EVERY
 };
 
 /* The kinds, and which of their own options each has a use for. */
@@ -254,13 +354,16 @@ static const struct {
 } kinds[] = {{"rotate", make_rotation, TAKEN_BY_TURNS},
              {"screw", make_screw, TAKEN_BY_TURNS},
              {"joints", make_joint_chain, TAKEN_BY_JOINTS},
-             {"poses", make_poses, TAKEN_BY_POSES}};
+             {"poses", make_poses, TAKEN_BY_POSES},
+             {"dyadic", make_dyadic, TAKEN_BY_DYADIC}};
 
-static int check_own_options(const motion_options *o, const char *kind, unsigned taken) {
+static int check_own_options(const job *j, const char *kind, unsigned taken) {
     for (int k = 0; k < OWN; k++)
-        if (o->own[k] && !(taken >> k & 1))
+        if (j->o->own[k] && !(taken >> k & 1))
             return complain(EXIT_USAGE, "%s takes no --%s; see graze motion --help", kind,
                             motion_table[k].name);
+    if (j->given->repeated_count && taken != TAKEN_BY_POSES)
+        return complain(EXIT_USAGE, "%s takes no --ignore; see graze motion --help", kind);
     return EXIT_DONE;
 }
 
@@ -273,11 +376,13 @@ static int convert_motion(job *j) {
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         if (strcmp(name, kinds[k].name) != 0)
             continue;
-        int status = check_own_options(j->o, name, kinds[k].taken);
-        return status ? status : kinds[k].make(j);
+        int status = check_own_options(j, name, kinds[k].taken);
+        if (!status)
+            status = kinds[k].make(j);
+        return !status && j->o->own[DYADIC] ? make_made_dyadic(j) : status;
     }
-    return complain(EXIT_USAGE, "motion takes rotate, screw, joints or poses; see graze motion "
-                                "--help");
+    return complain(EXIT_USAGE, "motion takes rotate, screw, joints, poses or dyadic; see graze "
+                                "motion --help");
 }
 
 static int write_motion(const job *j) {
@@ -293,12 +398,12 @@ static int write_motion(const job *j) {
 static int run_motion(void *options, const operands *given) {
     job j = {.o = options, .given = given};
     int status = context_make(&j.context, &j.o->context);
-    mpq_inits(j.tolerance, j.radius, NULL);
+    mpq_inits(j.tolerance, j.radius, j.ends[0], j.ends[1], j.ends[2], NULL);
     if (!status)
         status = convert_motion(&j);
     if (!status)
         status = write_motion(&j);
-    mpq_clears(j.tolerance, j.radius, NULL);
+    mpq_clears(j.tolerance, j.radius, j.ends[0], j.ends[1], j.ends[2], NULL);
     for (size_t i = 0; i < j.count; i++)
         for (int k = 0; k < NUMBERS_OF_JOINT; k++)
             mpq_clear(j.joints[i].number[k]);

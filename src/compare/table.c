@@ -82,7 +82,7 @@ static graze_status split(table *t, table_row *row, field line) {
     row->keyed = 0;
     row->line = t->in.line;
     return fields_read(&row->cut, t->in.context, t->in.name, t->in.line,
-                       (field){row->bytes, line.length});
+                       (field){row->bytes, line.length}, ',');
 }
 
 /* The next line that is neither blank nor a `#` line, as a row. */

@@ -9,7 +9,6 @@
 #include <math.h>
 #include "convert/joint.h"
 #include "convert/poses_nearest.h"
-#include "convert/poses_read.h"
 #include "number/rounding.h"
 
 static graze_status refuse_pose(graze_context *context, const pose_list *list, const pose *p,
@@ -151,26 +150,53 @@ static void put_matrices(text *t, const pose_list *list) {
     text_put(t, "]}\n");
 }
 
-/* Pairs of poses whose quaternions are more than 90 degrees apart: more than 180 of rotation. */
-static void report_long_ways(text *t, const pose_list *list) {
-    size_t count = 0;
+/* Is the quaternion of a pose more than 90 degrees from the one before: more than 180 of rotation?
+ */
+static int is_long_way(const pose *p) {
     fmpq_t along;
     fmpq_init(along);
-    for (size_t i = 0; i + 1 < list->count; i++) {
-        fmpq_zero(along);
-        for (int k = 0; k < 4; k++)
-            fmpq_addmul(along, list->item[i].quaternion + k, list->item[i + 1].quaternion + k);
-        if (fmpq_sgn(along) >= 0)
-            continue;
-        if (count++ == 0)
-            text_format(t,
-                        "long way: from line %lu to line %lu the signs of the quaternions ask "
-                        "for more than half a turn\n",
-                        list->item[i].line, list->item[i + 1].line);
-    }
-    if (count > 1)
-        text_format(t, "long way: the same at %zu further pairs\n", count - 1);
+    for (int k = 0; k < 4; k++)
+        fmpq_addmul(along, p[-1].quaternion + k, p->quaternion + k);
+    int sign = fmpq_sgn(along);
     fmpq_clear(along);
+    return sign < 0;
+}
+
+/* Begin or go on with a list of lines, of which the first few are named. */
+static void put_line_number(text *t, size_t count, const char *before, unsigned long line) {
+    enum { NAMED = 10 };
+    if (count == 0)
+        text_put(t, before);
+    if (count < NAMED)
+        text_format(t, "%s%lu", count ? ", " : "", line);
+    else if (count == NAMED)
+        text_put(t, ", ...");
+}
+
+/* Give each quaternion the sign that is nearer to the one before. */
+static void take_short_ways(text *t, pose_list *list) {
+    size_t count = 0;
+    for (size_t i = 1; i < list->count; i++) {
+        pose *p = list->item + i;
+        if (!is_long_way(p))
+            continue;
+        for (int k = 0; k < 4; k++)
+            fmpq_neg(p->quaternion + k, p->quaternion + k);
+        put_line_number(t, count++, "shortest: signs of quaternions changed at lines ", p->line);
+    }
+    text_format(t, count ? "; %zu in all\n" : "shortest: no sign of a quaternion changed\n", count);
+}
+
+static void report_long_ways(text *t, const pose_list *list) {
+    size_t count = 0;
+    for (size_t i = 1; i < list->count; i++)
+        if (is_long_way(list->item + i))
+            put_line_number(t, count++,
+                            "long way: the signs of the quaternions ask for more than half a turn "
+                            "up to the poses of lines ",
+                            list->item[i].line);
+    if (count)
+        text_format(t, "; %zu in all; they are kept\n", count);
 }
 
 static void report_deviation(text *t, const fmpq_t worst) {
@@ -185,29 +211,47 @@ static void report_deviation(text *t, const fmpq_t worst) {
     mpfr_clear(bound);
 }
 
-graze_status convert_poses(conversion *out, graze_context *context, const char *path, int affine,
+/* What was read, and what was done with it. */
+static void report_poses(text *t, const pose_list *list, int affine, const pose_choice *choice) {
+    text_format(t, "poses: %zu", list->count);
+    if (list->count < list->rows)
+        text_format(t, " of %lu", list->rows);
+    text_format(t, ", each %s exactly as given at its time\n",
+                !affine && list->has_matrices ? "position" : "one");
+    if (!fmpq_is_one(choice->scale)) {
+        text_put(t, "scale: positions are those given times ");
+        text_rational(t, choice->scale);
+        text_put(t, "\n");
+    }
+    text_put(t, affine ? "between: every entry of the matrix is linear\n"
+                       : "between: position and quaternion are linear, the quaternion not "
+                         "normalised\n");
+}
+
+graze_status convert_poses(conversion *out, graze_context *context, const char *path,
+                           const pose_choice *choice, int affine, int shortest,
                            const fmpq_t tolerance) {
     pose_list list;
     fmpq_t worst;
     fmpq_init(worst);
-    graze_status status = poses_read(&list, context, path);
+    graze_status status = poses_read(&list, context, path, choice);
     if (!status && affine && !list.has_matrices)
         status =
             context_fail_in(context, GRAZE_EINPUT, path, 0,
                             "the poses are quaternions; expected matrices for an affine motion");
     if (!status && !affine && list.has_matrices)
         status = find_rotations(worst, context, &list, tolerance);
+    if (!status) {
+        report_poses(&out->report, &list, affine, choice);
+        if (!affine && shortest)
+            take_short_ways(&out->report, &list);
+        else if (!affine)
+            report_long_ways(&out->report, &list);
+    }
     if (!status && !affine)
         status = check_quaternions(context, &list);
     if (!status) {
         (affine ? put_matrices : put_keyframes)(&out->motion, &list);
-        text_format(&out->report, "poses: %zu, each %s exactly as given at its time\n", list.count,
-                    !affine && list.has_matrices ? "position" : "one");
-        text_put(&out->report, affine ? "between: every entry of the matrix is linear\n"
-                                      : "between: position and quaternion are linear, the "
-                                        "quaternion not normalised\n");
-        if (!affine)
-            report_long_ways(&out->report, &list);
         if (!affine && list.has_matrices)
             report_deviation(&out->report, worst);
     }

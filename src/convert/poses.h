@@ -6,9 +6,12 @@
 
 #include <flint/fmpq.h>
 #include "convert/conversion.h"
+#include "convert/poses_read.h"
 
-/** Poses from a CSV file; `affine`: matrices as they are. */
-graze_status convert_poses(conversion *out, graze_context *context, const char *path, int affine,
+/** Poses from a file or a text; `affine`: matrices as they are; `shortest`: signs of quaternions
+ * are changed where that makes the way shorter. */
+graze_status convert_poses(conversion *out, graze_context *context, const char *path,
+                           const pose_choice *choice, int affine, int shortest,
                            const fmpq_t tolerance);
 
 #endif

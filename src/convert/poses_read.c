@@ -7,81 +7,30 @@
 #include <string.h>
 #include "context/array.h"
 #include "context/file.h"
+#include "convert/poses_names.h"
 #include "number/rational.h"
 #include "table/stream.h"
-
-enum { TIME = 0, POSITION = 1, QUATERNION = 4, MATRIX = 8, COLUMNS = 24 };
-static const char *const names[COLUMNS] = {"t",   "x",   "y",   "z",   "qw",  "qx",  "qy",  "qz",
-                                           "m00", "m01", "m02", "m03", "m10", "m11", "m12", "m13",
-                                           "m20", "m21", "m22", "m23", "m30", "m31", "m32", "m33"};
 
 typedef struct reading {
     graze_context *context;
     pose_list *list;
+    const pose_choice *choice;
     size_t capacity;
     unsigned long line;
-    fields cut;         /* of that line */
-    int place[COLUMNS]; /* of each known column in the file, or -1 */
-    int columns;        /* of the file */
+    fields cut;     /* of that line */
+    char separator; /* of fields; '\0' before the first line */
+    pose_columns columns;
+    fmpq_t before; /* the time of the row before */
+    unsigned long line_before, in_time;
+    int passing; /* the last pose is taken unless another one comes */
 } reading;
 
-static graze_status misses(const reading *r, const char *what) {
-    return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                           "the column %s is missing; expected "
-                           "qw,qx,qy,qz with or without x,y,z, or m00 to m23",
-                           what);
-}
-
-/* All or none of the columns from `first` on. */
-static graze_status whole(const reading *r, int first, int count, int *some) {
-    int missing = -1, found = 0;
-    for (int k = first; k < first + count; k++) {
-        found += r->place[k] >= 0;
-        missing = r->place[k] < 0 ? k : missing;
-    }
-    *some = found == count;
-    return found && found < count ? misses(r, names[missing]) : GRAZE_OK;
-}
-
-static graze_status read_column_name(reading *r, field name) {
-    int k = 0;
-    while (k < COLUMNS && !field_is(name, names[k]))
-        k++;
-    if (k == COLUMNS)
-        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                               "the column '%.*s' is unknown; expected t, then "
-                               "qw,qx,qy,qz with or without x,y,z, or m00 to m33, in any order",
-                               FIELD_SHOWN(name));
-    if (r->place[k] >= 0)
-        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                               "the column %s stands there twice; expected once", names[k]);
-    r->place[k] = r->columns++;
-    return GRAZE_OK;
-}
-
-static graze_status read_names(reading *r) {
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < COLUMNS; k++)
-        r->place[k] = -1;
-    for (size_t k = 0; k < r->cut.count && !status; k++)
-        status = read_column_name(r, field_trimmed(r->cut.item[k]));
-    if (status)
-        return status;
-    int positions = 0, quaternions = 0, matrices = 0, bottom = 0;
-    status = whole(r, POSITION, 3, &positions);
-    if (!status)
-        status = whole(r, QUATERNION, 4, &quaternions);
-    if (!status)
-        status = whole(r, MATRIX, 12, &matrices);
-    if (!status)
-        status = whole(r, MATRIX + 12, 4, &bottom);
-    if (!status && !quaternions && !matrices)
-        status = misses(r, names[QUATERNION]);
-    if (!status && matrices && (quaternions || positions))
-        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                                 "matrices and other poses are mixed; expected one of them");
-    r->list->has_matrices = matrices;
-    return status;
+static void pose_clear(pose *p) {
+    fmpq_clear(p->time);
+    for (int k = 0; k < 12; k++)
+        fmpq_clear(p->matrix + k);
+    for (int k = 0; k < 4; k++)
+        fmpq_clear(p->quaternion + k);
 }
 
 static pose *append_pose(reading *r) {
@@ -94,74 +43,117 @@ static pose *append_pose(reading *r) {
         fmpq_init(p->matrix + k);
     for (int k = 0; k < 4; k++)
         fmpq_init(p->quaternion + k);
-    fmpq_set_ui(p->time, list->count - 1, 1);
+    fmpq_set_ui(p->time, list->rows, 1);
     p->line = r->line;
     return p;
 }
 
+static void drop_pose(pose_list *list) {
+    pose_clear(&list->item[--list->count]);
+}
+
 /* Where the value of a known column goes; the last row of a matrix goes nowhere. */
 static fmpq *target_of(pose *p, int column) {
-    if (column == TIME)
+    if (column == POSE_TIME)
         return p->time;
-    if (column < QUATERNION)
-        return p->matrix + 4 * (column - POSITION) + 3;
-    if (column < MATRIX)
-        return p->quaternion + (column - QUATERNION);
-    return column < MATRIX + 12 ? p->matrix + (column - MATRIX) : NULL;
+    if (column < POSE_QUATERNION)
+        return p->matrix + 4 * (column - POSE_POSITION) + 3;
+    if (column < POSE_MATRIX)
+        return p->quaternion + (column - POSE_QUATERNION);
+    return column < POSE_MATRIX + 12 ? p->matrix + (column - POSE_MATRIX) : NULL;
 }
 
 static graze_status read_pose_value(const reading *r, pose *p, int column) {
-    field one = field_trimmed(r->cut.item[r->place[column]]);
+    field one = field_content(r->cut.item[r->columns.place[column]]);
+    const char *name = pose_column_name(column);
     fmpq_t value;
     fmpq_init(value);
     graze_status status = rational_parse(value, r->context, one.start, one.length);
     fmpq *to = target_of(p, column);
     if (status) {
-        context_item(r->context, status, NULL, 0, names[column]);
+        context_item(r->context, status, NULL, 0, name);
         status = context_in(r->context, status, r->list->source, r->line);
     } else if (to)
         fmpq_set(to, value);
-    else if (column == COLUMNS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
-        status =
-            context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                            "%s: expected 0, 0, 0, 1 as the last row of a matrix", names[column]);
+    else if (column == POSE_COLUMNS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
+        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                                 "%s: expected 0, 0, 0, 1 as the last row of a matrix, whose "
+                                 "numbers stand row by row",
+                                 name);
     fmpq_clear(value);
     return status;
 }
 
-static graze_status read_pose(reading *r) {
-    if (r->list->count >= r->context->limits[GRAZE_LIMIT_PIECES])
-        return context_limit(r->context, GRAZE_LIMIT_PIECES, "a list of poses");
-    if (r->cut.count != (size_t)r->columns)
-        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                               "the row has %zu fields; expected %d, as many as there are "
-                               "names",
-                               r->cut.count, r->columns);
-    pose *p = append_pose(r);
-    if (!p)
-        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
+static graze_status read_values(reading *r, pose *p) {
     graze_status status = GRAZE_OK;
-    for (int k = 0; k < COLUMNS && !status; k++)
-        if (r->place[k] >= 0)
+    for (int k = 0; k < POSE_COLUMNS && !status; k++)
+        if (r->columns.place[k] >= 0)
             status = read_pose_value(r, p, k);
-    if (!status && r->list->count > 1 && fmpq_cmp(p[-1].time, p->time) >= 0)
+    if (!status && r->line_before && fmpq_cmp(r->before, p->time) >= 0)
         status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
                                  "the time is not after that of line %lu; expected "
                                  "increasing times",
-                                 p[-1].line);
+                                 r->line_before);
+    for (int k = 3; k < 12; k += 4)
+        fmpq_mul(p->matrix + k, p->matrix + k, r->choice->scale);
+    fmpq_set(r->before, p->time);
+    r->line_before = r->line;
     return status;
 }
 
-/* A line that is neither blank nor a comment: the names, or a pose. */
-static graze_status read_line(reading *r, int named, field line) {
-    graze_status status = fields_read(&r->cut, r->context, r->list->source, r->line, line);
+/* Keep or drop the pose read last; one that is only passed goes when the next one comes. */
+static void choose(reading *r) {
+    const pose_choice *choice = r->choice;
+    pose_list *list = r->list;
+    const fmpq *time = list->item[list->count - 1].time;
+    if ((choice->has_from && fmpq_cmp(time, choice->from) < 0) ||
+        (choice->has_to && fmpq_cmp(time, choice->to) > 0)) {
+        drop_pose(list);
+        return;
+    }
+    if (r->passing) {
+        pose last = list->item[list->count - 1];
+        list->item[list->count - 1] = list->item[list->count - 2];
+        list->item[list->count - 2] = last;
+        drop_pose(list);
+    }
+    r->passing = r->in_time++ % choice->every != 0;
+}
+
+static graze_status read_pose(reading *r) {
+    size_t most = r->context->limits[GRAZE_LIMIT_PIECES];
+    if (r->cut.count != r->columns.count)
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "the row has %zu fields; expected %zu, as many as %s", r->cut.count,
+                               r->columns.count, "on the first line");
+    pose *p = append_pose(r);
+    if (!p)
+        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
+    graze_status status = read_values(r, p);
+    r->list->rows++;
     if (status)
         return status;
-    return named ? read_pose(r) : read_names(r);
+    choose(r);
+    return r->list->count > most ? context_limit(r->context, GRAZE_LIMIT_PIECES, "a list of poses")
+                                 : GRAZE_OK;
+}
+
+/* A line that is neither blank nor a comment. */
+static graze_status read_line(reading *r, field line) {
+    int first = !r->separator, header = 0;
+    if (first)
+        r->separator = field_separator(line);
+    graze_status status =
+        fields_read(&r->cut, r->context, r->list->source, r->line, line, r->separator);
+    if (!status && first)
+        status =
+            pose_columns_fix(&r->columns, &header, r->context, r->list->source, r->line, &r->cut,
+                             r->separator, r->choice->ignored, r->choice->ignored_count);
+    r->list->has_matrices = r->columns.has_matrices;
+    return status || header ? status : read_pose(r);
 }
 
 static graze_status read_lines(reading *r, stream *in) {
-    int named = 0;
     for (;;) {
         field line;
         graze_status status = stream_next(in, &line);
@@ -173,43 +165,46 @@ static graze_status read_lines(reading *r, stream *in) {
         line = field_trimmed(line);
         if (!line.length || *line.start == '#')
             continue;
-        status = read_line(r, named, line);
+        status = read_line(r, line);
         if (status)
             return status;
-        named = 1;
     }
 }
 
-graze_status poses_read(pose_list *out, graze_context *context, const char *path) {
+static graze_status read_pose_text(reading *r, const char *text, size_t length) {
+    stream in;
+    stream_of_text(&in, r->context, r->list->source, text, length);
+    graze_status status = read_lines(r, &in);
+    if (!status && r->list->count < 2)
+        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, 0,
+                                 r->list->rows < 2 ? "has %zu poses; expected at least 2"
+                                                   : "%zu poses are left; expected at least 2",
+                                 r->list->count);
+    fields_clear(&r->cut);
+    return status;
+}
+
+graze_status poses_read(pose_list *out, graze_context *context, const char *path,
+                        const pose_choice *choice) {
     memset(out, 0, sizeof *out);
     out->source = path;
     char *text = NULL;
-    size_t length;
+    size_t length = choice->length;
     unsigned char sha256[32];
-    stream in;
-    reading r = {.context = context, .list = out};
-    graze_status status = file_read(&text, &length, sha256, context, path);
+    reading r = {.context = context, .list = out, .choice = choice};
+    graze_status status =
+        choice->text ? GRAZE_OK : file_read(&text, &length, sha256, context, path);
     if (status)
         return status;
-    stream_of_text(&in, context, path, text, length);
-    status = read_lines(&r, &in);
-    if (!status && out->count < 2)
-        status = context_fail_in(context, GRAZE_EINPUT, path, 0,
-                                 "has %zu poses; expected at least 2, under a line of names",
-                                 out->count);
-    fields_clear(&r.cut);
+    fmpq_init(r.before);
+    status = read_pose_text(&r, choice->text ? choice->text : text, length);
+    fmpq_clear(r.before);
     free(text);
     return status;
 }
 
 void poses_clear(pose_list *list) {
-    for (size_t i = 0; i < list->count; i++) {
-        pose *p = list->item + i;
-        fmpq_clear(p->time);
-        for (int k = 0; k < 12; k++)
-            fmpq_clear(p->matrix + k);
-        for (int k = 0; k < 4; k++)
-            fmpq_clear(p->quaternion + k);
-    }
+    while (list->count)
+        drop_pose(list);
     free(list->item);
 }

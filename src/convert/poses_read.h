@@ -15,22 +15,36 @@ typedef struct pose {
     unsigned long line; /* in the file, from 1 */
 } pose;
 
+/** Poses that are taken, and where they stand. */
+typedef struct pose_choice {
+    const char *const *ignored; /* names of columns to pass over; borrowed */
+    size_t ignored_count;
+    int has_from, has_to;
+    fmpq_t from, to;     /* times, where there are such ends */
+    fmpq_t scale;        /* factor of positions, positive */
+    unsigned long every; /* of these poses the first, each so manieth, and the last; from 1 up */
+    const char *text;    /* read in place of the file; NULL: the file is; borrowed */
+    size_t length;
+} pose_choice;
+
 typedef struct pose_list {
     const char *source; /* name of the file, borrowed */
     int has_matrices;
+    unsigned long rows; /* of the file; some may not have been taken */
     size_t count;
     pose *item;
 } pose_list;
 
 /**
- * Read a CSV file whose line of names has `qw,qx,qy,qz` with or without `x,y,z`, or `m00` to `m23`
- * row by row with or without `m30` to `m33`, in any order; with a column `t`, or the times are 0,
- * 1, 2, ... Other columns are refused by name: a position or time under another name is not to be
- * lost. `#` lines and blank lines are skipped.
+ * Read a file in one of the forms of poses_names.h, its fields between commas, semicolons or
+ * blanks. Without times they are 0, 1, 2, ... Other columns are refused by name unless they are
+ * ignored: a position or time under another name is not to be lost. `#` lines and blank lines are
+ * skipped.
  * @param[out] out cleared by poses_clear, also after a failure
  * @return GRAZE_ESYSTEM, GRAZE_EINPUT with file, line and column, GRAZE_ELIMIT
  */
-graze_status poses_read(pose_list *out, graze_context *context, const char *path);
+graze_status poses_read(pose_list *out, graze_context *context, const char *path,
+                        const pose_choice *choice);
 void poses_clear(pose_list *list);
 
 #endif

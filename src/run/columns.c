@@ -87,7 +87,7 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
 int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
                 unsigned long number) {
     fields first = {NULL, 0, 0};
-    graze_status cut = fields_read(&first, context, c->name, number, text);
+    graze_status cut = fields_read(&first, context, c->name, number, text, ',');
     int status = fault_of(f, cut, context, EXIT_INPUT);
     if (!status)
         status = fix(header, f, c, &first, number);
@@ -118,7 +118,7 @@ static int keep_others(reader *r, const columns *c, size_t length) {
 int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index) {
     const line *l = &b->lines[index];
     field text = {b->bytes + l->start, l->length};
-    graze_status cut = fields_read(&r->cut, r->context, c->name, l->number, text);
+    graze_status cut = fields_read(&r->cut, r->context, c->name, l->number, text, ',');
     if (cut)
         return fault_of(f, cut, r->context, EXIT_INPUT);
     if (r->cut.count != c->count)

@@ -75,12 +75,12 @@ void field_note(field *key, field *value, field line) {
 
 /* The end of a field that begins at `at`; NULL if a quote in it is not closed or followed by more.
  */
-static const char *field_end(const char *at, const char *end) {
+static const char *field_end(const char *at, const char *end, char separator) {
     while (at < end && is_blank(*at))
         at++;
     if (at == end || *at != '"') {
-        const char *comma = at == end ? NULL : memchr(at, ',', (size_t)(end - at));
-        return comma ? comma : end;
+        const char *stop = at == end ? NULL : memchr(at, separator, (size_t)(end - at));
+        return stop ? stop : end;
     }
     for (at++; at < end; at++) {
         if (*at != '"')
@@ -93,16 +93,32 @@ static const char *field_end(const char *at, const char *end) {
         return NULL;
     for (at++; at < end && is_blank(*at);)
         at++;
-    return at == end || *at == ',' ? at : NULL;
+    return at == end || *at == separator ? at : NULL;
 }
 
-int field_take(field *out, field *rest) {
-    const char *end = rest->start + rest->length, *stop = field_end(rest->start, end);
+static int take_field(field *out, field *rest, char separator) {
+    const char *end = rest->start + rest->length, *stop = field_end(rest->start, end, separator);
     if (!stop)
         return 0;
     *out = (field){rest->start, (size_t)(stop - rest->start)};
     *rest = stop == end ? (field){NULL, 0} : (field){stop + 1, (size_t)(end - stop - 1)};
     return 1;
+}
+
+int field_take(field *out, field *rest) {
+    return take_field(out, rest, ',');
+}
+
+char field_separator(field line) {
+    line = field_trimmed(line);
+    if (memchr(line.start, ',', line.length))
+        return ',';
+    if (memchr(line.start, ';', line.length))
+        return ';';
+    for (size_t k = 0; k < line.length; k++)
+        if (is_blank(line.start[k]))
+            return ' ';
+    return ',';
 }
 
 static int add(fields *f, field one) {
@@ -112,11 +128,11 @@ static int add(fields *f, field one) {
     return 1;
 }
 
-fields_result fields_cut(fields *out, field line) {
+static fields_result cut_fields(fields *out, field line, char separator) {
     out->count = 0;
     while (line.start) {
         field one;
-        if (!field_take(&one, &line))
+        if (!take_field(&one, &line, separator))
             return FIELDS_OPEN_QUOTE;
         if (!add(out, one))
             return FIELDS_NO_MEMORY;
@@ -124,17 +140,36 @@ fields_result fields_cut(fields *out, field line) {
     return FIELDS_CUT;
 }
 
+fields_result fields_cut(fields *out, field line) {
+    return cut_fields(out, line, ',');
+}
+
+/* Cut at runs of blanks; quotes are characters like others. */
+static fields_result cut_words(fields *out, field line) {
+    out->count = 0;
+    for (line = field_trimmed(line); line.length; line = field_trimmed(line)) {
+        field one = {line.start, 0};
+        while (one.length < line.length && !is_blank(one.start[one.length]))
+            one.length++;
+        if (!add(out, one))
+            return FIELDS_NO_MEMORY;
+        line = (field){line.start + one.length, line.length - one.length};
+    }
+    return FIELDS_CUT;
+}
+
 graze_status fields_read(fields *out, graze_context *context, const char *name,
-                         unsigned long number, field line) {
+                         unsigned long number, field line, char separator) {
     if (memchr(line.start, '\0', line.length))
         return context_fail_in(context, GRAZE_EINPUT, name, number, "a byte 0 in a text file");
-    switch (fields_cut(out, line)) {
+    switch (separator == ' ' ? cut_words(out, line) : cut_fields(out, line, separator)) {
     case FIELDS_CUT:
         return GRAZE_OK;
     case FIELDS_OPEN_QUOTE:
         return context_fail_in(context, GRAZE_EINPUT, name, number,
                                "a quoted field does not end; expected its closing quote on "
-                               "this line, before a comma or the line's end");
+                               "this line, before a %s or the line's end",
+                               separator == ';' ? "semicolon" : "comma");
     default:
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     }

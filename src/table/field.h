@@ -53,10 +53,15 @@ typedef enum fields_result { FIELDS_CUT, FIELDS_OPEN_QUOTE, FIELDS_NO_MEMORY } f
 
 /** Cut a line at the commas outside quotes. The fields point into the line. */
 fields_result fields_cut(fields *out, field line);
-/** Cut line `number` of the file `name`.
+/** Separator of a table's fields, by its first line: a comma, where it has none a semicolon, where
+ * it has neither a blank, which stands for any run of blanks and tabs. A line of one field: a
+ * comma.
+ */
+char field_separator(field line);
+/** Cut line `number` of the file `name` at the separators outside quotes.
  * @return GRAZE_EINPUT a quoted field does not end, or the line holds a byte 0; GRAZE_ESYSTEM */
 graze_status fields_read(fields *out, graze_context *context, const char *name,
-                         unsigned long number, field line);
+                         unsigned long number, field line, char separator);
 void fields_clear(fields *f);
 /** The number of fields of a line; 0 if a quoted one does not end. */
 size_t fields_count(field line);

@@ -338,6 +338,19 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", one, 2));
     /* the report is set too */
     WRONG_OUT(char, graze_motion_write_poses(NULL, &out, c, "a.csv", one, 0));
+    WRONG_OUT(char, graze_motion_write_pose_list(NULL, &out, c, "a.csv", NULL));
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, NULL, "a.csv", NULL));
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, NULL, NULL));
+    graze_pose_options unknown = {.flags = 4}, unnamed = {.ignored_count = 1};
+    graze_pose_options short_one = {.size = 8};
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unknown));
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unnamed));
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &short_one));
+    WRONG(graze_motion_write_dyadic(NULL, NULL, c, b->s.motion, one));
+    WRONG_OUT(char, graze_motion_write_dyadic(NULL, &out, c, b->s.motion, one));
+    WRONG_OUT(char, graze_motion_write_dyadic(&out, NULL, NULL, b->s.motion, one));
+    WRONG_OUT(char, graze_motion_write_dyadic(&out, NULL, c, NULL, one));
+    WRONG_OUT(char, graze_motion_write_dyadic(&out, NULL, c, b->s.motion, NULL));
     WRONG_OUT(char, graze_motion_write_joints(NULL, &out, c, 2, &turn, 1, one, one));
 }
 

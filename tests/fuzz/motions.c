@@ -130,32 +130,51 @@ int fuzz_motion(const uint8_t *data, size_t size) {
     return taken;
 }
 
-/* What is written as a motion is one. */
-static void check_written(graze_context *context, const char *json, const char *report) {
-    graze_motion *motion;
+/* What is written as a motion is one, and if it can be made dyadic that is one too. */
+static void check_written(graze_context *context, const char *json, const char *report,
+                          mpq_srcptr tolerance) {
+    graze_motion *motion, *near;
+    char *dyadic = NULL;
     EXPECT(json != NULL && *json && report != NULL);
     EXPECT(graze_motion_from_json(&motion, context, json, strlen(json)) == GRAZE_OK);
+    graze_status status = graze_motion_write_dyadic(&dyadic, NULL, context, motion, tolerance);
+    if (fuzz_taken(status, context, dyadic)) {
+        EXPECT(graze_motion_from_json(&near, context, dyadic, strlen(dyadic)) == GRAZE_OK);
+        graze_motion_destroy(near);
+    }
+    graze_free(dyadic);
     graze_motion_destroy(motion);
 }
 
 int fuzz_poses(const uint8_t *data, size_t size) {
     graze_context *context = fuzz_context();
     const char *path = fuzz_file("poses.csv", data, size);
+    static const char *const ignored[] = {"x"};
     mpq_t tolerance;
     int taken = 0;
     mpq_init(tolerance);
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 6; k++) {
         char *json = NULL, *report = NULL;
+        graze_pose_options chosen = {.flags = GRAZE_POSES_SHORTEST,
+                                     .ignored = ignored,
+                                     .ignored_count = (size_t)(k & 1),
+                                     .scale = tolerance,
+                                     .every = 2,
+                                     .from = tolerance,
+                                     .text = (const char *)data,
+                                     .length = size};
         mpq_set_ui(tolerance, 1, k & 1 ? 1 : 1000000);
         EXPECT(graze_context_set_rounding(context, k & 1 ? GRAZE_ROUND_NONE
                                                          : GRAZE_ROUND_BINARY64) == GRAZE_OK);
-        graze_status status = graze_motion_write_poses(&json, &report, context, path, tolerance,
-                                                       k & 2 ? GRAZE_POSES_AFFINE : 0);
+        graze_status status =
+            k < 4 ? graze_motion_write_poses(&json, &report, context, path, tolerance,
+                                             k & 2 ? GRAZE_POSES_AFFINE : 0)
+                  : graze_motion_write_pose_list(&json, &report, context, path, &chosen);
         /* Two handles come or none. */
         EXPECT((json == NULL) == (report == NULL));
         if (fuzz_taken(status, context, json)) {
             EXPECT(graze_context_set_rounding(context, GRAZE_ROUND_NONE) == GRAZE_OK);
-            check_written(context, json, report);
+            check_written(context, json, report, tolerance);
             taken = 1;
         }
         graze_free(json);
@@ -199,7 +218,11 @@ int fuzz_joints(const uint8_t *data, size_t size) {
         char *text = fuzz_read(json, &length), *said = fuzz_read(report, &length);
         graze_context *context;
         EXPECT(graze_context_create(&context) == GRAZE_OK);
-        check_written(context, text, said);
+        mpq_t tolerance;
+        mpq_init(tolerance);
+        mpq_set_ui(tolerance, 1, 1024);
+        check_written(context, text, said, tolerance);
+        mpq_clear(tolerance);
         graze_context_destroy(context);
         free(text);
         free(said);

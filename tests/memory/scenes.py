@@ -148,6 +148,9 @@ def make(graze, folder):
     yield Scene("joints", ["motion", "joints", "turn:90:0,0,1", "turn:-45:0,0,1:2,0,0", "slide:0,0,1", "--tolerance",
                            "1e-1", "--output", "made"])
     yield Scene("poses", ["motion", "poses", at["poses.csv"], "--output", "made"])
+    yield Scene("poses-chosen", ["motion", "poses", at["poses.csv"], "--every", "2", "--scale", "1/2", "--ignore", "none",
+                                 "--shortest", "--dyadic"])
+    yield Scene("dyadic", ["motion", "dyadic", at["roll.json"]])
     yield Scene("poses-matrices", ["motion", "poses", at["matrices.csv"]])
     yield Scene("poses-affine", ["motion", "poses", "--affine", at["matrices.csv"]])
     yield Scene("cases", ["cases", "--folder", str(CASES)])

@@ -227,7 +227,7 @@ def test_quaternions(graze, folder):
                for k in made["keyframes"]]
         check(got == [(value(t), list(map(value, p)), list(map(value, q))) for t, p, q in want],
               "poses as written", got)
-        check("long way: from line 5 to line 6" in report, "the long way is told", report)
+        check("to the poses of lines 6; 1 in all" in report, "the long way is told", report)
     made, _ = keyframes(graze, folder, "qw,qx,qy,qz\n1,0,0,0\n0,0,0,1\n0,1,0,0\n")
     check([k["t"] for k in made["keyframes"]] == ["0", "1", "2"], "times count from 0")
 
