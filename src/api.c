@@ -137,8 +137,13 @@ static graze_status take_options(graze_options *out, graze_context *context, con
     if ((out->operation == GRAZE_SWEEP || out->operation == GRAZE_UNSWEEP) &&
         (out->overlap == GRAZE_OVERLAP_EXTEND || out->overlap == GRAZE_OVERLAP_REJECT) &&
         (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED) &&
-        (out->topo == 0 || out->topo == 1))
+        (out->topo == 0 || out->topo == 1) &&
+        (out->columns == GRAZE_COLUMNS_ALL || out->columns == GRAZE_COLUMNS_PMC)) {
+        if (out->topo && out->columns == GRAZE_COLUMNS_PMC)
+            return api_misuse(context, function,
+                              "topo is decided by the contacts, which columns of pmc alone spare");
         return GRAZE_OK;
+    }
     return api_misuse(context, function, "an option has an unknown value");
 }
 

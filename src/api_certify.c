@@ -120,7 +120,8 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
         return api_misuse(context, "graze_certificate_points",
                           "out, length, done, context and certifier, and with n > 0 also points, "
                           "must not be NULL; nor one alone of table and table_length");
-    graze_status status = api_check_format(context, "graze_certificate_points", format);
+    graze_status status =
+        api_check_format(context, "graze_certificate_points", certifier->inner.scene, format);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();

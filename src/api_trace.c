@@ -157,10 +157,14 @@ graze_status api_trace_row(text *out, graze_context *context, const graze_scene 
     return status;
 }
 
-graze_status api_check_format(graze_context *context, const char *function, graze_format format) {
-    if (format == GRAZE_FORMAT_CSV || format == GRAZE_FORMAT_JSONL)
-        return GRAZE_OK;
-    return api_misuse(context, function, "the format is unknown");
+graze_status api_check_format(graze_context *context, const char *function,
+                              const graze_scene *scene, graze_format format) {
+    if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
+        return api_misuse(context, function, "the format is unknown");
+    if (format == GRAZE_FORMAT_JSONL && scene->options.columns == GRAZE_COLUMNS_PMC)
+        return api_misuse(context, function,
+                          "JSON Lines have all answers; expected GRAZE_FORMAT_CSV for pmc alone");
+    return GRAZE_OK;
 }
 
 graze_status graze_report_row(char **out, graze_context *context, const graze_scene *scene,
@@ -171,7 +175,7 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     if (!out || !context || !scene || !point || !trace)
         return api_misuse(context, "graze_report_row",
                           "out, context, scene, point and trace must not be NULL");
-    graze_status status = api_check_format(context, "graze_report_row", format);
+    graze_status status = api_check_format(context, "graze_report_row", scene, format);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
@@ -193,8 +197,11 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
 static graze_status report_point(text *out, graze_context *context, const graze_scene *scene,
                                  const fmpq *point, graze_format format, const char *rest) {
     graze_trace trace;
-    graze_status status = classify_point(&trace, context, scene, (query_point){.rational = point},
-                                         format == GRAZE_FORMAT_CSV ? TRACE_WORD : TRACE_CONTACTS);
+    trace_detail detail = format == GRAZE_FORMAT_JSONL                  ? TRACE_CONTACTS
+                          : scene->options.columns == GRAZE_COLUMNS_PMC ? TRACE_PMC
+                                                                        : TRACE_WORD;
+    graze_status status =
+        classify_point(&trace, context, scene, (query_point){.rational = point}, detail);
     if (!status) {
         status = api_trace_row(out, context, scene, point, &trace, format, rest);
         trace_clear(&trace);
@@ -215,7 +222,7 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
         return api_misuse(context, "graze_report_points",
                           "out, length, done, context and scene, and with n > 0 also points, must "
                           "not be NULL");
-    graze_status status = api_check_format(context, "graze_report_points", format);
+    graze_status status = api_check_format(context, "graze_report_points", scene, format);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();

@@ -7,8 +7,9 @@
 #include "number/text.h"
 #include "trace/trace.h"
 
-/** GRAZE_EUSE: there is no such form of a row. */
-graze_status api_check_format(graze_context *context, const char *function, graze_format format);
+/** GRAZE_EUSE: there is no such form of a row, or not of this scene. */
+graze_status api_check_format(graze_context *context, const char *function,
+                              const graze_scene *scene, graze_format format);
 
 /** Add the row of a point that was traced; for JSON Lines with its contacts. */
 graze_status api_trace_row(text *out, graze_context *context, const graze_scene *scene,

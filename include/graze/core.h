@@ -180,8 +180,7 @@ GRAZE_API GRAZE_CHECKED graze_status
 graze_solid_from_arrays(graze_solid **out, graze_context *context, int dimension,
                         graze_rationals coordinates, size_t vertex_count, const size_t *facet_sizes,
                         size_t facet_count, const size_t *indices, unsigned flags);
-/** As graze_solid_from_arrays, from doubles, which are exact. NaN and infinities are GRAZE_EINPUT.
- */
+/** As graze_solid_from_arrays, from doubles, which are exact; NaN and infinities: GRAZE_EINPUT. */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_solid_from_doubles(graze_solid **out, graze_context *context, int dimension,
                          const double *coordinates, size_t vertex_count, const size_t *facet_sizes,
@@ -231,6 +230,8 @@ typedef enum graze_overlap { GRAZE_OVERLAP_EXTEND = 0, GRAZE_OVERLAP_REJECT = 1 
 typedef enum graze_folds { GRAZE_FOLDS_SEPARATE = 0, GRAZE_FOLDS_COMBINED = 1 } graze_folds;
 /** Set that points are classified against: sweep, or unsweep ([IS] eqs 12, 13, 35). */
 typedef enum graze_operation { GRAZE_SWEEP = 0, GRAZE_UNSWEEP = 1 } graze_operation;
+/** Answers wanted. For pmc alone one certain stay inside ends the search. */
+typedef enum graze_columns { GRAZE_COLUMNS_ALL = 0, GRAZE_COLUMNS_PMC = 1 } graze_columns;
 
 /** Options of a scene (rule 6). */
 typedef struct graze_options {
@@ -239,6 +240,7 @@ typedef struct graze_options {
     graze_folds folds;         /**< Definitions 6, 7 or 10, 11 */
     size_t size;               /**< sizeof(graze_options) or 0 */
     int topo; /**< 1: rows of reports end with the position relative to the closed sweep */
+    graze_columns columns; /**< pmc: of verdicts and rows of reports only pmc is set; no topo */
 } graze_options;
 
 /**
@@ -246,8 +248,8 @@ typedef struct graze_options {
  * (touching included). Solid and motion are borrowed and must outlive the scene. Threads may share
  * the scene.
  * @param options may be NULL for the defaults
- * @return GRAZE_EUSE a NULL handle or an unknown option; GRAZE_EILLEGAL the dimensions differ, or
- * S^0 and S^1 meet and `overlap` rejects it (sweep only); GRAZE_ECANCELED
+ * @return GRAZE_EUSE a NULL handle, an unknown option, topo with pmc alone; GRAZE_EILLEGAL the
+ * dimensions differ, or S^0 and S^1 meet and `overlap` rejects it (sweep only); GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_create(graze_scene **out, graze_context *context,
                                                         const graze_solid *solid,

@@ -17,6 +17,7 @@ static const char classify_help[] =
     "  --overlap extend|reject       S^0 and S^1 that meet: nine cases (default), or an error\n"
     "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
     "  --topo               one column more, last: the position relative to the closed sweep\n"
+    "  --columns all|pmc    answers: all (default), or pmc alone, which is decided sooner\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with its contacts\n"
     "  --format vtk|npy     the table as a legacy VTK file or a structured numpy array\n"
@@ -63,6 +64,7 @@ static const option_entry classify_table[] = {
     OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
     OPTION("folds", classify_options, scene.scene.folds, value_folds),
     FLAG("topo", classify_options, scene.scene.topo, value_flag),
+    OPTION("columns", classify_options, scene.scene.columns, value_columns),
     OPTION("format", classify_options, format, value_format),
     OPTION("round", classify_options, scene.context.rounding, value_rounding),
     FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
@@ -84,6 +86,17 @@ int classify_check_files(const classify_options *o) {
     return EXIT_DONE;
 }
 
+/* What asks for more than pmc. */
+static int check_columns(const classify_options *o) {
+    const char *more = o->scene.scene.topo                    ? "--topo"
+                       : o->certificate                       ? "--certify"
+                       : o->format.rows == GRAZE_FORMAT_JSONL ? "--format jsonl"
+                                                              : NULL;
+    if (o->scene.scene.columns == GRAZE_COLUMNS_ALL || !more)
+        return EXIT_DONE;
+    return complain(EXIT_USAGE, "%s needs all answers; expected no --columns pmc beside it", more);
+}
+
 int classify_take(classify_options *o, const operands *given) {
     int wanted = o->grid.sizes ? 2 : 3;
     if (o->grid.box && !o->grid.sizes)
@@ -94,6 +107,8 @@ int classify_take(classify_options *o, const operands *given) {
                         "classify --help",
                         o->grid.sizes ? "with --grid no POINTS" : "POINTS or --grid", given->count);
     int status = classify_check_files(o);
+    if (!status)
+        status = check_columns(o);
     if (status)
         return status;
     if ((o->resume || o->shard.given) && (o->format.rows != GRAZE_FORMAT_CSV || o->format.table))

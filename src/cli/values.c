@@ -54,6 +54,7 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
 VALUE_OF_WORDS(value_overlap, graze_overlap, "extend", "reject")
 VALUE_OF_WORDS(value_folds, graze_folds, "separate", "combined")
 VALUE_OF_WORDS(value_operation, graze_operation, "sweep", "unsweep")
+VALUE_OF_WORDS(value_columns, graze_columns, "all", "pmc")
 VALUE_OF_WORDS(value_report, graze_comparison_format, "text", "json")
 VALUE_OF_WORDS(value_question, graze_question, "open", "closed")
 VALUE_OF_WORDS(value_on_as, graze_on_as, "on", "any", "in", "out")

@@ -16,6 +16,7 @@ option_read value_limit;       /**< unsigned long[GRAZE_LIMIT_COUNT]: NAME=V */
 option_read value_triangulate; /**< unsigned: GRAZE_SOLID_TRIANGULATE is added */
 option_read value_overlap;     /**< graze_overlap */
 option_read value_folds;       /**< graze_folds */
+option_read value_columns;     /**< graze_columns */
 option_read value_operation;   /**< graze_operation */
 option_read value_count;       /**< unsigned long from 1 up */
 option_read value_seed;        /**< seed_value */

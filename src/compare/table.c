@@ -12,9 +12,9 @@ static const char *const column_names[COLUMN_COUNT] = {
     "x", "y",    "z",    "id",      "pmc",   "class", "definition", "case", "i",
     "t", "word", "topo", "stratum", "order", "cell",  "k",          "sdf"};
 
-static const char *const note_names[NOTE_COUNT] = {"graze",         "dimension",    "solid-sha256",
-                                                   "motion-sha256", "scene-sha256", "operation",
-                                                   "folds",         "round",        "triangulate"};
+static const char *const note_names[NOTE_COUNT] = {
+    "graze",     "dimension", "solid-sha256", "motion-sha256", "scene-sha256",
+    "operation", "folds",     "round",        "triangulate",   "columns"};
 
 const char *column_name(column c) {
     return column_names[c];
@@ -104,12 +104,19 @@ static graze_status next_table_line(table *t, table_row *row, int *more) {
     return status;
 }
 
+/* In a table of pmc alone a column of such a name is one of the points. */
+static int is_carried(const table *t, int c) {
+    const char *columns = t->notes[NOTE_COLUMNS];
+    return t->notes[NOTE_GRAZE] && columns && strcmp(columns, "pmc") == 0 && c >= COLUMN_CLASS &&
+           c <= COLUMN_TOPO;
+}
+
 /* Find the columns. The first one of a name counts in a table of Graze, where further columns come
  * last and may have any name. */
 static graze_status fix_columns(table *t, const table_row *row) {
     for (size_t k = 0; k < row->cut.count; k++)
         for (int c = 0; c < COLUMN_COUNT; c++) {
-            if (!field_is(field_content(row->cut.item[k]), column_names[c]))
+            if (!field_is(field_content(row->cut.item[k]), column_names[c]) || is_carried(t, c))
                 continue;
             if (t->where[c] >= 0 && !t->notes[NOTE_GRAZE])
                 return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,

@@ -45,6 +45,7 @@ typedef enum note {
     NOTE_FOLDS,
     NOTE_ROUND,
     NOTE_TRIANGULATE,
+    NOTE_COLUMNS,
     NOTE_COUNT
 } note;
 

@@ -165,10 +165,12 @@ int filter_set(filter_workspace *w, const filter *f, const filter_point *point) 
     return w->set;
 }
 
-int filter_search(filter_workspace *w, const filter *f, const filter_point *point) {
+int filter_search(filter_workspace *w, int *crosses, const filter *f, const filter_point *point) {
     findings *found = &w->found;
-    if (!filter_set(w, f, point) || !search_curve(found, &w->curve, f->solid))
+    if (!filter_set(w, f, point) || !search_curve(found, crosses, &w->curve, f->solid))
         return 0;
+    if (crosses && *crosses)
+        return 1;
     drop_lost(found);
     if (found->crossing_count)
         qsort(found->crossing, found->crossing_count, sizeof *found->crossing, compare_crossings);

@@ -42,8 +42,9 @@ void filter_begin(filter_workspace *w);
 
 /**
  * Search all pieces. The findings stand in the workspace until the next search.
+ * @param[out] crosses as of search_curve; where it is 1 there are no findings
  * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search
  */
-int filter_search(filter_workspace *w, const filter *f, const filter_point *point);
+int filter_search(filter_workspace *w, int *crosses, const filter *f, const filter_point *point);
 
 #endif

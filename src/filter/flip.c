@@ -28,6 +28,7 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_FIRST] = "first",
     [FLIP_WEIGHT] = "weight",
     [FLIP_GROUP] = "group",
+    [FLIP_ALONE] = "alone",
 };
 
 static atomic_ulong calls;

@@ -25,6 +25,7 @@ typedef enum flip_site {
     FLIP_FIRST,        /* a crossing is the first of a ray, or the ray has none */
     FLIP_WEIGHT,       /* a span's weights are positive */
     FLIP_GROUP,        /* so are those of several pieces */
+    FLIP_ALONE,        /* a crossing is the only contact at its time */
     FLIP_SITE_COUNT
 } flip_site;
 

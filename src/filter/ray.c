@@ -91,8 +91,8 @@ graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
     for (int turn = 0; turn < 2; turn++) {
         choose_direction(direction, f, at, d, turn);
         if (!curve_set_segment(&w->ray, d, at, error, direction, corners) ||
-            !ends_far(&w->ray, f, error, d) || !search_curve(&w->ray_found, &w->ray, f->solid) ||
-            w->ray_found.lost_count)
+            !ends_far(&w->ray, f, error, d) ||
+            !search_curve(&w->ray_found, NULL, &w->ray, f->solid) || w->ray_found.lost_count)
             return GRAZE_STATE_ABSENT;
         graze_state state = read_ray(&w->ray_found);
         if (state != GRAZE_STATE_ABSENT)

@@ -4,6 +4,7 @@
 #include "filter/search.h"
 
 #include <math.h>
+#include "filter/alone.h"
 #include "filter/chord.h"
 #include "filter/flip.h"
 #include "filter/meet.h"
@@ -21,7 +22,8 @@ typedef struct searcher {
     findings *out;
     curve *curve;
     const graze_solid *solid;
-    int failed; /* without memory, or too many spans */
+    int *crosses; /* NULL: all is to be found */
+    int failed;   /* without memory, or too many spans */
 } searcher;
 
 /* A window of a span's own parameter, outward, in units of 2^-WINDOW_LEVELS. */
@@ -42,6 +44,23 @@ static crossing whole_crossing(uint32_t simplex, const span *piece, const meet_w
                       w->enters};
 }
 
+/* How far the middle of a chord is from that of the solid's box, squared. */
+static double distance_of(const searcher *s, const span *piece) {
+    const box *all = &s->solid->boxes.node[0].box;
+    double sum = 0;
+    for (int i = 0; i < s->curve->dimension; i++) {
+        double off = piece->from[i] + 0.5 * piece->along[i] - 0.5 * (all->low[i] + all->high[i]);
+        sum += off * off;
+    }
+    return sum;
+}
+
+/* Which half is looked at first: where one crossing is enough, the one nearer to the solid. */
+static uint32_t first_half(const searcher *s, uint32_t child) {
+    const span *half = &s->curve->spans[child];
+    return s->crosses && distance_of(s, half + 1) < distance_of(s, half);
+}
+
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index);
 
 static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
@@ -49,10 +68,18 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
         s->failed = 1;
         return 0;
     }
-    uint32_t half = s->curve->spans[span_index].child;
-    descend_curve(s, node, half);
-    descend_curve(s, node, half + 1);
+    uint32_t half = s->curve->spans[span_index].child, first = first_half(s, half);
+    descend_curve(s, node, half + first);
+    descend_curve(s, node, half + 1 - first);
     return 1;
+}
+
+/* A certain crossing is kept, or is enough. */
+static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const meet_window *at) {
+    if (s->crosses)
+        *s->crosses = crossing_is_alone(s->curve, piece, s->solid, simplex, at);
+    return (s->crosses && *s->crosses) ||
+           findings_add_crossing(s->out, whole_crossing(simplex, piece, at));
 }
 
 static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
@@ -74,7 +101,7 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     if (found == MEET_CUT && piece->level < SIMPLEX_LEVELS)
         cut_and_descend(s, node, span_index);
     else if (found == MEET_CROSSING)
-        kept = findings_add_crossing(s->out, whole_crossing(simplex, piece, &window));
+        kept = take_crossing(s, piece, simplex, &window);
     else if (found != MEET_NONE)
         kept = candidates_append(&s->out->asked, whole_units(simplex, piece, &window));
     s->failed |= !kept;
@@ -99,7 +126,8 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
         const tree_node *here = &s->solid->boxes.node[node];
         if (piece->lost)
             s->failed |= !findings_lose(s->out, piece->piece);
-        if (s->failed || piece->lost || flip(FLIP_BOX, !span_meets(piece, &here->box)))
+        if (s->failed || (s->crosses && *s->crosses) || piece->lost ||
+            flip(FLIP_BOX, !span_meets(piece, &here->box)))
             return;
         /* A single simplex is left to its own tests. */
         if (!piece->bounded || (here->child && is_thick(s->curve, piece, &here->box))) {
@@ -122,8 +150,10 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
     }
 }
 
-int search_curve(findings *out, curve *c, const graze_solid *solid) {
-    searcher s = {out, c, solid, 0};
+int search_curve(findings *out, int *crosses, curve *c, const graze_solid *solid) {
+    searcher s = {out, c, solid, crosses, 0};
+    if (crosses)
+        *crosses = 0;
     out->crossing_count = out->asked.count = out->window_count = out->lost_count = 0;
     descend_curve(&s, 0, 0);
     return !s.failed;

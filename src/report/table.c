@@ -33,11 +33,15 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
     text_format(&t, "# round %s\n", graze_rounding_name(context->rounding));
     if (options->topo)
         text_put(&t, "# topo yes\n");
+    if (options->columns == GRAZE_COLUMNS_PMC)
+        text_put(&t, "# columns pmc\n");
     if (notes)
         text_put(&t, notes);
     text_format(&t, "# ends-meet %s\n", scene->ends_meet ? "yes" : "no");
     text_put(&t, d == 2 ? "x,y" : "x,y,z");
-    text_put(&t, unsweep ? ",pmc,word" : ",pmc,class,definition,case,i,t,word");
+    text_put(&t, options->columns == GRAZE_COLUMNS_PMC ? ",pmc"
+                 : unsweep                             ? ",pmc,word"
+                                                       : ",pmc,class,definition,case,i,t,word");
     if (columns) {
         text_put(&t, ",");
         text_put(&t, columns);
@@ -72,10 +76,12 @@ void report_csv(text *out, const graze_scene *scene, const fmpq *point, const gr
         text_put(out, ",");
     }
     text_put(out, graze_pmc_name(trace->verdict.pmc));
-    text_put(out, ",");
-    if (scene->options.operation == GRAZE_SWEEP)
-        put_verdict(out, &trace->verdict);
-    text_put(out, trace->word);
+    if (scene->options.columns == GRAZE_COLUMNS_ALL) {
+        text_put(out, ",");
+        if (scene->options.operation == GRAZE_SWEEP)
+            put_verdict(out, &trace->verdict);
+        text_put(out, trace->word);
+    }
     if (rest) {
         text_put(out, ",");
         text_put(out, rest);

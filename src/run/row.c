@@ -36,6 +36,8 @@ static void read_options(row_form *out, const char *operation, const char *folds
         out->options.operation = GRAZE_UNSWEEP;
     if (field_is(note_of(head, folds), "combined"))
         out->options.folds = GRAZE_FOLDS_COMBINED;
+    if (field_is(note_of(head, "# columns "), "pmc"))
+        out->options.columns = GRAZE_COLUMNS_PMC;
 }
 
 static int read_certificate_form(row_form *out, const char *head) {
@@ -61,7 +63,10 @@ static int read_table_form(row_form *out, const char *head) {
         return 0;
     out->dimension = skip_text(&at, "z,") ? 3 : 2;
     int sweep = out->options.operation == GRAZE_SWEEP;
-    if (!skip_text(&at, sweep ? "pmc,class,definition,case,i,t,word" : "pmc,word"))
+    int pmc_alone = out->options.columns == GRAZE_COLUMNS_PMC;
+    if (!skip_text(&at, pmc_alone ? "pmc"
+                        : sweep   ? "pmc,class,definition,case,i,t,word"
+                                  : "pmc,word"))
         return 0;
     if (*at == ',')
         out->others = fields_count((field){at + 1, (size_t)(head + length - 1 - at - 1)});
@@ -144,6 +149,21 @@ static int take_point_of(row_parts *out, field *rest, const row_form *form) {
     return 1;
 }
 
+/* The answer of a row of pmc alone, and what stands behind it. */
+static const char *check_pmc_row(row_parts *out, const row_form *form, field rest) {
+    field pmc = row_take(&rest, ',');
+    int known = 0, more = rest.start > pmc.start + pmc.length;
+    for (int k = GRAZE_IN; k <= GRAZE_OUT; k++)
+        known |= field_is(pmc, graze_pmc_name((graze_pmc)k));
+    out->word = out->topo = (field){"", 0};
+    out->rest = rest;
+    if (!known)
+        return "in, on or out behind the point";
+    if (more != (form->others > 0))
+        return form->others ? "the further columns of the column line" : "no further columns";
+    return NULL;
+}
+
 static const char *check_table_row(row_parts *out, const row_form *form, graze_context *context,
                                    field row) {
     char answers[ANSWERS];
@@ -151,6 +171,8 @@ static const char *check_table_row(row_parts *out, const row_form *form, graze_c
     field rest = row;
     if (!take_point_of(out, &rest, form))
         return "a point and its answers";
+    if (form->options.columns == GRAZE_COLUMNS_PMC)
+        return check_pmc_row(out, form, rest);
     const char *own = rest.start;
     for (int k = form->options.operation == GRAZE_UNSWEEP ? 1 : 6; k > 0; k--)
         row_take(&rest, ',');

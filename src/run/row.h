@@ -13,14 +13,14 @@ typedef struct row_form {
     result_kind kind;
     char separator; /* between the parts of a row: a comma, or a blank in a certificate */
     int dimension;
-    graze_options options; /* operation and folds */
+    graze_options options; /* operation, folds and columns */
     size_t others;         /* further columns of a table */
     int topo;              /* rows end with a position */
     field end;             /* of a certificate: the last time, in the head */
 } row_form;
 
 /** A row's point, word, further columns and position, as they stand in it; without the commas
- * beside the answers. */
+ * beside the answers. Without a word the field is empty. */
 typedef struct row_parts {
     field point, word, rest, topo;
 } row_parts;
@@ -31,8 +31,9 @@ int row_form_read(row_form *out, result_kind kind, const char *head);
 
 /**
  * Check a row, or the first line of a certificate's, without its line end: a point, the answers
- * that belong to its word and to no other, further columns only where the table has some, and a
- * position that goes with pmc. The caller checks how many further columns there are.
+ * that belong to its word and to no other, or pmc alone where the table has no more, further
+ * columns only where the table has some, and a position that goes with pmc. The caller checks how
+ * many further columns there are.
  * @return NULL, or what is expected
  */
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row);

@@ -40,6 +40,7 @@ typedef struct typed_table {
     enum { TYPED_HEAD, TYPED_ROWS, TYPED_WHOLE } state; /* what has been read */
     int dimension;
     int boxed;            /* there is a `# box` line */
+    int pmc_alone;        /* `# columns pmc`: no other answers */
     size_t grid[3];       /* points along each axis, 1 for an axis that is not; all 0: no grid */
     fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
     text names;           /* the column line */

@@ -61,10 +61,21 @@ static graze_status read_box(typed_table *t, field value) {
     return GRAZE_OK;
 }
 
+static graze_status read_answers(typed_table *t, field value) {
+    if (t->pmc_alone)
+        return typed_broken(t->context, "# columns stands there twice");
+    if (!field_is(value, "pmc"))
+        return typed_broken(t->context, "# columns %.*s: expected pmc", FIELD_SHOWN(value));
+    t->pmc_alone = 1;
+    return GRAZE_OK;
+}
+
 graze_status typed_head_line(typed_table *t, field line) {
     field value;
     if (field_behind(&value, line, "# dimension "))
         return read_dimension(t, value);
+    if (field_behind(&value, line, "# columns "))
+        return read_answers(t, value);
     int grid = field_behind(&value, line, "# grid "), box = field_behind(&value, line, "# box ");
     if ((grid || box) && !t->dimension)
         return typed_broken(t->context, "# grid or # box stands before # dimension");

@@ -45,17 +45,19 @@ static int begins(field line, const char *axes, const char *answers) {
 }
 
 /* How many columns of the line are Graze's, 0 if they are not as it writes them. */
-static size_t own_columns(field line, int dimension) {
+static size_t own_columns(field line, int dimension, int pmc_alone) {
     const char *axes = dimension == 2 ? "x,y," : "x,y,z,";
+    if (pmc_alone)
+        return begins(line, axes, "pmc") ? (size_t)dimension + 1 : 0;
     if (begins(line, axes, "pmc,class,definition,case,i,t,word"))
         return (size_t)dimension + 7;
     return begins(line, axes, "pmc,word") ? (size_t)dimension + 2 : 0;
 }
 
-/* The columns up to `word` are Graze's; further ones may have any name. */
+/* The columns up to `word`, or to `pmc` alone, are Graze's; further ones may have any name. */
 static graze_status name_columns(typed_table *t, field line) {
     fields names = {NULL, 0, 0};
-    t->own = own_columns(line, t->dimension);
+    t->own = own_columns(line, t->dimension, t->pmc_alone);
     if (!t->own)
         return typed_broken(t->context,
                             "the column line `%.*s` is not that of a table of dimension %d",

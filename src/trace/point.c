@@ -139,8 +139,8 @@ static graze_status trace_found(tracer *r, const findings *found) {
             status = trace_exactly(r, piece);
             at.lost++;
         } else {
-            status = r->detail == TRACE_WORD ? trace_findings(r, piece, found, &at)
-                                             : trace_all(r, piece, found, &at);
+            status = r->detail == TRACE_CONTACTS ? trace_all(r, piece, found, &at)
+                                                 : trace_findings(r, piece, found, &at);
         }
     }
     return status;
@@ -148,8 +148,11 @@ static graze_status trace_found(tracer *r, const findings *found) {
 
 static graze_status trace_pieces(tracer *r) {
     graze_status status = context_poll(r->context);
+    int *crosses = r->detail == TRACE_PMC ? &r->out->crosses : NULL;
     if (status == GRAZE_OK && r->workspace &&
-        filter_search(r->workspace, &r->scene->filter, &r->near)) {
+        filter_search(r->workspace, crosses, &r->scene->filter, &r->near)) {
+        if (r->out->crosses)
+            return GRAZE_OK;
         status = trace_found(r, &r->workspace->found);
     } else {
         for (size_t k = 0; k < r->scene->motion->piece_count && status == GRAZE_OK; k++)

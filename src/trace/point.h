@@ -9,8 +9,8 @@
 /**
  * Trace the curve t -> map(t) P through the solid, where map is the motion's inverse (sweep) or the
  * motion itself (unsweep). The verdict stays empty (verdict/classify.h fills it).
- * @param[out] out uninitialised; cleared by trace_clear. With TRACE_WORD its contacts may lack
- * times and cells.
+ * @param[out] out uninitialised; cleared by trace_clear. Unless TRACE_CONTACTS is asked for, its
+ * contacts may lack times and cells.
  */
 graze_status trace_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                          query_point point, trace_detail detail);

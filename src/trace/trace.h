@@ -21,6 +21,7 @@ struct graze_trace {
     size_t contact_count, contact_capacity;
     contact *contact;
     char *word;
+    int crosses; /* TRACE_PMC: somewhere inside and somewhere outside; nothing above is set */
     graze_verdict verdict; /* filled by the verdict stage */
 };
 
@@ -30,8 +31,9 @@ typedef struct query_point {
     const double *value;
 } query_point;
 
-/** Wanted part of a trace: contacts with times and cells, or states and the word alone. */
-typedef enum trace_detail { TRACE_CONTACTS, TRACE_WORD } trace_detail;
+/** Wanted part of a trace: contacts with times and cells; or states and the word alone; or, where a
+ * certain crossing is met, that there is one, else as TRACE_WORD. */
+typedef enum trace_detail { TRACE_CONTACTS, TRACE_WORD, TRACE_PMC } trace_detail;
 
 void trace_clear(graze_trace *trace);
 

@@ -15,10 +15,12 @@ graze_status classify_point(graze_trace *out, graze_context *context, const graz
 graze_status classify_verdict(graze_verdict *out, graze_context *context, const graze_scene *scene,
                               query_point point) {
     graze_trace trace;
-    graze_status status = classify_point(&trace, context, scene, point, TRACE_WORD);
+    int pmc_alone = scene->options.columns == GRAZE_COLUMNS_PMC;
+    graze_status status =
+        classify_point(&trace, context, scene, point, pmc_alone ? TRACE_PMC : TRACE_WORD);
     if (status)
         return status;
-    *out = trace.verdict;
+    *out = pmc_alone ? (graze_verdict){.pmc = trace.verdict.pmc} : trace.verdict;
     trace_clear(&trace);
     return GRAZE_OK;
 }

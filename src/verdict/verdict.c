@@ -96,6 +96,11 @@ int verdict_of_word(graze_verdict *out, const char *word, size_t length,
 
 void verdict_decide(graze_trace *trace, const graze_options *options) {
     unsigned long i = 0, t = 0;
+    if (trace->crosses) {
+        trace->verdict =
+            (graze_verdict){.pmc = options->operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN};
+        return;
+    }
     for (size_t k = 0; k < trace->contact_count; k++) {
         if (verdict_kind(trace->contact[k].left, trace->contact[k].right) == GRAZE_INTERSECTION)
             i++;

@@ -43,6 +43,8 @@ static const change changes[] = {
     {"# box", "# dimension 2\n# box", GRAZE_EINPUT, "twice"},
     {"# box", "# grid 2,2\n# box", GRAZE_EINPUT, "twice"},
     {"# box 0,0,8,1/2\n", "# box 0,0,8,1/2\n# box 0,0,8,1\n", GRAZE_EINPUT, "twice"},
+    {"# box", "# columns pmc\n# columns pmc\n# box", GRAZE_EINPUT, "# columns stands there twice"},
+    {"# box", "# columns word\n# box", GRAZE_EINPUT, "# columns word: expected pmc"},
     {"# grid 2,2", "# grid 4", GRAZE_EINPUT, "expected 2 whole numbers"},
     {"# grid 2,2", "# grid 2,2,1", GRAZE_EINPUT, "expected 2 whole numbers"},
     {"# grid 2,2", "# grid 4,1", GRAZE_EINPUT, "expected 2 whole numbers"},

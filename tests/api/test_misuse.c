@@ -373,12 +373,23 @@ static void certificates(bench *b) {
 static void positions(bench *b) {
     graze_context *c = b->s.context;
     graze_options unknown = {.topo = 2, .size = sizeof unknown};
+    graze_options other = {.columns = (graze_columns)2, .size = sizeof other};
+    graze_options both = {.topo = 1, .columns = GRAZE_COLUMNS_PMC, .size = sizeof both};
     WRONG(graze_trace_topo(NULL, c, b->s.scene, b->point, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, NULL, b->s.scene, b->point, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, NULL, b->point, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, NULL, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, b->point, NULL));
     WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &unknown));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &other));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &both));
+    both.topo = 0;
+    graze_scene *pmc_alone = NULL;
+    size_t length, done;
+    assert_int_equal(graze_scene_create(&pmc_alone, c, b->s.solid, b->s.motion, &both), GRAZE_OK);
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, pmc_alone, b->point, 1,
+                                     GRAZE_FORMAT_JSONL, NULL));
+    graze_scene_destroy(pmc_alone);
     HARMLESS(graze_topo_name, graze_topo_name((graze_topo)-1)[0] == 'n');
     HARMLESS(graze_topo_level_name, graze_topo_level_name((graze_topo_level)-1)[0] == 'n');
     HARMLESS(graze_topology_destroy, CALLS(graze_topology_destroy(NULL)));

@@ -5,9 +5,11 @@
  * Usage: inside SOLID. Answers one line `key=value ...` when the solid is loaded, then one a line
  * of standard input. POINTS is a file of raw doubles, or `made`; FROM and N count points.
  *   motion FILE                    make the scene
+ *   columns all|pmc                wanted answers, of the scenes made from then on
  *   filter 0|1                     off: the exact path alone
  *   make random|default SEED N     points of the generator, as rationals, to be named `made`
  *   classify POINTS FROM N         all in one call
+ *   inside POINTS FROM N OUT       the points that are `in`, written to OUT as raw doubles
  *   each POINTS FROM N             one call a point: the median, the 99th percentile, the maximum
  *   verdicts POINTS FROM N OUT     i of each point, written to OUT as 64-bit integers
  *   validate SOLID                 the geometric checks alone
@@ -33,6 +35,7 @@ typedef struct bench {
     graze_solid *solid;
     graze_motion *motion;
     graze_scene *scene;
+    graze_columns columns;
     mpq_t *made; /* 3 * made_count */
     size_t made_count;
 } bench;
@@ -130,6 +133,25 @@ static void classify(bench *b, const char *name, size_t from, size_t n, const ch
     free(p.doubles);
 }
 
+static void write_inside(const bench *b, const char *name, size_t from, size_t n, const char *out) {
+    points p = take_points(b, name, from, n);
+    graze_verdict *verdict = allocate(n, sizeof *verdict);
+    check(answer(verdict, b, &p, 0, n), b, "inside");
+    FILE *file = fopen(out, "wb");
+    size_t count = 0;
+    for (size_t k = 0; k < n && file; k++) {
+        int in = verdict[k].pmc == GRAZE_IN;
+        if (in && fwrite(p.doubles + 3 * k, 3 * sizeof *p.doubles, 1, file) != 1)
+            fail(out, "cannot be written");
+        count += (size_t)in;
+    }
+    if (!file || fclose(file))
+        fail(out, "cannot be written");
+    printf("count=%zu\n", count);
+    free(verdict);
+    free(p.doubles);
+}
+
 static int ascending(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -167,7 +189,8 @@ static void make_scene(bench *b, const char *path) {
     b->scene = NULL;
     check(graze_motion_read(&b->motion, b->context, path), b, path);
     double start = seconds();
-    check(graze_scene_create(&b->scene, b->context, b->solid, b->motion, NULL), b, path);
+    graze_options options = {.size = sizeof options, .columns = b->columns};
+    check(graze_scene_create(&b->scene, b->context, b->solid, b->motion, &options), b, path);
     printf("seconds=%.9f\n", seconds() - start);
 }
 
@@ -224,10 +247,15 @@ static void obey(bench *b, const char *line) {
     } else if (strcmp(verb, "filter") == 0) {
         graze_context_set_filter(b->context, *name == '1');
         printf("filter=%s\n", name);
+    } else if (strcmp(verb, "columns") == 0) {
+        b->columns = strcmp(name, "pmc") == 0 ? GRAZE_COLUMNS_PMC : GRAZE_COLUMNS_ALL;
+        printf("columns=%d\n", b->columns);
     } else if (strcmp(verb, "make") == 0) {
         make_points(b, name, from, n);
     } else if (strcmp(verb, "classify") == 0 || strcmp(verb, "verdicts") == 0) {
         classify(b, name, from, n, out);
+    } else if (strcmp(verb, "inside") == 0) {
+        write_inside(b, name, from, n, out);
     } else if (strcmp(verb, "each") == 0) {
         each(b, name, from, n);
     } else if (strcmp(verb, "validate") == 0) {
@@ -238,7 +266,7 @@ static void obey(bench *b, const char *line) {
 }
 
 int main(int count, char **arguments) {
-    bench b = {NULL, NULL, NULL, NULL, NULL, 0};
+    bench b = {NULL, NULL, NULL, NULL, GRAZE_COLUMNS_ALL, NULL, 0};
     char line[2048];
     if (count != 2 || graze_context_create(&b.context))
         return 2;

@@ -134,6 +134,24 @@ class Bench:
         exact = inside.ask("classify", self.path("screw.points"), 0, n)["in"]
         self.table.note(f"{size:,} faces: inside are {sampled:.0f} of {n} points by samples, {exact:.0f} in truth")
 
+    def pmc_alone(self, name, size, solid, full, peers):
+        """pmc alone against the union of samples, and for points inside against the full answer."""
+        quick = self.inside(solid)
+        quick.ask("columns", "pmc")
+        quick.ask("motion", self.path(name + ".json"))
+        if name == "screw":
+            ask = lambda start, n: peers.ask("union", self.path("screw.points"), start, n,
+                                             self.path("screw.samples"))["seconds"]
+            peer, graze, ratio, n = in_turns(ask, self.points(quick, "screw"), self.total, self.target, REPEATS)
+            self.table.row(f"pmc alone, screw against that union, {size:,} faces ({n:,} points)", ratio, least=10,
+                           graze=graze, peer=peer, each=self.each(quick, "screw", n))
+        count = int(full.ask("inside", self.path(name + ".points"), 0, self.total // 2, self.path("in.points"))["count"])
+        all_, graze, ratio, n = in_turns(self.points(full, "in", False), self.points(quick, "in", False), count,
+                                         self.target, REPEATS)
+        self.table.row(f"pmc alone, {name}, points inside against the full answer, {size:,} faces ({n:,} points)",
+                       ratio, least=3, graze=graze, peer=all_, each=self.each(quick, "in", n))
+        quick.close()
+
     def static(self, size, peers):
         n = self.total
         spent = peers.ask("static", self.path("screw.points"), 0, n)["seconds"] / n
@@ -240,6 +258,7 @@ class Bench:
         self.against_count("translation, nearly all miss", "nearly all miss", size, inside, peers, "far", 3)
         self.exact_path("translation", size, inside, "translation", filtered)
         self.command_line(size, solid, peers)
+        self.pmc_alone("translation", size, solid, inside, peers)
         if size == self.sizes[0]:
             self.degenerate(inside, "translation")
             self.cores(solid)
@@ -247,10 +266,12 @@ class Bench:
         filtered = self.against_count("rotation, degree 4, against its chord", "rotation", size, inside, peers,
                                       "rotation", 5)
         self.exact_path("rotation", size, inside, "rotation", filtered)
+        self.pmc_alone("rotation", size, solid, inside, peers)
         if size == self.sizes[0]:
             self.degenerate(inside, "rotation")
         inside.ask("motion", self.path("screw.json"))
         self.union(size, inside, peers)
+        self.pmc_alone("screw", size, solid, inside, peers)
         self.static(size, peers)
         inside.close()
         peers.close()

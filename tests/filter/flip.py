@@ -106,6 +106,21 @@ def weights(graze, rng, count, pieces=1):
                        {"rotate": {"tan_half": "4*t-2"}}, points, pieces)
 
 
+def through_tips(graze, rng, count):
+    """From outside through the tip of a hole, which rests on the outer edge, into the hole. The edge is certainly
+    crossed in its interior, and the point is never inside: only the certainty "alone" decides on that."""
+    points = []
+    for _ in range(count):
+        t = F(rng.randrange(1, 2 ** 20), 2 ** 20)
+        points.append((4 + t / 8, -2 * t))
+    query = plane_query(graze, "tips of a hole", [(0, 0), (8, 0), (8, 8), (0, 8)],
+                        {"translate": ["t/8", "-2*t"]}, points)
+    with open(query.arguments[0], "w", encoding="ascii") as file:
+        file.write("POLYGON((0 0, 8 0, 8 8, 0 8, 0 0), (4 0, 6 4, 4 6, 2 4, 4 0))\n")
+    query.arguments += ["--columns", "pmc"]
+    return query
+
+
 def over_the_break(graze, rng, count):
     """A crossing on one side of a break point and a grazed tip, for the exact path, on the other.
 
@@ -143,6 +158,7 @@ def queries(graze, rng, scale):
     yield corner_rays(graze, rng, 12000 * scale)
     yield weights(graze, rng, 12000 * scale)
     yield weights(graze, rng, 12000 * scale, 2)
+    yield through_tips(graze, rng, 12000 * scale)
     yield from over_the_break(graze, rng, 24000 * scale)
 
 

@@ -55,6 +55,24 @@ class Answers(unittest.TestCase):
         self.assertTrue(lines[-4].endswith(",topo"))
         self.assertFalse(scene.rows([(5, 1, 2)])[0].endswith(",boundary"))
 
+    def test_pmc_alone(self):
+        """The same answers as `CUBE_ANSWERS`, and no others; not with what needs all of them."""
+        full = common.cube_scene()
+        scene = graze.Scene(full.solid, full.motion, columns="pmc")
+        points = [point for point, _, _ in CUBE_ANSWERS]
+        want = [(int(verdict[0]), 0, 0, 0, 0, 0) for _, verdict, _ in CUBE_ANSWERS]
+        self.assertEqual(common.tuples(scene.classify(points)), want)
+        self.assertEqual(scene.rows(points), [f"{x},{y},{z},{v[0].name.lower()}" for (x, y, z), v, _ in CUBE_ANSWERS])
+        lines = scene.table(points).splitlines()
+        self.assertIn("# columns pmc", lines)
+        self.assertIn("x,y,z,pmc", lines)
+        self.assertEqual(scene.trace((5, 1, 1)).word, "OBIBO")
+        for wrong in ({"columns": "class"}, {"columns": "pmc", "topo": True}):
+            with self.assertRaises(graze.UseError):
+                graze.Scene(full.solid, full.motion, **wrong)
+        with self.assertRaises(graze.UseError):
+            scene.rows(points, format="jsonl")
+
     def test_slide(self):
         """(5, 1, 2) has c = (5 - 8t, 1, 2) on the top from t = 3/8 to 5/8, over edges x = 2 and x = 0."""
         contact, = common.cube_scene().trace((5, 1, 2)).contacts

@@ -37,7 +37,7 @@ class COptions(ctypes.Structure):
     """graze_options."""
 
     _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int), ("size", c_size_t),
-                ("topo", c_int)]
+                ("topo", c_int), ("columns", c_int)]
 
 
 class CVerdict(ctypes.Structure):

@@ -22,6 +22,7 @@ from .results import VERDICT_DTYPE, Sample, Topology, Trace, Verdict
 OPERATIONS = ("sweep", "unsweep")
 OVERLAPS = ("extend", "reject")
 FOLDS = ("separate", "combined")
+COLUMNS = ("all", "pmc")
 FORMATS = ("csv", "jsonl")
 _FEW = 8  # points, of which a call may well be brief
 
@@ -46,7 +47,7 @@ class Scene:
                  operation: str = "sweep", overlap: str = "extend", folds: str = "separate",
                  triangulate: bool = False, round: str = "none", *,
                  limits: Optional[Mapping[str, int]] = None, use_filter: bool = True,
-                 topo: bool = False) -> None:
+                 topo: bool = False, columns: str = "all") -> None:
         """Read, validate and put together; decide whether first and last position meet.
 
         Args:
@@ -59,6 +60,8 @@ class Scene:
             round: `binary64` or `binary32` rounds every number of solid, motion and points first.
             limits: limits by name, as of `graze --limit`: `digits`, `degree`, `pieces`, ...
             topo: rows and tables end with the position relative to the closed sweep.
+            columns: `pmc`: verdicts, rows and tables have that answer alone, which is decided
+                sooner; the other fields of verdicts are 0. Not with topo, nor for JSON Lines.
             use_filter: let the certified floating-point filter go first; answers are the same.
         Raises:
             UseError: a word that is none, or a solid or motion that was rounded otherwise.
@@ -68,7 +71,8 @@ class Scene:
         chosen = settings(round, limits, use_filter)
         options = COptions(choice("operation", operation, OPERATIONS),
                            choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS),
-                           ctypes.sizeof(COptions), int(topo))
+                           ctypes.sizeof(COptions), int(topo),
+                           choice("columns", columns, COLUMNS))
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
@@ -78,7 +82,7 @@ class Scene:
                 raise UseError("solid, motion and points must be rounded alike")
         self.solid, self.motion = solid, motion
         self.operation, self.overlap, self.folds, self.round = operation, overlap, folds, round
-        self.topo = bool(topo)
+        self.topo, self.columns = bool(topo), columns
         self._contexts = Contexts(chosen)
         context, pointer = self._contexts.mine(), ctypes.c_void_p()
         parts = input_handle(solid), input_handle(motion)

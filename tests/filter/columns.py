@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+# suite
+"""`classify --columns pmc`: the bytes of the full table without its other answers, in all that reads tables.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+The full table is the second method. Its column pmc is held against that of the quick search, with the filter
+and without it, on all golden cases, on generated and constructed points of the scenes of adversaries.py, and on
+points whose trajectory meets the tip of a hole that rests on an edge. Shards, continued, compared and exported tables of pmc alone
+are held to those of a whole run. A scale of 10 makes ten times as many points.
+"""
+import ast
+import os
+import random
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "..", *part.split("/"))
+                for part in ("cases", "generate", "agree/lib", "lib")]
+
+import casefile  # noqa: E402
+from adversaries import scenes  # noqa: E402
+from program import Checks, Graze, options, run  # noqa: E402
+from queries import Maker, written  # noqa: E402
+
+SECONDS = 300
+POINTS, HEAVY_POINTS = 200, 40
+PMC = ["--columns", "pmc"]
+
+
+def projected(table):
+    """The full table with pmc alone."""
+    out, drop, at = [], None, None
+    for line in table.splitlines(keepends=True):
+        if line.startswith("# ends-meet"):
+            out.insert(1 + max(k for k, other in enumerate(out) if other.startswith("# round ")), "# columns pmc\n")
+        if line.startswith("#"):
+            out.append(line)
+            continue
+        if drop is None:
+            at = line.split(",").index("pmc") + 1 if "pmc," in line else 0
+            drop = 1 if line.split(",")[at].strip() == "word" else 6
+        cells = line.rstrip("\n").split(",")
+        out.append(",".join(cells[:at] + cells[at + drop:]) + "\n")
+    return "".join(out)
+
+
+class Columns:
+    def __init__(self, args):
+        self.args, self.checks = args, Checks()
+        self.graze = Graze(args, self.checks)
+        self.rows = self.inside = 0
+
+    def run(self, *words):
+        done = run([self.args.graze, *words], SECONDS, self.graze.memory, text=False)
+        return done.returncode, done.stdout.decode("latin-1"), done.stderr.decode("latin-1")
+
+    def good(self, *words):
+        status, out, error = self.run(*words)
+        self.checks.equal(status, 0, *words, error[:300])
+        return out
+
+    def same(self, name, *words):
+        """The table of pmc alone, after it was held against the full one."""
+        expected = projected(self.good("classify", *words))
+        for flags in ([], ["--no-filter"]):
+            given = self.good("classify", *words, *PMC, *flags)
+            self.checks.equal(given == expected, True, name, *words, *flags,
+                              *[f"{a!r} {b!r}" for a, b in zip(given.splitlines(), expected.splitlines()) if a != b][:3])
+        self.rows += expected.count("\n")
+        self.inside += sum(",in" in line for line in expected.splitlines())
+        return expected
+
+    def cases(self):
+        for name in casefile.names():
+            case = casefile.Case(name)
+            self.same(name, case.path(case.solid), case.path("motion.json"), case.path("points.csv"), *case.options)
+
+    def scenes(self):
+        for scene in scenes():
+            tag = scene.name.replace(", ", "_").replace(" ", "-")
+            solid, motion = scene.texts()
+            solid = self.graze.write(tag + scene.solid.suffix, solid)
+            motion = self.graze.write(tag + ".json", motion)
+            count = (HEAVY_POINTS if scene.heavy else POINTS) * self.args.scale
+            points = Maker(scene, self.args.random).points(count)
+            path = self.graze.write(tag + ".csv", written(scene.d, points))
+            self.same(scene.name, solid, motion, path, *scene.flags)
+
+    def tip_of_a_hole(self):
+        """From outside through the tip of a hole, which rests on the outer edge, into the hole: never inside."""
+        solid = self.graze.write("hole.wkt", "POLYGON((0 0, 8 0, 8 8, 0 8, 0 0), (4 0, 6 4, 4 6, 2 4, 4 0))\n")
+        motion = self.graze.write("hole.json", '{"dimension": 2, "pieces": [{"t": [0, 1], "transform": '
+                                  '{"translate": ["t/8", "-2*t"]}}]}')
+        lines = ["x,y,note"]
+        for k in range(1, 400):
+            lines.append(f"{4 * 4000 + k}/4000,{-2 * 8 * k}/4000,through the tip")
+            lines.append(f"{4 * 4000 + k + 1}/4000,{-2 * 8 * k}/4000,beside it")
+        path = self.graze.write("hole.csv", "\n".join(lines) + "\n")
+        rows = [line.split(",") for line in self.same("tip", solid, motion, path).splitlines() if line[0] != "#"][1:]
+        self.checks.equal({row[2] for row in rows if row[3] == "through the tip"}, {"on"}, "through the tip")
+        self.checks.equal({row[2] for row in rows if row[3] == "beside it"}, {"in"}, "beside the tip")
+
+    def tables(self):
+        """All that reads tables takes those of pmc alone; carried columns may have the names of answers."""
+        rng = random.Random(7)
+        case = casefile.Case("bracket")
+        solid, motion = case.path(case.solid), case.path("motion.json")
+        numbers = [[str(rng.randrange(-20, 120)) + "/8" for _ in range(3)] for _ in range(300)]
+        path = self.graze.write("named.csv", "x,word,y,z,class,i\n" + "".join(
+            f"{x},OBIBO,{y},{z},boundary,7\n" for x, y, z in numbers))
+        words = ("classify", solid, motion, path, *PMC)
+        whole = self.same("named", solid, motion, path)
+        folder = os.path.dirname(path)
+        parts = []
+        for k in (2, 1, 3):
+            parts.append(os.path.join(folder, f"part-{k}.csv"))
+            self.good(*words, "--shard", f"{k}/3", "--output", parts[-1])
+        self.checks.equal(self.good("merge", *parts) == whole, True, "merged parts")
+        for _ in range(6):
+            cut = os.path.join(folder, "cut.csv")
+            with open(cut, "w", encoding="latin-1") as file:
+                file.write(whole[:rng.randrange(40, len(whole) - 12)])
+            self.good(*words, "--resume", cut)
+            with open(cut, encoding="latin-1") as file:
+                self.checks.equal(file.read() == whole, True, "a continued table")
+        golden = self.graze.write("pmc.csv", whole)
+        full = self.graze.write("full.csv", self.good("classify", solid, motion, path))
+        for one, other in ((golden, golden), (full, golden)):
+            report = self.good("compare", one, other)
+            self.checks.equal("| 300 | 300 | 0 | 0 | 0 | 0 |" in report, True, one, other, report[:2000])
+        status, _, message = self.run("compare", golden, full)
+        self.checks.equal((status, "has no column class" in message), (3, True), "all answers by pmc alone", message)
+        wrong = self.graze.write("wrong.csv", whole.replace(",out,", ",in,", 1))
+        self.checks.equal(self.run("compare", golden, wrong)[0], 1, "a wrong pmc")
+        self.merge_refuses(words, parts, folder)
+        for form in ("npy", "vtk"):
+            done = run([self.args.graze, *words, "--format", form], SECONDS, self.graze.memory, text=False)
+            self.checks.equal(done.returncode, 0, form)
+            if form == "npy":
+                self.records(done.stdout, whole)
+
+    def merge_refuses(self, words, parts, folder):
+        """A part with all answers among parts of pmc alone, and one whose pmc is no answer."""
+        other = os.path.join(folder, "other.csv")
+        self.good(*[w for w in words if w not in PMC], "--shard", "3/3", "--output", other)
+        status, _, message = self.run("merge", *parts[:2], other)
+        self.checks.equal((status, "expected parts of one run" in message), (3, True), "parts of two kinds", message)
+        with open(parts[2], encoding="latin-1") as file:
+            text = file.read()
+        for change in (",in,", ",regular,"), (",out,", ",,"), (",out,OBIBO", ",out"):
+            with open(other, "w", encoding="latin-1") as file:
+                file.write(text.replace(*change, 1))
+            self.checks.equal(self.run("merge", *parts[:2], other)[0], 3, "a damaged part", change)
+
+    def records(self, data, whole):
+        """The pmc of a structured array, read by its own head: pmc is a byte behind three doubles, or wider."""
+        start = 10 if data[6] == 1 else 12  # the length of the head has 2 bytes, from version 2 on 4
+        size = int.from_bytes(data[8:start], "little")
+        head = ast.literal_eval(data[start:start + size].decode("latin-1"))
+        names = [name for name, _ in head["descr"]]
+        self.checks.equal(names, ["x", "y", "z", "pmc", "word", "class", "i"], "columns of the array")
+        widths = [int(kind[2:]) * (4 if kind[1] == "U" else 1) for _, kind in head["descr"]]
+        at, records = sum(widths[:3]), data[start + size:]
+        rows = [line.split(",") for line in whole.splitlines() if line[0] != "#"][1:]
+        given = [records[k * sum(widths) + at:][:widths[3]].rstrip(b"\0").decode() for k in range(len(rows))]
+        self.checks.equal(given == [row[3] for row in rows], True, "pmc of the array", given[:3])
+
+
+def main():
+    columns = Columns(options(__doc__.splitlines()[0]))
+    columns.cases()
+    columns.scenes()
+    columns.tip_of_a_hole()
+    columns.tables()
+    print(f"{columns.rows} lines both ways, {columns.inside} of points inside")
+    columns.checks.equal(columns.inside * 5 > columns.rows, True, "a fifth of the points is inside")
+    columns.checks.finish()
+
+
+if __name__ == "__main__":
+    main()
