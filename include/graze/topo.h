@@ -26,7 +26,13 @@ typedef enum graze_topo_level {
     GRAZE_LEVEL_NONE = 0, /**< undecided */
     GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
     GRAZE_LEVEL_L1 = 2,   /**< leading directions at the contacts (topology.md C46) */
-    GRAZE_LEVEL_L3 = 3    /**< the curves near the point, in a plane (topology.md C49, C50) */
+    GRAZE_LEVEL_L3 = 3,   /**< the curves near the point, in a plane (topology.md C49, C50) */
+    GRAZE_LEVEL_EXACT =
+        4, /**< L1 with closed cones that are covered exactly (topology.md C46, C51) */
+    GRAZE_LEVEL_TUBE =
+        5, /**< these, with ways through pinches and along edges (topology.md C52, C53) */
+    GRAZE_LEVEL_LR =
+        6 /**< the section across a direction that no contact depends on (topology.md C55) */
 } graze_topo_level;
 
 /** Verdict on one point. */
@@ -34,7 +40,7 @@ typedef struct graze_topology graze_topology;
 
 /** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_topo_name(graze_topo topo);
-/** "word", "L1" or "L3", else "none". Static. */
+/** "word", "L1", "exact", "tube", "LR" or "L3", else "none". Static. */
 GRAZE_API const char *graze_topo_level_name(graze_topo_level level);
 
 /**
@@ -59,8 +65,8 @@ GRAZE_API graze_topo_level graze_topology_level(const graze_topology *topology);
 GRAZE_API const char *graze_topology_reason(const graze_topology *topology);
 /**
  * A point that is `out`, for an `on` point of a sweep that is `boundary`. By L1 all points near
- * enough in its direction are `out`; by L3 it lies on a square about the point, and every smaller
- * one holds such a point too.
+ * enough in its direction are `out`; by LR and L3 it lies on a square about the point, and every
+ * smaller one holds such a point too.
  * @param[out] out d initialised rationals; unchanged if there is no such point
  * @return 1, or 0 if there is none
  */

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "context/array.h"
+#include "topo/directions.h"
 
 void borders_init(borders *b, int dimension) {
     memset(b, 0, sizeof *b);
@@ -33,24 +34,6 @@ static void turn_quarter(fmpz *out, const fmpz *a) {
     fmpz_set(out + 1, a);
 }
 
-/* out = a x b; `out` is neither. */
-static void cross_directions(fmpz *out, const fmpz *a, const fmpz *b) {
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpz_mul(out + i, a + j, b + k);
-        fmpz_submul(out + i, a + k, b + j);
-    }
-}
-
-static void make_primitive(fmpz *v, int d) {
-    fmpz_t content;
-    fmpz_init(content);
-    _fmpz_vec_content(content, v, d);
-    if (!fmpz_is_zero(content))
-        _fmpz_vec_scalar_divexact_fmpz(v, v, d, content);
-    fmpz_clear(content);
-}
-
 /* Append a copy unless it is there. */
 static graze_status add_vector(fmpz **list, size_t *count, size_t *capacity, graze_context *context,
                                const fmpz *v, int d) {
@@ -70,7 +53,7 @@ static graze_status add_vector(fmpz **list, size_t *count, size_t *capacity, gra
 /* Add the plane with a normal, which is changed; none for 0. */
 static graze_status add_border(borders *b, graze_context *context, fmpz *normal) {
     int d = b->dimension, sign = 0;
-    make_primitive(normal, d);
+    direction_reduce(normal, d);
     for (int i = 0; i < d && !sign; i++)
         sign = fmpz_sgn(normal + i);
     if (!sign)
@@ -106,12 +89,12 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
     for (size_t i = 0; d == 3 && i < g->cone.count && !status; i++)
         for (size_t j = 0; j < i && !status; j++) {
             graze_state state[2] = {GRAZE_STATE_O, GRAZE_STATE_O};
-            cross_directions(ray, g->cone.normal + 3 * i, g->cone.normal + 3 * j);
+            directions_cross(ray, g->cone.normal + 3 * i, g->cone.normal + 3 * j);
             for (int k = 0; k < 2 && !status; k++) {
                 status = cone_state(&state[k], &g->cone, context, ray);
                 _fmpz_vec_neg(ray, ray, d);
             }
-            cross_directions(normal, e, ray);
+            directions_cross(normal, e, ray);
             if (!status && (state[0] == GRAZE_STATE_B || state[1] == GRAZE_STATE_B))
                 status = add_body_border(b, context, g, normal);
         }
@@ -120,12 +103,26 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
     return status;
 }
 
+/* The plane of a ray of the cone that is an edge and of the way that leaves it, in E^3. */
+static graze_status add_swept_ray(borders *b, graze_context *context, const germ *g,
+                                  const fmpz *ray, const fmpz *way) {
+    fmpz *normal = _fmpz_vec_init(3);
+    directions_cross(normal, ray, way);
+    graze_status status = add_body_border(b, context, g, normal);
+    _fmpz_vec_clear(normal, 3);
+    return status;
+}
+
 static graze_status add_germ_borders(borders *b, graze_context *context, germ *g) {
     graze_status status = GRAZE_OK;
     for (size_t j = 0; j < g->cone.count && !status; j++)
         status = add_body_border(b, context, g, g->cone.normal + j * (size_t)b->dimension);
-    for (int s = 0; s < g->side_count && !status; s++)
-        status = add_swept_edges(b, context, g, g->side[s].e);
+    for (int s = 0; s < g->side_count && !status; s++) {
+        const germ_side *side = &g->side[s];
+        status = add_swept_edges(b, context, g, side->e);
+        if (!status && side->has_later)
+            status = add_swept_ray(b, context, g, side->e, side->later);
+    }
     return status;
 }
 
@@ -149,13 +146,28 @@ static graze_status add_rays(borders *b, graze_context *context, size_t i, size_
     if (d == 2)
         turn_quarter(ray, b->plane + i * 2);
     else
-        cross_directions(ray, b->plane + i * 3, b->plane + j * 3);
-    make_primitive(ray, d);
+        directions_cross(ray, b->plane + i * 3, b->plane + j * 3);
+    direction_reduce(ray, d);
     for (int k = 0; k < 2 && !status; k++) {
         status = add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, ray, d);
         _fmpz_vec_neg(ray, ray, d);
     }
     _fmpz_vec_clear(ray, d);
+    return status;
+}
+
+/* The rays of an arrangement; in E^2 each line has two. */
+static graze_status find_rays(borders *b, int *refused, graze_context *context) {
+    graze_status status = GRAZE_OK;
+    for (size_t i = 0; i < b->plane_count && !status && !*refused; i++) {
+        if (b->dimension == 2)
+            status = add_rays(b, context, i, i);
+        for (size_t j = 0; b->dimension == 3 && j < i && !status; j++)
+            status = add_rays(b, context, i, j);
+        *refused = b->ray_count > BORDER_RAYS;
+        if (!status)
+            status = context_poll(context);
+    }
     return status;
 }
 
@@ -166,15 +178,61 @@ graze_status borders_find(borders *b, int *refused, graze_context *context, germ
         status = add_germ_borders(b, context, &germs->item[k]);
         *refused = b->plane_count > BORDER_PLANES;
     }
-    for (size_t i = 0; i < b->plane_count && !status && !*refused; i++) {
-        if (b->dimension == 2)
-            status = add_rays(b, context, i, i);
-        for (size_t j = 0; b->dimension == 3 && j < i && !status; j++)
-            status = add_rays(b, context, i, j);
-        *refused = b->ray_count > BORDER_RAYS;
-        if (!status)
-            status = context_poll(context);
+    return status || *refused ? status : find_rays(b, refused, context);
+}
+
+graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
+                             const local_cone *cone) {
+    slong d = cone->dimension;
+    *refused = 0;
+    fmpz *normal = _fmpz_vec_init(d);
+    graze_status status = add_axes(b, context);
+    for (size_t j = 0; j < cone->count && !status; j++) {
+        _fmpz_vec_set(normal, cone->normal + j * (size_t)d, d);
+        status = add_border(b, context, normal);
     }
+    _fmpz_vec_clear(normal, d);
+    return status ? status : find_rays(b, refused, context);
+}
+
+/* Add those planes of `all` that contain a direction, and what spans all planes that do. */
+static graze_status keep_planes_through(borders *b, graze_context *context, const borders *all,
+                                        const fmpz *direction) {
+    graze_status status = GRAZE_OK;
+    fmpz *normal = _fmpz_vec_init(6), *axis = normal + 3;
+    fmpz_t at;
+    fmpz_init(at);
+    for (size_t p = 0; p < all->plane_count && !status; p++) {
+        _fmpz_vec_dot(at, all->plane + 3 * p, direction, 3);
+        _fmpz_vec_set(normal, all->plane + 3 * p, 3);
+        if (fmpz_is_zero(at))
+            status = add_border(b, context, normal);
+    }
+    for (int i = 0; i < 3 && !status; i++) {
+        _fmpz_vec_zero(axis, 3);
+        fmpz_one(axis + i);
+        directions_cross(normal, direction, axis);
+        status = add_border(b, context, normal);
+    }
+    _fmpz_vec_clear(normal, 6);
+    fmpz_clear(at);
+    return status;
+}
+
+graze_status borders_about(borders *b, graze_context *context, germ *g, const fmpz *direction) {
+    borders all;
+    fmpz to_world[9];
+    borders_init(&all, 3);
+    memcpy(to_world, g->to_body, sizeof to_world);
+    for (int i = 0; i < 9; i++)
+        g->to_body[i] = i % 4 == 0; /* in directions of the body itself */
+    graze_status status = add_germ_borders(&all, context, g);
+    memcpy(g->to_body, to_world, sizeof to_world);
+    if (!status)
+        status = keep_planes_through(b, context, &all, direction);
+    if (!status)
+        status = add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, direction, 3);
+    borders_clear(&all);
     return status;
 }
 
@@ -212,7 +270,7 @@ static int turn_about_ray(const fmpz *v, const fmpz *a, const fmpz *b) {
     fmpz cross[3] = {0, 0, 0};
     fmpz_t det;
     fmpz_init(det);
-    cross_directions(cross, a, b);
+    directions_cross(cross, a, b);
     _fmpz_vec_dot(det, cross, v, 3);
     int sign = fmpz_sgn(det);
     for (int i = 0; i < 3; i++)
@@ -241,7 +299,7 @@ static size_t directions_across(fmpz *out, const borders *b, const fmpz *v) {
         _fmpz_vec_dot(at, b->plane + 3 * p, v, 3);
         if (!fmpz_is_zero(at))
             continue;
-        cross_directions(out + 3 * count, v, b->plane + 3 * p);
+        directions_cross(out + 3 * count, v, b->plane + 3 * p);
         _fmpz_vec_neg(out + 3 * (count + 1), out + 3 * count, 3);
         count += 2;
     }

@@ -4,7 +4,7 @@
 #ifndef GRAZE_TOPO_BORDERS_H
 #define GRAZE_TOPO_BORDERS_H
 
-#include "topo/germs.h"
+#include "topo/germ.h"
 
 /** Most planes and rays of an arrangement that is looked at. */
 enum { BORDER_PLANES = 60, BORDER_RAYS = 3000 };
@@ -23,6 +23,14 @@ void borders_clear(borders *b);
 /** The planes of all germs and their sides, in directions about P, and the rays.
  * @param[out] refused 1 if there are too many: then the arrangement is not whole */
 graze_status borders_find(borders *b, int *refused, graze_context *context, germ_list *germs);
+
+/** The arrangement of planes in the directions of a germ's body that contain one direction, at
+ * which what the germ covers can change, as seen along that direction (E^3). That is ray 0. */
+graze_status borders_about(borders *b, graze_context *context, germ *g, const fmpz *direction);
+
+/** The arrangement of a cone's own planes, with its rays. */
+graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
+                             const local_cone *cone);
 
 /**
  * A direction in each cell of dimension d, and (E^3) d - 1, whose closure has ray `r` in it, in

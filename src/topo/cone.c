@@ -6,6 +6,7 @@
 #include "topo/cone.h"
 
 #include <flint/fmpq.h>
+#include <flint/fmpz_mat.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,10 +52,24 @@ graze_status cone_make(local_cone *cone, graze_context *context, const graze_sol
 }
 
 void cone_clear(local_cone *cone) {
+    if (!cone->planes)
+        return;
     _fmpz_vec_clear(cone->at, cone->dimension + 1);
     _fmpz_vec_clear(cone->value, (slong)cone->planes->count);
     _fmpz_vec_clear(cone->normal, (slong)cone->planes->count * cone->dimension);
     free(cone->known_item);
+}
+
+int cone_cell_dimension(const local_cone *cone) {
+    fmpz_mat_t normals;
+    fmpz_mat_init(normals, (slong)cone->count, cone->dimension);
+    for (size_t j = 0; j < cone->count; j++)
+        for (int i = 0; i < cone->dimension; i++)
+            fmpz_set(fmpz_mat_entry(normals, (slong)j, i),
+                     cone->normal + j * (size_t)cone->dimension + i);
+    int rank = (int)fmpz_mat_rank(normals);
+    fmpz_mat_clear(normals);
+    return cone->dimension - rank;
 }
 
 /* A point on the ray before any plane that does not pass through the cone's point. */
@@ -101,6 +116,16 @@ static graze_status locate_beside(graze_state *out, const local_cone *cone, graz
     return context_poll(context);
 }
 
+int cone_knows(graze_state *out, const local_cone *cone, const signed char *signs) {
+    size_t width = cone->count + 1;
+    for (size_t k = 0; k < cone->known; k++)
+        if (memcmp(cone->known_item + k * width, signs, width - 1) == 0) {
+            *out = (graze_state)cone->known_item[k * width + width - 1];
+            return 1;
+        }
+    return 0;
+}
+
 graze_status cone_state(graze_state *out, local_cone *cone, graze_context *context,
                         const fmpz *direction) {
     size_t width = cone->count + 1;
@@ -118,11 +143,8 @@ graze_status cone_state(graze_state *out, local_cone *cone, graze_context *conte
         signs[j] = (signed char)fmpz_sgn(value);
     }
     fmpz_clear(value);
-    for (size_t k = 0; k < cone->known; k++)
-        if (memcmp(cone->known_item + k * width, signs, width - 1) == 0) {
-            *out = (graze_state)cone->known_item[k * width + width - 1];
-            return GRAZE_OK;
-        }
+    if (cone_knows(out, cone, signs))
+        return GRAZE_OK;
     status = locate_beside(out, cone, context, direction);
     signs[width - 1] = (signed char)*out;
     cone->known += !status;
@@ -133,15 +155,34 @@ static int compare_cuts(const void *a, const void *b) {
     return fmpq_cmp(a, b);
 }
 
+/* Add so much of the ray to w that its sign decides at every plane which is not along it. */
+static void add_ray(fmpz *w, const local_cone *cone, const fmpz *ray) {
+    slong d = cone->dimension;
+    fmpz_t at, most;
+    fmpz_init(at);
+    fmpz_init_set_ui(most, 1);
+    for (size_t j = 0; j < cone->count; j++) {
+        _fmpz_vec_dot(at, cone->normal + j * (size_t)d, w, d);
+        if (fmpz_cmpabs(at, most) > 0)
+            fmpz_abs(most, at);
+    }
+    fmpz_add_ui(most, most, 1);
+    _fmpz_vec_scalar_addmul_fmpz(w, ray, d, most);
+    fmpz_clear(at);
+    fmpz_clear(most);
+}
+
 /* The direction u + s e, times the denominator of s. */
 static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
-                               graze_context *context, const fmpz *u, const fmpz *e,
-                               const fmpq_t s) {
+                               graze_context *context, const fmpz *ray, const fmpz *u,
+                               const fmpz *e, const fmpq_t s) {
     graze_state state = GRAZE_STATE_O;
     slong d = cone->dimension;
     fmpz *w = _fmpz_vec_init(d);
     _fmpz_vec_scalar_mul_fmpz(w, u, d, fmpq_denref(s));
     _fmpz_vec_scalar_addmul_fmpz(w, e, d, fmpq_numref(s));
+    if (ray)
+        add_ray(w, cone, ray);
     graze_status status = cone_state(&state, cone, context, w);
     _fmpz_vec_clear(w, d);
     *in_interior |= state == GRAZE_STATE_I;
@@ -151,7 +192,7 @@ static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
 
 /* The signs of u + s e change at the cuts alone: each cut, and a number in each gap. */
 graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
-                        const fmpz *u, const fmpz *e) {
+                        const fmpz *ray, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension, count = 1;
     fmpq *cut = _fmpq_vec_init((slong)cone->count + 1); /* 0 first */
     fmpz_t a, b;
@@ -170,7 +211,7 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
     *in_interior = *in_cone = 0;
     graze_status status = GRAZE_OK;
     for (slong k = 0; k < count && !status && !*in_interior; k++) {
-        status = look_along(in_interior, in_cone, cone, context, u, e, cut + k);
+        status = look_along(in_interior, in_cone, cone, context, ray, u, e, cut + k);
         if (k + 1 < count) {
             fmpq_add(between, cut + k, cut + k + 1);
             fmpq_div_2exp(between, between, 1);
@@ -178,7 +219,7 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
             fmpq_add_si(between, cut + k, 1);
         }
         if (!status)
-            status = look_along(in_interior, in_cone, cone, context, u, e, between);
+            status = look_along(in_interior, in_cone, cone, context, ray, u, e, between);
     }
     _fmpq_vec_clear(cut, (slong)cone->count + 1);
     fmpz_clear(a);

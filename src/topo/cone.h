@@ -21,9 +21,10 @@ typedef struct local_cone {
     fmpz *normal; /* d of each */
     size_t known, known_capacity;
     signed char *known_item; /* signs, then the state */
+    int knows_all;           /* every cell of the planes' arrangement is known */
 } local_cone;
 
-/** The cone at a point; cone_clear in any case. */
+/** The cone at a point; cone_clear in any case, also of zeros. */
 graze_status cone_make(local_cone *cone, graze_context *context, const graze_solid *solid,
                        const plane_list *planes, const fmpz *at);
 void cone_clear(local_cone *cone);
@@ -32,8 +33,15 @@ void cone_clear(local_cone *cone);
 graze_status cone_state(graze_state *out, local_cone *cone, graze_context *context,
                         const fmpz *direction);
 
-/** Of the directions u + s e, s >= 0: is one in the interior, is one in the cone? */
+/** 1 and the state of directions with these signs against the planes if it is known, else 0. */
+int cone_knows(graze_state *out, const local_cone *cone, const signed char *signs);
+
+/** The dimension of the cell of the facets' planes that holds the point. */
+int cone_cell_dimension(const local_cone *cone);
+
+/** Of the directions u + s e, s >= 0: is one in the interior, is one in the cone?
+ * @param ray NULL, or a direction: then of the cone as it is near that, seen from there */
 graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
-                        const fmpz *u, const fmpz *e);
+                        const fmpz *ray, const fmpz *u, const fmpz *e);
 
 #endif

@@ -7,7 +7,7 @@ const char *graze_topo_name(graze_topo topo) {
 }
 
 const char *graze_topo_level_name(graze_topo_level level) {
-    static const char *const name[] = {"none", "word", "L1", "L3"};
+    static const char *const name[] = {"none", "word", "L1", "L3", "exact", "tube", "LR"};
     return (unsigned)level < sizeof name / sizeof *name ? name[level] : "none";
 }
 

@@ -9,10 +9,15 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "topo/borders.h"
+#include "topo/cover.h"
+#include "topo/germs.h"
 #include "verdict/classify.h"
 
 /* Halvings of the distance at which a witness is looked for. */
 enum { WITNESS_HALVINGS = 1200 };
+
+/* What proves the interior: open cones alone, exact closed ones too, tubes too. */
+enum { BY_OPEN, BY_EXACT, BY_TUBE, BY_COUNT };
 
 typedef struct leading_maker {
     topo_finding *out;
@@ -21,7 +26,7 @@ typedef struct leading_maker {
     const fmpq *point;
     germ_list germs;
     borders borders;
-    int is_interior; /* as far as has been looked at */
+    int is_interior[BY_COUNT]; /* as far as has been looked at, by each level and those before it */
 } leading_maker;
 
 /* The point at 2^-places of a direction is the witness if it is out. */
@@ -63,57 +68,66 @@ static void keep_open_direction(topo_finding *out, const fmpz *direction, int d)
     out->has_open = 1;
 }
 
-/* Look at the cells around ray r. */
+/* A cell is covered with a neighbourhood, or all full cells around it lie in exact cones. */
+static void note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
+    for (int by = 0; by < BY_COUNT; by++)
+        m->is_interior[by] = m->is_interior[by] && (cell->open || (by == BY_TUBE && cell->tube) ||
+                                                    (by >= BY_EXACT && all_exact));
+}
+
+/* A full cell; `*here` is what covers it. */
+static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz *direction) {
+    graze_status status = germs_cover(here, &m->germs, m->context, direction);
+    if (status)
+        return status;
+    if (!here->covered && m->germs.bounded)
+        status = set_boundary(m, direction);
+    else if (!here->covered)
+        keep_open_direction(m->out, direction, m->borders.dimension);
+    note_cell(m, here, here->exact);
+    return status;
+}
+
+/* Look at the cells around ray r: full ones, in E^3 those between two of them, and the ray. */
 static graze_status look_around(leading_maker *m, size_t r) {
-    int d = m->borders.dimension;
+    int d = m->borders.dimension, all_exact = 1;
     fmpz *cell;
-    size_t count;
-    germ_cover ray, first = {0, 0, 0}, last = {0, 0, 0};
+    size_t count, step = d == 3 ? 2 : 1;
+    germ_cover ray, first = {0, 0, 0, 0}, last = first, here = first, between = first;
     graze_status status = germs_cover(&ray, &m->germs, m->context, m->borders.ray + r * (size_t)d);
     borders_around(&cell, &count, &m->borders, r);
-    int all_exact = 1, between_open = 1;
-    for (size_t k = 0; k < count && !status && m->out->position == GRAZE_TOPO_NONE; k++) {
-        germ_cover here;
-        const fmpz *direction = cell + k * (size_t)d;
-        int full = d == 2 || k % 2 == 0;
-        status = germs_cover(&here, &m->germs, m->context, direction);
-        if (status)
-            break;
-        if (!full) {
-            between_open = here.open;
-            continue;
-        }
-        if (!here.covered && m->germs.bounded)
-            status = set_boundary(m, direction);
-        else if (!here.covered)
-            keep_open_direction(m->out, direction, d);
-        m->is_interior &= here.open || here.exact;
-        /* the cell between the one before and this one */
-        if (d == 3 && k > 0)
-            m->is_interior &= between_open || (last.exact && here.exact);
-        all_exact &= here.exact;
-        first = k == 0 ? here : first;
+    for (size_t k = 0; k < count && !status && m->out->position == GRAZE_TOPO_NONE; k += step) {
         last = here;
+        status = look_at_full(&here, m, cell + k * (size_t)d);
+        if (d == 3 && k > 0)
+            note_cell(m, &between, last.exact && here.exact);
+        if (d == 3 && !status)
+            status = germs_cover(&between, &m->germs, m->context, cell + (k + 1) * (size_t)d);
+        all_exact = all_exact && here.exact;
+        first = k == 0 ? here : first;
     }
     if (d == 3)
-        m->is_interior &= between_open || (last.exact && first.exact);
-    m->is_interior &= ray.open || all_exact;
+        note_cell(m, &between, here.exact && first.exact);
+    note_cell(m, &ray, all_exact);
     _fmpz_vec_clear(cell, (slong)count * d);
     return status;
 }
 
 static graze_status look_at_all(leading_maker *m) {
+    static const graze_topo_level level[] = {GRAZE_LEVEL_L1, GRAZE_LEVEL_EXACT, GRAZE_LEVEL_TUBE};
     graze_status status = GRAZE_OK;
-    m->is_interior = 1;
+    for (int by = 0; by < BY_COUNT; by++)
+        m->is_interior[by] = 1;
     for (size_t r = 0; r < m->borders.ray_count && !status && m->out->position == GRAZE_TOPO_NONE &&
-                       (m->is_interior || m->germs.bounded);
+                       (m->is_interior[BY_TUBE] || m->germs.bounded);
          r++)
         status = look_around(m, r);
     if (status || m->out->position != GRAZE_TOPO_NONE)
         return status;
-    if (m->is_interior)
-        finding_set(m->out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_L1);
-    else
+    for (int by = BY_TUBE; by >= 0; by--)
+        if (m->is_interior[by])
+            finding_set(m->out, GRAZE_TOPO_INTERIOR, level[by]);
+    if (!m->is_interior[BY_TUBE])
         finding_undecided(m->out, m->germs.bounded
                                       ? "to first order the contacts close around the point, and "
                                         "what is left is thinner than every cone"

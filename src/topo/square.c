@@ -18,6 +18,7 @@ typedef struct square_maker {
     const graze_scene *scene;
     const plane_view *view;
     const fmpq *point;
+    graze_topo_level level;
     near_curves near;
     int axis, negative; /* the side at hand */
 } square_maker;
@@ -37,7 +38,7 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
     graze_status status = classify_verdict(&verdict, m->context, m->scene,
                                            (query_point){.rational = m->out->witness});
     if (!status && verdict.pmc == GRAZE_OUT) {
-        finding_set(m->out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L3);
+        finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
         m->out->has_witness = 1;
     }
     for (int k = 0; k < 2; k++)
@@ -88,8 +89,14 @@ static graze_status sample_side(square_maker *m) {
 }
 
 graze_status square_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
-                           const curve_list *curves, const plane_view *view, const fmpq *point) {
-    square_maker m = {.out = out, .context = context, .scene = scene, .view = view, .point = point};
+                           const curve_list *curves, const plane_view *view, const fmpq *point,
+                           graze_topo_level level) {
+    square_maker m = {.out = out,
+                      .context = context,
+                      .scene = scene,
+                      .view = view,
+                      .point = point,
+                      .level = level};
     int refused = 0;
     near_init(&m.near);
     graze_status status = near_make(&m.near, &refused, context, curves, point);
@@ -100,8 +107,9 @@ graze_status square_decide(topo_finding *out, graze_context *context, const graz
         m.negative = side % 2;
         status = sample_side(&m);
     }
-    if (!status && !refused && !out->has_witness && view->dimension == 2)
-        finding_set(out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_L3);
+    if (!status && !refused && !out->has_witness &&
+        (view->dimension == 2 || level == GRAZE_LEVEL_LR))
+        finding_set(out, GRAZE_TOPO_INTERIOR, level);
     near_clear(&m.near);
     return status;
 }
