@@ -46,7 +46,7 @@ graze_status germs_append(germ **out, germ_list *list, graze_context *context,
     *out = &list->item[list->count++];
     memset(*out, 0, sizeof **out);
     (*out)->map = map;
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status germ_make_root(germ *g, graze_context *context, const algebraic *time) {
@@ -93,7 +93,7 @@ graze_status germs_append_turn(germ_list *list, graze_context *context, const al
     algebraic_init(&t->to);
     algebraic_set(&t->from, from);
     algebraic_set(&t->to, to);
-    return status;
+    return GRAZE_OK;
 }
 
 void germs_leave_open(germ_list *list, const char *reason) {

@@ -93,7 +93,7 @@ static graze_status look_around(leading_maker *m, size_t r) {
     int d = m->borders.dimension, all_exact = 1;
     fmpz *cell;
     size_t count, step = d == 3 ? 2 : 1;
-    germ_cover ray, first = {0, 0, 0, 0}, last = first, here = first, between = first;
+    germ_cover ray, last, first = {0, 0, 0, 0}, here = first, between = first;
     graze_status status = germs_cover(&ray, &m->germs, m->context, m->borders.ray + r * (size_t)d);
     borders_around(&cell, &count, &m->borders, r);
     for (size_t k = 0; k < count && !status && m->out->position == GRAZE_TOPO_NONE; k += step) {

@@ -63,26 +63,26 @@ void distance_from_plane(fmpz_poly_t out, const local_cone *cone, size_t j,
 
 int planes_keep_directions(int *same_way, const local_cone *cone, const point_map *map,
                            const trajectory *path) {
+    enum { FACTOR, WAY, FIRST_FACTOR, FIRST_WAY, LEFT, RIGHT, POLYNOMIALS };
     int keep = 1;
-    fmpz_poly_t factor, way, first, first_factor, p, q;
-    fmpz_poly_struct *all[] = {factor, way, first, first_factor, p, q};
-    for (int i = 0; i < 6; i++)
-        fmpz_poly_init(all[i]);
+    fmpz_poly_struct p[POLYNOMIALS];
+    for (int i = 0; i < POLYNOMIALS; i++)
+        fmpz_poly_init(p + i);
     *same_way = 1;
     for (size_t j = 0; j < cone->count && keep; j++) {
-        keep = keeps_direction(factor, map, cone->normal + j * (size_t)cone->dimension);
-        distance_from_plane(way, cone, j, path);
-        fmpz_poly_mul(p, way, first_factor);
-        fmpz_poly_mul(q, first, factor);
-        *same_way = *same_way && are_proportional(p, q);
-        if (fmpz_poly_is_zero(first) && !fmpz_poly_is_zero(way)) {
-            fmpz_poly_swap(first, way);
-            fmpz_poly_swap(first_factor, factor);
+        keep = keeps_direction(p + FACTOR, map, cone->normal + j * (size_t)cone->dimension);
+        distance_from_plane(p + WAY, cone, j, path);
+        fmpz_poly_mul(p + LEFT, p + WAY, p + FIRST_FACTOR);
+        fmpz_poly_mul(p + RIGHT, p + FIRST_WAY, p + FACTOR);
+        *same_way = *same_way && are_proportional(p + LEFT, p + RIGHT);
+        if (fmpz_poly_is_zero(p + FIRST_WAY) && !fmpz_poly_is_zero(p + WAY)) {
+            fmpz_poly_swap(p + FIRST_WAY, p + WAY);
+            fmpz_poly_swap(p + FIRST_FACTOR, p + FACTOR);
         }
     }
     *same_way = *same_way && keep;
-    for (int i = 0; i < 6; i++)
-        fmpz_poly_clear(all[i]);
+    for (int i = 0; i < POLYNOMIALS; i++)
+        fmpz_poly_clear(p + i);
     return keep;
 }
 

@@ -96,7 +96,7 @@ def check_explain(checks, graze):
     said = graze.call("explain", *SQUARE, "0", "1", "--topo").stdout
     checks.holds("it is `boundary`, by level `L1`." in said and "A point that is out: (" in said, said)
     said = graze.call("explain", *SQUARE, "4", "1", "--topo").stdout
-    checks.holds("it is `interior`, by level `L1`." in said and "that is out" not in said, said)
+    checks.holds("it is `interior`, by level `exact`." in said and "that is out" not in said, said)
     roofs = os.path.join(EXAMPLES, "solids", "crossed_roofs.off"), os.path.join(EXAMPLES, "motions", "roofs_51.json")
     said = graze.call("explain", *roofs, "0", "0", "0", "--topo").stdout
     checks.holds("it is undecided: to first order the contacts close" in said, said)
