@@ -73,5 +73,6 @@
 #include <graze/boundary.h> /* the boundary of a sweep by sampling */
 #include <graze/certify.h>  /* certificates */
 #include <graze/topo.h>     /* positions relative to the closed sweep */
+#include <graze/contact.h>  /* contact points of the envelope */
 
 #endif

@@ -14,30 +14,36 @@ static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     text_put(t, given ? "\n" : "none\n");
 }
 
+void table_notes(text *t, graze_context *context, const graze_scene *scene, const char *notes) {
+    const graze_options *options = &scene->options;
+    int unsweep = options->operation == GRAZE_UNSWEEP;
+    text_put(t, "# graze " GRAZE_VERSION "\n# contract 1\n");
+    text_format(t, "# dimension %d\n", scene->motion->dimension);
+    put_hash(t, "solid-sha256", scene->solid->input.sha256);
+    put_hash(t, "motion-sha256", scene->motion->sha256);
+    put_hash(t, "scene-sha256", scene->sha256);
+    text_format(t, "# operation %s\n", unsweep ? "unsweep" : "sweep");
+    text_format(t, "# overlap %s\n",
+                options->overlap == GRAZE_OVERLAP_REJECT ? "reject" : "extend");
+    text_format(t, "# folds %s\n",
+                options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
+    text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
+    if (options->topo)
+        text_put(t, "# topo yes\n");
+    if (options->columns == GRAZE_COLUMNS_PMC)
+        text_put(t, "# columns pmc\n");
+    if (notes)
+        text_put(t, notes);
+    text_format(t, "# ends-meet %s\n", scene->ends_meet ? "yes" : "no");
+}
+
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
                            const char *notes, const char *columns) {
     const graze_options *options = &scene->options;
     int unsweep = options->operation == GRAZE_UNSWEEP, d = scene->motion->dimension;
     text t;
     text_init(&t);
-    text_put(&t, "# graze " GRAZE_VERSION "\n# contract 1\n");
-    text_format(&t, "# dimension %d\n", d);
-    put_hash(&t, "solid-sha256", scene->solid->input.sha256);
-    put_hash(&t, "motion-sha256", scene->motion->sha256);
-    put_hash(&t, "scene-sha256", scene->sha256);
-    text_format(&t, "# operation %s\n", unsweep ? "unsweep" : "sweep");
-    text_format(&t, "# overlap %s\n",
-                options->overlap == GRAZE_OVERLAP_REJECT ? "reject" : "extend");
-    text_format(&t, "# folds %s\n",
-                options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
-    text_format(&t, "# round %s\n", graze_rounding_name(context->rounding));
-    if (options->topo)
-        text_put(&t, "# topo yes\n");
-    if (options->columns == GRAZE_COLUMNS_PMC)
-        text_put(&t, "# columns pmc\n");
-    if (notes)
-        text_put(&t, notes);
-    text_format(&t, "# ends-meet %s\n", scene->ends_meet ? "yes" : "no");
+    table_notes(&t, context, scene, notes);
     text_put(&t, d == 2 ? "x,y" : "x,y,z");
     text_put(&t, options->columns == GRAZE_COLUMNS_PMC ? ",pmc"
                  : unsweep                             ? ",pmc,word"

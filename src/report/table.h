@@ -8,7 +8,10 @@
 #include "topo/finding.h"
 #include "trace/trace.h"
 
-/** The `#` lines and the column line. `notes`: further `# key value` lines, or NULL. */
+/** Add the `#` lines of a head. `notes`: further `# key value` lines, or NULL. */
+void table_notes(text *out, graze_context *context, const graze_scene *scene, const char *notes);
+
+/** The `#` lines and the column line. `notes` as above. */
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
                            const char *notes, const char *columns);
 

@@ -203,16 +203,31 @@ static graze_status add_contacts_of_piece(germ_maker *m) {
     return status;
 }
 
+/* Go on with another piece. */
+static void take_piece(germ_maker *m, size_t piece, const fmpq *point) {
+    m->map = motion_tracing(&m->scene->motion->piece[piece], m->scene->options.operation);
+    trajectory_set(&m->path, m->map, point);
+}
+
 graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
                         const plane_list *planes, const fmpq *point) {
     germ_maker m = {.list = list, .context = context, .scene = scene, .planes = planes};
     graze_status status = GRAZE_OK;
     trajectory_init(&m.path, scene->motion->dimension);
     for (size_t k = 0; k < scene->motion->piece_count && !status; k++) {
-        m.map = motion_tracing(&scene->motion->piece[k], scene->options.operation);
-        trajectory_set(&m.path, m.map, point);
+        take_piece(&m, k, point);
         status = add_contacts_of_piece(&m);
     }
+    trajectory_clear(&m.path);
+    return status;
+}
+
+graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
+                      const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u) {
+    germ_maker m = {.list = list, .context = context, .scene = scene, .planes = planes};
+    trajectory_init(&m.path, scene->motion->dimension);
+    take_piece(&m, piece, point);
+    graze_status status = add_germ(&m, u);
     trajectory_clear(&m.path);
     return status;
 }

@@ -11,4 +11,9 @@
 graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
                         const plane_list *planes, const fmpq *point);
 
+/** Append the germ of one rational time u of a piece, at which the point's trajectory is on the
+ * boundary, with its sides in that piece. */
+graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
+                      const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u);
+
 #endif

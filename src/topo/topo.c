@@ -66,6 +66,14 @@ static graze_status shares_of(const scene_shares **out, graze_context *context,
     return status;
 }
 
+graze_status topo_planes(const plane_list **out, graze_context *context, const graze_scene *scene) {
+    const scene_shares *s = NULL;
+    graze_status status = shares_of(&s, context, scene, 0);
+    if (!status)
+        *out = &s->planes;
+    return status;
+}
+
 graze_status topo_by_leading(topo_finding *out, graze_context *context, const graze_scene *scene,
                              const fmpq *point) {
     const scene_shares *s = NULL;

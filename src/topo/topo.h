@@ -4,6 +4,7 @@
 #ifndef GRAZE_TOPO_TOPO_H
 #define GRAZE_TOPO_TOPO_H
 
+#include "solid/planes.h"
 #include "topo/finding.h"
 #include "trace/trace.h"
 
@@ -14,6 +15,9 @@
  */
 graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                          const fmpq *point, const graze_trace *trace);
+
+/** The planes of all facets of a scene, made once and kept with it. */
+graze_status topo_planes(const plane_list **out, graze_context *context, const graze_scene *scene);
 
 /** One level alone, for an `on` point of a sweep: leading directions, or (E^2) curves. */
 graze_status topo_by_leading(topo_finding *out, graze_context *context, const graze_scene *scene,

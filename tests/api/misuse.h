@@ -16,7 +16,7 @@ typedef struct bench {
     mpq_t x[2], half; /* x: a point and a corner of a box */
     graze_rationals point;
     graze_boundary_options box;
-    char called[4096];
+    char called[8192];
 } bench;
 
 static void note(bench *b, const char *function) {

@@ -399,6 +399,35 @@ static void positions(bench *b) {
     HARMLESS(graze_topology_witness, !graze_topology_witness(NULL, NULL));
 }
 
+static void contact_points(bench *b) {
+    graze_context *c = b->s.context;
+    mpq_t g, drift, theta;
+    mpq_inits(g, drift, theta, NULL);
+    WRONG(graze_site_create(NULL, c, b->s.scene, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create(&out, NULL, b->s.scene, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create(&out, c, NULL, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create(&out, c, b->s.scene, NULL, b->point));
+    WRONG_OUT(graze_site, graze_site_create(&out, c, b->s.scene, b->half, NULL));
+    WRONG(graze_site_create_at(NULL, c, b->s.scene, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create_at(&out, c, NULL, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create_at(&out, c, b->s.scene, b->half, NULL));
+    WRONG_OUT(char, graze_site_header(&out, c, NULL, NULL, NULL));
+    WRONG_OUT(char, graze_site_header(&out, NULL, b->s.scene, NULL, NULL));
+    WRONG_OUT(char, graze_site_row(&out, c, NULL, GRAZE_FORMAT_CSV, NULL));
+    HARMLESS(graze_role_name, graze_role_name((graze_role)-1)[0] == 'n');
+    HARMLESS(graze_trim_name, graze_trim_name((graze_trim)-1)[0] == 'n');
+    HARMLESS(graze_orientation_name, graze_orientation_name((graze_orientation)-1)[0] == 'n');
+    HARMLESS(graze_site_destroy, CALLS(graze_site_destroy(NULL)));
+    HARMLESS(graze_site_get, !graze_site_get(NULL).role);
+    HARMLESS(graze_site_point, CALLS(graze_site_point(b->x, b->x, NULL)));
+    HARMLESS(graze_site_near, !graze_site_near(NULL));
+    HARMLESS(graze_site_near_in, !graze_site_near_in(NULL));
+    HARMLESS(graze_site_trace, !graze_site_trace(NULL));
+    HARMLESS(graze_site_germ_count, !graze_site_germ_count(NULL));
+    HARMLESS(graze_site_germ_at, !graze_site_germ_at(g, drift, theta, NULL, 0).side);
+    mpq_clears(g, drift, theta, NULL);
+}
+
 static void boundaries(bench *b) {
     graze_context *c = b->s.context;
     const graze_scene *s = b->s.scene;
@@ -514,6 +543,7 @@ static void all(void **state) {
     boundaries(&b);
     certificates(&b);
     positions(&b);
+    contact_points(&b);
     none_is_left_out(&b);
     graze_comparison_destroy(b.comparison);
     graze_boundary_destroy(b.boundary);

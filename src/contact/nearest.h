@@ -1,0 +1,16 @@
+/* Where the time of a site stands in the trace of its point.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CONTACT_NEAREST_H
+#define GRAZE_CONTACT_NEAREST_H
+
+#include "contact/record.h"
+
+/**
+ * From the trace of a site: `left`, `right` and `trim` of its facts, `near`, `near_in` and, if one
+ * of them is t, `itself` (proofs/envelope.md C63).
+ * @return GRAZE_EINTERNAL no contact of the trace holds t
+ */
+graze_status nearest_find(graze_site *site, graze_context *context);
+
+#endif

@@ -1,0 +1,49 @@
+/* What is known of a site.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CONTACT_RECORD_H
+#define GRAZE_CONTACT_RECORD_H
+
+#include "contact/flow.h"
+#include "contact/place.h"
+#include "graze/contact.h"
+#include "trace/trace.h"
+
+/** A side of t: the motion's piece there and the parameter of t in it. Not `present` beyond an end
+ * of the motion. */
+typedef struct site_side {
+    int present;
+    size_t piece;
+    fmpq_t u;
+    flow flow;
+} site_side;
+
+/** A facet through y on one side of t: g, its derivative by t at fixed y, the second derivative
+ * theta of the pullback by t, with the primitive outward normal; and order and sign of the pullback
+ * next to t, 0 and GRAZE_ORDER_VANISHES where it vanishes. */
+typedef struct site_germ {
+    size_t facet; /* of place.facet */
+    int side;     /* -1 before t, +1 after it */
+    fmpq_t g, drift, theta;
+    int order, sign;
+} site_germ;
+
+/** Sides before and after t. Germs stand facet by facet, before t first. `is_break`: two different
+ * pieces meet at t. `near` and `near_in` are NULL where there is none; each is owned, or a time of
+ * the trace. */
+struct graze_site {
+    const graze_scene *scene;
+    int dimension, is_break;
+    place place;
+    site_side side[2];
+    fmpq_t t;
+    fmpq *y, *world;
+    size_t germ_count;
+    site_germ *germ;
+    graze_trace trace;
+    graze_time *itself;
+    const graze_time *near, *near_in;
+    graze_site_facts facts;
+};
+
+#endif

@@ -1,0 +1,118 @@
+/* Roles by the signs of g; at saddles and pinches by the directions that the germs leave open.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "contact/role.h"
+
+#include <flint/fmpz_vec.h>
+#include "topo/borders.h"
+#include "topo/germs.h"
+#include "topo/topo.h"
+
+/* The signs of g on one side of t. */
+typedef struct g_signs {
+    int any, all_positive, all_negative, some_positive, some_negative;
+} g_signs;
+
+static g_signs signs_on(const graze_site *s, int side) {
+    g_signs out = {0, 1, 1, 0, 0};
+    for (size_t k = 0; k < s->germ_count; k++) {
+        if (s->germ[k].side != side)
+            continue;
+        int sign = fmpq_sgn(s->germ[k].g);
+        out.any = 1;
+        out.all_positive &= sign > 0;
+        out.all_negative &= sign < 0;
+        out.some_positive |= sign > 0;
+        out.some_negative |= sign < 0;
+    }
+    return out;
+}
+
+/* Does a direction about P lie in the germ's cone, or in what is swept of it along a leading
+ * direction? */
+static graze_status is_in_germ(int *out, graze_context *context, germ *g, const fmpz *direction) {
+    slong d = g->cone.dimension;
+    graze_state state = GRAZE_STATE_O;
+    fmpz *u = _fmpz_vec_init(d);
+    for (int i = 0; i < d; i++)
+        _fmpz_vec_dot(u + i, g->to_body + i * d, direction, d);
+    graze_status status = cone_state(&state, &g->cone, context, u);
+    *out = state != GRAZE_STATE_O;
+    for (int k = 0; k < g->side_count && !status && !*out; k++) {
+        int in_interior;
+        status = cone_sweep(&in_interior, out, &g->cone, context, NULL, u, g->side[k].e);
+    }
+    _fmpz_vec_clear(u, d);
+    return status;
+}
+
+/* Is a direction in a cell of full dimension around ray r covered by none of the germs? */
+static graze_status look_for_open(int *found, graze_context *context, germ_list *germs,
+                                  const borders *b, size_t r) {
+    fmpz *cell;
+    size_t count;
+    graze_status status = GRAZE_OK;
+    borders_around(&cell, &count, b, r);
+    for (size_t k = 0; k < count && !status && !*found; k += b->dimension == 2 ? 1 : 2) {
+        int covered = 0;
+        for (size_t j = 0; j < germs->count && !status && !covered; j++)
+            status =
+                is_in_germ(&covered, context, &germs->item[j], cell + k * (size_t)b->dimension);
+        *found = !status && !covered;
+    }
+    _fmpz_vec_clear(cell, (slong)count * b->dimension);
+    return status;
+}
+
+static graze_status look_everywhere(int *found, graze_context *context, germ_list *germs) {
+    borders b;
+    int refused = 0;
+    borders_init(&b, germs->item[0].cone.dimension);
+    graze_status status = borders_find(&b, &refused, context, germs);
+    if (!status && refused)
+        status = context_fail(context, GRAZE_ELIMIT,
+                              "more planes border what is covered about the point than the %d that "
+                              "are looked at",
+                              BORDER_PLANES);
+    for (size_t r = 0; r < b.ray_count && !status && !*found; r++)
+        status = look_for_open(found, context, germs, &b, r);
+    borders_clear(&b);
+    return status;
+}
+
+/* Do the germs beside t leave a direction open? */
+static graze_status is_open_at(int *out, graze_context *context, const graze_site *s) {
+    const plane_list *planes;
+    germ_list germs;
+    graze_status status = topo_planes(&planes, context, s->scene);
+    *out = 0;
+    if (status)
+        return status;
+    germs_init(&germs);
+    int both = s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
+    for (int k = both; k < 2 && !status; k++)
+        if (s->side[k].present)
+            status = germs_at(&germs, context, s->scene, planes, s->world, s->side[k].piece,
+                              s->side[k].u);
+    if (!status)
+        status = look_everywhere(out, context, &germs);
+    germs_clear(&germs);
+    return status;
+}
+
+graze_status role_decide(graze_role *out, graze_context *context, const graze_site *s) {
+    g_signs before = signs_on(s, -1), after = signs_on(s, 1);
+    int contact = 0;
+    graze_status status = GRAZE_OK;
+    if (s->place.kind == PLACE_OTHER)
+        status = is_open_at(&contact, context, s);
+    else if (s->place.kind == PLACE_REFLEX)
+        contact = !(after.any && after.some_positive) && !(before.any && before.some_negative);
+    else
+        contact = !(after.any && after.all_positive) && !(before.any && before.all_negative);
+    *out = contact                                     ? GRAZE_ROLE_CONTACT
+           : before.all_positive && after.all_positive ? GRAZE_ROLE_EGRESS
+           : before.all_negative && after.all_negative ? GRAZE_ROLE_INGRESS
+                                                       : GRAZE_ROLE_HIDDEN;
+    return status;
+}

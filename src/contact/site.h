@@ -1,0 +1,25 @@
+/* A site: a boundary point y of the solid at a rational time t, and what it is for the envelope.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CONTACT_SITE_H
+#define GRAZE_CONTACT_SITE_H
+
+#include "contact/record.h"
+
+/**
+ * Make a site (proofs/envelope.md C59 to C63).
+ * @param[out] out uninitialised; site_clear after GRAZE_OK
+ * @param y d rationals
+ * @return GRAZE_EINPUT t is not a time of the motion, or y is not on the boundary; GRAZE_ELIMIT;
+ * GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL
+ */
+graze_status site_make(graze_site *out, graze_context *context, const graze_scene *scene,
+                       const fmpq_t t, const fmpq *y);
+/** Carry a point P of d rationals to M(t)^-1 P, in place. GRAZE_EINPUT: t is not a time of the
+ * motion. */
+graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene *scene,
+                          const fmpq_t t);
+
+void site_clear(graze_site *site);
+
+#endif

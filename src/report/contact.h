@@ -1,0 +1,17 @@
+/* Sites as rows of a table or lines of JSON (src/cli/formats.md, Contact points).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_REPORT_CONTACT_H
+#define GRAZE_REPORT_CONTACT_H
+
+#include "contact/site.h"
+#include "number/text.h"
+
+/** Head of the table. @param notes, columns may be NULL */
+graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,
+                                   const char *notes, const char *columns);
+/** A row, from canonical times. @param rest further columns, or NULL */
+void report_contact_csv(text *out, const graze_site *site, const char *rest);
+void report_contact_json(text *out, const graze_site *site);
+
+#endif
