@@ -20,7 +20,7 @@ graze_status graze_certifier_create(graze_certifier **out, graze_context *contex
     if (!out || !context || !scene)
         return api_misuse(context, "graze_certifier_create",
                           "out, context and scene must not be NULL");
-    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+    if (flags & ~(GRAZE_SOLID_TRIANGULATE | GRAZE_CERTIFY_TIMES))
         return api_misuse(context, "graze_certifier_create", "a flag is unknown");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_certifier *made = malloc(sizeof *made);
@@ -63,7 +63,7 @@ static graze_status certify_point(text *out, text *table, graze_context *context
                                   const certifier *c, const fmpq *point, graze_format format,
                                   const char *rest) {
     graze_trace trace;
-    int with_contacts = table && format == GRAZE_FORMAT_JSONL;
+    int with_contacts = c->with_contacts || (table && format == GRAZE_FORMAT_JSONL);
     graze_status status =
         classify_point(&trace, context, c->scene, (query_point){.rational = point},
                        with_contacts ? TRACE_CONTACTS : TRACE_WORD);

@@ -62,6 +62,7 @@ stage "coverage" make -s coverage
 stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 4 --limit 1500
 stage "with and without the filter" python3 tests/run.py --build build --only tests/filter/equal --scale 15 --limit 3000
 stage "certificates of 300 rows a case" python3 tests/run.py --build build --only tests/check/golden --scale 15 --limit 3000
+stage "contacts of 100 rows a case" python3 tests/run.py --build build --only tests/check/contacts --scale 5 --limit 3000
 stage "mutants of certificates" python3 tests/run.py --build build --only tests/check/mutants --scale 2 --limit 5000
 stage "forged certificates" python3 tests/check/forged.py --graze build/graze
 stage "the checker weakened" python3 tests/check/weakened.py --graze build/graze --only verdict.c,trace.c,poly.c,motion.c,legal.c

@@ -16,11 +16,14 @@ extern "C" {
 /** Source of the certificates of one scene. It never changes: threads may share it. */
 typedef struct graze_certifier graze_certifier;
 
+/** Rows give the times and the boundary cells of their contacts too. */
+#define GRAZE_CERTIFY_TIMES 0x10000u
+
 /**
  * Make a certifier of a scene. Solid and motion must come from files, in E^3 an .off and in E^2 a
  * .wkt, without rounding: graze-check reads no others (graze_solid_text writes one). The scene is
  * borrowed and must outlive the certifier.
- * @param flags those of the call that read the solid
+ * @param flags those of the call that read the solid, and perhaps GRAZE_CERTIFY_TIMES
  * @return GRAZE_EUSE a NULL handle, a rounding, flags, or a scene not read from files;
  * GRAZE_EILLEGAL a facet that is not the fan of its first corner; GRAZE_ELIMIT
  */

@@ -17,7 +17,8 @@ static int is_given(const unsigned char sha256[32]) {
 
 graze_status certifier_make(certifier *out, graze_context *context, const graze_scene *scene,
                             unsigned flags) {
-    *out = (certifier){.scene = scene, .solid = scene->solid};
+    *out = (certifier){
+        .scene = scene, .solid = scene->solid, .with_contacts = (flags & GRAZE_CERTIFY_TIMES) != 0};
     if (flags & GRAZE_SOLID_TRIANGULATE)
         return context_fail(context, GRAZE_EUSE,
                             "a certificate is of facets as they stand in the file; expected a "
@@ -122,7 +123,7 @@ graze_status certify_head(text *out, graze_context *context, const certifier *c)
     text_format(out, "dimension %d\n", m->dimension);
     text_format(out, "operation %s\n", o->operation == GRAZE_UNSWEEP ? "unsweep" : "sweep");
     text_format(out, "folds %s\n", o->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
-    text_put(out, "signs ");
+    text_put(out, c->with_contacts ? "contacts yes\nsigns " : "signs ");
     text_rational(out, m->piece[0].lo);
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < m->piece_count && !status; k++) {

@@ -4,6 +4,7 @@
 #ifndef GRAZE_CERTIFY_HEAD_H
 #define GRAZE_CERTIFY_HEAD_H
 
+#include "graze/certify.h"
 #include "number/text.h"
 #include "scene/scene.h"
 
@@ -12,10 +13,11 @@ typedef struct certifier {
     const graze_scene *scene; /* borrowed */
     const graze_solid *solid; /* the scene's own, or `cut` */
     graze_solid *cut;         /* its facets cut into triangles as the checker cuts them; or NULL */
+    int with_contacts;        /* rows give the times and cells of contacts */
 } certifier;
 
 /**
- * @param flags those the solid was read with
+ * @param flags those the solid was read with, and GRAZE_CERTIFY_TIMES
  * @return GRAZE_EUSE the scene was not read from files, or under a rounding, or triangulated;
  * GRAZE_EILLEGAL, GRAZE_ELIMIT: the solid, once cut
  */

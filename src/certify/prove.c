@@ -19,8 +19,8 @@ static slong terms(const enclosure *e) {
     return e->c->degree + 1;
 }
 
-void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c) {
-    *e = (enclosure){.solid = solid, .c = c};
+void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c, int with_cells) {
+    *e = (enclosure){.solid = solid, .c = c, .with_cells = with_cells};
     dyadic_interval_init(&e->at);
     e->coefficients = _fmpz_vec_init((c->dimension + 1) * terms(e));
     e->value = _fmpz_vec_init(terms(e));
@@ -143,19 +143,6 @@ int prove_clear(enclosure *e, const dyadic_interval *at) {
     return 1;
 }
 
-int prove_slide(enclosure *e, const dyadic_interval *at) {
-    if (!enclose(e, at))
-        return 0;
-    for (size_t k = 0; k < e->count; k++) {
-        int holds = not_negative(e, prove_plane(e, k), 1);
-        for (int i = 0; i < e->c->dimension && holds; i++)
-            holds = not_negative(e, side_of(e, k, i), 0);
-        if (holds)
-            return 1;
-    }
-    return 0;
-}
-
 /* Bernstein coefficients of p on the interval; a new vector of degree + 1. */
 static fmpz *coefficients_of(const fmpz_poly_t p, const dyadic_interval *at) {
     fmpz *c = _fmpz_vec_init(fmpz_poly_length(p));
@@ -184,7 +171,25 @@ static void prove_signs_beside(int *left, int *right, const enclosure *e, const 
     *right = rising;
 }
 
+/* Without a root: at the beginning of the interval, within it, at its end. */
+static profile slide_profile(enclosure *e, const fmpz *form) {
+    int least = 1, most = -1, sign = 0;
+    profile out;
+    for (slong k = 0; k < terms(e); k++) {
+        pull_back(e->value, e, form, k);
+        sign = fmpz_sgn(e->value);
+        least = sign < least ? sign : least;
+        most = sign > most ? sign : most;
+        out.left = k == 0 ? sign : out.left;
+    }
+    out.right = sign;
+    out.mid = least >= 0 ? most : most <= 0 ? least : UNKNOWN;
+    return out;
+}
+
 static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *form) {
+    if (!claim->q)
+        return slide_profile(e, form);
     int sign = strict(e, form), q_left, q_right;
     if (sign)
         return (profile){sign, sign, sign};
@@ -212,30 +217,53 @@ static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *for
     return out;
 }
 
-static int is_sign(int sign) {
-    return sign == 1 || sign == -1;
+/* A bit for each place that has one of two signs: 1 before, 2 at, 4 after the root. */
+static unsigned places(profile p, int sign, int other) {
+    return (p.left == sign || p.left == other ? 1u : 0) |
+           (p.mid == sign || p.mid == other ? 2u : 0) |
+           (p.right == sign || p.right == other ? 4u : 0);
 }
 
-static int may_hold(int sign) {
-    return sign == 0 || sign == 1;
-}
-
-/* Bits of `holds`: before, at, after the root. Returns 0 if a side that must be free is not
- * cleared. */
+/* Add to `holds` the places where the simplex holds the trajectory. Returns 0 if it is not cleared
+ * where it must be. */
 static int meet(unsigned *holds, enclosure *e, const root_claim *claim, size_t k) {
     profile p = profile_of(e, claim, prove_plane(e, k));
-    int left_out = is_sign(p.left), right_out = is_sign(p.right);
-    unsigned in = (p.left == 0 ? 1u : 0) | (p.mid == 0 ? 2u : 0) | (p.right == 0 ? 4u : 0);
+    unsigned in = places(p, 0, 0), out = places(p, 1, -1);
     for (int i = 0; i < e->c->dimension; i++) {
         p = profile_of(e, claim, side_of(e, k, i));
-        left_out = left_out || p.left == -1;
-        right_out = right_out || p.right == -1;
-        in &=
-            (may_hold(p.left) ? 1u : 0) | (may_hold(p.mid) ? 2u : 0) | (may_hold(p.right) ? 4u : 0);
+        out |= places(p, -1, -1);
+        in &= places(p, 0, 1);
     }
     *holds |= in;
-    return (claim->left == 'B' || !claim->left || left_out) &&
-           (claim->right == 'B' || !claim->right || right_out);
+    unsigned sides = (claim->left ? 1u : 0) | (claim->right ? 4u : 0);
+    unsigned slid = (claim->left == 'B' ? 1u : 0) | (claim->right == 'B' ? 4u : 0);
+    unsigned told = e->with_cells ? slid | 2u : 0;
+    return !(sides & ~slid & ~out) && !(told & ~in & ~out);
+}
+
+/* One simplex holds the trajectory on the interval, and it is known of each where it does. */
+static int prove_cells(enclosure *e) {
+    root_claim claim = {'B', 'B', NULL};
+    unsigned holds = 0;
+    for (size_t k = 0; k < e->count; k++)
+        if (!cleared(e, k) && !meet(&holds, e, &claim, k))
+            return 0;
+    return (holds & 2u) != 0;
+}
+
+int prove_slide(enclosure *e, const dyadic_interval *at) {
+    if (!enclose(e, at))
+        return 0;
+    if (e->with_cells)
+        return prove_cells(e);
+    for (size_t k = 0; k < e->count; k++) {
+        int holds = not_negative(e, prove_plane(e, k), 1);
+        for (int i = 0; i < e->c->dimension && holds; i++)
+            holds = not_negative(e, side_of(e, k, i), 0);
+        if (holds)
+            return 1;
+    }
+    return 0;
 }
 
 int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim) {

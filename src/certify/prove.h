@@ -18,7 +18,8 @@ typedef struct enclosure {
     fmpz *coefficients; /* d + 1 times degree + 1 */
     fmpz *value;        /* degree + 1 */
     control points;
-    fmpz form[8]; /* a plane and a side */
+    int with_cells; /* the cells met are to be known, and those that are not */
+    fmpz form[8];   /* a plane and a side */
     size_t count, capacity;
     uint32_t *near;
     int out_of_memory;
@@ -31,7 +32,7 @@ typedef struct root_claim {
     const fmpz_poly_struct *q;
 } root_claim;
 
-void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c);
+void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c, int with_cells);
 void enclosure_clear(enclosure *e);
 
 /** The trajectory is off the boundary on the closed interval. */

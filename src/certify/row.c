@@ -4,10 +4,10 @@
  */
 #include "certify/row.h"
 
-#include <flint/fmpq_poly.h>
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "certify/lines.h"
 #include "certify/prove.h"
 #include "number/order.h"
 #include "solid/locate.h"
@@ -28,10 +28,9 @@ typedef struct event {
 } event;
 
 typedef struct piece_row {
-    text *out;
+    row_lines *lines;
     graze_context *context;
     const certifier *with;
-    const motion_piece *piece;
     trajectory c;
     touches t;
     enclosure e;
@@ -147,6 +146,9 @@ static graze_status find_events(piece_row *r) {
     }
     for (size_t k = 0; k < r->count; k++)
         event_set(&r->event[k], &r->t.time.item[r->t.by_rank[k]]);
+    for (size_t k = 0; k < r->count && r->with->with_contacts; k++)
+        if (!r->event[k].irreducible)
+            find_factor(&r->event[k]); /* contacts have the polynomial that the trace gives them */
     return status ? status : find_gaps(r);
 }
 
@@ -268,50 +270,6 @@ static graze_status place_events(piece_row *r) {
 
 /* --------------------------------------------------------------------------------------- text */
 
-static void write_time(piece_row *r, const fmpz_t numerator, ulong exponent) {
-    fmpq_t t, width;
-    fmpq_init(t);
-    fmpq_init(width);
-    dyadic_value(t, numerator, exponent);
-    fmpq_sub(width, r->piece->hi, r->piece->lo);
-    fmpq_mul(t, t, width);
-    fmpq_add(t, t, r->piece->lo);
-    text_rational(r->out, t);
-    fmpq_clear(t);
-    fmpq_clear(width);
-}
-
-/* q in the motion's parameter, primitive: u = (t - lo) / (hi - lo). */
-static void put_poly(piece_row *r, const fmpz_poly_t q) {
-    fmpq_poly_t f, u;
-    fmpq_t width, shift;
-    fmpz_poly_t out;
-    fmpq_poly_init(f);
-    fmpq_poly_init(u);
-    fmpq_init(width);
-    fmpq_init(shift);
-    fmpz_poly_init(out);
-    fmpq_sub(width, r->piece->hi, r->piece->lo);
-    fmpq_div(shift, r->piece->lo, width);
-    fmpq_neg(shift, shift);
-    fmpq_inv(width, width);
-    fmpq_poly_set_coeff_fmpq(u, 0, shift);
-    fmpq_poly_set_coeff_fmpq(u, 1, width);
-    fmpq_poly_set_fmpz_poly(f, q);
-    fmpq_poly_compose(f, f, u);
-    fmpq_poly_get_numerator(out, f);
-    fmpz_poly_primitive_part(out, out);
-    for (slong k = 0; k < fmpz_poly_length(out); k++) {
-        text_put(r->out, " ");
-        text_owned(r->out, fmpz_get_str(NULL, 10, fmpz_poly_get_coeff_ptr(out, k)));
-    }
-    fmpz_poly_clear(out);
-    fmpq_clear(shift);
-    fmpq_clear(width);
-    fmpq_poly_clear(u);
-    fmpq_poly_clear(f);
-}
-
 static void put_event(piece_row *r, const event *v, char left, char right) {
     char kind[4] = {left, 'B', right, 0};
     if (v->place) {
@@ -319,20 +277,14 @@ static void put_event(piece_row *r, const event *v, char left, char right) {
         kind[1] = v->place < 0 ? right : 'B';
         kind[2] = 0;
     }
-    text_put(r->out, kind);
-    text_put(r->out, " ");
-    write_time(r, v->at.high, v->at.exponent);
-    if (!v->place)
-        put_poly(r, v->q);
-    text_put(r->out, "\n");
+    row_lines_put(r->lines, kind, v->at.high, v->at.exponent, v->place ? NULL : v->q);
 }
 
 /* Claim a letter on [low, high] / 2^exponent, in as few parts as halving gives. */
 static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at, int depth) {
     if (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at)) {
-        text_format(r->out, "%c ", letter);
-        write_time(r, at->high, at->exponent);
-        text_put(r->out, "\n");
+        const char kind[2] = {letter, 0};
+        row_lines_put(r->lines, kind, at->high, at->exponent, NULL);
         return GRAZE_OK;
     }
     graze_status status =
@@ -392,14 +344,15 @@ static graze_status put_piece(piece_row *r) {
     return status;
 }
 
-static graze_status certify_piece(text *out, graze_context *context, const certifier *with,
+static graze_status certify_piece(row_lines *lines, graze_context *context, const certifier *with,
                                   size_t index, const fmpq *point) {
     const motion_piece *piece = &with->scene->motion->piece[index];
-    piece_row r = {.out = out, .context = context, .with = with, .piece = piece};
+    piece_row r = {.lines = lines, .context = context, .with = with};
+    lines->piece = piece;
     trajectory_init(&r.c, with->scene->motion->dimension);
     trajectory_set(&r.c, motion_tracing(piece, with->scene->options.operation), point);
     touches_init(&r.t);
-    enclosure_init(&r.e, with->solid, &r.c);
+    enclosure_init(&r.e, with->solid, &r.c, with->with_contacts);
     graze_status status = find_events(&r);
     if (!status)
         status = place_events(&r);
@@ -440,9 +393,16 @@ static void write_row(text *out, const certifier *c, const fmpq *point, const gr
 
 graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point,
                          const graze_trace *trace) {
+    const graze_motion *motion = c->scene->motion;
     graze_status status = GRAZE_OK;
+    row_lines lines;
     write_row(out, c, point, trace);
-    for (size_t k = 0; k < c->scene->motion->piece_count && !status; k++)
-        status = certify_piece(out, context, c, k, point);
+    row_lines_init(&lines, out, c->with_contacts ? trace : NULL, motion);
+    for (size_t k = 0; k < motion->piece_count && !status; k++)
+        status = certify_piece(&lines, context, c, k, point);
+    if (!status && !out->failed && lines.trace && lines.said != trace->contact_count)
+        status = context_fail(context, GRAZE_EINTERNAL, "%zu contacts are certified; expected %zu",
+                              lines.said, trace->contact_count);
+    row_lines_clear(&lines);
     return status;
 }

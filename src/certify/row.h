@@ -7,7 +7,8 @@
 #include "certify/head.h"
 #include "trace/trace.h"
 
-/** The lines of one row; `trace` is that of its point. */
+/** The lines of one row; `trace` is that of its point, with the contacts' times and cells
+ * where they are wanted. */
 graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point,
                          const graze_trace *trace);
 

@@ -40,16 +40,20 @@ static size_t want_count(certificate *c, const char *what) {
     return out;
 }
 
-/* The next line of the head begins with KEY. */
-static void head_line(certificate *c, const char *key) {
+/* The first word of the next line of the head. */
+static word head_key(certificate *c) {
     if (!next_line(c))
         fail(c, "the certificate ends in its head");
-    if (!word_is(want(c, key), key))
+    return want(c, "a key");
+}
+
+static void want_key(const certificate *c, word w, const char *key) {
+    if (!word_is(w, key))
         refute("%s:%zu: expected '%s'", c->l.path, c->l.line, key);
 }
 
 static word head_value(certificate *c, const char *key) {
-    head_line(c, key);
+    want_key(c, head_key(c), key);
     word value = want(c, "a value");
     want_end(c);
     return value;
@@ -80,8 +84,15 @@ certificate certificate_open(const char *path) {
     c.h.dimension = 2 + head_choice(&c, "dimension", "2", "3");
     c.h.unsweep = head_choice(&c, "operation", "sweep", "unsweep");
     c.h.combined = head_choice(&c, "folds", "separate", "combined");
-    head_line(&c, "signs");
-    word w = token(&c.line);
+    word w = head_key(&c);
+    c.h.contacts = word_is(w, "contacts");
+    if (c.h.contacts) {
+        want_key(&c, want(&c, "a value"), "yes");
+        want_end(&c);
+        w = head_key(&c);
+    }
+    want_key(&c, w, "signs");
+    w = token(&c.line);
     for (size_t room = 0; w.length > 0; w = token(&c.line)) {
         c.times = room_for(c.times, c.time_count, &room, sizeof *c.times);
         mpq_init(c.times[c.time_count]);
@@ -112,6 +123,22 @@ static void begin_row(certificate *c, trace *r) {
     want_end(c);
 }
 
+/* The next line claims the contact that was found: word by word. */
+static void read_contact(certificate *c) {
+    if (!next_line(c))
+        fail(c, "the certificate ends before a contact");
+    const char *text = c->contact.text;
+    source found = {.at = text, .end = text + c->contact.length, .marks = BLANKS};
+    for (word w = token(&found); w.length > 0; w = token(&found)) {
+        word claim = token(&c->line);
+        if (claim.length != w.length || memcmp(claim.at, w.at, w.length) != 0)
+            refute("%s:%zu: '%.*s' of a contact; expected '%.*s'", c->l.path, c->l.line,
+                   WORD(claim), WORD(w));
+    }
+    want_end(c);
+    c->contact.length = 0;
+}
+
 static void read_interval(certificate *c, trace *r, word kind) {
     mpq_t to;
     poly q = {0};
@@ -129,6 +156,8 @@ static void read_interval(certificate *c, trace *r, word kind) {
     poly_make_primitive(&q);
     r->line = c->l.line;
     trace_interval(r, kind, to, given ? &q : NULL);
+    if (c->h.contacts && contact_follow(&c->contact, r, kind, &q))
+        read_contact(c);
     poly_clear(&q);
     mpq_clear(to);
 }

@@ -28,7 +28,7 @@ static size_t follow(const task *work, const solid *s, const motion *m, certific
     }
     if (work->path[3])
         t = table_open(work->path[3], &c->h);
-    trace_init(&r, s, m, c->h.unsweep);
+    trace_init(&r, s, m, c->h.unsweep, c->h.contacts);
     certificate_follow(c, &r, work->path[3] ? &t : NULL, part, work->jobs);
     if (work->path[3])
         table_end(&t);

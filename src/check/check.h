@@ -8,7 +8,7 @@
 
 /** What a certificate's head says. */
 typedef struct head {
-    int dimension, unsweep, combined;
+    int dimension, unsweep, combined, contacts;
     char solid[65], motion[65], scene[65];
 } head;
 
@@ -34,6 +34,17 @@ void table_row(table *t, const trace *r);
 /** The table must end with `# complete N`. */
 void table_end(table *t);
 
+/** The contact at hand as the text of its line. */
+typedef struct contact {
+    size_t length, room; /* no text: there is none */
+    char *text;
+} contact;
+
+/** Go on with the interval of r that was last proved, and its polynomial if the kind has one.
+ * Returns 1 if the contact ends with it and its text is whole: the caller then sets `length` to 0.
+ */
+int contact_follow(contact *c, trace *r, word kind, const poly *q);
+
 /** One certificate being read. */
 typedef struct certificate {
     lines l;
@@ -41,6 +52,7 @@ typedef struct certificate {
     head h;
     mpq_t *times; /* of the head's line `signs` */
     size_t time_count, row_count;
+    contact contact;
 } certificate;
 
 /** Open it and read its head. */

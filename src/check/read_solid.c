@@ -33,8 +33,7 @@ static void take_positions(solid *s, draft *in) {
         if (mpz_sizeinbase(s->scale, 2) > MOST_BITS)
             give_up("the coordinates' common denominator is past %d bits", MOST_BITS);
     }
-    s->vertex_count = in->count / d;
-    s->x = integers(s->vertex_count * (d + 1));
+    s->x = integers(in->count / d * (d + 1));
     for (size_t k = 0; k < in->count; k++) {
         mpz_t *x = solid_vertex(s, k / d);
         mpz_divexact(x[k % d], s->scale, mpq_denref(in->x[k]));
@@ -98,6 +97,11 @@ static int ring_sign(const draft *in, size_t first, size_t end) {
     return sign;
 }
 
+static void drop_position(draft *in) {
+    for (int i = 0; i < 2; i++)
+        mpq_clear(in->x[--in->count]);
+}
+
 static int same_position(const draft *in, size_t v, size_t w) {
     return mpq_equal(in->x[2 * v], in->x[2 * w]) && mpq_equal(in->x[2 * v + 1], in->x[2 * w + 1]);
 }
@@ -109,15 +113,21 @@ static void read_ring(solid *s, draft *in, int outer, size_t polygon) {
         add_number(in, token(&in->f));
         add_number(in, token(&in->f));
     } while (token_goes_on(&in->f, ")"));
-    size_t end = in->count / 2;
-    if (!same_position(in, first, end - 1))
+    size_t last = in->count / 2 - 1;
+    if (!same_position(in, first, last))
         source_fail(&in->f, "the last position of a ring is not its first");
-    int sign = ring_sign(in, first, end), ahead = (sign > 0) == outer;
+    int sign = ring_sign(in, first, last + 1), ahead = (sign > 0) == outer;
     if (sign == 0)
         refute("solid: a ring of polygon %zu has no area", polygon);
-    for (size_t k = first; k + 1 < end; k++)
-        if (!same_position(in, k, k + 1)) /* a side without length is none */
-            add_simplex(s, ahead ? k : k + 1, ahead ? k + 1 : k, 0, polygon);
+    for (size_t k = first; k < last; k++) {
+        size_t next = k + 1 < last ? k + 1 : first;
+        int skip = same_position(in, k, next); /* a side without length is none */
+        s->twin = room_for(s->twin, k, &s->twin_room, sizeof *s->twin);
+        s->twin[k] = skip ? next : k;
+        if (!skip)
+            add_simplex(s, ahead ? k : next, ahead ? next : k, 0, polygon);
+    }
+    drop_position(in); /* the closing one */
 }
 
 static void read_polygon(solid *s, draft *in, size_t polygon) {

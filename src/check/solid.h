@@ -31,9 +31,11 @@ typedef struct node {
 
 typedef struct solid {
     int d;
-    size_t vertex_count, count, room;
-    mpz_t *x; /* d + 1 for each vertex, the last 1 */
+    size_t count, room, twin_room;
+    mpz_t *x; /* d + 1 for each vertex in the order of the file, the last 1 */
     mpz_t scale;
+    size_t *twin; /* in the plane: the next vertex of the ring if it has the same position, or the
+                     vertex itself */
     simplex *simplex;
     node *node; /* 2 count - 1 */
 } solid;

@@ -15,7 +15,7 @@ enum { UNKNOWN = 2 };
 /* The interval at hand. */
 typedef struct claim {
     mpq_srcptr a, b;
-    char letter[PLACES]; /* O, I or B; 0: the interval has no such side */
+    char letter[PLACES]; /* O, I or B; 0: the interval has no such side, or no root */
     const poly *q;
     int q_sign[PLACES]; /* of q on the sides */
     int held[PLACES];   /* some simplex holds the trajectory there, for certain */
@@ -25,13 +25,29 @@ static _Noreturn void fail(const trace *r, const char *what) {
     refute("line %zu, row %zu: %s", r->line, r->row, what);
 }
 
-void trace_init(trace *r, const solid *s, const motion *m, int unsweep) {
-    *r = (trace){.s = s, .m = m, .unsweep = unsweep};
-    mpq_inits(r->at, r->point[0], r->point[1], r->point[2], NULL);
+void trace_init(trace *r, const solid *s, const motion *m, int unsweep, int with_cells) {
+    *r = (trace){.s = s, .m = m, .unsweep = unsweep, .with_cells = with_cells};
+    mpq_inits(r->from, r->at, r->point[0], r->point[1], r->point[2], NULL);
     r->beta = integers(4 * (MOST_DEGREE + 1));
     r->root = integers(MOST_DEGREE + 1);
     r->form = integers(5);
     r->p = integers(4);
+    r->is_met = grow(NULL, s->count, 1);
+    memset(r->is_met, 0, s->count);
+}
+
+void trace_forget_cells(trace *r) {
+    while (r->met.count > 0)
+        r->is_met[r->met.item[--r->met.count] / 8] = 0;
+}
+
+static void keep_cell(trace *r, const simplex *f, unsigned zero) {
+    size_t simplex = (size_t)(f - r->s->simplex);
+    if (r->is_met[simplex] >> zero & 1)
+        return;
+    r->is_met[simplex] |= (unsigned char)(1u << zero);
+    r->met.item = room_for(r->met.item, r->met.count, &r->met.room, sizeof *r->met.item);
+    r->met.item[r->met.count++] = 8 * simplex + zero;
 }
 
 /* X_i = scale (N_i0 P_0 + ... + N_id P_d), W = weight P_d. */
@@ -99,19 +115,18 @@ static void enclose(trace *r, const claim *c) {
     solid_near(&r->near, r->s, &b);
 }
 
-/* The signs of all coefficients of a form's pullback lie from `low` to `high`. */
-static int form_within(trace *r, mpz_t *form, int low, int high) {
-    for (size_t k = 0; k <= r->n; k++) {
-        int sign = form_value(r->form[4], form, control_point(r, k), r->m->d + 1);
-        if (sign < low || sign > high)
-            return 0;
-    }
-    return 1;
+/* The sign of coefficient k of a form's pullback. */
+static int form_sign(trace *r, mpz_t *form, size_t k) {
+    return form_value(r->form[4], form, control_point(r, k), r->m->d + 1);
 }
 
 /* The one strict sign of all of them, or 0. */
 static int form_strict(trace *r, mpz_t *form) {
-    return form_within(r, form, 1, 1) - form_within(r, form, -1, -1);
+    int sign = form_sign(r, form, 0);
+    for (size_t k = 1; k <= r->n && sign != 0; k++)
+        if (form_sign(r, form, k) != sign)
+            sign = 0;
+    return sign;
 }
 
 static mpz_t *side_form(trace *r, const simplex *f, int k) {
@@ -123,12 +138,29 @@ static mpz_t *side_form(trace *r, const simplex *f, int k) {
 static int cleared(trace *r, const simplex *f) {
     int clear = form_strict(r, f->plane) != 0;
     for (int k = 0; k < r->s->d && !clear; k++)
-        clear = form_within(r, side_form(r, f, k), -1, -1);
+        clear = form_strict(r, side_form(r, f, k)) < 0;
     return clear;
+}
+
+/* On an interval that has no root: the signs at its beginning, within, and at its end. */
+static void slide_signs(int *out, trace *r, mpz_t *form) {
+    int least = 1, most = -1;
+    for (size_t k = 0; k <= r->n; k++) {
+        int sign = form_sign(r, form, k);
+        least = sign < least ? sign : least;
+        most = sign > most ? sign : most;
+        out[LEFT] = k == 0 ? sign : out[LEFT];
+        out[RIGHT] = sign;
+    }
+    out[MID] = least >= 0 ? most : most <= 0 ? least : UNKNOWN;
 }
 
 /* f = q^e g, e as large as can be: the signs of g and of q give those of f. */
 static void form_signs(int *out, trace *r, const claim *c, mpz_t *form) {
+    if (!c->q) {
+        slide_signs(out, r, form);
+        return;
+    }
     int sign = form_strict(r, form);
     size_t power = 0;
     poly f = {0};
@@ -149,9 +181,10 @@ static void form_signs(int *out, trace *r, const claim *c, mpz_t *form) {
 }
 
 /* A simplex that is not cleared: tests L4 and L5 on the sides that must be free of it; and where
- * does it hold the trajectory? */
+ * does it hold the trajectory, in which of its cells? */
 static void meet(trace *r, claim *c, const simplex *f) {
     int sign[PLACES], out[PLACES], in[PLACES];
+    unsigned zero[PLACES] = {0, 0, 0};
     form_signs(sign, r, c, f->plane);
     for (int p = 0; p < PLACES; p++) {
         out[p] = sign[p] == 1 || sign[p] == -1;
@@ -162,37 +195,40 @@ static void meet(trace *r, claim *c, const simplex *f) {
         for (int p = 0; p < PLACES; p++) {
             out[p] = out[p] || sign[p] == -1;
             in[p] = in[p] && (sign[p] == 0 || sign[p] == 1);
+            zero[p] |= sign[p] == 0 ? 1u << k : 0;
         }
     }
     for (int p = 0; p < PLACES; p++) {
         if ((c->letter[p] == 'O' || c->letter[p] == 'I') && !out[p])
             refute("line %zu, row %zu: facet %zu is not cleared beside the root", r->line, r->row,
                    f->facet);
+        if (r->with_cells && c->letter[p] == 'B' && !out[p] && !in[p])
+            refute("line %zu, row %zu: facet %zu is neither met nor cleared", r->line, r->row,
+                   f->facet);
+        if (r->with_cells && c->letter[p] == 'B' && in[p])
+            keep_cell(r, f, zero[p]);
         c->held[p] = c->held[p] || in[p];
     }
 }
 
-/* All simplices near the trajectory are cleared, those near a root as far as they must be. */
+/* All simplices near the trajectory are cleared, those where it is on the boundary as far as they
+ * must be. */
 static void check_near(trace *r, claim *c) {
     for (size_t k = 0; k < r->near.count; k++) {
         const simplex *f = &r->s->simplex[r->near.item[k]];
         if (cleared(r, f))
             continue;
-        if (!c->q)
+        if (!c->letter[MID])
             refute("line %zu, row %zu: facet %zu is not cleared", r->line, r->row, f->facet);
         meet(r, c, f);
     }
 }
 
-static void check_slide(trace *r) {
-    int found = 0;
-    for (size_t k = 0; k < r->near.count && !found; k++) {
-        const simplex *f = &r->s->simplex[r->near.item[k]];
-        found = form_within(r, f->plane, 0, 0);
-        for (int i = 0; i < r->s->d && found; i++)
-            found = form_within(r, side_form(r, f, i), 0, 1);
-    }
-    if (!found)
+/* Some simplex holds the trajectory within the interval, and so on all of it. */
+static void check_slide(trace *r, claim *c) {
+    memset(c->letter, 'B', PLACES);
+    check_near(r, c);
+    if (!c->held[MID])
         fail(r, "no facet holds the trajectory on the interval");
 }
 
@@ -264,6 +300,7 @@ static int is_kind(word w) {
 static void check_root(trace *r, claim *c, word kind) {
     poly end = {0};
     char *side = c->letter;
+    side[MID] = 'B';
     side[LEFT] = kind.length == 3 || *kind.at != 'B' ? kind.at[0] : 0;
     side[RIGHT] = kind.length == 3 || *kind.at == 'B' ? kind.at[kind.length - 1] : 0;
     if (kind.length == 2)
@@ -294,10 +331,11 @@ void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
     if (kind.length > 1)
         check_root(r, &c, kind);
     else if (*kind.at == 'B')
-        check_slide(r);
+        check_slide(r, &c);
     else
         check_near(r, &c);
     add_letters(r, &c, kind);
+    mpq_set(r->from, r->at);
     mpq_set(r->at, to);
 }
 

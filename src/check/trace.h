@@ -20,18 +20,27 @@ typedef struct trace {
     poly x[4];
     size_t n;
 
-    mpq_t at;      /* the end of the last interval */
-    char *word;    /* that the row claims */
-    size_t length; /* of its beginning that the intervals so far have spelled */
+    mpq_t from, at; /* the last interval's ends; `at` is t0 before the first */
+    char *word;     /* that the row claims */
+    size_t length;  /* of its beginning that the intervals so far have spelled */
 
     /* The interval at hand. */
     mpz_t *beta; /* n + 1 times the d + 1 scaled Bernstein coefficients of x */
     mpz_t *root; /* n + 1: of one polynomial */
     mpz_t *form; /* d + 1, and one for a value */
     list near;
+
+    /* Cells met since the caller last took them, each once: 8 times a simplex, and a bit for each
+     * side form that is zero there. */
+    int with_cells;
+    list met;
+    unsigned char *is_met; /* of a simplex, a bit for each of its cells */
 } trace;
 
-void trace_init(trace *r, const solid *s, const motion *m, int unsweep);
+/** @param with_cells cells that are met are kept, and others are to be known as not met */
+void trace_init(trace *r, const solid *s, const motion *m, int unsweep, int with_cells);
+/** Forget the cells met. */
+void trace_forget_cells(trace *r);
 /** Begin a row of this word; `point` has been set. */
 void trace_start(trace *r, word claimed);
 /**

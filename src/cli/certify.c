@@ -13,6 +13,7 @@ static const char certify_help[] =
     "graze convert writes any solid and motion so. POINTS as in graze classify, which can write\n"
     "table and certificate in one run.\n"
     "\n"
+    "  --times              each contact's time and boundary cells too\n"
     "  --operation sweep|unsweep, --folds separate|combined, --overlap extend|reject,\n"
     "  --jobs N, --receipt FILE, --quiet, --limit NAME=V   as in graze classify\n"
     "  -o, --output FILE    write there instead of to standard output\n"
@@ -33,6 +34,7 @@ static const option_entry certify_table[] = {
     OPTION("resume", classify_options, resume, value_text),
     OPTION("shard", classify_options, shard, value_shard),
     OPTION("receipt", classify_options, receipt, value_text),
+    FLAG("times", classify_options, times, value_flag),
     FLAG("quiet", classify_options, quiet, value_flag),
     {NULL, OPTION_FLAG, NULL, 0}};
 

@@ -28,6 +28,7 @@ static const char classify_help[] =
     "  --output FILE        write there instead of to standard output\n"
     "  --certify FILE       a certificate beside the table, as graze certify writes it; continued\n"
     "                       with the table where there is --resume\n"
+    "  --times              with it, each contact's time and boundary cells in the certificate\n"
     "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
     "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
     "  --receipt FILE       spare the validation of a solid that graze check --receipt has done\n"
@@ -73,6 +74,7 @@ static const option_entry classify_table[] = {
     OPTION("output", classify_options, output, value_text),
     OPTION("o", classify_options, output, value_text),
     OPTION("certify", classify_options, certificate, value_text),
+    FLAG("times", classify_options, times, value_flag),
     OPTION("resume", classify_options, resume, value_text),
     OPTION("shard", classify_options, shard, value_shard),
     OPTION("receipt", classify_options, receipt, value_text),
@@ -111,6 +113,8 @@ int classify_take(classify_options *o, const operands *given) {
         status = check_columns(o);
     if (status)
         return status;
+    if (o->times && !o->certificate)
+        return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
     if ((o->resume || o->shard.given) && (o->format.rows != GRAZE_FORMAT_CSV || o->format.table))
         return complain(EXIT_USAGE, "%s needs the head of a table; expected --format csv",
                         o->resume ? "--resume" : "--shard");

@@ -1,4 +1,4 @@
-/* Checks the form of a certificate's intervals (proofs/certificate.md, section 1).
+/* Checks the form of a certificate's intervals and contacts (proofs/certificate.md, section 1).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/certified.h"
@@ -18,7 +18,7 @@ int certified_begin(certified *c, field word) {
     memcpy(c->word, word.start, word.length);
     c->length = word.length;
     c->at = 0;
-    c->begun = c->ended = 0;
+    c->begun = c->reached = c->ended = c->due = 0;
     return 1;
 }
 
@@ -47,12 +47,40 @@ static int are_coefficients(field rest) {
 /* Go on in the word by one letter, or stay at it. */
 static int spell(certified *c, char letter) {
     if (c->begun && c->word[c->at] != letter)
-        c->at++;
+        c->due |= c->word[c->at++] == 'B';
     c->begun = 1;
     return c->at < c->length && c->word[c->at] == letter;
 }
 
-const char *certified_interval(certified *c, const row_form *form, field line) {
+/* Two numbers of vertices. */
+static int is_edge(field f) {
+    field first = row_take(&f, '-');
+    return row_is_number(first) && row_is_number(f);
+}
+
+/* `contact`, times and cells. */
+static int is_contact(field line) {
+    field rest;
+    if (!field_behind(&rest, line, "contact ") || !rest.length ||
+        rest.start[rest.length - 1] == ' ')
+        return 0;
+    while (rest.length) {
+        field f = row_take(&rest, ' ');
+        int is_word = field_is(f, "root") || field_is(f, "to") || field_is(f, "face") ||
+                      field_is(f, "edge") || field_is(f, "vertex");
+        if (!is_word && !row_is_number(f) && !is_edge(f))
+            return 0;
+    }
+    return 1;
+}
+
+static const char *take_contact(certified *c, field line) {
+    c->due = 0;
+    c->ended = c->reached;
+    return is_contact(line) ? NULL : "a contact of the row: its times and cells";
+}
+
+static const char *take_interval(certified *c, const row_form *form, field line) {
     field rest = line, kind = row_take(&rest, ' '), time = row_take(&rest, ' ');
     if (!is_kind(kind) || !row_is_number(time) ||
         (kind.length == 3 ? !are_coefficients(rest) : rest.length != 0))
@@ -60,6 +88,12 @@ const char *certified_interval(certified *c, const row_form *form, field line) {
     for (size_t k = 0; k < kind.length; k++)
         if (!spell(c, kind.start[k]))
             return "intervals that spell the row's word";
-    c->ended = field_equal(time, form->end);
-    return c->ended && c->at + 1 != c->length ? "intervals that spell the row's word" : NULL;
+    c->reached = field_equal(time, form->end);
+    c->due = form->contacts && (c->due || (c->reached && c->word[c->at] == 'B'));
+    c->ended = c->reached && !c->due;
+    return c->reached && c->at + 1 != c->length ? "intervals that spell the row's word" : NULL;
+}
+
+const char *certified_line(certified *c, const row_form *form, field line) {
+    return c->due ? take_contact(c, line) : take_interval(c, form, line);
 }

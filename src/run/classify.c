@@ -159,7 +159,7 @@ static int load_scene(run_state *s, const classify_options *o) {
     if (!status)
         status = receipt_load(&s->l, o->receipt, &o->scene);
     outputs_init(&s->out, o, &s->l);
-    return !status && certified ? loaded_certify(&s->l, &o->scene) : status;
+    return !status && certified ? loaded_certify(&s->l, &o->scene, o->times) : status;
 }
 
 static int prepare_run(run_state *s, const classify_options *o) {

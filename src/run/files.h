@@ -25,6 +25,7 @@ typedef struct classify_options {
     const char *output;      /* NULL: standard output */
     const char *resume;      /* the table to continue, or NULL */
     const char *certificate; /* a file for the certificate beside the table, or NULL */
+    int times;               /* it gives the times and cells of contacts */
     int threads;             /* 0: one for each core */
     int quiet;               /* no progress */
 } classify_options;

@@ -56,7 +56,7 @@ static field point_text(kept *k) {
     return (field){k->text, used};
 }
 
-/* The intervals of a row, up to the last time. */
+/* The intervals and contacts of a row. */
 static int check_intervals(kept *k, results *t, field word) {
     int status = EXIT_DONE;
     if (!certified_begin(&k->intervals, word))
@@ -64,7 +64,7 @@ static int check_intervals(kept *k, results *t, field word) {
     while (!status && !k->intervals.ended) {
         field line;
         status = results_next(t, &line);
-        const char *expected = status ? NULL : certified_interval(&k->intervals, &k->form, line);
+        const char *expected = status ? NULL : certified_line(&k->intervals, &k->form, line);
         if (expected)
             status = results_refuse(t, line, expected, (field){"", 0});
     }

@@ -23,6 +23,8 @@ line_part line_part_of(result_kind kind, field line) {
         return line.length && *line.start == '#' ? LINE_NOTE : LINE_ROW;
     if (field_behind(&rest, line, "row "))
         return LINE_ROW;
+    if (field_behind(&rest, line, "contact "))
+        return LINE_OF_ROW;
     return line.length && *line.start >= 'a' && *line.start <= 'z' ? LINE_NOTE : LINE_OF_ROW;
 }
 

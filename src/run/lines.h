@@ -15,7 +15,8 @@ const char *result_command(result_kind kind);
 /** The text before the key of a note (shard.h) and of the last line: "# " in a table. */
 const char *result_mark(result_kind kind);
 
-/** A row of a table is one line; one of a certificate goes on in the lines of its intervals. */
+/** A row of a table is one line; one of a certificate goes on in the lines of its intervals
+ * and contacts. */
 typedef enum line_part { LINE_ROW, LINE_OF_ROW, LINE_NOTE } line_part;
 
 /** The kind of a line behind the head. */

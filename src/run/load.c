@@ -54,8 +54,9 @@ int load_certifiable(const char *solid) {
     return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt", solid);
 }
 
-int loaded_certify(loaded *l, const scene_options *o) {
-    graze_status made = graze_certifier_create(&l->certifier, l->context, l->scene, o->solid_flags);
+int loaded_certify(loaded *l, const scene_options *o, int times) {
+    unsigned flags = o->solid_flags | (times ? GRAZE_CERTIFY_TIMES : 0);
+    graze_status made = graze_certifier_create(&l->certifier, l->context, l->scene, flags);
     return complain_of_use(made, l->context);
 }
 

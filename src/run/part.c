@@ -43,7 +43,7 @@ static void copy_line(output *out, field line) {
     output_bytes(out, line.start, line.length + 1); /* its line end stands behind it */
 }
 
-/* The intervals of a certificate's row, up to the last time. */
+/* The intervals and contacts of a certificate's row. */
 static int copy_intervals(part *p, output *out) {
     int status = EXIT_DONE;
     while (!status && !p->intervals.ended) {
@@ -53,7 +53,7 @@ static int copy_intervals(part *p, output *out) {
             break;
         if (!line.start || !p->in.whole)
             return complain_of_row(p);
-        const char *expected = certified_interval(&p->intervals, &p->form, line);
+        const char *expected = certified_line(&p->intervals, &p->form, line);
         if (expected)
             return refuse_row(p, expected);
         copy_line(out, line);

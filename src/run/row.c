@@ -46,6 +46,7 @@ static int read_certificate_form(row_form *out, const char *head) {
         return 0;
     out->dimension = *dimension.start - '0';
     out->separator = ' ';
+    out->contacts = field_is(note_of(head, "contacts "), "yes");
     while (times.length)
         out->end = row_take(&times, ' ');
     read_options(out, "operation ", "folds ", head);

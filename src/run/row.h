@@ -17,6 +17,7 @@ typedef struct row_form {
     size_t others;         /* further columns of a table */
     int topo;              /* rows end with a position */
     field end;             /* of a certificate: the last time, in the head */
+    int contacts;          /* of a certificate: rows have their contacts */
 } row_form;
 
 /** A row's point, word, further columns and position, as they stand in it; without the commas

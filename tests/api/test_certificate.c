@@ -151,7 +151,41 @@ static void rows(void **state) {
     mpq_clears(p[0], p[1], p[2], NULL);
 }
 
+/* The cube [0, 2]^3 moves by 4 along x in [0, 1]: the trajectory of (5, 1, 1) is (5 - 4 t, 1, 1).
+ */
+static void contacts(void **state) {
+    (void)state;
+    graze_context *context;
+    graze_solid *solid;
+    graze_motion *motion;
+    graze_certifier *c = NULL;
+    char *text = NULL;
+    mpq_t p[3];
+    mpq_inits(p[0], p[1], p[2], NULL);
+    mpq_set_si(p[0], 5, 1);
+    mpq_set_si(p[1], 1, 1);
+    mpq_set_si(p[2], 1, 1);
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    graze_scene *scene = open_files(context, &solid, &motion);
+    assert_int_equal(graze_certifier_create(&c, context, scene, GRAZE_CERTIFY_TIMES), GRAZE_OK);
+    assert_int_equal(graze_certificate_head(&text, context, c), GRAZE_OK);
+    assert_non_null(strstr(text, "\ncontacts yes\nsigns 0 1\n"));
+    graze_free(text);
+    assert_int_equal(graze_certificate_row(&text, context, c, p), GRAZE_OK);
+    assert_int_equal(strncmp(text, "row 5 1 1 OBI in regular 5 3 1 0 1\n", 35), 0);
+    assert_non_null(strstr(text, "\ncontact 3/4 face "));
+    graze_free(text);
+    graze_certifier_destroy(c);
+    assert_int_equal(graze_certifier_create(&c, context, scene, GRAZE_CERTIFY_TIMES << 1),
+                     GRAZE_EUSE);
+    graze_scene_destroy(scene);
+    graze_motion_destroy(motion);
+    graze_solid_destroy(solid);
+    graze_context_destroy(context);
+    mpq_clears(p[0], p[1], p[2], NULL);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rows)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rows), cmocka_unit_test(contacts)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

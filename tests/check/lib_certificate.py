@@ -19,10 +19,12 @@ RECORD = os.environ.get("GRAZE_CHECK_RECORD")  # a folder for all calls of graze
 
 
 class Row:
-    """point: texts; claims: texts from the word on; intervals: lists [kind, time, c0, c1, ...]."""
+    """point: texts; claims: texts from the word on; intervals: lists [kind, time, c0, c1, ...]; contacts: pairs of
+    the number of intervals before it and a list ["contact", ...]."""
 
     def __init__(self, words, dimension):
         self.point, self.claims, self.intervals = words[:dimension], words[dimension:], []
+        self.contacts = []
 
     @property
     def word(self):
@@ -47,7 +49,10 @@ class Row:
         return out
 
     def lines(self):
-        return [["row", *self.point, *self.claims], *self.intervals]
+        out = [["row", *self.point, *self.claims]]
+        for k in range(len(self.intervals) + 1):
+            out += [line for before, line in self.contacts if before == k] + self.intervals[k:k + 1]
+        return out
 
 
 class Certificate:
@@ -58,6 +63,8 @@ class Certificate:
         for line in lines[first:-1]:
             if line[0] == "row":
                 self.rows.append(Row(line[1:], int(self.value("dimension"))))
+            elif line[0] == "contact":
+                self.rows[-1].contacts.append((len(self.rows[-1].intervals), line))
             else:
                 self.rows[-1].intervals.append(line)
 

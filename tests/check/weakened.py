@@ -27,7 +27,7 @@ from harness import ONLY, Checks, options
 HERE = os.path.dirname(os.path.abspath(__file__))
 SPARED = ("main.c", "ends.c", "sha256.c")
 EACH = 60
-SUITES = ("rows.py", "solids.py", "limits.py", "golden.py", "mutants.py")  # the first calls of a message are taken
+SUITES = ("rows.py", "solids.py", "limits.py", "golden.py", "contacts.py", "mutants.py")  # the first calls of a message are taken
 FLAGS = ["-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1", "-w", "-Dfree=checker_free", "-Dfopen=checker_fopen",
          "-Dfclose=checker_fclose"]
 TURNED = {"==": ["!="], "!=": ["=="], "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"],

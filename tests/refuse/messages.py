@@ -54,6 +54,7 @@ UNREACHED = {
     "between two contacts of a trace is neither": "a fault of Graze itself",
     "between two contacts is neither": "a fault of Graze itself",
     "cannot be certified in": "a fault of Graze itself",
+    "contacts are certified": "a fault of Graze itself",
     "an irreducible pullback vanishes": "a fault of Graze itself",
     "a curve of a sweep is not": "a fault of Graze itself",
     "irreducible curves of a sweep": "a fault of Graze itself",

@@ -20,14 +20,20 @@ def scenes(bench):
     yield "cube", [*CUBE, bench.file("points.csv", random_points(bench.random, 120 * bench.scale, 3))]
     yield "square", [*SQUARE, bench.file("flat.csv", random_points(bench.random, 40, 2)), "--folds", "combined"]
     yield "unsweep", [*SQUARE, bench.folder / "flat.csv", "--operation", "unsweep"]
+    yield "contacts", [*CUBE, bench.folder / "points.csv", "--times"]
     yield "no points", [*SQUARE, bench.file("none.csv", b"x,y\n")]
+
+
+def plain(words):
+    """Those of a table without a certificate."""
+    return [word for word in words if word != "--times"]
 
 
 def cut(certificate):
     """(head, rows, end): head and end are lists of lines, a row the lines of its own in one."""
     lines = certificate.splitlines(keepends=True)
     rows, first = [], next(k for k, line in enumerate(lines) if line.startswith(b"signs ")) + 1
-    last = next(k for k, line in enumerate(lines) if k >= first and line[:1].islower() and not line.startswith(b"row "))
+    last = next(k for k, line in enumerate(lines) if k >= first and line[:1].islower() and not line.startswith((b"row ", b"contact ")))
     for line in lines[first:last]:
         if line.startswith(b"row "):
             rows.append(line)
@@ -47,7 +53,7 @@ def check_whole(bench):
         bench.check((done.returncode, done.stdout) == (0, f"verified: {count} rows\n"), f"{name}: verified", done.stderr)
         beside = bench.folder / "beside.txt"
         for more in (["--format", "csv"], ["--format", "jsonl"], ["--format", "npy"], ["--topo"]):
-            _, table, note = bench.run("classify", *words, *more)
+            _, table, note = bench.run("classify", *plain(words), *more)
             status, both, its_note = bench.run("classify", *words, *more, "--certify", beside)
             bench.check((status, both, its_note) == (0, table, note) and beside.read_bytes() == whole, f"{name}: with a table {more}")
 
@@ -55,7 +61,7 @@ def check_whole(bench):
 def check_shards(bench):
     """Certificates of shards have every n-th row, and merge into that of one run; so do the tables beside them."""
     for name, words in scenes(bench):
-        whole, table = bench.good("certify", *words), bench.good("classify", *words)
+        whole, table = bench.good("certify", *words), bench.good("classify", *plain(words))
         head, rows, _ = cut(whole)
         for count in (1, 2, 5):
             parts, tables = [], []
@@ -94,7 +100,7 @@ def check_resumed(bench):
 def check_resumed_pair(bench):
     """Table and certificate of one interrupted run, the certificate ahead, are continued together."""
     for name, words in scenes(bench):
-        whole, table = bench.good("certify", *words), bench.good("classify", *words)
+        whole, table = bench.good("certify", *words), bench.good("classify", *plain(words))
         head, rows, _ = split(table)
         starts = [len(b"".join(cut(whole)[0] + cut(whole)[1][:k])) for k in range(len(rows) + 1)]
         for turn in range(12 * bench.scale):
@@ -133,21 +139,36 @@ def altered(row):
     yield "a row without its word", b"row 1 1 1\n" + b"".join(lines[1:])
 
 
+def altered_contacts(row):
+    lines = row.splitlines(keepends=True)
+    for k, line in enumerate(lines):
+        if line.startswith(b"contact "):
+            yield "a contact is lost", b"".join(lines[:k] + lines[k + 1:])
+            yield "a contact is there twice", b"".join(lines[:k] + [line] + lines[k:])
+            yield "a contact is early", b"".join(lines[:k - 1] + [line, lines[k - 1]] + lines[k + 1:])
+            for other in (b"contact \n", b"contact\n", line[:-1] + b" x\n", b"contact 1/1 face 0\n", line[:-1] + b" \n", line[:-1] + b" 1-\n"):
+                yield f"a contact is {other}", b"".join(lines[:k] + [other] + lines[k + 1:])
+
+
 def check_altered(bench):
     """A row that was changed is refused, where a certificate is continued and where parts are merged; no file changes."""
     points = bench.file("near.csv", b"".join(b"%d,%d,1\n" % (k % 7, k // 7) for k in range(28)))
-    words = [*CUBE, points]
+    for words, changes in (([*CUBE, points], altered), ([*CUBE, points, "--times"], altered_contacts)):
+        check_changes(bench, words, changes)
+
+
+def check_changes(bench, words, changes):
     head, rows, _ = cut(bench.good("certify", *words))
     at = next(k for k, row in enumerate(rows) if k > 3 and row.count(b"\n") > 3 and b" 1\n" in row)
     parts = [bench.file(f"good-{k}.txt", bench.good("certify", *words, "--shard", f"{k}/2")) for k in (1, 2)]
     its_head, its_rows, its_end = cut(parts[1].read_bytes())
     place = next(k for k, row in enumerate(its_rows) if row.count(b"\n") > 3)
-    for what, row in altered(rows[at]):
+    for what, row in changes(rows[at]):
         begun = b"".join(head + rows[:at] + [row] + rows[at + 1:at + 9])
         path = bench.file("altered.txt", begun)
         status, _, err = bench.run("certify", *words, "--resume", path)
         bench.check(status == 3 and path.read_bytes() == begun and b"altered.txt:" in err, f"not continued: {what}", status, err)
-    for what, row in altered(its_rows[place]):
+    for what, row in changes(its_rows[place]):
         if b"971" in row:
             continue  # the points alone tell
         bad = bench.file("bad.txt", b"".join(its_head + its_rows[:place] + [row] + its_rows[place + 1:] + its_end))
