@@ -23,8 +23,8 @@ void row_lines_clear(row_lines *l) {
 }
 
 /* u in the motion's parameter. */
-static void put_number(text *out, const motion_piece *piece, const fmpz_t numerator,
-                       ulong exponent) {
+static void line_number(text *out, const motion_piece *piece, const fmpz_t numerator,
+                        ulong exponent) {
     fmpq_t t, width;
     fmpq_init(t);
     fmpq_init(width);
@@ -61,7 +61,7 @@ static void to_parameter(fmpz_poly_t out, const motion_piece *piece, const fmpz_
     fmpq_poly_clear(f);
 }
 
-static void put_poly(text *out, const fmpz_poly_t q) {
+static void line_poly(text *out, const fmpz_poly_t q) {
     for (slong k = 0; k < fmpz_poly_length(q); k++) {
         text_put(out, " ");
         text_owned(out, fmpz_get_str(NULL, 10, fmpz_poly_get_coeff_ptr(q, k)));
@@ -69,7 +69,7 @@ static void put_poly(text *out, const fmpz_poly_t q) {
 }
 
 /* The root of q in [l->start, end]: a number if q is linear. */
-static void put_root(text *out, const row_lines *l, const char *end, const fmpz_poly_t q) {
+static void line_root(text *out, const row_lines *l, const char *end, const fmpz_poly_t q) {
     if (fmpz_poly_degree(q) == 1) {
         fmpq_t root;
         fmpq_init(root);
@@ -80,10 +80,10 @@ static void put_root(text *out, const row_lines *l, const char *end, const fmpz_
         return;
     }
     text_format(out, "root %s %s", l->start.data, end);
-    put_poly(out, q);
+    line_poly(out, q);
 }
 
-static void put_cells(text *out, const contact *c) {
+static void line_cells(text *out, const contact *c) {
     for (size_t k = 0; k < c->cell_count; k++) {
         const graze_cell *cell = &c->cell[k];
         if (cell->kind == GRAZE_CELL_EDGE)
@@ -101,21 +101,21 @@ static void follow_contact(row_lines *l, const char *kind, const char *end, cons
     text_init(&closed);
     if (l->opened.length == 0) {
         if (n == 3 && first != 'B')
-            put_root(&l->opened, l, end, q);
+            line_root(&l->opened, l, end, q);
         else
             text_put(&l->opened, first == 'B' ? l->start.data : end);
     }
     if (last == 'B' && strcmp(end, l->finish.data) == 0)
         text_put(&closed, end);
     else if (last != 'B' && n == 3)
-        put_root(&closed, l, end, q);
+        line_root(&closed, l, end, q);
     else if (last != 'B')
         text_put(&closed, l->start.data);
     if (closed.length > 0 && l->said < l->trace->contact_count && !l->opened.failed) {
         text_format(l->out, "contact %s", l->opened.data);
         if (strcmp(closed.data, l->opened.data) != 0)
             text_format(l->out, " to %s", closed.data);
-        put_cells(l->out, &l->trace->contact[l->said++]);
+        line_cells(l->out, &l->trace->contact[l->said++]);
         text_put(l->out, "\n");
         text_clear(&l->opened);
     }
@@ -129,11 +129,11 @@ void row_lines_put(row_lines *l, const char *kind, const fmpz_t high, ulong expo
     fmpz_poly_t p;
     text_init(&end);
     fmpz_poly_init(p);
-    put_number(&end, l->piece, high, exponent);
+    line_number(&end, l->piece, high, exponent);
     text_format(l->out, "%s %s", kind, end.data);
     if (q) {
         to_parameter(p, l->piece, q);
-        put_poly(l->out, p);
+        line_poly(l->out, p);
     }
     text_put(l->out, "\n");
     l->out->failed |= end.failed;

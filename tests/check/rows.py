@@ -65,16 +65,55 @@ ROWS = [
     ("times that go back", SQUARE, along("t"), 1, "0 3/4 1/2 1", "9 9", "O", ["O 1"], False),
     ("times past the end", SQUARE, along("t"), 1, "0 1 2 1", "9 9", "O", ["O 1"], False),
 ]
+# The same with contacts. Vertices have the numbers of the rings: the square's sides are 0-1, 1-2, 2-3 and 0-3.
+TOUCH = [SQUARE, along("-t", "4*t - 4*t^2"), 1, "0 1", "1/3 2", "OBO"]
+ENTRY = [SQUARE, along("t^2"), "3/2", "0 3/2", "3 1/2", "OBI"]  # c_x = 3 - t^2
+LONG = [TEETH, along("-t"), 7, "0 7", "0 1", "OBOBO"]
+WHOLE = [TEETH, along("-t"), 2, "0 2", "1 1", "B"]
+BACK = [TEETH, along("t^2 - 2*t"), 2, "0 2", "2 1", "B"]  # c_x = 3 - (t - 1)^2
+RUN = "POLYGON ((0 0, 1 0, 1 0, 1 0, 1 1, 0 1, 0 0))"
+CONTACTS = [
+    ("a touch", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "contact 1/2 edge 2-3", "O 1"], True),
+    ("a touch, a facet unknown", *TOUCH, ["O 1/4", "OBO 3/4 -1 2", "contact 1/2 edge 2-3", "O 1"], False),
+    ("a touch too late", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "O 1", "contact 1/2 edge 2-3"], False),
+    ("a touch too early", *TOUCH, ["O 1/4", "contact 1/2 edge 2-3", "OBO 5/8 -1 2", "O 1"], False),
+    ("a touch not said", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "O 1"], False),
+    ("a word more", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "contact 1/2 edge 2-3 vertex", "O 1"], False),
+    ("a longer word", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "contact 1/2 edge 2-33", "O 1"], False),
+    ("a root", *ENTRY, ["O 5/4", "OBI 3/2 -2 0 1", "contact root 5/4 3/2 -2 0 1 edge 1-2"], True),
+    ("a root of a multiple", *ENTRY, ["O 5/4", "OBI 3/2 4 0 -2", "contact root 5/4 3/2 2 0 -1 edge 1-2"], True),
+    ("a root with another multiple", *ENTRY, ["O 5/4", "OBI 3/2 -2 0 1", "contact root 5/4 3/2 -4 0 2 edge 1-2"], False),
+    ("a root in a longer interval", *ENTRY, ["O 5/4", "OBI 3/2 -2 0 1", "contact root 1 3/2 -2 0 1 edge 1-2"], False),
+    ("a root with a line's time", *ENTRY, ["O 5/4", "OBI 3/2 -2 0 1", "contact 3/2 edge 1-2"], False),
+    ("slides", *LONG, [*SLIDE[0], *GAP[:2], "contact 1 to 3 edge 6-7 vertex 6 vertex 7", *GAP[2:], *SLIDE[1][:2],
+                       "contact 4 to 6 edge 2-3 vertex 2 vertex 3", *SLIDE[1][2:]], True),
+    ("slides without a vertex", *LONG, [*SLIDE[0], *GAP[:2], "contact 1 to 3 edge 6-7 vertex 6 vertex 7", *GAP[2:], *SLIDE[1][:2],
+                                        "contact 4 to 6 edge 2-3 vertex 2", *SLIDE[1][2:]], False),
+    ("a slide as a touch", *LONG, [*SLIDE[0], *GAP[:2], "contact 1 edge 6-7 vertex 6 vertex 7", *GAP[2:], *SLIDE[1][:2],
+                                   "contact 4 to 6 edge 2-3 vertex 2 vertex 3", *SLIDE[1][2:]], False),
+    ("a slide from end to end", *WHOLE, ["B 2", "contact 0 to 2 edge 6-7 vertex 6 vertex 7"], True),
+    ("the same in two", *WHOLE, ["B 1", "B 2", "contact 0 to 2 edge 6-7 vertex 6 vertex 7"], True),
+    ("without its beginning", *WHOLE, ["B 2", "contact 0 to 2 edge 6-7 vertex 6"], False),
+    ("without its end", *WHOLE, ["B 2", "contact 0 to 2 edge 6-7 vertex 7"], False),
+    ("a slide and back", *BACK, ["B 1", "B 2", "contact 0 to 2 edge 6-7 vertex 6"], True),
+    ("a slide and back, not to the corner", *BACK, ["B 1", "B 2", "contact 0 to 2 edge 6-7"], False),
+    ("a run of vertices", RUN, along("-t"), 1, "0 1", "1 0", "BO", ["BO 1", "contact 0 vertex 1 vertex 2 vertex 3"], True),
+    ("a run of vertices, but one", RUN, along("-t"), 1, "0 1", "1 0", "BO", ["BO 1", "contact 0 vertex 1 vertex 3"], False),
+    ("an end", SQUARE, along("-t"), 1, "0 1", "-1 1/2", "OB", ["OB 1", "contact 1 edge 0-3"], True),
+    ("no contact", SQUARE, along("-t"), 1, "0 1", "-9 1/2", "O", ["O 1"], True),
+    ("a contact invented", SQUARE, along("-t"), 1, "0 1", "-9 1/2", "O", ["O 1", "contact 1 edge 0-3"], False),
+]
 IN_PIECES = {"times of two pieces", "an interval across two pieces"}  # [0, 1], [1, 2], ...; others have one
 
 
-def certificate(solid, motion, signs, point, word, intervals):
+def certificate(solid, motion, signs, point, word, intervals, contacts):
     row = Row([*point.split(), word], 2)
     row.claim(word, False, False)
     row.intervals = [interval.split() for interval in intervals]
     out = Certificate("complete 1\n")
     out.head = [["graze-certificate", "1"], ["solid-sha256", sha256(solid)], ["motion-sha256", sha256(motion)],
-                ["scene-sha256", "0" * 64], ["dimension", "2"], ["operation", "sweep"], ["folds", "separate"], ["signs", *signs.split()]]
+                ["scene-sha256", "0" * 64], ["dimension", "2"], ["operation", "sweep"], ["folds", "separate"],
+                *([["contacts", "yes"]] if contacts else []), ["signs", *signs.split()]]
     out.rows = [row]
     return out.text()
 
@@ -83,12 +122,12 @@ def main():
     chosen = options(__doc__, ONLY)
     programs, tally = Programs(chosen.graze), Checks()
     with tempfile.TemporaryDirectory() as folder:
-        for what, polygon, transform, end, signs, point, word, intervals, right in ROWS:
+        for k, (what, polygon, transform, end, signs, point, word, intervals, right) in enumerate([*ROWS, *CONTACTS]):
             solid = write(os.path.join(folder, "solid.wkt"), polygon)
             starts = range(end) if what in IN_PIECES else [0]
             pieces = [{"t": [str(lo), str(hi)], "transform": json.loads(transform)} for lo, hi in zip(starts, [*starts[1:], end])]
             motion = write(os.path.join(folder, "motion.json"), json.dumps({"dimension": 2, "pieces": pieces}))
-            path = write(os.path.join(folder, "certificate"), certificate(solid, motion, signs, point, word, intervals))
+            path = write(os.path.join(folder, "certificate"), certificate(solid, motion, signs, point, word, intervals, k >= len(ROWS)))
             status, _, error = programs.check(solid, motion, path)
             tally.equal(status, VERIFIED if right else REFUTED, what, error)
     tally.finish()
