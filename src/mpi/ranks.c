@@ -262,7 +262,7 @@ int ranks_serve(const classify_options *o) {
     if (!status && o->grid.sizes)
         status = grid_open(&g, &o->grid, l.context, l.scene);
     if (!status && o->certificate)
-        status = loaded_certify(&l, &o->scene);
+        status = loaded_certify(&l, &o->scene, o->times);
     if (!status) {
         c.dimension = graze_scene_dimension(l.scene);
         answer_task task = {.context = &o->scene.context,
