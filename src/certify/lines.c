@@ -130,13 +130,13 @@ void row_lines_put(row_lines *l, const char *kind, const fmpz_t high, ulong expo
     text_init(&end);
     fmpz_poly_init(p);
     line_number(&end, l->piece, high, exponent);
-    text_format(l->out, "%s %s", kind, end.data);
+    l->out->failed |= end.failed;
+    text_format(l->out, "%s %s", kind, end.failed ? "" : end.data);
     if (q) {
         to_parameter(p, l->piece, q);
         line_poly(l->out, p);
     }
     text_put(l->out, "\n");
-    l->out->failed |= end.failed;
     if (l->trace && strchr(kind, 'B') && !l->out->failed)
         follow_contact(l, kind, end.data, p);
     fmpz_poly_clear(p);

@@ -31,8 +31,8 @@ void enclosure_clear(enclosure *e) {
     dyadic_interval_clear(&e->at);
     _fmpz_vec_clear(e->coefficients, (e->c->dimension + 1) * terms(e));
     _fmpz_vec_clear(e->value, terms(e));
-    for (int k = 0; k < 8; k++)
-        fmpz_clear(e->form + k);
+    for (int k = 0; k < KEPT_FORMS; k++)
+        _fmpz_vec_zero(e->kept[k].form, 16);
     control_clear(&e->points);
     free(e->near);
 }
@@ -61,6 +61,20 @@ static void search(enclosure *e, const box *b, size_t index) {
     search(e, b, node->child + 1);
 }
 
+/* A simplex that a proof failed at is likely to fail the next one, on a part of the interval. */
+static void put_suspect_first(enclosure *e) {
+    for (size_t k = 1; k < e->count; k++)
+        if (e->near[k] == e->suspect) {
+            e->near[k] = e->near[0];
+            e->near[0] = e->suspect;
+        }
+}
+
+static int fail_at(enclosure *e, size_t k) {
+    e->suspect = e->near[k];
+    return 0;
+}
+
 /* The checker's boxes may be wider than ours by 2^-46 of a coordinate: look for more than it will
  * find. Returns 0 where a coefficient of the weight is not positive, or simplices are many. */
 static int enclose(enclosure *e, const dyadic_interval *at) {
@@ -77,6 +91,7 @@ static int enclose(enclosure *e, const dyadic_interval *at) {
         b.high[i] += fabs(b.high[i]) * 0x1p-40;
     }
     search(e, &b, 0);
+    put_suspect_first(e);
     return !e->out_of_memory && e->count <= many(e);
 }
 
@@ -113,14 +128,29 @@ static int not_negative(enclosure *e, const fmpz *form, int zero) {
     return 1;
 }
 
+/* The forms of near simplex k: proofs on one interval after another ask for those of few. */
+static kept_forms *forms_of(enclosure *e, size_t k) {
+    size_t simplex = e->near[k];
+    kept_forms *f = &e->kept[simplex % KEPT_FORMS];
+    if (f->simplex != simplex + 1) {
+        (void)solid_plane(f->form, e->solid, simplex);
+        f->simplex = simplex + 1;
+        f->sides = 0;
+    }
+    return f;
+}
+
 static const fmpz *prove_plane(enclosure *e, size_t k) {
-    (void)solid_plane(e->form, e->solid, e->near[k]);
-    return e->form;
+    return forms_of(e, k)->form;
 }
 
 static const fmpz *side_of(enclosure *e, size_t k, int side) {
-    solid_side(e->form + 4, e->solid, e->near[k], e->form, side);
-    return e->form + 4;
+    kept_forms *f = forms_of(e, k);
+    fmpz *out = f->form + 4 * (side + 1);
+    if (!(f->sides >> side & 1))
+        solid_side(out, e->solid, e->near[k], f->form, side);
+    f->sides |= 1 << side;
+    return out;
 }
 
 static int cleared(enclosure *e, size_t k) {
@@ -139,7 +169,7 @@ int prove_clear(enclosure *e, const dyadic_interval *at) {
         return 0;
     for (size_t k = 0; k < e->count; k++)
         if (!cleared(e, k))
-            return 0;
+            return fail_at(e, k);
     return 1;
 }
 
@@ -272,7 +302,7 @@ int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim) {
         return 0;
     for (size_t k = 0; k < e->count; k++)
         if (!cleared(e, k) && !meet(&holds, e, &claim, k))
-            return 0;
+            return fail_at(e, k);
     if ((claim.left == 'B' && !(holds & 1)) || (claim.right == 'B' && !(holds & 4)))
         return 0;
     int forced = claim.left && claim.right &&

@@ -10,6 +10,15 @@
 #include "solid/solid.h"
 #include "trace/trajectory.h"
 
+enum { KEPT_FORMS = 16 };
+
+/** The forms of a simplex: its plane's, and those of its sides as far as they were asked for. */
+typedef struct kept_forms {
+    size_t simplex; /* one more than its number; 0: none */
+    int sides;      /* a bit for each */
+    fmpz form[16];
+} kept_forms;
+
 /** An interval of a trajectory's parameter u, and the simplices near it. */
 typedef struct enclosure {
     const graze_solid *solid;
@@ -18,10 +27,11 @@ typedef struct enclosure {
     fmpz *coefficients; /* d + 1 times degree + 1 */
     fmpz *value;        /* degree + 1 */
     control points;
-    int with_cells; /* the cells met are to be known, and those that are not */
-    fmpz form[8];   /* a plane and a side */
+    int with_cells;              /* the cells met are to be known, and those that are not */
+    kept_forms kept[KEPT_FORMS]; /* of simplex k at k modulo their number */
     size_t count, capacity;
     uint32_t *near;
+    uint32_t suspect; /* the simplex at which the last proof failed, which comes first */
     int out_of_memory;
 } enclosure;
 

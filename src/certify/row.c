@@ -45,9 +45,11 @@ static graze_status row_no_memory(graze_context *context) {
 
 /* ------------------------------------------------------------------------------------- events */
 
-/* Make q irreducible: what each pullback that is 0 at the time can be divided by. */
-static void find_factor(event *v) {
+/* Make q irreducible: what each pullback that is 0 at the time can be divided by. Returns 1 if it
+ * was not. */
+static int find_factor(event *v) {
     fmpz_poly_factor_t factors;
+    slong degree = fmpz_poly_degree(v->q);
     fmpz_poly_factor_init(factors);
     fmpz_poly_factor(factors, v->q);
     for (slong k = 0; k < factors->num; k++)
@@ -56,6 +58,7 @@ static void find_factor(event *v) {
             fmpz_poly_set(v->q, factors->p + k);
     fmpz_poly_factor_clear(factors);
     v->irreducible = 1;
+    return fmpz_poly_degree(v->q) < degree;
 }
 
 static void set_linear(fmpz_poly_t q, const fmpq_t root) {
@@ -148,7 +151,8 @@ static graze_status find_events(piece_row *r) {
         event_set(&r->event[k], &r->t.time.item[r->t.by_rank[k]]);
     for (size_t k = 0; k < r->count && r->with->with_contacts; k++)
         if (!r->event[k].irreducible)
-            find_factor(&r->event[k]); /* contacts have the polynomial that the trace gives them */
+            (void)find_factor(
+                &r->event[k]); /* contacts have the polynomial that the trace gives them */
     return status ? status : find_gaps(r);
 }
 
@@ -259,10 +263,8 @@ static graze_status place_events(piece_row *r) {
         for (int n = 0; !prove_root(&r->e, &v->at, claim); n++) {
             if (n > DEEPEST)
                 return too_deep(r);
-            if (v->irreducible)
+            if (v->irreducible || !find_factor(v))
                 narrow(v);
-            else
-                find_factor(v);
         }
     }
     return GRAZE_OK;

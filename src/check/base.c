@@ -26,6 +26,16 @@ void integers_free(mpz_t *x, size_t count) {
     free(x);
 }
 
+void integers_of(mpz_t *out, mpq_srcptr const *x, size_t count) {
+    mpz_set_ui(out[count], 1);
+    for (size_t k = 0; k < count; k++)
+        mpz_lcm(out[count], out[count], mpq_denref(x[k]));
+    for (size_t k = 0; k < count; k++) {
+        mpz_divexact(out[k], out[count], mpq_denref(x[k]));
+        mpz_mul(out[k], out[k], mpq_numref(x[k]));
+    }
+}
+
 word word_of(const char *text) {
     return (word){text, strlen(text)};
 }

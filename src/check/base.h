@@ -36,6 +36,8 @@ void *room_for(void *items, size_t count, size_t *room, size_t size);
 /** Integers that are zero, for integers_free. */
 mpz_t *integers(size_t count);
 void integers_free(mpz_t *x, size_t count);
+/** x[k] = out[k] / out[count], the last positive and the least one. */
+void integers_of(mpz_t *out, mpq_srcptr const *x, size_t count);
 
 /** A piece of text. */
 typedef struct word {

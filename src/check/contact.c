@@ -47,15 +47,6 @@ static void put_root(contact *c, const trace *r, const poly *q) {
     mpq_clear(x);
 }
 
-/* A diagonal of a fan is no edge of its facet: sides 0 and 2 of a piece that another one follows,
- * or goes before, there. */
-static int is_diagonal(const solid *s, size_t simplex, unsigned zero) {
-    const struct simplex *f = &s->simplex[simplex];
-    if (zero == 1)
-        return simplex > 0 && f[-1].facet == f->facet;
-    return zero == 4 && simplex + 1 < s->count && f[1].facet == f->facet;
-}
-
 /* The cell of a simplex at which just the side forms with a bit in `zero` are zero. */
 static cell cell_of(const solid *s, size_t simplex, unsigned zero) {
     const struct simplex *f = &s->simplex[simplex];
@@ -67,10 +58,10 @@ static cell cell_of(const solid *s, size_t simplex, unsigned zero) {
         if ((zero & ~sides) == 0)
             v[n++] = f->v[i];
     }
-    if (n == 3 || (s->d == 3 && is_diagonal(s, simplex, zero)))
+    if (n == 3 || (n == 2 && (zero & f->diagonals)))
         return (cell){FACE, f->facet, 0};
     if (n == 2)
-        return (cell){EDGE, v[v[0] > v[1]], v[v[0] < v[1]]};
+        return v[0] < v[1] ? (cell){EDGE, v[0], v[1]} : (cell){EDGE, v[1], v[0]};
     return (cell){VERTEX, v[0], 0};
 }
 

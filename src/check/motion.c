@@ -39,13 +39,10 @@ static void make_forward(piece *p, fraction *entry) {
     poly g = {0}, factor = {0}, *weight = &p->forward[WEIGHT];
     poly_set_si(weight, 1);
     for (int k = 0; k < WEIGHT; k++) {
-        poly product = {0};
         poly_common(&g, weight, &entry[k].den);
         poly_set(&factor, &entry[k].den);
         must(poly_divide(&factor, &g), "motion: a divisor does not divide");
-        poly_add_product(&product, weight, &factor, 1);
-        poly_set(weight, &product);
-        poly_clear(&product);
+        poly_multiply(weight, &factor);
         motion_check_size(weight);
     }
     for (int k = 0; k < WEIGHT; k++) {

@@ -47,6 +47,13 @@ void poly_add_product(poly *out, const poly *a, const poly *b, int sign) {
     poly_trim(out);
 }
 
+void poly_multiply(poly *p, const poly *q) {
+    poly product = {0};
+    poly_add_product(&product, p, q, 1);
+    poly_clear(p);
+    *p = product;
+}
+
 void poly_add_scaled(poly *out, const poly *a, const mpz_t z) {
     poly_extend(out, a->n);
     for (size_t k = 0; k < a->n; k++)
@@ -128,46 +135,22 @@ void poly_common(poly *out, const poly *a, const poly *b) {
     mpz_clears(common, lead, NULL);
 }
 
-void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x) {
-    mpz_t power; /* of x's denominator */
-    size_t n = 0;
-    mpz_init(power);
-    for (size_t i = 0; i < count; i++)
-        n = p[i].n > n ? p[i].n : n;
-    for (size_t i = 0; i < count; i++) {
-        mpz_set_ui(out[i], 0);
-        mpz_set_ui(power, 1);
-        for (size_t k = n; k-- > 0;) {
-            mpz_mul(out[i], out[i], mpq_numref(x));
-            if (k < p[i].n)
-                mpz_addmul(out[i], power, p[i].c[k]);
-            mpz_mul(power, power, mpq_denref(x));
-        }
-    }
-    mpz_clear(power);
-}
-
 /* With a = A/D, b = B/D and u = (A + B y) / (D (1 + y)), y from 0 to infinity: D^n (1+y)^n p(u) is
  * the sum of C(n, k) b_k D^n y^k. By Horner: r_n = p_n, r_i = r_(i+1) (A + B y) + p_i (D
  * (1+y))^(n-i). */
 void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b) {
-    mpz_t low, high, common, old;
-    mpz_t *power = integers(n + 1);
-    mpz_inits(low, high, common, old, NULL);
-    mpz_lcm(common, mpq_denref(a), mpq_denref(b));
-    mpz_divexact(low, common, mpq_denref(a));
-    mpz_mul(low, low, mpq_numref(a));
-    mpz_divexact(high, common, mpq_denref(b));
-    mpz_mul(high, high, mpq_numref(b));
+    mpz_t old, *power = integers(n + 1), *end = integers(3); /* A, B, D */
+    mpz_init(old);
+    integers_of(end, (mpq_srcptr[]){a, b}, 2);
     for (size_t k = 0; k <= n; k++)
         mpz_set_ui(out[k], 0);
     mpz_set_ui(power[0], 1);
     for (size_t step = 0; step <= n; step++) {
         size_t i = n - step; /* power is (D (1+y))^step, out has degree < step */
         for (size_t k = step + 1; k-- > 0 && step > 0;) {
-            mpz_mul(old, out[k], low);
+            mpz_mul(old, out[k], end[0]);
             if (k > 0)
-                mpz_addmul(old, out[k - 1], high);
+                mpz_addmul(old, out[k - 1], end[1]);
             mpz_swap(out[k], old);
         }
         for (size_t k = 0; i < p->n && k <= step; k++)
@@ -175,11 +158,24 @@ void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b
         for (size_t k = step + 2; k-- > 0 && step < n;) {
             if (k > 0)
                 mpz_add(power[k], power[k], power[k - 1]);
-            mpz_mul(power[k], power[k], common);
+            mpz_mul(power[k], power[k], end[2]);
         }
     }
     integers_free(power, n + 1);
-    mpz_clears(low, high, common, old, NULL);
+    integers_free(end, 3);
+    mpz_clear(old);
+}
+
+void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x) {
+    size_t n = 0;
+    for (size_t i = 0; i < count; i++)
+        n = p[i].n > n ? p[i].n : n;
+    mpz_t *b = integers(n + 1);
+    for (size_t i = 0; i < count; i++) {
+        bernstein(b, &p[i], n, x, x);
+        mpz_set(out[i], b[0]);
+    }
+    integers_free(b, n + 1);
 }
 
 int strict_sign(mpz_t *c, size_t count) {

@@ -20,6 +20,8 @@ void poly_set(poly *out, const poly *p);
 void poly_set_si(poly *out, long value);
 /** out += a b, or out -= a b for a negative sign; out is neither a nor b. */
 void poly_add_product(poly *out, const poly *a, const poly *b, int sign);
+/** p *= q */
+void poly_multiply(poly *p, const poly *q);
 /** out += a z */
 void poly_add_scaled(poly *out, const poly *a, const mpz_t z);
 void poly_scale(poly *p, const mpz_t z);

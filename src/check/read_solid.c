@@ -61,8 +61,10 @@ static void read_facet(solid *s, draft *in, size_t facet) {
     for (size_t k = 0; k < n; k++) {
         if (!count_read(&v[2], off_token(in, 0, what)) || v[2] >= in->count / 3)
             source_fail(&in->f, what);
-        if (k > 1)
+        if (k > 1) {
             add_simplex(s, v[0], v[1], v[2], facet);
+            s->simplex[s->count - 1].diagonals = (k > 2 ? 1u : 0) | (k + 1 < n ? 4u : 0);
+        }
         v[k > 0] = v[2];
     }
 }

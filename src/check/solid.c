@@ -166,6 +166,11 @@ void solid_finish(solid *s) {
     free(k);
 }
 
+void list_add(list *l, size_t item) {
+    l->item = room_for(l->item, l->count, &l->room, sizeof *l->item);
+    l->item[l->count++] = item;
+}
+
 static void near_below(list *out, const solid *s, const box *b, size_t at, size_t n) {
     if (!boxes_meet(&s->node[at].box, b))
         return;
@@ -174,8 +179,7 @@ static void near_below(list *out, const solid *s, const box *b, size_t at, size_
         near_below(out, s, b, at + n / 2 * 2, n - n / 2);
         return;
     }
-    out->item = room_for(out->item, out->count, &out->room, sizeof *out->item);
-    out->item[out->count++] = s->node[at].simplex;
+    list_add(out, s->node[at].simplex);
 }
 
 void solid_near(list *out, const solid *s, const box *b) {

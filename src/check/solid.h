@@ -18,6 +18,7 @@ typedef struct box {
  * which its normal is not zero. */
 typedef struct simplex {
     size_t v[3], facet;
+    unsigned diagonals; /* bits of the sides between two pieces of the facet */
     mpz_t *plane;
     int axis;
     box box;
@@ -44,6 +45,8 @@ typedef struct solid {
 typedef struct list {
     size_t count, room, *item;
 } list;
+
+void list_add(list *l, size_t item);
 
 /** Read OFF or WKT by the path's extension. Gives up at what it does not read; refutes what no
  * solid has. */

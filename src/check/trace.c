@@ -25,6 +25,10 @@ static _Noreturn void fail(const trace *r, const char *what) {
     refute("line %zu, row %zu: %s", r->line, r->row, what);
 }
 
+static _Noreturn void fail_at(const trace *r, const simplex *f, const char *what) {
+    refute("line %zu, row %zu: facet %zu %s", r->line, r->row, f->facet, what);
+}
+
 void trace_init(trace *r, const solid *s, const motion *m, int unsweep, int with_cells) {
     *r = (trace){.s = s, .m = m, .unsweep = unsweep, .with_cells = with_cells};
     mpq_inits(r->from, r->at, r->point[0], r->point[1], r->point[2], NULL);
@@ -46,8 +50,7 @@ static void keep_cell(trace *r, const simplex *f, unsigned zero) {
     if (r->is_met[simplex] >> zero & 1)
         return;
     r->is_met[simplex] |= (unsigned char)(1u << zero);
-    r->met.item = room_for(r->met.item, r->met.count, &r->met.room, sizeof *r->met.item);
-    r->met.item[r->met.count++] = 8 * simplex + zero;
+    list_add(&r->met, 8 * simplex + zero);
 }
 
 /* X_i = scale (N_i0 P_0 + ... + N_id P_d), W = weight P_d. */
@@ -69,19 +72,12 @@ static void make_trajectory(trace *r) {
 }
 
 void trace_start(trace *r, word claimed) {
-    int d = r->m->d;
     r->word = grow(r->word, claimed.length + 1, 1);
     memcpy(r->word, claimed.at, claimed.length);
     r->word[claimed.length] = '\0';
     if (strspn(r->word, "IBO") != claimed.length)
         fail(r, "the word is not of the letters I, B and O");
-    mpz_set_ui(r->p[d], 1);
-    for (int j = 0; j < d; j++)
-        mpz_lcm(r->p[d], r->p[d], mpq_denref(r->point[j]));
-    for (int j = 0; j < d; j++) {
-        mpz_divexact(r->p[j], r->p[d], mpq_denref(r->point[j]));
-        mpz_mul(r->p[j], r->p[j], mpq_numref(r->point[j]));
-    }
+    integers_of(r->p, (mpq_srcptr[]){r->point[0], r->point[1], r->point[2]}, (size_t)r->m->d);
     r->length = 0;
     r->piece = 0;
     mpq_set(r->at, r->m->piece[0].lo);
@@ -200,11 +196,9 @@ static void meet(trace *r, claim *c, const simplex *f) {
     }
     for (int p = 0; p < PLACES; p++) {
         if ((c->letter[p] == 'O' || c->letter[p] == 'I') && !out[p])
-            refute("line %zu, row %zu: facet %zu is not cleared beside the root", r->line, r->row,
-                   f->facet);
+            fail_at(r, f, "is not cleared beside the root");
         if (r->with_cells && c->letter[p] == 'B' && !out[p] && !in[p])
-            refute("line %zu, row %zu: facet %zu is neither met nor cleared", r->line, r->row,
-                   f->facet);
+            fail_at(r, f, "is neither met nor cleared");
         if (r->with_cells && c->letter[p] == 'B' && in[p])
             keep_cell(r, f, zero[p]);
         c->held[p] = c->held[p] || in[p];
@@ -219,7 +213,7 @@ static void check_near(trace *r, claim *c) {
         if (cleared(r, f))
             continue;
         if (!c->letter[MID])
-            refute("line %zu, row %zu: facet %zu is not cleared", r->line, r->row, f->facet);
+            fail_at(r, f, "is not cleared");
         meet(r, c, f);
     }
 }

@@ -121,6 +121,7 @@ def make(graze, folder):
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
     yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))
+    yield Scene("certify-times", ["certify", *one, cube, turn, three, "--times", "-o", "made"], tables=("made",))
     yield Scene("certify-resume", ["certify", *one, u, roll, two, "--resume", "made"], files={"made": certified}, tables=("made",))
     yield Scene("classify-certify", ["classify", *one, u, roll, two, "--resume", "table", "--certify", "made"],
                 files={"table": begun, "made": certificate}, tables=("table", "made"))
