@@ -196,7 +196,7 @@ $B/tests/fuzz/checker/%.o: src/check/%.c | $B/.packages-build
 $B/tests/fuzz/checker.o: $(CHECKER_O)
 	@echo "  LINK $@"
 	@ld -r -o $@ $^
-	@objcopy --keep-global-symbol=checker_run --keep-global-symbol=checker_hash $@
+	@objcopy --keep-global-symbol=checker_run --keep-global-symbol=checker_hash --keep-global-symbol=checker_give $@
 $B/tests/fuzz/replay: $B/tests/fuzz/replay.o $(FUZZ_O) $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)

@@ -70,7 +70,7 @@ static void put_suspect_first(enclosure *e) {
         }
 }
 
-static int fail_at(enclosure *e, size_t k) {
+static int suspect_at(enclosure *e, size_t k) {
     e->suspect = e->near[k];
     return 0;
 }
@@ -169,7 +169,7 @@ int prove_clear(enclosure *e, const dyadic_interval *at) {
         return 0;
     for (size_t k = 0; k < e->count; k++)
         if (!cleared(e, k))
-            return fail_at(e, k);
+            return suspect_at(e, k);
     return 1;
 }
 
@@ -302,7 +302,7 @@ int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim) {
         return 0;
     for (size_t k = 0; k < e->count; k++)
         if (!cleared(e, k) && !meet(&holds, e, &claim, k))
-            return fail_at(e, k);
+            return suspect_at(e, k);
     if ((claim.left == 'B' && !(holds & 1)) || (claim.right == 'B' && !(holds & 4)))
         return 0;
     int forced = claim.left && claim.right &&

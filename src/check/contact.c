@@ -67,11 +67,10 @@ static cell cell_of(const solid *s, size_t simplex, unsigned zero) {
 
 static int compare_cells(const void *x, const void *y) {
     const cell *p = x, *q = y;
-    if (p->kind != q->kind)
-        return p->kind < q->kind ? -1 : 1;
-    if (p->a != q->a)
-        return p->a < q->a ? -1 : 1;
-    return (p->b > q->b) - (p->b < q->b);
+    int order = (p->kind > q->kind) - (p->kind < q->kind);
+    if (order == 0)
+        order = (p->a > q->a) - (p->a < q->a);
+    return order != 0 ? order : (p->b > q->b) - (p->b < q->b);
 }
 
 /* The cells met, some twice; in the plane with all vertices of a ring that follow one another at a
@@ -98,9 +97,9 @@ static void put_cells(contact *c, trace *r) {
     cell *all = cells_met(&count, r);
     char text[80]; /* a number has at most 20 digits */
     qsort(all, count, sizeof *all, compare_cells);
-    for (size_t k = 0; k < count; k++) {
-        if (k > 0 && compare_cells(&all[k - 1], &all[k]) == 0)
-            continue;
+    for (size_t k = 0, next; k < count; k = next) {
+        for (next = k + 1; next < count && compare_cells(&all[next], &all[k]) == 0; next++)
+            ;
         snprintf(text, sizeof text, all[k].kind == EDGE ? "%s%zu-%zu" : "%s%zu", name[all[k].kind],
                  all[k].a, all[k].b);
         put(c, text, strlen(text));

@@ -116,13 +116,16 @@ static int form_sign(trace *r, mpz_t *form, size_t k) {
     return form_value(r->form[4], form, control_point(r, k), r->m->d + 1);
 }
 
+static int form_is(trace *r, mpz_t *form, int sign) {
+    for (size_t k = 0; k <= r->n; k++)
+        if (form_sign(r, form, k) != sign)
+            return 0;
+    return 1;
+}
+
 /* The one strict sign of all of them, or 0. */
 static int form_strict(trace *r, mpz_t *form) {
-    int sign = form_sign(r, form, 0);
-    for (size_t k = 1; k <= r->n && sign != 0; k++)
-        if (form_sign(r, form, k) != sign)
-            sign = 0;
-    return sign;
+    return form_is(r, form, 1) - form_is(r, form, -1);
 }
 
 static mpz_t *side_form(trace *r, const simplex *f, int k) {
@@ -134,7 +137,7 @@ static mpz_t *side_form(trace *r, const simplex *f, int k) {
 static int cleared(trace *r, const simplex *f) {
     int clear = form_strict(r, f->plane) != 0;
     for (int k = 0; k < r->s->d && !clear; k++)
-        clear = form_strict(r, side_form(r, f, k)) < 0;
+        clear = form_is(r, side_form(r, f, k), -1);
     return clear;
 }
 

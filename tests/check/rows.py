@@ -65,6 +65,10 @@ ROWS = [
     ("times that go back", SQUARE, along("t"), 1, "0 3/4 1/2 1", "9 9", "O", ["O 1"], False),
     ("times past the end", SQUARE, along("t"), 1, "0 1 2 1", "9 9", "O", ["O 1"], False),
 ]
+# c = (1/2 + (2 t - 1)^2/2, 1 + (2 t - 1)^2) touches the square at 1/2, and is right of the other part but then, below it then.
+BESIDE = ["MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((1/4 1.1, 1/2 1.1, 1/2 2, 1/4 2, 1/4 1.1)))",
+          along("2*t - 2*t^2", "4*t - 4*t^2"), 1, "0 1", "1 2", "OBO"]
+ROWS.append(("a touch beside another part, in long", *BESIDE, ["O 1/4", "OBO 3/4 -1 2", "O 1"], True))
 # The same with contacts. Vertices have the numbers of the rings: the square's sides are 0-1, 1-2, 2-3 and 0-3.
 TOUCH = [SQUARE, along("-t", "4*t - 4*t^2"), 1, "0 1", "1/3 2", "OBO"]
 ENTRY = [SQUARE, along("t^2"), "3/2", "0 3/2", "3 1/2", "OBI"]  # c_x = 3 - t^2
@@ -75,6 +79,8 @@ RUN = "POLYGON ((0 0, 1 0, 1 0, 1 0, 1 1, 0 1, 0 0))"
 CONTACTS = [
     ("a touch", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "contact 1/2 edge 2-3", "O 1"], True),
     ("a touch, a facet unknown", *TOUCH, ["O 1/4", "OBO 3/4 -1 2", "contact 1/2 edge 2-3", "O 1"], False),
+    ("a touch beside another part", *BESIDE, ["O 3/8", "OBO 5/8 -1 2", "contact 1/2 edge 2-3", "O 1"], True),
+    ("a touch beside another part, unknown", *BESIDE, ["O 1/4", "OBO 3/4 -1 2", "contact 1/2 edge 2-3", "O 1"], False),
     ("a touch too late", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "O 1", "contact 1/2 edge 2-3"], False),
     ("a touch too early", *TOUCH, ["O 1/4", "contact 1/2 edge 2-3", "OBO 5/8 -1 2", "O 1"], False),
     ("a touch not said", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "O 1"], False),
