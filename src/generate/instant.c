@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include <math.h>
 
 /* The derivative of p of an order at a / b, times b^degree: b[n] is b^n. */
 static void evaluate(fmpz_t out, const fmpz_poly_struct *p, const fmpz_t a, const fmpz *b,
@@ -64,6 +65,20 @@ static void carry(instant *i, const point_map *tracing, const point_map *placing
     _fmpz_vec_clear(derivative, size * size);
 }
 
+/* Numbers as doubles, scaled by one power of 2; 0 if one of them is too small beside another. */
+static int scale_to_doubles(double *out, const fmpz *numbers, int count) {
+    slong largest = 0, exponent;
+    for (int k = 0; k < count; k++)
+        largest = (slong)fmpz_bits(numbers + k) > largest ? (slong)fmpz_bits(numbers + k) : largest;
+    for (int k = 0; k < count; k++) {
+        double mantissa = fmpz_get_d_2exp(&exponent, numbers + k);
+        if (mantissa != 0 && exponent - largest < -900)
+            return 0;
+        out[k] = mantissa != 0 ? ldexp(mantissa, (int)(exponent - largest)) : 0;
+    }
+    return 1;
+}
+
 void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u) {
     const graze_motion *motion = scene->motion;
     int d = motion->dimension;
@@ -82,6 +97,7 @@ void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq
     i->inverse = _fmpz_vec_init((d + 1) * (d + 1));
     evaluate_rows(i->inverse, tracing, u, 0);
     carry(i, tracing, motion_placing(p, scene->options.operation));
+    i->bounded = scale_to_doubles(i->velocity, i->carried[0], (d + 1) * (d + 1));
 }
 
 void instant_clear(instant *i) {

@@ -24,6 +24,9 @@ typedef struct instant {
     /* Its derivatives of order 1 and 2 times M at u, each by a positive number: body points in,
      * (d + 1) * (d + 1). */
     fmpz *carried[INSTANT_DERIVATIVES];
+    int bounded; /* it is set: */
+    double
+        velocity[16]; /* the first of them times a positive number, each within 2^-52 of itself */
 } instant;
 
 void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u);

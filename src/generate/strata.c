@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "generate/velocity.h"
 #include "trace/trajectory.h"
 
 /* Weights of points are multiples of 1/256, displacements of random points multiples of 1/2^20 of
@@ -107,6 +108,11 @@ static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_
     fmpq_clear(term);
 }
 
+/* A place between the ends of a line, in parts. */
+static slong draw_place(random_stream *r) {
+    return 1 + (slong)random_below(r, PARTS - 1);
+}
+
 /* A point where the affine function with these corner values vanishes, strictly inside the simplex:
  * between two points of its sides, at a random place. */
 static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_stream *r,
@@ -126,7 +132,7 @@ static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_s
         found++;
     }
     int enough = found == d - 1;
-    slong a = 1 + (slong)random_below(r, PARTS - 1);
+    slong a = draw_place(r);
     for (int k = 0; k < d && enough; k++) {
         fmpq_set_si(span, d == 2 ? PARTS : a, PARTS);
         fmpq_mul(weight + k, end + k, span);
@@ -215,10 +221,15 @@ static int draw_special(touchpoint *p, const struct graze_generator *g, random_s
 static int draw_tangent(touchpoint *p, const struct graze_generator *g, random_stream *r, int odd) {
     if (random_below(r, 2) == 0 && draw_special(p, g, r, 0))
         return 1;
+    int drawn, at_point = odd && p->when->dimension == 3;
+    if (velocity_has_one_sign(p->when, g->scene->solid, p->simplex)) {
+        if (!at_point)
+            (void)draw_place(r);
+        return 0;
+    }
     fmpq *velocity = _fmpq_vec_init(3), *bend = _fmpq_vec_init(3);
     corner_pullbacks(velocity, p, g, 1);
-    int drawn;
-    if (odd && p->when->dimension == 3) {
+    if (at_point) {
         corner_pullbacks(bend, p, g, 2);
         drawn = draw_on_point(p, g, velocity, bend);
     } else {

@@ -209,6 +209,7 @@ static void make_points(bench *b, const char *strata, unsigned long seed, size_t
     graze_sample sample;
     mpq_t time;
     forget_made(b);
+    double start = seconds();
     check(graze_generator_create(&generator, b->context, b->scene, seed,
                                  strcmp(strata, "random") == 0 ? weights : NULL, 0),
           b, strata);
@@ -223,7 +224,7 @@ static void make_points(bench *b, const char *strata, unsigned long seed, size_t
     }
     mpq_clear(time);
     graze_generator_destroy(generator);
-    printf("made=%zu\n", n);
+    printf("made=%zu seconds=%.9f\n", n, seconds() - start);
 }
 
 static void validate(const bench *b, const char *path) {
