@@ -135,7 +135,7 @@ static graze_status find_events(piece_row *r) {
     candidates list = {0, 0, NULL};
     graze_status status = candidates_find(&list, r->context, r->with->solid, &r->c);
     if (!status)
-        status = touches_find(&r->t, r->context, r->with->solid, &r->c, &list);
+        status = touches_find(&r->t, r->context, r->with->solid, &r->c, NULL, &list);
     if (!status)
         status = touches_order(&r->t, r->context);
     free(list.item);

@@ -22,6 +22,7 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_BESIDE] = "beside",
     [FLIP_ROOT_OUTSIDE] = "root outside",
     [FLIP_ROOT_INSIDE] = "root inside",
+    [FLIP_SIDE_INSIDE] = "side inside",
     [FLIP_DIRECTION] = "direction",
     [FLIP_APART] = "apart",
     [FLIP_FAR] = "far",

@@ -19,6 +19,7 @@ typedef enum flip_site {
     FLIP_BESIDE,       /* the whole span is beside the simplex */
     FLIP_ROOT_OUTSIDE, /* the root's window is beside the simplex */
     FLIP_ROOT_INSIDE,  /* it is inside */
+    FLIP_SIDE_INSIDE,  /* at a time of a plane it is inside one side */
     FLIP_DIRECTION,    /* a crossing enters */
     FLIP_APART,        /* two windows of time have no point in common */
     FLIP_FAR,          /* a place is outside the solid's box */

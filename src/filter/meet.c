@@ -166,13 +166,14 @@ static int find_window(meet_window *out, const meeter *m) {
     return 0;
 }
 
-/* The sides at the window of the plane's one root. */
-static meeting judge_window(meet_window *out, const meeter *m) {
-    int d = m->c->dimension, drop = normal_axis(&m->normal, d), all = 1;
+/* As sides_meet. */
+static int judge_sides(unsigned *inside, const meeter *m, const meet_window *w) {
+    int d = m->c->dimension, drop = normal_axis(&m->normal, d);
+    *inside = 0;
     if (drop < 0)
-        return MEET_ASK;
-    double at[4], error[4], middle = 0.5 * (out->low + out->high);
-    double away = (larger(out->high - middle, middle - out->low)) * m->piece->speed;
+        return 1;
+    double at[4], error[4], middle = 0.5 * (w->low + w->high);
+    double away = (larger(w->high - middle, middle - w->low)) * m->piece->speed;
     curve_at(at, error, m->c, m->piece, middle);
     int i = first_axis(m, drop), j = second_axis(m, drop);
     double e =
@@ -182,10 +183,18 @@ static meeting judge_window(meet_window *out, const meeter *m) {
         shifted place = {at[i] - v[i] * at[d], at[j] - v[j] * at[d], e};
         int sign = side_sign(m, side, drop, &place);
         if (flip(FLIP_ROOT_OUTSIDE, sign < 0))
-            return MEET_NONE;
-        all = all && sign > 0;
+            return 0;
+        *inside |= (unsigned)(sign > 0) << side;
     }
-    return flip(FLIP_ROOT_INSIDE, all) ? MEET_CROSSING : MEET_ASK;
+    return 1;
+}
+
+/* The sides at the window of the plane's one root. */
+static meeting judge_window(const meeter *m, const meet_window *w) {
+    unsigned inside, all = (1u << m->c->dimension) - 1;
+    if (!judge_sides(&inside, m, w))
+        return MEET_NONE;
+    return flip(FLIP_ROOT_INSIDE, inside == all) ? MEET_CROSSING : MEET_ASK;
 }
 
 /* What the signs of the plane's coefficients say. */
@@ -214,14 +223,29 @@ static signs read_signs(const meeter *m) {
     return s;
 }
 
-meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
-                     double corner_error) {
+static meeter begin_meeter(const curve *c, const span *piece, const double *corner,
+                           double corner_error) {
     meeter m = {.c = c, .piece = piece, .corner = corner, .corner_error = corner_error};
-    *out = (meet_window){0, 1, 0};
     if (c->dimension == 2)
         normal_plane(&m.normal, corner, corner_error);
     else
         normal_space(&m.normal, corner, corner_error);
+    return m;
+}
+
+int sides_meet(unsigned *inside, const curve *c, const span *piece, const double *corner,
+               double corner_error, const meet_window *at) {
+    meeter m = begin_meeter(c, piece, corner, corner_error);
+    int meets = judge_sides(inside, &m, at);
+    for (int k = 0; k < c->dimension && meets; k++)
+        *inside |= (unsigned)flip(FLIP_SIDE_INSIDE, *inside >> k & 1) << k;
+    return meets;
+}
+
+meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
+                     double corner_error) {
+    meeter m = begin_meeter(c, piece, corner, corner_error);
+    *out = (meet_window){0, 1, 0};
     make_plane(&m);
     signs s = read_signs(&m);
     if (flip(FLIP_ONE_SIGN, s.one))
@@ -229,7 +253,7 @@ meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const 
     if (flip(FLIP_ONE_ROOT, s.single)) {
         out->enters = flip(FLIP_DIRECTION, s.first > 0);
         if (find_window(out, &m))
-            return judge_window(out, &m);
+            return judge_window(&m, out);
         *out = (meet_window){0, 1, 0};
         return MEET_ASK;
     }

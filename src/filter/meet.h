@@ -27,4 +27,13 @@ typedef struct meet_window {
 meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
                      double corner_error);
 
+/**
+ * The sides of a simplex at the times of a window at which the curve is in its plane
+ * (proofs/membership.md C53).
+ * @param[out] inside bit k: it is certainly on the inner side of side k
+ * @return 0 if it certainly is beyond one of them, and not on the simplex
+ */
+int sides_meet(unsigned *inside, const curve *c, const span *piece, const double *corner,
+               double corner_error, const meet_window *at);
+
 #endif

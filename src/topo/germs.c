@@ -193,7 +193,7 @@ static graze_status add_contacts_of_piece(germ_maker *m) {
     touches_init(&t);
     graze_status status = candidates_find(&near, m->context, m->scene->solid, &m->path);
     if (!status)
-        status = touches_find(&t, m->context, m->scene->solid, &m->path, &near);
+        status = touches_find(&t, m->context, m->scene->solid, &m->path, NULL, &near);
     if (!status)
         status = touches_order(&t, m->context);
     if (!status)

@@ -19,7 +19,10 @@ static graze_status trace_window(tracer *r, size_t piece, candidates *list, int 
     if (!c)
         return GRAZE_ESYSTEM;
     touches_init(&t);
-    graze_status status = touches_find(&t, r->context, r->scene->solid, c, list);
+    touch_filter quick = {NULL, tracer_quick(r, piece)};
+    quick.curve = quick.piece ? &r->workspace->curve : NULL;
+    graze_status status =
+        touches_find(&t, r->context, r->scene->solid, c, quick.piece ? &quick : NULL, list);
     if (status == GRAZE_OK)
         status = touches_order(&t, r->context);
     if (status == GRAZE_OK)

@@ -4,10 +4,12 @@
  */
 #include "trace/touch.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include "filter/curve.h"
+#include "filter/meet.h"
 #include "number/isolate.h"
 #include "number/order.h"
+#include "number/rounding.h"
 #include "number/sign.h"
 #include "context/array.h"
 #include "solid/planes.h"
@@ -16,10 +18,11 @@ typedef struct finder {
     touches *out;
     const graze_solid *solid;
     const trajectory *c;
-    const fmpz *plane;        /* of the candidates at hand */
-    uint32_t simplex;         /* whose sides are at hand: */
-    int known;                /* the pullbacks of as many of them, */
-    fmpz_poly_struct side[3]; /* made when first needed */
+    const touch_filter *quick; /* or NULL */
+    const fmpz *plane;         /* of the candidates at hand */
+    uint32_t simplex;          /* whose sides are at hand: */
+    unsigned known;            /* the pullbacks of those in the mask, */
+    fmpz_poly_struct side[3];  /* made when first needed */
     graze_context *context;
     graze_status status; /* the first failure, which ends the search */
 } finder;
@@ -63,24 +66,53 @@ static const fmpz_poly_struct *side_pullback(finder *f, uint32_t simplex, int k)
     if (f->simplex != simplex)
         f->known = 0;
     f->simplex = simplex;
+    if (f->known >> k & 1)
+        return &f->side[k];
     fmpz form[4];
     for (int i = 0; i < 4; i++)
         fmpz_init(form + i);
-    for (; f->known <= k; f->known++) {
-        solid_side(form, f->solid, simplex, f->plane, f->known);
-        trajectory_pullback(&f->side[f->known], f->c, form);
-    }
+    solid_side(form, f->solid, simplex, f->plane, k);
+    trajectory_pullback(&f->side[k], f->c, form);
+    f->known |= 1u << k;
     for (int i = 0; i < 4; i++)
         fmpz_clear(form + i);
     return &f->side[k];
 }
 
+/* The sides that are certain in doubles: 0 if the trajectory is beyond one of them. */
+static int sides_at(unsigned *inside, const finder *f, uint32_t simplex, const algebraic *time) {
+    *inside = 0;
+    if (!f->quick)
+        return 1;
+    const corners *corners = &f->solid->corners;
+    size_t d = (size_t)f->c->dimension;
+    meet_window at;
+    double ignored;
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    algebraic_bounds(low, high, time);
+    rational_bounds(&at.low, &ignored, low);
+    rational_bounds(&ignored, &at.high, high);
+    fmpq_clear(low);
+    fmpq_clear(high);
+    at.low = fmax(at.low, 0);
+    at.high = fmin(at.high, 1);
+    return sides_meet(inside, f->quick->curve, f->quick->piece, corners->at + simplex * d * d,
+                      corners->error, &at);
+}
+
 /* Whether the trajectory, in the simplex's plane at `time`, is in the closed simplex; then `zero`
  * tells which side forms vanish. 0 after a failure. */
 static int inside_at(unsigned *zero, finder *f, uint32_t simplex, algebraic *time) {
+    unsigned inside;
     *zero = 0;
+    if (!sides_at(&inside, f, simplex, time))
+        return 0;
     for (int k = 0; k < f->c->dimension; k++) {
         int sign;
+        if (inside >> k & 1)
+            continue;
         f->status = algebraic_sign_at(&sign, f->context, side_pullback(f, simplex, k), time);
         if (finder_failed(f) || sign < 0)
             return 0;
@@ -256,10 +288,10 @@ static void touch_planes(finder *f, const candidates *list, uint32_t *simplex, c
 }
 
 graze_status touches_find(touches *t, graze_context *context, const graze_solid *solid,
-                          const trajectory *c, const candidates *list) {
+                          const trajectory *c, const touch_filter *quick, const candidates *list) {
     if (list->count == 0)
         return GRAZE_OK;
-    finder f = {.out = t, .solid = solid, .c = c, .context = context};
+    finder f = {.out = t, .solid = solid, .c = c, .quick = quick, .context = context};
     uint32_t *simplex = malloc(list->count * sizeof *simplex);
     candidate *sorted = malloc(list->count * sizeof *sorted);
     if (!simplex || !sorted)

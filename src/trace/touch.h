@@ -4,6 +4,7 @@
 #ifndef GRAZE_TRACE_TOUCH_H
 #define GRAZE_TRACE_TOUCH_H
 
+#include "filter/curve.h"
 #include "number/algebraic.h"
 #include "trace/candidates.h"
 
@@ -28,6 +29,12 @@ typedef struct touches {
     touch *item;
 } touches;
 
+/** The curve of the trajectory in doubles, and the span that is its whole piece. */
+typedef struct touch_filter {
+    const curve *curve;
+    const span *piece;
+} touch_filter;
+
 void touches_init(touches *t);
 void touches_clear(touches *t);
 
@@ -35,9 +42,10 @@ void touches_clear(touches *t);
  * Find every touch of the candidates (proofs/claims.md C9: the events of a
  * simplex). The union of the closed intervals [from, to] is exactly the set of times at which the
  * trajectory is on the boundary.
+ * @param quick the trajectory in doubles, which spares the sides that are certain; or NULL
  */
 graze_status touches_find(touches *t, graze_context *context, const graze_solid *solid,
-                          const trajectory *c, const candidates *list);
+                          const trajectory *c, const touch_filter *quick, const candidates *list);
 
 /** Order the times exactly, then the touches by the rank of `from`. */
 graze_status touches_order(touches *t, graze_context *context);

@@ -55,6 +55,13 @@ const trajectory *tracer_exact(tracer *r, size_t piece) {
     return &r->exact[piece];
 }
 
+const span *tracer_quick(tracer *r, size_t piece) {
+    if (!r->workspace || !filter_set(r->workspace, &r->scene->filter, &r->near))
+        return NULL;
+    const span *whole = curve_piece(&r->workspace->curve, piece);
+    return whole && !whole->lost ? whole : NULL;
+}
+
 graze_status tracer_locate(graze_state *out, tracer *r, size_t piece, const fmpq_t u) {
     *out = GRAZE_STATE_ABSENT;
     if (r->workspace && fmpz_bits(fmpq_numref(u)) <= 53 && fmpz_bits(fmpq_denref(u)) <= 53) {

@@ -39,6 +39,10 @@ void tracer_clear(tracer *r);
 /** The exact trajectory of a piece, owned by `r`; NULL without memory, which is reported. */
 const trajectory *tracer_exact(tracer *r, size_t piece);
 
+/** The span of the filter's curve that is a whole piece, until the curve is cut; NULL if it cannot
+ * be used. */
+const span *tracer_quick(tracer *r, size_t piece);
+
 /** The state at a rational time at which the trajectory is off the boundary. */
 graze_status tracer_locate(graze_state *out, tracer *r, size_t piece, const fmpq_t u);
 

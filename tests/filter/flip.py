@@ -39,6 +39,7 @@ FILES = [
     ("star", "weight", "", "csv", 4000, 2000, 500),
     ("holed", "legs", "thirds", "csv", 6000, 2000, 200),
     ("torus", "slide", "", "jsonl", 4000, 2000, 200),
+    ("comb", "across", "", "jsonl", 2000, 4000, 2000),
 ]
 
 
