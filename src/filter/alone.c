@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A box around the curve in the window leaves out nearly all of them; the others are met at another
- * time, or not at all, by the tests of meet.h. The bounds are those of proofs/membership.md (C51).
+ * time, or not at all, by the tests of meet.h. The bounds are those of proofs/membership.md (C56).
  */
 #include "filter/alone.h"
 

@@ -9,7 +9,7 @@
 
 /**
  * Whether no other simplex is met at the time of a certain crossing: then the curve is outside on
- * one side of that time and inside on the other (proofs/membership.md C51).
+ * one side of that time and inside on the other (proofs/membership.md C56).
  * @param at where in the span meet_simplex found the crossing of `simplex`
  * @return 0 if that is not certain
  */

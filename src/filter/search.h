@@ -11,7 +11,7 @@
 /**
  * Find all certain crossings and candidates of a curve; not sorted yet.
  * @param[out] crosses NULL; or 1 if a crossing was found beside which the curve is certainly inside
- * and outside (proofs/membership.md C51): the search ends there. Else 0, and all is found
+ * and outside (proofs/membership.md C56): the search ends there. Else 0, and all is found
  * @return 0 without memory
  */
 int search_curve(findings *out, int *crosses, curve *c, const graze_solid *solid);

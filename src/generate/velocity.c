@@ -1,4 +1,4 @@
-/* Signs of normal velocities in doubles with proved bounds (proofs/membership.md C52).
+/* Signs of normal velocities in doubles with proved bounds (proofs/membership.md C57).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "generate/velocity.h"
