@@ -29,7 +29,7 @@ meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const 
 
 /**
  * The sides of a simplex at the times of a window at which the curve is in its plane
- * (proofs/membership.md C58).
+ * (proofs/doubles.md C65).
  * @param[out] inside bit k: it is certainly on the inner side of side k
  * @return 0 if it certainly is beyond one of them, and not on the simplex
  */

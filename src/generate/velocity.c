@@ -1,4 +1,4 @@
-/* Signs of normal velocities in doubles with proved bounds (proofs/membership.md C57).
+/* Signs of normal velocities in doubles with proved bounds (proofs/doubles.md C64).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "generate/velocity.h"

@@ -9,7 +9,7 @@
 
 /**
  * Whether the first derivative of the pullback of a simplex's plane certainly has one sign at all
- * its corners, and so nowhere on the simplex the value 0 (proofs/membership.md C57).
+ * its corners, and so nowhere on the simplex the value 0 (proofs/doubles.md C64).
  * @return 0 if it has not, or that is not certain
  */
 int velocity_has_one_sign(const instant *i, const graze_solid *solid, size_t simplex);

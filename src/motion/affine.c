@@ -89,7 +89,7 @@ static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine 
     }
     fmpz_mul(factor, row, column);
     fmpz_poly_set_fmpz(fmpz_poly_q_denref(out), factor);
-    fmpz_poly_q_canonicalise(out);
+    quotient_reduce(out);
     quotient_check(c, out);
     fmpz_poly_clear(term);
     fmpz_clear(other);

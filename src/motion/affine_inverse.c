@@ -138,7 +138,7 @@ static void shift_back(calculation *c, affine *out, const affine *a, int i) {
         fmpz_poly_sub(fmpz_poly_q_numref(shift), fmpz_poly_q_numref(shift), left);
     }
     fmpz_poly_mul(fmpz_poly_q_denref(shift), row, column);
-    fmpz_poly_q_canonicalise(shift);
+    quotient_reduce(shift);
     quotient_check(c, shift);
     fmpz_poly_clear(right);
     fmpz_poly_clear(left);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include "number/algebraic.h"
 #include "number/isolate.h"
+#include "number/modular.h"
 #include "number/refine.h"
 
 enum { OPERATION_WORK = 8 }; /* what an operation costs beside the words of its result */
@@ -92,6 +93,28 @@ void quotient_div(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, cons
     quotient_check(c, out);
 }
 
+void quotient_reduce(fmpz_poly_q_t a) {
+    fmpz_poly_struct *top = fmpz_poly_q_numref(a), *bottom = fmpz_poly_q_denref(a);
+    if (fmpz_poly_is_zero(top) || !polynomials_certainly_coprime(top, bottom)) {
+        fmpz_poly_q_canonicalise(a);
+        return;
+    }
+    fmpz_t content, other;
+    fmpz_init(content);
+    fmpz_init(other);
+    fmpz_poly_content(content, bottom);
+    fmpz_poly_content(other, top);
+    fmpz_gcd(content, content, other);
+    if (fmpz_sgn(fmpz_poly_lead(bottom)) < 0)
+        fmpz_neg(content, content);
+    if (!fmpz_is_one(content)) {
+        fmpz_poly_scalar_divexact_fmpz(top, top, content);
+        fmpz_poly_scalar_divexact_fmpz(bottom, bottom, content);
+    }
+    fmpz_clear(content);
+    fmpz_clear(other);
+}
+
 /* Denominators of one motion are often multiples of one polynomial by numbers, or numbers: then no
  * divisor of polynomials is sought. */
 void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a) {
@@ -122,8 +145,18 @@ void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a) {
 }
 
 void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t common) {
-    if (fmpz_poly_equal(common, fmpz_poly_q_denref(a))) {
+    const fmpz_poly_struct *own = fmpz_poly_q_denref(a);
+    if (fmpz_poly_equal(common, own)) {
         fmpz_poly_set(out, fmpz_poly_q_numref(a));
+    } else if (fmpz_poly_degree(common) == fmpz_poly_degree(own)) {
+        fmpz_t factor;
+        fmpz_init(factor);
+        fmpz_divexact(factor, fmpz_poly_lead(common), fmpz_poly_lead(own));
+        fmpz_poly_scalar_mul_fmpz(out, fmpz_poly_q_numref(a), factor);
+        fmpz_clear(factor);
+    } else if (fmpz_poly_degree(own) == 0) {
+        fmpz_poly_scalar_divexact_fmpz(out, common, fmpz_poly_lead(own));
+        fmpz_poly_mul(out, out, fmpz_poly_q_numref(a));
     } else {
         fmpz_poly_div(out, common, fmpz_poly_q_denref(a));
         fmpz_poly_mul(out, out, fmpz_poly_q_numref(a));
@@ -174,7 +207,7 @@ void quotient_set_line(fmpz_poly_q_t out, const fmpq_t low, const fmpq_t high) {
     fmpz_poly_set_coeff_fmpz(fmpz_poly_q_numref(out), 1, value);
     fmpz_mul(value, fmpq_denref(step), fmpq_denref(low));
     fmpz_poly_set_fmpz(fmpz_poly_q_denref(out), value);
-    fmpz_poly_q_canonicalise(out);
+    quotient_reduce(out);
     fmpz_clear(value);
     fmpq_clear(step);
 }

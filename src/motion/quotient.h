@@ -33,6 +33,9 @@ void quotient_div(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, cons
 /** a^n for any integer n, a^0 = 1; GRAZE_EINPUT for a negative power of zero. */
 void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_t n);
 
+/** Bring a quotient of polynomials into lowest terms, the denominator's leading coefficient
+ * positive; most are seen to be coprime modulo a prime (proofs/claims.md C29). */
+void quotient_reduce(fmpz_poly_q_t a);
 /** common = lcm(common, denominator of a); the leading coefficients are positive. */
 void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a);
 /** The numerator of a over a common denominator, a multiple of its own. */

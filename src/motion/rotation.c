@@ -60,7 +60,7 @@ static void sum_over(calculation *c, fmpz_poly_q_t out, const fmpz_poly_t start,
     fmpz_poly_scalar_mul_si(sum, sum, twice);
     fmpz_poly_add(sum, sum, start);
     fmpz_poly_set(fmpz_poly_q_denref(out), fmpz_poly_q_numref(norm));
-    fmpz_poly_q_canonicalise(out);
+    quotient_reduce(out);
     quotient_check(c, out);
     fmpz_poly_clear(second);
 }

@@ -6,6 +6,7 @@
 
 #include <flint/fmpz.h>
 
+#include "motion/quotient.h"
 #include "number/modular.h"
 
 static void random_polynomial(fmpz_poly_t out, slong degree, slong size) {
@@ -147,12 +148,55 @@ static void test_high_degree(void **unused) {
     fmpz_poly_clear(g);
 }
 
+/* Lowest terms by quotient_reduce against FLINT's, with common factors, contents and signs of all
+ * kinds; and the numerator over a multiple of the denominator against the quotient's own value. */
+static void test_lowest_terms(void **unused) {
+    (void)unused;
+    fmpz_poly_t common, factor;
+    fmpz_poly_q_t given, expected;
+    fmpz_poly_init(common);
+    fmpz_poly_init(factor);
+    fmpz_poly_q_init(given);
+    fmpz_poly_q_init(expected);
+    random_start(5);
+    for (int k = 0; k < 20000; k++) {
+        fmpz_poly_struct *top = fmpz_poly_q_numref(given), *bottom = fmpz_poly_q_denref(given);
+        random_polynomial(top, random_below(5) - 1, 30);
+        random_polynomial(bottom, random_below(4), 30);
+        random_polynomial(factor, random_below(3), 6);
+        if (random_below(2)) {
+            fmpz_poly_mul(top, top, factor);
+            fmpz_poly_mul(bottom, bottom, factor);
+        }
+        fmpz_poly_scalar_mul_si(bottom, bottom, random_below(2) ? 12 : -1);
+        fmpz_poly_set(fmpz_poly_q_numref(expected), top);
+        fmpz_poly_set(fmpz_poly_q_denref(expected), bottom);
+        fmpz_poly_q_canonicalise(expected);
+        quotient_reduce(given);
+        if (!fmpz_poly_equal(top, fmpz_poly_q_numref(expected)) ||
+            !fmpz_poly_equal(bottom, fmpz_poly_q_denref(expected)))
+            fail_with(top, bottom, "not in lowest terms");
+        random_polynomial(common, random_below(2) * random_below(3), 9);
+        fmpz_poly_mul(common, common, bottom);
+        quotient_over(factor, given, common);
+        fmpz_poly_mul(factor, factor, bottom);
+        fmpz_poly_mul(common, common, top);
+        if (!fmpz_poly_equal(factor, common))
+            fail_with(factor, common, "a numerator over a multiple of its denominator");
+    }
+    fmpz_poly_q_clear(expected);
+    fmpz_poly_q_clear(given);
+    fmpz_poly_clear(factor);
+    fmpz_poly_clear(common);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_against_resultants),
         cmocka_unit_test(test_prime_in_the_factor),
         cmocka_unit_test(test_one_leading_coefficient),
         cmocka_unit_test(test_high_degree),
+        cmocka_unit_test(test_lowest_terms),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
