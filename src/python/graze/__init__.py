@@ -25,12 +25,13 @@ from .results import (CLASS_NAMES, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contac
                       Topology, Trace, Verdict, class_names, columns, definition_names, pmc_names,
                       to_dataframe)
 from .scene import Scene
+from .sites import Site, SiteFacet
 from .times import AlgebraicNumber, Time, decimal
 
 __all__ = [
     "AlgebraicNumber", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Contact", "GrazeError",
     "IllegalError", "InputError", "InternalError", "LibraryError", "LimitError", "MachineError",
-    "Motion", "PMC_NAMES", "Pmc", "Sample", "Scene", "Solid", "Time", "Topology", "Trace",
+    "Motion", "PMC_NAMES", "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_names", "columns", "decimal",
     "definition_names", "pmc_names", "to_dataframe", "version"]
 

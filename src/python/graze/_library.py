@@ -74,6 +74,20 @@ class CSample(ctypes.Structure):
                 ("outward", c_int)]
 
 
+class CSiteFacts(ctypes.Structure):
+    """graze_site_facts."""
+
+    _fields_ = [("cell", CCell), ("role", c_int), ("on_slice", c_int), ("theta", c_int),
+                ("order", c_int), ("orientation", c_int), ("left", c_int), ("right", c_int),
+                ("trim", c_int)]
+
+
+class CSiteGerm(ctypes.Structure):
+    """graze_site_germ."""
+
+    _fields_ = [("facet", CCell), ("side", c_int), ("order", c_int), ("sign", c_int)]
+
+
 # Handles, rationals and arrays are passed as addresses; _OUT is for a handle or text given out.
 _OUT = POINTER(c_void_p)
 _SIZE_OUT = POINTER(c_size_t)
@@ -132,6 +146,19 @@ _FUNCTIONS = {
     "graze_topology_reason": (c_char_p, [c_void_p]),
     "graze_topology_witness": (c_int, [c_void_p, c_void_p]),
     "graze_topo_name": (c_char_p, [c_int]),
+    "graze_site_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
+    "graze_site_create_at": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
+    "graze_site_destroy": (None, [c_void_p]),
+    "graze_site_get": (CSiteFacts, [c_void_p]),
+    "graze_site_point": (None, [c_void_p, c_void_p, c_void_p]),
+    "graze_site_near": (c_void_p, [c_void_p]),
+    "graze_site_near_in": (c_void_p, [c_void_p]),
+    "graze_site_trace": (c_void_p, [c_void_p]),
+    "graze_site_germ_count": (c_size_t, [c_void_p]),
+    "graze_site_germ_at": (CSiteGerm, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t]),
+    "graze_role_name": (c_char_p, [c_int]),
+    "graze_trim_name": (c_char_p, [c_int]),
+    "graze_orientation_name": (c_char_p, [c_int]),
     "graze_topo_level_name": (c_char_p, [c_int]),
     "graze_generator_create": (c_int, [_OUT, c_void_p, c_void_p, c_ulonglong, POINTER(c_ulong),
                                        c_uint]),

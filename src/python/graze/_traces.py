@@ -35,8 +35,8 @@ def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
     contacts = []
     for index in range(library().graze_trace_contact_count(trace)):
         made = library().graze_trace_contact(trace, index)
-        start = _time_of(made.start)
-        end = start if made.end == made.start else _time_of(made.end)
+        start = time_of(made.start)
+        end = start if made.end == made.start else time_of(made.end)
         cells = tuple(cell for cell in map(cell_of, made.cells[:made.cell_count]) if cell)
         contacts.append(Contact(_KINDS[made.kind], chr(made.left) if made.left else None,
                                 chr(made.right) if made.right else None, start, end, cells))
@@ -54,7 +54,8 @@ def read_topology(topology: ctypes.c_void_p, dimension: int) -> Topology:
                     tuple(witness[k] for k in range(dimension)) if found else None)
 
 
-def _time_of(time: int) -> Time:
+def time_of(time: int) -> Time:
+    """The time of a handle."""
     ends = Rationals(2)
     if library().graze_time_rational(ends.at(0), time):
         return ends[0]

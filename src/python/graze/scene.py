@@ -18,6 +18,7 @@ from ._traces import read_topology, read_trace, verdict_of
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
 from .results import VERDICT_DTYPE, Sample, Topology, Trace, Verdict
+from .sites import Site, read_site
 
 OPERATIONS = ("sweep", "unsweep")
 OVERLAPS = ("extend", "reject")
@@ -172,6 +173,22 @@ class Scene:
                         self._handle.pointer, rationals.address, trace)
         with Handle(pointer, library().graze_topology_destroy) as topology:
             return read_topology(topology, self.dimension)
+
+    def site(self, time: Number, body: Optional[Sequence[Number]] = None, *,
+             point: Optional[Sequence[Number]] = None) -> Site:
+        """A boundary point of the solid at a time: `body` in the solid's frame, or `point` where it
+        is then. Raises as `trace`, and InputError for a time beyond the motion and a point that is
+        not on the boundary."""
+        if (body is None) == (point is None):
+            raise UseError("site takes body or point, one of them")
+        create = library().graze_site_create if point is None else library().graze_site_create_at
+        place, when = self._point(body if point is None else point), Rationals(1)
+        context, pointer = self._context(), ctypes.c_void_p()
+        when.set(0, time, context)
+        context.run(create, ctypes.byref(pointer), context.pointer, self._handle.pointer,
+                    when.address, place.address)
+        with Handle(pointer, library().graze_site_destroy) as site:
+            return read_site(site, when[0], self.dimension)
 
     def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1) -> List[str]:
         """The rows of `graze classify`, without line ends: CSV, or with `jsonl` JSON Lines, which
