@@ -40,6 +40,8 @@ typedef struct graze_compare_options {
     size_t show; /**< number of disagreements to keep, each with the command that explains it */
     const char *solid, *motion; /**< file names for those commands, or NULL */
     size_t size;                /**< sizeof(graze_compare_options) or 0 */
+    int transient; /**< 1: the tables are gone when the report is read: it has the rows that
+                        disagree, and names neither files nor lines of them */
 } graze_compare_options;
 
 /** Counts of rows: rows = agree + wrong + apart + missing; `extra` rows are in the candidate only.

@@ -19,7 +19,9 @@ static const char generate_help[] =
     "  --seed K             any whole number (needed)\n"
     "  --strata NAME=W,...  these strata only, with these weights: random, near, face, face-odd,\n"
     "                       edge, vertex, crossing, start, end, break, slide, miss\n"
-    "  --representable binary64     keep to points whose coordinates a double holds\n"
+    "  --representable binary64     keep to points whose coordinates a double holds; a motion "
+    "with\n"
+    "                       other numbers than dyadic ones has few: see graze motion dyadic\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --round, --triangulate, --overlap, --operation, --limit, --quiet   as in graze classify\n"
     "\n"
@@ -57,7 +59,7 @@ static int run_generate(void *options, const operands *given) {
     o->run.scene.solid = given->item[0];
     o->run.scene.motion = given->item[1];
     o->run.seed = o->seed.seed;
-    return generate_run(&o->run);
+    return generate_run(NULL, &o->run);
 }
 
 const command command_generate = {.name = "generate",

@@ -63,6 +63,7 @@ typedef struct validation {
     char *files[FILE_COUNT]; /* in the folder */
     char **words;
     double seconds;
+    lost_strata lost; /* of the points that were made */
     graze_context *context;
     graze_comparison *comparison;
     output out;
@@ -111,7 +112,7 @@ static const char *points_of(const validation *v, const validate_options *o) {
 }
 
 /* Points and golden table, as graze generate and graze classify make them. */
-static int make_golden(const validation *v, const validate_options *o) {
+static int make_golden(validation *v, const validate_options *o) {
     generate_options points = o->generate;
     classify_options golden = o->classify;
     points.scene = golden.scene;
@@ -121,7 +122,7 @@ static int make_golden(const validation *v, const validate_options *o) {
     points.quiet = golden.quiet;
     golden.points = points_of(v, o);
     golden.output = v->files[GOLDEN];
-    int status = o->points ? EXIT_DONE : generate_run(&points);
+    int status = o->points ? EXIT_DONE : generate_run(&v->lost, &points);
     return status ? status : classify_run(&golden);
 }
 
@@ -129,6 +130,8 @@ static int compare_answers(validation *v, const validate_options *o) {
     graze_compare_options chosen = o->compare;
     chosen.solid = o->classify.scene.solid;
     chosen.motion = o->classify.scene.motion;
+    chosen.transient = v->temporary;
+    chosen.size = sizeof chosen;
     int status = context_make(&v->context, &o->classify.scene.context);
     if (status)
         return status;
@@ -164,6 +167,19 @@ static void put_json_text(output *out, const char *name, const char *value) {
     output_put(out, "\",\n");
 }
 
+/* What no points were made of, if anything. */
+static void put_lost(validation *v, graze_comparison_format format) {
+    char *said = lost_strata_text(&v->lost);
+    if (said && *said && format == GRAZE_COMPARISON_JSON)
+        put_json_text(&v->out, "points", said);
+    if (said && *said && format == GRAZE_COMPARISON_TEXT) {
+        output_put(&v->out, "points: ");
+        output_put(&v->out, said);
+        output_put(&v->out, "\n");
+    }
+    free(said);
+}
+
 /* Whole numbers keep the locale's decimal comma out. */
 static void put_validation(validation *v, const validate_options *o, const char *body,
                            graze_comparison_format format) {
@@ -178,6 +194,7 @@ static void put_validation(validation *v, const validate_options *o, const char 
         put_json_text(&v->out, "solid", o->classify.scene.solid);
         put_json_text(&v->out, "motion", o->classify.scene.motion);
         put_json_text(&v->out, "verdict", verdict);
+        put_lost(v, format);
         snprintf(line, sizeof line, "\"milliseconds\": %lu,\n\"rows-per-second\": %lu,\n",
                  milliseconds, rate);
         output_put(&v->out, line);
@@ -197,6 +214,7 @@ static void put_validation(validation *v, const validate_options *o, const char 
                                  "\n"};
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
         output_put(&v->out, parts[k]);
+    put_lost(v, format);
     snprintf(line, sizeof line, "time: %lu.%03lu s, %lu rows a second\n\n", milliseconds / 1000,
              milliseconds % 1000, rate);
     output_put(&v->out, line);

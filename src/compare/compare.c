@@ -119,6 +119,10 @@ static graze_status start(graze_comparison *c, run *r, const char *golden, const
         status = note_options(c, r->context, &r->golden);
     if (!status)
         status = match_start(&r->match, r->context, &r->golden, &r->candidate);
+    if (!status && (!(c->golden_columns = strdup(r->golden.names)) ||
+                    !(c->candidate_columns = strdup(r->candidate.names))))
+        status = comparison_no_memory(r->context);
+    c->by_id = r->match.by_id;
     for (int g = 0; g < GROUPING_COUNT; g++)
         c->grouped[g] = r->golden.where[by[g]] >= 0;
     return status ? status : check_rounding(c, r, golden);
@@ -170,6 +174,10 @@ static graze_status show(graze_comparison *c, const run *r, const table_row *gol
     d->golden = golden ? row_text(c, &r->golden, golden, 1) : NULL;
     d->candidate = candidate ? row_text(c, &r->candidate, candidate, 2) : NULL;
     int failed = !d->point || (golden && !d->golden) || (candidate && !d->candidate);
+    if (c->options.transient && golden)
+        failed |= !(d->golden_row = table_row_text(golden));
+    if (c->options.transient && candidate)
+        failed |= !(d->candidate_row = table_row_text(candidate));
     return failed ? comparison_no_memory(r->context) : GRAZE_OK;
 }
 
@@ -280,11 +288,15 @@ void comparison_clear(graze_comparison *c) {
         free(c->disagreements[k].point);
         free(c->disagreements[k].golden);
         free(c->disagreements[k].candidate);
+        free(c->disagreements[k].golden_row);
+        free(c->disagreements[k].candidate_row);
     }
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_clear(&c->tallies[g]);
     free(c->disagreements);
     free(c->explain_options);
+    free(c->golden_columns);
+    free(c->candidate_columns);
     free(c->golden);
     free(c->candidate);
     free(c->solid);

@@ -26,6 +26,7 @@ typedef struct disagreement {
     unsigned long golden_line, candidate_line; /* 0: no such row */
     char *point;                               /* coordinates with blanks between */
     char *golden, *candidate;                  /* the answers; NULL where there is no row */
+    char *golden_row, *candidate_row;          /* whole rows, of transient tables alone */
 } disagreement;
 
 /** Candidate's answers beside golden ones; the last column of a matrix counts missing rows. */
@@ -38,7 +39,9 @@ struct graze_comparison {
     graze_compare_options options;
     graze_rounding rounding;
     char *golden, *candidate, *solid, *motion; /* names */
+    char *golden_columns, *candidate_columns;  /* their column lines */
     int judged[JUDGED_COUNT];                  /* 1: the candidate answers this */
+    int by_id;                                 /* rows are matched by the column id */
     char *explain_options;                     /* of `graze explain`, with a blank before each */
     unsigned long rows, agree, wrong, apart, missing, extra;
     unsigned long column_wrong[JUDGED_COUNT];

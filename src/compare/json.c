@@ -32,8 +32,13 @@ static void put_json_count(yajl_gen g, const char *name, unsigned long count) {
 
 static void put_json_summary(yajl_gen g, const graze_comparison *c) {
     static const char *const on_as[] = {"on", "any", "in", "out"};
-    put_named(g, "golden", c->golden);
-    put_named(g, "candidate", c->candidate);
+    put_named(g, "golden", c->options.transient ? NULL : c->golden);
+    put_named(g, "candidate", c->options.transient ? NULL : c->candidate);
+    if (c->options.transient) {
+        put_named(g, "golden-columns", c->golden_columns);
+        put_named(g, "candidate-columns", c->candidate_columns);
+    }
+    put_named(g, "hint", comparison_hint(c));
     put_named(g, "question", c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open");
     put_named(g, "on-as", on_as[c->options.on_as]);
     put_named(g, "candidate-has", c->options.has == GRAZE_HAS_SDF ? "sdf" : "columns");
@@ -109,8 +114,13 @@ static int put_json_disagreements(yajl_gen g, const graze_comparison *c) {
         char *command = explain_command(c, d);
         done &= command != NULL;
         yajl_gen_map_open(g);
-        put_json_count(g, "golden-line", d->golden_line);
-        put_json_count(g, "candidate-line", d->candidate_line);
+        if (c->options.transient) {
+            put_named(g, "golden-row", d->golden_row);
+            put_named(g, "candidate-row", d->candidate_row);
+        } else {
+            put_json_count(g, "golden-line", d->golden_line);
+            put_json_count(g, "candidate-line", d->candidate_line);
+        }
         put_named(g, "point", d->point);
         put_named(g, "golden", d->golden);
         put_named(g, "candidate", d->candidate);

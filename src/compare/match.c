@@ -222,8 +222,9 @@ graze_status match_finish(const match *m) {
     const table *golden = m->golden.table, *candidate = m->candidate.table;
     if (!m->pairs && m->missing_count && m->extra_count)
         return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "no row is one of %s; expected the same points in the same order, "
-                               "rounded as the candidate's are",
+                               "no row is one of %s; expected the same points in the same order; "
+                               "where coordinates were rounded, a comparison that rounds them too "
+                               "(binary64), or a column id in both tables",
                                golden->in.name);
     if (m->missing_count && m->missing_count == m->extra_count &&
         digest_equal(m->missing, m->extra))

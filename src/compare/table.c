@@ -111,6 +111,11 @@ static int is_carried(const table *t, int c) {
            c <= COLUMN_TOPO;
 }
 
+char *table_row_text(const table_row *row) {
+    field last = row->cut.item[row->cut.count - 1];
+    return strndup(row->bytes, (size_t)(last.start + last.length - row->bytes));
+}
+
 /* Find the columns. The first one of a name counts in a table of Graze, where further columns come
  * last and may have any name. */
 static graze_status fix_columns(table *t, const table_row *row) {
@@ -148,12 +153,15 @@ graze_status table_open(table *out, graze_context *context, const char *path) {
                                  "no column line; expected a line of names such as x,y,z,pmc");
     if (!status)
         status = fix_columns(out, &row);
+    if (!status && !(out->names = table_row_text(&row)))
+        status = table_no_memory(out);
     table_row_clear(&row);
     return status;
 }
 
 void table_close(table *t) {
     stream_close(&t->in);
+    free(t->names);
     for (int n = 0; n < NOTE_COUNT; n++)
         free(t->notes[n]);
 }

@@ -70,6 +70,7 @@ typedef struct table {
     int dimension;            /* of the points; 0 without columns x and y */
     long where[COLUMN_COUNT]; /* -1 where there is no such column */
     size_t columns;
+    char *names;        /* the column line */
     unsigned long rows; /* handed out */
     int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
 } table;
@@ -88,6 +89,9 @@ void table_close(table *t);
  * after it; also those of stream_next */
 graze_status table_next(table *t, table_row *row, int *more);
 void table_row_clear(table_row *row);
+
+/** A row as it stands in the file, malloc'ed; NULL when out of memory. */
+char *table_row_text(const table_row *row);
 
 /** A field of a row; empty where the table has no such column. */
 field table_field(const table *t, const table_row *row, column c);

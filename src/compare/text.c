@@ -44,10 +44,31 @@ static void put_share(text *out, unsigned long part, unsigned long whole) {
     text_format(out, "%llu.%02llu %%", hundredths / 100, hundredths % 100);
 }
 
+/* Numbers that were rounded on the way leave rows on both sides without a counterpart. */
+const char *comparison_hint(const graze_comparison *c) {
+    unsigned long fewer = c->missing < c->extra ? c->missing : c->extra;
+    int many = 20 * fewer >= c->rows && 2 * fewer >= c->missing && 2 * fewer >= c->extra;
+    if (!fewer || !many || c->by_id)
+        return NULL;
+    return c->rounding == GRAZE_ROUND_NONE
+               ? "many rows are missing and as many extra: the candidate's coordinates look "
+                 "rounded; `--round binary64` rounds the golden ones too, and a column `id` in "
+                 "both tables matches rows without coordinates"
+               : "many rows are missing and as many extra, rounded too: the candidate's "
+                 "coordinates are other numbers; 17 digits keep a binary64, and a column `id` in "
+                 "both tables matches rows without coordinates";
+}
+
+/* What is said in place of the name of a file that is gone. */
+static const char *table_shown(const graze_comparison *c, const char *name) {
+    return c->options.transient ? "made for this report and not kept; rows stand below" : name;
+}
+
 static void put_summary(text *out, const graze_comparison *c) {
     static const char *const on_as[] = {"an answer of its own", "right whatever is answered", "in",
                                         "out"};
-    text_format(out, "golden: %s\ncandidate: %s\n", c->golden, c->candidate);
+    text_format(out, "golden: %s\ncandidate: %s\n", table_shown(c, c->golden),
+                table_shown(c, c->candidate));
     text_format(out, "question: %s sweep; `on` counts as %s; rounding: %s\njudged:",
                 c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open",
                 on_as[c->options.on_as], graze_rounding_name(c->rounding));
@@ -67,6 +88,8 @@ static void put_summary(text *out, const graze_comparison *c) {
         if (c->judged[k])
             text_format(out, "; %s %lu", judged_name(k), c->column_wrong[k]);
     text_put(out, "\n");
+    if (comparison_hint(c))
+        text_format(out, "hint: %s\n", comparison_hint(c));
     if (c->options.question == GRAZE_QUESTION_CLOSED)
         text_format(out,
                     "apart: `on` rows that may be seams, where the closed sweep goes on around the "
@@ -110,6 +133,18 @@ static void put_tally(text *out, grouping by, const tally *t) {
     put_group(out, "(others)", &t->others);
 }
 
+/* The rows of transient tables that disagree. */
+static void put_side_rows(text *out, const graze_comparison *c, int candidate) {
+    text_format(out, "\nRows of the %s:\n\n    %s\n", candidate ? "candidate" : "golden table",
+                candidate ? c->candidate_columns : c->golden_columns);
+    for (size_t k = 0; k < c->shown; k++) {
+        const disagreement *d = &c->disagreements[k];
+        const char *row = candidate ? d->candidate_row : d->golden_row;
+        if (row)
+            text_format(out, "    %s\n", row);
+    }
+}
+
 static void put_disagreements(text *out, const graze_comparison *c) {
     if (c->shown)
         text_format(out, "\nThe first %zu of %lu disagreements:\n", c->shown,
@@ -117,11 +152,15 @@ static void put_disagreements(text *out, const graze_comparison *c) {
     for (size_t k = 0; k < c->shown; k++) {
         const disagreement *d = &c->disagreements[k];
         text_format(out, "\n%zu. ", k + 1);
-        if (d->golden)
+        if (d->golden && c->options.transient)
+            text_format(out, "golden, %s\n", d->golden);
+        else if (d->golden)
             text_format(out, "line %lu of the golden table, %s\n", d->golden_line, d->golden);
         else
             text_put(out, "no row of the golden table\n");
-        if (d->candidate)
+        if (d->candidate && c->options.transient)
+            text_format(out, "   candidate, %s\n", d->candidate);
+        else if (d->candidate)
             text_format(out, "   candidate, line %lu, %s\n", d->candidate_line, d->candidate);
         else
             text_put(out, "   candidate: no row\n");
@@ -132,6 +171,8 @@ static void put_disagreements(text *out, const graze_comparison *c) {
             text_put(out, "(no point)");
         text_put(out, "`\n");
     }
+    for (int side = 0; side < 2 && c->shown && c->options.transient; side++)
+        put_side_rows(out, c, side);
 }
 
 graze_status comparison_text(char **out, graze_context *context, const graze_comparison *c) {

@@ -8,6 +8,9 @@
 
 const char *grouping_name(grouping g);
 
+/** A likely reason where many rows have no counterpart; NULL if nothing points to one. Static. */
+const char *comparison_hint(const graze_comparison *c);
+
 /** The command that explains a disagreement, malloc'ed; NULL when out of memory. */
 char *explain_command(const graze_comparison *c, const disagreement *d);
 

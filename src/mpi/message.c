@@ -37,15 +37,17 @@ static void unpack_bytes(const message *m, size_t *at, void *out, size_t length)
 typedef struct run_head {
     unsigned long before; /* the shard's rows before the run */
     size_t taken, columns, where[3];
+    own_columns own;
     int has_others;
 } run_head;
 
 int message_put_run(message *m, const block *b, size_t first, const columns *c) {
     int good = 1;
-    run_head head = {b->before + first, b->runs[first].taken, 0, {0, 0, 0}, 0};
+    run_head head = {.before = b->before + first, .taken = b->runs[first].taken};
     m->length = 0;
     if (c) {
         head.columns = c->count;
+        head.own = c->own;
         head.has_others = c->others != NULL;
         memcpy(head.where, c->where, sizeof head.where);
     }
@@ -65,6 +67,7 @@ int message_get_run(const message *m, block *b, columns *c) {
     block_reset(b, head.before);
     b->runs[0].taken = head.taken;
     c->count = head.columns;
+    c->own = head.own;
     c->others = head.has_others ? some : NULL;
     memcpy(c->where, head.where, sizeof head.where);
     for (size_t k = 0; head.columns && k < head.taken; k++) {

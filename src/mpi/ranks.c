@@ -256,7 +256,7 @@ int ranks_serve(const classify_options *o) {
     loaded l;
     grid *g = NULL;
     answerer a;
-    columns c = {o->grid.sizes ? "" : o->points, 0, 0, {0, 0, 0}, NULL};
+    columns c = {.name = o->grid.sizes ? "" : o->points};
     int status = receipt_load(&l, o->receipt, &o->scene);
     int ready = 0;
     if (!status && o->grid.sizes)

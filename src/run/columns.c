@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "context/array.h"
+#include "number/text.h"
+#include "run/status.h"
 
 /* 0, 1, 2 for x, y, z; -1 for any other name. */
 static int axis_of(field f, int dimension) {
@@ -19,26 +21,78 @@ static int axis_of(field f, int dimension) {
     return *f.start - 'x';
 }
 
-static int is_coordinate(const columns *c, size_t column) {
+/* Is a column carried along: neither a coordinate nor an answer of graze classify? */
+static int is_further(const columns *c, size_t column) {
     for (int k = 0; k < c->dimension; k++)
         if (c->where[k] == column)
-            return 1;
-    return 0;
+            return 0;
+    return !(column >= c->own.first && column < c->own.end) &&
+           !(c->own.last && column + 1 == c->count);
+}
+
+/* The answers in a file that graze classify has written: they stand behind the coordinates, in this
+ * order and some left out, and the position in the last column. */
+static void find_own(columns *c, const fields *first, columns_head head) {
+    static const char *const of_sweep[] = {"pmc", "class", "definition", "case", "i", "t", "word"};
+    static const char *const of_unsweep[] = {"pmc", "word"};
+    const char *const *answers = head.unsweep ? of_unsweep : of_sweep;
+    size_t count = head.pmc_alone ? 1 : head.unsweep ? 2 : 7, k = 0;
+    size_t at = c->own.first = c->own.end = (size_t)c->dimension;
+    for (; head.graze && at < first->count; at++) {
+        while (k < count && !field_is(field_content(first->item[at]), answers[k]))
+            k++;
+        if (k++ >= count)
+            break;
+        c->own.end = at + 1;
+    }
+    c->own.last = head.graze && head.topo && first->count > c->own.end &&
+                  field_is(field_content(first->item[first->count - 1]), "topo");
+}
+
+static int order_of_names(const void *a, const void *b) {
+    const field *x = a, *y = b;
+    if (x->length != y->length)
+        return x->length < y->length ? -1 : 1;
+    return x->length ? memcmp(x->start, y->start, x->length) : 0;
+}
+
+/* Refuse two further columns of one name, unless they have none. */
+static int check_names(fault *f, const columns *c, const fields *first, unsigned long number) {
+    field *names = malloc(first->count * sizeof *names);
+    size_t count = 0, k = 1;
+    if (!names)
+        return fault_set(f, EXIT_IO, "out of memory");
+    for (size_t column = 0; column < first->count; column++)
+        if (is_further(c, column))
+            names[count++] = field_content(first->item[column]);
+    qsort(names, count, sizeof *names, order_of_names);
+    while (k < count && (!names[k].length || !field_equal(names[k - 1], names[k])))
+        k++;
+    int status = k < count ? fault_set(f, EXIT_INPUT,
+                                       "%s:%lu: two columns have the name '%.*s'; expected "
+                                       "different names",
+                                       c->name, number, FIELD_SHOWN(names[k]))
+                           : EXIT_DONE;
+    free(names);
+    return status;
 }
 
 /* Names for the fields that are no coordinates, comma-joined; numbers where there is no header. */
 static int name_others(fault *f, columns *c, const fields *first, int numbered) {
     size_t room = 1;
-    if (first->count <= (size_t)c->dimension)
-        return EXIT_DONE;
-    for (size_t k = 0; k < first->count; k++)
+    size_t further = 0;
+    for (size_t k = 0; k < first->count; k++) {
+        further += (size_t)is_further(c, k);
         room += (numbered ? 28 : first->item[k].length) + 1;
+    }
+    if (!further)
+        return EXIT_DONE;
     char *at = c->others = malloc(room);
     int some = 0;
     if (!at)
         return fault_set(f, EXIT_IO, "out of memory");
     for (size_t k = 0; k < first->count; k++) {
-        if (is_coordinate(c, k))
+        if (!is_further(c, k))
             continue;
         if (some)
             *at++ = ',';
@@ -55,7 +109,8 @@ static int name_others(fault *f, columns *c, const fields *first, int numbered) 
 }
 
 /* Fix the columns by the first line; *header says whether it names them. */
-static int fix(int *header, fault *f, columns *c, const fields *first, unsigned long number) {
+static int fix(int *header, fault *f, columns *c, const fields *first, unsigned long number,
+               columns_head head) {
     int found[3] = {0, 0, 0};
     *header = 0;
     for (int k = 0; k < 3; k++)
@@ -78,21 +133,71 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
         return fault_set(
             f, EXIT_INPUT, "%s:%lu: %zu columns; expected at least %d, or a header naming x, y%s",
             c->name, number, first->count, c->dimension, c->dimension == 3 ? ", z" : "");
-    int status = name_others(f, c, first, !*header);
+    c->count = first->count;
+    if (*header)
+        find_own(c, first, head);
+    int status = *header ? check_names(f, c, first, number) : EXIT_DONE;
     if (!status)
-        c->count = first->count;
+        status = name_others(f, c, first, !*header);
+    c->count = status ? 0 : first->count;
     return status;
 }
 
 int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
-                unsigned long number) {
+                unsigned long number, columns_head head) {
     fields first = {NULL, 0, 0};
     graze_status cut = fields_read(&first, context, c->name, number, text, ',');
     int status = fault_of(f, cut, context, EXIT_INPUT);
     if (!status)
-        status = fix(header, f, c, &first, number);
+        status = fix(header, f, c, &first, number, head);
     fields_clear(&first);
     return status;
+}
+
+/* Is a name among those of a line of names? */
+static int is_named(field line, field name) {
+    field one;
+    while (line.start && field_take(&one, &line))
+        if (field_equal(field_content(one), name))
+            return 1;
+    return 0;
+}
+
+/* Add a name to the table's, changed until none of its own and of the others is the same. */
+static void put_free_name(text *out, const columns *c, field own, field others, field name) {
+    field bare = field_content(name);
+    text one;
+    if (!is_named(own, bare)) {
+        text_bytes(out, name.start, name.length);
+        return;
+    }
+    text_init(&one);
+    text_bytes(&one, bare.start, bare.length);
+    do
+        text_put(&one, "_in");
+    while (!one.failed && (is_named(own, (field){one.data, one.length}) ||
+                           is_named(others, (field){one.data, one.length})));
+    if (!one.failed)
+        complain(EXIT_DONE,
+                 "note: %s: the column `%.*s` is carried as `%s`, since the table has one of that "
+                 "name",
+                 c->name, FIELD_SHOWN(bare), one.data);
+    out->failed |= one.failed;
+    text_bytes(out, one.failed ? "" : one.data, one.length);
+    text_clear(&one);
+}
+
+char *columns_free_names(const columns *c, field own) {
+    text out;
+    field others = {c->others, c->others ? strlen(c->others) : 0}, rest = others, name;
+    if (!c->others)
+        return NULL;
+    text_init(&out);
+    for (int some = 0; rest.start && field_take(&name, &rest); some = 1) {
+        text_put(&out, some ? "," : "");
+        put_free_name(&out, c, own, others, name);
+    }
+    return text_take(&out);
 }
 
 /* Add the fields that are no coordinates to `rest` as they were. They are shorter than the line. */
@@ -102,7 +207,7 @@ static int keep_others(reader *r, const columns *c, size_t length) {
     char *at = r->rest + r->rest_length;
     int some = 0;
     for (size_t k = 0; k < r->cut.count; k++) {
-        if (is_coordinate(c, k))
+        if (!is_further(c, k))
             continue;
         if (some)
             *at++ = ',';

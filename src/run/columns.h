@@ -6,14 +6,26 @@
 
 #include "run/block.h"
 
+/** Columns of a file that graze classify has written: its answers, which are not carried along. */
+typedef struct own_columns {
+    size_t first, end; /* answers are the columns from `first` to before `end` */
+    int last;          /* 1: the last column is the position of --topo */
+} own_columns;
+
 /** `count` is 0 until the first line has fixed them; nothing changes afterwards. */
 typedef struct columns {
     const char *name; /* of the file, for messages; borrowed */
     int dimension;
     size_t count;
     size_t where[3]; /* the columns of x, y, z */
-    char *others;    /* names of the further columns, comma-joined; NULL if none */
+    own_columns own;
+    char *others; /* names of the further columns, comma-joined; NULL if none */
 } columns;
+
+/** What the `#` lines before the first line say: Graze has written the file, with which answers. */
+typedef struct columns_head {
+    int graze, topo, unsweep, pmc_alone;
+} columns_head;
 
 /** Working memory of a thread that reads rows. The context is borrowed, the rest is freed by
  * reader_clear. */
@@ -33,7 +45,15 @@ void columns_clear(columns *c);
  * @return EXIT_DONE, or the status of the fault, which names file and line
  */
 int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
-                unsigned long number);
+                unsigned long number, columns_head head);
+
+/**
+ * Names of the further columns in a table: one that the table has already gets `_in` behind it
+ * until it is free, and a note says so.
+ * @param own the table's own column line
+ * @return malloc'ed; NULL when out of memory, or where there are no further columns
+ */
+char *columns_free_names(const columns *c, field own);
 
 /**
  * Read a line of a block. Any thread may ask, once the columns are fixed.

@@ -14,6 +14,7 @@ struct csv {
     stream in;
     fault fault;
     columns columns;
+    columns_head head;
     shard part;
     unsigned long rows; /* of all shards, so far */
     unsigned long long checksum;
@@ -27,7 +28,7 @@ int csv_open(csv **out, const char *path, int dimension, shard part, graze_conte
     if (!c)
         return complain(EXIT_IO, "out of memory");
     int status = complain_of(stream_open(&c->in, context, path), context);
-    c->columns = (columns){c->in.name, dimension, 0, {0, 0, 0}, NULL};
+    c->columns = (columns){.name = c->in.name, .dimension = dimension};
     c->part = part;
     if (!status && fstat(c->in.fd, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 0)
         c->size = (unsigned long)about.st_size;
@@ -102,12 +103,22 @@ static int take_row(csv *c, block *b, field text) {
 static int take_point_line(csv *c, block *b, field text) {
     int header = 0, status = EXIT_DONE;
     if (!c->columns.count)
-        status = columns_fix(&header, &c->fault, &c->columns, c->in.context, text, c->in.line);
+        status =
+            columns_fix(&header, &c->fault, &c->columns, c->in.context, text, c->in.line, c->head);
     return status || header ? status : take_row(c, b, text);
 }
 
 int csv_ready(csv *c) {
     return stream_ready(&c->in);
+}
+
+/* A `#` line before the first row: does it say that Graze has written the file? */
+static void read_head_line(csv *c, field text) {
+    field version;
+    c->head.graze |= c->in.line == 1 && field_behind(&version, text, "# graze ");
+    c->head.topo |= field_is(text, "# topo yes");
+    c->head.unsweep |= field_is(text, "# operation unsweep");
+    c->head.pmc_alone |= field_is(text, "# columns pmc");
 }
 
 /* A block is also done when no further line is ready, so that the threads that read its rows do not
@@ -122,6 +133,8 @@ int csv_fill(csv *c, block *b, unsigned long most) {
             break;
         if (!status && !skipped(text))
             status = take_point_line(c, b, text);
+        else if (!status && !c->columns.count)
+            read_head_line(c, text);
     }
     return status;
 }

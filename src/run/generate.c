@@ -6,11 +6,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "number/text.h"
 #include "run/interrupt.h"
 #include "run/output.h"
 #include "run/progress.h"
 
 typedef struct maker {
+    lost_strata lost;
     loaded l;
     graze_generator *generator;
     unsigned long weights[GRAZE_STRATUM_COUNT];
@@ -139,6 +141,73 @@ static int put_samples(maker *m, const generate_options *o) {
     return status;
 }
 
+/* Find the strata that get no points, and why: without --representable some of them do. */
+static int find_lost(maker *m, const generate_options *o) {
+    graze_generator *any = NULL;
+    graze_status made = GRAZE_OK;
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        if (m->weights[k] && !graze_generator_weight(m->generator, (graze_stratum)k))
+            m->lost.absent |= 1u << k;
+    if (!m->lost.absent || !o->representable)
+        return EXIT_DONE;
+    made = graze_generator_create(&any, m->l.context, m->l.scene, o->seed, m->weights, 0);
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        if (m->lost.absent >> k & 1 && graze_generator_weight(any, (graze_stratum)k))
+            m->lost.unrepresentable |= 1u << k;
+    m->lost.absent &= ~m->lost.unrepresentable;
+    graze_generator_destroy(any);
+    return complain_of(made, m->l.context);
+}
+
+static void put_stratum_names(text *t, unsigned set) {
+    const char *before = "";
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        if (set >> k & 1) {
+            text_format(t, "%s%s", before, graze_stratum_name((graze_stratum)k));
+            before = ", ";
+        }
+}
+
+char *lost_strata_text(const lost_strata *lost) {
+    text t;
+    text_init(&t);
+    text_put(&t, "");
+    if (lost->unrepresentable) {
+        text_put(&t, "no points of the strata ");
+        put_stratum_names(&t, lost->unrepresentable);
+        text_put(&t, " have coordinates that a binary64 holds, since numbers of the motion (or of "
+                     "the solid) are not dyadic or too long; `graze motion dyadic` makes a motion "
+                     "near this one that has such points, except of turns");
+    }
+    if (lost->absent) {
+        text_put(&t, lost->unrepresentable ? "; the scene has none of "
+                                           : "the scene has no points of the strata ");
+        put_stratum_names(&t, lost->absent);
+    }
+    return text_take(&t);
+}
+
+/* Say which strata get no points; only random points are not what was asked for, unless strata were
+ * named. */
+static int tell_lost(const maker *m, const generate_options *o) {
+    unsigned long contacts = 0;
+    if (!m->lost.unrepresentable)
+        return EXIT_DONE;
+    char *said = lost_strata_text(&m->lost);
+    if (!said)
+        return complain(EXIT_IO, "out of memory");
+    for (int k = GRAZE_STRATUM_RANDOM + 1; k < GRAZE_STRATUM_COUNT; k++)
+        contacts += graze_generator_weight(m->generator, (graze_stratum)k);
+    int status = contacts || o->strata
+                     ? complain(EXIT_DONE, "note: %s: %s", o->scene.motion, said)
+                     : complain(EXIT_INPUT,
+                                "%s: %s; only random points are left, which find few errors; "
+                                "expected --strata random, if they are meant",
+                                o->scene.motion, said);
+    free(said);
+    return status;
+}
+
 static int write_points(maker *m, const generate_options *o) {
     int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
     if (status)
@@ -148,6 +217,11 @@ static int write_points(maker *m, const generate_options *o) {
                                o->representable ? GRAZE_GENERATE_REPRESENTABLE : 0);
     if (made)
         return complain_of_use(made, m->l.context);
+    status = find_lost(m, o);
+    if (!status)
+        status = tell_lost(m, o);
+    if (status)
+        return status;
     status = output_open(&m->out, o->output);
     m->opened = !status;
     if (status)
@@ -156,7 +230,7 @@ static int write_points(maker *m, const generate_options *o) {
     return put_samples(m, o);
 }
 
-int generate_run(const generate_options *o) {
+int generate_run(lost_strata *lost, const generate_options *o) {
     maker *m = calloc(1, sizeof *m);
     if (!m)
         return complain(EXIT_IO, "out of memory");
@@ -168,6 +242,8 @@ int generate_run(const generate_options *o) {
         int closed = output_close(&m->out);
         status = closed ? closed : status;
     }
+    if (lost)
+        *lost = m->lost;
     graze_generator_destroy(m->generator);
     loaded_clear(&m->l);
     mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);

@@ -6,6 +6,12 @@
 
 #include "run/load.h"
 
+/** Strata with a weight of which no point can be made, as sets of 1 << graze_stratum: the scene has
+ * none, or none whose coordinates a binary64 holds. */
+typedef struct lost_strata {
+    unsigned absent, unrepresentable;
+} lost_strata;
+
 /** Strings are borrowed. */
 typedef struct generate_options {
     scene_options scene;
@@ -17,7 +23,12 @@ typedef struct generate_options {
     int quiet;          /* no progress */
 } generate_options;
 
-/** Make the points and write the table. Returns an exit status and says what is wrong. */
-int generate_run(const generate_options *o);
+/** Make the points and write the table. Returns an exit status and says what is wrong, also where
+ * --representable leaves nothing but random points and no strata were named.
+ * @param[out] lost may be NULL; standard error says the same */
+int generate_run(lost_strata *lost, const generate_options *o);
+
+/** What is to be said of such strata, or an empty text: malloc'ed, NULL when out of memory. */
+char *lost_strata_text(const lost_strata *lost);
 
 #endif

@@ -58,18 +58,6 @@ int outputs_open(outputs *out) {
     return status || !o->resume ? status : results_shorten(certificate, table->rows);
 }
 
-/* The last column has its name for itself. */
-static int check_other_names(const outputs *out, const char *others) {
-    field rest = {others, others ? strlen(others) : 0}, name;
-    while (out->o->scene.scene.topo && rest.start && field_take(&name, &rest))
-        if (field_is(field_content(name), "topo"))
-            return complain(EXIT_INPUT,
-                            "%s: has a column `topo`; expected another name for it "
-                            "beside --topo",
-                            out->o->points);
-    return EXIT_DONE;
-}
-
 /* Lines of the table's head beside those of the scene: malloc'ed, NULL when out of memory. */
 static char *make_head_notes(const outputs *out, const row_source *source, const char *shard) {
     const char *cut = out->o->scene.solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n"
@@ -83,16 +71,31 @@ static char *make_head_notes(const outputs *out, const row_source *source, const
     return notes;
 }
 
+/* The head of a table, with the further columns under names that are free. */
+static int make_head(char **text, const outputs *out, const row_source *source, const char *notes) {
+    graze_context *context = out->l->context;
+    graze_status made = graze_report_header(text, context, out->l->scene, notes, NULL);
+    if (made || !source->columns || !source->columns->others)
+        return complain_of(made, context);
+    size_t length = strlen(*text) - 1;
+    const char *end = *text + length, *start = end;
+    while (start > *text && start[-1] != '\n')
+        start--;
+    char *others = columns_free_names(source->columns, (field){start, (size_t)(end - start)});
+    graze_free(*text);
+    *text = NULL;
+    if (!others)
+        return complain(EXIT_IO, "out of memory");
+    made = graze_report_header(text, context, out->l->scene, notes, others);
+    free(others);
+    return complain_of(made, context);
+}
+
 static int begin_table(outputs *out, const row_source *source, const char *shard) {
-    const char *others = source->columns ? source->columns->others : NULL;
-    int named = check_other_names(out, others);
-    if (named)
-        return named;
     char *notes = make_head_notes(out, source, shard), *text = NULL;
     if (!notes)
         return complain(EXIT_IO, "out of memory");
-    graze_status made = graze_report_header(&text, out->l->context, out->l->scene, notes, others);
-    int status = complain_of(made, out->l->context);
+    int status = make_head(&text, out, source, notes);
     if (!status)
         status = is_exported(out, RESULT_TABLE) ? export_lines(out, text, strlen(text))
                                                 : results_begin(&out->file[RESULT_TABLE], text);

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# suite
+"""What compare and validate say where a user would be misled: numbers that another program rounded, points that no
+double can be, and files that are gone when the report is read.
+
+Rounded tables are made here by Python's own floats; which points are dyadic is seen from the motion.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import json
+import os
+import shlex
+import sys
+import tempfile
+from fractions import Fraction as F
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+import harness  # noqa: E402
+from harness import Checks, options  # noqa: E402
+
+CUBE = os.path.join(harness.ROOT, "tests", "refuse", "common", "cube.off")
+checks = Checks()
+check = checks.holds
+
+
+def run(*command):
+    done = harness.run([str(word) for word in command], 300)
+    return done.returncode, done.stdout, done.stderr
+
+
+def write(folder, name, text):
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
+
+
+def translation(way):
+    return json.dumps({"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"translate": way}}]})
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8") as file:
+        lines = [line.rstrip("\n").split(",") for line in file if not line.startswith("#")]
+    return [dict(zip(lines[0], line)) for line in lines[1:]]
+
+
+def rounded(graze, folder):
+    """A candidate whose coordinates went through doubles: of 100 rows those with thirds are lost, until both tables are
+    rounded or have an id."""
+    motion = write(folder, "move.json", translation(["8*t", "0", "0"]))
+    points = "x,y,z,id\n" + "".join(f"{k}/{3 if k % 10 else 1},1,1/2,r{k}\n" for k in range(1, 101))
+    golden = os.path.join(folder, "golden.csv")
+    run(graze, "classify", CUBE, motion, write(folder, "points.csv", points), "--output", golden)
+    rows = rows_of(golden)
+    exact = sum(F(row["x"]).denominator == 1 for row in rows)
+    for digits in ("%.17g", "%r"):
+        text = "".join(",".join(digits % float(F(row[a])) for a in "xyz") + f",{row['pmc']},{row['id']}\n" for row in rows)
+        by_point = write(folder, "mine.csv", "x,y,z,pmc,mark\n" + text)
+        status, out, _ = run(graze, "compare", golden, by_point)
+        check(status == 1 and f"| 100 | {exact} | 0 | {100 - exact} | 0 | {100 - exact} |" in out, digits, out[:600])
+        hint = next((line for line in out.splitlines() if line.startswith("hint: ")), "")
+        check("look rounded" in hint and "`--round binary64`" in hint and "column `id`" in hint, digits, out[:600])
+        told = json.loads(run(graze, "compare", golden, by_point, "--format", "json")[1])["hint"]
+        check("hint: " + told == hint, told)
+        status, out, _ = run(graze, "compare", golden, by_point, "--round", "binary64")
+        check(status == 0 and "hint" not in out, digits, out[:600])
+        status, out, _ = run(graze, "compare", golden, write(folder, "id.csv", "x,y,z,pmc,id\n" + text))
+        check(status == 0 and "hint" not in out, digits, out[:600])
+    # Ten digits: rounding both to doubles does not help, and the report says so.
+    text = "".join(",".join("%.10g" % float(F(row[a])) for a in "xyz") + f",{row['pmc']}\n" for row in rows)
+    out = run(graze, "compare", golden, write(folder, "mine.csv", "x,y,z,pmc\n" + text), "--round", "binary64")[1]
+    check("hint: many rows are missing and as many extra, rounded too" in out and "17 digits" in out, out[:600])
+    # A few rows that are lost are no hint of rounding, nor are rows that only one table has.
+    text = "".join(f"{row['x']},{row['y']},{row['z']},{row['pmc']}\n" for row in rows[:50])
+    out = run(graze, "compare", golden, write(folder, "mine.csv", "x,y,z,pmc\n" + text))[1]
+    check("hint" not in out and "| 100 | 50 | 0 | 50 | 0 | 0 |" in out, out[:600])
+    out = run(graze, "compare", golden, write(folder, "mine.csv", "x,y,z,pmc\n" + text.replace("8/3,1,", "8/3,2,")))[1]
+    check("hint" not in out, out[:600])
+
+
+def candidate_of(graze, *change):
+    """A command that answers as Graze does, with these words of sed applied to its rows."""
+    line = f'{shlex.quote(graze)} classify "$1" "$2" "$3" | grep -v "^#" | sed {shlex.join(change)} > "$4"'
+    return f"sh -c {shlex.quote(line)} sh {{solid}} {{motion}} {{points}} {{out}}"
+
+
+def strata(graze, folder):
+    """A motion by 0.443221, whose contacts are no doubles, and by 7/16, whose contacts are."""
+    decimal = write(folder, "decimal.json", translation(["0.443221*t + 0.1", "8*t+1/3", "1/7"]))
+    right = candidate_of(graze, "-e", "s/^$//")
+    status, out, said = run(graze, "validate", CUBE, decimal, "-n", 300, "--representable", "binary64", "--candidate", right)
+    check(status == 3 and "only random points are left" in said and "graze motion dyadic" in said, status, said)
+    for name in ("edge", "vertex", "start", "end", "slide"):
+        check(name in said.split("have coordinates")[0], name, said)
+    status, out, said = run(graze, "generate", CUBE, decimal, "-n", 300, "--seed", 1, "--representable", "binary64")
+    check(status == 3 and out == "", "generate says the same", status, said)
+    status, out, said = run(graze, "validate", CUBE, decimal, "-n", 30, "--representable", "binary64", "--strata",
+                            "random,vertex", "--candidate", right)
+    check(status == 0 and "\npoints: no points of the strata vertex have coordinates" in out, status, out[:500], said)
+    dyadic = os.path.join(folder, "dyadic.json")
+    run(graze, "motion", "dyadic", decimal, "--output", dyadic)
+    for motion in (dyadic, write(folder, "sixteenths.json", translation(["7/16*t", "8*t", "0"]))):
+        status, out, said = run(graze, "validate", CUBE, motion, "-n", 300, "--representable", "binary64", "--format", "json",
+                                "--candidate", right)
+        made = json.loads(out)
+        share = {group["value"]: group["rows"] for group in made["comparison"]["by"]["stratum"]}
+        check(status == 0 and share["vertex"] > 30 and share["edge"] > 30 and "binary64" not in made["points"], motion, share)
+
+
+def gone(graze, folder):
+    """Without --keep the report has the rows; with it, files and lines, which are there."""
+    motion = write(folder, "move.json", translation(["8*t", "0", "0"]))
+    wrong = candidate_of(graze, "-e", "s/,on,/,in,/")
+    status, out, _ = run(graze, "validate", CUBE, motion, "-n", 50, "--show", 5, "--candidate", wrong)
+    check(status == 1 and "graze-" not in out and "golden.csv" not in out and "line " not in out, out[-1500:])
+    blocks = out.split("Rows of the golden table:\n\n")[1].split("\nRows of the candidate:\n\n")
+    golden, mine = ([line.strip().split(",") for line in block.strip().splitlines()] for block in blocks)
+    check(golden[0][:4] == ["x", "y", "z", "pmc"] and golden[0] == mine[0] and len(golden) == len(mine) == 6, golden, mine)
+    for right, given in zip(golden[1:], mine[1:]):
+        check(right[3] == "on" and given[3] == "in" and right[:3] == given[:3] and right[4:] == given[4:], right, given)
+        word = run(graze, "explain", CUBE, motion, *right[:3])[1].split("Its word is ")[1].split(".")[0]
+        check(word == right[golden[0].index("word")], right, word)
+    made = json.loads(run(graze, "validate", CUBE, motion, "-n", 50, "--show", 5, "--candidate", wrong, "--format", "json")[1])
+    told = made["comparison"]
+    check([d["golden-row"].split(",") for d in told["disagreements"]] == golden[1:], told["disagreements"])
+    check([d["candidate-row"].split(",") for d in told["disagreements"]] == mine[1:], told["disagreements"])
+    check(told["golden-columns"].split(",") == golden[0] and "golden-line" not in told["disagreements"][0], told)
+    kept = os.path.join(folder, "kept")
+    out = run(graze, "validate", CUBE, motion, "-n", 50, "--show", 5, "--candidate", wrong, "--keep", kept)[1]
+    with open(os.path.join(kept, "golden.csv"), encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    cited = int(out.split("1. line ")[1].split()[0])
+    check(lines[cited - 1].split(",") == golden[1] and kept in out and "Rows of" not in out, cited, golden[1])
+
+
+def main():
+    graze = options(__doc__).graze
+    with tempfile.TemporaryDirectory() as folder:
+        rounded(graze, folder)
+        strata(graze, folder)
+        gone(graze, folder)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
