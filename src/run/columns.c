@@ -57,7 +57,8 @@ static int order_of_names(const void *a, const void *b) {
 }
 
 /* Refuse two further columns of one name, unless they have none. */
-static int check_names(fault *f, const columns *c, const fields *first, unsigned long number) {
+static int check_different_names(fault *f, const columns *c, const fields *first,
+                                 unsigned long number) {
     field *names = malloc(first->count * sizeof *names);
     size_t count = 0, k = 1;
     if (!names)
@@ -136,7 +137,7 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
     c->count = first->count;
     if (*header)
         find_own(c, first, head);
-    int status = *header ? check_names(f, c, first, number) : EXIT_DONE;
+    int status = *header ? check_different_names(f, c, first, number) : EXIT_DONE;
     if (!status)
         status = name_others(f, c, first, !*header);
     c->count = status ? 0 : first->count;
