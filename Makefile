@@ -215,8 +215,12 @@ MANDIR     ?= $(DATADIR)/man
 DOCDIR     ?= $(DATADIR)/doc/graze
 COMPLETION := $(DATADIR)/bash-completion/completions
 CMAKEDIR   := $(LIBDIR)/cmake/graze
-# The Python module; it looks for the shared library in the folder that holds this one.
-PYTHONDIR  ?= $(PREFIX)/lib/python3/dist-packages
+# The Python module, where this Python looks under the prefix; it looks for the shared library in the folder that holds
+# this one.
+PYTHON     ?= $(firstword $(wildcard /usr/bin/python3) python3)
+ifeq ($(origin PYTHONDIR),undefined)
+PYTHONDIR   = $(or $(shell $(PYTHON) src/install/python_folder.py '$(PREFIX)' 2>/dev/null),$(PREFIX)/lib/python3/dist-packages)
+endif
 PAGES      := $B/install/pages
 TO_INCLUDE  = $(shell realpath -m --relative-to='$(CMAKEDIR)' '$(INCLUDEDIR)')
 CMAKE_LIBS := $(subst $() ,;,$(patsubst -l%,%,$(LIBS)))
@@ -280,6 +284,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@ls $(PAGES) >$(DESTDIR)$(DATADIR)/graze/pages
 	$(REFRESH)
 	@echo "graze $(VERSION) is under $(DESTDIR)$(PREFIX)"
+	@[ -n "$(DESTDIR)" ] || src/install/environment.sh $(PYTHON) $(PREFIX) $(BINDIR) $(LIBDIR) $(PYTHONDIR)
 
 .PHONY: uninstall
 uninstall:

@@ -1,0 +1,73 @@
+"""Builds a wheel that holds the module and libgraze.so, for pip, with Python's own library alone (PEP 517).
+
+The shared library is $GRAZE_LIBRARY, or build/libgraze.so of the checkout, which `make` builds first where it is
+missing. The wheel is for this machine: the library needs those it was linked with, such as FLINT and MPFR.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import base64
+import hashlib
+import os
+import re
+import subprocess
+import sysconfig
+import zipfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
+
+
+class UnsupportedOperation(Exception):
+    """What PEP 517 asks for where a backend makes no source distribution."""
+
+
+def _read(*path):
+    with open(os.path.join(*path), "rb") as file:
+        return file.read()
+
+
+def _version():
+    return re.search(rb'^VERSION = "(.*)"$', _read(HERE, "graze", "_library.py"), re.M)[1].decode()
+
+
+def _library():
+    named = os.environ.get("GRAZE_LIBRARY")
+    path = named or os.path.join(ROOT, "build", "libgraze.so")
+    if not named and not os.path.exists(path):
+        subprocess.run(["make", "-C", ROOT, "build/libgraze.so"], check=True)
+    return _read(path)
+
+
+def _contents():
+    """Names in the wheel and their bytes."""
+    info = f"graze-{_version()}.dist-info"
+    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    files = {f"graze/{name}": _read(HERE, "graze", name)
+             for name in sorted(os.listdir(os.path.join(HERE, "graze"))) if name.endswith((".py", ".typed"))}
+    files["graze/libgraze.so"] = _library()
+    files[f"{info}/METADATA"] = (
+        f"Metadata-Version: 2.1\nName: graze\nVersion: {_version()}\n"
+        "Summary: Exact classification of points against the set that a moving solid sweeps\n"
+        "License: GPL-3.0-or-later\nRequires-Python: >=3.9\n"
+        "Provides-Extra: arrays\nRequires-Dist: numpy; extra == 'arrays'\n"
+        "Provides-Extra: tables\nRequires-Dist: pandas; extra == 'tables'\n").encode()
+    files[f"{info}/WHEEL"] = ("Wheel-Version: 1.0\nGenerator: graze\nRoot-Is-Purelib: false\n"
+                              f"Tag: py3-none-{platform}\n").encode()
+    record = "".join(
+        f"{name},sha256={base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b'=').decode()},{len(data)}\n"
+        for name, data in files.items())
+    files[f"{info}/RECORD"] = (record + f"{info}/RECORD,,\n").encode()
+    return files, f"graze-{_version()}-py3-none-{platform}.whl"
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    """Write the wheel into a folder; returns its name."""
+    files, name = _contents()
+    with zipfile.ZipFile(os.path.join(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
+        for path, data in files.items():
+            wheel.writestr(path, data)
+    return name
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    """None is made: the sources of the library are those of the checkout."""
+    raise UnsupportedOperation("no source distribution; expected a checkout of Graze")
