@@ -28,6 +28,10 @@ typedef struct option_entry {
 #define FLAG(name, type, field, read)                                                              \
     { name, OPTION_FLAG, read, offsetof(type, field) }
 
+/** That of an option that may be given several times. */
+#define REPEATED(name)                                                                             \
+    { name, OPTION_VALUE, NULL, 0 }
+
 /** Options of one command at the most. */
 enum { OPTIONS_MOST = 40 };
 

@@ -242,7 +242,7 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
 static const option_entry draw_table[] = {
     OPTION("output", draw_given, output, value_text),
     OPTION("o", draw_given, output, value_text),
-    {"p", OPTION_VALUE, NULL, 0},
+    REPEATED("p"),
     OPTION("grid", draw_given, grid, value_text),
     OPTION("times", draw_given, times, value_text),
     OPTION("box", draw_given, box, value_text),

@@ -92,7 +92,7 @@ static const option_entry motion_table[] = {
     [OWN] = OPTION("output", motion_options, output, value_text),
     OPTION("o", motion_options, output, value_text),
     OPTION("limit", motion_options, context.limits, value_limit),
-    {"ignore", OPTION_VALUE, NULL, 0},
+    REPEATED("ignore"),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 enum { NUMBERS_OF_JOINT = 8 }; /* degrees, pitch, axis, center */
