@@ -115,11 +115,41 @@ void quotient_reduce(fmpz_poly_q_t a) {
     fmpz_clear(other);
 }
 
+/* Is p a multiple of q by a number, or of a number q? 0 says nothing. */
+static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
+    slong n = fmpz_poly_degree(p);
+    const fmpz *lead = fmpz_poly_lead(q);
+    int number = fmpz_poly_degree(q) == 0;
+    if ((!number && fmpz_poly_degree(q) != n) || !fmpz_divisible(fmpz_poly_lead(p), lead)) {
+        return 0;
+    }
+    fmpz_t factor, value;
+    fmpz_init(factor);
+    fmpz_init(value);
+    fmpz_divexact(factor, fmpz_poly_lead(p), lead);
+    int holds = 1;
+    for (slong k = 0; k < n && holds; k++) {
+        if (number) {
+            holds = fmpz_divisible(p->coeffs + k, lead);
+        } else {
+            fmpz_mul(value, factor, q->coeffs + k);
+            holds = fmpz_equal(value, p->coeffs + k);
+        }
+    }
+    fmpz_clear(value);
+    fmpz_clear(factor);
+    return holds;
+}
+
 /* Denominators of one motion are often multiples of one polynomial by numbers, or numbers: then no
  * divisor of polynomials is sought. */
 void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a) {
     const fmpz_poly_struct *other = fmpz_poly_q_denref(a);
-    if (fmpz_poly_equal(common, other)) {
+    if (is_plain_multiple(common, other)) {
+        return;
+    }
+    if (is_plain_multiple(other, common)) {
+        fmpz_poly_set(common, other);
         return;
     }
     fmpz_poly_t left, right;
