@@ -58,6 +58,7 @@ class Cores:
         self.against(table, "2 threads against two processes, wall clock", 2 * n, [both],
                      [self.command(1, n), self.command(1, n)], least=0.9)
         self.against(table, "2 threads against 1", 2 * n, [both], [alone])
+        self.against(table, "8 threads against 2", 2 * n, [self.command(8, 2 * n)], [both], least=0.95)
         shards = [self.command(1, 2 * n, "--shard", f"{k}/2") for k in (1, 2)]
         self.against(table, "2 shards at a time against the whole", 2 * n, shards, [alone])
         if shutil.which("mpirun") and os.path.exists(self.graze + "-mpi"):
