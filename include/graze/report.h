@@ -3,8 +3,9 @@
  *
  * A table is graze_report_header, then rows, then a line `# complete N` (formats.md, Tables). Rows
  * of one scene may be made by several threads, each with its own context. The scene's option `topo`
- * adds the position relative to the closed sweep, as the last column (graze/topo.h). With its option
- * `columns` for pmc alone rows are CSV and have no other answer; JSON Lines are GRAZE_EUSE then.
+ * adds the position relative to the closed sweep, as the last column (graze/topo.h). With its
+ * option `columns` for pmc alone rows are CSV and have no other answer; JSON Lines are GRAZE_EUSE
+ * then.
  */
 #ifndef GRAZE_REPORT_H
 #define GRAZE_REPORT_H

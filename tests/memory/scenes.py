@@ -111,6 +111,8 @@ def make(graze, folder):
     yield Scene("classify-jobs", ["classify", "--jobs", "2", u, roll, two, "--output", "table"], tables=("table",))
     yield Scene("classify-exact", ["classify", *one, "--no-filter", cube, turn, three, "--output", "table"],
                 tables=("table",))
+    yield Scene("classify-pmc", ["classify", *one, "--columns", "pmc", cube, turn, three, "--output", "table"],
+                tables=("table",))
     yield Scene("classify-jsonl", ["classify", *one, "--format", "jsonl", u, roll, two])
     yield Scene("classify-grid", ["classify", *one, "--grid", "4,3,2", "--receipt", receipt, cube, turn])
     yield Scene("classify-vtk", ["classify", *one, "--format", "vtk", "--grid", "4,3", u, roll, "--output", "made"],
