@@ -236,6 +236,9 @@ def check_wrong(tally, programs, name, made, folder, count, seen):
     rows = sorted(by_word.values(), key=lambda r: -len(r.contacts))[:count]
     texts = [(kind, certificate.only([out]).text()) for row in rows for kind, out in wrong_rows(row)]
     texts += wrong_heads(certificate.only(rows))
+    whole = certificate.only(rows).text()
+    if "\ncontact " in whole:
+        texts.append(("the file ends before a contact", whole[:whole.index("\ncontact ") + 1]))
     for kind, text in texts:
         path = write(os.path.join(folder, "wrong"), text)
         status, out, error = programs.check(solid, motion, path)

@@ -10,7 +10,7 @@ import os
 import tempfile
 
 from lib_certificate import Certificate, Programs, REFUTED, Row, VERIFIED, sha256, write
-from meshes import SQUARE
+from meshes import CUBE, SQUARE, off
 from harness import ONLY, Checks, options
 
 TEETH = "POLYGON ((1 0, 6 0, 6 1, 4 1, 4 1/2, 3 1/2, 3 1, 1 1, 1 0))"
@@ -75,6 +75,9 @@ ENTRY = [SQUARE, along("t^2"), "3/2", "0 3/2", "3 1/2", "OBI"]  # c_x = 3 - t^2
 LONG = [TEETH, along("-t"), 7, "0 7", "0 1", "OBOBO"]
 WHOLE = [TEETH, along("-t"), 2, "0 2", "1 1", "B"]
 BACK = [TEETH, along("t^2 - 2*t"), 2, "0 2", "2 1", "B"]  # c_x = 3 - (t - 1)^2
+# c = (1/2, y, 2 - t) comes down into the cube of squares, through the middle of its top, whose pieces meet there, or along its front.
+DOWN = [off(CUBE), '{"translate": ["0", "0", "t"]}', "3/2", "0 3/2"]
+TOP, FRONT = [*DOWN, "1/2 1/2 2", "OBI", "O 3/4", "OBI 3/2 -1 1"], [*DOWN, "1/2 0 2", "OB", "O 3/4", "OBB 5/4 -1 1", "B 3/2"]
 RUN = "POLYGON ((0 0, 1 0, 1 0, 1 0, 1 1, 0 1, 0 0))"
 CONTACTS = [
     ("a touch", *TOUCH, ["O 1/4", "OBO 5/8 -1 2", "contact 1/2 edge 2-3", "O 1"], True),
@@ -103,6 +106,10 @@ CONTACTS = [
     ("without its end", *WHOLE, ["B 2", "contact 0 to 2 edge 6-7 vertex 7"], False),
     ("a slide and back", *BACK, ["B 1", "B 2", "contact 0 to 2 edge 6-7 vertex 6"], True),
     ("a slide and back, not to the corner", *BACK, ["B 1", "B 2", "contact 0 to 2 edge 6-7"], False),
+    ("a diagonal of a facet", *TOP[:6], [*TOP[6:], "contact 1 face 1"], True),
+    ("a diagonal as an edge", *TOP[:6], [*TOP[6:], "contact 1 edge 4-6"], False),
+    ("an edge, then a facet across its diagonal", *FRONT[:6], [*FRONT[6:], "contact 1 to 3/2 face 2 edge 4-5"], True),
+    ("the diagonal as an edge", *FRONT[:6], [*FRONT[6:], "contact 1 to 3/2 face 2 edge 0-5 edge 4-5"], False),
     ("a run of vertices", RUN, along("-t"), 1, "0 1", "1 0", "BO", ["BO 1", "contact 0 vertex 1 vertex 2 vertex 3"], True),
     ("a run of vertices, but one", RUN, along("-t"), 1, "0 1", "1 0", "BO", ["BO 1", "contact 0 vertex 1 vertex 3"], False),
     ("an end", SQUARE, along("-t"), 1, "0 1", "-1 1/2", "OB", ["OB 1", "contact 1 edge 0-3"], True),
@@ -113,12 +120,13 @@ IN_PIECES = {"times of two pieces", "an interval across two pieces"}  # [0, 1], 
 
 
 def certificate(solid, motion, signs, point, word, intervals, contacts):
-    row = Row([*point.split(), word], 2)
+    d = len(point.split())
+    row = Row([*point.split(), word], d)
     row.claim(word, False, False)
     row.intervals = [interval.split() for interval in intervals]
     out = Certificate("complete 1\n")
     out.head = [["graze-certificate", "1"], ["solid-sha256", sha256(solid)], ["motion-sha256", sha256(motion)],
-                ["scene-sha256", "0" * 64], ["dimension", "2"], ["operation", "sweep"], ["folds", "separate"],
+                ["scene-sha256", "0" * 64], ["dimension", str(d)], ["operation", "sweep"], ["folds", "separate"],
                 *([["contacts", "yes"]] if contacts else []), ["signs", *signs.split()]]
     out.rows = [row]
     return out.text()
@@ -129,10 +137,11 @@ def main():
     programs, tally = Programs(chosen.graze), Checks()
     with tempfile.TemporaryDirectory() as folder:
         for k, (what, polygon, transform, end, signs, point, word, intervals, right) in enumerate([*ROWS, *CONTACTS]):
-            solid = write(os.path.join(folder, "solid.wkt"), polygon)
+            d = len(point.split())
+            solid = write(os.path.join(folder, "solid.wkt" if d == 2 else "solid.off"), polygon)
             starts = range(end) if what in IN_PIECES else [0]
             pieces = [{"t": [str(lo), str(hi)], "transform": json.loads(transform)} for lo, hi in zip(starts, [*starts[1:], end])]
-            motion = write(os.path.join(folder, "motion.json"), json.dumps({"dimension": 2, "pieces": pieces}))
+            motion = write(os.path.join(folder, "motion.json"), json.dumps({"dimension": d, "pieces": pieces}))
             path = write(os.path.join(folder, "certificate"), certificate(solid, motion, signs, point, word, intervals, k >= len(ROWS)))
             status, _, error = programs.check(solid, motion, path)
             tally.equal(status, VERIFIED if right else REFUTED, what, error)
