@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <yajl/yajl_version.h>
+#include "distance/diagonal.h"
 #include "number/rational.h"
 #include "number/rounding.h"
 #include "scene/box.h"
@@ -137,14 +138,33 @@ static graze_status take_options(graze_options *out, graze_context *context, con
     if ((out->operation == GRAZE_SWEEP || out->operation == GRAZE_UNSWEEP) &&
         (out->overlap == GRAZE_OVERLAP_EXTEND || out->overlap == GRAZE_OVERLAP_REJECT) &&
         (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED) &&
-        (out->topo == 0 || out->topo == 1) &&
+        (out->topo == 0 || out->topo == 1) && (out->sdf_relative == 0 || out->sdf_relative == 1) &&
         (out->columns == GRAZE_COLUMNS_ALL || out->columns == GRAZE_COLUMNS_PMC)) {
-        if (out->topo && out->columns == GRAZE_COLUMNS_PMC)
+        if (out->columns == GRAZE_COLUMNS_PMC && (out->topo || out->sdf != 0))
             return api_misuse(context, function,
-                              "topo is decided by the contacts, which columns of pmc alone spare");
-        return GRAZE_OK;
+                              "topo and sdf are decided by the contacts, which columns of pmc "
+                              "alone spare");
+        if (out->sdf >= 0 && isfinite(out->sdf))
+            return GRAZE_OK;
+        return api_misuse(context, function, "sdf must be a positive finite width, or 0");
     }
     return api_misuse(context, function, "an option has an unknown value");
+}
+
+/* The width that rows ask for, from the options. */
+static graze_status set_tolerance(graze_scene *scene, graze_context *context) {
+    double unit = 1;
+    if (!(scene->options.sdf > 0))
+        return GRAZE_OK;
+    graze_status status =
+        scene->options.sdf_relative ? distance_diagonal(&unit, context, scene) : GRAZE_OK;
+    double width = scene->options.sdf * unit;
+    int rounded = scene->options.sdf_relative && isfinite(width);
+    scene->tolerance = rounded ? nextafter(width, 0) : width;
+    if (!status && !(scene->tolerance > 0 && isfinite(scene->tolerance)))
+        status = api_misuse(context, "graze_scene_create",
+                            "sdf times the diagonal must be in the range of doubles");
+    return status;
 }
 
 graze_status graze_scene_create(graze_scene **out, graze_context *context, const graze_solid *solid,
@@ -163,8 +183,13 @@ graze_status graze_scene_create(graze_scene **out, graze_context *context, const
     if (!scene)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     status = scene_make(scene, context, solid, motion, &taken);
-    if (status)
+    if (status) {
         free(scene);
+        return status;
+    }
+    status = set_tolerance(scene, context);
+    if (status)
+        graze_scene_destroy(scene);
     else
         *out = scene;
     return status;

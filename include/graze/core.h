@@ -241,6 +241,9 @@ typedef struct graze_options {
     size_t size;               /**< sizeof(graze_options) or 0 */
     int topo; /**< 1: rows of reports end with the position relative to the closed sweep */
     graze_columns columns; /**< pmc: of verdicts and rows of reports only pmc is set; no topo */
+    double sdf; /**< rows of reports have an enclosure of the signed distance of at most this width
+                   (graze/distance.h); 0: none */
+    int sdf_relative; /**< 1: `sdf` times the diagonal of S^0's box, rounded down */
 } graze_options;
 
 /**

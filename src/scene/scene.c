@@ -133,6 +133,8 @@ static graze_status make_memo(scene_memo **out, graze_context *context) {
 }
 
 static void free_memo(scene_memo *memo) {
+    if (!memo)
+        return;
     if (memo->value)
         memo->free(memo->value);
     pthread_mutex_destroy(&memo->lock);
@@ -162,15 +164,19 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
     status = scene_hash(out->sha256, context, solid, motion);
     if (!status)
         status = make_memo(&out->memo, context);
-    if (status)
-        return status;
-    status = filter_make(&out->filter, context, solid, motion, out->options.operation);
-    if (status)
+    if (!status)
+        status = make_memo(&out->ground, context);
+    if (!status)
+        status = filter_make(&out->filter, context, solid, motion, out->options.operation);
+    if (status) {
         free_memo(out->memo);
+        free_memo(out->ground);
+    }
     return status;
 }
 
 void scene_clear(graze_scene *scene) {
     free_memo(scene->memo);
+    free_memo(scene->ground);
     filter_clear(&scene->filter);
 }

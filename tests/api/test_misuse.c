@@ -370,6 +370,33 @@ static void certificates(bench *b) {
     HARMLESS(graze_certifier_destroy, CALLS(graze_certifier_destroy(NULL)));
 }
 
+static void distances(bench *b) {
+    graze_context *c = b->s.context;
+    graze_enclosure e;
+    double diagonal, at[2] = {0, 0};
+    WRONG(graze_distances(NULL, c, b->s.scene, b->point, 1, 1));
+    WRONG(graze_distances(&e, NULL, b->s.scene, b->point, 1, 1));
+    WRONG(graze_distances(&e, c, NULL, b->point, 1, 1));
+    WRONG(graze_distances(&e, c, b->s.scene, NULL, 1, 1));
+    WRONG(graze_distances(&e, c, b->s.scene, b->point, 1, 0));
+    WRONG(graze_distances_doubles(NULL, c, b->s.scene, at, 1, 1));
+    WRONG(graze_distances_doubles(&e, NULL, b->s.scene, at, 1, 1));
+    WRONG(graze_distances_doubles(&e, c, NULL, at, 1, 1));
+    WRONG(graze_distances_doubles(&e, c, b->s.scene, NULL, 1, 1));
+    WRONG(graze_distances_doubles(&e, c, b->s.scene, at, 1, -1));
+    WRONG(graze_scene_diagonal(NULL, c, b->s.scene));
+    WRONG(graze_scene_diagonal(&diagonal, NULL, b->s.scene));
+    WRONG(graze_scene_diagonal(&diagonal, c, NULL));
+    graze_options negative = {.sdf = -1, .size = sizeof negative};
+    graze_options neither = {.sdf = 1, .sdf_relative = 2, .size = sizeof neither};
+    graze_options alone = {.sdf = 1, .columns = GRAZE_COLUMNS_PMC, .size = sizeof alone};
+    graze_options huge = {.sdf = 1e308, .sdf_relative = 1, .size = sizeof huge};
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &negative));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &neither));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &alone));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &huge));
+}
+
 static void positions(bench *b) {
     graze_context *c = b->s.context;
     graze_options unknown = {.topo = 2, .size = sizeof unknown};
@@ -543,6 +570,7 @@ static void all(void **state) {
     boundaries(&b);
     certificates(&b);
     positions(&b);
+    distances(&b);
     contact_points(&b);
     none_is_left_out(&b);
     graze_comparison_destroy(b.comparison);

@@ -20,7 +20,7 @@ import sources
 
 # Rooms from the bottom to the top; those of one line know nothing of one another.
 ORDER = ["context", "number", "table", "motion soup", "validate", "read", "solid", "filter", "scene", "trace",
-         "verdict generate", "topo", "contact", "report compare", "convert boundary draw certify", "png", "api", "run", "cli", "mpi"]
+         "verdict generate", "topo", "contact distance", "report compare", "convert boundary draw certify", "png", "api", "run", "cli", "mpi"]
 RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms.split()}
 COMMANDS = {"run", "cli", "mpi"}
 # Small tools that the commands use beside the public header and table/.
@@ -32,7 +32,7 @@ TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".
 # Parts of the public header that inner rooms include: what all need, and the part that a room makes.
 CORE = "include/graze/core.h"
 PARTS = {room: room for room in ("report", "generate", "compare", "convert", "draw", "boundary", "certify",
-                                  "topo", "contact")}
+                                  "topo", "contact", "distance")}
 PARTS["table"] = "report"
 # What the checker of certificates may include.
 STANDARD = {"float.h", "gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",

@@ -21,15 +21,16 @@ from ._library import library as _load
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
-from .results import (CLASS_NAMES, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact, Pmc, Sample,
-                      Topology, Trace, Verdict, class_names, columns, definition_names, pmc_names,
+from .results import (CLASS_NAMES, ENCLOSURE_DTYPE, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact,
+                      Enclosure, Pmc, Sample, Topology, Trace, Verdict, class_names, columns, definition_names, pmc_names,
                       to_dataframe)
 from .scene import Scene
 from .sites import Site, SiteFacet
 from .times import AlgebraicNumber, Time, decimal
 
 __all__ = [
-    "AlgebraicNumber", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Contact", "GrazeError",
+    "AlgebraicNumber", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Contact", "ENCLOSURE_DTYPE",
+    "Enclosure", "GrazeError",
     "IllegalError", "InputError", "InternalError", "LibraryError", "LimitError", "MachineError",
     "Motion", "PMC_NAMES", "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_names", "columns", "decimal",

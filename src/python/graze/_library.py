@@ -37,7 +37,8 @@ class COptions(ctypes.Structure):
     """graze_options."""
 
     _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int), ("size", c_size_t),
-                ("topo", c_int), ("columns", c_int)]
+                ("topo", c_int), ("columns", c_int), ("sdf", c_double),
+                ("sdf_relative", c_int)]
 
 
 class CVerdict(ctypes.Structure):
@@ -45,6 +46,13 @@ class CVerdict(ctypes.Structure):
 
     _fields_ = [("pmc", c_int), ("class_", c_int), ("definition", c_int), ("case", c_int),
                 ("i", c_ulong), ("t", c_ulong)]
+
+
+class CEnclosure(ctypes.Structure):
+    """graze_enclosure."""
+
+    _fields_ = [("low", c_double), ("high", c_double), ("time", c_double), ("pmc", c_int),
+                ("wide", c_int)]
 
 
 class CCell(ctypes.Structure):
@@ -139,6 +147,10 @@ _FUNCTIONS = {
     "graze_time_degree": (c_int, [c_void_p]),
     "graze_time_coefficient": (None, [c_void_p, c_void_p, c_int]),
     "graze_time_interval": (None, [c_void_p, c_void_p, c_void_p]),
+    "graze_distances": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t, c_double]),
+    "graze_distances_doubles": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t,
+                                        c_double]),
+    "graze_scene_diagonal": (c_int, [POINTER(c_double), c_void_p, c_void_p]),
     "graze_trace_topo": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_topology_destroy": (None, [c_void_p]),
     "graze_topology_position": (c_int, [c_void_p]),

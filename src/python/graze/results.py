@@ -50,6 +50,20 @@ class Verdict(NamedTuple):
     t: int
 
 
+class Enclosure(NamedTuple):
+    """Enclosure of one point's signed distance to the sweep, negative where the point is `in`.
+
+    low <= s <= high. `time` is a double nearest to a time at which the signed distance to the solid
+    is at most high (for an unsweep at least low). `wide`: high - low is more than the tolerance.
+    """
+
+    low: float
+    high: float
+    time: float
+    pmc: Pmc
+    wide: bool
+
+
 class Topology(NamedTuple):
     """Where a point lies relative to the closed sweep.
 
@@ -72,6 +86,12 @@ if numpy is not None:
     VERDICT_DTYPE = numpy.dtype({
         "names": ["pmc", "class", "definition", "case", "i", "t"],
         "formats": [ctypes.c_int] * 4 + [ctypes.c_ulong] * 2}, align=True)
+#: The dtype of distance's arrays, whose layout is graze_enclosure; None without numpy.
+ENCLOSURE_DTYPE: Any = None
+if numpy is not None:
+    ENCLOSURE_DTYPE = numpy.dtype({
+        "names": ["low", "high", "time", "pmc", "wide"],
+        "formats": [ctypes.c_double] * 3 + [ctypes.c_int] * 2}, align=True)
 
 
 @dataclass(frozen=True)

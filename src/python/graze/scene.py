@@ -11,13 +11,13 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from . import _parallel
 from ._context import Context, Contexts, choice, settings
-from ._library import COptions, CVerdict, Handle, library, take_text
+from ._library import CEnclosure, COptions, CVerdict, Handle, library, take_text
 from ._numbers import Points, Rationals, numpy, read_points
 from ._samples import samples
 from ._traces import read_topology, read_trace, verdict_of
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
-from .results import VERDICT_DTYPE, Sample, Topology, Trace, Verdict
+from .results import ENCLOSURE_DTYPE, VERDICT_DTYPE, Enclosure, Pmc, Sample, Topology, Trace, Verdict
 from .sites import Site, read_site
 
 OPERATIONS = ("sweep", "unsweep")
@@ -125,27 +125,46 @@ class Scene:
                 the message begins with `from point k`, it counts points from there.
         """
         given = self._points(points)
-        if numpy is not None:
-            out: Any = numpy.zeros(given.count, VERDICT_DTYPE)
-            address = int(out.ctypes.data)
-        else:
-            out = (CVerdict * given.count)()
-            address = ctypes.addressof(out)
+        out, address = _answers(CVerdict, VERDICT_DTYPE, given.count)
         function = (library().graze_classify_doubles if given.are_doubles
                     else library().graze_classify)
-
-        def piece(context: Context, first: int, count: int) -> None:
-            status = context.call(function, address + first * ctypes.sizeof(CVerdict),
-                                  context.pointer, self._handle.pointer, given.address(first),
-                                  count, brief=count < _FEW)
-            context.check(status, f"from point {first}: " if first else "")
-
         try:
-            _parallel.run(given.count, jobs, self._contexts, piece)
+            self._ask(function, given, address, ctypes.sizeof(CVerdict), jobs)
         except GrazeError as failure:
             failure.partial = _verdicts(out)
             raise
         return _verdicts(out)
+
+    def distance(self, points: Any, tolerance: float, jobs: Optional[int] = 1) -> Any:
+        """Enclose the signed distances of points to the sweep, negative inside (semantics.md 8).
+
+        Args:
+            points, jobs: as `classify`.
+            tolerance: greatest width high - low that is wanted, positive.
+        Returns:
+            With numpy a structured array with the fields low, high, time, pmc, wide (see
+            `Enclosure`), without it a list of `Enclosure`; one for each point.
+        Raises:
+            As `classify`; UseError: a tolerance that is not positive and finite.
+        """
+        given = self._points(points)
+        out, address = _answers(CEnclosure, ENCLOSURE_DTYPE, given.count)
+        function = (library().graze_distances_doubles if given.are_doubles
+                    else library().graze_distances)
+        try:
+            self._ask(function, given, address, ctypes.sizeof(CEnclosure), jobs, float(tolerance))
+        except GrazeError as failure:
+            failure.partial = _enclosures(out)
+            raise
+        return _enclosures(out)
+
+    @property
+    def diagonal(self) -> float:
+        """The diagonal of the box of the first position's corners, rounded down."""
+        out, context = ctypes.c_double(), self._context()
+        context.run(library().graze_scene_diagonal, ctypes.byref(out), context.pointer,
+                    self._handle.pointer)
+        return out.value
 
     def trace(self, point: Sequence[Number]) -> Trace:
         """All contacts of one point's trajectory with the boundary, in order of exact times.
@@ -247,11 +266,39 @@ class Scene:
     def _point(self, point: Sequence[Number]) -> Rationals:
         return self._points([point]).exact(0, 1)[0]
 
+    def _ask(self, function: Any, given: Points, address: int, size: int, jobs: Optional[int],
+             *options: float) -> None:
+        """One of the library's functions of many points, by `jobs` threads."""
+
+        def piece(context: Context, first: int, count: int) -> None:
+            status = context.call(function, address + first * size, context.pointer,
+                                  self._handle.pointer, given.address(first), count, *options,
+                                  brief=count < _FEW)
+            context.check(status, f"from point {first}: " if first else "")
+
+        _parallel.run(given.count, jobs, self._contexts, piece)
+
     def _trace(self, point: Rationals) -> Handle:
         context, pointer = self._context(), ctypes.c_void_p()
         context.run(library().graze_trace_create, ctypes.byref(pointer), context.pointer,
                     self._handle.pointer, point.address, brief=True)
         return Handle(pointer, library().graze_trace_destroy, self._handle)
+
+
+def _answers(structure: Any, dtype: Any, count: int) -> Tuple[Any, int]:
+    """Room for the answers of `count` points, and its address."""
+    if numpy is not None:
+        array = numpy.zeros(count, dtype)
+        return array, int(array.ctypes.data)
+    room = (structure * count)()
+    return room, ctypes.addressof(room)
+
+
+def _enclosures(out: Any) -> Any:
+    if numpy is not None:
+        return out
+    return [Enclosure(made.low, made.high, made.time, Pmc(made.pmc), bool(made.wide))
+            for made in out]
 
 
 def _verdicts(out: Any) -> Any:

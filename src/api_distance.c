@@ -1,0 +1,111 @@
+/* The public functions of distances. SPDX-License-Identifier: GPL-3.0-or-later */
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <string.h>
+#include "api.h"
+#include "context/environment.h"
+#include "distance/diagonal.h"
+#include "distance/distance.h"
+#include "graze/distance.h"
+#include "number/rounding.h"
+#include "verdict/classify.h"
+
+/* The time in the motion's parameter, as a double. */
+static graze_status time_in_double(double *out, graze_context *context, const graze_scene *scene,
+                                   const distance *found) {
+    graze_status status = GRAZE_OK;
+    fmpq_t time;
+    fmpq_init(time);
+    if (found->at) {
+        status = distance_contact_time(time, context, found->at);
+    } else {
+        distance_time(time, found, scene->motion);
+    }
+    if (!status)
+        status = rational_nearest(out, context, time);
+    fmpq_clear(time);
+    return status;
+}
+
+static graze_status enclose_point(graze_enclosure *out, graze_context *context,
+                                  const graze_scene *scene, const fmpq *point, double tolerance) {
+    graze_trace trace;
+    distance found;
+    graze_status status =
+        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
+    if (status)
+        return status;
+    status = distance_find(&found, context, scene, point, &trace, tolerance);
+    graze_enclosure made = {found.low, found.high, 0, trace.verdict.pmc, found.wide};
+    if (!status)
+        status = time_in_double(&made.time, context, scene, &found);
+    if (!status)
+        *out = made;
+    trace_clear(&trace);
+    return status;
+}
+
+/* The checks that both functions share; the enclosures are zeroed. */
+static graze_status begin_distances(graze_enclosure *out, graze_context *context,
+                                    const graze_scene *scene, const void *points, size_t n,
+                                    double tolerance, const char *function) {
+    if (!context || !scene || (n && (!out || !points)))
+        return api_misuse(
+            context, function,
+            "context and scene, and with n > 0 also out and points, must not be NULL");
+    if (!(tolerance > 0 && isfinite(tolerance)))
+        return api_misuse(context, function, "tolerance must be positive and finite");
+    if (n)
+        memset(out, 0, n * sizeof *out);
+    return GRAZE_OK;
+}
+
+graze_status graze_distances(graze_enclosure *out, graze_context *context, const graze_scene *scene,
+                             graze_rationals points, size_t n, double tolerance) {
+    graze_status status =
+        begin_distances(out, context, scene, points, n, tolerance, "graze_distances");
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    slong d = scene->motion->dimension;
+    fmpq *point = _fmpq_vec_init(d);
+    for (size_t p = 0; p < n && !status; p++) {
+        status = api_point(point, context, scene, points + p * (size_t)d);
+        if (!status)
+            status = enclose_point(out + p, context, scene, point, tolerance);
+        if (status)
+            status = context_item(context, status, "point", p, NULL);
+    }
+    _fmpq_vec_clear(point, d);
+    return status;
+}
+
+graze_status graze_distances_doubles(graze_enclosure *out, graze_context *context,
+                                     const graze_scene *scene, const double *points, size_t n,
+                                     double tolerance) {
+    graze_status status =
+        begin_distances(out, context, scene, points, n, tolerance, "graze_distances_doubles");
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    slong d = scene->motion->dimension;
+    fmpq *point = _fmpq_vec_init(d);
+    for (size_t p = 0; p < n && !status; p++) {
+        for (slong k = 0; k < d && !status; k++)
+            status = rational_from_double(point + k, context, points[p * (size_t)d + (size_t)k]);
+        if (!status)
+            status = enclose_point(out + p, context, scene, point, tolerance);
+        if (status)
+            status = context_item(context, status, "point", p, NULL);
+    }
+    _fmpq_vec_clear(point, d);
+    return status;
+}
+
+graze_status graze_scene_diagonal(double *out, graze_context *context, const graze_scene *scene) {
+    if (!out || !context || !scene)
+        return api_misuse(context, "graze_scene_diagonal",
+                          "out, context and scene must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return distance_diagonal(out, context, scene);
+}

@@ -1,0 +1,181 @@
+/* The exact answer chooses the search: the least distance over all times, or the greatest over the
+ * stays in the solid (for an unsweep outside it). SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "distance/distance.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "distance/greatest.h"
+#include "distance/least.h"
+#include "number/refine.h"
+#include "number/rounding.h"
+
+/* Contacts' times are narrowed to this many binary places. */
+enum { PLACES = 60 };
+
+/* Enclose a contact's time in its piece. */
+static graze_status narrow_time(fmpq_t low, fmpq_t high, graze_context *context,
+                                const graze_time *time) {
+    algebraic x;
+    algebraic_init(&x);
+    algebraic_set(&x, &time->u);
+    graze_status status = GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    for (int step = 0; !status && !algebraic_is_rational(&x) && x.where.exponent < PLACES; step++)
+        status = algebraic_narrow(context, &x, step, &gain);
+    algebraic_bounds(low, high, &x);
+    algebraic_clear(&x);
+    return status;
+}
+
+/* A contact's time with its enclosure in doubles. */
+typedef struct moment {
+    size_t piece;
+    double low, high;
+} moment;
+
+static graze_status enclose_moment(moment *out, graze_context *context, const graze_time *time) {
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    graze_status status = narrow_time(low, high, context, time);
+    double unused;
+    rational_bounds(&out->low, &unused, low);
+    rational_bounds(&unused, &out->high, high);
+    out->low = fmax(out->low, 0);
+    out->high = fmin(out->high, 1);
+    out->piece = time->piece;
+    fmpq_clear(low);
+    fmpq_clear(high);
+    return status;
+}
+
+/* The stretches of a stay between two moments, piece by piece. */
+static graze_status add_stay(stretch_of_time **list, size_t *count, graze_context *context,
+                             const moment *from, const moment *to) {
+    size_t pieces = to->piece - from->piece + 1;
+    stretch_of_time *grown = realloc(*list, (*count + pieces) * sizeof *grown);
+    if (!grown)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a distance");
+    *list = grown;
+    for (size_t k = from->piece; k <= to->piece; k++) {
+        int first = k == from->piece, last = k == to->piece;
+        grown[(*count)++] = (stretch_of_time){.piece = k,
+                                              .from = first ? from->low : 0,
+                                              .to = last ? to->high : 1,
+                                              .sure_from = first ? from->high : 0,
+                                              .sure_to = last ? to->low : 1};
+    }
+    return GRAZE_OK;
+}
+
+/* All stretches at which the trace has the wanted state. */
+static graze_status find_stays(stretch_of_time **list, size_t *count, graze_context *context,
+                               const graze_scene *scene, const graze_trace *trace,
+                               graze_state wanted) {
+    moment from = {0, 0, 0}, to;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k <= trace->contact_count && !status; k++) {
+        const contact *next = k < trace->contact_count ? &trace->contact[k] : NULL;
+        graze_state state = next ? next->left : trace->last;
+        to = (moment){scene->motion->piece_count - 1, 1, 1};
+        if (next)
+            status = enclose_moment(&to, context, next->from);
+        if (!status && state == wanted)
+            status = add_stay(list, count, context, &from, &to);
+        if (!status && next)
+            status = enclose_moment(&from, context, next->to);
+    }
+    return status;
+}
+
+static graze_status find_greatest(search *s, const graze_scene *scene, const graze_trace *trace,
+                                  graze_state wanted) {
+    stretch_of_time *list = NULL;
+    size_t count = 0;
+    graze_status status = find_stays(&list, &count, s->context, scene, trace, wanted);
+    if (!status)
+        status = search_greatest(s, list, count);
+    free(list);
+    return status;
+}
+
+static void set_on(distance *out, const graze_trace *trace) {
+    *out = (distance){.at = trace->contact_count ? trace->contact[0].from : NULL};
+}
+
+/* Search, and give the bounds the sign of the answer. */
+static graze_status find_off(distance *out, search *s, const graze_scene *scene,
+                             const graze_trace *trace) {
+    int unsweep = scene->options.operation == GRAZE_UNSWEEP;
+    int negative = trace->verdict.pmc == GRAZE_IN;
+    graze_status status =
+        negative != unsweep
+            ? find_greatest(s, scene, trace, unsweep ? GRAZE_STATE_O : GRAZE_STATE_I)
+            : search_least(s);
+    out->low = negative ? -s->high : s->low;
+    out->high = negative ? -s->low : s->high;
+    /* The decimals of a table are outside the doubles by less than this. */
+    double more = 0x1p-50 * fmax(fabs(out->low), fabs(out->high));
+    out->wide = !(out->high - out->low + more <= s->tolerance);
+    out->piece = s->piece;
+    out->u = s->time;
+    out->at = NULL;
+    return status;
+}
+
+graze_status distance_find(distance *out, graze_context *context, const graze_scene *scene,
+                           const fmpq *point, const graze_trace *trace, double tolerance) {
+    const ground *base;
+    search s;
+    double low[3], high[3];
+    *out = (distance){.low = 0};
+    if (trace->verdict.pmc == GRAZE_ON) {
+        set_on(out, trace);
+        return GRAZE_OK;
+    }
+    graze_status status = ground_of(&base, context, scene);
+    if (status)
+        return status;
+    for (int k = 0; k < scene->motion->dimension; k++)
+        rational_bounds(&low[k], &high[k], point + k);
+    search_begin(&s, context, base, low, high, tolerance);
+    status = find_off(out, &s, scene, trace);
+    search_end(&s);
+    return status;
+}
+
+/* From a piece's own parameter to the motion's. */
+static void to_motion(fmpq_t time, const motion_piece *piece) {
+    fmpq_t length;
+    fmpq_init(length);
+    fmpq_sub(length, piece->hi, piece->lo);
+    fmpq_mul(time, time, length);
+    fmpq_add(time, time, piece->lo);
+    fmpq_clear(length);
+}
+
+graze_status distance_contact_time(fmpq_t out, graze_context *context, const graze_time *time) {
+    fmpq_t high;
+    fmpq_init(high);
+    graze_status status = narrow_time(out, high, context, time);
+    fmpq_clear(high);
+    to_motion(out, &time->motion->piece[time->piece]);
+    return status;
+}
+
+void distance_time(fmpq_t out, const distance *found, const graze_motion *motion) {
+    fmpz_t numerator;
+    int exponent;
+    double m = frexp(found->u, &exponent);
+    fmpz_init(numerator);
+    fmpz_set_d(numerator, ldexp(m, 53));
+    fmpq_set_fmpz(out, numerator);
+    if (exponent >= 53)
+        fmpq_mul_2exp(out, out, (ulong)(exponent - 53));
+    else
+        fmpq_div_2exp(out, out, (ulong)(53 - exponent));
+    fmpz_clear(numerator);
+    to_motion(out, &motion->piece[found->piece]);
+}
