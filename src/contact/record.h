@@ -10,7 +10,7 @@
 #include "trace/trace.h"
 
 /** A side of t: the motion's piece there and the parameter of t in it. Not `present` beyond an end
- * of the motion. */
+ * of the motion. Where one piece is on both sides, the flow of the side before is that of both. */
 typedef struct site_side {
     int present;
     size_t piece;

@@ -28,22 +28,63 @@ static g_signs signs_on(const graze_site *s, int side) {
     return out;
 }
 
-/* Does a direction about P lie in the germ's cone, or in what is swept of it along a leading
+/* Does a direction of the body lie in the germ's cone, or in what is swept of it along a leading
  * direction? */
-static graze_status is_in_germ(int *out, graze_context *context, germ *g, const fmpz *direction) {
-    slong d = g->cone.dimension;
+static graze_status is_in_germ(int *out, graze_context *context, germ *g, const fmpz *u) {
     graze_state state = GRAZE_STATE_O;
-    fmpz *u = _fmpz_vec_init(d);
-    for (int i = 0; i < d; i++)
-        _fmpz_vec_dot(u + i, g->to_body + i * d, direction, d);
     graze_status status = cone_state(&state, &g->cone, context, u);
     *out = state != GRAZE_STATE_O;
     for (int k = 0; k < g->side_count && !status && !*out; k++) {
         int in_interior;
         status = cone_sweep(&in_interior, out, &g->cone, context, NULL, u, g->side[k].e);
     }
-    _fmpz_vec_clear(u, d);
     return status;
+}
+
+/* Is a direction of the body in none of the germs? */
+static graze_status is_in_none(int *out, graze_context *context, germ_list *germs, const fmpz *u) {
+    int covered = 0;
+    graze_status status = GRAZE_OK;
+    for (size_t j = 0; j < germs->count && !status && !covered; j++)
+        status = is_in_germ(&covered, context, &germs->item[j], u);
+    *out = !status && !covered;
+    return status;
+}
+
+/* Does a leading direction point into the interior? Then all directions are covered. */
+static graze_status leads_inside(int *out, graze_context *context, germ_list *germs) {
+    graze_status status = GRAZE_OK;
+    *out = 0;
+    for (size_t j = 0; j < germs->count; j++)
+        for (int k = 0; k < germs->item[j].side_count && !status && !*out; k++) {
+            graze_state state = GRAZE_STATE_O;
+            status = cone_state(&state, &germs->item[j].cone, context, germs->item[j].side[k].e);
+            *out = state == GRAZE_STATE_I;
+        }
+    return status;
+}
+
+/* The outward normals and their sum: often one of them is open, and spares the arrangement. */
+static graze_status try_normals(int *found, graze_context *context, germ_list *germs,
+                                const place *p) {
+    int d = p->dimension;
+    fmpz *sum = _fmpz_vec_init(d);
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < p->count && !status && !*found; k++) {
+        _fmpz_vec_add(sum, sum, p->facet[k].normal, d);
+        status = is_in_none(found, context, germs, p->facet[k].normal);
+    }
+    if (!status && !*found)
+        status = is_in_none(found, context, germs, sum);
+    _fmpz_vec_clear(sum, d);
+    return status;
+}
+
+/* out = a direction about P, in the body; all germs carry it alike. */
+static void carry_direction(fmpz *out, const germ *g, const fmpz *direction) {
+    slong d = g->cone.dimension;
+    for (int i = 0; i < d; i++)
+        _fmpz_vec_dot(out + i, g->to_body + i * d, direction, d);
 }
 
 /* Is a direction in a cell of full dimension around ray r covered by none of the germs? */
@@ -53,13 +94,12 @@ static graze_status look_for_open(int *found, graze_context *context, germ_list 
     size_t count;
     graze_status status = GRAZE_OK;
     borders_around(&cell, &count, b, r);
+    fmpz *u = _fmpz_vec_init(b->dimension);
     for (size_t k = 0; k < count && !status && !*found; k += b->dimension == 2 ? 1 : 2) {
-        int covered = 0;
-        for (size_t j = 0; j < germs->count && !status && !covered; j++)
-            status =
-                is_in_germ(&covered, context, &germs->item[j], cell + k * (size_t)b->dimension);
-        *found = !status && !covered;
+        carry_direction(u, &germs->item[0], cell + k * (size_t)b->dimension);
+        status = is_in_none(found, context, germs, u);
     }
+    _fmpz_vec_clear(u, b->dimension);
     _fmpz_vec_clear(cell, (slong)count * b->dimension);
     return status;
 }
@@ -94,7 +134,12 @@ static graze_status is_open_at(int *out, graze_context *context, const graze_sit
         if (s->side[k].present)
             status = germs_at(&germs, context, s->scene, planes, s->world, s->side[k].piece,
                               s->side[k].u);
+    int inside = 0;
     if (!status)
+        status = leads_inside(&inside, context, &germs);
+    if (!status && !inside)
+        status = try_normals(out, context, &germs, &s->place);
+    if (!status && !inside && !*out)
         status = look_everywhere(out, context, &germs);
     germs_clear(&germs);
     return status;

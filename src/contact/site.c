@@ -109,8 +109,17 @@ static void find_germ_order(site_germ *germ, const graze_site *s) {
     fmpq_clear(value);
 }
 
+/* Is the piece the same on both sides of t? Then the first side has the flow of both. */
+static int is_within_piece(const graze_site *s) {
+    return s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
+}
+
+static const flow *flow_on(const graze_site *s, int side) {
+    return &s->side[side > 0 && !is_within_piece(s)].flow;
+}
+
 static void fill_germ(site_germ *germ, const graze_site *s, size_t facet, int side) {
-    const flow *f = &s->side[side > 0].flow;
+    const flow *f = flow_on(s, side);
     const fmpz *normal = s->place.facet[facet].normal;
     germ->facet = facet;
     germ->side = side;
@@ -137,7 +146,7 @@ static graze_status find_germs(graze_site *s, graze_context *context) {
     if (!s->germ)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the facets at a point");
     for (int k = 0; k < 2; k++)
-        if (s->side[k].present)
+        if (s->side[k].present && !(k == 1 && is_within_piece(s)))
             flow_make(&s->side[k].flow, &s->scene->motion->piece[s->side[k].piece], s->side[k].u,
                       s->y);
     for (size_t j = 0; j < s->place.count; j++)
@@ -154,8 +163,7 @@ static void find_slice(graze_site *s) {
     f->on_slice = s->place.kind == PLACE_FACET && !s->is_break && fmpq_is_zero(germ->g);
     if (!f->on_slice)
         return;
-    int turn =
-        s->side[germ->side > 0].flow.orientation * -fmpq_sgn(germ->drift) * fmpq_sgn(germ->theta);
+    int turn = flow_on(s, germ->side)->orientation * -fmpq_sgn(germ->drift) * fmpq_sgn(germ->theta);
     f->theta = fmpq_sgn(germ->theta);
     f->order = germ->order;
     f->orientation = turn > 0   ? GRAZE_ORIENTATION_PRESERVING

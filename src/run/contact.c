@@ -33,9 +33,8 @@ static int put_contact_head(contact_run_state *s) {
 static int put_contact_row(contact_run_state *s, graze_format format, const char *rest) {
     graze_site *site = NULL;
     char *row = NULL;
-    graze_status status =
-        (s->in.in_world ? graze_site_create_at : graze_site_create)(
-            &site, s->l.context, s->l.scene, s->number[0], s->number + 1);
+    graze_status status = (s->in.in_world ? graze_site_create_at : graze_site_create)(
+        &site, s->l.context, s->l.scene, s->number[0], s->number + 1);
     if (!status)
         status = graze_site_row(&row, s->l.context, site, format, s->in.others ? rest : NULL);
     if (!status)
@@ -73,8 +72,7 @@ static int write_contacts(contact_run_state *s, const contact_options *o) {
     if (status)
         return status;
     s->is_open = 1;
-    status =
-        sites_open(&s->in, s->l.context, o->contacts, graze_scene_dimension(s->l.scene));
+    status = sites_open(&s->in, s->l.context, o->contacts, graze_scene_dimension(s->l.scene));
     if (!status)
         status = output_open(&s->out, o->output);
     if (status)

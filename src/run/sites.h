@@ -8,9 +8,9 @@
 #include "run/status.h"
 #include "table/stream.h"
 
-/** `where` are the columns of time and point; `in_world` tells x, y, z from bx, by, bz. `others` has
- * the names of the columns that are carried along, NULL if there are none: all but those that the
- * table has itself. */
+/** `where` are the columns of time and point; `in_world` tells x, y, z from bx, by, bz. `others`
+ * has the names of the columns that are carried along, NULL if there are none: all but those that
+ * the table has itself. */
 typedef struct sites {
     stream in;
     graze_context *context;

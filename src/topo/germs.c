@@ -70,15 +70,13 @@ static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_
         status = sides_add(g, m->context, m->map, way, same_way, 1);
     if (!status && !fmpq_is_zero(u))
         status = sides_add(g, m->context, m->map, way, same_way, -1);
-    if (!status)
-        status = tubes_find(g, m->context);
     for (int i = 0; i < d; i++)
         fmpq_poly_clear(way[i]);
     return status;
 }
 
-/* A germ at a rational time. */
-static graze_status add_germ(germ_maker *m, const fmpq_t u) {
+/* A germ at a rational time, without tubes. */
+static graze_status add_germ_alone(germ_maker *m, const fmpq_t u) {
     int d = m->path.dimension;
     germ *g = NULL;
     graze_status status = germs_append(&g, m->list, m->context, m->map);
@@ -92,6 +90,12 @@ static graze_status add_germ(germ_maker *m, const fmpq_t u) {
         status = add_sides(m, g, x, u);
     _fmpz_vec_clear(x, d + 1);
     return status;
+}
+
+/* A germ at a rational time. */
+static graze_status add_germ(germ_maker *m, const fmpq_t u) {
+    graze_status status = add_germ_alone(m, u);
+    return status ? status : tubes_find(&m->list->item[m->list->count - 1], m->context);
 }
 
 /* A germ at an irrational time. */
@@ -227,7 +231,7 @@ graze_status germs_at(germ_list *list, graze_context *context, const graze_scene
     germ_maker m = {.list = list, .context = context, .scene = scene, .planes = planes};
     trajectory_init(&m.path, scene->motion->dimension);
     take_piece(&m, piece, point);
-    graze_status status = add_germ(&m, u);
+    graze_status status = add_germ_alone(&m, u);
     trajectory_clear(&m.path);
     return status;
 }

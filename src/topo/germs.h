@@ -12,7 +12,7 @@ graze_status germs_find(germ_list *list, graze_context *context, const graze_sce
                         const plane_list *planes, const fmpq *point);
 
 /** Append the germ of one rational time u of a piece, at which the point's trajectory is on the
- * boundary, with its sides in that piece. */
+ * boundary, with its sides in that piece, and without tubes. */
 graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
                       const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u);
 

@@ -39,6 +39,9 @@ ROLL = """{"dimension": 2, "pieces": [
 """
 POINTS2 = "id,x,y,note\na,3,1,seen\nb,9,2,\nc,7,4,x\nd,-1,0,\ne,10,1/3,t\nf,8.5,3,u\n"
 POINTS3 = "x,y,z,id\n5,1,1,p\n5,1,2,q\n2,1,1,r\n5,3,1,s\n1,1,1,u\n7/2,1,0,v\n"
+# Boundary points of U (a hole's corner, its notch, a side) and of the cube, two of them at the motions' breaks.
+SITES2 = "id,time,bx,by\na,1/2,1,1\nb,1,4,2\nc,3/2,3,2\nd,0,0,1\n"
+SITES3 = "time,bx,by,bz,id\n1/2,2,1,1,p\n1,0,0,2,q\n"
 POSES = ("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n0.5,4,0,0.25,0.92387953251128674,0,0,0.38268343236508978\n"
          "1,8,0,0,0.70710678118654757,0,0,0.70710678118654757\n")
 MATRICES = ("m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n1,0,0,0,0,1,0,0,0,0,1,0\n"
@@ -75,7 +78,7 @@ def put(folder):
     """Write the files that are only read; {name: path}."""
     texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
              "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES,
-             "answers.csv": ANSWERS}
+             "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3}
     place = folder / "input"
     place.mkdir()
     for name, text in texts.items():
@@ -120,6 +123,8 @@ def make(graze, folder):
     yield Scene("classify-npy", ["classify", *one, "--format", "npy", u, roll, two, "--output", "made"], opened=("made",))
     yield Scene("classify-resume", ["classify", *one, "--resume", "table", u, roll, two], files={"table": begun},
                 tables=("table",))
+    yield Scene("contact", ["contact", u, roll, at["sites2.csv"], "--output", "table"], tables=("table",))
+    yield Scene("contact-jsonl", ["contact", "--format", "jsonl", cube, turn, at["sites3.csv"]])
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
     yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))
