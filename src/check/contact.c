@@ -50,7 +50,7 @@ static void put_root(contact *c, const trace *r, const poly *q) {
 /* The cell of a simplex at which just the side forms with a bit in `zero` are zero. */
 static cell cell_of(const solid *s, size_t simplex, unsigned zero) {
     const struct simplex *f = &s->simplex[simplex];
-    size_t n = 0, v[3];
+    size_t n = 0, v[3] = {0, 0, 0};
     for (int i = 0; i < s->d; i++) {
         unsigned sides = 1u << i; /* that end in vertex i */
         if (s->d == 3)

@@ -60,11 +60,11 @@ static int disjoint(work *w) {
                              separates(w, w->b.normal, w->a.vertex, d);
     if (d == 2)
         return found || separates(w, w->a.edge[0], w->a.vertex, d);
-    for (int k = 0; k < 9 && !found; k++)
-        found = crossed_separates(w, w->a.edge[k / 3], w->b.edge[k % 3], w->a.vertex, d);
-    for (int k = 0; k < 6 && !found; k++)
-        found = crossed_separates(w, w->a.normal, k < 3 ? w->a.edge[k] : w->b.edge[k - 3],
-                                  w->a.vertex, d);
+    for (int k = 0; k < 9; k++)
+        found = found || crossed_separates(w, w->a.edge[k / 3], w->b.edge[k % 3], w->a.vertex, d);
+    for (int k = 0; k < 3; k++)
+        found = found || crossed_separates(w, w->a.normal, w->a.edge[k], w->a.vertex, d) ||
+                crossed_separates(w, w->a.normal, w->b.edge[k], w->a.vertex, d);
     return found;
 }
 
@@ -74,9 +74,9 @@ static int rests(work *w, int k) {
     mpz_t *p[2] = {w->a.vertex[k], w->a.vertex[(k + 1) % 3]};
     if (w->s->d == 2)
         return !separates(w, w->b.edge[0], p, 1);
-    int separated = 0;
-    for (int i = 0; i < 4 && !separated; i++)
-        separated = crossed_separates(w, w->b.normal, i < 3 ? w->b.edge[i] : w->a.edge[k], p, 2);
+    int separated = crossed_separates(w, w->b.normal, w->a.edge[k], p, 2);
+    for (int i = 0; i < 3; i++)
+        separated = separated || crossed_separates(w, w->b.normal, w->b.edge[i], p, 2);
     return !separated;
 }
 
@@ -137,8 +137,8 @@ typedef struct side {
 /* The order of two positions. */
 static int compare(mpz_t *p, mpz_t *q, int d) {
     int order = 0;
-    for (int i = 0; i < d && order == 0; i++)
-        order = mpz_cmp(p[i], q[i]);
+    for (int i = 0; i < d; i++)
+        order = order != 0 ? order : mpz_cmp(p[i], q[i]);
     return order;
 }
 

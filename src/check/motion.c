@@ -94,10 +94,10 @@ static int agree(const piece *p, const piece *q, const mpq_t x) {
     int same = 1;
     poly_values(a, p->forward, MAP, x);
     poly_values(b, q->forward, MAP, x);
-    for (int k = 0; k < WEIGHT && same; k++) {
+    for (int k = 0; k < WEIGHT; k++) {
         mpz_mul(a[k], a[k], b[WEIGHT]);
         mpz_mul(b[k], b[k], a[WEIGHT]);
-        same = mpz_cmp(a[k], b[k]) == 0;
+        same = same && mpz_cmp(a[k], b[k]) == 0;
     }
     integers_free(a, MAP);
     integers_free(b, MAP);

@@ -192,12 +192,12 @@ void solid_near(list *out, const solid *s, const box *b) {
 static int is_within(const solid *s, const simplex *f, mpz_t *x, int axis, int displaced,
                      mpz_t *side) {
     int d = s->d, within = 1;
-    for (int k = 0; k < d && within; k++) {
+    for (int k = 0; k < d; k++) {
         solid_side(side, s, f, axis, k);
         int sign = form_value(side[d + 1], side, x, d + 1);
         for (int i = 1; i < d && sign == 0 && displaced; i++)
             sign = mpz_sgn(side[(axis + i) % d]);
-        within = sign >= 0;
+        within = within && sign >= 0;
     }
     return within;
 }
@@ -211,9 +211,9 @@ int solid_ray(long *sum, const solid *s, mpz_t *x, int axis, const simplex *skip
     b.high[axis] = HUGE_VAL;
     solid_near(&found, s, &b);
     *sum = 0;
-    for (size_t k = 0; k < found.count && off; k++) {
+    for (size_t k = 0; k < found.count; k++) {
         const simplex *f = &s->simplex[found.item[k]];
-        if (f == skip)
+        if (f == skip || !off)
             continue;
         int sign = form_value(side[d + 1], f->plane, x, d + 1), way = mpz_sgn(f->plane[axis]);
         if (sign == 0)

@@ -136,8 +136,8 @@ static mpz_t *side_form(trace *r, const simplex *f, int k) {
 /* Tests L2 and L3. */
 static int cleared(trace *r, const simplex *f) {
     int clear = form_strict(r, f->plane) != 0;
-    for (int k = 0; k < r->s->d && !clear; k++)
-        clear = form_is(r, side_form(r, f, k), -1);
+    for (int k = 0; k < r->s->d; k++)
+        clear = clear || form_is(r, side_form(r, f, k), -1);
     return clear;
 }
 
@@ -163,8 +163,9 @@ static void form_signs(int *out, trace *r, const claim *c, mpz_t *form) {
     int sign = form_strict(r, form);
     size_t power = 0;
     poly f = {0};
-    for (int i = 0; i <= r->m->d && sign == 0; i++)
-        poly_add_scaled(&f, &r->x[i], form[i]);
+    for (int i = 0; i <= r->m->d; i++)
+        if (sign == 0)
+            poly_add_scaled(&f, &r->x[i], form[i]);
     for (int p = 0; p < PLACES; p++)
         out[p] = sign;
     if (f.n > 0) {
