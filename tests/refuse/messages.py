@@ -62,6 +62,7 @@ UNREACHED = {
     "of a ray beside a contact do not add up": "a fault of Graze itself",
     "of a boundary point misses the boundary at its time": "a fault of Graze itself",
     "disagree on the states beside a time": "a fault of Graze itself",
+    "border what is covered about the point than the": "needs a saddle of more than 60 planes around which all directions are covered",
     "a certificate is of facets as they stand in the file": "certify has no --triangulate; tests/api reaches it",
     "a certificate is of the numbers": "certify has no --round; tests/api reaches it",
     "a certificate names its files": "certify reads files; tests/api reaches it",
