@@ -33,6 +33,7 @@ def along(x, y="0"):
 ROWS = [
     ("a slide, a gap, a slide", TEETH, along("-t"), 7, "0 7", "0 1", "OBOBO", [*SLIDE[0], *GAP, *SLIDE[1]], True),
     ("a slide that goes on over a gap", TEETH, along("-t"), 7, "0 7", "0 1", "OBO", [*SLIDE[0], "BBB 5 -7 2", *SLIDE[1]], False),
+    ("a slide that leaves its side", TEETH, along("-t"), 7, "0 7", "0 1", "OBO", [*SLIDE[0][:2], "B 11/2", *SLIDE[1][1:]], False),
     ("a point apart", APART, AROUND, 1, "0 1/4 1/2 3/4 1", "-9 0", "O", QUARTERS, True),
     ("control points apart, over a weight of both signs", APART, AROUND, 1, "0 1/4 1/2 3/4 1", "1 0", "O", ["O 1"], False),
     # c_x = 1 - t + 2 t^2: on the right side at 0 and at 1/2, inside between.
