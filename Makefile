@@ -34,7 +34,7 @@ CLANG  := $(if $(filter 13,$(DEBIAN)),19,14)
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
-PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base
+PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema mypy
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
 PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
@@ -235,7 +235,7 @@ $B/install/libgraze.a: $(LIB_O)
 	@objcopy --strip-debug --wildcard --keep-global-symbol='graze_*' $B/install/graze.o
 	@ar rcs $@ $B/install/graze.o
 # The pages say what --help and the headers say.
-$(PAGES): $B/graze $B/graze-check include/graze.h $(wildcard include/graze/*.h) $(wildcard src/install/*.awk)
+$(PAGES): src/cli/formats.md $B/graze $B/graze-check include/graze.h $(wildcard include/graze/*.h) $(wildcard src/install/*.awk)
 	@echo "  MAN  $@"
 	@src/install/pages.sh $@.new $B/graze $(VERSION)
 	@rm -rf $@ && mv $@.new $@
@@ -261,7 +261,7 @@ endef
 install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	$(check_paths)
 	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR)/graze $(LIBDIR)/pkgconfig $(CMAKEDIR) \
-	  $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
+	  $(MANDIR)/man1 $(MANDIR)/man3 $(MANDIR)/man5 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
 	@install -s $B/graze $B/graze-check $(MPI) $(DESTDIR)$(BINDIR)
 	@install -m 644 include/graze.h $(DESTDIR)$(INCLUDEDIR)
 	@install -m 644 include/graze/*.h $(DESTDIR)$(INCLUDEDIR)/graze
@@ -274,6 +274,8 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 $B/install/*.cmake $(DESTDIR)$(CMAKEDIR)
 	@install -m 644 $(PAGES)/*.1 $(DESTDIR)$(MANDIR)/man1
 	@install -m 644 $(PAGES)/*.3 $(DESTDIR)$(MANDIR)/man3
+	@install -m 644 $(PAGES)/*.5 $(DESTDIR)$(MANDIR)/man5
+	@install -m 644 src/cli/motion.schema.json $(DESTDIR)$(DATADIR)/graze
 	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
 	@install -m 644 src/python/graze/*.py src/python/graze/py.typed $(DESTDIR)$(PYTHONDIR)/graze
 	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE src/cli/formats.md proofs/semantics.md $(DESTDIR)$(DOCDIR)

@@ -43,6 +43,8 @@ static const char motion_help[] =
     "  --output FILE, --report FILE   the motion (standard output), the errors (standard error)\n"
     "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
     "\n"
+    "man 5 graze-motion has the motion file key by key, and lists of poses.\n"
+    "\n"
     "Example: graze motion rotate --degrees 37.5 --axis 0,0,1 > move.json\n";
 
 /* Options that only some kinds take. */

@@ -38,6 +38,7 @@ typedef struct run_head {
     unsigned long before; /* the shard's rows before the run */
     size_t taken, columns, where[3];
     own_columns own;
+    char separator;
     int has_others;
 } run_head;
 
@@ -48,6 +49,7 @@ int message_put_run(message *m, const block *b, size_t first, const columns *c) 
     if (c) {
         head.columns = c->count;
         head.own = c->own;
+        head.separator = c->separator;
         head.has_others = c->others != NULL;
         memcpy(head.where, c->where, sizeof head.where);
     }
@@ -68,6 +70,7 @@ int message_get_run(const message *m, block *b, columns *c) {
     b->runs[0].taken = head.taken;
     c->count = head.columns;
     c->own = head.own;
+    c->separator = head.separator;
     c->others = head.has_others ? some : NULL;
     memcpy(c->where, head.where, sizeof head.where);
     for (size_t k = 0; head.columns && k < head.taken; k++) {

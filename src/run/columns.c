@@ -13,12 +13,23 @@
 #include "number/text.h"
 #include "run/status.h"
 
-/* 0, 1, 2 for x, y, z; -1 for any other name. */
-static int axis_of(field f, int dimension) {
+/* 0, 1, 2 for x, y, z, or for X, Y, Z if `first` is 'X'; -1 for any other name. */
+static int axis_of(field f, int dimension, char first) {
     f = field_content(f);
-    if (f.length != 1 || *f.start < 'x' || *f.start >= 'x' + dimension)
+    if (f.length != 1 || *f.start < first || *f.start >= first + dimension)
         return -1;
-    return *f.start - 'x';
+    return *f.start - first;
+}
+
+/* 'x', or 'X' where capitals alone name coordinates. */
+static char first_axis_name(const fields *first, int dimension) {
+    int capitals = 0;
+    for (size_t k = 0; k < first->count; k++) {
+        if (axis_of(first->item[k], dimension, 'x') >= 0)
+            return 'x';
+        capitals |= axis_of(first->item[k], dimension, 'X') >= 0;
+    }
+    return capitals ? 'X' : 'x';
 }
 
 /* Is a column carried along: neither a coordinate nor an answer of graze classify? */
@@ -78,13 +89,37 @@ static int check_different_names(fault *f, const columns *c, const fields *first
     return status;
 }
 
+/* Is a field that stood between other separators to be quoted between commas? */
+static int needs_quotes(char separator, field one) {
+    field bare = field_trimmed(one);
+    if (separator == ' ')
+        return memchr(one.start, ',', one.length) || memchr(one.start, '"', one.length);
+    return separator == ';' && memchr(one.start, ',', one.length) && *bare.start != '"';
+}
+
+/* Write a field for a table, whose separator is the comma: at most twice its length and 2 bytes. */
+static char *put_carried(char *at, const columns *c, field one) {
+    if (!one.length || !needs_quotes(c->separator, one)) {
+        memcpy(at, one.start, one.length);
+        return at + one.length;
+    }
+    *at++ = '"';
+    for (size_t k = 0; k < one.length; k++) {
+        if (one.start[k] == '"')
+            *at++ = '"';
+        *at++ = one.start[k];
+    }
+    *at++ = '"';
+    return at;
+}
+
 /* Names for the fields that are no coordinates, comma-joined; numbers where there is no header. */
 static int name_others(fault *f, columns *c, const fields *first, int numbered) {
     size_t room = 1;
     size_t further = 0;
     for (size_t k = 0; k < first->count; k++) {
         further += (size_t)is_further(c, k);
-        room += (numbered ? 28 : first->item[k].length) + 1;
+        room += (numbered ? 28 : 2 * first->item[k].length) + 3;
     }
     if (!further)
         return EXIT_DONE;
@@ -101,8 +136,7 @@ static int name_others(fault *f, columns *c, const fields *first, int numbered) 
         if (numbered) {
             at += sprintf(at, "column%zu", k + 1);
         } else {
-            memcpy(at, first->item[k].start, first->item[k].length);
-            at += first->item[k].length;
+            at = put_carried(at, c, first->item[k]);
         }
     }
     *at = '\0';
@@ -116,8 +150,9 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
     *header = 0;
     for (int k = 0; k < 3; k++)
         c->where[k] = (size_t)k;
+    char letter = first_axis_name(first, c->dimension);
     for (size_t k = 0; k < first->count; k++) {
-        int axis = axis_of(first->item[k], c->dimension);
+        int axis = axis_of(first->item[k], c->dimension, letter);
         if (axis < 0)
             continue;
         if (found[axis]++)
@@ -147,7 +182,14 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
 int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
                 unsigned long number, columns_head head) {
     fields first = {NULL, 0, 0};
-    graze_status cut = fields_read(&first, context, c->name, number, text, ',');
+    static const char npy[] = "\x93NUMPY";
+    if (text.length >= sizeof npy - 1 && memcmp(text.start, npy, sizeof npy - 1) == 0)
+        return fault_set(f, EXIT_INPUT,
+                         "%s: is a .npy file; expected text, as of numpy.savetxt(FILE, points, "
+                         "'%%.17g', ',')",
+                         c->name);
+    c->separator = field_separator(text);
+    graze_status cut = fields_read(&first, context, c->name, number, text, c->separator);
     int status = fault_of(f, cut, context, EXIT_INPUT);
     if (!status)
         status = fix(header, f, c, &first, number, head);
@@ -201,9 +243,10 @@ char *columns_free_names(const columns *c, field own) {
     return text_take(&out);
 }
 
-/* Add the fields that are no coordinates to `rest` as they were. They are shorter than the line. */
+/* Add the fields that are no coordinates to `rest`. */
 static int keep_others(reader *r, const columns *c, size_t length) {
-    if (!array_reserve(&r->rest, &r->rest_capacity, r->rest_length + length + 1, 1))
+    if (!array_reserve(&r->rest, &r->rest_capacity,
+                       r->rest_length + 2 * length + 2 * r->cut.count + 1, 1))
         return 0;
     char *at = r->rest + r->rest_length;
     int some = 0;
@@ -213,18 +256,26 @@ static int keep_others(reader *r, const columns *c, size_t length) {
         if (some)
             *at++ = ',';
         some = 1;
-        memcpy(at, r->cut.item[k].start, r->cut.item[k].length);
-        at += r->cut.item[k].length;
+        at = put_carried(at, c, r->cut.item[k]);
     }
     *at++ = '\0';
     r->rest_length = (size_t)(at - r->rest);
     return 1;
 }
 
+/* What a comma or semicolon in a number points to. */
+static const char *comma_hint(field token) {
+    return memchr(token.start, ',', token.length)
+               ? "; expected a decimal point in place of the comma"
+           : memchr(token.start, ';', token.length)
+               ? "; expected decimal points where fields stand between semicolons"
+               : "";
+}
+
 int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index) {
     const line *l = &b->lines[index];
     field text = {b->bytes + l->start, l->length};
-    graze_status cut = fields_read(&r->cut, r->context, c->name, l->number, text, ',');
+    graze_status cut = fields_read(&r->cut, r->context, c->name, l->number, text, c->separator);
     if (cut)
         return fault_of(f, cut, r->context, EXIT_INPUT);
     if (r->cut.count != c->count)
@@ -234,8 +285,8 @@ int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block
         field token = field_content(r->cut.item[c->where[k]]);
         graze_status read = graze_number_parse(point[k], r->context, token.start, token.length);
         if (read)
-            return fault_set(f, exit_for(read, EXIT_INPUT), "%s:%lu: %c: %s", c->name, l->number,
-                             'x' + k, graze_context_message(r->context));
+            return fault_set(f, exit_for(read, EXIT_INPUT), "%s:%lu: %c: %s%s", c->name, l->number,
+                             'x' + k, graze_context_message(r->context), comma_hint(token));
     }
     return c->others && !keep_others(r, c, l->length) ? fault_set(f, EXIT_IO, "out of memory")
                                                       : EXIT_DONE;

@@ -18,6 +18,7 @@ typedef struct columns {
     int dimension;
     size_t count;
     size_t where[3]; /* the columns of x, y, z */
+    char separator;  /* of the file's fields; those of a table stand between commas */
     own_columns own;
     char *others; /* names of the further columns, comma-joined; NULL if none */
 } columns;

@@ -110,15 +110,18 @@ int field_take(field *out, field *rest) {
 }
 
 char field_separator(field line) {
+    int quoted = 0, semicolon = 0, blank = 0;
     line = field_trimmed(line);
-    if (memchr(line.start, ',', line.length))
-        return ',';
-    if (memchr(line.start, ';', line.length))
-        return ';';
-    for (size_t k = 0; k < line.length; k++)
-        if (is_blank(line.start[k]))
-            return ' ';
-    return ',';
+    for (size_t k = 0; k < line.length; k++) {
+        quoted ^= line.start[k] == '"';
+        if (quoted)
+            continue;
+        if (line.start[k] == ',')
+            return ',';
+        semicolon |= line.start[k] == ';';
+        blank |= is_blank(line.start[k]);
+    }
+    return semicolon ? ';' : blank ? ' ' : ',';
 }
 
 static int add(fields *f, field one) {

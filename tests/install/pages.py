@@ -78,8 +78,8 @@ def rendered(page):
 
 
 def check_pages(graze, folder, commands):
-    pages = {name for section in ("man1", "man3") for name in os.listdir(os.path.join(folder, section))}
-    same(pages, {"graze.1", "graze.3"} | {f"graze-{command}.1" for command in commands}, "man pages")
+    pages = {name for section in ("man1", "man3", "man5") for name in os.listdir(os.path.join(folder, section))}
+    same(pages, {"graze.1", "graze.3", "graze-motion.5"} | {f"graze-{command}.1" for command in commands}, "man pages")
     for command in [None] + commands:
         page = rendered(os.path.join(folder, "man1", f"graze-{command}.1" if command else "graze.1"))
         text = output([graze, command, "--help"] if command else [graze, "--help"])
@@ -93,7 +93,20 @@ def check_pages(graze, folder, commands):
             line = re.sub("^(Example|Exit status):", "", line)
             lost = [word for word in line.split() if word not in words]
             check(not lost, f"man page of {command} lacks {lost}")
+    check_format(rendered(os.path.join(folder, "man5", "graze-motion.5")))
     check_header(rendered(os.path.join(folder, "man3", "graze.3")))
+
+
+def check_format(page):
+    """graze-motion(5) has every example of a motion file, and the names of its keys."""
+    examples = re.findall(r"```json\n(.*?)```", read("src", "cli", "formats.md"), re.S)
+    check(len(examples) >= 10, "examples of formats.md")
+    lines = {line.strip() for line in page.splitlines()}
+    for line in "".join(examples).splitlines():
+        check(line.strip() in lines, f"graze-motion(5) lacks {line}")
+    words = set(re.findall(r"\w+", page))
+    for key in "translate rotate turn quaternion scale matrix compose keyframes relative sequence timestamp qw".split():
+        check(key in words, f"graze-motion(5) lacks {key}")
 
 
 def headers():

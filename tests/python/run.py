@@ -45,6 +45,17 @@ def part(checks, python, way, args, library):
 
 
 
+def types(checks):
+    """`mypy --strict` has nothing to say."""
+    folder = os.path.join(HERE, "..", "..", "src", "python")
+    for python in (sys.executable, "/usr/bin/python3"):
+        if os.path.exists(python) and run([python, "-c", "import mypy"]).returncode == 0:
+            done = run([python, "-m", "mypy", "--strict", "--cache-dir", os.devnull, "graze"], 600, cwd=folder)
+            checks.holds(done.returncode == 0, "mypy --strict", done.stdout)
+            return
+    checks.skip("python, types", "no interpreter here has mypy")
+
+
 def main():
     args, checks = options(__doc__, seed=20090801), Checks()
     library = os.path.join(os.path.dirname(args.graze), "libgraze.so")
@@ -53,6 +64,7 @@ def main():
         checks.finish()
     pythons = [python for python in (sys.executable, "/usr/bin/python3")
                if os.path.exists(python) and has_numpy(python)]
+    types(checks)
     part(checks, sys.executable, "without-numpy", args, library)
     if pythons:
         part(checks, pythons[0], "with-numpy", args, library)

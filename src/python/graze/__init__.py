@@ -18,25 +18,28 @@ from __future__ import annotations
 
 from ._library import VERSION as __version__
 from ._library import library as _load
+from ._motions import Joint, slide, turn
+from .comparison import Comparison, compare
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
+from .pictures import Picture
 from .results import (CLASS_NAMES, ENCLOSURE_DTYPE, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact,
-                      Enclosure, Pmc, Sample, Topology, Trace, Verdict, class_names, columns, definition_names, pmc_names,
-                      to_dataframe)
+                      Enclosure, Pmc, Sample, Topology, Trace, Verdict, class_names, columns,
+                      definition_names, pmc_names, to_dataframe)
 from .scene import Scene
 from .sites import Site, SiteFacet
 from .times import AlgebraicNumber, Time, decimal
 
 __all__ = [
-    "AlgebraicNumber", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Contact", "ENCLOSURE_DTYPE",
-    "Enclosure", "GrazeError",
-    "IllegalError", "InputError", "InternalError", "LibraryError", "LimitError", "MachineError",
-    "Motion", "PMC_NAMES", "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
-    "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_names", "columns", "decimal",
-    "definition_names", "pmc_names", "to_dataframe", "version"]
+    "AlgebraicNumber", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Comparison", "Contact",
+    "ENCLOSURE_DTYPE", "Enclosure", "GrazeError", "IllegalError", "InputError", "InternalError",
+    "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Picture",
+    "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
+    "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_names", "columns", "compare",
+    "decimal", "definition_names", "pmc_names", "slide", "to_dataframe", "turn", "version"]
 
 
 def version() -> str:
     """Versions of Graze and of the libraries it runs with, one a line."""
-    return _load().graze_version().decode()
+    return str(_load().graze_version().decode())

@@ -104,7 +104,7 @@ def refuse_masked(given: Any, what: str, width: int, first: int = 0) -> None:
     """
     if numpy is None or not isinstance(given, numpy.ma.MaskedArray):
         return
-    mask = numpy.ma.getmaskarray(given)
+    mask: Any = numpy.ma.getmaskarray(given)  # type: ignore[no-untyped-call]
     if not mask.any():
         return
     k = int(numpy.argmax(mask.reshape(-1)))

@@ -14,7 +14,7 @@ import os
 import weakref
 from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t, c_uint, c_ulong, c_ulonglong
 from ctypes import c_void_p
-from typing import Any, Callable, Iterator
+from typing import Any, Callable, Dict, Iterator, List, Tuple
 
 from .errors import LibraryError
 
@@ -96,10 +96,43 @@ class CSiteGerm(ctypes.Structure):
     _fields_ = [("facet", CCell), ("side", c_int), ("order", c_int), ("sign", c_int)]
 
 
+class CJoint(ctypes.Structure):
+    """graze_joint."""
+
+    _fields_ = [("kind", c_int), ("degrees", c_void_p), ("pitch", c_void_p), ("axis", c_void_p),
+                ("center", c_void_p)]
+
+
+class CPoseOptions(ctypes.Structure):
+    """graze_pose_options."""
+
+    _fields_ = [("flags", c_uint), ("tolerance", c_void_p), ("ignored", c_void_p),
+                ("ignored_count", c_size_t), ("scale", c_void_p), ("start", c_void_p),
+                ("end", c_void_p), ("every", c_ulong), ("text", c_char_p), ("length", c_size_t),
+                ("size", c_size_t)]
+
+
+class CDrawOptions(ctypes.Structure):
+    """graze_draw_options."""
+
+    _fields_ = [("title", c_char_p), ("grid", c_ulong), ("times", c_ulong), ("low", c_void_p),
+                ("high", c_void_p), ("plane_axis", c_int), ("plane", c_void_p),
+                ("view", c_double * 3), ("points", c_void_p), ("point_count", c_size_t),
+                ("names", c_void_p), ("size", c_size_t)]
+
+
+class CCompareOptions(ctypes.Structure):
+    """graze_compare_options."""
+
+    _fields_ = [("question", c_int), ("on_as", c_int), ("has", c_int), ("show", c_size_t),
+                ("solid", c_char_p), ("motion", c_char_p), ("size", c_size_t),
+                ("transient", c_int)]
+
+
 # Handles, rationals and arrays are passed as addresses; _OUT is for a handle or text given out.
 _OUT = POINTER(c_void_p)
 _SIZE_OUT = POINTER(c_size_t)
-_FUNCTIONS = {
+_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_version": (c_char_p, []),
     "graze_free": (None, [c_void_p]),
     "graze_thread_finish": (None, []),
@@ -130,6 +163,14 @@ _FUNCTIONS = {
     "graze_motion_destroy": (None, [c_void_p]),
     "graze_motion_dimension": (c_int, [c_void_p]),
     "graze_motion_piece_count": (c_size_t, [c_void_p]),
+    "graze_motion_text": (c_int, [_OUT, c_void_p, c_void_p]),
+    "graze_motion_write_rotation": (c_int, [_OUT, _OUT, c_void_p, c_int, POINTER(CJoint), c_void_p,
+                                            c_void_p]),
+    "graze_motion_write_joints": (c_int, [_OUT, _OUT, c_void_p, c_int, POINTER(CJoint), c_size_t,
+                                          c_void_p, c_void_p]),
+    "graze_motion_write_pose_list": (c_int, [_OUT, _OUT, c_void_p, c_char_p,
+                                             POINTER(CPoseOptions)]),
+    "graze_motion_write_dyadic": (c_int, [_OUT, _OUT, c_void_p, c_void_p, c_void_p]),
     "graze_scene_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, POINTER(COptions)]),
     "graze_scene_destroy": (None, [c_void_p]),
     "graze_scene_dimension": (c_int, [c_void_p]),
@@ -179,6 +220,10 @@ _FUNCTIONS = {
                                       c_ulonglong]),
     "graze_stratum_name": (c_char_p, [c_int]),
     "graze_stratum_default_weight": (c_ulong, [c_int]),
+    "graze_draw": (c_int, [c_void_p, c_void_p, c_char_p, POINTER(CDrawOptions)]),
+    "graze_compare": (c_int, [_OUT, c_void_p, c_char_p, c_char_p, POINTER(CCompareOptions)]),
+    "graze_comparison_destroy": (None, [c_void_p]),
+    "graze_comparison_report": (c_int, [_OUT, c_void_p, c_void_p, c_int]),
     "graze_report_header": (c_int, [_OUT, c_void_p, c_void_p, c_char_p, c_char_p]),
     "graze_report_points": (c_int, [_OUT, _SIZE_OUT, _SIZE_OUT, c_void_p, c_void_p, c_void_p,
                                     c_size_t, c_int, c_void_p]),

@@ -21,10 +21,11 @@ from ._frames import (by_name, column_names, coordinate_names, named_entries, re
 from ._library import CMpq, library
 from .errors import GrazeError, InputError, UseError
 
+numpy: Any = None
 try:
     import numpy
 except ImportError:
-    numpy = None  # type: ignore[assignment]
+    pass
 
 _BINARY32 = 2
 _SIZE = ctypes.sizeof(CMpq)

@@ -10,10 +10,12 @@ import os
 from fractions import Fraction
 from typing import Any, Iterable, Mapping, Tuple
 
+from . import _motions
 from ._context import Context, Settings, settings
-from ._library import Handle, library
+from ._library import Handle, library, take_text
 from ._frames import refuse_masked
-from ._numbers import numpy, read_points
+from ._motions import Joint
+from ._numbers import Rationals, numpy, read_points
 from .errors import InputError, UseError
 
 _TRIANGULATE = 1
@@ -63,31 +65,43 @@ class Solid:
     @property
     def dimension(self) -> int:
         """2 or 3."""
-        return library().graze_solid_dimension(self._handle.pointer)
+        return int(library().graze_solid_dimension(self._handle.pointer))
+
+    def __repr__(self) -> str:
+        cells = "facet" if self.dimension == 3 else "edge"
+        return (f"<graze.Solid in E^{self.dimension}: {_count(self.vertex_count, 'vertex')}, "
+                f"{_count(self.facet_count, cells)}, {_count(self.component_count, 'component')}>")
 
     @property
     def vertex_count(self) -> int:
         """Vertices as the input numbers them."""
-        return library().graze_solid_vertex_count(self._handle.pointer)
+        return int(library().graze_solid_vertex_count(self._handle.pointer))
 
     @property
     def facet_count(self) -> int:
         """Facets as the input numbers them (in the plane: edges, those of no length left out)."""
-        return library().graze_solid_facet_count(self._handle.pointer)
+        return int(library().graze_solid_facet_count(self._handle.pointer))
 
     @property
     def component_count(self) -> int:
         """Components of the boundary."""
-        return library().graze_solid_component_count(self._handle.pointer)
+        return int(library().graze_solid_component_count(self._handle.pointer))
 
     @property
     def note(self) -> str:
         """Note on an unusual input: vertices that repeat a position; "" if there is none."""
-        return library().graze_solid_note(self._handle.pointer).decode()
+        return str(library().graze_solid_note(self._handle.pointer).decode())
 
 
 class Motion:
-    """A legal motion. Immutable; scenes and threads may share it."""
+    """A legal motion. Immutable; scenes and threads may share it.
+
+    Attributes:
+        report: for one made by `rotate`, `screw`, `joints`, `poses` or `dyadic`, what was
+            approximated, with proved bounds; else "".
+    """
+
+    report = ""
 
     def __init__(self, source: Any, *, round: str = "none",
                  limits: "Mapping[str, int] | None" = None) -> None:
@@ -115,15 +129,91 @@ class Motion:
                         _path(source))
         self._handle = Handle(pointer, library().graze_motion_destroy)
 
+    @classmethod
+    def _made(cls, text: str, report: str, limits: "Mapping[str, int] | None") -> "Motion":
+        made = cls(text, limits=limits)
+        made.report = report
+        return made
+
+    @classmethod
+    def rotate(cls, degrees: Any, axis: Any = None, center: Any = None, *, tolerance: Any = "1e-9",
+               radius: Any = 1, limits: "Mapping[str, int] | None" = None) -> "Motion":
+        """A turn for t from 0 to 1; without an axis in the plane. See graze_motion_write_rotation.
+
+        Args:
+            degrees: the angle, counter-clockwise, of any size.
+            axis, center: 3 numbers and d numbers; without a center the origin.
+            tolerance, radius: no point within `radius` of the origin ends further than `tolerance`
+                from where it should; `report` says how far.
+        """
+        joint = _motions.Joint(degrees, axis, center)
+        return cls._made(*_motions.by_joints([joint], False, tolerance, radius, limits), limits)
+
+    @classmethod
+    def screw(cls, degrees: Any, axis: Any, pitch: Any = 0, center: Any = None, *,
+              tolerance: Any = "1e-6", radius: Any = 1,
+              limits: "Mapping[str, int] | None" = None) -> "Motion":
+        """A uniform turn that moves by `pitch` along the axis with every 360 degrees."""
+        return cls.joints([_motions.Joint(degrees, axis, center, pitch)], tolerance=tolerance,
+                          radius=radius, limits=limits)
+
+    @classmethod
+    def joints(cls, joints: "Iterable[Joint]", *, tolerance: Any = "1e-6", radius: Any = 1,
+               limits: "Mapping[str, int] | None" = None) -> "Motion":
+        """Joints that all move uniformly, the first one applied first: `turn` and `slide` make
+        them. No point within `radius` of the origin is off by more than `tolerance` at any time."""
+        return cls._made(*_motions.by_joints(joints, True, tolerance, radius, limits), limits)
+
+    @classmethod
+    def poses(cls, poses: Any, times: Any = None, *, affine: bool = False, shortest: bool = False,
+              tolerance: Any = "1e-6", limits: "Mapping[str, int] | None" = None) -> "Motion":
+        """A motion through poses, linear between them (`graze motion poses`).
+
+        Args:
+            poses: an array or rows of the shape (n, 4, 4) or (n, 3, 4), or (n, 7) with x, y, z, qw,
+                qx, qy, qz. A float is the dyadic number it is.
+            times: n increasing numbers; without them 0, 1, 2, ...
+            affine: take matrices as they are; else each becomes the nearest rotation, which
+                changes no entry by more than `tolerance`.
+            shortest: change signs of quaternions that ask for more than half a turn.
+        """
+        made = _motions.by_poses(poses, times, affine, shortest, tolerance, limits)
+        return cls._made(*made, limits)
+
+    def dyadic(self, tolerance: Any = "1e-6") -> "Motion":
+        """A motion near this one whose contacts have coordinates that a float can be, except those
+        of turns; no entry of its matrix is off by more than `tolerance`."""
+        context = Context(self._settings._replace(rounding=0))
+        goal = Rationals(1)
+        goal.set(0, tolerance, context)
+        made = _motions.written(library().graze_motion_write_dyadic, self._handle.pointer,
+                                goal.address, context=context)
+        return self._made(*made, None)
+
+    def json(self) -> str:
+        """The motion as a file of plain pieces (`graze convert`)."""
+        context, out = Context(self._settings), ctypes.c_void_p()
+        context.run(library().graze_motion_text, ctypes.byref(out), context.pointer,
+                    self._handle.pointer)
+        return take_text(out)
+
+    def __repr__(self) -> str:
+        return f"<graze.Motion in E^{self.dimension}: {_count(self.piece_count, 'piece')}>"
+
     @property
     def dimension(self) -> int:
         """2 or 3."""
-        return library().graze_motion_dimension(self._handle.pointer)
+        return int(library().graze_motion_dimension(self._handle.pointer))
 
     @property
     def piece_count(self) -> int:
         """Pieces after all cuts."""
-        return library().graze_motion_piece_count(self._handle.pointer)
+        return int(library().graze_motion_piece_count(self._handle.pointer))
+
+
+def _count(number: int, noun: str) -> str:
+    plural = "vertices" if noun == "vertex" else noun + "s"
+    return f"{number} {noun if number == 1 else plural}"
 
 
 def input_settings(made: "Solid | Motion") -> Settings:
@@ -195,7 +285,7 @@ def _facet_arrays(facets: Any) -> Tuple[Any, Any, Tuple[Any, ...]]:
 
 def _index(facet: int, vertex: Any) -> int:
     try:
-        index = vertex.__index__()
+        index = int(vertex.__index__())
     except AttributeError:
         raise TypeError(f"facet {facet} names {vertex!r}; expected a vertex's number") from None
     if not 0 <= index < 1 << 63:

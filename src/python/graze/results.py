@@ -165,7 +165,7 @@ class Sample:
 
 def _field(results: Any, name: str) -> List[int]:
     if hasattr(results, "dtype"):
-        return results[name].tolist()
+        return list(results[name].tolist())
     return [getattr(verdict, "class_" if name == "class" else name) for verdict in results]
 
 
@@ -190,7 +190,7 @@ def columns(results: Any, points: Any = None) -> Dict[str, Any]:
     out: Dict[str, Any] = {}
     if points is not None:
         is_array = numpy is not None and hasattr(points, "__array__")
-        rows = numpy.asarray(points) if is_array else list(points)
+        rows: Any = numpy.asarray(points) if is_array else list(points)
         if len(rows) != len(results):
             raise ValueError(f"{len(rows)} points for {len(results)} verdicts")
         for k, name in enumerate("xyz"[:len(rows[0]) if len(rows) else 0]):
@@ -213,7 +213,7 @@ def to_dataframe(results: Any, points: Any = None) -> Any:
         GrazeError: pandas is not installed.
     """
     try:
-        import pandas
+        import pandas  # type: ignore[import]
     except ImportError:
         raise GrazeError("to_dataframe needs pandas; `columns` gives the same as a dict") from None
     out = columns(results, points)

@@ -17,7 +17,9 @@ from ._samples import samples
 from ._traces import read_topology, read_trace, verdict_of
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
-from .results import ENCLOSURE_DTYPE, VERDICT_DTYPE, Enclosure, Pmc, Sample, Topology, Trace, Verdict
+from .pictures import Picture, draw
+from .results import (ENCLOSURE_DTYPE, VERDICT_DTYPE, Enclosure, Pmc, Sample, Topology, Trace,
+                      Verdict)
 from .sites import Site, read_site
 
 OPERATIONS = ("sweep", "unsweep")
@@ -78,7 +80,8 @@ class Scene:
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
             motion = Motion(motion, round=round, limits=limits)
-        for made in (solid, motion):
+        both: Tuple[Union[Solid, Motion], ...] = (solid, motion)
+        for made in both:
             if input_settings(made).rounding != chosen.rounding:
                 raise UseError("solid, motion and points must be rounded alike")
         self.solid, self.motion = solid, motion
@@ -91,10 +94,13 @@ class Scene:
                     parts[0].pointer, parts[1].pointer, ctypes.byref(options))
         self._handle = Handle(pointer, library().graze_scene_destroy, *parts)
 
+    def __repr__(self) -> str:
+        return f"<graze.Scene, {self.operation} of {self.solid!r} by {self.motion!r}>"
+
     @property
     def dimension(self) -> int:
         """2 or 3."""
-        return library().graze_scene_dimension(self._handle.pointer)
+        return int(library().graze_scene_dimension(self._handle.pointer))
 
     @property
     def ends_meet(self) -> bool:
@@ -198,10 +204,11 @@ class Scene:
         """A boundary point of the solid at a time: `body` in the solid's frame, or `point` where it
         is then. Raises as `trace`, and InputError for a time beyond the motion and a point that is
         not on the boundary."""
-        if (body is None) == (point is None):
+        given = body if point is None else point
+        if given is None or (body is not None and point is not None):
             raise UseError("site takes body or point, one of them")
         create = library().graze_site_create if point is None else library().graze_site_create_at
-        place, when = self._point(body if point is None else point), Rationals(1)
+        place, when = self._point(given), Rationals(1)
         context, pointer = self._context(), ctypes.c_void_p()
         when.set(0, time, context)
         context.run(create, ctypes.byref(pointer), context.pointer, self._handle.pointer,
@@ -256,6 +263,24 @@ class Scene:
         """
         return samples(Context(self._contexts.chosen), self._handle, self.dimension,
                        range(first, first + count), seed, strata, representable)
+
+    def draw(self, points: Any = None, *, names: Optional[Sequence[str]] = None, title: str = "",
+             grid: int = 0, times: int = 0,
+             box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None) -> Picture:
+        """A picture: the class of every cell, positions of the solid, and for points their inverted
+        trajectories with contacts (`graze draw`). A notebook shows it.
+
+        Args:
+            points: as for `classify`, some tens at most; `names` are their labels.
+            title: a line above the picture.
+            grid: cells along the longer side; 0 chooses.
+            times: positions of the solid, 2 to 64; 0 is 5.
+            box: the lowest and the highest corner; None is around the scene.
+        """
+        corners = (self._point(box[0]), self._point(box[1])) if box else None
+        given = None if points is None else self._points(points)
+        return draw(self._context(), self._handle, given, names, corners, title=title, grid=grid,
+                    times=times)
 
     def _context(self) -> Context:
         return self._contexts.mine()

@@ -96,11 +96,13 @@ class AlgebraicNumber:
         low, high = self._narrow
         if q <= low or q >= high:
             return q <= low
-        return (self._sign_at(q.numerator, q.denominator) > 0) != self._rising
+        return bool((self._sign_at(q.numerator, q.denominator) > 0) != self._rising)
 
     def __eq__(self, other: Any) -> bool:
         if not isinstance(other, AlgebraicNumber):
-            return False if isinstance(other, (int, float, Fraction)) else NotImplemented
+            if isinstance(other, (int, float, Fraction)):
+                return False
+            return NotImplemented
         low, high = other._interval
         return (self.coefficients == other.coefficients and self._above(low)
                 and not self._above(high))

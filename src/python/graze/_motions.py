@@ -1,0 +1,140 @@
+"""Motion files made by the library: turns, screws, joints and poses (graze/convert.h).
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+from fractions import Fraction
+from math import isfinite
+from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Sequence, Tuple
+
+from ._context import Context, settings
+from ._library import CJoint, CPoseOptions, library, take_text
+from ._numbers import Rationals
+from .errors import UseError
+
+_AFFINE, _SHORTEST = 1, 2
+_SHAPES = {(4, 4): 16, (3, 4): 12, (7,): 7}
+
+
+class Joint(NamedTuple):
+    """One joint of a chain, as it stands at t = 0; it moves uniformly for t from 0 to 1.
+
+    Attributes:
+        degrees: the angle of a turn, counter-clockwise; None for a slide.
+        axis: the direction of a turn in space (in the plane None), the way of a slide.
+        center: a point on the axis; None is the origin.
+        pitch: the way along the axis for 360 degrees.
+    """
+
+    degrees: Any
+    axis: Any = None
+    center: Any = None
+    pitch: Any = 0
+
+
+def turn(degrees: Any, axis: Any = None, center: Any = None, pitch: Any = 0) -> Joint:
+    """A joint that turns; with a pitch a screw."""
+    return Joint(degrees, axis, center, pitch)
+
+
+def slide(*way: Any) -> Joint:
+    """A joint that slides by d numbers."""
+    return Joint(None, way)
+
+
+def written(make: Callable[..., int], *arguments: Any, context: Context) -> Tuple[str, str]:
+    """Motion file and report of a function that writes both."""
+    json, report = ctypes.c_void_p(), ctypes.c_void_p()
+    context.run(make, ctypes.byref(json), ctypes.byref(report), context.pointer, *arguments)
+    return take_text(json), take_text(report)
+
+
+def _filled(values: Sequence[Any], count: int, context: Context, what: str) -> Rationals:
+    if len(values) != count:
+        raise UseError(f"{what} has {len(values)} numbers; expected {count}")
+    out = Rationals(count)
+    for k, value in enumerate(values):
+        out.set(k, value, context)
+    return out
+
+
+def _dimension(joints: Sequence[Joint]) -> int:
+    for joint in joints:
+        if joint.axis is not None:
+            return len(joint.axis)
+        if joint.center is not None:
+            return len(joint.center)
+    return 2
+
+
+def by_joints(joints: Iterable[Joint], uniform: bool, tolerance: Any, radius: Any,
+              limits: "Mapping[str, int] | None") -> Tuple[str, str]:
+    """A chain of joints, or with `uniform` false one turn whose speed is not."""
+    given = list(joints)
+    context = Context(settings("none", limits, True))
+    d = _dimension(given)
+    array, keep = (CJoint * max(len(given), 1))(), []  # type: Tuple[Any, List[Rationals]]
+    for out, joint in zip(array, given):
+        def address(values: Any, count: int, what: str) -> int:
+            keep.append(_filled(values, count, context, what))
+            return keep[-1].address
+        out.kind = int(joint.degrees is None)
+        if joint.degrees is not None:
+            out.degrees = address([joint.degrees], 1, "an angle")
+            out.pitch = address([joint.pitch], 1, "a pitch") if d == 3 else None
+            if d == 2 and joint.pitch != 0:
+                raise UseError("a turn in the plane has no pitch; expected an axis of 3 numbers")
+        if joint.axis is not None:
+            out.axis = address(joint.axis, d, "an axis")
+        if joint.center is not None:
+            out.center = address(joint.center, d, "a center")
+    goal = _filled([tolerance, radius], 2, context, "the goal")
+    if uniform:
+        return written(library().graze_motion_write_joints, d, array, len(given), goal.at(0),
+                       goal.at(1), context=context)
+    return written(library().graze_motion_write_rotation, d, array, goal.at(0), goal.at(1),
+                   context=context)
+
+
+def _text(value: Any) -> str:
+    """A number token of exactly this value."""
+    return str(Fraction(value)) if isinstance(value, float) and isfinite(value) else str(value)
+
+
+def _pose_rows(poses: Any, times: Any) -> str:
+    """Poses as a list with a line of names."""
+    rows = poses.tolist() if hasattr(poses, "tolist") else [list(pose) for pose in poses]
+    flat: List[List[Any]] = []
+    for k, pose in enumerate(rows):
+        nested = bool(pose) and isinstance(pose[0], (list, tuple))
+        shape = (len(pose), len(pose[0])) if nested else (len(pose),)
+        if shape not in _SHAPES:
+            raise UseError(f"pose {k} has the shape {shape}; expected (4, 4), (3, 4), or 7 numbers "
+                           "x, y, z, qw, qx, qy, qz")
+        flat.append([entry for row in pose for entry in row] if nested else list(pose))
+    if len({len(row) for row in flat}) > 1:
+        raise UseError("the poses have several shapes; expected one")
+    width = len(flat[0]) if flat else 7
+    names = (["x", "y", "z", "qw", "qx", "qy", "qz"] if width == 7
+             else [f"m{k // 4}{k % 4}" for k in range(width)])
+    if times is not None:
+        moments = times.tolist() if hasattr(times, "tolist") else list(times)
+        if len(moments) != len(flat):
+            raise UseError(f"{len(moments)} times for {len(flat)} poses; expected as many")
+        names, flat = ["t"] + names, [[t] + row for t, row in zip(moments, flat)]
+    return "\n".join(",".join(_text(entry) for entry in row) for row in [names] + flat) + "\n"
+
+
+def by_poses(poses: Any, times: Any, affine: bool, shortest: bool, tolerance: Any,
+             limits: "Mapping[str, int] | None") -> Tuple[str, str]:
+    """A motion through poses of an array, rows, or a file."""
+    context = Context(settings("none", limits, True))
+    goal = _filled([tolerance], 1, context, "the tolerance")
+    options = CPoseOptions(flags=_AFFINE * affine + _SHORTEST * shortest, tolerance=goal.address,
+                           size=ctypes.sizeof(CPoseOptions))
+    text = _pose_rows(poses, times).encode()
+    options.text, options.length = text, len(text)
+    return written(library().graze_motion_write_pose_list, b"poses", ctypes.byref(options),
+                   context=context)

@@ -1,0 +1,73 @@
+"""A candidate's table against a golden one (graze/compare.h).
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+from typing import Any, Dict, Mapping, NamedTuple
+
+from ._context import Context, choice, settings
+from ._library import CCompareOptions, Handle, library, take_text
+
+_TEXT, _JSON = 0, 1
+
+
+class Comparison(NamedTuple):
+    """What `graze compare` finds.
+
+    Attributes:
+        report: figures and disagreements, as the JSON of `graze compare --format json`.
+        text: the same as Markdown, which a notebook shows.
+    """
+
+    report: Dict[str, Any]
+    text: str
+
+    @property
+    def differs(self) -> bool:
+        """Is a row wrong, missing or extra?"""
+        return any(self.report[key] for key in ("wrong", "missing", "extra"))
+
+    def _repr_markdown_(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        keys = ("rows", "agree", "wrong", "missing", "apart", "extra")
+        return "<graze.Comparison: " + ", ".join(f"{self.report[k]} {k}" for k in keys) + ">"
+
+
+def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str = "on",
+            candidate_has: str = "columns", show: int = 10, solid: Any = None, motion: Any = None,
+            round: str = "none", limits: "Mapping[str, int] | None" = None) -> Comparison:
+    """Compare a candidate's table with a golden one, row by row.
+
+    Args:
+        golden, candidate: paths of CSV files (`graze compare --help` says what they must have).
+        question: `open`, or `closed`: pmc refers to the closed sweep.
+        on_as: `on`, or for candidates that only know in and out `any`, `in`, `out`.
+        candidate_has: `columns`, or `sdf`: the sign of that column is the answer.
+        show: how many disagreements are kept.
+        solid, motion: names of files for the commands that explain them.
+        round: `none`, `binary64` or `binary32`: round the points of both tables first.
+    Raises:
+        MachineError, InputError, LimitError: a table cannot be read or compared.
+    """
+    names = [os.fsencode(name) if name is not None else None for name in (solid, motion)]
+    options = CCompareOptions(choice("question", question, ("open", "closed")),
+                              choice("on_as", on_as, ("on", "any", "in", "out")),
+                              choice("candidate_has", candidate_has, ("columns", "sdf")),
+                              show, names[0], names[1], ctypes.sizeof(CCompareOptions), 0)
+    context, made = Context(settings(round, limits, True)), ctypes.c_void_p()
+    context.run(library().graze_compare, ctypes.byref(made), context.pointer, os.fsencode(golden),
+                os.fsencode(candidate), ctypes.byref(options))
+    texts = []
+    with Handle(made, library().graze_comparison_destroy) as pointer:
+        for form in (_JSON, _TEXT):
+            out = ctypes.c_void_p()
+            context.run(library().graze_comparison_report, ctypes.byref(out), context.pointer,
+                        pointer, form)
+            texts.append(take_text(out))
+    return Comparison(json.loads(texts[0]), texts[1])

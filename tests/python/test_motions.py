@@ -1,0 +1,161 @@
+"""Motions made in Python, pictures and comparisons: positions by hand, files beside those of the program.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree
+from fractions import Fraction as F
+
+import common
+import graze
+from common import numpy
+
+IDENTITY = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+QUARTER = [[0, -1, 0, 4], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+
+
+def program(*words):
+    """Standard output of the program."""
+    done = subprocess.run([common.GRAZE, *words], capture_output=True, text=True, timeout=300)
+    assert done.returncode in (0, 1), done.stderr
+    return done.stdout
+
+
+def plain(text):
+    """A motion file as plain pieces."""
+    return graze.Motion(text).json()
+
+
+def moved_by(motion, point):
+    """Where the point is relative to the cube at the end of the motion: I, B or O."""
+    scene = graze.Scene(common.CUBE, motion)
+    return scene.trace(point).word[-1]
+
+
+class Motions(unittest.TestCase):
+    def test_rotate(self):
+        """A quarter turn about z brings the cube [0, 2]^3 to [-2, 0] x [0, 2] x [0, 2]."""
+        motion = graze.Motion.rotate(90, (0, 0, 1))
+        self.assertEqual(moved_by(motion, (-1, 1, 1)), "I")
+        self.assertEqual(moved_by(motion, (1, 1, 1)), "O")
+        self.assertEqual(moved_by(motion, (-2, 2, 2)), "B")
+        self.assertIn("every position is one of the exact turn", motion.report)
+        same = plain(program("motion", "rotate", "--degrees", "37.5", "--axis", "1,2,2", "--center", "1,0,0"))
+        self.assertEqual(graze.Motion.rotate("37.5", (1, 2, 2), (1, 0, 0)).json(), same)
+        self.assertEqual(graze.Motion.rotate(F(75, 2), [1, 2, 2], [1, 0, 0]).json(), same)
+        flat = graze.Motion.rotate(37.5, center=(1, 1))
+        self.assertEqual(flat.json(), plain(program("motion", "rotate", "--dimension", "2", "--degrees", "37.5", "--center", "1,1")))
+        with self.assertRaises(graze.UseError):
+            graze.Motion.rotate(90, (0, 0, 0))
+        with self.assertRaises(graze.UseError):
+            graze.Motion.rotate(90, (0, 0, 1), (1, 1))
+
+    def test_joints(self):
+        """A screw of pitch 8 by half a turn moves 4 along z."""
+        screw = graze.Motion.screw(180, (0, 0, 1), 8)
+        self.assertEqual(moved_by(screw, (-1, -1, 5)), "I")
+        self.assertEqual(moved_by(screw, (-1, -1, 3)), "O")
+        self.assertEqual(screw.json(), plain(program("motion", "screw", "--degrees", "180", "--axis", "0,0,1", "--pitch", "8")))
+        chain = graze.Motion.joints([graze.turn(90, (0, 0, 1)), graze.turn(-45, (0, 0, 1), (2, 0, 0)), graze.slide(0, 0, 1)])
+        want = program("motion", "joints", "turn:90:0,0,1", "turn:-45:0,0,1:2,0,0", "slide:0,0,1")
+        self.assertEqual(chain.json(), plain(want))
+        self.assertEqual(graze.Motion.joints([graze.slide(8, 0)]).dimension, 2)
+        with self.assertRaises(graze.UseError):
+            graze.Motion.joints([])
+        with self.assertRaises(graze.UseError):
+            graze.Motion.joints([graze.turn(90, pitch=1)])
+
+    def test_poses(self):
+        """The cube turns by a quarter and moves 4: it ends at [2, 4] x [0, 2] x [0, 2]."""
+        given = [[IDENTITY, QUARTER], [m[:3] for m in (IDENTITY, QUARTER)],
+                 [[0, 0, 0, 1, 0, 0, 0], [4, 0, 0, 1, 0, 0, 1]]]
+        if numpy is not None:
+            given += [numpy.array(poses, dtype=float) for poses in given]
+        for poses in given:
+            motion = graze.Motion.poses(poses, [0, F(1, 3)])
+            self.assertEqual(moved_by(motion, (3, 1, 1)), "I")
+            self.assertEqual(moved_by(motion, (5, 1, 1)), "O")
+            self.assertIn('"1/3"', motion.json())
+        far = graze.Motion.poses([[0.1, 0, 0, 1, 0, 0, 0], [0.1, 0, 0, -1, 0, 0, -1]], shortest=True)
+        self.assertIn("signs of quaternions changed at lines 3; 1 in all", far.report)
+        self.assertIn(f"({F(0.1).numerator} + ", far.json())
+        for bad in ([[1, 2, 3]], [IDENTITY, IDENTITY[:3]], [[0, 0, 0, 1, 0, 0, 0], IDENTITY]):
+            with self.assertRaises(graze.UseError):
+                graze.Motion.poses(bad)
+        with self.assertRaises(graze.UseError):
+            graze.Motion.poses([IDENTITY, QUARTER], [0])
+        with self.assertRaisesRegex(graze.InputError, "nan"):
+            graze.Motion.poses([[float("nan"), 0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0, 0]])
+        sheared = [[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]], [[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]]
+        self.assertEqual(graze.Motion.poses(sheared, affine=True).piece_count, 1)
+        with self.assertRaisesRegex(graze.InputError, "no rotation"):
+            graze.Motion.poses(sheared)
+
+    def test_dyadic(self):
+        motion = graze.Motion(common.moved("0.443221*t", "8*t", "0"))
+        near = motion.dyadic()
+        way = F(json.loads(near.json())["pieces"][0]["transform"]["matrix"][0][3].split("*")[0])
+        self.assertEqual(way.denominator & (way.denominator - 1), 0)
+        self.assertLess(abs(way - F("0.443221")), F(1, 10**6))
+        self.assertIn("change: ", near.report)
+
+    def test_names(self):
+        """What a thing is, seen in an interpreter."""
+        scene = common.cube_scene()
+        self.assertEqual(repr(scene.solid), "<graze.Solid in E^3: 8 vertices, 6 facets, 1 component>")
+        self.assertEqual(repr(scene.motion), "<graze.Motion in E^3: 1 piece>")
+        self.assertEqual(repr(scene), f"<graze.Scene, sweep of {scene.solid!r} by {scene.motion!r}>")
+        self.assertIn("4 edges", repr(graze.Solid(common.SQUARE)))
+
+
+class Pictures(unittest.TestCase):
+    def test_draw(self):
+        """The same bytes as `graze draw`, and SVG that a notebook shows."""
+        solid, motion, points, _ = common.case("figure4")
+        scene = graze.Scene(solid, motion)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "picture.svg")
+            program("draw", solid, motion, "--grid", "20", "--title", "A title", "-o", path)
+            picture = scene.draw(grid=20, title="A title")
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(picture.svg, file.read())
+            picture.save(path)
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(picture._repr_svg_(), file.read())
+        marked = scene.draw([(0, 0), ("1/2", 1)], names=["first", "second"], grid=10, box=((-1, -1), (3, 3)))
+        root = xml.etree.ElementTree.fromstring(marked.svg)
+        self.assertTrue(root.tag.endswith("svg"))
+        self.assertIn("second", marked.svg)
+        with self.assertRaises(graze.UseError):
+            scene.draw([(0, 0)], names=["one", "two"])
+
+
+class Comparisons(unittest.TestCase):
+    def test_compare(self):
+        """Of three rows one is wrong."""
+        scene = common.cube_scene()
+        with tempfile.TemporaryDirectory() as folder:
+            golden, mine = (os.path.join(folder, name) for name in ("golden.csv", "mine.csv"))
+            with open(golden, "w", encoding="utf-8") as file:
+                file.write(scene.table([(5, 1, 1), (5, 1, 2), (5, 3, 1)]))
+            with open(mine, "w", encoding="utf-8") as file:
+                file.write("x,y,z,pmc\n5,1,1,in\n5,1,2,out\n5,3,1,out\n")
+            found = graze.compare(golden, mine, solid="cube.off")
+            self.assertEqual([found.report[key] for key in ("rows", "agree", "wrong", "missing", "extra")], [3, 2, 1, 0, 0])
+            self.assertTrue(found.differs)
+            self.assertIn("graze explain cube.off MOTION 5 1 2", found.text)
+            self.assertFalse(graze.compare(golden, mine, on_as="out").differs)
+            self.assertEqual(found.text, program("compare", golden, mine, "--solid", "cube.off"))
+            self.assertIn("1 wrong", repr(found))
+            with self.assertRaises(graze.MachineError):
+                graze.compare(golden, os.path.join(folder, "nowhere.csv"))
+            with self.assertRaises(graze.UseError):
+                graze.compare(golden, mine, on_as="off")
+
+
+if __name__ == "__main__":
+    unittest.main()
