@@ -155,7 +155,3 @@ class Comparisons(unittest.TestCase):
                 graze.compare(golden, os.path.join(folder, "nowhere.csv"))
             with self.assertRaises(graze.UseError):
                 graze.compare(golden, mine, on_as="off")
-
-
-if __name__ == "__main__":
-    unittest.main()
