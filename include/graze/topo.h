@@ -23,16 +23,14 @@ typedef enum graze_topo {
 } graze_topo;
 /** Level that decided the position. */
 typedef enum graze_topo_level {
-    GRAZE_LEVEL_NONE = 0, /**< undecided */
-    GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
-    GRAZE_LEVEL_L1 = 2,   /**< leading directions at the contacts (topology.md C46) */
-    GRAZE_LEVEL_L3 = 3,   /**< the curves near the point, in a plane (topology.md C49, C50) */
-    GRAZE_LEVEL_EXACT =
-        4, /**< L1 with closed cones that are covered exactly (topology.md C46, C51) */
-    GRAZE_LEVEL_TUBE =
-        5, /**< these, with ways through pinches and along edges (topology.md C52, C53) */
-    GRAZE_LEVEL_LR =
-        6 /**< the section across a direction that no contact depends on (topology.md C55) */
+    GRAZE_LEVEL_NONE = 0,  /**< undecided */
+    GRAZE_LEVEL_WORD = 1,  /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
+    GRAZE_LEVEL_L1 = 2,    /**< leading directions at the contacts (topology.md C46) */
+    GRAZE_LEVEL_L3 = 3,    /**< the curves near the point, in a plane (topology.md C49, C50) */
+    GRAZE_LEVEL_EXACT = 4, /**< L1 with closed cones that are covered exactly (C46, C51) */
+    GRAZE_LEVEL_TUBE = 5,  /**< these, with ways through pinches and along edges (C52) */
+    GRAZE_LEVEL_LR = 6, /**< the section across a direction that contacts do not depend on (C54) */
+    GRAZE_LEVEL_L2 = 7  /**< second order, on both sides of a plane (C55) */
 } graze_topo_level;
 
 /** Verdict on one point. */
@@ -40,7 +38,7 @@ typedef struct graze_topology graze_topology;
 
 /** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_topo_name(graze_topo topo);
-/** "word", "L1", "exact", "tube", "LR" or "L3", else "none". Static. */
+/** "word", "L1", "exact", "tube", "L2", "LR" or "L3", else "none". Static. */
 GRAZE_API const char *graze_topo_level_name(graze_topo_level level);
 
 /**

@@ -227,3 +227,16 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
     fmpq_clear(between);
     return status;
 }
+
+graze_status cone_meets_line(int *out, local_cone *cone, graze_context *context, const fmpz *u,
+                             const fmpz *e) {
+    slong d = cone->dimension;
+    int in_cone = 0;
+    fmpz *back = _fmpz_vec_init(d);
+    _fmpz_vec_neg(back, e, d);
+    graze_status status = cone_sweep(out, &in_cone, cone, context, NULL, u, e);
+    if (!status && !*out)
+        status = cone_sweep(out, &in_cone, cone, context, NULL, u, back);
+    _fmpz_vec_clear(back, d);
+    return status;
+}

@@ -44,4 +44,8 @@ int cone_cell_dimension(const local_cone *cone);
 graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
                         const fmpz *ray, const fmpz *u, const fmpz *e);
 
+/** Is one of the directions u + s e, s of either sign, in the interior? */
+graze_status cone_meets_line(int *out, local_cone *cone, graze_context *context, const fmpz *u,
+                             const fmpz *e);
+
 #endif

@@ -7,7 +7,7 @@ const char *graze_topo_name(graze_topo topo) {
 }
 
 const char *graze_topo_level_name(graze_topo_level level) {
-    static const char *const name[] = {"none", "word", "L1", "L3", "exact", "tube", "LR"};
+    static const char *const name[] = {"none", "word", "L1", "L3", "exact", "tube", "LR", "L2"};
     return (unsigned)level < sizeof name / sizeof *name ? name[level] : "none";
 }
 
@@ -15,10 +15,11 @@ void finding_init(topo_finding *f) {
     f->position = GRAZE_TOPO_NONE;
     f->level = GRAZE_LEVEL_NONE;
     f->reason = "";
-    f->has_witness = f->has_open = 0;
+    f->has_witness = f->has_open = f->has_across = 0;
     for (int k = 0; k < 3; k++) {
         fmpq_init(f->witness + k);
         fmpz_init(f->open + k);
+        fmpz_init(f->across + k);
     }
 }
 
@@ -26,6 +27,7 @@ void finding_clear(topo_finding *f) {
     for (int k = 0; k < 3; k++) {
         fmpq_clear(f->witness + k);
         fmpz_clear(f->open + k);
+        fmpz_clear(f->across + k);
     }
 }
 

@@ -16,7 +16,9 @@ typedef struct topo_finding {
     int has_witness;
     fmpq witness[3]; /* a point that is `out` */
     int has_open;
-    fmpz open[3]; /* a direction that no contact looked at covers to first order */
+    fmpz open[3];   /* a direction that no contact looked at covers to first order */
+    int has_across; /* all such lie in one plane, across `across`, and `open` not to second order */
+    fmpz across[3];
 } topo_finding;
 
 /** Nothing is found. */

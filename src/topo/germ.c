@@ -14,6 +14,8 @@ void germs_init(germ_list *list) {
 static void clear_germ(germ *g) {
     cone_clear(&g->cone);
     germ_drop_root(g);
+    if (g->has_time)
+        fmpq_clear(&g->time);
     for (int i = 0; i < 9; i++)
         fmpz_clear(g->to_body + i);
     for (int i = 0; i < 6; i++) {

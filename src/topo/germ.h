@@ -9,7 +9,7 @@
 #include "topo/cone.h"
 
 /** A side of a time of contact on which the trajectory leaves the cell it is in
- * (proofs/topology.md C46, C51 to C53). */
+ * (proofs/topology.md C46, C51, C52). */
 typedef struct germ_side {
     fmpz e[3]; /* its leading direction modulo the directions of the cell */
     slong order;
@@ -32,6 +32,8 @@ typedef struct germ_root {
 typedef struct germ {
     local_cone cone;
     const point_map *map; /* of the piece */
+    int has_time;
+    fmpq time; /* on the piece, if it is rational */
     fmpz to_body[9];
     germ_root *root; /* NULL if all else is exact; else that is near it, and covers nothing */
     int exact;       /* the planes of the cone keep their directions on the piece */

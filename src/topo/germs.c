@@ -83,6 +83,9 @@ static graze_status add_germ_alone(germ_maker *m, const fmpq_t u) {
     if (status)
         return status;
     fmpz *x = _fmpz_vec_init(d + 1);
+    g->has_time = 1;
+    fmpq_init(&g->time);
+    fmpq_set(&g->time, u);
     trajectory_at(x, &m->path, u);
     set_to_body(g, m, u);
     status = cone_make(&g->cone, m->context, m->scene->solid, m->planes, x);

@@ -10,7 +10,9 @@
 #include <flint/fmpz_vec.h>
 #include "topo/borders.h"
 #include "topo/cover.h"
+#include "topo/directions.h"
 #include "topo/germs.h"
+#include "topo/second.h"
 #include "verdict/classify.h"
 
 /* Halvings of the distance at which a witness is looked for. */
@@ -27,6 +29,8 @@ typedef struct leading_maker {
     germ_list germs;
     borders borders;
     int is_interior[BY_COUNT]; /* as far as has been looked at, by each level and those before it */
+    int open_rank;             /* of the directions that are not covered with a neighbourhood */
+    fmpz *open;                /* one of them, another, and their product */
 } leading_maker;
 
 /* The point at 2^-places of a direction is the witness if it is out. */
@@ -68,11 +72,38 @@ static void keep_open_direction(topo_finding *out, const fmpz *direction, int d)
     out->has_open = 1;
 }
 
-/* A cell is covered with a neighbourhood, or all full cells around it lie in exact cones. */
-static void note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
+/* Keep the plane of the directions that are not covered, in E^3. */
+static void note_open(leading_maker *m, const fmpz *direction) {
+    fmpz_t volume;
+    if (m->borders.dimension == 2 || m->open_rank == 3)
+        return;
+    fmpz_init(volume);
+    if (m->open_rank == 0 || (m->open_rank == 1 && !directions_parallel(m->open, direction)))
+        _fmpz_vec_set(m->open + 3 * m->open_rank++, direction, 3);
+    if (m->open_rank == 2) {
+        directions_cross(m->open + 6, m->open, m->open + 3);
+        _fmpz_vec_dot(volume, m->open + 6, direction, 3);
+        m->open_rank += !fmpz_is_zero(volume);
+    }
+    fmpz_clear(volume);
+}
+
+/* Is a cell covered with a neighbourhood, or do all full cells around it lie in exact cones? */
+static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] = m->is_interior[by] && (cell->open || (by == BY_TUBE && cell->tube) ||
                                                     (by >= BY_EXACT && all_exact));
+    return cell->open || cell->tube || all_exact;
+}
+
+/* A cell between ray r and another ray; one that is not covered lies in the plane of r and a
+ * direction in it. */
+static void note_between(leading_maker *m, const fmpz *ray, const fmpz *direction,
+                         const germ_cover *cell, int all_exact) {
+    if (note_cell(m, cell, all_exact))
+        return;
+    note_open(m, ray);
+    note_open(m, direction);
 }
 
 /* A full cell; `*here` is what covers it. */
@@ -84,7 +115,8 @@ static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz 
         status = set_boundary(m, direction);
     else if (!here->covered)
         keep_open_direction(m->out, direction, m->borders.dimension);
-    note_cell(m, here, here->exact);
+    if (!note_cell(m, here, here->exact))
+        m->open_rank = 3;
     return status;
 }
 
@@ -93,33 +125,53 @@ static graze_status look_around(leading_maker *m, size_t r) {
     int d = m->borders.dimension, all_exact = 1;
     fmpz *cell;
     size_t count, step = d == 3 ? 2 : 1;
+    const fmpz *around = m->borders.ray + r * (size_t)d;
     germ_cover ray, last, first = {0, 0, 0, 0}, here = first, between = first;
-    graze_status status = germs_cover(&ray, &m->germs, m->context, m->borders.ray + r * (size_t)d);
+    graze_status status = germs_cover(&ray, &m->germs, m->context, around);
     borders_around(&cell, &count, &m->borders, r);
     for (size_t k = 0; k < count && !status && m->out->position == GRAZE_TOPO_NONE; k += step) {
         last = here;
         status = look_at_full(&here, m, cell + k * (size_t)d);
         if (d == 3 && k > 0)
-            note_cell(m, &between, last.exact && here.exact);
+            note_between(m, around, cell + (k - 1) * (size_t)d, &between, last.exact && here.exact);
         if (d == 3 && !status)
             status = germs_cover(&between, &m->germs, m->context, cell + (k + 1) * (size_t)d);
         all_exact = all_exact && here.exact;
         first = k == 0 ? here : first;
     }
     if (d == 3)
-        note_cell(m, &between, here.exact && first.exact);
-    note_cell(m, &ray, all_exact);
+        note_between(m, around, cell + (count - 1) * (size_t)d, &between,
+                     here.exact && first.exact);
+    if (!note_cell(m, &ray, all_exact))
+        note_open(m, around);
     _fmpz_vec_clear(cell, (slong)count * d);
+    return status;
+}
+
+/* On both sides of the plane of the directions that are left. Where there is a gap, that plane and
+ * the gap's direction are kept. */
+static graze_status look_at_second_order(int *covers, leading_maker *m) {
+    topo_finding *out = m->out;
+    fmpz *gap = _fmpz_vec_init(3);
+    graze_status status = second_covers(covers, gap, &m->germs, m->context, m->point, m->open + 6);
+    if (!status && !*covers && !_fmpz_vec_is_zero(gap, 3) && !out->has_open) {
+        keep_open_direction(out, gap, 3);
+        _fmpz_vec_set(out->across, m->open + 6, 3);
+        out->has_across = 1;
+    }
+    _fmpz_vec_clear(gap, 3);
     return status;
 }
 
 static graze_status look_at_all(leading_maker *m) {
     static const graze_topo_level level[] = {GRAZE_LEVEL_L1, GRAZE_LEVEL_EXACT, GRAZE_LEVEL_TUBE};
     graze_status status = GRAZE_OK;
+    int by_second = 0;
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] = 1;
     for (size_t r = 0; r < m->borders.ray_count && !status && m->out->position == GRAZE_TOPO_NONE &&
-                       (m->is_interior[BY_TUBE] || m->germs.bounded);
+                       (m->germs.bounded || m->is_interior[BY_TUBE] ||
+                        (m->borders.dimension == 3 && m->open_rank < 3));
          r++)
         status = look_around(m, r);
     if (status || m->out->position != GRAZE_TOPO_NONE)
@@ -127,12 +179,16 @@ static graze_status look_at_all(leading_maker *m) {
     for (int by = BY_TUBE; by >= 0; by--)
         if (m->is_interior[by])
             finding_set(m->out, GRAZE_TOPO_INTERIOR, level[by]);
-    if (!m->is_interior[BY_TUBE])
+    if (m->open_rank == 2)
+        status = look_at_second_order(&by_second, m);
+    if (by_second)
+        finding_set(m->out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_L2);
+    else if (!m->is_interior[BY_TUBE])
         finding_undecided(m->out, m->germs.bounded
                                       ? "to first order the contacts close around the point, and "
                                         "what is left is thinner than every cone"
                                       : m->germs.reason);
-    return GRAZE_OK;
+    return status;
 }
 
 graze_status leading_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
@@ -141,6 +197,7 @@ graze_status leading_decide(topo_finding *out, graze_context *context, const gra
     int refused = 0;
     germs_init(&m.germs);
     borders_init(&m.borders, scene->motion->dimension);
+    m.open = _fmpz_vec_init(9);
     graze_status status = germs_find(&m.germs, context, scene, planes, point);
     if (!status)
         status = borders_find(&m.borders, &refused, context, &m.germs);
@@ -148,6 +205,7 @@ graze_status leading_decide(topo_finding *out, graze_context *context, const gra
         finding_undecided(out, "more planes border what the contacts cover than are looked at");
     else if (!status)
         status = look_at_all(&m);
+    _fmpz_vec_clear(m.open, 9);
     borders_clear(&m.borders);
     germs_clear(&m.germs);
     return status;

@@ -17,7 +17,7 @@ graze_status signs_state(graze_state *out, local_cone *cone, graze_context *cont
                          const signed char *signs);
 
 /** 1 in *covered if a germ with a root may cover a direction about the point (proofs/topology.md
- * C54). */
+ * C53). */
 graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
                                  const fmpz *direction);
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The planes lie askew, so that facets seldom come to lie in one. Where the contacts do not depend
- * on a direction, a plane across it decides (proofs/topology.md C55).
+ * on a direction, a plane across it decides (proofs/topology.md C54).
  */
 #include "topo/slices.h"
 
@@ -70,10 +70,12 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
     const char *reason = out->reason;
     fmpz *along = _fmpz_vec_init(9), *invariant = along + 6;
     graze_status status = find_invariant(invariant, context, scene, planes, point);
-    for (int k = 0; k < SLICES && !status && !is_decided(out); k++) {
+    for (int k = out->has_across ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
         for (int i = 0; i < 6; i++)
-            fmpz_set_si(along + i, askew[k][i / 3][i % 3]);
-        if (out->has_open)
+            fmpz_set_si(along + i, askew[FLINT_MAX(k, 0)][i / 3][i % 3]);
+        if (k < 0)
+            _fmpz_vec_set(along + 3, out->across, 3);
+        if (k < 0 || (out->has_open && !out->has_across))
             _fmpz_vec_set(along, out->open, 3);
         if (directions_parallel(along, along + 3))
             continue;

@@ -8,29 +8,15 @@
 #include "topo/cover.h"
 #include "topo/directions.h"
 
-/* Is u + s e in the interior of the cone for some s? */
-static graze_status line_meets_interior(int *out, germ *g, graze_context *context, const fmpz *u,
-                                        const fmpz *e) {
-    slong d = g->cone.dimension;
-    int in_cone = 0;
-    fmpz *back = _fmpz_vec_init(d);
-    _fmpz_vec_neg(back, e, d);
-    graze_status status = cone_sweep(out, &in_cone, &g->cone, context, NULL, u, e);
-    if (!status && !*out)
-        status = cone_sweep(out, &in_cone, &g->cone, context, NULL, u, back);
-    _fmpz_vec_clear(back, d);
-    return status;
-}
-
 /* Across a line, or a plane, in which e lies: a normal of it and its opposite. */
 static graze_status look_to_both_sides(int *out, germ *g, graze_context *context,
                                        const fmpz *normal, const fmpz *e) {
     slong d = g->cone.dimension;
     fmpz *other = _fmpz_vec_init(d);
     _fmpz_vec_neg(other, normal, d);
-    graze_status status = line_meets_interior(out, g, context, normal, e);
+    graze_status status = cone_meets_line(out, &g->cone, context, normal, e);
     if (!status && *out)
-        status = line_meets_interior(out, g, context, other, e);
+        status = cone_meets_line(out, &g->cone, context, other, e);
     _fmpz_vec_clear(other, d);
     return status;
 }
@@ -46,7 +32,7 @@ static graze_status look_about(int *out, germ *g, graze_context *context, const 
     if (!status) {
         borders_around(&cell, &count, &b, 0);
         for (size_t k = 0; k < count && !status && *out; k++)
-            status = line_meets_interior(out, g, context, cell + 3 * k, e);
+            status = cone_meets_line(out, &g->cone, context, cell + 3 * k, e);
         _fmpz_vec_clear(cell, (slong)count * 3);
     }
     borders_clear(&b);

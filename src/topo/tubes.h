@@ -6,7 +6,7 @@
 
 #include "topo/germ.h"
 
-/** Set `tube` of a germ's sides (proofs/topology.md C52) and `covers_edge` (C53). */
+/** Set `tube` of a germ's sides and `covers_edge` (proofs/topology.md C52). */
 graze_status tubes_find(germ *g, graze_context *context);
 
 #endif

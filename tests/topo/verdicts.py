@@ -20,7 +20,7 @@ from solids import Polygon, box_ring, ring  # noqa: E402
 
 EXAMPLES = os.path.join(HERE, "..", "examples")
 # Examples in space that must be decided.
-DECIDED = {"46", "47", "49", "50", "52", "53", "55a"}
+DECIDED = {"46", "47", "49", "50", "51", "52", "53", "55a", "55b", "55c"}
 
 # Why, for each example of examples.txt that is `on`. D is what the closed solid covers near P at a contact.
 POSITIONS = {
