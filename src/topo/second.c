@@ -105,7 +105,7 @@ static void ways_init(plane_ways *w, const germ *g, size_t j, const fmpq *point)
     fmpq_clear(c);
 }
 
-static void dot(fmpq_t out, const fmpq *a, const fmpz *b) {
+static void value_on(fmpq_t out, const fmpq *a, const fmpz *b) {
     fmpq_t part;
     fmpq_init(part);
     fmpq_zero(out);
@@ -139,8 +139,8 @@ static void form_of_facet(fmpq *form, const second_maker *m, const germ *g) {
     fmpq_init(factor);
     if (g->side_count == 2 && g->side[0].order == 2) {
         for (int i = 0; i < 2; i++)
-            dot(linear + i, w.normal[1], m->basis[i]);
-        dot(factor, w.normal[0], m->normal);
+            value_on(linear + i, w.normal[1], m->basis[i]);
+        value_on(factor, w.normal[0], m->normal);
         fmpq_mul(factor, factor, w.value + 2);
         fmpq_mul_2exp(factor, factor, 2);
         fmpq_inv(factor, factor);
@@ -153,8 +153,8 @@ static void form_of_facet(fmpq *form, const second_maker *m, const germ *g) {
 }
 
 /* out = a p + b q, n of each. */
-static void combine(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t b, const fmpq *q,
-                    slong n) {
+static void combine_ways(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t b, const fmpq *q,
+                         slong n) {
     fmpq_t part;
     fmpq_init(part);
     for (slong i = 0; i < n; i++) {
@@ -178,20 +178,20 @@ static int form_of_edge(fmpq *form, const second_maker *m, const germ *g, size_t
     ways_init(&w[1], g, other, m->point);
     ways_init(&both, g, 0, m->point);
     fmpq_neg(a, w[0].value + 1);
-    combine(both.value, w[1].value + 1, w[0].value, a, w[1].value, 3);
+    combine_ways(both.value, w[1].value + 1, w[0].value, a, w[1].value, 3);
     for (int k = 0; k < 2; k++)
-        combine(both.normal[k], w[1].value + 1, w[0].normal[k], a, w[1].normal[k], 3);
+        combine_ways(both.normal[k], w[1].value + 1, w[0].normal[k], a, w[1].normal[k], 3);
     direction_of_rationals(across, both.normal[0], 3);
     int lies = directions_parallel(across, m->normal);
     if (lies) {
         const plane_ways *p = fmpq_is_zero(w[0].value + 1) ? &w[1] : &w[0];
         for (int i = 0; i < 2; i++) {
-            dot(linear + i, p->normal[0], m->basis[i]);
+            value_on(linear + i, p->normal[0], m->basis[i]);
             fmpq_div(linear + i, linear + i, p->value + 1);
             fmpq_neg(linear + i, linear + i);
-            dot(linear + 2 + i, both.normal[1], m->basis[i]);
+            value_on(linear + 2 + i, both.normal[1], m->basis[i]);
         }
-        dot(factor, both.normal[0], m->normal);
+        value_on(factor, both.normal[0], m->normal);
         fmpq_inv(factor, factor);
         fmpq_neg(factor, factor);
         add_product(form, factor, linear, linear + 2);
@@ -310,8 +310,8 @@ static void set_gap(const second_maker *m, int swapped, const fmpq_t s) {
 }
 
 /* Look at one number; between two roots a gap is kept. */
-static graze_status look_at(int *out, const second_maker *m, int swapped, algebraic *at,
-                            int between) {
+static graze_status look_at_slope(int *out, const second_maker *m, int swapped, algebraic *at,
+                                  int between) {
     int sign = 0;
     graze_status status = largest_sign_at(&sign, m, swapped, at);
     if (!status && sign < 0 && between)
@@ -321,8 +321,8 @@ static graze_status look_at(int *out, const second_maker *m, int swapped, algebr
 }
 
 /* At the roots of all excesses in [-1, 1], at both ends, and between all of these. */
-static graze_status look_at_roots(int *out, const second_maker *m, int swapped,
-                                  algebraic_list *roots) {
+static graze_status look_at_slopes(int *out, const second_maker *m, int swapped,
+                                   algebraic_list *roots) {
     algebraic last, next, middle;
     fmpq_t between;
     fmpq_init(between);
@@ -331,7 +331,7 @@ static graze_status look_at_roots(int *out, const second_maker *m, int swapped,
     algebraic_init(&middle);
     fmpq_set_si(between, -1, 1);
     algebraic_set_rational(&last, between);
-    graze_status status = look_at(out, m, swapped, &last, 0);
+    graze_status status = look_at_slope(out, m, swapped, &last, 0);
     for (size_t k = 0; k <= roots->count && !status; k++) {
         int order = 0;
         fmpq_one(between);
@@ -345,9 +345,9 @@ static graze_status look_at_roots(int *out, const second_maker *m, int swapped,
         status = algebraic_between(between, m->context, &last, &next);
         algebraic_set_rational(&middle, between);
         if (!status)
-            status = look_at(out, m, swapped, &middle, 1);
+            status = look_at_slope(out, m, swapped, &middle, 1);
         if (!status)
-            status = look_at(out, m, swapped, &next, 0);
+            status = look_at_slope(out, m, swapped, &next, 0);
         algebraic_set(&last, &next);
     }
     algebraic_clear(&last);
@@ -378,7 +378,7 @@ static graze_status look_at_quarter(int *out, const second_maker *m, int swapped
         }
     graze_status status = algebraic_roots(&roots, m->context, product, &range);
     if (!status)
-        status = look_at_roots(out, m, swapped, &roots);
+        status = look_at_slopes(out, m, swapped, &roots);
     fmpz_poly_clear(p);
     fmpz_poly_clear(product);
     dyadic_interval_clear(&range);

@@ -24,6 +24,7 @@ from solids import Mesh  # noqa: E402
 
 TINY = F(1, 2 ** 100)
 SCENES = 60
+SCALES = (120, 250, 400)
 ROOFS = os.path.join(HERE, "..", "examples", "solids", "crossed_roofs.off")
 
 
@@ -61,6 +62,19 @@ def truth(k, m, w):
     return None
 
 
+def probes(k, m, w, e):
+    """Places at the distance e along several directions of z = 0: below, between and above what both ridges draw."""
+    for x, y in ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (-1, 2)):
+        low, high = k * x * x + w * x * y, m * y * y
+        for z in ((low + high) / 2, 2 * low - high, 2 * high - low, F(0)):
+            yield mapped((x * e, y * e, z * e * e))
+
+
+def open_somewhere(k, m, w):
+    return any(k * x * x + w * x * y < m * y * y
+               for x, y in ((1, 0), (0, 1), (1, 1), (1, -1), (2, 1), (1, 2), (2, -1), (-1, 2)))
+
+
 def chosen(rng):
     """k, m and w: some on the edge of being definite, and 2^-100 beside it."""
     yield F(1, 64), F(-1, 64), F(0)
@@ -90,6 +104,15 @@ def main():
         if want:
             checks.equal(record["topo"], want, *where)
             checks.equal("topo_witness" in record, want == "boundary", *where, "witness")
+            places = [p for s in SCALES for p in probes(k, m, w, F(1, 2 ** s))]
+            found = graze.classify(f"probes {n}", solid, motion(k, m, w), places)
+            out = [answer.record["pmc"] == "out" for answer in found or []]
+            each = len(out) // len(SCALES)
+            scales = {s for j, s in enumerate(SCALES) if any(out[j * each:(j + 1) * each])}
+            if want == "interior":
+                checks.equal(scales, set(), *where, "scales of the probes that are out")
+            elif open_somewhere(k, m, w):
+                checks.equal(scales, set(SCALES), *where, "scales of the probes that are out")
     for key, count in sorted(seen.items(), key=str):
         print(*key, count)
     checks.holds(seen["interior", "interior", "L2"] > 20, "few are interior by second order")
