@@ -5,6 +5,7 @@
  * the counts, and the definition and case that apply. Every number is exact; decimals stand beside
  * exact times and are correctly rounded.
  */
+#include "report/closed.h"
 #include "report/explain.h"
 
 #include <flint/fmpq_vec.h>
@@ -282,22 +283,6 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
                       "reaches its boundary");
 }
 
-/* The position relative to the closed sweep or unsweep. */
-static void put_topo(text *t, const topo_finding *topo, int dimension) {
-    text_put(t, "\nRelative to the closed set ");
-    if (topo->position == GRAZE_TOPO_UNDECIDED) {
-        text_format(t, "it is undecided: %s.\n", topo->reason);
-        return;
-    }
-    text_format(t, "it is `%s`, by level `%s`.\n", graze_topo_name(topo->position),
-                graze_topo_level_name(topo->level));
-    for (int k = 0; topo->has_witness && k < dimension; k++) {
-        text_put(t, k ? ", " : "A point that is out: (");
-        text_rational(t, topo->witness + k);
-    }
-    text_put(t, topo->has_witness ? ").\n" : "");
-}
-
 graze_status report_explain(char **out, graze_context *context, const graze_scene *scene,
                             const fmpq *point, const graze_trace *trace, const topo_finding *topo) {
     text t;
@@ -309,13 +294,13 @@ graze_status report_explain(char **out, graze_context *context, const graze_scen
     if (scene->options.operation == GRAZE_UNSWEEP) {
         put_unsweep_rule(&t, &trace->verdict);
         if (topo)
-            put_topo(&t, topo, scene->motion->dimension);
+            closed_explain(&t, topo, scene->motion->dimension);
         text_put(&t, "\n[IS] Ilies and Shapiro 1998.\n");
     } else {
         explain_counts(&t, trace);
         put_sweep_rule(&t, scene, trace);
         if (topo)
-            put_topo(&t, topo, scene->motion->dimension);
+            closed_explain(&t, topo, scene->motion->dimension);
         text_put(&t, "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n");
     }
     return text_finish(out, context, &t);

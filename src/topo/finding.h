@@ -17,7 +17,8 @@ typedef struct topo_finding {
     fmpq witness[3]; /* a point that is `out` */
     int has_open;
     fmpz open[3];   /* a direction that no contact looked at covers to first order */
-    int has_across; /* all such lie in one plane, across `across`, and `open` not to second order */
+    int has_across; /* all such lie in one plane, across `across`; then `open` is one that is not
+                       covered to second order */
     fmpz across[3];
 } topo_finding;
 

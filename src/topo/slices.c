@@ -70,12 +70,13 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
     const char *reason = out->reason;
     fmpz *along = _fmpz_vec_init(9), *invariant = along + 6;
     graze_status status = find_invariant(invariant, context, scene, planes, point);
-    for (int k = out->has_across ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
+    int has_gap = out->has_across && out->has_open;
+    for (int k = has_gap ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
         for (int i = 0; i < 6; i++)
             fmpz_set_si(along + i, askew[FLINT_MAX(k, 0)][i / 3][i % 3]);
         if (k < 0)
             _fmpz_vec_set(along + 3, out->across, 3);
-        if (k < 0 || (out->has_open && !out->has_across))
+        if (k < 0 || (out->has_open && !has_gap))
             _fmpz_vec_set(along, out->open, 3);
         if (directions_parallel(along, along + 3))
             continue;

@@ -13,6 +13,7 @@ import statistics
 import tempfile
 
 import certificates
+import positions
 import scenes
 import turns
 from cores import Cores
@@ -296,6 +297,7 @@ class Bench:
         self.grid("integer box", scenes.BLOCK)
         self.grid("L-shape", scenes.L_SHAPE)
         certificates.run(self.table, self.graze, self.folder, 60 if self.options.quick else 300)
+        positions.run(self.table, self.graze, self.folder, 20 if self.options.quick else 100)
         self.table.end(self.options.json)
 
 

@@ -70,8 +70,8 @@ def check_forged(checks, graze, points):
 
 
 def check_undecided(checks, graze):
-    """Example 51 is undecided in space; a point far away is not."""
-    roofs = os.path.join(EXAMPLES, "solids", "crossed_roofs.off"), os.path.join(EXAMPLES, "motions", "roofs_51.json")
+    """Example 54 is undecided in space; a point far away is not."""
+    roofs = os.path.join(EXAMPLES, "solids", "crossed_roofs.off"), os.path.join(EXAMPLES, "motions", "roofs_54.json")
     points = graze.write("roofs.csv", "0,0,0\n90,0,0\n0,0,0\n")
     flags = ("--quiet", "--topo")
     out = graze.call("classify", *roofs, points, *flags)
@@ -92,14 +92,16 @@ def check_undecided(checks, graze):
 
 
 def check_explain(checks, graze):
-    """The same in words: example 7, 17b and 51."""
+    """The same in words: example 7, 17b and 54."""
     said = graze.call("explain", *SQUARE, "0", "1", "--topo").stdout
     checks.holds("it is `boundary`, by level `L1`." in said and "A point that is out: (" in said, said)
     said = graze.call("explain", *SQUARE, "4", "1", "--topo").stdout
     checks.holds("it is `interior`, by level `exact`." in said and "that is out" not in said, said)
-    roofs = os.path.join(EXAMPLES, "solids", "crossed_roofs.off"), os.path.join(EXAMPLES, "motions", "roofs_51.json")
+    checks.holds("That is, closed cones that contacts cover exactly fill all directions about P" in said, said)
+    roofs = os.path.join(EXAMPLES, "solids", "crossed_roofs.off"), os.path.join(EXAMPLES, "motions", "roofs_54.json")
     said = graze.call("explain", *roofs, "0", "0", "0", "--topo").stdout
     checks.holds("it is undecided: to first order the contacts close" in said, said)
+    checks.holds("covered to first order but some of the plane" in said and "of the plane dz = 0:" in said, said)
     checks.holds("closed set" not in graze.call("explain", *SQUARE, "4", "1").stdout, "nothing without --topo")
 
 

@@ -1,0 +1,76 @@
+/* Positions in words. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "report/closed.h"
+
+static const char axis[] = "xyz";
+
+/* What each level says of a point, by position. */
+static const char *meaning_of(const topo_finding *topo) {
+    int interior = topo->position == GRAZE_TOPO_INTERIOR;
+    switch (topo->level) {
+    case GRAZE_LEVEL_L1:
+        return interior ? "to first order the contacts cover every direction about P, each with "
+                          "those near it"
+                        : "to first order no contact covers the direction from P to the point "
+                          "below: all points near enough in it are out";
+    case GRAZE_LEVEL_EXACT:
+        return "closed cones that contacts cover exactly fill all directions about P, with what is "
+               "covered to first order";
+    case GRAZE_LEVEL_TUBE:
+        return "the contacts cover every direction about P to first order, with the ways that pass "
+               "between parts or along an edge";
+    case GRAZE_LEVEL_L2:
+        return "contacts close on both sides of a plane through P and, to second order, overlap in "
+               "each of its directions";
+    case GRAZE_LEVEL_LR:
+        return "near P nothing depends on one direction; every part into which curves cut a small "
+               "square across it was looked at";
+    case GRAZE_LEVEL_L3:
+        return "every part into which curves cut a small square about P was looked at";
+    default:
+        return NULL;
+    }
+}
+
+/* a x + b y + c z. */
+static void put_form(text *t, const fmpz *normal) {
+    int first = 1;
+    for (int k = 0; k < 3; k++) {
+        if (fmpz_is_zero(normal + k))
+            continue;
+        char *digits = fmpz_get_str(NULL, 10, normal + k);
+        text_put(t, first ? "" : " + ");
+        if (!fmpz_is_one(normal + k))
+            text_format(t, "%s ", digits);
+        text_format(t, "d%c", axis[k]);
+        flint_free(digits);
+        first = 0;
+    }
+}
+
+static void put_undecided(text *t, const topo_finding *topo) {
+    text_format(t, "it is undecided: %s.\n", topo->reason);
+    if (!topo->has_across)
+        return;
+    text_put(t, "All directions (dx, dy, dz) are covered to first order but some of the plane ");
+    put_form(t, topo->across);
+    text_put(t, " = 0:\na gap along it would be thinner "
+                "than every cone.\n");
+}
+
+void closed_explain(text *t, const topo_finding *topo, int dimension) {
+    const char *meaning = meaning_of(topo);
+    text_put(t, "\nRelative to the closed set ");
+    if (topo->position == GRAZE_TOPO_UNDECIDED) {
+        put_undecided(t, topo);
+        return;
+    }
+    text_format(t, "it is `%s`, by level `%s`.\n", graze_topo_name(topo->position),
+                graze_topo_level_name(topo->level));
+    if (meaning)
+        text_format(t, "That is, %s.\n", meaning);
+    for (int k = 0; topo->has_witness && k < dimension; k++) {
+        text_put(t, k ? ", " : "A point that is out: (");
+        text_rational(t, topo->witness + k);
+    }
+    text_put(t, topo->has_witness ? ").\n" : "");
+}
