@@ -82,6 +82,8 @@ class Case:
             text = file.read()
         found = re.findall(r"^options: *(.*)$", text.replace("`", ""), re.M)
         self.options = found[0].split() if found else []
+        # without those of further columns
+        self.answers = [word for word in self.options if word != "--topo"]
         self.table = table_of(text)
         header, rows = rows_of(self.path("points.csv"))
         if "id" not in header:

@@ -75,7 +75,7 @@ class Columns:
     def cases(self):
         for name in casefile.names():
             case = casefile.Case(name)
-            self.same(name, case.path(case.solid), case.path("motion.json"), case.path("points.csv"), *case.options)
+            self.same(name, case.path(case.solid), case.path("motion.json"), case.path("points.csv"), *case.answers)
 
     def scenes(self):
         for scene in scenes():

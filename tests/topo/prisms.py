@@ -125,6 +125,15 @@ def generated(graze, solid, motion, seed):
     return [(r["point"], r["topo"], r["topo_level"]) for r in records if r["pmc"] == "on"]
 
 
+def check_witness(checks, graze, name, point, witness):
+    """By L1 the witness is out, and from there down towards the point all in its direction."""
+    tag = name.replace(" ", "_")
+    files = [os.path.join(graze.keep or graze.folder.name, tag + suffix) for suffix in (".off", ".json")]
+    places = [tuple(p + (q - p) / 2 ** k for p, q in zip(point, witness)) for k in (0, 8, 40, 120, 400)]
+    found = graze.classify(name + " witness", *files, places) or []
+    checks.equal([answer.record["pmc"] for answer in found], ["out"] * len(places), name, "witness towards the point")
+
+
 def check_pairs(checks, graze, seen, rng):
     """Every solid with every motion of the plane: what levels of the plane say of generated points, by the curves if
     need be, is what those of space say of the prism."""
@@ -161,6 +170,8 @@ def main():
             checks.equal(record["pmc"], "on", name, bottom)
             checks.equal(record["topo"], position, name, bottom, record.get("topo_reason"))
             checks.equal("topo_witness" in record, position == "boundary", name, bottom, "witness")
+            if record.get("topo_level") == "L1":
+                check_witness(checks, graze, f"prism {name} {bottom}", there[0], [F(x) for x in record["topo_witness"]])
             seen[position, record.get("topo_level", "undecided")] += 1
             if bottom < 0 and name in LEVELS:
                 checks.equal(record.get("topo_level"), LEVELS[name], name, "level")

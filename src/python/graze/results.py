@@ -68,7 +68,8 @@ class Topology(NamedTuple):
     """Where a point lies relative to the closed sweep.
 
     `position` is `interior`, `boundary`, `exterior` or `undecided`, `level` what decided it (`word`,
-    `L1`, `L3`, else `none`), `reason` why it is undecided, else "". `witness` is a point that is
+    `L1`, `exact`, `tube`, `L2`, `LR`, `L3`,
+    else `none`), `reason` why it is undecided, else "". `witness` is a point that is
     `out`, for an `on` point that is `boundary`.
     """
 
