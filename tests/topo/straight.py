@@ -22,7 +22,7 @@ from solids import Polygon, block, box_ring, extruded, joined, meshes, polygons,
 
 POINTS = 150
 # The least share of seams and of decided points among those that are `on`, of all scenes.
-SEAMS, SPACE_DECIDED = 0.03, 1
+SEAMS, SPACE_DECIDED = 0.005, 1
 
 
 def walk(rng, dimension, steps, size):
