@@ -63,7 +63,8 @@ static graze_status certify_point(text *out, text *table, graze_context *context
                                   const certifier *c, const fmpq *point, graze_format format,
                                   const char *rest) {
     graze_trace trace;
-    int with_contacts = c->with_contacts || (table && format == GRAZE_FORMAT_JSONL);
+    int with_contacts =
+        c->with_contacts || (table && (format == GRAZE_FORMAT_JSONL || c->scene->tolerance > 0));
     graze_status status =
         classify_point(&trace, context, c->scene, (query_point){.rational = point},
                        with_contacts ? TRACE_CONTACTS : TRACE_WORD);

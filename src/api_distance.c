@@ -109,3 +109,7 @@ graze_status graze_scene_diagonal(double *out, graze_context *context, const gra
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     return distance_diagonal(out, context, scene);
 }
+
+double graze_scene_sdf(const graze_scene *scene) {
+    return scene ? scene->tolerance : 0;
+}

@@ -6,6 +6,7 @@
 #include <string.h>
 #include "api_trace.h"
 #include "context/environment.h"
+#include "distance/distance.h"
 #include "report/decimal.h"
 #include "report/explain.h"
 #include "report/json.h"
@@ -147,12 +148,16 @@ graze_status api_trace_row(text *out, graze_context *context, const graze_scene 
     const topo_finding *topo = scene->options.topo ? &found : NULL;
     if (topo)
         status = topo_decide(&found, context, scene, point, trace);
-    if (status == GRAZE_OK && format == GRAZE_FORMAT_JSONL)
+    distance space;
+    const distance *near = scene->tolerance > 0 ? &space : NULL;
+    if (!status && near)
+        status = distance_find(&space, context, scene, point, trace, scene->tolerance);
+    if (status == GRAZE_OK && (near || format == GRAZE_FORMAT_JSONL))
         status = trace_canonicalise(trace, context);
     if (status == GRAZE_OK && format == GRAZE_FORMAT_JSONL)
-        report_json(out, scene, point, trace, topo);
+        report_json(out, scene, point, trace, topo, near);
     else if (status == GRAZE_OK)
-        report_csv(out, scene, point, trace, rest, topo);
+        report_csv(out, scene, point, trace, rest, topo, near);
     finding_clear(&found);
     return status;
 }
@@ -197,7 +202,8 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
 static graze_status report_point(text *out, graze_context *context, const graze_scene *scene,
                                  const fmpq *point, graze_format format, const char *rest) {
     graze_trace trace;
-    trace_detail detail = format == GRAZE_FORMAT_JSONL                  ? TRACE_CONTACTS
+    int with_times = format == GRAZE_FORMAT_JSONL || scene->tolerance > 0;
+    trace_detail detail = with_times                                    ? TRACE_CONTACTS
                           : scene->options.columns == GRAZE_COLUMNS_PMC ? TRACE_PMC
                                                                         : TRACE_WORD;
     graze_status status =
@@ -312,8 +318,12 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
     const topo_finding *topo = scene->options.topo ? &found : NULL;
     if (!status && topo)
         status = topo_decide(&found, context, scene, p, trace);
+    distance space;
+    const distance *near = scene->tolerance > 0 ? &space : NULL;
+    if (!status && near)
+        status = distance_find(&space, context, scene, p, trace, scene->tolerance);
     if (!status)
-        status = report_explain(out, context, scene, p, trace, topo);
+        status = report_explain(out, context, scene, p, trace, topo, near);
     finding_clear(&found);
     _fmpq_vec_clear(p, scene->motion->dimension);
     return status;

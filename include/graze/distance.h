@@ -45,6 +45,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_distances_doubles(graze_enclosure *ou
                                                              const graze_scene *scene,
                                                              const double *points, size_t n,
                                                              double tolerance);
+/** The width that the scene's rows ask for, its options `sdf` and `sdf_relative`; 0: none. */
+GRAZE_API double graze_scene_sdf(const graze_scene *scene);
 /**
  * The diagonal of the box of S^0's corners, rounded down: what relative tolerances are relative to.
  * @return GRAZE_EUSE; GRAZE_ECANCELED

@@ -16,6 +16,8 @@ static const char classify_help[] =
     "  --operation sweep|unsweep     the set points are classified against (sweep)\n"
     "  --overlap extend|reject       S^0 and S^1 that meet: nine cases (default), or an error\n"
     "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
+    "  --sdf TOL            three columns more: the signed distance to the sweep, enclosed to\n"
+    "                       TOL, with 1e-6r to 1e-6 of the diagonal; a time that shows it\n"
     "  --topo               one column more, last: the position relative to the closed sweep\n"
     "  --columns all|pmc    answers: all (default), or pmc alone, which is decided sooner\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
@@ -64,6 +66,7 @@ static const option_entry classify_table[] = {
     OPTION("operation", classify_options, scene.scene.operation, value_operation),
     OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
     OPTION("folds", classify_options, scene.scene.folds, value_folds),
+    OPTION("sdf", classify_options, scene.scene, value_sdf),
     FLAG("topo", classify_options, scene.scene.topo, value_flag),
     OPTION("columns", classify_options, scene.scene.columns, value_columns),
     OPTION("format", classify_options, format, value_format),
@@ -90,7 +93,8 @@ int classify_check_files(const classify_options *o) {
 
 /* What asks for more than pmc. */
 static int check_columns(const classify_options *o) {
-    const char *more = o->scene.scene.topo                    ? "--topo"
+    const char *more = o->scene.scene.sdf > 0                 ? "--sdf"
+                       : o->scene.scene.topo                  ? "--topo"
                        : o->certificate                       ? "--certify"
                        : o->format.rows == GRAZE_FORMAT_JSONL ? "--format jsonl"
                                                               : NULL;

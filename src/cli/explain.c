@@ -17,6 +17,7 @@ static const char explain_help[] =
     "  --no-filter          as in graze classify\n"
     "  --folds separate     Definitions 6 and 7 (default)\n"
     "  --folds combined     Definitions 10 and 11 in their place\n"
+    "  --sdf TOL            the signed distance too, as in graze classify\n"
     "  --topo               the position relative to the closed sweep too\n"
     "  --operation sweep    the set swept by the solid (default)\n"
     "  --operation unsweep  the points that stay in the solid\n"
@@ -62,6 +63,7 @@ static const option_entry explain_table[] = {
     FLAG("no-filter", scene_options, context.exact_only, value_flag),
     OPTION("folds", scene_options, scene.folds, value_folds),
     OPTION("operation", scene_options, scene.operation, value_operation),
+    OPTION("sdf", scene_options, scene, value_sdf),
     FLAG("topo", scene_options, scene.topo, value_flag),
     {NULL, OPTION_FLAG, NULL, 0}};
 

@@ -3,6 +3,7 @@
  */
 #include "cli/values.h"
 
+#include <float.h>
 #include <string.h>
 #include "run/numbers.h"
 #include "run/status.h"
@@ -39,6 +40,29 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
         strcat(list, words[k]);
     }
     return complain(EXIT_USAGE, "--%s %s: expected %s", name, value, list);
+}
+
+int value_sdf(void *to, const char *name, const char *value) {
+    graze_options *out = to;
+    graze_context *context = NULL;
+    size_t length = strlen(value);
+    mpq_t width;
+    mpq_init(width);
+    out->sdf = 0;
+    out->sdf_relative = length > 0 && value[length - 1] == 'r';
+    graze_status status = graze_context_create(&context);
+    if (!status)
+        status = graze_number_parse(width, context, value, length - (size_t)out->sdf_relative);
+    if (!status && mpq_sgn(width) > 0)
+        out->sdf = mpq_get_d(width); /* rounds towards 0 */
+    mpq_clear(width);
+    graze_context_destroy(context);
+    if (out->sdf > 0 && out->sdf <= DBL_MAX)
+        return EXIT_DONE;
+    return complain(EXIT_USAGE,
+                    "--%s %s: expected a positive number in the range of doubles, such as 0.001, "
+                    "or 1e-6r for 1e-6 of the diagonal of S^0's box",
+                    name, value);
 }
 
 /* A reader of an enumeration whose values 0, 1, ... have these words. */

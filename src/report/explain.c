@@ -11,6 +11,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "report/decimal.h"
+#include "report/distance.h"
 #include "report/formula.h"
 #include "verdict/verdict.h"
 
@@ -284,7 +285,8 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
 }
 
 graze_status report_explain(char **out, graze_context *context, const graze_scene *scene,
-                            const fmpq *point, const graze_trace *trace, const topo_finding *topo) {
+                            const fmpq *point, const graze_trace *trace, const topo_finding *topo,
+                            const distance *found) {
     text t;
     text_init(&t);
     put_answer(&t, scene, point, trace);
@@ -295,12 +297,16 @@ graze_status report_explain(char **out, graze_context *context, const graze_scen
         put_unsweep_rule(&t, &trace->verdict);
         if (topo)
             closed_explain(&t, topo, scene->motion->dimension);
+        if (found)
+            explain_distance(&t, scene, found);
         text_put(&t, "\n[IS] Ilies and Shapiro 1998.\n");
     } else {
         explain_counts(&t, trace);
         put_sweep_rule(&t, scene, trace);
         if (topo)
             closed_explain(&t, topo, scene->motion->dimension);
+        if (found)
+            explain_distance(&t, scene, found);
         text_put(&t, "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n");
     }
     return text_finish(out, context, &t);

@@ -4,12 +4,14 @@
 #ifndef GRAZE_REPORT_EXPLAIN_H
 #define GRAZE_REPORT_EXPLAIN_H
 
+#include "distance/distance.h"
 #include "number/text.h"
 #include "topo/finding.h"
 #include "trace/trace.h"
 
 /** The whole reasoning, for a person. */
 graze_status report_explain(char **out, graze_context *context, const graze_scene *scene,
-                            const fmpq *point, const graze_trace *trace, const topo_finding *topo);
+                            const fmpq *point, const graze_trace *trace, const topo_finding *topo,
+                            const distance *found);
 
 #endif

@@ -4,6 +4,9 @@
 
 #include "report/json.h"
 
+#include <string.h>
+#include "number/rational.h"
+#include "report/distance.h"
 #include "report/json_writer.h"
 #include "verdict/verdict.h"
 
@@ -47,8 +50,30 @@ static void json_topo(json_writer *w, const topo_finding *topo, int dimension) {
         json_point(w, "topo_witness", topo->witness, dimension);
 }
 
+static void json_bound(json_writer *w, const char *key, double bound, int up) {
+    char decimal[BOUND_ROOM];
+    report_bound(decimal, bound, up);
+    json_string(w, key);
+    json_check(w, yajl_gen_number(w->gen, decimal, strlen(decimal)));
+}
+
+static void json_distance(json_writer *w, const graze_scene *scene, const distance *found) {
+    json_bound(w, "sdf_low", found->low, 0);
+    json_bound(w, "sdf_high", found->high, 1);
+    if (found->at) {
+        json_time(w, "sdf_t", found->at);
+        return;
+    }
+    fmpq_t time;
+    fmpq_init(time);
+    distance_time(time, found, scene->motion);
+    json_string(w, "sdf_t");
+    json_owned(w, rational_text(time));
+    fmpq_clear(time);
+}
+
 static void json_row(json_writer *w, const graze_scene *scene, const fmpq *point,
-                     const graze_trace *trace, const topo_finding *topo) {
+                     const graze_trace *trace, const topo_finding *topo, const distance *found) {
     json_check(w, yajl_gen_map_open(w->gen));
     json_point(w, "point", point, scene->motion->dimension);
     json_verdict(w, scene, &trace->verdict);
@@ -58,6 +83,8 @@ static void json_row(json_writer *w, const graze_scene *scene, const fmpq *point
     for (size_t k = 0; k < trace->contact_count; k++)
         json_contact(w, &trace->contact[k]);
     json_check(w, yajl_gen_array_close(w->gen));
+    if (found)
+        json_distance(w, scene, found);
     if (topo)
         json_topo(w, topo, scene->motion->dimension);
     json_check(w, yajl_gen_map_close(w->gen));
@@ -65,19 +92,19 @@ static void json_row(json_writer *w, const graze_scene *scene, const fmpq *point
 
 /* 0 when memory runs out within yajl. */
 static int put_line(json_writer *w, const graze_scene *scene, const fmpq *point,
-                    const graze_trace *trace, const topo_finding *topo) {
+                    const graze_trace *trace, const topo_finding *topo, const distance *found) {
     json_memory_init(&w->memory);
     if (setjmp(w->memory.short_of) != 0)
         return 0;
     json_begin(w);
-    json_row(w, scene, point, trace, topo);
+    json_row(w, scene, point, trace, topo, found);
     return !w->failed;
 }
 
 void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                 const topo_finding *topo) {
+                 const topo_finding *topo, const distance *found) {
     json_writer w = {.out = out};
-    if (!put_line(&w, scene, point, trace, topo))
+    if (!put_line(&w, scene, point, trace, topo, found))
         out->failed = 1;
     json_memory_clear(&w.memory);
     text_put(out, "\n");

@@ -4,6 +4,8 @@
 
 #include "report/table.h"
 
+#include "report/distance.h"
+
 static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     int given = 0;
     for (int k = 0; k < 32; k++)
@@ -28,6 +30,8 @@ void table_notes(text *t, graze_context *context, const graze_scene *scene, cons
     text_format(t, "# folds %s\n",
                 options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
+    if (scene->tolerance > 0)
+        text_format(t, "# sdf %.17g\n", scene->tolerance);
     if (options->topo)
         text_put(t, "# topo yes\n");
     if (options->columns == GRAZE_COLUMNS_PMC)
@@ -52,6 +56,8 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
         text_put(&t, ",");
         text_put(&t, columns);
     }
+    if (scene->tolerance > 0)
+        text_put(&t, ",sdf_low,sdf_high,sdf_t");
     if (options->topo)
         text_put(&t, ",topo");
     text_put(&t, "\n");
@@ -76,7 +82,7 @@ static void put_verdict(text *t, const graze_verdict *v) {
 }
 
 void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                const char *rest, const topo_finding *topo) {
+                const char *rest, const topo_finding *topo, const distance *found) {
     for (int k = 0; k < scene->motion->dimension; k++) {
         text_rational(out, point + k);
         text_put(out, ",");
@@ -92,6 +98,8 @@ void report_csv(text *out, const graze_scene *scene, const fmpq *point, const gr
         text_put(out, ",");
         text_put(out, rest);
     }
+    if (found)
+        report_distance(out, scene, found);
     if (topo) {
         text_put(out, ",");
         text_put(out, graze_topo_name(topo->position));

@@ -4,6 +4,7 @@
 #ifndef GRAZE_REPORT_TABLE_H
 #define GRAZE_REPORT_TABLE_H
 
+#include "distance/distance.h"
 #include "number/text.h"
 #include "topo/finding.h"
 #include "trace/trace.h"
@@ -18,6 +19,6 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
 /** Add one row of the table. `rest`: further columns as they were, or NULL; `topo`: the
  * position for the last column, or NULL. */
 void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                const char *rest, const topo_finding *topo);
+                const char *rest, const topo_finding *topo, const distance *found);
 
 #endif

@@ -37,8 +37,17 @@ static int is_further(const columns *c, size_t column) {
     for (int k = 0; k < c->dimension; k++)
         if (c->where[k] == column)
             return 0;
-    return !(column >= c->own.first && column < c->own.end) &&
-           !(c->own.last && column + 1 == c->count);
+    return !(column >= c->own.first && column < c->own.end) && column + c->own.last < c->count;
+}
+
+/* How many of the last columns are an enclosure and a position, behind each other, among `most`. */
+static size_t count_last(const fields *first, columns_head head, size_t most) {
+    static const char *const names[] = {"topo", "sdf_t", "sdf_high", "sdf_low"};
+    size_t count = 0;
+    for (int k = head.topo ? 0 : 1; k < (head.sdf ? 4 : 1) && count < most; k++, count++)
+        if (!field_is(field_content(first->item[first->count - 1 - count]), names[k]))
+            return 0;
+    return count;
 }
 
 /* The answers in a file that graze classify has written: they stand behind the coordinates, in this
@@ -56,8 +65,7 @@ static void find_own(columns *c, const fields *first, columns_head head) {
             break;
         c->own.end = at + 1;
     }
-    c->own.last = head.graze && head.topo && first->count > c->own.end &&
-                  field_is(field_content(first->item[first->count - 1]), "topo");
+    c->own.last = head.graze ? count_last(first, head, first->count - c->own.end) : 0;
 }
 
 static int order_of_names(const void *a, const void *b) {

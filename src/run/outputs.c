@@ -18,6 +18,7 @@ void outputs_init(outputs *out, const classify_options *o, const loaded *l) {
         out->file[kind].kind = (result_kind)kind;
     out->file[RESULT_CERTIFICATE].beside = !o->no_table;
     out->file[RESULT_TABLE].counts_undecided = o->scene.scene.topo;
+    out->file[RESULT_TABLE].tolerance = graze_scene_sdf(l->scene);
     typed_init(&out->typed, l->context);
 }
 
@@ -140,7 +141,7 @@ static int put_run(outputs *out, result_kind kind, const row_run *run) {
     if (!is_exported(out, kind))
         return results_add(&out->file[kind], text->text, text->length, run->done);
     out->file[kind].rows += run->done;
-    results_count_undecided(&out->file[kind], text->text, text->length);
+    results_count(&out->file[kind], text->text, text->length);
     return export_lines(out, text->text, text->length);
 }
 
@@ -250,6 +251,10 @@ int outputs_close(outputs *out, int status) {
     if (!status && out->o->scene.scene.topo)
         complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided",
                  out->file[RESULT_TABLE].undecided, out->file[RESULT_TABLE].rows);
+    if (!status && out->file[RESULT_TABLE].wide)
+        complain(EXIT_DONE,
+                 "note: the distance of %lu of %lu rows is enclosed less closely than asked for",
+                 out->file[RESULT_TABLE].wide, out->file[RESULT_TABLE].rows);
     for (int kind = 0; kind < RESULT_KINDS && status == EXIT_SIGNAL; kind++)
         if (outputs_wants(out, (result_kind)kind))
             report_whole_rows(out, kind);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "context/array.h"
+#include "run/enclosed.h"
 #include "run/row.h"
 #include "run/shard.h"
 #include "run/status.h"
@@ -16,11 +17,13 @@ static int no_memory(void) {
     return complain(EXIT_IO, "out of memory");
 }
 
-void results_count_undecided(results *t, const char *text, size_t length) {
-    while (t->counts_undecided && length) {
+void results_count(results *t, const char *text, size_t length) {
+    while ((t->counts_undecided || t->tolerance > 0) && length) {
         const char *newline = memchr(text, '\n', length);
         size_t row = newline ? (size_t)(newline - text) : length, line = row + (newline != NULL);
-        t->undecided += row_is_undecided((field){text, row});
+        t->undecided += t->counts_undecided && row_is_undecided((field){text, row});
+        t->wide += t->tolerance > 0 &&
+                   enclosed_is_wide((field){text, row}, t->tolerance, t->counts_undecided);
         text += line;
         length -= line;
     }
@@ -143,7 +146,7 @@ int results_next(results *t, field *line) {
         return complain(EXIT_IO, "%s: another program has changed it", t->resumed);
     if (line_part_of(t->kind, *line) == LINE_NOTE)
         return results_refuse(t, *line, "a row", (field){"", 0});
-    results_count_undecided(t, line->start, line->length);
+    results_count(t, line->start, line->length);
     return EXIT_DONE;
 }
 
@@ -215,7 +218,7 @@ int results_add(results *t, const char *text, size_t length, unsigned long rows)
         t->rows--;
     }
     output_bytes(&t->out, text, length);
-    results_count_undecided(t, text, length);
+    results_count(t, text, length);
     t->rows += rows;
     return EXIT_DONE;
 }

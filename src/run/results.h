@@ -21,6 +21,8 @@ typedef struct results {
     unsigned long rows;  /* rows written, or taken over from an earlier run */
     int counts_undecided;
     unsigned long undecided; /* of these rows, if they are counted */
+    double tolerance;        /* of enclosures; 0: rows have none */
+    unsigned long wide;      /* of these rows, those whose enclosure is wider */
     text head;               /* the part of a head that the file had */
     int head_whole;          /* it ends with the head's last line */
     char *last; /* whole lines of the last row there was, until it is made again; malloc'ed */
@@ -30,8 +32,9 @@ typedef struct results {
     unsigned long head_lines;
 } results;
 
-/** Count the undecided positions among rows, whose last line may lack its end. */
-void results_count_undecided(results *t, const char *text, size_t length);
+/** Count the undecided positions and the wide enclosures among rows, whose last line may lack its
+ * end. */
+void results_count(results *t, const char *text, size_t length);
 
 /** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
  * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is whole already, which

@@ -9,6 +9,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include "run/enclosed.h"
 
 /* Room for the longest: two names, `ext`, a digit and three counts. */
 enum { ANSWERS = 128 };
@@ -60,6 +61,8 @@ static int read_table_form(row_form *out, const char *head) {
         ;
     read_options(out, "# operation ", "# folds ", head);
     out->topo = field_is(note_of(head, "# topo "), "yes");
+    out->sdf = note_of(head, "# sdf ").start != NULL;
+    size_t last = (size_t)(out->topo + 3 * out->sdf);
     if (!length || head[length - 1] != '\n' || !skip_text(&at, "x,y,"))
         return 0;
     out->dimension = skip_text(&at, "z,") ? 3 : 2;
@@ -71,8 +74,8 @@ static int read_table_form(row_form *out, const char *head) {
         return 0;
     if (*at == ',')
         out->others = fields_count((field){at + 1, (size_t)(head + length - 1 - at - 1)});
-    int good = *at == ',' ? out->others > 0 : *at == '\n' && !out->topo;
-    out->others -= (size_t)(good && out->topo);
+    int good = *at == ',' ? out->others > 0 && out->others >= last : *at == '\n' && !last;
+    out->others -= good ? last : 0;
     return good;
 }
 
@@ -188,7 +191,12 @@ static const char *check_table_row(row_parts *out, const row_form *form, graze_c
     out->topo = form->topo && more ? take_last_column(&rest) : (field){"", 0};
     if (form->topo && !position_fits(form, verdict.pmc, out->topo))
         return "a position in the last column that goes with pmc";
-    if ((form->topo ? rest.length > 0 : more) != (form->others > 0))
+    if (form->sdf) {
+        field time = take_last_column(&rest), high = take_last_column(&rest);
+        if (!enclosed_fits(verdict.pmc, take_last_column(&rest), high, time))
+            return "an enclosure of the distance that goes with pmc";
+    }
+    if ((form->topo || form->sdf ? rest.length > 0 : more) != (form->others > 0))
         return form->others ? "the further columns of the column line" : "no further columns";
     out->rest = rest;
     return NULL;

@@ -16,6 +16,7 @@ typedef struct row_form {
     graze_options options; /* operation, folds and columns */
     size_t others;         /* further columns of a table */
     int topo;              /* rows end with a position */
+    int sdf;               /* before it with an enclosure */
     field end;             /* of a certificate: the last time, in the head */
     int contacts;          /* of a certificate: rows have their contacts */
 } row_form;

@@ -387,6 +387,7 @@ static void distances(bench *b) {
     WRONG(graze_scene_diagonal(NULL, c, b->s.scene));
     WRONG(graze_scene_diagonal(&diagonal, NULL, b->s.scene));
     WRONG(graze_scene_diagonal(&diagonal, c, NULL));
+    HARMLESS(graze_scene_sdf, graze_scene_sdf(NULL) == 0);
     graze_options negative = {.sdf = -1, .size = sizeof negative};
     graze_options neither = {.sdf = 1, .sdf_relative = 2, .size = sizeof neither};
     graze_options alone = {.sdf = 1, .columns = GRAZE_COLUMNS_PMC, .size = sizeof alone};

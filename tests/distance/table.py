@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+# suite
+"""`classify --sdf` and `explain --sdf`: the columns in tables, JSON Lines, shards, continued and exported tables;
+what is refused; and every row of two scenes in space against the distance computed at sampled times.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+The second method takes exact poses at 60 times and the time of each row, and the distance to each triangle in floats:
+no sample may be below sdf_low, and the one at sdf_t not above sdf_high.
+"""
+import csv
+import json
+import math
+import os
+import random
+import sys
+from fractions import Fraction as F
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+
+from program import Checks, Graze, options  # noqa: E402
+
+CUBE = """OFF
+8 6 0
+0 0 0
+2 0 0
+2 2 0
+0 2 0
+0 0 2
+2 0 2
+2 2 2
+0 2 2
+4 0 3 2 1
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+"""
+CORNERS = [(x, y, z) for z in (0, 2) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
+FACES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+TRIANGLES = [(f[0], f[k], f[k + 1]) for f in FACES for k in (1, 2)]
+
+
+def motion(transform):
+    return json.dumps({"dimension": 3, "pieces": [{"t": [0, 1], "transform": transform}]})
+
+
+SLIDE = motion({"translate": ["8*t", 0, 0]})
+SCREW = motion({"compose": [{"rotate": {"tan_half": "t", "axis": [0, 0, 1]}}, {"translate": [0, 0, "3*t"]}]})
+SHEAR = motion({"matrix": [["1+t", "t/2", 0, "4*t"], [0, 1, "t", 0], ["t/3", 0, "1+t^2", 1]]})
+
+
+def screw(t):
+    c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+    return ((c, -s, 0, 0), (s, c, 0, 0), (0, 0, 1, 3 * t))
+
+
+def shear(t):
+    return ((1 + t, t / 2, 0, 4 * t), (0, 1, t, 0), (t / 3, 0, 1 + t * t, 1))
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def minus(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def to_segment(u, v, p):
+    d = minus(v, u)
+    s = min(1, max(0, dot(minus(p, u), d) / dot(d, d)))
+    return math.dist(p, [u[k] + s * d[k] for k in range(3)])
+
+
+def to_triangle(corners, p):
+    a, b, c = corners
+    n = cross(minus(b, a), minus(c, a))
+    sides = ((a, b), (b, c), (c, a))
+    if all(dot(cross(minus(v, u), minus(p, u)), n) >= 0 for u, v in sides):
+        return abs(dot(minus(p, a), n)) / math.sqrt(dot(n, n))
+    return min(to_segment(u, v, p) for u, v in sides)
+
+
+def signed(pose, p):
+    """The signed distance to the cube in a pose, in floats: all facets' outer sides decide the sign."""
+    at = [tuple(float(dot(row, x) + row[3]) for row in pose) for x in CORNERS]
+    value = min(to_triangle([at[k] for k in t], p) for t in TRIANGLES)
+    middle = [sum(x[k] for x in at) / 8 for k in range(3)]
+    for a, b, c in TRIANGLES:
+        n = cross(minus(at[b], at[a]), minus(at[c], at[a]))
+        if dot(n, minus(p, at[a])) * dot(n, minus(middle, at[a])) <= 0:
+            return value
+    return -value
+
+
+def down(n, d):
+    """The largest double that is at most n/d."""
+    nearest = n / d
+    return nearest if F(nearest) <= F(n, d) else math.nextafter(nearest, 0)
+
+
+def rows_of(text):
+    return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
+
+
+def check_samples(checks, graze, name, text, pose, tolerance):
+    rng = random.Random(2026)
+    points = [[F(rng.randint(-3 << 10, 6 << 10), 1 << 10) for _ in range(3)] for _ in range(120)]
+    path = graze.write(f"{name}.csv", "".join(",".join(map(str, p)) + "\n" for p in points))
+    out = graze.call("classify", graze.write("cube.off", CUBE), graze.write(f"{name}.json", text), path, "--quiet",
+                     "--sdf", tolerance)
+    checks.equal(out.returncode, 0, out.stderr)
+    rows = rows_of(out.stdout)
+    checks.equal(len(rows), len(points), name)
+    checks.holds(len({r["pmc"] for r in rows}) > 1, f"{name}: answers of more than one kind")
+    for p, row in zip(points, rows):
+        low, high, at = F(row["sdf_low"]), F(row["sdf_high"]), F(row["sdf_t"])
+        q = [float(x) for x in p]
+        least = min(signed(pose(F(k, 60)), q) for k in range(61))
+        checks.holds(0 <= high - low <= F(tolerance), f"{name} {p}: width")
+        checks.holds(least >= low - F(1, 10 ** 12), f"{name} {p}: sample {least} below {float(low)}")
+        checks.holds(signed(pose(at), q) <= high + F(1, 10 ** 12), f"{name} {p}: at {at} above {float(high)}")
+        checks.equal(row["pmc"], "in" if high <= 0 and low < 0 else "out", f"{name} {p}: sign")
+
+
+# Points about the cube that slides by 8 along x, and s by its definition.
+ROWS = [("5", "3", "1", F(1)), ("13", "6", "1", F(5)), ("5", "1", "1", F(-1)), ("5", "1", "2", F(0)),
+        ("1/3", "1", "1", F(-1, 3)), ("5", "1", "5/2", F(1, 2))]
+
+
+def check_table(checks, graze, points, scene):
+    plain = graze.call("classify", *scene, points, "--quiet")
+    out = graze.call("classify", *scene, points, "--quiet", "--sdf", "1e-9")
+    checks.equal(out.returncode, 0, out.stderr)
+    checks.equal(out.stderr, "", "nothing is said where all is enclosed")
+    body = [line for line in out.stdout.splitlines() if not line.startswith("#")]
+    checks.equal([line.rsplit(",", 3)[0] for line in body],
+                 [line for line in plain.stdout.splitlines() if not line.startswith("#")], "rows")
+    checks.holds(body[0].endswith(",sdf_low,sdf_high,sdf_t"), body[0])
+    checks.holds(f"\n# sdf {down(1, 10**9):.17g}\n" in out.stdout, "the head")
+    for (x, y, z, s), row in zip(ROWS, rows_of(out.stdout)):
+        low, high = F(row["sdf_low"]), F(row["sdf_high"])
+        checks.holds(low <= s <= high and high - low <= F(1, 10 ** 9), f"{x} {y} {z}", row)
+    on = rows_of(out.stdout)[3]
+    checks.equal([on["sdf_low"], on["sdf_high"], on["sdf_t"]], ["0", "0", "3/8"], "touched from t = 3/8 on")
+    both = graze.call("classify", *scene, points, "--quiet", "--sdf", "1e-9", "--topo")
+    checks.holds(both.stdout.splitlines()[-3].count(",") == body[-1].count(",") + 1, "with topo")
+    return out.stdout
+
+
+def check_lines(checks, graze, points, scene):
+    out = graze.call("classify", *scene, points, "--quiet", "--sdf", "1e-9", "--format", "jsonl")
+    for (x, y, z, s), line in zip(ROWS, out.stdout.splitlines()):
+        row = json.loads(line)
+        checks.holds(row["sdf_low"] <= s <= row["sdf_high"], f"JSON {x} {y} {z}", line)
+        checks.holds(isinstance(row["sdf_t"], str), line)
+
+
+def check_parts(checks, graze, points, scene, whole):
+    ask = ("--quiet", "--sdf", "1e-9")
+    parts = []
+    for k in range(3):
+        out = graze.call("classify", *scene, points, *ask, "--jobs", "2", "--shard", f"{k + 1}/3")
+        parts.append(graze.write(f"part-{k}.csv", out.stdout))
+    checks.equal(graze.call("merge", "--quiet", *parts).stdout, whole, "merged")
+    lines = whole.splitlines(keepends=True)
+    begun = graze.write("begun.csv", "".join(lines[:-3]) + lines[-3][:3])
+    ended = graze.call("classify", *scene, points, *ask, "--resume", begun)
+    with open(begun, encoding="utf-8") as f:
+        checks.equal(f.read(), whole, "continued", ended.stderr)
+    other = graze.write("other.csv", "".join(lines[:-3]))
+    checks.equal(graze.call("classify", *scene, points, "--quiet", "--sdf", "1e-8", "--resume", other).returncode, 3,
+                 "another tolerance is another table")
+    for flags in (ask, (*ask, "--topo")):
+        table = graze.call("classify", *scene, points, *flags).stdout
+        again = graze.call("classify", *scene, graze.write("again.csv", table), *flags).stdout
+        checks.equal(again, table, "a table as points")
+    forged = graze.write("forged.csv", whole.replace(",0,0,3/8", ",0,1,3/8"))
+    checks.equal(graze.call("merge", "--quiet", forged).returncode, 3, "no part")
+    begun = graze.write("wrong.csv", "".join(lines[:-2]).replace(",0,0,3/8", ",0,1,3/8"))
+    out = graze.call("classify", *scene, points, *ask, "--resume", begun)
+    checks.holds(out.returncode == 3 and "an enclosure of the distance" in out.stderr, out.stderr)
+    for form in ("npy", "vtk"):
+        out = graze.call("classify", *scene, points, *ask, "--format", form, "--output", graze.write("out." + form, ""))
+        checks.equal(out.returncode, 0, form, out.stderr)
+
+
+def check_refused(checks, graze, points, scene):
+    for bad in ("0", "-1", "x", "", "r", "nan", "1e400", "1e-400", "0r"):
+        out = graze.call("classify", *scene, points, "--sdf", bad)
+        checks.equal(out.returncode, 2, f"--sdf {bad}", out.stderr)
+        checks.holds("expected a positive number" in out.stderr, out.stderr)
+    out = graze.call("classify", *scene, points, "--sdf", "1", "--columns", "pmc")
+    checks.holds(out.returncode == 2 and "--sdf needs all answers" in out.stderr, out.stderr)
+    fine = graze.call("classify", *scene, points, "--quiet", "--sdf", "1e-17r")
+    checks.holds("rows is enclosed less closely" in fine.stderr and fine.returncode == 0, fine.stderr)
+    out = graze.call("explain", *scene, "5", "3", "1", "--sdf", "1e-6r")
+    checks.holds("The signed distance to the sweep lies in [0.99999" in out.stdout, out.stdout)
+    out = graze.call("explain", *scene, "5", "1", "2", "--sdf", "1")
+    checks.holds("lies in [0, 0]" in out.stdout and "met at t = 3/8" in out.stdout, out.stdout)
+
+
+def main():
+    args = options(__doc__)
+    checks = Checks()
+    graze = Graze(args, checks)
+    scene = graze.write("cube.off", CUBE), graze.write("slide.json", SLIDE)
+    points = graze.write("points.csv", "".join(",".join(r[:3]) + "\n" for r in ROWS))
+    whole = check_table(checks, graze, points, scene)
+    check_lines(checks, graze, points, scene)
+    check_parts(checks, graze, points, scene, whole)
+    check_refused(checks, graze, points, scene)
+    check_samples(checks, graze, "screw", SCREW, screw, "1e-7")
+    check_samples(checks, graze, "shear", SHEAR, shear, "1e-7")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
