@@ -331,7 +331,7 @@ static char *csv_row(fixture *f, const char *rest) {
     char *out;
     text row;
     text_init(&row);
-    report_csv(&row, &f->scene, f->point, &f->trace, rest, NULL);
+    report_csv(&row, &f->scene, f->point, &f->trace, rest, NULL, NULL);
     assert_int_equal(text_finish(&out, f->context, &row), GRAZE_OK);
     return out;
 }
@@ -351,7 +351,7 @@ static void rows(void **state) {
     free(out);
     text line;
     text_init(&line);
-    report_json(&line, &f.scene, f.point, &f.trace, NULL);
+    report_json(&line, &f.scene, f.point, &f.trace, NULL, NULL);
     assert_int_equal(text_finish(&out, f.context, &line), GRAZE_OK);
     /* 1 + sqrt(2) = 2.41421356237309504880...; t^2 - 2t - 1 has its other root at -0.414, so (2, 3)
      * is the widest dyadic interval that isolates it. */
@@ -406,7 +406,8 @@ static void explanation(void **state) {
     fixture f;
     char *out;
     open_fixture(&f);
-    assert_int_equal(report_explain(&out, f.context, &f.scene, f.point, &f.trace, NULL), GRAZE_OK);
+    assert_int_equal(report_explain(&out, f.context, &f.scene, f.point, &f.trace, NULL, NULL),
+                     GRAZE_OK);
     static const char *const parts[] = {
         "P = (1/2, -3) is `in` for the sweep, class `regular`. Its word is OBIB.\n",
         "  t0 = 1  c(t0) = (-7/2, -3) is outside S, so P is outside S^0\n",
@@ -426,7 +427,8 @@ static void explanation(void **state) {
     free(out);
     f.scene.options.operation = GRAZE_UNSWEEP;
     f.trace.verdict = (graze_verdict){GRAZE_OUT, GRAZE_CLASS_NONE, 0, 0, 2, 0};
-    assert_int_equal(report_explain(&out, f.context, &f.scene, f.point, &f.trace, NULL), GRAZE_OK);
+    assert_int_equal(report_explain(&out, f.context, &f.scene, f.point, &f.trace, NULL, NULL),
+                     GRAZE_OK);
     assert_non_null(strstr(out, "    x = 4*t + 1/2\n"));
     assert_non_null(strstr(out, "([IS] eqs 12, 13, 35)\n  pmc `out`: the word holds an O"));
     assert_null(strstr(out, "Definition"));
