@@ -68,8 +68,8 @@ static void enter(descent *d, uint32_t node) {
     push(d, here->child + !(a < b), a < b ? a : b);
 }
 
-void nearest_boundary(nearest *out, const stance *s, const uint32_t *node, size_t count, double limit,
-                  size_t *visits) {
+void nearest_boundary(nearest *out, const stance *s, const uint32_t *node, size_t count,
+                      double limit, size_t *visits) {
     descent d = {.out = out, .s = s, .limit = limit, .visits = visits};
     *out = (nearest){INFINITY, INFINITY, 0, 0};
     for (size_t k = 0; k < count; k++) {

@@ -18,7 +18,7 @@ typedef struct nearest {
  * `limit`: then low is at most the limit, and high may be infinite.
  * @param visits counts the boxes and simplices asked
  */
-void nearest_boundary(nearest *out, const stance *s, const uint32_t *node, size_t count, double limit,
-                  size_t *visits);
+void nearest_boundary(nearest *out, const stance *s, const uint32_t *node, size_t count,
+                      double limit, size_t *visits);
 
 #endif

@@ -26,9 +26,9 @@ struct graze_scene {
     const graze_solid *solid;
     const graze_motion *motion;
     graze_options options;
-    filter filter;            /* for the operation of the options */
-    int ends_meet;            /* 1 if S^0 and S^1 have a point in common, else 0 */
-    unsigned char sha256[32]; /* of the canonical text of solid and motion, see scene_hash */
+    filter filter;             /* for the operation of the options */
+    int ends_meet;             /* 1 if S^0 and S^1 have a point in common, else 0 */
+    unsigned char sha256[32];  /* of the canonical text of solid and motion, see scene_hash */
     scene_memo *memo, *ground; /* of topo and of distances */
     double tolerance;          /* of distances; 0: rows have none */
 };
