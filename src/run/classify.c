@@ -212,7 +212,7 @@ int classify_run(const classify_options *o) {
         status = outputs_end(&s->out, s->grid ? grid_count(s->grid) : csv_rows(s->points),
                              s->grid ? 0 : csv_checksum(s->points));
     if (!status && s->points && !csv_rows(s->points))
-        complain(EXIT_DONE, "note: %s: has no points", csv_columns(s->points)->name);
+        complain(EXIT_DONE, "note: %s has no points", csv_columns(s->points)->name);
     status = outputs_close(&s->out, status);
     end_run(s);
     return status;

@@ -56,6 +56,22 @@ void parts_clear(parts *p) {
     graze_solid_destroy(p->solid);
 }
 
+/* The enclosure of a point's distance has the sign of its answer. */
+static void check_distance(graze_context *context, const graze_scene *scene, mpq_t point[3]) {
+    graze_enclosure e;
+    graze_status status = graze_distances(&e, context, scene, (graze_rationals)point, 1, 0x1p-10);
+    EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
+    if (status)
+        return;
+    EXPECT(e.low <= e.high && (e.wide || e.high - e.low <= 0x1p-10));
+    if (e.pmc == GRAZE_OUT)
+        EXPECT(e.low >= 0 && e.high > 0);
+    else if (e.pmc == GRAZE_IN)
+        EXPECT(e.low < 0 && e.high <= 0);
+    else
+        EXPECT(e.low == 0 && e.high == 0);
+}
+
 /* Points, a line each, coordinates between commas; the first few. */
 static int answer_lines(graze_context *context, const graze_scene *scene, char *text) {
     mpq_t point[3];
@@ -69,8 +85,10 @@ static int answer_lines(graze_context *context, const graze_scene *scene, char *
                 break;
             line += n + (line[n] == ',');
         }
-        if (k == d)
-            answered += fuzz_point(context, scene, point);
+        if (k < d)
+            continue;
+        answered += fuzz_point(context, scene, point);
+        check_distance(context, scene, point);
     }
     mpq_clears(point[0], point[1], point[2], NULL);
     return answered;

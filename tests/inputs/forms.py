@@ -71,7 +71,7 @@ def refused(graze, folder):
         check(status == 3 and says in said, data, said)
     for data in ("", "x,y\n", "# nothing\n\n"):
         status, _, said = classify(graze, folder, data)
-        check(status == 0 and "note: " in said and "points.csv: has no points" in said, data, said)
+        check(status == 0 and "note: " in said and "points.csv has no points" in said, data, said)
 
 
 def main():

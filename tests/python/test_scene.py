@@ -297,7 +297,7 @@ class Package(unittest.TestCase):
         self.assertTrue(graze.version().startswith(f"graze {graze.__version__}\n"))
         for name in graze.__all__:
             self.assertTrue(hasattr(graze, name), name)
-            if name not in ("Time", "CLASS_NAMES", "PMC_NAMES", "VERDICT_DTYPE", "__version__"):
+            if name not in ("Time", "CLASS_NAMES", "PMC_NAMES", "ENCLOSURE_DTYPE", "VERDICT_DTYPE", "__version__"):
                 self.assertTrue(getattr(graze, name).__doc__, name)
         self.assertTrue(os.path.exists(os.path.join(os.path.dirname(graze.__file__), "py.typed")))
 

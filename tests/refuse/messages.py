@@ -60,6 +60,7 @@ UNREACHED = {
     "irreducible curves of a sweep": "a fault of Graze itself",
     "a resultant is not found": "a fault of Graze itself",
     "of a ray beside a contact do not add up": "a fault of Graze itself",
+    "a cell next to a contact is not found": "a fault of Graze itself",
     "of a boundary point misses the boundary at its time": "a fault of Graze itself",
     "disagree on the states beside a time": "a fault of Graze itself",
     "border what is covered about the point than the": "needs a saddle of more than 60 planes around which all directions are covered",
