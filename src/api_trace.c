@@ -148,7 +148,7 @@ graze_status api_trace_row(text *out, graze_context *context, const graze_scene 
     const topo_finding *topo = scene->options.topo ? &found : NULL;
     if (topo)
         status = topo_decide(&found, context, scene, point, trace);
-    distance space;
+    distance space = {.low = 0};
     const distance *near = scene->tolerance > 0 ? &space : NULL;
     if (!status && near)
         status = distance_find(&space, context, scene, point, trace, scene->tolerance);
@@ -318,7 +318,7 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
     const topo_finding *topo = scene->options.topo ? &found : NULL;
     if (!status && topo)
         status = topo_decide(&found, context, scene, p, trace);
-    distance space;
+    distance space = {.low = 0};
     const distance *near = scene->tolerance > 0 ? &space : NULL;
     if (!status && near)
         status = distance_find(&space, context, scene, p, trace, scene->tolerance);

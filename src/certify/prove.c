@@ -204,7 +204,7 @@ static void prove_signs_beside(int *left, int *right, const enclosure *e, const 
 /* Without a root: at the beginning of the interval, within it, at its end. */
 static profile slide_profile(enclosure *e, const fmpz *form) {
     int least = 1, most = -1, sign = 0;
-    profile out;
+    profile out = {0, 0, 0};
     for (slong k = 0; k < terms(e); k++) {
         pull_back(e->value, e, form, k);
         sign = fmpz_sgn(e->value);

@@ -67,7 +67,9 @@ static graze_status make_ground(scene_memo *memo, graze_context *context,
         free(piece);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the maps of a motion");
     }
-    *made = (ground){scene, &scene->filter.course, piece};
+    made->scene = scene;
+    made->tracing = &scene->filter.course;
+    made->piece = piece;
     graze_status status = make_pieces(made, context);
     if (status) {
         free_ground(made);

@@ -11,7 +11,8 @@
 /* The blossom of a polynomial of degree n: k arguments are `to`, the others `from`. */
 static double blossom(const double *c, int n, int k, double from, double to) {
     double b[WINDOW_ROOM];
-    for (int i = 0; i <= n; i++)
+    b[0] = c[0];
+    for (int i = 1; i <= n; i++)
         b[i] = c[i];
     for (int level = 1; level <= n; level++) {
         double s = level <= k ? to : from;

@@ -20,7 +20,9 @@ graze_status classify_verdict(graze_verdict *out, graze_context *context, const 
         classify_point(&trace, context, scene, point, pmc_alone ? TRACE_PMC : TRACE_WORD);
     if (status)
         return status;
-    *out = pmc_alone ? (graze_verdict){.pmc = trace.verdict.pmc} : trace.verdict;
+    *out = trace.verdict;
+    if (pmc_alone)
+        *out = (graze_verdict){.pmc = trace.verdict.pmc};
     trace_clear(&trace);
     return GRAZE_OK;
 }

@@ -8,7 +8,7 @@
 #include "fuzz.h"
 
 int checker_run(const char *const path[4], int assume_legal);
-void checker_give(const char *path, const char *text);
+void checker_give(const char *const path[4], char *const text[4]);
 void checker_hash(char out[65], const char *bytes, size_t length);
 
 /* Put the hash behind the key, where 64 characters stand there. */
@@ -32,10 +32,9 @@ int fuzz_check(const uint8_t *data, size_t size) {
     }
     static const char *const names[] = {"check.wkt", "check.json", "check.txt", "check.csv"};
     for (int k = 0; k < 4; k++)
-        if (k < 3 || *text[k]) {
+        if (k < 3 || *text[k])
             path[k] = k == 0 && strncmp(text[0], "OFF", 3) == 0 ? "check.off" : names[k];
-            checker_give(path[k], text[k]);
-        }
+    checker_give(path, text);
     int status = checker_run(path, 0);
     /* A legal solid is one too if that is assumed; a table only adds to what is held. */
     if (status == 0) {
