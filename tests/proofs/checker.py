@@ -115,11 +115,11 @@ def check_case(checks, checkers, case, every):
     lib.write(generated, points.stdout)
     check_verified(checks, checkers, case, (solid, motion), generated)
     text = check_verified(checks, checkers, case, (solid, motion), case.path("points.csv"))
+    convex, tried = check_legal(checks, checkers, case, (solid, motion)), 0
     more = [*lib.answer_options(case.options), "--times"]
     first, second = checkers.both(solid, motion, checkers.programs.certify(solid, motion, generated, more))
     checks.holds(first[0] == lib.VERIFIED, f"{case.name}: graze-check, contacts: {first}")
     checks.holds(second[0] == lib.NOT_CHECKED and "'contacts'" in second[1], f"{case.name}: contacts: {second}")
-    convex, tried = check_legal(checks, checkers, case, (solid, motion)), 0
     for kind, mutant in mutants_of(lib.Certificate(text), 2, every):
         first, second = checkers.both(solid, motion, mutant)
         what = f"{case.name}: {kind}:\n{mutant}graze-check {first}, graze-check-coq {second}"
