@@ -29,8 +29,10 @@ static void worked_examples(void **state) {
         {8, 1, "OBIB", 2, 0, 2, GRAZE_REGULAR, GRAZE_IN},
         {10, 1, "OB", 0, 1, 2, GRAZE_BOUNDARY, GRAZE_ON},
     };
-    scene s;
+    static const graze_options pmc_alone = {.columns = GRAZE_COLUMNS_PMC};
+    scene s, alone;
     scene_open(&s, slide, NULL);
+    scene_open(&alone, slide, &pmc_alone);
     assert_int_equal(graze_scene_ends_meet(s.scene), 0);
     mpq_t p[2];
     mpq_init(p[0]);
@@ -56,11 +58,16 @@ static void worked_examples(void **state) {
         assert_int_equal(graze_classify_doubles(&by_double, s.context, s.scene, point, 1),
                          GRAZE_OK);
         assert_int_equal(memcmp(&by_double, &v, sizeof v), 0);
+        const graze_verdict only = {.pmc = expected[k].pmc};
+        assert_int_equal(graze_classify_doubles(&by_double, alone.context, alone.scene, point, 1),
+                         GRAZE_OK);
+        assert_int_equal(memcmp(&by_double, &only, sizeof only), 0);
         graze_trace_destroy(trace);
     }
     mpq_clear(p[0]);
     mpq_clear(p[1]);
     scene_close(&s);
+    scene_close(&alone);
 }
 
 /* The block [2,4]x[-1,1] turning by 2 atan t meets (0,3) at t = sqrt(2)/2
