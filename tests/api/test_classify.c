@@ -29,7 +29,7 @@ static void worked_examples(void **state) {
         {8, 1, "OBIB", 2, 0, 2, GRAZE_REGULAR, GRAZE_IN},
         {10, 1, "OB", 0, 1, 2, GRAZE_BOUNDARY, GRAZE_ON},
     };
-    static const graze_options pmc_alone = {.columns = GRAZE_COLUMNS_PMC};
+    static const graze_options pmc_alone = {.size = sizeof pmc_alone, .columns = GRAZE_COLUMNS_PMC};
     scene s, alone;
     scene_open(&s, slide, NULL);
     scene_open(&alone, slide, &pmc_alone);
