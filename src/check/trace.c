@@ -271,12 +271,17 @@ static void check_state(trace *r, char state, mpq_srcptr t) {
     integers_free(x, 4);
 }
 
+/* The letter found last; 0 before the first. */
+static char last_letter(const trace *r) {
+    return r->length ? r->word[r->length - 1] : '\0';
+}
+
 /* The letters of an interval go on with the word; the state of each stretch off the boundary is
  * found at the end that it has of the interval in which it begins. */
 static void add_letters(trace *r, const claim *c, word kind) {
     for (size_t k = 0; k < kind.length; k++) {
         char letter = kind.at[k];
-        if (r->length > 0 && r->word[r->length - 1] == letter)
+        if (last_letter(r) == letter)
             continue;
         if (r->word[r->length++] != letter)
             fail(r, "the intervals' word is not the row's");
@@ -323,7 +328,7 @@ void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
                 "much");
     if (mpq_cmp(c.a, c.b) >= 0)
         fail(r, "an interval does not end after its beginning");
-    if (r->length > 0 && r->word[r->length - 1] != *kind.at)
+    if (last_letter(r) && last_letter(r) != *kind.at)
         fail(r, "an interval begins with another state than the one before it ends with");
     enclose(r, &c);
     if (kind.length > 1)
