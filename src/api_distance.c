@@ -60,24 +60,33 @@ static graze_status begin_distances(graze_enclosure *out, graze_context *context
     return GRAZE_OK;
 }
 
-graze_status graze_distances(graze_enclosure *out, graze_context *context, const graze_scene *scene,
-                             graze_rationals points, size_t n, double tolerance) {
-    graze_status status =
-        begin_distances(out, context, scene, points, n, tolerance, "graze_distances");
-    if (status)
-        return status;
+/* Points as rationals or, if these are NULL, as doubles. */
+static graze_status enclose_points(graze_enclosure *out, graze_context *context,
+                                   const graze_scene *scene, graze_rationals rationals,
+                                   const double *doubles, size_t n, double tolerance) {
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    slong d = scene->motion->dimension;
-    fmpq *point = _fmpq_vec_init(d);
+    size_t d = (size_t)scene->motion->dimension;
+    graze_status status = GRAZE_OK;
+    fmpq *point = _fmpq_vec_init((slong)d);
     for (size_t p = 0; p < n && !status; p++) {
-        status = api_point(point, context, scene, points + p * (size_t)d);
+        if (rationals)
+            status = api_point(point, context, scene, rationals + p * d);
+        for (size_t k = 0; k < d && !rationals && !status; k++)
+            status = rational_from_double(point + k, context, doubles[p * d + k]);
         if (!status)
             status = enclose_point(out + p, context, scene, point, tolerance);
         if (status)
             status = context_item(context, status, "point", p, NULL);
     }
-    _fmpq_vec_clear(point, d);
+    _fmpq_vec_clear(point, (slong)d);
     return status;
+}
+
+graze_status graze_distances(graze_enclosure *out, graze_context *context, const graze_scene *scene,
+                             graze_rationals points, size_t n, double tolerance) {
+    graze_status status =
+        begin_distances(out, context, scene, points, n, tolerance, "graze_distances");
+    return status ? status : enclose_points(out, context, scene, points, NULL, n, tolerance);
 }
 
 graze_status graze_distances_doubles(graze_enclosure *out, graze_context *context,
@@ -85,21 +94,7 @@ graze_status graze_distances_doubles(graze_enclosure *out, graze_context *contex
                                      double tolerance) {
     graze_status status =
         begin_distances(out, context, scene, points, n, tolerance, "graze_distances_doubles");
-    if (status)
-        return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    slong d = scene->motion->dimension;
-    fmpq *point = _fmpq_vec_init(d);
-    for (size_t p = 0; p < n && !status; p++) {
-        for (slong k = 0; k < d && !status; k++)
-            status = rational_from_double(point + k, context, points[p * (size_t)d + (size_t)k]);
-        if (!status)
-            status = enclose_point(out + p, context, scene, point, tolerance);
-        if (status)
-            status = context_item(context, status, "point", p, NULL);
-    }
-    _fmpq_vec_clear(point, d);
-    return status;
+    return status ? status : enclose_points(out, context, scene, NULL, points, n, tolerance);
 }
 
 graze_status graze_scene_diagonal(double *out, graze_context *context, const graze_scene *scene) {

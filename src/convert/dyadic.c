@@ -140,18 +140,6 @@ static slong find_bits(const graze_motion *motion, const fmpq_t tolerance) {
     return bits;
 }
 
-static void put_change(text *t, const fmpq_t worst) {
-    mpfr_t bound;
-    mpq_t copy;
-    mpfr_init2(bound, 64);
-    mpq_init(copy);
-    fmpq_get_mpq(copy, worst);
-    mpfr_set_q(bound, copy, MPFR_RNDU);
-    put_fact(t, "change: an entry of the matrix is off, at any time, by", bound, "");
-    mpq_clear(copy);
-    mpfr_clear(bound);
-}
-
 static void report_dyadic(text *t, const rounding_task *task) {
     const graze_motion *m = task->motion;
     size_t kept = 0;
@@ -161,7 +149,7 @@ static void report_dyadic(text *t, const rounding_task *task) {
                 "dyadic: in %zu of %zu pieces all coefficients are multiples of 2^-%ld, in the "
                 "parameter from 0 to 1 along the piece\n",
                 m->piece_count - kept, m->piece_count, (long)task->bits);
-    put_change(t, task->worst);
+    put_rational_fact(t, "change: an entry of the matrix is off, at any time, by", task->worst);
     if (task->turned)
         text_put(t, "shape: entries of the linear part are rounded too, so positions of the solid "
                     "are congruent up to that change only\n");

@@ -136,6 +136,18 @@ void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit) {
     text_format(t, "%s%s\n", *unit ? " " : "", unit);
 }
 
+void put_rational_fact(text *t, const char *name, const fmpq_t bound) {
+    mpfr_t above;
+    mpq_t copy;
+    mpfr_init2(above, 64);
+    mpq_init(copy);
+    fmpq_get_mpq(copy, bound);
+    mpfr_set_q(above, copy, MPFR_RNDU);
+    put_fact(t, name, above, "");
+    mpq_clear(copy);
+    mpfr_clear(above);
+}
+
 graze_status joint_bits(slong *bits, graze_context *context, const joint *j, const target *goal,
                         size_t count) {
     mpfr_t ratio;

@@ -199,18 +199,6 @@ static void report_long_ways(text *t, const pose_list *list) {
         text_format(t, "; %zu in all; they are kept\n", count);
 }
 
-static void report_deviation(text *t, const fmpq_t worst) {
-    mpfr_t bound;
-    mpq_t copy;
-    mpfr_init2(bound, 64);
-    mpq_init(copy);
-    fmpq_get_mpq(copy, worst);
-    mpfr_set_q(bound, copy, MPFR_RNDU);
-    put_fact(t, "rotations: nearest to the matrices, whose entries they change by", bound, "");
-    mpq_clear(copy);
-    mpfr_clear(bound);
-}
-
 /* What was read, and what was done with it. */
 static void report_poses(text *t, const pose_list *list, int affine, const pose_choice *choice) {
     text_format(t, "poses: %zu", list->count);
@@ -253,7 +241,9 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
     if (!status) {
         (affine ? put_matrices : put_keyframes)(&out->motion, &list);
         if (!affine && list.has_matrices)
-            report_deviation(&out->report, worst);
+            put_rational_fact(&out->report,
+                              "rotations: nearest to the matrices, whose entries they change by",
+                              worst);
     }
     poses_clear(&list);
     fmpq_clear(worst);

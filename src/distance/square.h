@@ -23,6 +23,6 @@ static inline double dot3(const double *a, const double *b) {
  * scalar product; n <= SQUARED + 1. */
 void square_numbers(double *out, const double *c, int n);
 void square_vectors(double *out, const double (*c)[3], int n);
-void product_vectors(double *out, const double (*a)[3], const double (*b)[3], int n);
+void product_vectors(double *out, const double (*a)[3], const double (*c)[3], int n);
 
 #endif

@@ -21,23 +21,7 @@ sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
 
 from program import Checks, Graze, options  # noqa: E402
 
-CUBE = """OFF
-8 6 0
-0 0 0
-2 0 0
-2 2 0
-0 2 0
-0 0 2
-2 0 2
-2 2 2
-0 2 2
-4 0 3 2 1
-4 4 5 6 7
-4 0 1 5 4
-4 1 2 6 5
-4 2 3 7 6
-4 3 0 4 7
-"""
+CUBE = os.path.join(HERE, "..", "refuse", "common", "cube.off")  # [0, 2]^3
 CORNERS = [(x, y, z) for z in (0, 2) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))]
 FACES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
 TRIANGLES = [(f[0], f[k], f[k + 1]) for f in FACES for k in (1, 2)]
@@ -114,7 +98,7 @@ def check_samples(checks, graze, name, text, pose, tolerance):
     rng = random.Random(2026)
     points = [[F(rng.randint(-3 << 10, 6 << 10), 1 << 10) for _ in range(3)] for _ in range(120)]
     path = graze.write(f"{name}.csv", "".join(",".join(map(str, p)) + "\n" for p in points))
-    out = graze.call("classify", graze.write("cube.off", CUBE), graze.write(f"{name}.json", text), path, "--quiet",
+    out = graze.call("classify", CUBE, graze.write(f"{name}.json", text), path, "--quiet",
                      "--sdf", tolerance)
     checks.equal(out.returncode, 0, out.stderr)
     rows = rows_of(out.stdout)
@@ -211,7 +195,7 @@ def main():
     args = options(__doc__)
     checks = Checks()
     graze = Graze(args, checks)
-    scene = graze.write("cube.off", CUBE), graze.write("slide.json", SLIDE)
+    scene = CUBE, graze.write("slide.json", SLIDE)
     points = graze.write("points.csv", "".join(",".join(r[:3]) + "\n" for r in ROWS))
     whole = check_table(checks, graze, points, scene)
     check_lines(checks, graze, points, scene)

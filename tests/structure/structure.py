@@ -2,7 +2,7 @@
 """# suite: the structure of the sources: includes and calls point down the pipeline only and make no circle, each
 source that others call has one header, a function's name stands once, the command line stands on the public
 header, table/ and two small tools alone, only validate/ touches CGAL, the top level holds nothing that is not named,
-and the paths that comments and pages name are there.
+the paths that comments and pages name are there, and so are the lines that tests/mutants.txt explains.
 
 A call through a pointer is an arrow from the file that names the function (calls.py), so a callback that a higher
 room hands to a lower one points down.
@@ -17,6 +17,10 @@ import sys
 import calls
 import paths
 import sources
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "mutation"))
+
+import changes  # noqa: E402
 
 # Rooms from the bottom to the top; those of one line know nothing of one another.
 ORDER = ["context", "number", "table", "motion soup", "validate", "read", "solid", "filter", "scene", "trace",
@@ -170,6 +174,13 @@ def check_public(files):
             check(done.returncode == 0, f"{path} alone as {standard}: {done.stderr.decode()}")
 
 
+def check_mutants():
+    known = changes.known_equivalents("tests/mutants.txt")
+    made = {m.key() for path in {key[0] for key in known} for m in changes.mutants(path)}
+    for key in sorted(known):
+        check(key in made, f"tests/mutants.txt explains {key}, which is no mutant")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--graze", default="build/graze", help="its folder holds the objects")
@@ -195,6 +206,7 @@ def main():
     check_top()
     check_public(files)
     check_paths()
+    check_mutants()
     print(f"{checks - len(failures)} passed, {len(failures)} failed")
     sys.exit(1 if failures else 0)
 

@@ -1,0 +1,332 @@
+/* Wrong calls of the functions beside core.h (test_misuse.c).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TESTS_API_MISUSE_PARTS_H
+#define GRAZE_TESTS_API_MISUSE_PARTS_H
+
+#include "misuse.h"
+
+static void generators(bench *b) {
+    graze_context *c = b->s.context;
+    unsigned long none[GRAZE_STRATUM_COUNT] = {0}, heavy[GRAZE_STRATUM_COUNT] = {1000001};
+    graze_sample sample;
+    const graze_generator *g = b->generator;
+    WRONG(graze_generator_create(NULL, c, b->s.scene, 1, NULL, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, NULL, b->s.scene, 1, NULL, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, c, NULL, 1, NULL, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, c, b->s.scene, 1, none, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, c, b->s.scene, 1, heavy, 0));
+    WRONG_OUT(graze_generator, graze_generator_create(&out, c, b->s.scene, 1, NULL, 2));
+    HARMLESS(graze_generator_destroy, CALLS(graze_generator_destroy(NULL)));
+    HARMLESS(graze_generator_weight, !graze_generator_weight(NULL, GRAZE_STRATUM_FACE));
+    HARMLESS(graze_generator_weight, !graze_generator_weight(g, GRAZE_STRATUM_COUNT));
+    HARMLESS(graze_generator_weight, !graze_generator_weight(g, (graze_stratum)-1));
+    HARMLESS(graze_stratum_default_weight, !graze_stratum_default_weight(GRAZE_STRATUM_COUNT));
+    HARMLESS(graze_stratum_default_weight, !graze_stratum_default_weight((graze_stratum)-1));
+    HARMLESS(graze_stratum_name, !graze_stratum_name(GRAZE_STRATUM_COUNT));
+    HARMLESS(graze_stratum_name, !graze_stratum_name((graze_stratum)-1));
+    HARMLESS(graze_generator_box, CALLS(graze_generator_box(NULL, b->x, g)));
+    HARMLESS(graze_generator_box, CALLS(graze_generator_box(b->x, NULL, g)));
+    HARMLESS(graze_generator_box, CALLS(graze_generator_box(b->x, b->x, NULL)));
+    WRONG(graze_generator_point(NULL, b->half, &sample, c, g, 0));
+    WRONG(graze_generator_point(b->x, NULL, &sample, c, g, 0));
+    WRONG(graze_generator_point(b->x, b->half, NULL, c, g, 0));
+    WRONG(graze_generator_point(b->x, b->half, &sample, NULL, g, 0));
+    WRONG(graze_generator_point(b->x, b->half, &sample, c, NULL, 0));
+}
+
+static void rows(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    const graze_trace *t = b->trace;
+    WRONG(graze_report_header(NULL, c, s, NULL, NULL));
+    WRONG_OUT(char, graze_report_header(&out, NULL, s, NULL, NULL));
+    WRONG_OUT(char, graze_report_header(&out, c, NULL, NULL, NULL));
+    WRONG(graze_report_row(NULL, c, s, b->point, t, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, NULL, s, b->point, t, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, NULL, b->point, t, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, s, NULL, t, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, s, b->point, NULL, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, s, b->point, t, (graze_format)2, NULL));
+    WRONG(graze_report_point(NULL, c, s, b->point, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_point(&out, NULL, s, b->point, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_point(&out, c, NULL, b->point, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_point(&out, c, s, NULL, GRAZE_FORMAT_CSV, NULL));
+    WRONG_OUT(char, graze_report_point(&out, c, s, b->point, (graze_format)-1, NULL));
+    WRONG(graze_report_explain(NULL, c, s, b->point, t));
+    WRONG_OUT(char, graze_report_explain(&out, NULL, s, b->point, t));
+    WRONG_OUT(char, graze_report_explain(&out, c, NULL, b->point, t));
+    WRONG_OUT(char, graze_report_explain(&out, c, s, NULL, t));
+    WRONG_OUT(char, graze_report_explain(&out, c, s, b->point, NULL));
+}
+
+/* Functions with a length beside their text: it is 0 afterwards. */
+#define WRONG_LENGTH(call)                                                                         \
+    do {                                                                                           \
+        length = 77;                                                                               \
+        WRONG_OUT(char, call);                                                                     \
+        assert_int_equal(length, 0);                                                               \
+    } while (0)
+
+static void tables(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    size_t length, done = 77;
+    const graze_format csv = GRAZE_FORMAT_CSV;
+    WRONG(graze_report_points(NULL, &length, &done, c, s, b->point, 1, csv, NULL));
+    WRONG_OUT(char, graze_report_points(&out, NULL, &done, c, s, b->point, 1, csv, NULL));
+    assert_int_equal(done, 0);
+    WRONG_LENGTH(graze_report_points(&out, &length, NULL, c, s, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, s, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, NULL, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, s, NULL, 1, csv, NULL));
+    WRONG_LENGTH(
+        graze_report_points(&out, &length, &done, c, s, b->point, 1, (graze_format)2, NULL));
+    WRONG(graze_report_export(NULL, &length, c, "", 0, GRAZE_EXPORT_NPY));
+    WRONG_OUT(char, graze_report_export(&out, NULL, c, "", 0, GRAZE_EXPORT_NPY));
+    WRONG_LENGTH(graze_report_export(&out, &length, NULL, "", 0, GRAZE_EXPORT_NPY));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, NULL, 0, GRAZE_EXPORT_NPY));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, "", 0, GRAZE_EXPORT_NONE));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, "", 0, (graze_export)3));
+}
+
+static void pictures(bench *b) {
+    graze_context *c = b->s.context;
+    const char *file = "/nonexistent/a.svg", *const no_name[] = {NULL};
+    const graze_draw_options odd[] = {
+        {.times = 1},
+        {.times = 65},
+        {.low = b->point},
+        {.high = b->point},
+        {.low = b->point, .high = b->point},
+        {.plane = b->point},
+        {.point_count = 1, .points = b->point},
+        {.point_count = 1, .points = b->point, .names = no_name},
+        {.point_count = 1, .names = no_name},
+        {.view = {NAN, 0, 0}},
+        {.view = {0, INFINITY, 0}},
+    };
+    WRONG(graze_draw(NULL, b->s.scene, file, NULL));
+    WRONG(graze_draw(c, NULL, file, NULL));
+    WRONG(graze_draw(c, b->s.scene, NULL, NULL));
+    WRONG(graze_draw(c, b->s.scene, "/nonexistent/a.txt", NULL));
+    for (size_t k = 0; k < sizeof odd / sizeof *odd; k++)
+        WRONG(graze_draw(c, b->s.scene, file, &odd[k]));
+}
+
+static void comparisons(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_compare_options odd[] = {{.question = (graze_question)2},
+                                         {.question = (graze_question)-1},
+                                         {.on_as = (graze_on_as)4},
+                                         {.has = (graze_candidate_has)2}};
+    WRONG(graze_compare(NULL, c, "a", "b", NULL));
+    WRONG_OUT(graze_comparison, graze_compare(&out, NULL, "a", "b", NULL));
+    WRONG_OUT(graze_comparison, graze_compare(&out, c, NULL, "b", NULL));
+    WRONG_OUT(graze_comparison, graze_compare(&out, c, "a", NULL, NULL));
+    for (size_t k = 0; k < sizeof odd / sizeof *odd; k++)
+        WRONG_OUT(graze_comparison, graze_compare(&out, c, "a", "b", &odd[k]));
+    HARMLESS(graze_comparison_destroy, CALLS(graze_comparison_destroy(NULL)));
+    HARMLESS(graze_comparison_count, !graze_comparison_count(NULL).rows);
+    WRONG(graze_comparison_report(NULL, c, b->comparison, GRAZE_COMPARISON_TEXT));
+    WRONG_OUT(char, graze_comparison_report(&out, NULL, b->comparison, GRAZE_COMPARISON_TEXT));
+    WRONG_OUT(char, graze_comparison_report(&out, c, NULL, GRAZE_COMPARISON_TEXT));
+    WRONG_OUT(char, graze_comparison_report(&out, c, b->comparison, (graze_comparison_format)2));
+}
+
+static void conversions(bench *b) {
+    graze_context *c = b->s.context;
+    mpq_srcptr one = b->half;
+    graze_joint turn = {.degrees = one}, odd = {.kind = (graze_joint_kind)2, .degrees = one};
+    graze_joint slider = {.kind = GRAZE_JOINT_SLIDE}, still = {.kind = GRAZE_JOINT_TURN};
+    odd.axis = slider.axis = b->point;
+    WRONG(graze_motion_write_rotation(NULL, NULL, c, 2, &turn, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, NULL, 2, &turn, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 4, &turn, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, NULL, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &turn, NULL, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &turn, one, NULL));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &slider, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &odd, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 2, &still, one, one));
+    WRONG_OUT(char, graze_motion_write_rotation(&out, NULL, c, 3, &turn, one, one));
+    WRONG(graze_motion_write_joints(NULL, NULL, c, 2, &turn, 1, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, NULL, 2, &turn, 1, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 0, &turn, 1, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, NULL, 1, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &turn, 0, one, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &turn, 1, NULL, one));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &turn, 1, one, NULL));
+    WRONG_OUT(char, graze_motion_write_joints(&out, NULL, c, 2, &odd, 1, one, one));
+    WRONG(graze_motion_write_poses(NULL, NULL, c, "a.csv", one, 0));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, NULL, "a.csv", one, 0));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, NULL, one, 0));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", NULL, 0));
+    WRONG_OUT(char, graze_motion_write_poses(&out, NULL, c, "a.csv", one, 2));
+    /* the report is set too */
+    WRONG_OUT(char, graze_motion_write_poses(NULL, &out, c, "a.csv", one, 0));
+    WRONG_OUT(char, graze_motion_write_pose_list(NULL, &out, c, "a.csv", NULL));
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, NULL, "a.csv", NULL));
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, NULL, NULL));
+    graze_pose_options unknown = {.flags = 4}, unnamed = {.ignored_count = 1};
+    graze_pose_options short_one = {.size = 8};
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unknown));
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unnamed));
+    WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &short_one));
+    WRONG(graze_motion_write_dyadic(NULL, NULL, c, b->s.motion, one));
+    WRONG_OUT(char, graze_motion_write_dyadic(NULL, &out, c, b->s.motion, one));
+    WRONG_OUT(char, graze_motion_write_dyadic(&out, NULL, NULL, b->s.motion, one));
+    WRONG_OUT(char, graze_motion_write_dyadic(&out, NULL, c, NULL, one));
+    WRONG_OUT(char, graze_motion_write_dyadic(&out, NULL, c, b->s.motion, NULL));
+    WRONG_OUT(char, graze_motion_write_joints(NULL, &out, c, 2, &turn, 1, one, one));
+}
+
+/* The scene was not read from files. */
+static void certificates(bench *b) {
+    graze_context *c = b->s.context;
+    WRONG(graze_certifier_create(NULL, c, b->s.scene, 0));
+    WRONG_OUT(graze_certifier, graze_certifier_create(&out, NULL, b->s.scene, 0));
+    WRONG_OUT(graze_certifier, graze_certifier_create(&out, c, NULL, 0));
+    WRONG_OUT(graze_certifier, graze_certifier_create(&out, c, b->s.scene, 0));
+    WRONG_OUT(graze_certifier, graze_certifier_create(&out, c, b->s.scene, 8));
+    WRONG_OUT(char, graze_certificate_head(&out, c, NULL));
+    WRONG_OUT(char, graze_certificate_row(&out, c, NULL, b->point));
+    size_t length, done;
+    WRONG_LENGTH(graze_certificate_points(&out, &length, NULL, NULL, &done, c, NULL, b->point, 1,
+                                          GRAZE_FORMAT_CSV, NULL));
+    HARMLESS(graze_certifier_destroy, CALLS(graze_certifier_destroy(NULL)));
+}
+
+static void distances(bench *b) {
+    graze_context *c = b->s.context;
+    graze_enclosure e;
+    double diagonal, at[2] = {0, 0};
+    WRONG(graze_distances(NULL, c, b->s.scene, b->point, 1, 1));
+    WRONG(graze_distances(&e, NULL, b->s.scene, b->point, 1, 1));
+    WRONG(graze_distances(&e, c, NULL, b->point, 1, 1));
+    WRONG(graze_distances(&e, c, b->s.scene, NULL, 1, 1));
+    WRONG(graze_distances(&e, c, b->s.scene, b->point, 1, 0));
+    WRONG(graze_distances_doubles(NULL, c, b->s.scene, at, 1, 1));
+    WRONG(graze_distances_doubles(&e, NULL, b->s.scene, at, 1, 1));
+    WRONG(graze_distances_doubles(&e, c, NULL, at, 1, 1));
+    WRONG(graze_distances_doubles(&e, c, b->s.scene, NULL, 1, 1));
+    WRONG(graze_distances_doubles(&e, c, b->s.scene, at, 1, -1));
+    WRONG(graze_scene_diagonal(NULL, c, b->s.scene));
+    WRONG(graze_scene_diagonal(&diagonal, NULL, b->s.scene));
+    WRONG(graze_scene_diagonal(&diagonal, c, NULL));
+    HARMLESS(graze_scene_sdf, graze_scene_sdf(NULL) == 0);
+    graze_options negative = {.sdf = -1, .size = sizeof negative};
+    graze_options neither = {.sdf = 1, .sdf_relative = 2, .size = sizeof neither};
+    graze_options alone = {.sdf = 1, .columns = GRAZE_COLUMNS_PMC, .size = sizeof alone};
+    graze_options huge = {.sdf = 1e308, .sdf_relative = 1, .size = sizeof huge};
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &negative));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &neither));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &alone));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &huge));
+}
+
+static void positions(bench *b) {
+    graze_context *c = b->s.context;
+    graze_options unknown = {.topo = 2, .size = sizeof unknown};
+    graze_options other = {.columns = (graze_columns)2, .size = sizeof other};
+    graze_options both = {.topo = 1, .columns = GRAZE_COLUMNS_PMC, .size = sizeof both};
+    WRONG(graze_trace_topo(NULL, c, b->s.scene, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_topo(&out, NULL, b->s.scene, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_topo(&out, c, NULL, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, NULL, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, b->point, NULL));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &unknown));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &other));
+    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &both));
+    both.topo = 0;
+    graze_scene *pmc_alone = NULL;
+    size_t length, done;
+    assert_int_equal(graze_scene_create(&pmc_alone, c, b->s.solid, b->s.motion, &both), GRAZE_OK);
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, pmc_alone, b->point, 1,
+                                     GRAZE_FORMAT_JSONL, NULL));
+    graze_scene_destroy(pmc_alone);
+    HARMLESS(graze_topo_name, graze_topo_name((graze_topo)-1)[0] == 'n');
+    HARMLESS(graze_topo_level_name, graze_topo_level_name((graze_topo_level)-1)[0] == 'n');
+    HARMLESS(graze_topology_destroy, CALLS(graze_topology_destroy(NULL)));
+    HARMLESS(graze_topology_position, !graze_topology_position(NULL));
+    HARMLESS(graze_topology_level, !graze_topology_level(NULL));
+    HARMLESS(graze_topology_reason, !*graze_topology_reason(NULL));
+    HARMLESS(graze_topology_witness, !graze_topology_witness(NULL, NULL));
+}
+
+static void contact_points(bench *b) {
+    graze_context *c = b->s.context;
+    mpq_t g, drift, theta;
+    mpq_inits(g, drift, theta, NULL);
+    WRONG(graze_site_create(NULL, c, b->s.scene, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create(&out, NULL, b->s.scene, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create(&out, c, NULL, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create(&out, c, b->s.scene, NULL, b->point));
+    WRONG_OUT(graze_site, graze_site_create(&out, c, b->s.scene, b->half, NULL));
+    WRONG(graze_site_create_at(NULL, c, b->s.scene, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create_at(&out, c, NULL, b->half, b->point));
+    WRONG_OUT(graze_site, graze_site_create_at(&out, c, b->s.scene, b->half, NULL));
+    WRONG_OUT(char, graze_site_header(&out, c, NULL, NULL, NULL));
+    WRONG_OUT(char, graze_site_header(&out, NULL, b->s.scene, NULL, NULL));
+    WRONG_OUT(char, graze_site_row(&out, c, NULL, GRAZE_FORMAT_CSV, NULL));
+    HARMLESS(graze_role_name, graze_role_name((graze_role)-1)[0] == 'n');
+    HARMLESS(graze_trim_name, graze_trim_name((graze_trim)-1)[0] == 'n');
+    HARMLESS(graze_orientation_name, graze_orientation_name((graze_orientation)-1)[0] == 'n');
+    HARMLESS(graze_site_destroy, CALLS(graze_site_destroy(NULL)));
+    HARMLESS(graze_site_get, !graze_site_get(NULL).role);
+    HARMLESS(graze_site_point, CALLS(graze_site_point(b->x, b->x, NULL)));
+    HARMLESS(graze_site_near, !graze_site_near(NULL));
+    HARMLESS(graze_site_near_in, !graze_site_near_in(NULL));
+    HARMLESS(graze_site_trace, !graze_site_trace(NULL));
+    HARMLESS(graze_site_germ_count, !graze_site_germ_count(NULL));
+    HARMLESS(graze_site_germ_at, !graze_site_germ_at(g, drift, theta, NULL, 0).side);
+    mpq_clears(g, drift, theta, NULL);
+}
+
+static void boundaries(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    graze_boundary_options one_corner = b->box, deep = b->box, coarse = b->box, wild = b->box;
+    graze_boundary_options flat = b->box, poor = b->box;
+    mpq_t wrong[2];
+    mpq_inits(wrong[0], wrong[1], NULL);
+    mpz_set_ui(mpq_numref(wrong[1]), 2); /* 2/2, which is not in lowest terms */
+    mpz_set_ui(mpq_denref(wrong[1]), 2);
+    one_corner.high = b->point;
+    deep.depth = 20;
+    coarse.coarse = 3;
+    flat.low = flat.high = b->point;
+    poor.budget = 1;
+    wild.low = wrong;
+    wild.high = b->point;
+    WRONG(graze_boundary_create(NULL, c, s, &b->box));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, NULL, s, &b->box));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, NULL, &b->box));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, NULL));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &one_corner));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &deep));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &coarse));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &flat));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &poor));
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &wild));
+    mpz_set_ui(mpq_denref(wrong[1]), 0);
+    WRONG_OUT(graze_boundary, graze_boundary_create(&out, c, s, &wild));
+    mpz_set_ui(mpq_denref(wrong[1]), 1);
+    mpq_clears(wrong[0], wrong[1], NULL);
+    const graze_boundary *made = b->boundary;
+    const size_t past = ~(size_t)0;
+    HARMLESS(graze_boundary_destroy, CALLS(graze_boundary_destroy(NULL)));
+    HARMLESS(graze_boundary_summarize, !graze_boundary_summarize(NULL).points);
+    HARMLESS(graze_boundary_point, !graze_boundary_point(b->x, NULL, 0));
+    HARMLESS(graze_boundary_point, !graze_boundary_point(NULL, made, 0));
+    HARMLESS(graze_boundary_point, !graze_boundary_point(b->x, made, past));
+    HARMLESS(graze_boundary_cell_at, !graze_boundary_cell_at(NULL, 0).corners[1]);
+    HARMLESS(graze_boundary_cell_at, !graze_boundary_cell_at(made, past).corners[1]);
+    HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(NULL, made, 0)));
+    HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(b->x, NULL, 0)));
+    HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(b->x, made, past)));
+    HARMLESS(graze_boundary_face, !graze_boundary_face(NULL, 0));
+    HARMLESS(graze_boundary_face, !graze_boundary_face(made, past));
+}
+
+#endif
