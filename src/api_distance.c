@@ -71,7 +71,7 @@ static graze_status enclose_points(graze_enclosure *out, graze_context *context,
     for (size_t p = 0; p < n && !status; p++) {
         if (rationals)
             status = api_point(point, context, scene, rationals + p * d);
-        for (size_t k = 0; k < d && !rationals && !status; k++)
+        for (size_t k = 0; doubles && k < d && !status; k++)
             status = rational_from_double(point + k, context, doubles[p * d + k]);
         if (!status)
             status = enclose_point(out + p, context, scene, point, tolerance);

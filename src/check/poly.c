@@ -117,7 +117,7 @@ void poly_common(poly *out, const poly *a, const poly *b) {
     poly_set(&y, b);
     poly_make_primitive(&x);
     poly_make_primitive(&y);
-    while (y.n > 0) { /* x becomes a primitive multiple of its remainder by y; then they change */
+    while (y.n > 0) { /* x becomes a primitive multiple of its remainder by y; then both swap */
         while (x.n >= y.n) {
             mpz_set(lead, x.c[x.n - 1]);
             poly_scale(&x, y.c[y.n - 1]);

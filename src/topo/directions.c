@@ -1,4 +1,4 @@
-/* Directions. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Directions: vectors of integers up to a factor. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "topo/directions.h"
 
 #include <flint/fmpq_vec.h>
