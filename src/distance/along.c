@@ -61,7 +61,7 @@ static double along_placed(const window *w, const double *m, const double *value
     square_numbers(top, value, n);
     square_vectors(below, (const double(*)[3])b, n);
     for (int k = 0; k <= 2 * n; k++) {
-        if (!(below[k] > 0))
+        if (!(below[k] > 0 && below[k] < INFINITY && top[k] < INFINITY))
             return 0;
         least = smaller(least, top[k] / below[k]);
         shortest = smaller(shortest, below[k]);

@@ -101,6 +101,14 @@ static graze_status find_greatest(search *s, const graze_scene *scene, const gra
     return status;
 }
 
+/* A time of contact at an end of a stay: where no double is certainly in one. */
+static const graze_time *end_of_stay(const graze_trace *trace, graze_state wanted) {
+    for (size_t k = 0; k < trace->contact_count; k++)
+        if (trace->contact[k].left == wanted)
+            return trace->contact[k].from;
+    return NULL;
+}
+
 static void set_on(distance *out, const graze_trace *trace) {
     *out = (distance){.at = trace->contact_count ? trace->contact[0].from : NULL};
 }
@@ -109,11 +117,9 @@ static void set_on(distance *out, const graze_trace *trace) {
 static graze_status find_off(distance *out, search *s, const graze_scene *scene,
                              const graze_trace *trace) {
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    int negative = trace->verdict.pmc == GRAZE_IN;
-    graze_status status =
-        negative != unsweep
-            ? find_greatest(s, scene, trace, unsweep ? GRAZE_STATE_O : GRAZE_STATE_I)
-            : search_least(s);
+    int negative = trace->verdict.pmc == GRAZE_IN, greatest = negative != unsweep;
+    graze_state wanted = unsweep ? GRAZE_STATE_O : GRAZE_STATE_I;
+    graze_status status = greatest ? find_greatest(s, scene, trace, wanted) : search_least(s);
     out->low = negative ? -s->high : s->low;
     out->high = negative ? -s->low : s->high;
     /* The decimals of a table are outside the doubles by less than this. */
@@ -121,7 +127,7 @@ static graze_status find_off(distance *out, search *s, const graze_scene *scene,
     out->wide = !(out->high - out->low + more <= s->tolerance);
     out->piece = s->piece;
     out->u = s->time;
-    out->at = NULL;
+    out->at = greatest && !s->met ? end_of_stay(trace, wanted) : NULL;
     return status;
 }
 

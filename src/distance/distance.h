@@ -12,7 +12,8 @@ typedef struct distance {
     int wide;             /* high - low is more than was asked for */
     size_t piece;         /* a time at which the solid is as near as the bound says: */
     double u;             /* the piece's parameter, or */
-    const graze_time *at; /* for an `on` point its first contact, borrowed from the trace */
+    const graze_time *at; /* a contact, borrowed from the trace: the first of an `on` point, or one
+                             at the end of a stay in which no double is certain to lie */
 } distance;
 
 /**

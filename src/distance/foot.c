@@ -73,6 +73,8 @@ static void clear_along(double *n, const double *e) {
 /* The nearest of the edges' feet; fills shares and the direction to the origin. */
 static void foot_of_edges(double *share, double *n, double y[3][3], int count) {
     double best = INFINITY;
+    share[0] = 1; /* where no square is in the range */
+    share[1] = share[2] = 0;
     for (int k = 0; k < (count == 3 ? 3 : 1); k++) {
         const double *a = y[k], *b = y[(k + 1) % count];
         double s = share_of_edge(a, b), at[3];

@@ -13,7 +13,8 @@
 typedef struct gap {
     int degree;
     double at[WINDOW_ROOM + 1][3], weight[WINDOW_ROOM + 1];
-    double stray, least; /* errors of a coordinate; the weight is at least this */
+    double stray, least, most_w; /* errors of a coordinate; the weight is at least this, and its
+                                    coefficients are off by no more than that */
 } gap;
 
 /* The place against the point on a rigid piece, in the solid's space, to the degree of W. */
@@ -22,6 +23,7 @@ static void gap_rigid(gap *out, const window *w, const double *q) {
     out->degree = w->degree;
     out->stray = w->stray;
     out->least = w->least;
+    out->most_w = w->most_w;
     for (int k = 0; k <= w->degree; k++) {
         out->weight[k] = w->x[d][k];
         for (int i = 0; i < 3; i++)
@@ -36,6 +38,7 @@ static void gap_placed(gap *out, const window *w, const double *q) {
     out->degree = w->place_degree;
     out->stray = w->place_stray;
     out->least = w->place_least;
+    out->most_w = w->place_most_w;
     for (int k = 0; k <= w->place_degree; k++) {
         out->weight[k] = weight[k];
         out->at[k][2] = 0;
@@ -82,7 +85,7 @@ static double weight_slack(const gap *g) {
     double most = 0;
     for (int k = 0; k <= g->degree; k++)
         most = larger(most, g->weight[k]);
-    return 1 + SLACK * (48 + 12 * g->degree) * U * most / g->least;
+    return 1 + SLACK * (g->most_w + (48 + 12 * g->degree) * U * most) / g->least;
 }
 
 double gap_most(const window *w, const double *q0, const double *q1) {

@@ -49,7 +49,9 @@ static int take_sample(sample *out, search *s, const stretch_of_time *of, const 
         out->high = found.high;
         out->simplex = found.simplex;
     }
-    if (time >= of->sure_from && time <= of->sure_to && !(found.low <= s->low)) {
+    int sure = time >= of->sure_from && time <= of->sure_to;
+    if (sure && (!s->met || found.low > s->low)) {
+        s->met = 1;
         s->low = found.low;
         s->piece = of->piece;
         s->time = time;

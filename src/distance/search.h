@@ -16,6 +16,7 @@ typedef struct search {
     double low, high;
     size_t piece;
     double time;
+    int met;                /* the greatest alone: there is such a time among doubles */
     size_t visits, counted; /* work so far, and what the context knows of it */
     uint32_t *list;         /* the least alone: nodes of windows under way */
     size_t list_count, list_capacity;

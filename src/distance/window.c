@@ -117,7 +117,8 @@ static void restrict_place(window *w) {
     w->place_least = w->place[entries][0];
     for (int k = 1; k <= w->place_degree; k++)
         w->place_least = smaller(w->place_least, w->place[entries][k]);
-    w->place_least -= step * weight + FILTER_FLOOR;
+    w->place_most_w = step * weight + FILTER_FLOOR;
+    w->place_least -= w->place_most_w;
 }
 
 int window_make(window *out, const path *of, double from, double to) {

@@ -29,14 +29,14 @@ typedef struct window {
     double from, to;
     int degree;
     double x[4][WINDOW_ROOM];
-    double most_w;    /* what W's coefficients may be larger by */
+    double most_w;    /* what W's coefficients may be off by */
     double least;     /* W is at least this; positive */
     double stray;     /* X - q W errs by at most this in each coordinate, for places q of the solid
                          that are within the corners' error and rounding */
     int place_degree; /* of a piece that is not rigid: */
     double linear[9][WINDOW_ROOM];          /* the linear part of the tracing map, times W */
     double place[WINDOW_MAPS][WINDOW_ROOM]; /* the placing map, its weight last */
-    double place_stray, place_least, linear_stray;
+    double place_stray, place_least, place_most_w, linear_stray;
 } window;
 
 /** Coordinates of the point; fails with GRAZE_ELIMIT past the range. */

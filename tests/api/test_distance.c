@@ -13,6 +13,15 @@ static const char lean[] = MOTION("{\"matrix\": [[1, \"t\", 0], [0, 1, 0]]}");
 static const char step[] = MOTION("{\"translate\": [\"t\", 0]}");
 static const char flat[] = MOTION("{\"scale\": [\"1+t\", \"1/(1+t)\"]}");
 
+/* The centred square [-f, f]^2 with f from about 1e-9 to 1: the weight's values lie far apart. */
+static const char burst[] =
+    MOTION("{\"matrix\": [[\"13841287203/(12157665459056928801*(1-t)+13841287203*t)\", 0, "
+           "\"-13841287203/(12157665459056928801*(1-t)+13841287203*t)\"],"
+           "[0, \"13841287203/(12157665459056928801*(1-t)+13841287203*t)\", "
+           "\"-13841287203/(12157665459056928801*(1-t)+13841287203*t)\"]]}");
+/* The square on its corner (2, 2), which passes y = 0 at (8t - 4, 0). */
+static const char tip[] = MOTION("{\"matrix\": [[1, -1, \"8*t-4\"], [1, 1, -4]]}");
+
 typedef struct row {
     const char *motion;
     graze_operation operation;
@@ -112,6 +121,30 @@ static void lipschitz(void **state) {
         }
         scene_close(&s);
     }
+}
+
+/* Largest at t = 1, where the sides are 1 from the centre. */
+static void weights_far_apart(void **state) {
+    (void)state;
+    scene s;
+    scene_open(&s, burst, NULL);
+    graze_enclosure e = ask(&s, 0, 0, 1e-9);
+    check_sign(&e);
+    if (!(e.low <= -1 && -1 <= e.high))
+        fail_msg("[%.17g, %.17g], expected -1 inside", e.low, e.high);
+    scene_close(&s);
+}
+
+/* The point is inside for 2^-72 about t = (0.3 + 4) / 8, which no double is near enough to. */
+static void stay_between_doubles(void **state) {
+    (void)state;
+    scene s;
+    scene_open(&s, tip, NULL);
+    graze_enclosure e = ask(&s, 0.3, -0x1p-70, 1e-9);
+    assert_int_equal(e.pmc, GRAZE_IN);
+    check_sign(&e);
+    assert_true(e.low <= -0x1p-71 && e.high >= -0x1p-71 && fabs(e.time - 4.3 / 8) <= 0x1p-50);
+    scene_close(&s);
 }
 
 static int overlap(graze_enclosure a, graze_enclosure b) {
@@ -216,8 +249,10 @@ static void refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closed_forms), cmocka_unit_test(lipschitz), cmocka_unit_test(same_sets),
-        cmocka_unit_test(rigid_maps),   cmocka_unit_test(scaling),   cmocka_unit_test(refusals),
+        cmocka_unit_test(closed_forms),      cmocka_unit_test(lipschitz),
+        cmocka_unit_test(weights_far_apart), cmocka_unit_test(stay_between_doubles),
+        cmocka_unit_test(same_sets),         cmocka_unit_test(rigid_maps),
+        cmocka_unit_test(scaling),           cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
