@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api.h"
+#include "boundary/bisect.h"
 #include "boundary/boundary.h"
 #include "boundary/contacts.h"
 #include "context/environment.h"
@@ -90,21 +91,23 @@ graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
     out.level = b->reached;
     out.complete = b->complete;
     out.closed = b->closed;
+    out.bisected = b->bisected;
+    out.exact = b->exact;
     return out;
 }
 
-static void put_boundary_point(mpq_t *out, const graze_boundary *b, uint64_t key) {
-    fmpq *point = _fmpq_vec_init(b->dimension);
-    lattice_point(point, b, key);
+static void give_point(mpq_t *out, const graze_boundary *b, const fmpq *point) {
     for (int k = 0; k < b->dimension; k++)
         api_rational_out(out[k], point + k);
-    _fmpq_vec_clear(point, b->dimension);
 }
 
 graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *b, size_t index) {
     if (!point || !b || index >= b->points.count)
         return GRAZE_PMC_NONE;
-    put_boundary_point(point, b, b->points.key[index]);
+    fmpq *at = _fmpq_vec_init(b->dimension);
+    lattice_point(at, b, b->points.key[index]);
+    give_point(point, b, at);
+    _fmpq_vec_clear(at, b->dimension);
     return (graze_pmc)b->points.value[index];
 }
 
@@ -128,8 +131,23 @@ graze_boundary_cell graze_boundary_cell_at(const graze_boundary *b, size_t index
 }
 
 void graze_boundary_vertex(mpq_t *point, const graze_boundary *b, size_t index) {
-    if (point && b && index < b->vertices.count)
-        put_boundary_point(point, b, b->vertices.key[index]);
+    if (!point || !b || index >= b->vertices.count)
+        return;
+    fmpq *at = _fmpq_vec_init(b->dimension);
+    bisect_vertex(at, b, index);
+    give_point(point, b, at);
+    _fmpq_vec_clear(at, b->dimension);
+}
+
+void graze_boundary_vertex_between(mpq_t *outside, mpq_t *inside, const graze_boundary *b,
+                                   size_t index) {
+    if (!outside || !inside || !b || index >= b->vertices.count)
+        return;
+    fmpq *at = _fmpq_vec_init(2 * b->dimension);
+    bisect_between(at, at + b->dimension, b, index);
+    give_point(outside, b, at);
+    give_point(inside, b, at + b->dimension);
+    _fmpq_vec_clear(at, 2 * b->dimension);
 }
 
 const size_t *graze_boundary_face(const graze_boundary *b, size_t index) {

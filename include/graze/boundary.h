@@ -22,6 +22,7 @@ typedef struct graze_boundary_options {
     graze_rationals low, high; /**< corners of a box, d canonical rationals each; NULL: a little
                                     more than graze_scene_box */
     size_t size;               /**< sizeof(graze_boundary_options) or 0 */
+    int middles;               /**< 1: vertices stay in the middles of the edges they are on */
 } graze_boundary_options;
 
 /** Counts of a sampling. */
@@ -35,6 +36,8 @@ typedef struct graze_boundary_summary {
     unsigned level;            /**< level of the cells that the surface intersects */
     int complete;              /**< 0: the budget ended before the depth was reached */
     int closed;                /**< 0: the surface ends at the border of the box */
+    unsigned long bisected;    /**< points classified to place the vertices, besides the budget */
+    size_t exact;              /**< vertices that are `on` */
 } graze_boundary_summary;
 
 /** A cell that was not cut: a box whose corners are points of the sample. */
@@ -49,8 +52,10 @@ typedef struct graze_boundary_cell {
  * Sample the sweep (unsweep) of a scene ([EI] section 5, [IS] section 4.2). A cell is cut while its
  * corners and centre differ in pmc, or while it holds a contact point that is `on`; every point is
  * classified exactly. The surface separates the points that are `out` from the others at one level:
- * each of its vertices is within half the diagonal of a cell of a boundary point. Parts, holes and
- * gaps without a point of the sample, and details smaller than a cell, can be missed.
+ * each of its vertices is on the boundary, or between two exactly classified points, one of them
+ * `out` and the other not, that are at most 2^-20 of a cell apart. It is a manifold without
+ * degenerate faces. Parts, holes and gaps without a point of the sample, and details smaller than a
+ * cell, can be missed.
  * @param scene borrowed; it must outlive the boundary
  * @return GRAZE_EUSE a NULL, a depth out of range, an empty box, or a budget too small for the
  * coarse level; GRAZE_ECANCELED, GRAZE_ELIMIT, GRAZE_EINTERNAL
@@ -74,6 +79,12 @@ GRAZE_API graze_boundary_cell graze_boundary_cell_at(const graze_boundary *bound
  * @param[out] point d initialised rationals
  */
 GRAZE_API void graze_boundary_vertex(mpq_t *point, const graze_boundary *boundary, size_t index);
+/** The two points of vertex `index`: `outside` is `out`, `inside` is `in` or `on`; unchanged past
+ * the end. They are ends of an edge between points of the sample where `middles` was asked for.
+ * @param[out] outside, inside d initialised rationals each
+ */
+GRAZE_API void graze_boundary_vertex_between(mpq_t *outside, mpq_t *inside,
+                                             const graze_boundary *boundary, size_t index);
 /** Face `index`: d vertices, with `out` on the side of the normal (E^2: on the right). Borrowed;
  * NULL past the end. */
 GRAZE_API const size_t *graze_boundary_face(const graze_boundary *boundary, size_t index);

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "boundary/bisect.h"
 #include "boundary/contacts.h"
 #include "boundary/refine.h"
 #include "boundary/surface.h"
@@ -56,6 +57,7 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
     b->coarse = options->coarse;
     b->depth = options->depth;
     b->budget = options->budget;
+    b->middles = options->middles;
     b->complete = 1;
     for (int k = 0; k < 3; k++) {
         fmpq_init(b->low + k);
@@ -71,6 +73,8 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
         status = boundary_refine(context, b);
     if (!status)
         status = boundary_surface(context, b);
+    if (!status)
+        status = boundary_bisect(context, b);
     return status ? status : list_leaves(b, context);
 }
 
@@ -80,6 +84,9 @@ void boundary_clear(struct graze_boundary *b) {
         fmpq_clear(b->side + k);
         fmpq_clear(b->point + k);
     }
+    for (size_t k = 0; k < 2 * b->vertices.count && b->shares; k++)
+        fmpq_clear(b->shares + k);
+    free(b->shares);
     table_clear(&b->points);
     table_clear(&b->vertices);
     free(b->cells);

@@ -21,6 +21,7 @@ struct graze_boundary {
     const graze_scene *scene; /* borrowed */
     int dimension;
     unsigned coarse, depth;
+    int middles; /* vertices stay in the middles of their edges */
     unsigned long budget;
     fmpq low[3], side[3];
     fmpq point[3];          /* the point at hand */
@@ -38,8 +39,11 @@ struct graze_boundary {
     int complete;     /* the budget lasted */
     int closed;       /* the surface has no border */
     unsigned long missed;
-    table vertices;  /* lattice points of the surface */
-    size_t *corners; /* of the surface's faces, d each */
+    table vertices; /* the middles of the surface's edges, and pmc where `shares` are inside */
+    fmpq *shares;   /* two for each vertex (bisect.h) */
+    unsigned long bisected; /* points classified to place vertices */
+    size_t exact;           /* vertices that are on the boundary itself */
+    size_t *corners;        /* of the surface's faces, d each */
     size_t face_count, corner_capacity;
 };
 

@@ -1,11 +1,11 @@
-/* The surface between `out` and the rest, through the middles of edges between them.
+/* The surface between `out` and the rest, through one point of each edge between them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Each cell of the level reached is cut into d! simplices along the diagonal from its lowest to its
  * highest corner, alike in all cells, so that neighbours share the cuts of their common side. A
- * simplex's edges between `out` and the rest each have a point of the boundary; their middles span
- * one segment (d = 2), or one triangle or parallelogram (d = 3), which `out` lies to the right or
- * on the outer side of.
+ * simplex's edges between `out` and the rest each have a point of the boundary; a point of each
+ * spans one segment (d = 2), or one or two triangles (d = 3), which `out` lies to the right or on
+ * the outer side of. Here vertices are the middles; bisect.c moves them along their edges.
  */
 #include "boundary/surface.h"
 

@@ -16,8 +16,8 @@ static const char boundary_help[] =
     "Cuts a box around the sweep into 2^d cells, again and again: all of them down to a coarse\n"
     "level, then those whose corners and centre differ (in, on, out) or that hold a contact point\n"
     "that is on, down to level N. Every point is classified exactly. The surface separates the\n"
-    "points that are out from the rest; its vertices are within half a cell's diagonal of the\n"
-    "boundary.\n"
+    "points that are out from the rest. Each vertex is on the boundary or between two points, one\n"
+    "of them out, at most 2^-20 of a cell apart; the surface is a manifold.\n"
     "\n"
     "LIMITS: it misses parts, holes and gaps that hold no point of the sample, and all detail\n"
     "smaller than a cell. More --coarse and --contacts find more; no sample finds all.\n"
@@ -29,7 +29,8 @@ static const char boundary_help[] =
     "  --contacts N         contact points to make and classify (1000)\n"
     "  --seed K             their seed (1)\n"
     "  --box x0,y0[,z0],x1,y1[,z1]   the box (default: a little more than the sweep's)\n"
-    "  --surface FILE       .ply or .vtk: triangles (segments)\n"
+    "  --surface FILE       .ply, .vtk, in 3D .stl: triangles (segments)\n"
+    "  --middles            leave the vertices in the middles of cells' edges, which is faster\n"
     "  --cells FILE         .vtk: the cells that were not cut: level, pmc (0: mixed), contact\n"
     "  --points FILE        .csv, exact, or .vtk: the points and pmc (1 in, 2 on, 3 out)\n"
     "  --round, --triangulate, --operation, --overlap, --limit,\n"
@@ -42,6 +43,7 @@ typedef struct boundary_given {
     const char *depth, *coarse, *budget, *contacts, *box;
     seed_value seed;
     const char *surface, *cells, *points; /* files to write */
+    int middles;
 } boundary_given;
 
 static int read_most(unsigned long *to, const char *name, const char *value, unsigned long most) {
@@ -54,7 +56,8 @@ static int read_most(unsigned long *to, const char *name, const char *value, uns
 static int read_boundary_counts(graze_boundary_options *to, const boundary_given *o,
                                 int dimension) {
     unsigned long depth = 0, coarse = dimension == 2 ? 5 : 4;
-    *to = (graze_boundary_options){.budget = 1000000, .contacts = 1000, .seed = 1};
+    *to = (graze_boundary_options){
+        .budget = 1000000, .contacts = 1000, .seed = 1, .middles = o->middles, .size = sizeof *to};
     int status = read_most(&depth, "depth", o->depth, 19);
     coarse = coarse > depth ? depth : coarse;
     if (!status)
@@ -70,7 +73,7 @@ static int read_boundary_counts(graze_boundary_options *to, const boundary_given
     return status;
 }
 
-static int summarize_boundary(const graze_boundary *b) {
+static int summarize_boundary(const graze_boundary *b, int middles) {
     graze_boundary_summary s = graze_boundary_summarize(b);
     char text[1024];
     snprintf(text, sizeof text,
@@ -78,11 +81,13 @@ static int summarize_boundary(const graze_boundary *b) {
              "contact points: %lu made, %lu on\n"
              "cells: %zu\n"
              "surface: level %u, %zu vertices, %zu faces, %s\n"
+             "vertices on the boundary: %zu, the others %s; %lu points classified for them\n"
              "budget: %s\n"
              "cells of that level with a contact point that is on, but without surface: %lu\n"
              "not seen: parts, holes and gaps that hold no point of the sample\n",
              s.points, s.in, s.on, s.out, s.contacts, s.contacts_on, s.cells, s.level, s.vertices,
-             s.faces, s.closed ? "closed" : "open at the border of the box",
+             s.faces, s.closed ? "closed" : "open at the border of the box", s.exact,
+             middles ? "in the middles of edges" : "within 2^-20 of a cell of it", s.bisected,
              s.complete ? "enough" : "spent before the depth was reached", s.missed);
     return output_text(NULL, text);
 }
@@ -96,7 +101,7 @@ static int write_boundary(const graze_boundary *b, graze_context *context, const
         status = boundary_write_cells(o->cells, b, context, dimension);
     if (!status && o->points)
         status = boundary_write_points(o->points, b, context, dimension);
-    return status ? status : summarize_boundary(b);
+    return status ? status : summarize_boundary(b, o->middles);
 }
 
 static int sample_boundary(const loaded *l, const boundary_given *o, mpq_t *box) {
@@ -106,6 +111,8 @@ static int sample_boundary(const loaded *l, const boundary_given *o, mpq_t *box)
     int status = read_boundary_counts(&how, o, dimension);
     if (!status && o->box)
         status = numbers_read(box, l->context, "--box", o->box, strlen(o->box), 2 * dimension);
+    if (!status && o->surface)
+        status = boundary_check_surface(o->surface, dimension);
     if (status)
         return status;
     how.low = o->box ? box : NULL;
@@ -128,6 +135,7 @@ static const option_entry boundary_table[] = {
     OPTION("surface", boundary_given, surface, value_text),
     OPTION("cells", boundary_given, cells, value_text),
     OPTION("points", boundary_given, points, value_text),
+    FLAG("middles", boundary_given, middles, value_flag),
     OPTION("round", boundary_given, scene.context.rounding, value_rounding),
     FLAG("triangulate", boundary_given, scene.solid_flags, value_triangulate),
     OPTION("operation", boundary_given, scene.scene.operation, value_operation),

@@ -6,6 +6,7 @@
  */
 #include "run/boundary_files.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include "run/output.h"
@@ -28,12 +29,21 @@ static int ends_in(const char *path, const char *extension) {
 }
 
 int boundary_check_names(const char *surface, const char *cells, const char *points) {
-    if (surface && !ends_in(surface, ".ply") && !ends_in(surface, ".vtk"))
-        return complain(EXIT_USAGE, "--surface %s: expected a name in .ply or .vtk", surface);
+    if (surface && !ends_in(surface, ".ply") && !ends_in(surface, ".vtk") &&
+        !ends_in(surface, ".stl"))
+        return complain(EXIT_USAGE, "--surface %s: expected a name in .ply, .vtk or .stl", surface);
     if (cells && !ends_in(cells, ".vtk"))
         return complain(EXIT_USAGE, "--cells %s: expected a name in .vtk", cells);
     if (points && !ends_in(points, ".csv") && !ends_in(points, ".vtk"))
         return complain(EXIT_USAGE, "--points %s: expected a name in .csv or .vtk", points);
+    return EXIT_DONE;
+}
+
+int boundary_check_surface(const char *surface, int dimension) {
+    if (dimension == 2 && ends_in(surface, ".stl"))
+        return complain(EXIT_USAGE,
+                        "--surface %s: STL has triangles in space; expected a name in .ply or .vtk",
+                        surface);
     return EXIT_DONE;
 }
 
@@ -107,6 +117,56 @@ static int put_ply(const graze_boundary *b, graze_context *context, int dimensio
     return status;
 }
 
+/* The corners of a face, for the normal alone; 0 0 0 stands where it has no direction. */
+static void put_normal(double at[3][3]) {
+    double normal[3], length = 0;
+    char text[128];
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        normal[k] = (at[1][i] - at[0][i]) * (at[2][j] - at[0][j]) -
+                    (at[1][j] - at[0][j]) * (at[2][i] - at[0][i]);
+        length = fmax(length, fabs(normal[k]));
+    }
+    double scale = 0, squares = 0;
+    for (int k = 0; k < 3 && length > 0; k++)
+        squares += normal[k] / length * (normal[k] / length);
+    if (squares > 0)
+        scale = 1 / (length * sqrt(squares));
+    if (!(scale < HUGE_VAL))
+        scale = 0;
+    snprintf(text, sizeof text, "facet normal %.9g %.9g %.9g\nouter loop\n", normal[0] * scale,
+             normal[1] * scale, normal[2] * scale);
+    output_put(&out, text);
+}
+
+/* STL as text, since 32 bits a coordinate would move vertices onto one another. */
+static int put_stl(const graze_boundary *b, graze_context *context,
+                   const graze_boundary_summary *s) {
+    mpq_t point[3];
+    graze_status status = GRAZE_OK;
+    init_point(point);
+    output_put(&out, "solid graze " GRAZE_VERSION " boundary; " MISSES "\n");
+    for (size_t i = 0; i < s->faces && !status; i++) {
+        const size_t *face = graze_boundary_face(b, i);
+        double at[3][3];
+        for (int k = 0; k < 3; k++) {
+            graze_boundary_vertex(point, b, face[k]);
+            for (int j = 0; j < 3; j++)
+                at[k][j] = mpq_get_d(point[j]);
+        }
+        put_normal(at);
+        for (int k = 0; k < 3 && !status; k++) {
+            output_put(&out, "vertex ");
+            graze_boundary_vertex(point, b, face[k]);
+            status = vtk_rational_point(&lines, context, point, 3);
+        }
+        output_put(&out, "endloop\nendfacet\n");
+    }
+    output_put(&out, "endsolid\n");
+    clear_point(point);
+    return complain_of(status, context);
+}
+
 /* Close the file, which holds all or nothing. */
 static int close_whole(int status) {
     if (status)
@@ -121,6 +181,8 @@ int boundary_write_surface(const char *path, const graze_boundary *b, graze_cont
     int status = output_open(&out, path);
     if (status)
         return status;
+    if (ends_in(path, ".stl"))
+        return close_whole(put_stl(b, context, &s));
     if (!ends_in(path, ".vtk"))
         return close_whole(put_ply(b, context, dimension, &s));
     status = put_vtk_points(b, context, dimension, OF_VERTICES, s.vertices);

@@ -325,6 +325,14 @@ static void boundaries(bench *b) {
     HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(NULL, made, 0)));
     HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(b->x, NULL, 0)));
     HARMLESS(graze_boundary_vertex, CALLS(graze_boundary_vertex(b->x, made, past)));
+    HARMLESS(graze_boundary_vertex_between,
+             CALLS(graze_boundary_vertex_between(b->x, b->x, NULL, 0)));
+    HARMLESS(graze_boundary_vertex_between,
+             CALLS(graze_boundary_vertex_between(NULL, b->x, made, 0)));
+    HARMLESS(graze_boundary_vertex_between,
+             CALLS(graze_boundary_vertex_between(b->x, NULL, made, 0)));
+    HARMLESS(graze_boundary_vertex_between,
+             CALLS(graze_boundary_vertex_between(b->x, b->x, made, past)));
     HARMLESS(graze_boundary_face, !graze_boundary_face(NULL, 0));
     HARMLESS(graze_boundary_face, !graze_boundary_face(made, past));
 }

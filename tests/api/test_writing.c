@@ -1,6 +1,7 @@
 /* Tests of graze_motion_write_ and graze_boundary_: wrong use, and what a caller in C gets.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include <math.h>
 #include "../lib/harness.h"
 #include "graze.h"
 
@@ -86,6 +87,35 @@ static graze_status solid_of(graze_solid **out, graze_context *context) {
     return graze_solid_from_doubles(out, context, 3, corner, 8, sizes, 6, cycles, 0);
 }
 
+/* Each vertex lies between its two points, of which graze_classify finds one out and one not. */
+static void check_vertices(graze_context *context, const graze_scene *scene,
+                           const graze_boundary *b, size_t count) {
+    mpq_t at[9];
+    for (int k = 0; k < 9; k++)
+        mpq_init(at[k]);
+    for (size_t v = 0; v < count; v++) {
+        graze_verdict verdict[3];
+        graze_boundary_vertex(at, b, v);
+        graze_boundary_vertex_between(at + 3, at + 6, b, v);
+        assert_int_equal(graze_classify(verdict, context, scene, at, 3), GRAZE_OK);
+        assert_int_equal(verdict[1].pmc, GRAZE_OUT);
+        assert_int_not_equal(verdict[2].pmc, GRAZE_OUT);
+        for (int k = 0; k < 3; k++) {
+            int from = mpq_cmp(at[k], at[3 + k]), to = mpq_cmp(at[6 + k], at[k]);
+            assert_true(from * to >= 0);
+            mpq_sub(at[3 + k], at[3 + k], at[6 + k]);
+            /* The box is 27/4 long and cut into 8. */
+            assert_true(fabs(mpq_get_d(at[3 + k])) <= 0x1p-20 * 27 / 32);
+        }
+    }
+    graze_boundary_vertex_between(at, at + 3, b, count);
+    graze_boundary_vertex_between(NULL, at + 3, b, 0);
+    graze_boundary_vertex_between(at, NULL, b, 0);
+    graze_boundary_vertex_between(at, at + 3, NULL, 0);
+    for (int k = 0; k < 9; k++)
+        mpq_clear(at[k]);
+}
+
 /* NULL, depths, half a box and a cancel are told apart; getters answer past the end. */
 static void test_boundary(void **state) {
     (void)state;
@@ -119,7 +149,8 @@ static void test_boundary(void **state) {
     graze_context_set_cancel(context, NULL, NULL);
     assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_OK);
     graze_boundary_summary s = graze_boundary_summarize(b);
-    assert_true(s.complete && s.closed && s.level == 3 && s.faces > 0);
+    assert_true(s.complete && s.closed && s.level == 3 && s.faces > 0 && s.vertices > 0);
+    check_vertices(context, scene, b, s.vertices);
     assert_int_equal(s.in + s.on + s.out, s.points);
     assert_int_equal(graze_boundary_point(point, b, s.points), GRAZE_PMC_NONE);
     assert_int_not_equal(graze_boundary_point(point, b, s.points - 1), GRAZE_PMC_NONE);

@@ -147,8 +147,10 @@ def make(graze, folder):
     yield Scene("draw-3", ["draw", cube, turn, "--grid", "6", "-p", "5,1,2", "-o", "made.svg"])
     yield Scene("boundary", ["boundary", u, roll, "--depth", "4", "--coarse", "3", "--contacts", "9", "--surface",
                              "s.vtk", "--cells", "c.vtk", "--points", "p.csv"], tables=("s.vtk", "c.vtk", "p.csv"))
-    yield Scene("boundary-3", ["boundary", cube, turn, "--depth", "2", "--coarse", "2", "--contacts", "9", "--surface",
-                               "s.ply"], tables=("s.ply",))
+    yield Scene("boundary-3", ["boundary", cube, turn, "--depth", "2", "--coarse", "2", "--contacts", "9", "--middles",
+                               "--surface", "s.ply"], tables=("s.ply",))
+    yield Scene("boundary-stl", ["boundary", cube, turn, "--depth", "1", "--coarse", "1", "--contacts", "1",
+                                 "--surface", "s.stl"], tables=("s.stl",))
     yield Scene("rotate", ["motion", "rotate", "--degrees", "37.5", "--axis", "0,0,1", "--center", "1,1,0", "--output",
                            "made", "--report", "report"])
     yield Scene("screw", ["motion", "screw", "--degrees", "100", "--axis", "0,0,1", "--pitch", "2", "--tolerance",

@@ -1,0 +1,16 @@
+/* The vertices of a boundary's surface, moved along their edges onto the boundary.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_BOUNDARY_BISECT_H
+#define GRAZE_BOUNDARY_BISECT_H
+
+#include "boundary/lattice.h"
+
+/** Set the places of all vertices. */
+graze_status boundary_bisect(graze_context *context, struct graze_boundary *b);
+/** The two points of vertex `index`: the one that is out, and the other. d rationals each. */
+void bisect_between(fmpq *outside, fmpq *inside, const struct graze_boundary *b, size_t index);
+/** Vertex `index`, d rationals. */
+void bisect_vertex(fmpq *out, const struct graze_boundary *b, size_t index);
+
+#endif
