@@ -30,7 +30,7 @@ typedef struct bisection {
     graze_pmc pmc;            /* at `inside` */
 } bisection;
 
-static uint32_t coordinate(uint64_t key, int k) {
+static uint32_t key_coordinate(uint64_t key, int k) {
     return (uint32_t)(key >> 21 * k) & ((1u << 21) - 1);
 }
 
@@ -40,7 +40,7 @@ static graze_pmc edge_of(int64_t from[3], int64_t step[3], const struct graze_bo
                          uint64_t middle) {
     uint32_t half = 1u << (b->depth - b->reached), end[2][3] = {{0, 0, 0}, {0, 0, 0}};
     for (int k = 0; k < b->dimension; k++) {
-        uint32_t at = coordinate(middle, k), by = at & half;
+        uint32_t at = key_coordinate(middle, k), by = at & half;
         end[0][k] = at - by;
         end[1][k] = at + by;
     }
@@ -69,7 +69,7 @@ static void point_at(fmpq *out, const struct graze_boundary *b, const int64_t fr
 }
 
 /* Ask at x->share and keep the part of the interval that goes from out to not out. */
-static graze_status narrow(bisection *x) {
+static graze_status ask_share(bisection *x) {
     struct graze_boundary *b = x->boundary;
     graze_verdict verdict;
     point_at(b->point, b, x->from, x->step, x->share);
@@ -97,7 +97,7 @@ static graze_status try_beside(bisection *x) {
     if (x->pmc != GRAZE_ON || is_narrow(x))
         return GRAZE_OK;
     fmpq_sub(x->share, x->inside, x->gap);
-    return narrow(x);
+    return ask_share(x);
 }
 
 /* Ask at the simplest fraction of the interval, its ends' surroundings left out. */
@@ -112,7 +112,7 @@ static graze_status try_simplest(bisection *x) {
     fmpq_simplest_between(x->share, low, high);
     fmpq_clear(low);
     fmpq_clear(high);
-    graze_status status = narrow(x);
+    graze_status status = ask_share(x);
     return status ? status : try_beside(x);
 }
 
@@ -127,7 +127,7 @@ static graze_status bisect(bisection *x) {
         }
         fmpq_add(x->share, x->outside, x->inside);
         fmpq_div_2exp(x->share, x->share, 1);
-        status = narrow(x);
+        status = ask_share(x);
     }
     return status;
 }
