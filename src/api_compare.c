@@ -10,7 +10,8 @@
 
 static int compare_options_known(const graze_compare_options *o) {
     return (unsigned)o->question <= GRAZE_QUESTION_CLOSED &&
-           (unsigned)o->on_as <= GRAZE_ON_AS_OUT && (unsigned)o->has <= GRAZE_HAS_SDF;
+           (unsigned)o->on_as <= GRAZE_ON_AS_OUT && (unsigned)o->has <= GRAZE_HAS_SDF &&
+           (unsigned)o->truth <= GRAZE_TRUTH_OUTSIDE;
 }
 
 graze_status graze_compare(graze_comparison **out, graze_context *context, const char *golden,
@@ -27,6 +28,10 @@ graze_status graze_compare(graze_comparison **out, graze_context *context, const
         return status;
     if (!compare_options_known(&taken))
         return api_misuse(context, "graze_compare", "an option has an unknown value");
+    if (taken.has != GRAZE_HAS_SDF && (taken.truth || taken.sdf_tolerance))
+        return api_misuse(context, "graze_compare",
+                          "truth and sdf_tolerance are of the column sdf; expected has to be "
+                          "GRAZE_HAS_SDF");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_comparison *c = calloc(1, sizeof *c);
     if (!c)

@@ -29,8 +29,15 @@ typedef enum graze_on_as {
 /** Columns with the answers of a candidate. */
 typedef enum graze_candidate_has {
     GRAZE_HAS_COLUMNS = 0, /**< those of pmc, class, i, t, word that it has */
-    GRAZE_HAS_SDF = 1      /**< the sign of the column sdf: negative inside, 0 `on` */
+    GRAZE_HAS_SDF = 1      /**< the column sdf: negative inside, 0 `on`. Its sign is judged, and its
+                                value where the golden table has sdf_low and sdf_high */
 } graze_candidate_has;
+
+/** Rows whose values are judged. */
+typedef enum graze_truth {
+    GRAZE_TRUTH_PSEUDO = 0, /**< all: s, the least signed distance to a position of the solid */
+    GRAZE_TRUTH_OUTSIDE = 1 /**< `out` alone, where s is the distance to the sweep */
+} graze_truth;
 
 /** Options of a comparison (rule 6). All pointers are borrowed. */
 typedef struct graze_compare_options {
@@ -40,8 +47,15 @@ typedef struct graze_compare_options {
     size_t show; /**< number of disagreements to keep, each with the command that explains it */
     const char *solid, *motion; /**< file names for those commands, or NULL */
     size_t size;                /**< sizeof(graze_compare_options) or 0 */
-    int transient; /**< 1: the tables are gone when the report is read: it has the rows that
-                        disagree, and names neither files nor lines of them */
+    int transient;     /**< 1: the tables are gone when the report is read: it has the rows that
+                            disagree, and names neither files nor lines of them */
+    graze_truth truth; /**< with GRAZE_HAS_SDF */
+    const char *sdf_tolerance; /**< a number from 0 up: values that miss the enclosure by more are
+                                    wrong. NULL: values are reported, not judged. Signs have no
+                                    tolerance */
+    const char *motion_error;  /**< a positive number: enclosures are widened by it; rows whose sign
+                                    is not certain then are apart (proofs/distance.md C73). Only pmc
+                                    and sdf are compared. NULL: none */
 } graze_compare_options;
 
 /** Counts of rows: rows = agree + wrong + apart + missing; `extra` rows are in the candidate only.
@@ -68,8 +82,9 @@ typedef struct graze_comparison graze_comparison;
  * @param candidate file name of a CSV table with a column line, or `-`; `#` lines are optional
  * @param options   may be NULL for the defaults
  * @return GRAZE_EUSE; GRAZE_ESYSTEM a file cannot be read; GRAZE_EINPUT a table is incomplete,
- * lacks columns, has another order or another scene, has an unknown answer, or rounding makes
- * golden points with different answers equal; GRAZE_ELIMIT; GRAZE_ECANCELED
+ * lacks columns, has another order or another scene, has an unknown answer, an option is no such
+ * number, or rounding makes golden points with different answers equal; GRAZE_ELIMIT;
+ * GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_compare(graze_comparison **out, graze_context *context,
                                                    const char *golden, const char *candidate,

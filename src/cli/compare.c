@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <string.h>
 #include "cli/commands.h"
+#include "cli/compare.h"
 #include "cli/values.h"
 #include "run/load.h"
 #include "run/output.h"
@@ -26,7 +27,16 @@ static const char compare_help[] =
     "                       without that column rows that may be seams are counted apart\n"
     "  --on-as on           `on` is an answer of its own (default)\n"
     "  --on-as any|in|out   for candidates that only know in and out\n"
-    "  --candidate-has sdf  a column sdf: a signed distance, negative inside, 0 on\n"
+    "  --candidate-has sdf  a column sdf: a signed distance, negative inside, 0 on; with a GOLDEN "
+    "of\n"
+    "                       classify --sdf its errors of value too, overestimates apart\n"
+    "  --truth pseudo|outside   judge the values of all points (default), or of those out\n"
+    "  --sdf-tolerance TOL  values that miss [sdf_low, sdf_high] by more are wrong; without it "
+    "they\n"
+    "                       are reported. Signs have no tolerance\n"
+    "  --motion-error ETA   rows whose answer another motion within ETA may change are apart; "
+    "only\n"
+    "                       pmc and sdf are compared\n"
     "  --round none|binary64|binary32   round the points of both tables before they are matched\n"
     "  --show N             how many disagreements (10)\n"
     "  --solid FILE, --motion FILE      names for the commands that explain\n"
@@ -35,6 +45,13 @@ static const char compare_help[] =
     "  --limit NAME=V       digits 10000, line 10^7\n"
     "\n"
     "Example: graze compare golden.csv mine.csv --solid cube.off --motion move.json\n";
+
+int compare_check(const graze_compare_options *o) {
+    if (o->has != GRAZE_HAS_SDF && (o->truth || o->sdf_tolerance))
+        return complain(EXIT_USAGE, "--%s is of the column sdf; expected --candidate-has sdf",
+                        o->truth ? "truth" : "sdf-tolerance");
+    return EXIT_DONE;
+}
 
 /* 1 if the tables differ. */
 static int differ(const graze_comparison *c) {
@@ -64,6 +81,9 @@ static const option_entry compare_table[] = {
     OPTION("question", compare_options, compare.question, value_question),
     OPTION("on-as", compare_options, compare.on_as, value_on_as),
     OPTION("candidate-has", compare_options, compare.has, value_has),
+    OPTION("truth", compare_options, compare.truth, value_truth),
+    OPTION("sdf-tolerance", compare_options, compare.sdf_tolerance, value_width),
+    OPTION("motion-error", compare_options, compare.motion_error, value_positive),
     OPTION("round", compare_options, context.rounding, value_rounding),
     OPTION("show", compare_options, compare.show, value_show),
     OPTION("solid", compare_options, compare.solid, value_text),
@@ -84,7 +104,9 @@ static int run_compare(void *options, const operands *given) {
         return complain(EXIT_USAGE, "GOLDEN and CANDIDATE cannot both be standard input");
     graze_context *context = NULL;
     graze_comparison *c = NULL;
-    int status = context_make(&context, &o->context);
+    int status = compare_check(&o->compare);
+    if (!status)
+        status = context_make(&context, &o->context);
     if (!status)
         status = complain_of(
             graze_compare(&c, context, given->item[0], given->item[1], &o->compare), context);
@@ -96,7 +118,8 @@ static int run_compare(void *options, const operands *given) {
     return status;
 }
 
-static const compare_options ten_shown = {.compare.show = 10};
+static const compare_options ten_shown = {.compare.show = 10,
+                                          .compare.size = sizeof(graze_compare_options)};
 
 const command command_compare = {.name = "compare",
                                  .options = compare_table,

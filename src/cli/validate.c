@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "cli/commands.h"
+#include "cli/compare.h"
 #include "cli/values.h"
 #include "run/candidate.h"
 #include "run/generate.h"
@@ -35,7 +36,9 @@ static const char validate_help[] =
     "  --timeout V          seconds the candidate may take (3600)\n"
     "  --keep DIR           leave points.csv, golden.csv, candidate.csv there\n"
     "  --output NAME        write NAME.md and NAME.json instead of to standard output\n"
-    "  --question, --on-as, --candidate-has, --round, --show, --format   as in graze compare\n"
+    "  --question, --on-as, --candidate-has, --truth, --sdf-tolerance, --motion-error, --round,\n"
+    "  --show, --format     as in graze compare\n"
+    "  --sdf TOL            width of the enclosures that values are compared with (1e-6r)\n"
     "  --overlap, --folds, --operation, --triangulate, --jobs, --limit,\n"
     "  --quiet   as in graze classify\n"
     "\n"
@@ -290,6 +293,10 @@ static const option_entry validate_table[] = {
     OPTION("question", validate_options, compare.question, value_question),
     OPTION("on-as", validate_options, compare.on_as, value_on_as),
     OPTION("candidate-has", validate_options, compare.has, value_has),
+    OPTION("truth", validate_options, compare.truth, value_truth),
+    OPTION("sdf-tolerance", validate_options, compare.sdf_tolerance, value_width),
+    OPTION("motion-error", validate_options, compare.motion_error, value_positive),
+    OPTION("sdf", validate_options, classify.scene.scene, value_sdf),
     OPTION("round", validate_options, classify.scene.context.rounding, value_rounding),
     OPTION("show", validate_options, compare.show, value_show),
     OPTION("format", validate_options, format, value_report),
@@ -302,6 +309,18 @@ static const option_entry validate_table[] = {
     FLAG("quiet", validate_options, classify.quiet, value_flag),
     {NULL, OPTION_FLAG, NULL, 0}};
 
+/* Values are compared with enclosures, which the golden table has by default then. */
+static int choose_enclosures(validate_options *o) {
+    graze_options *golden = &o->classify.scene.scene;
+    int needed = o->compare.has == GRAZE_HAS_SDF || o->compare.motion_error;
+    if (golden->sdf > 0 && !needed)
+        return complain(EXIT_USAGE, "--sdf is for --candidate-has sdf or --motion-error; see graze "
+                                    "validate --help");
+    if (!golden->sdf && needed)
+        return value_sdf(golden, "sdf", "1e-6r");
+    return EXIT_DONE;
+}
+
 static int run_validate(void *options, const operands *given) {
     validate_options *o = options;
     if (given->count != 2 || !o->candidate)
@@ -313,6 +332,11 @@ static int run_validate(void *options, const operands *given) {
                                     "--representable");
     if (o->points && strcmp(o->points, "-") == 0)
         return complain(EXIT_USAGE, "--points -: expected a file, it is read twice");
+    int status = compare_check(&o->compare);
+    if (!status)
+        status = choose_enclosures(o);
+    if (status)
+        return status;
     o->classify.scene.solid = given->item[0];
     o->classify.scene.motion = given->item[1];
     validation *v = calloc(1, sizeof *v);
@@ -320,7 +344,7 @@ static int run_validate(void *options, const operands *given) {
         return complain(EXIT_IO, "out of memory");
     at_work = v;
     memory_before_end(remove_folder_at_work);
-    int status = validate(v, o);
+    status = validate(v, o);
     memory_before_end(NULL);
     remove_work_folder(v);
     candidate_free(v->words);
@@ -334,7 +358,9 @@ static int run_validate(void *options, const operands *given) {
     return status;
 }
 
-static const validate_options ten_shown = {.classify.shard.part = {0, 1}, .compare.show = 10};
+static const validate_options ten_shown = {.classify.shard.part = {0, 1},
+                                           .classify.scene.scene.size = sizeof(graze_options),
+                                           .compare.show = 10};
 
 const command command_validate = {.name = "validate",
                                   .options = validate_table,

@@ -65,6 +65,32 @@ int value_sdf(void *to, const char *name, const char *value) {
                     name, value);
 }
 
+/* A number of at least a sign, kept as its text. */
+static int number_of_sign(void *to, const char *name, const char *value, int least) {
+    graze_context *context = NULL;
+    mpq_t number;
+    mpq_init(number);
+    graze_status status = graze_context_create(&context);
+    if (!status)
+        status = graze_number_parse(number, context, value, strlen(value));
+    int fits = !status && mpq_sgn(number) >= least;
+    mpq_clear(number);
+    graze_context_destroy(context);
+    *(const char **)to = value;
+    if (fits)
+        return EXIT_DONE;
+    return complain(EXIT_USAGE, "--%s %s: expected a number %s, such as 0.001 or 1e-6", name, value,
+                    least ? "above 0" : "from 0 up");
+}
+
+int value_width(void *to, const char *name, const char *value) {
+    return number_of_sign(to, name, value, 0);
+}
+
+int value_positive(void *to, const char *name, const char *value) {
+    return number_of_sign(to, name, value, 1);
+}
+
 /* A reader of an enumeration whose values 0, 1, ... have these words. */
 #define VALUE_OF_WORDS(reader, type, ...)                                                          \
     int reader(void *to, const char *name, const char *value) {                                    \
@@ -82,6 +108,7 @@ VALUE_OF_WORDS(value_columns, graze_columns, "all", "pmc")
 VALUE_OF_WORDS(value_report, graze_comparison_format, "text", "json")
 VALUE_OF_WORDS(value_question, graze_question, "open", "closed")
 VALUE_OF_WORDS(value_on_as, graze_on_as, "on", "any", "in", "out")
+VALUE_OF_WORDS(value_truth, graze_truth, "pseudo", "outside")
 VALUE_OF_WORDS(value_has, graze_candidate_has, "columns", "sdf")
 
 int value_rounding(void *to, const char *name, const char *value) {

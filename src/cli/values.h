@@ -27,6 +27,9 @@ option_read value_report;    /**< graze_comparison_format */
 option_read value_question;  /**< graze_question */
 option_read value_on_as;     /**< graze_on_as */
 option_read value_has;       /**< graze_candidate_has */
+option_read value_truth;     /**< graze_truth */
+option_read value_width;     /**< const char *: a number from 0 up, borrowed */
+option_read value_positive;  /**< const char *: a number above 0, borrowed */
 option_read value_show;      /**< size_t up to 10^6 */
 
 typedef struct seed_value {

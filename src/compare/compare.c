@@ -19,8 +19,8 @@ typedef struct run {
 } run;
 
 /* The golden column of each grouping. */
-static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K, COLUMN_CLASS, COLUMN_DEFINITION,
-                                          COLUMN_CASE};
+static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K,          COLUMN_SDF_LOW,
+                                          COLUMN_CLASS,   COLUMN_DEFINITION, COLUMN_CASE};
 
 static graze_status comparison_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -57,10 +57,10 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
                                "has no column sdf; expected a signed distance in a column of that "
                                "name");
-    for (int k = 0; k < JUDGED_COUNT; k++) {
+    for (int k = 0; k < JUDGED_SDF; k++) {
         column which = judged_column(k);
         int answered = candidate->where[which] >= 0;
-        int open = c->options.question == GRAZE_QUESTION_OPEN;
+        int open = c->options.question == GRAZE_QUESTION_OPEN && !c->options.motion_error;
         c->judged[k] = k == JUDGED_PMC ? answered || sdf : answered && open && !sdf;
         if (c->judged[k] && golden->where[which] < 0)
             return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
@@ -71,9 +71,11 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
     if (!any)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
                                "has no column that can be judged; expected one of %s",
-                               c->options.question == GRAZE_QUESTION_OPEN ? "pmc, class, i, t, word"
-                                                                          : "pmc (or sdf)");
-    return GRAZE_OK;
+                               c->options.question == GRAZE_QUESTION_OPEN &&
+                                       !c->options.motion_error
+                                   ? "pmc, class, i, t, word"
+                                   : "pmc (or sdf)");
+    return values_choose(c, golden);
 }
 
 /* Take over from the golden table the options of `graze explain`. */
@@ -97,7 +99,7 @@ static graze_status note_options(graze_comparison *c, graze_context *context, co
 static graze_status check_rounding(graze_comparison *c, run *r, const char *path) {
     column columns[JUDGED_COUNT];
     size_t count = 0;
-    for (int k = 0; k < JUDGED_COUNT; k++)
+    for (int k = 0; k < JUDGED_SDF; k++)
         if (c->judged[k])
             columns[count++] = judged_column(k);
     if (c->rounding == GRAZE_ROUND_NONE || r->match.by_id)
@@ -124,7 +126,7 @@ static graze_status start(graze_comparison *c, run *r, const char *golden, const
         status = comparison_no_memory(r->context);
     c->by_id = r->match.by_id;
     for (int g = 0; g < GROUPING_COUNT; g++)
-        c->grouped[g] = r->golden.where[by[g]] >= 0;
+        c->grouped[g] = r->golden.where[by[g]] >= 0 && (g != BY_SDF || c->enclosed);
     return status ? status : check_rounding(c, r, golden);
 }
 
@@ -135,7 +137,8 @@ static void put_answers(text *out, const graze_comparison *c, const table *t, co
     for (int col = COLUMN_PMC; col < COLUMN_COUNT; col++) {
         field f = table_field(t, row, (column)col);
         int sdf = candidate && c->options.has == GRAZE_HAS_SDF;
-        int shown = sdf ? col == COLUMN_SDF : col <= COLUMN_TOPO;
+        int bound = c->enclosed && !candidate && col >= COLUMN_SDF_LOW;
+        int shown = sdf ? col == COLUMN_SDF : col <= COLUMN_TOPO || bound;
         if (t->where[col] < 0 || !shown)
             continue;
         text_format(out, "%s%s=", blank, column_name((column)col));
@@ -181,13 +184,17 @@ static graze_status show(graze_comparison *c, const run *r, const table_row *gol
     return failed ? comparison_no_memory(r->context) : GRAZE_OK;
 }
 
-static graze_status count_groups(graze_comparison *c, const run *r, const table_row *row,
-                                 char what) {
+static graze_status count_groups(graze_comparison *c, const run *r, const table_row *row, char what,
+                                 const valuation *value) {
+    const value_error *error = value->judged ? &value->error : NULL;
     graze_status status = GRAZE_OK;
+    if (error && !errors_add(&c->values, *error))
+        status = comparison_no_memory(r->context);
     for (int g = 0; g < GROUPING_COUNT && !status; g++) {
-        field name = table_field(&r->golden, row, by[g]);
+        field name = g == BY_SDF ? (field){value->decade, strlen(value->decade)}
+                                 : table_field(&r->golden, row, by[g]);
         if (c->grouped[g] && (name.length || g != BY_DISTANCE))
-            status = tally_add(&c->tallies[g], r->context, name, what);
+            status = tally_add(&c->tallies[g], r->context, name, what, error);
     }
     return status;
 }
@@ -202,24 +209,28 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
     if (!status && candidate)
         status = answer_read(&given, &r->candidate, candidate, c->judged,
                              c->options.has == GRAZE_HAS_SDF);
+    valuation value = {.certain = 1};
+    if (!status && c->enclosed)
+        status = valuation_read(&value, c, &r->golden, golden, &r->candidate, candidate, right.pmc);
     if (status)
         return status;
-    judgement j = judge(c, &r->golden, golden, &right, &given);
+    judgement j = judge(c, &r->golden, golden, &right, &given, &value);
     char what = !candidate ? 'm' : j.any_wrong ? 'w' : j.apart ? 'p' : 'a';
     c->rows++;
     c->missing += what == 'm';
     c->wrong += what == 'w';
     c->apart += what == 'p';
+    c->uncertain += !value.certain;
     c->agree += what == 'a';
     for (int k = 0; candidate && k < JUDGED_COUNT; k++)
         c->column_wrong[k] += (unsigned long)j.wrong[k];
-    if (what == 'p')
+    if (j.apart && candidate)
         c->apart_answers[given.pmc]++;
     else if (c->judged[JUDGED_PMC])
         c->confusion.pmc[j.truth][candidate ? given.pmc : 3]++;
     if (c->judged[JUDGED_CLASS])
         c->confusion.class_[right.class_][candidate ? given.class_ : 5]++;
-    status = count_groups(c, r, golden, what);
+    status = count_groups(c, r, golden, what, &value);
     return status || what == 'a' || what == 'p' ? status : show(c, r, golden, candidate);
 }
 
@@ -263,6 +274,8 @@ graze_status comparison_make(graze_comparison *out, graze_context *context, cons
     if (options)
         out->options = *options;
     out->rounding = context->rounding;
+    fmpq_init(out->tolerance);
+    fmpq_init(out->eta);
     if (!copy_names(out, golden, candidate))
         return comparison_no_memory(context);
     run *r = calloc(1, sizeof *r);
@@ -293,6 +306,9 @@ void comparison_clear(graze_comparison *c) {
     }
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_clear(&c->tallies[g]);
+    errors_clear(&c->values);
+    fmpq_clear(c->tolerance);
+    fmpq_clear(c->eta);
     free(c->disagreements);
     free(c->explain_options);
     free(c->golden_columns);

@@ -9,17 +9,26 @@
 #include "number/text.h"
 
 /** Answers that are judged, in the order of their columns. */
-enum { JUDGED_PMC, JUDGED_CLASS, JUDGED_I, JUDGED_T, JUDGED_WORD, JUDGED_COUNT };
+enum { JUDGED_PMC, JUDGED_CLASS, JUDGED_I, JUDGED_T, JUDGED_WORD, JUDGED_SDF, JUDGED_COUNT };
 
 /** Groupings of errors. */
 typedef enum grouping {
     BY_STRATUM,
     BY_DISTANCE,
+    BY_SDF, /* the decade of the signed distance */
     BY_CLASS,
     BY_DEFINITION,
     BY_CASE,
     GROUPING_COUNT
 } grouping;
+
+/** Answers, and indices of them. */
+extern const char *const pmc_words[3];
+enum { PMC_IN, PMC_ON, PMC_OUT };
+
+/** The name of a grouping, and a longer one for the head of a table. Static. */
+const char *grouping_name(grouping g);
+const char *grouping_title(grouping g);
 
 /** One disagreement, as it is shown. Texts are malloc'ed. */
 typedef struct disagreement {
@@ -41,11 +50,16 @@ struct graze_comparison {
     char *golden, *candidate, *solid, *motion; /* names */
     char *golden_columns, *candidate_columns;  /* their column lines */
     int judged[JUDGED_COUNT];                  /* 1: the candidate answers this */
+    int valued;                                /* values are compared with the golden enclosures */
+    int enclosed;                              /* these are read */
+    fmpq_t tolerance, eta;                     /* of values, and of the motion */
     int by_id;                                 /* rows are matched by the column id */
     char *explain_options;                     /* of `graze explain`, with a blank before each */
     unsigned long rows, agree, wrong, apart, missing, extra;
     unsigned long column_wrong[JUDGED_COUNT];
     unsigned long apart_answers[3]; /* the candidate's, for rows that are apart */
+    unsigned long uncertain;        /* rows whose sign the motion error leaves open */
+    errors values;
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
     tally tallies[GROUPING_COUNT];

@@ -10,25 +10,10 @@
 #include <string.h>
 #include <yajl/yajl_gen.h>
 #include "compare/judge.h"
+#include "compare/json_put.h"
+#include "compare/report_values.h"
 #include "compare/text.h"
 #include "context/json_memory.h"
-
-static void put_key_text(yajl_gen g, const char *text) {
-    yajl_gen_string(g, (const unsigned char *)text, strlen(text));
-}
-
-static void put_named(yajl_gen g, const char *name, const char *text) {
-    put_key_text(g, name);
-    if (text)
-        put_key_text(g, text);
-    else
-        yajl_gen_null(g);
-}
-
-static void put_json_count(yajl_gen g, const char *name, unsigned long count) {
-    put_key_text(g, name);
-    yajl_gen_integer(g, (long long)count);
-}
 
 static void put_json_summary(yajl_gen g, const graze_comparison *c) {
     static const char *const on_as[] = {"on", "any", "in", "out"};
@@ -156,6 +141,7 @@ static int generate(text *out, json_memory *memory, const graze_comparison *c) {
     if (c->judged[JUDGED_CLASS])
         put_json_matrix(g, "class", class_words, 5, &c->confusion.class_[0][0]);
     put_tallies(g, c);
+    put_json_values(g, c);
     int done = put_json_disagreements(g, c);
     yajl_gen_map_close(g);
     return done;

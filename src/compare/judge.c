@@ -7,13 +7,10 @@
 #include <string.h>
 #include "number/rational.h"
 
-enum { IN, ON, OUT };
-
-const char *const pmc_words[3] = {"in", "on", "out"};
 const char *const class_words[5] = {"regular", "fold", "fold_boundary", "boundary", "exterior"};
 
-static const column judged_columns[JUDGED_COUNT] = {COLUMN_PMC, COLUMN_CLASS, COLUMN_I, COLUMN_T,
-                                                    COLUMN_WORD};
+static const column judged_columns[JUDGED_COUNT] = {COLUMN_PMC, COLUMN_CLASS, COLUMN_I,
+                                                    COLUMN_T,   COLUMN_WORD,  COLUMN_SDF};
 
 column judged_column(int judged) {
     return judged_columns[judged];
@@ -69,7 +66,7 @@ static graze_status read_distance(int *pmc, const table *t, const table_row *row
     if (!rational_is_token(f.start, f.length) || zero_denominator(f))
         return no_answer(t, row, COLUMN_SDF, "a number, negative inside");
     int sign = answer_sign(f);
-    *pmc = sign < 0 ? IN : sign > 0 ? OUT : ON;
+    *pmc = sign < 0 ? PMC_IN : sign > 0 ? PMC_OUT : PMC_ON;
     return GRAZE_OK;
 }
 
@@ -121,37 +118,39 @@ static int surely_boundary(const table *t, const table_row *row) {
 static int truth_of(int *apart, const graze_comparison *c, const table *t, const table_row *row,
                     int pmc) {
     *apart = 0;
-    if (c->options.question == GRAZE_QUESTION_OPEN || pmc != ON)
+    if (c->options.question == GRAZE_QUESTION_OPEN || pmc != PMC_ON)
         return pmc;
     field topo = table_field(t, row, COLUMN_TOPO);
     if (field_is(topo, "interior"))
-        return IN;
+        return PMC_IN;
     if (!field_is(topo, "boundary"))
         *apart = topo.length > 0 || !surely_boundary(t, row);
-    return ON;
+    return PMC_ON;
 }
 
 static int pmc_wrong(graze_on_as on_as, int truth, int given) {
-    if (on_as == GRAZE_ON_AS_ANY && truth == ON)
+    if (on_as == GRAZE_ON_AS_ANY && truth == PMC_ON)
         return 0;
     if (on_as == GRAZE_ON_AS_IN || on_as == GRAZE_ON_AS_OUT) {
-        int side = on_as == GRAZE_ON_AS_IN ? IN : OUT;
-        truth = truth == ON ? side : truth;
-        given = given == ON ? side : given;
+        int side = on_as == GRAZE_ON_AS_IN ? PMC_IN : PMC_OUT;
+        truth = truth == PMC_ON ? side : truth;
+        given = given == PMC_ON ? side : given;
     }
     return truth != given;
 }
 
 judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
-                const answer *right, const answer *given) {
+                const answer *right, const answer *given, const valuation *value) {
     judgement j = {{0}, 0, 0, 0};
     j.truth = truth_of(&j.apart, c, golden, row, right->pmc);
+    j.apart |= !value->certain;
     j.wrong[JUDGED_PMC] =
         c->judged[JUDGED_PMC] && !j.apart && pmc_wrong(c->options.on_as, j.truth, given->pmc);
     j.wrong[JUDGED_CLASS] = c->judged[JUDGED_CLASS] && right->class_ != given->class_;
     j.wrong[JUDGED_I] = c->judged[JUDGED_I] && right->i != given->i;
     j.wrong[JUDGED_T] = c->judged[JUDGED_T] && right->t != given->t;
     j.wrong[JUDGED_WORD] = c->judged[JUDGED_WORD] && !field_equal(right->word, given->word);
+    j.wrong[JUDGED_SDF] = c->judged[JUDGED_SDF] && value->judged && value->error.beyond;
     for (int k = 0; k < JUDGED_COUNT; k++)
         j.any_wrong |= j.wrong[k];
     return j;

@@ -4,11 +4,11 @@
 #ifndef GRAZE_COMPARE_JUDGE_H
 #define GRAZE_COMPARE_JUDGE_H
 
-#include "compare/comparison.h"
+#include "compare/values.h"
 
 /** Names of the judged answers, and of their values in the matrices. */
 const char *judged_name(int judged);
-extern const char *const pmc_words[3], *const class_words[5];
+extern const char *const class_words[5];
 
 /** Answers as indices into pmc_words and class_words; -1 where there is none. */
 typedef struct answer {
@@ -20,7 +20,8 @@ typedef struct answer {
 typedef struct judgement {
     int wrong[JUDGED_COUNT];
     int any_wrong;
-    int apart; /* the golden answer is `on`, and the closed sweep may hold the point inside */
+    int apart; /* the golden answer is `on`, and the closed sweep may hold the point inside; or it
+                  is not certain */
     int truth; /* the golden pmc under the question asked */
 } judgement;
 
@@ -34,6 +35,6 @@ graze_status answer_read(answer *out, const table *t, const table_row *row, cons
 
 /** Judge a pair of rows. */
 judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
-                const answer *right, const answer *given);
+                const answer *right, const answer *given, const valuation *value);
 
 #endif

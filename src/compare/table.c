@@ -9,12 +9,12 @@
 #include "context/file.h"
 
 static const char *const column_names[COLUMN_COUNT] = {
-    "x", "y",    "z",    "id",      "pmc",   "class", "definition", "case", "i",
-    "t", "word", "topo", "stratum", "order", "cell",  "k",          "sdf"};
+    "x",    "y",    "z",       "id",    "pmc",  "class", "definition", "case",    "i",       "t",
+    "word", "topo", "stratum", "order", "cell", "k",     "sdf",        "sdf_low", "sdf_high"};
 
 static const char *const note_names[NOTE_COUNT] = {
-    "graze",     "dimension", "solid-sha256", "motion-sha256", "scene-sha256",
-    "operation", "folds",     "round",        "triangulate",   "columns"};
+    "graze", "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "operation",
+    "folds", "round",     "triangulate",  "columns",       "sdf"};
 
 const char *column_name(column c) {
     return column_names[c];
@@ -104,9 +104,11 @@ static graze_status next_table_line(table *t, table_row *row, int *more) {
     return status;
 }
 
-/* In a table of pmc alone a column of such a name is one of the points. */
+/* In a table of pmc alone, or without enclosures, a column of such a name is one of the points. */
 static int is_carried(const table *t, int c) {
     const char *columns = t->notes[NOTE_COLUMNS];
+    if (t->notes[NOTE_GRAZE] && (c == COLUMN_SDF_LOW || c == COLUMN_SDF_HIGH))
+        return !t->notes[NOTE_SDF];
     return t->notes[NOTE_GRAZE] && columns && strcmp(columns, "pmc") == 0 && c >= COLUMN_CLASS &&
            c <= COLUMN_TOPO;
 }

@@ -31,6 +31,8 @@ typedef enum column {
     COLUMN_CELL,
     COLUMN_K,
     COLUMN_SDF,
+    COLUMN_SDF_LOW,
+    COLUMN_SDF_HIGH,
     COLUMN_COUNT
 } column;
 
@@ -46,6 +48,7 @@ typedef enum note {
     NOTE_ROUND,
     NOTE_TRIANGULATE,
     NOTE_COLUMNS,
+    NOTE_SDF,
     NOTE_COUNT
 } note;
 

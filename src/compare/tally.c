@@ -30,11 +30,19 @@ static group *append(tally *t, field name) {
     return g->name ? g : NULL;
 }
 
-graze_status tally_add(tally *t, graze_context *context, field name, char status) {
+/* Count the error of a value. 0 when out of memory. */
+static int add_value(group *g, const value_error *value) {
+    if (!g->values)
+        g->values = calloc(1, sizeof *g->values);
+    return g->values && errors_add(g->values, *value);
+}
+
+graze_status tally_add(tally *t, graze_context *context, field name, char status,
+                       const value_error *value) {
     group *g = find(t, name);
     if (!g)
         g = append(t, name);
-    if (!g)
+    if (!g || (value && !add_value(g, value)))
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     g->rows++;
     g->wrong += status == 'w';
@@ -43,11 +51,18 @@ graze_status tally_add(tally *t, graze_context *context, field name, char status
     return GRAZE_OK;
 }
 
+/* The value of a name that begins with a digit, perhaps behind a minus; 0 if it is no number. */
+static int name_value(double *out, const char *name) {
+    char *end;
+    const char *first = name + (*name == '-');
+    *out = strtod(name, &end);
+    return *first >= '0' && *first <= '9' && !*end;
+}
+
 static int by_name(const void *a, const void *b) {
     const char *x = ((const group *)a)->name, *y = ((const group *)b)->name;
-    char *x_end, *y_end;
-    long m = strtol(x, &x_end, 10), n = strtol(y, &y_end, 10);
-    if (*x && *y && !*x_end && !*y_end && m != n)
+    double m, n;
+    if (name_value(&m, x) && name_value(&n, y) && m != n)
         return m < n ? -1 : 1;
     return strcmp(x, y);
 }
@@ -57,9 +72,18 @@ void tally_sort(tally *t) {
         qsort(t->groups, t->count, sizeof *t->groups, by_name);
 }
 
+static void clear_values(group *g) {
+    if (g->values)
+        errors_clear(g->values);
+    free(g->values);
+}
+
 void tally_clear(tally *t) {
-    for (size_t k = 0; k < t->count; k++)
+    for (size_t k = 0; k < t->count; k++) {
         free(t->groups[k].name);
+        clear_values(&t->groups[k]);
+    }
+    clear_values(&t->others);
     free(t->groups);
     memset(t, 0, sizeof *t);
 }

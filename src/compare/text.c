@@ -5,12 +5,7 @@
 
 #include <string.h>
 #include "compare/judge.h"
-
-const char *grouping_name(grouping g) {
-    static const char *const names[GROUPING_COUNT] = {"stratum", "k", "class", "definition",
-                                                      "case"};
-    return names[g];
-}
+#include "compare/report_values.h"
 
 /* A word for the shell; quoted where it holds more than plain characters. */
 static void put_word(text *out, const char *word) {
@@ -95,6 +90,7 @@ static void put_summary(text *out, const graze_comparison *c) {
                     "apart: `on` rows that may be seams, where the closed sweep goes on around the "
                     "point; answered in %lu, on %lu, out %lu\n",
                     c->apart_answers[0], c->apart_answers[1], c->apart_answers[2]);
+    put_values(out, c);
 }
 
 static void put_matrix(text *out, const char *name, const char *const *words, int count,
@@ -127,7 +123,7 @@ static void put_tally(text *out, grouping by, const tally *t) {
         return;
     text_format(out,
                 "\n| %s | rows | wrong | share | missing | apart |\n|---|--:|--:|--:|--:|--:|\n",
-                by == BY_DISTANCE ? "k (distance 2^-k)" : grouping_name(by));
+                grouping_title(by));
     for (size_t k = 0; k < t->count; k++)
         put_group(out, t->groups[k].name, &t->groups[k]);
     put_group(out, "(others)", &t->others);
@@ -185,6 +181,7 @@ graze_status comparison_text(char **out, graze_context *context, const graze_com
         put_matrix(&bytes, "class", class_words, 5, &c->confusion.class_[0][0]);
     for (int g = 0; g < GROUPING_COUNT; g++)
         put_tally(&bytes, (grouping)g, &c->tallies[g]);
+    put_values_by(&bytes, c);
     put_disagreements(&bytes, c);
     return text_finish(out, context, &bytes);
 }

@@ -6,8 +6,6 @@
 
 #include "compare/comparison.h"
 
-const char *grouping_name(grouping g);
-
 /** A likely reason where many rows have no counterpart; NULL if nothing points to one. Static. */
 const char *comparison_hint(const graze_comparison *c);
 

@@ -116,10 +116,14 @@ static void pictures(bench *b) {
 
 static void comparisons(bench *b) {
     graze_context *c = b->s.context;
-    const graze_compare_options odd[] = {{.question = (graze_question)2},
-                                         {.question = (graze_question)-1},
-                                         {.on_as = (graze_on_as)4},
-                                         {.has = (graze_candidate_has)2}};
+    const graze_compare_options odd[] = {
+        {.question = (graze_question)2},
+        {.question = (graze_question)-1},
+        {.on_as = (graze_on_as)4},
+        {.has = (graze_candidate_has)2},
+        {.truth = (graze_truth)2, .has = GRAZE_HAS_SDF, .size = sizeof *odd},
+        {.truth = GRAZE_TRUTH_OUTSIDE, .size = sizeof *odd},
+        {.sdf_tolerance = "1", .size = sizeof *odd}};
     WRONG(graze_compare(NULL, c, "a", "b", NULL));
     WRONG_OUT(graze_comparison, graze_compare(&out, NULL, "a", "b", NULL));
     WRONG_OUT(graze_comparison, graze_compare(&out, c, NULL, "b", NULL));

@@ -300,7 +300,8 @@ static void tallies(void **state) {
     char name[24];
     for (int k = MOST_GROUPS + 5; k > 0; k--) {
         snprintf(name, sizeof name, "%d", k);
-        assert_int_equal(tally_add(&t, context, (field){name, strlen(name)}, k % 2 ? 'w' : 'm'), 0);
+        assert_int_equal(
+            tally_add(&t, context, (field){name, strlen(name)}, k % 2 ? 'w' : 'm', NULL), 0);
     }
     tally_sort(&t);
     assert_int_equal(t.count, MOST_GROUPS);
@@ -314,7 +315,8 @@ static void tallies(void **state) {
     static const char *const sorted[] = {"", "5", "9", "10", "ext"};
     tally mixed = {0};
     for (int k = 0; k < 5; k++)
-        assert_int_equal(tally_add(&mixed, context, (field){names[k], strlen(names[k])}, 'w'), 0);
+        assert_int_equal(tally_add(&mixed, context, (field){names[k], strlen(names[k])}, 'w', NULL),
+                         0);
     tally_sort(&mixed);
     for (int k = 0; k < 5; k++)
         assert_string_equal(mixed.groups[k].name, sorted[k]);

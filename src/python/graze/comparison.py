@@ -5,12 +5,15 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import ctypes
+import decimal
 import json
 import os
+from fractions import Fraction
 from typing import Any, Dict, Mapping, NamedTuple
 
 from ._context import Context, choice, settings
 from ._library import CCompareOptions, Handle, library, take_text
+from .errors import InputError
 
 _TEXT, _JSON = 0, 1
 
@@ -39,8 +42,21 @@ class Comparison(NamedTuple):
         return "<graze.Comparison: " + ", ".join(f"{self.report[k]} {k}" for k in keys) + ">"
 
 
+def _number(name: str, value: Any) -> "bytes | None":
+    """A number as the text of a token; None stays."""
+    if value is None:
+        return None
+    try:
+        text = value if isinstance(value, str) else str(
+            value if isinstance(value, decimal.Decimal) else Fraction(value))
+    except (ValueError, OverflowError):
+        raise InputError(f"{name}: {value} is not a number; expected a finite one") from None
+    return text.encode()
+
+
 def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str = "on",
-            candidate_has: str = "columns", show: int = 10, solid: Any = None, motion: Any = None,
+            candidate_has: str = "columns", truth: str = "pseudo", sdf_tolerance: Any = None,
+            motion_error: Any = None, show: int = 10, solid: Any = None, motion: Any = None,
             round: str = "none", limits: "Mapping[str, int] | None" = None) -> Comparison:
     """Compare a candidate's table with a golden one, row by row.
 
@@ -48,7 +64,11 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
         golden, candidate: paths of CSV files (`graze compare --help` says what they must have).
         question: `open`, or `closed`: pmc refers to the closed sweep.
         on_as: `on`, or for candidates that only know in and out `any`, `in`, `out`.
-        candidate_has: `columns`, or `sdf`: the sign of that column is the answer.
+        candidate_has: `columns`, or `sdf`: the sign of that column is the answer; where golden is a
+            table of `classify --sdf`, its errors are reported (`report["errors-of-sdf"]`).
+        truth: `pseudo`: the values of all points are judged; `outside`: those of `out` points.
+        sdf_tolerance: a number: values that miss the enclosure by more are wrong. Signs have none.
+        motion_error: a number: rows whose answer a motion within it may change are apart.
         show: how many disagreements are kept.
         solid, motion: names of files for the commands that explain them.
         round: `none`, `binary64` or `binary32`: round the points of both tables first.
@@ -59,7 +79,10 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
     options = CCompareOptions(choice("question", question, ("open", "closed")),
                               choice("on_as", on_as, ("on", "any", "in", "out")),
                               choice("candidate_has", candidate_has, ("columns", "sdf")),
-                              show, names[0], names[1], ctypes.sizeof(CCompareOptions), 0)
+                              show, names[0], names[1], ctypes.sizeof(CCompareOptions), 0,
+                              choice("truth", truth, ("pseudo", "outside")),
+                              _number("sdf_tolerance", sdf_tolerance),
+                              _number("motion_error", motion_error))
     context, made = Context(settings(round, limits, True)), ctypes.c_void_p()
     context.run(library().graze_compare, ctypes.byref(made), context.pointer, os.fsencode(golden),
                 os.fsencode(candidate), ctypes.byref(options))

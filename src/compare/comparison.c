@@ -1,0 +1,16 @@
+/* Names of answers and of groupings. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "compare/comparison.h"
+
+const char *const pmc_words[3] = {"in", "on", "out"};
+
+const char *grouping_name(grouping g) {
+    static const char *const names[GROUPING_COUNT] = {"stratum", "k",          "sdf",
+                                                      "class",   "definition", "case"};
+    return names[g];
+}
+
+const char *grouping_title(grouping g) {
+    return g == BY_DISTANCE ? "k (distance 2^-k)"
+           : g == BY_SDF    ? "sdf (the power of ten below its size)"
+                            : grouping_name(g);
+}

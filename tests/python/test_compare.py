@@ -1,0 +1,59 @@
+"""compare: errors of values against enclosures. The square that moves by 8 along x, s as derived beside the points.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+import tempfile
+import unittest
+from fractions import Fraction as F
+
+import graze
+
+# (x, y, pmc, s, a value): [0, 1]^2 sweeps [0, 9] x [0, 1]; the deepest place is at 1/2.
+ROWS = [("4", "3", "out", F(2), "2.5"), ("4", "1/4", "in", F(-1, 4), "-1/8"), ("4", "1", "on", F(0), "0"),
+        ("10", "1/2", "out", F(1), "3/4")]
+
+
+class Values(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.golden = os.path.join(self.folder.name, "golden.csv")
+        self.mine = os.path.join(self.folder.name, "mine.csv")
+        with open(self.golden, "w", encoding="utf-8") as f:
+            f.write("x,y,pmc,sdf_low,sdf_high\n")
+            f.writelines(f"{x},{y},{pmc},{s},{s}\n" for x, y, pmc, s, _ in ROWS)
+            f.write("# complete 4\n")
+        with open(self.mine, "w", encoding="utf-8") as f:
+            f.write("x,y,sdf\n" + "".join(f"{x},{y},{v}\n" for x, y, _, _, v in ROWS))
+
+    def compare(self, **options):
+        return graze.compare(self.golden, self.mine, candidate_has="sdf", **options)
+
+    def test_errors(self):
+        """1/2 and 1/8 above, 1/4 below, one within."""
+        found = self.compare()
+        errors = found.report["errors-of-sdf"]
+        self.assertEqual([errors[k] for k in ("values", "within", "over", "under")], [4, 1, 2, 1])
+        self.assertEqual((F(errors["largest"]), F(errors["quantiles"]["50"])), (F(1, 2), F("0.13")))
+        self.assertFalse(found.differs)
+        self.assertEqual(self.compare(sdf_tolerance=0.25).report["wrong"], 1)
+        self.assertEqual(self.compare(sdf_tolerance=F(1, 9)).report["wrong"], 3)
+        outside = self.compare(sdf_tolerance="1/9", truth="outside").report
+        self.assertEqual((outside["wrong"], outside["errors-of-sdf"]["values"]), (2, 2))
+
+    def test_motion_error(self):
+        """|s| > 1/2 in two rows; widened by 1/2 all values are within."""
+        report = self.compare(motion_error=0.5).report
+        self.assertEqual((report["uncertain"], report["apart"], report["errors-of-sdf"]["within"]), (2, 2, 4))
+
+    def test_refusals(self):
+        for name, bad in (("sdf_tolerance", -1), ("motion_error", 0), ("sdf_tolerance", float("nan")),
+                          ("motion_error", float("inf")), ("motion_error", "x")):
+            with self.assertRaisesRegex(graze.InputError, name):
+                self.compare(**{name: bad})
+        with self.assertRaises(graze.UseError):
+            graze.compare(self.golden, self.mine, sdf_tolerance=1)
+        with self.assertRaises(ValueError):
+            self.compare(truth="inside")
+
