@@ -49,7 +49,7 @@ MPI_O   := $(filter-out %/main.o %/run/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(
 # PNG pictures need cairo, which nothing else does: a shared object loaded at need, built where cairo is.
 PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION).so)
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
-ORACLES := $B/tests/minkowski $B/tests/to_nef
+ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances
 FLIP_O  := $(patsubst src/filter/%.c,$B/tests/flip/%.o,$(wildcard src/filter/*.c))
 BENCH   := $B/tests/bench/inside $B/tests/bench/peers
 # The targets of the fuzzer and the command line they fuzz, without a main.
@@ -153,6 +153,10 @@ $B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
 	@$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
 $(addsuffix .o,$(UNIT)): | $B/.packages-test
 $B/tests/minkowski: tests/agree/minkowski.cpp tests/agree/shells.h | $B/.packages-build
+	@mkdir -p $(@D)
+	@echo "  CXX  $<"
+	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+$B/tests/distances: tests/distance/oracle.cpp tests/agree/shells.h | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp

@@ -12,6 +12,7 @@
  *   inside POINTS FROM N OUT       the points that are `in`, written to OUT as raw doubles
  *   each POINTS FROM N             one call a point: the median, the 99th percentile, the maximum
  *   verdicts POINTS FROM N OUT     i of each point, written to OUT as 64-bit integers
+ *   distances POINTS FROM N TOL    enclosures of the distance, TOL relative to the diagonal
  *   validate SOLID                 the geometric checks alone
  * Times are CPU seconds of the process.
  */
@@ -130,6 +131,24 @@ static void classify(bench *b, const char *name, size_t from, size_t n, const ch
     printf("seconds=%.9f contact=%zu in=%zu exact=%ld\n", spent, contact, in,
            exact < 0 ? -1 : exact_count(b) - exact);
     free(verdict);
+    free(p.doubles);
+}
+
+static void enclose(const bench *b, const char *name, size_t from, size_t n, const char *relative) {
+    points p = take_points(b, name, from, n);
+    graze_enclosure *out = allocate(n, sizeof *out);
+    double diagonal;
+    size_t wide = 0, outside = 0;
+    check(graze_scene_diagonal(&diagonal, b->context, b->scene), b, "diagonal");
+    double tolerance = diagonal * strtod(relative, NULL), start = seconds();
+    check(graze_distances_doubles(out, b->context, b->scene, p.doubles, n, tolerance), b, "distances");
+    double spent = seconds() - start;
+    for (size_t k = 0; k < n; k++) {
+        wide += out[k].wide != 0;
+        outside += out[k].pmc == GRAZE_OUT;
+    }
+    printf("seconds=%.9f wide=%zu out=%zu\n", spent, wide, outside);
+    free(out);
     free(p.doubles);
 }
 
@@ -257,6 +276,8 @@ static void obey(bench *b, const char *line) {
         classify(b, name, from, n, out);
     } else if (strcmp(verb, "inside") == 0) {
         write_inside(b, name, from, n, out);
+    } else if (strcmp(verb, "distances") == 0) {
+        enclose(b, name, from, n, out);
     } else if (strcmp(verb, "each") == 0) {
         each(b, name, from, n);
     } else if (strcmp(verb, "validate") == 0) {

@@ -9,6 +9,7 @@
  *   static POINTS FROM N           Side_of_triangle_mesh
  *   union POINTS FROM N MATRICES   inside in any of the sampled positions (12 doubles each): no
  *                                  sample is left out once one has said yes
+ *   closest POINTS FROM N MATRICES the least distance to the sampled positions' boundaries
  *   checks                         closed, triangles, no self-intersection, bounds a volume
  * Times are CPU seconds of the process.
  */
@@ -21,11 +22,13 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -118,6 +121,22 @@ void sampled_union(const Side &side, std::istream &command) {
     std::printf("seconds=%.9f inside=%zu\n", seconds() - start, inside);
 }
 
+void closest_sample(const Tree &tree, std::istream &command) {
+    std::string path, sampled;
+    size_t from = 0, n = 0;
+    command >> path >> from >> n >> sampled;
+    std::vector<double> data = read_doubles(path, 3, from, n);
+    std::vector<double> matrices = read_doubles(sampled, 12, 0, 0);
+    double start = seconds(), sum = 0;
+    for (size_t k = 0; k < n; k++) {
+        double least = std::numeric_limits<double>::infinity();
+        for (size_t m = 0; m < matrices.size(); m += 12)
+            least = std::min(least, tree.squared_distance(moved(&matrices[m], &data[3 * k])));
+        sum += std::sqrt(least);
+    }
+    std::printf("seconds=%.9f mean=%.17g\n", seconds() - start, sum / double(n));
+}
+
 void checks(const Mesh &mesh) {
     double start = seconds();
     bool good = CGAL::is_closed(mesh) && CGAL::is_triangle_mesh(mesh);
@@ -135,6 +154,7 @@ void serve(const char *path) {
     double read = seconds() - start;
     Tree tree(faces(mesh).begin(), faces(mesh).end(), mesh);
     tree.build();
+    tree.accelerate_distance_queries();
     double built = seconds() - start;
     Side side(tree);
     std::printf("faces=%zu read=%.9f tree=%.9f\n", size_t(mesh.number_of_faces()), read,
@@ -150,6 +170,8 @@ void serve(const char *path) {
             static_points(side, command);
         else if (verb == "union")
             sampled_union(side, command);
+        else if (verb == "closest")
+            closest_sample(tree, command);
         else if (verb == "checks")
             checks(mesh);
         else

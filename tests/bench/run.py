@@ -13,6 +13,7 @@ import statistics
 import tempfile
 
 import certificates
+import distances
 import positions
 import scenes
 import turns
@@ -288,6 +289,7 @@ class Bench:
             self.mesh(size)
         turns.measure(self)
         turns.measure_poses(self)
+        distances.measure(self)
         self.table.head("Over all sizes")
         if len(self.sizes) > 1:
             self.grown()
