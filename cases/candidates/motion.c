@@ -202,3 +202,16 @@ void scene_pull_back(double c[3], const double inverse[3][4], const double p[3])
     for (int i = 0; i < 3; i++)
         c[i] = inverse[i][0] * p[0] + inverse[i][1] * p[1] + inverse[i][2] * p[2] + inverse[i][3];
 }
+
+inverse *scene_sample(const scene *s, int count) {
+    inverse *all = calloc((size_t)count + 1, sizeof *all);
+    double from = s->piece[0].from, to = s->piece[s->pieces - 1].to;
+    int piece = 0;
+    for (int k = 0; k <= count && all; k++) {
+        double t = k == count ? to : from + (to - from) * k / count;
+        while (piece + 1 < s->pieces && t > s->piece[piece].to)
+            piece++;
+        scene_inverse(all[k], s, piece, t);
+    }
+    return all;
+}

@@ -7,21 +7,6 @@
 #include <stdlib.h>
 #include "scene.h"
 
-typedef double inverse[3][4];
-
-static inverse *sample_motion(const scene *s, int count) {
-    inverse *all = calloc((size_t)count + 1, sizeof *all);
-    double from = s->piece[0].from, to = s->piece[s->pieces - 1].to;
-    int piece = 0;
-    for (int k = 0; k <= count; k++) {
-        double t = k == count ? to : from + (to - from) * k / count;
-        while (piece + 1 < s->pieces && t > s->piece[piece].to)
-            piece++;
-        scene_inverse(all[k], s, piece, t);
-    }
-    return all;
-}
-
 int main(int argc, char **argv) {
     if (argc != 6 || atoi(argv[1]) < 1) {
         fputs("usage: sampled N SOLID MOTION POINTS OUT\n", stderr);
@@ -33,7 +18,7 @@ int main(int argc, char **argv) {
     scene_read(&s, argv[2], argv[3]);
     points_open(&in, argv[4], s.dimension);
     FILE *out = open_for_writing(argv[5]);
-    inverse *all = sample_motion(&s, count);
+    inverse *all = scene_sample(&s, count);
     fputs(s.dimension == 2 ? "x,y,pmc\n" : "x,y,z,pmc\n", out);
     for (double p[3]; points_next(&in, p);) {
         int inside = 0;

@@ -1,4 +1,4 @@
-/* What both candidates read: an OFF or WKT solid and a motion, as doubles.
+/* What the candidates read: an OFF or WKT solid and a motion, as doubles.
  * SPDX-License-Identifier: CC0-1.0
  *
  * Solids: OFF with triangles or planar polygons; WKT POLYGON and MULTIPOLYGON. Motions: `pieces` of
@@ -33,6 +33,9 @@ typedef struct scene {
 void scene_read(scene *out, const char *solid, const char *motion);
 /** The inverse of M(t), d rows of d + 1 entries, in the piece of that number. */
 void scene_inverse(double out[3][4], const scene *s, int piece, double t);
+typedef double inverse[3][4];
+/** Inverses at count + 1 times spread evenly over the motion; the caller frees them. */
+inverse *scene_sample(const scene *s, int count);
 /** c = M(t)^-1 p. */
 void scene_pull_back(double c[3], const double inverse[3][4], const double p[3]);
 /** 1 if a ray from c meets the boundary an odd number of times. */

@@ -141,7 +141,8 @@ static void enclose(const bench *b, const char *name, size_t from, size_t n, con
     size_t wide = 0, outside = 0;
     check(graze_scene_diagonal(&diagonal, b->context, b->scene), b, "diagonal");
     double tolerance = diagonal * strtod(relative, NULL), start = seconds();
-    check(graze_distances_doubles(out, b->context, b->scene, p.doubles, n, tolerance), b, "distances");
+    check(graze_distances_doubles(out, b->context, b->scene, p.doubles, n, tolerance), b,
+          "distances");
     double spent = seconds() - start;
     for (size_t k = 0; k < n; k++) {
         wide += out[k].wide != 0;

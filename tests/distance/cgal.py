@@ -118,7 +118,7 @@ def sampled(checks, graze, tool, args):
     for name, solid, turn in (("ell turned", ell, Turn((3, 1, 2))), ("block turned", block(1, -1, 0, 3, 1, 2), Turn((0, 0, 4)))):
         points = around(args.random, [(-3, -3, -2), (6, 6, 5)], SAMPLED * args.scale)
         found = enclosures(checks, graze, name, solid, turn, points)
-        poses = rows_of(turn.back(k / (TIMES - 1))) for k in range(TIMES))
+        poses = rows_of(turn.back(k / (TIMES - 1)) for k in range(TIMES))
         answers = ask(tool, solid, "poses", str(TIMES), poses, str(len(points)), rows_of(map(float, p) for p in points))
         checks.equal(len(answers), len(points), name, "answers")
         for p, (pmc, low, high), answer in zip(points, found, map(float, answers)):
