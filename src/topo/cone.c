@@ -31,6 +31,12 @@ static int plane_holds_point(const local_cone *cone, size_t plane) {
     return found;
 }
 
+/* 2^-nearest times a direction of b bits reaches no plane if b is taken from it. */
+static void note_distance(local_cone *cone, const fmpz_t value, const fmpz *normal) {
+    slong bits = FLINT_ABS(_fmpz_vec_max_bits(normal, cone->dimension));
+    cone->nearest = FLINT_MAX(cone->nearest, bits + 3 - (slong)fmpz_bits(value));
+}
+
 graze_status cone_make(local_cone *cone, graze_context *context, const graze_solid *solid,
                        const plane_list *planes, const fmpz *at) {
     slong d = planes->dimension;
@@ -40,14 +46,18 @@ graze_status cone_make(local_cone *cone, graze_context *context, const graze_sol
     cone->dimension = (int)d;
     cone->at = _fmpz_vec_init(d + 1);
     _fmpz_vec_set(cone->at, at, d + 1);
-    cone->value = _fmpz_vec_init((slong)planes->count);
     cone->normal = _fmpz_vec_init((slong)planes->count * d);
+    fmpz_t value;
+    fmpz_init(value);
     for (size_t p = 0; p < planes->count; p++) {
         const fmpz *form = planes->form + p * (size_t)(d + 1);
-        _fmpz_vec_dot(cone->value + p, form, at, d + 1);
-        if (fmpz_is_zero(cone->value + p) && plane_holds_point(cone, p))
+        _fmpz_vec_dot(value, form, at, d + 1);
+        if (!fmpz_is_zero(value))
+            note_distance(cone, value, form);
+        else if (plane_holds_point(cone, p))
             _fmpz_vec_set(cone->normal + cone->count++ * (size_t)d, form, d);
     }
+    fmpz_clear(value);
     return context_poll(context);
 }
 
@@ -55,7 +65,6 @@ void cone_clear(local_cone *cone) {
     if (!cone->planes)
         return;
     _fmpz_vec_clear(cone->at, cone->dimension + 1);
-    _fmpz_vec_clear(cone->value, (slong)cone->planes->count);
     _fmpz_vec_clear(cone->normal, (slong)cone->planes->count * cone->dimension);
     free(cone->known_item);
 }
@@ -72,36 +81,14 @@ int cone_cell_dimension(const local_cone *cone) {
     return cone->dimension - rank;
 }
 
-/* A point on the ray before any plane that does not pass through the cone's point. */
+/* A point on the ray before any plane that does not pass through the cone's point. The ray meets one
+ * whose form has the value v there at |v| / |n . direction|, counted in units of the last coordinate,
+ * and |n . direction| < 2^(2 + bits of n + bits of direction). */
 static void point_beside(fmpz *out, const local_cone *cone, const fmpz *direction) {
-    int d = cone->dimension;
-    fmpq_t way, least;
-    fmpz_t slope;
-    fmpq_init(way);
-    fmpq_init(least);
-    fmpz_init(slope);
-    fmpq_one(least);
-    for (size_t p = 0; p < cone->planes->count; p++) {
-        if (fmpz_is_zero(cone->value + p))
-            continue;
-        _fmpz_vec_dot(slope, cone->planes->form + p * (size_t)(d + 1), direction, d);
-        if (fmpz_sgn(slope) * fmpz_sgn(cone->value + p) >= 0)
-            continue;
-        fmpz_neg(slope, slope);
-        fmpq_set_fmpz_frac(way, cone->value + p, slope);
-        fmpq_div_2exp(way, way, 1);
-        if (fmpq_cmp(way, least) < 0)
-            fmpq_set(least, way);
-    }
-    /* `way` counts in units of the last coordinate: at + way direction, over the same one */
-    for (int k = 0; k < d; k++) {
-        fmpz_mul(out + k, cone->at + k, fmpq_denref(least));
-        fmpz_addmul(out + k, direction + k, fmpq_numref(least));
-    }
-    fmpz_mul(out + d, cone->at + d, fmpq_denref(least));
-    fmpq_clear(way);
-    fmpq_clear(least);
-    fmpz_clear(slope);
+    slong d = cone->dimension,
+          places = cone->nearest + FLINT_ABS(_fmpz_vec_max_bits(direction, d));
+    _fmpz_vec_scalar_mul_2exp(out, cone->at, d + 1, (ulong)FLINT_MAX(places, 0));
+    _fmpz_vec_add(out, out, direction, d);
 }
 
 static graze_status locate_beside(graze_state *out, const local_cone *cone, graze_context *context,

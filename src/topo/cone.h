@@ -16,7 +16,8 @@ typedef struct local_cone {
     const plane_list *planes; /* of all facets */
     int dimension;
     fmpz *at;    /* the point: d + 1 homogeneous integers, the last one positive */
-    fmpz *value; /* of the planes' forms there */
+    slong nearest; /* a direction of b bits, times 2^-(nearest + b), reaches no plane that does not
+                      hold the point, in units of its last coordinate */
     size_t count;
     fmpz *normal; /* d of each */
     size_t known, known_capacity;

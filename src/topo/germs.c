@@ -13,7 +13,6 @@
 #include "topo/directions.h"
 #include "topo/root.h"
 #include "topo/sides.h"
-#include "topo/tubes.h"
 #include "trace/candidates.h"
 #include "trace/touch.h"
 
@@ -75,8 +74,8 @@ static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_
     return status;
 }
 
-/* A germ at a rational time, without tubes. */
-static graze_status add_germ_alone(germ_maker *m, const fmpq_t u) {
+/* A germ at a rational time. */
+static graze_status add_germ(germ_maker *m, const fmpq_t u) {
     int d = m->path.dimension;
     germ *g = NULL;
     graze_status status = germs_append(&g, m->list, m->context, m->map);
@@ -93,12 +92,6 @@ static graze_status add_germ_alone(germ_maker *m, const fmpq_t u) {
         status = add_sides(m, g, x, u);
     _fmpz_vec_clear(x, d + 1);
     return status;
-}
-
-/* A germ at a rational time. */
-static graze_status add_germ(germ_maker *m, const fmpq_t u) {
-    graze_status status = add_germ_alone(m, u);
-    return status ? status : tubes_find(&m->list->item[m->list->count - 1], m->context);
 }
 
 /* A germ at an irrational time. */
@@ -234,7 +227,7 @@ graze_status germs_at(germ_list *list, graze_context *context, const graze_scene
     germ_maker m = {.list = list, .context = context, .scene = scene, .planes = planes};
     trajectory_init(&m.path, scene->motion->dimension);
     take_piece(&m, piece, point);
-    graze_status status = add_germ_alone(&m, u);
+    graze_status status = add_germ(&m, u);
     trajectory_clear(&m.path);
     return status;
 }

@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 #include "topo/germ.h"
 
-/** The germs of all contacts of a point (proofs/topology.md C46). */
+/** The germs of all contacts of a point, without tubes (proofs/topology.md C46). */
 graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
                         const plane_list *planes, const fmpq *point);
 

@@ -13,6 +13,7 @@
 #include "topo/directions.h"
 #include "topo/germs.h"
 #include "topo/second.h"
+#include "topo/tubes.h"
 #include "verdict/classify.h"
 
 /* Halvings of the distance at which a witness is looked for. */
@@ -165,10 +166,10 @@ static graze_status look_at_second_order(int *covers, leading_maker *m) {
     return status;
 }
 
-static graze_status look_at_all(leading_maker *m) {
-    static const graze_topo_level level[] = {GRAZE_LEVEL_L1, GRAZE_LEVEL_EXACT, GRAZE_LEVEL_TUBE};
+/* Look around all rays, as far as that can decide the point or tell the plane of what is left. */
+static graze_status look_at_rays(leading_maker *m) {
     graze_status status = GRAZE_OK;
-    int by_second = 0;
+    m->open_rank = m->out->has_open = 0;
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] = 1;
     for (size_t r = 0; r < m->borders.ray_count && !status && m->out->position == GRAZE_TOPO_NONE &&
@@ -176,6 +177,24 @@ static graze_status look_at_all(leading_maker *m) {
                         (m->borders.dimension == 3 && m->open_rank < 3));
          r++)
         status = look_around(m, r);
+    return status;
+}
+
+/* Tubes are dear, and only what cones leave asks for them: they are found in a second round. */
+static graze_status look_again_with_tubes(leading_maker *m) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < m->germs.count && !status; k++)
+        if (!m->germs.item[k].root)
+            status = tubes_find(&m->germs.item[k], m->context);
+    return status ? status : look_at_rays(m);
+}
+
+static graze_status look_at_all(leading_maker *m) {
+    static const graze_topo_level level[] = {GRAZE_LEVEL_L1, GRAZE_LEVEL_EXACT, GRAZE_LEVEL_TUBE};
+    graze_status status = look_at_rays(m);
+    int by_second = 0;
+    if (!status && m->out->position == GRAZE_TOPO_NONE && !m->is_interior[BY_EXACT])
+        status = look_again_with_tubes(m);
     if (status || m->out->position != GRAZE_TOPO_NONE)
         return status;
     for (int by = BY_TUBE; by >= 0; by--)

@@ -13,7 +13,6 @@
 #include "number/sign.h"
 #include "topo/directions.h"
 #include "topo/sides.h"
-#include "topo/tubes.h"
 
 /* Polynomials of a larger degree are not factored. */
 enum { FACTORED_DEGREE = 60 };
@@ -216,7 +215,7 @@ static void set_sides(germ *g, slong order) {
 }
 
 /* The germ needs its root no more: like one at a rational time. */
-static graze_status make_exact(germ *g, const germ_place *place) {
+static void make_exact(germ *g, const germ_place *place) {
     int same_way = 0, on_edge = g->cone.dimension == 3 && cone_cell_dimension(&g->cone) == 1;
     g->exact = planes_keep_directions(&same_way, &g->cone, place->map, place->path);
     for (int s = 0; s < g->side_count; s++) {
@@ -225,7 +224,6 @@ static graze_status make_exact(germ *g, const germ_place *place) {
             on_edge && (g->side[s].order == 1 || edge_keeps_direction(g, place->map));
     }
     germ_drop_root(g);
-    return tubes_find(g, place->context);
 }
 
 /* Everything but the cone. */
@@ -241,7 +239,7 @@ static graze_status set_ways(int *found, germ *g, const germ_place *place,
         set_sides(g, order);
     }
     if (!status && *found && map_rational && way_rational)
-        status = make_exact(g, place);
+        make_exact(g, place);
     return status;
 }
 
