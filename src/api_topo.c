@@ -63,3 +63,33 @@ int graze_topology_witness(mpq_t *out, const graze_topology *topology) {
         api_rational_out(out[k], topology->inner.witness + k);
     return 1;
 }
+
+/* Integers as rationals. */
+static void integers_out(mpq_t *out, const fmpz *v, int count) {
+    fmpq value = {0, 1};
+    for (int k = 0; k < count; k++) {
+        fmpz_set(&value.num, v + k);
+        api_rational_out(out[k], &value);
+    }
+    fmpz_clear(&value.num);
+}
+
+int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_topology *topology) {
+    if (!direction || !epsilon || !topology || !topology->inner.has_witness ||
+        topology->inner.level != GRAZE_LEVEL_L1)
+        return 0;
+    integers_out(direction, topology->inner.direction, topology->dimension);
+    api_rational_out(epsilon, &topology->inner.reach);
+    return 1;
+}
+
+int graze_topology_square(mpq_t *along, mpq_t rho, const graze_topology *topology) {
+    if (!along || !rho || !topology || !topology->inner.has_witness ||
+        topology->inner.level == GRAZE_LEVEL_L1)
+        return 0;
+    for (int k = 0; k < 2; k++)
+        integers_out(along + k * topology->dimension, topology->inner.along[k],
+                     topology->dimension);
+    api_rational_out(rho, &topology->inner.reach);
+    return 1;
+}

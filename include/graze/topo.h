@@ -62,13 +62,27 @@ GRAZE_API graze_topo_level graze_topology_level(const graze_topology *topology);
 /** Why a point is undecided, in one line; "" for another, and for NULL. Static. */
 GRAZE_API const char *graze_topology_reason(const graze_topology *topology);
 /**
- * A point that is `out`, for an `on` point of a sweep that is `boundary`. By L1 all points near
- * enough in its direction are `out`; by LR and L3 it lies on a square about the point, and every
- * smaller one holds such a point too.
+ * A point that is `out`, for an `on` point of a sweep that is `boundary`.
  * @param[out] out d initialised rationals; unchanged if there is no such point
  * @return 1, or 0 if there is none
  */
 GRAZE_API int graze_topology_witness(mpq_t *out, const graze_topology *topology);
+/**
+ * The ray on which the witness lies, where L1 decides: the points P + s direction with 0 < s <=
+ * epsilon are all `out`, and the witness is that at epsilon (closure.md C73).
+ * @param[out] direction d initialised rationals, integers
+ * @param[out] epsilon   initialised
+ * @return 1, or 0 with both unchanged
+ */
+GRAZE_API int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_topology *topology);
+/**
+ * The square on which the witness lies, where LR or L3 decides: it is P + x a + y b with |x| and
+ * |y| at most rho, one of them rho, and every smaller square holds such a point too.
+ * @param[out] along 2 d initialised rationals, integers: a, then b
+ * @param[out] rho   initialised
+ * @return 1, or 0 with both unchanged
+ */
+GRAZE_API int graze_topology_square(mpq_t *along, mpq_t rho, const graze_topology *topology);
 
 #ifdef __cplusplus
 }

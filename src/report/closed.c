@@ -57,6 +57,38 @@ static void put_undecided(text *t, const topo_finding *topo) {
                 "than every cone.\n");
 }
 
+static void put_direction(text *t, const fmpz *v, int dimension) {
+    for (int k = 0; k < dimension; k++) {
+        char *digits = fmpz_get_str(NULL, 10, v + k);
+        text_format(t, "%s%s", k ? ", " : "(", digits);
+        flint_free(digits);
+    }
+    text_put(t, ")");
+}
+
+/* The witness, and what is known of the points between. */
+static void put_witness(text *t, const topo_finding *topo, int dimension) {
+    for (int k = 0; k < dimension; k++) {
+        text_put(t, k ? ", " : "A point that is out: (");
+        text_rational(t, topo->witness + k);
+    }
+    if (topo->level == GRAZE_LEVEL_L1) {
+        text_put(t, "). So are all points P + s ");
+        put_direction(t, topo->direction, dimension);
+        text_put(t, " with 0 < s <= ");
+    } else {
+        text_put(t, "). Every smaller square than its own, P + x ");
+        put_direction(t, topo->along[0], dimension);
+        text_put(t, " + y ");
+        put_direction(t, topo->along[1], dimension);
+        text_put(t,
+                 " with the larger of |x|, |y|\nbelow its value there, has such a point too; that "
+                 "value is ");
+    }
+    text_rational(t, &topo->reach);
+    text_put(t, ".\n");
+}
+
 void closed_explain(text *t, const topo_finding *topo, int dimension) {
     const char *meaning = meaning_of(topo);
     text_put(t, "\nRelative to the closed set ");
@@ -68,9 +100,6 @@ void closed_explain(text *t, const topo_finding *topo, int dimension) {
                 graze_topo_level_name(topo->level));
     if (meaning)
         text_format(t, "That is, %s.\n", meaning);
-    for (int k = 0; topo->has_witness && k < dimension; k++) {
-        text_put(t, k ? ", " : "A point that is out: (");
-        text_rational(t, topo->witness + k);
-    }
-    text_put(t, topo->has_witness ? ").\n" : "");
+    if (topo->has_witness)
+        put_witness(t, topo, dimension);
 }

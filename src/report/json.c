@@ -40,6 +40,35 @@ static void json_verdict(json_writer *w, const graze_scene *scene, const graze_v
     json_count(w, "t", v->t);
 }
 
+/* A list of integers. */
+static void json_integers(json_writer *w, const fmpz *v, int count) {
+    json_check(w, yajl_gen_array_open(w->gen));
+    for (int k = 0; k < count; k++) {
+        char *digits = fmpz_get_str(NULL, 10, v + k);
+        json_string(w, digits);
+        flint_free(digits);
+    }
+    json_check(w, yajl_gen_array_close(w->gen));
+}
+
+/* The witness, and the ray or the square on which it lies. */
+static void json_witness(json_writer *w, const topo_finding *topo, int dimension) {
+    int on_ray = topo->level == GRAZE_LEVEL_L1;
+    json_point(w, "topo_witness", topo->witness, dimension);
+    if (on_ray) {
+        json_string(w, "topo_direction");
+        json_integers(w, topo->direction, dimension);
+    } else if (dimension == 3) {
+        json_string(w, "topo_plane");
+        json_check(w, yajl_gen_array_open(w->gen));
+        for (int k = 0; k < 2; k++)
+            json_integers(w, topo->along[k], dimension);
+        json_check(w, yajl_gen_array_close(w->gen));
+    }
+    json_string(w, on_ray ? "topo_epsilon" : "topo_rho");
+    json_owned(w, rational_text(&topo->reach));
+}
+
 static void json_topo(json_writer *w, const topo_finding *topo, int dimension) {
     json_text(w, "topo", graze_topo_name(topo->position));
     if (topo->position == GRAZE_TOPO_UNDECIDED)
@@ -47,7 +76,7 @@ static void json_topo(json_writer *w, const topo_finding *topo, int dimension) {
     else
         json_text(w, "topo_level", graze_topo_level_name(topo->level));
     if (topo->has_witness)
-        json_point(w, "topo_witness", topo->witness, dimension);
+        json_witness(w, topo, dimension);
 }
 
 static void json_bound(json_writer *w, const char *key, double bound, int up) {

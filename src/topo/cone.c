@@ -81,12 +81,11 @@ int cone_cell_dimension(const local_cone *cone) {
     return cone->dimension - rank;
 }
 
-/* A point on the ray before any plane that does not pass through the cone's point. The ray meets one
- * whose form has the value v there at |v| / |n . direction|, counted in units of the last coordinate,
- * and |n . direction| < 2^(2 + bits of n + bits of direction). */
+/* A point on the ray before any plane that does not pass through the cone's point. The ray meets
+ * one whose form has the value v there at |v| / |n . direction|, counted in units of the last
+ * coordinate, and |n . direction| < 2^(2 + bits of n + bits of direction). */
 static void point_beside(fmpz *out, const local_cone *cone, const fmpz *direction) {
-    slong d = cone->dimension,
-          places = cone->nearest + FLINT_ABS(_fmpz_vec_max_bits(direction, d));
+    slong d = cone->dimension, places = cone->nearest + FLINT_ABS(_fmpz_vec_max_bits(direction, d));
     _fmpz_vec_scalar_mul_2exp(out, cone->at, d + 1, (ulong)FLINT_MAX(places, 0));
     _fmpz_vec_add(out, out, direction, d);
 }

@@ -15,7 +15,7 @@ typedef struct local_cone {
     const graze_solid *solid;
     const plane_list *planes; /* of all facets */
     int dimension;
-    fmpz *at;    /* the point: d + 1 homogeneous integers, the last one positive */
+    fmpz *at;      /* the point: d + 1 homogeneous integers, the last one positive */
     slong nearest; /* a direction of b bits, times 2^-(nearest + b), reaches no plane that does not
                       hold the point, in units of its last coordinate */
     size_t count;

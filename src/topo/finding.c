@@ -16,16 +16,24 @@ void finding_init(topo_finding *f) {
     f->level = GRAZE_LEVEL_NONE;
     f->reason = "";
     f->has_witness = f->has_open = f->has_across = 0;
+    fmpq_init(&f->reach);
     for (int k = 0; k < 3; k++) {
         fmpq_init(f->witness + k);
+        fmpz_init(f->direction + k);
+        fmpz_init(f->along[0] + k);
+        fmpz_init(f->along[1] + k);
         fmpz_init(f->open + k);
         fmpz_init(f->across + k);
     }
 }
 
 void finding_clear(topo_finding *f) {
+    fmpq_clear(&f->reach);
     for (int k = 0; k < 3; k++) {
         fmpq_clear(f->witness + k);
+        fmpz_clear(f->direction + k);
+        fmpz_clear(f->along[0] + k);
+        fmpz_clear(f->along[1] + k);
         fmpz_clear(f->open + k);
         fmpz_clear(f->across + k);
     }

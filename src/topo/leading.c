@@ -12,12 +12,10 @@
 #include "topo/cover.h"
 #include "topo/directions.h"
 #include "topo/germs.h"
+#include "topo/ray.h"
 #include "topo/second.h"
 #include "topo/tubes.h"
 #include "verdict/classify.h"
-
-/* Halvings of the distance at which a witness is looked for. */
-enum { WITNESS_HALVINGS = 1200 };
 
 /* What proves the interior: open cones alone, exact closed ones too, tubes too. */
 enum { BY_OPEN, BY_EXACT, BY_TUBE, BY_COUNT };
@@ -34,35 +32,59 @@ typedef struct leading_maker {
     fmpz *open;                /* one of them, another, and their product */
 } leading_maker;
 
-/* The point at 2^-places of a direction is the witness if it is out. */
-static graze_status try_witness(leading_maker *m, const fmpz *direction, ulong places) {
-    int d = m->borders.dimension;
+/* The place of a ray is the witness if its reach is found and it is out. */
+static graze_status try_witness(leading_maker *m, const fmpz *direction) {
+    slong d = m->borders.dimension;
+    topo_finding *out = m->out;
     graze_verdict verdict;
-    graze_status status;
-    fmpq_t step;
-    fmpq_init(step);
-    for (int k = 0; k < d; k++) {
-        fmpq_set_fmpz(step, direction + k);
-        fmpq_div_2exp(step, step, places);
-        fmpq_add(m->out->witness + k, m->point + k, step);
+    int found = 0;
+    graze_status status =
+        ray_find_reach(&found, &out->reach, m->context, m->scene, m->point, direction);
+    if (status || !found)
+        return status;
+    for (slong k = 0; k < d; k++) {
+        fmpq_mul_fmpz(out->witness + k, &out->reach, direction + k);
+        fmpq_add(out->witness + k, m->point + k, out->witness + k);
     }
-    status = classify_verdict(&verdict, m->context, m->scene,
-                              (query_point){.rational = m->out->witness});
-    m->out->has_witness = !status && verdict.pmc == GRAZE_OUT;
-    fmpq_clear(step);
+    status =
+        classify_verdict(&verdict, m->context, m->scene, (query_point){.rational = out->witness});
+    out->has_witness = !status && verdict.pmc == GRAZE_OUT;
+    _fmpz_vec_set(out->direction, direction, d);
     return status;
 }
 
-/* Nothing covers the direction: near enough all points are out. */
+/* A direction near another one, with entries of about `bits` bits; near enough it is the same. */
+static void round_direction(fmpz *out, const fmpz *direction, slong d, slong bits) {
+    slong drop = FLINT_ABS(_fmpz_vec_max_bits(direction, d)) - bits;
+    for (slong k = 0; k < d; k++)
+        if (drop > 0)
+            fmpz_tdiv_q_2exp(out + k, direction + k, (ulong)drop);
+        else
+            fmpz_set(out + k, direction + k);
+    direction_reduce(out, d);
+}
+
+/* Nothing covers the direction: near enough all points are out. One of small numbers that nothing
+ * covers either is the witness, if there is one. */
 static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
+    static const slong bits[] = {2, 4, 8, 16, 64, WORD_MAX};
+    slong d = m->borders.dimension;
+    topo_finding *out = m->out;
     graze_status status = GRAZE_OK;
-    ulong size = (ulong)FLINT_ABS(_fmpz_vec_max_bits(direction, m->borders.dimension));
-    for (ulong k = 0; k < WITNESS_HALVINGS && !status && !m->out->has_witness; k += 1 + k / 4)
-        status = try_witness(m, direction, size + k);
-    if (!status && m->out->has_witness)
-        finding_set(m->out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L1);
+    fmpz *simple = _fmpz_vec_init(d);
+    for (size_t k = 0; k < sizeof bits / sizeof *bits && !status && !out->has_witness; k++) {
+        germ_cover cover = {0, 0, 0, 1};
+        round_direction(simple, direction, d, bits[k]);
+        if (!_fmpz_vec_is_zero(simple, d))
+            status = germs_cover(&cover, &m->germs, m->context, simple);
+        if (!status && !cover.covered)
+            status = try_witness(m, simple);
+    }
+    _fmpz_vec_clear(simple, d);
+    if (!status && out->has_witness)
+        finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L1);
     else if (!status)
-        finding_undecided(m->out, "no witness of the boundary is found");
+        finding_undecided(out, "no witness of the boundary is found");
     return status;
 }
 

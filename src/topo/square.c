@@ -7,6 +7,7 @@
  */
 #include "topo/square.h"
 
+#include <flint/fmpz_vec.h>
 #include "number/isolate.h"
 #include "number/order.h"
 #include "topo/near.h"
@@ -22,6 +23,16 @@ typedef struct square_maker {
     near_curves near;
     int axis, negative; /* the side at hand */
 } square_maker;
+
+/* The square on which the witness lies. */
+static void set_square(square_maker *m) {
+    topo_finding *out = m->out;
+    out->has_witness = 1;
+    fmpq_one(&out->reach);
+    fmpq_div_2exp(&out->reach, &out->reach, m->near.places);
+    for (int k = 0; k < 2; k++)
+        _fmpz_vec_set(out->along[k], m->view->along[k], m->view->dimension);
+}
 
 /* Trace the point of a side whose coordinate along it is `along`, from the centre. */
 static graze_status sample_at(square_maker *m, const fmpq_t along) {
@@ -39,7 +50,7 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
                                            (query_point){.rational = m->out->witness});
     if (!status && verdict.pmc == GRAZE_OUT) {
         finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
-        m->out->has_witness = 1;
+        set_square(m);
     }
     for (int k = 0; k < 2; k++)
         fmpq_clear(sample + k);

@@ -10,13 +10,21 @@ static const char seam[] =
     "{\"t\": [1, 2], \"transform\": {\"translate\": [\"4-4*s\", \"8*s\"]}},"
     "{\"t\": [2, 3], \"transform\": {\"translate\": [\"12*s\", 8]}},"
     "{\"t\": [3, 4], \"transform\": {\"translate\": [\"12-6*s\", \"8-8*s\"]}}]}";
+/* The top side slides along (0, 0); later the corner (0, 0) passes it along y = x^2: between both
+ * is a gap where x < 0, thinner than every cone. */
+static const char thin_gap[] =
+    "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"translate\": [\"8*t-5\", "
+    "-2]}}, {\"t\": [1, 2], \"transform\": {\"translate\": [3, \"7*s-2\"]}},"
+    "{\"t\": [2, 3], \"transform\": {\"translate\": [\"3-4*s\", 5]}},"
+    "{\"t\": [3, 4], \"transform\": {\"translate\": [-1, \"5-4*s\"]}},"
+    "{\"t\": [4, 5], \"transform\": {\"translate\": [\"2*s-1\", \"(2*s-1)^2\"]}}]}";
 static const char turn_about[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": "
                                  "{\"turn\": {\"quarters\": 1}}}]}";
 
 typedef struct answer {
     graze_topo position;
     graze_topo_level level;
-    int has_witness;
+    int has_witness, has_ray, has_square;
     char reason[100];
 } answer;
 
@@ -26,8 +34,9 @@ static answer ask(scene *s, const char *x, const char *y) {
     graze_topology *topology = NULL;
     graze_verdict verdict;
     answer out;
-    mpq_t p[2], witness[2];
-    mpq_inits(p[0], p[1], witness[0], witness[1], NULL);
+    mpq_t p[2], witness[2], along[4], far;
+    mpq_inits(p[0], p[1], witness[0], witness[1], far, NULL);
+    mpq_inits(along[0], along[1], along[2], along[3], NULL);
     assert_int_equal(mpq_set_str(p[0], x, 10) + mpq_set_str(p[1], y, 10), 0);
     assert_int_equal(graze_trace_create(&trace, s->context, s->scene, p), GRAZE_OK);
     assert_int_equal(graze_trace_topo(&topology, s->context, s->scene, p, trace), GRAZE_OK);
@@ -35,6 +44,18 @@ static answer ask(scene *s, const char *x, const char *y) {
     out.level = graze_topology_level(topology);
     out.has_witness = graze_topology_witness(witness, topology);
     snprintf(out.reason, sizeof out.reason, "%s", graze_topology_reason(topology));
+    out.has_ray = graze_topology_ray(along, far, topology);
+    for (int k = 0; k < 2 && out.has_ray; k++) {
+        mpq_mul(along[k], along[k], far);
+        mpq_add(along[k], along[k], p[k]);
+        assert_true(mpq_equal(along[k], witness[k]));
+    }
+    out.has_square = graze_topology_square(along, far, topology);
+    if (out.has_square) {
+        assert_true(mpq_cmp_ui(along[0], 1, 1) == 0 && mpq_sgn(along[1]) == 0);
+        assert_true(mpq_sgn(along[2]) == 0 && mpq_cmp_ui(along[3], 1, 1) == 0);
+        assert_true(mpq_sgn(far) > 0);
+    }
     if (out.has_witness) {
         assert_int_equal(graze_classify(&verdict, s->context, s->scene, witness, 1), GRAZE_OK);
         assert_int_equal(verdict.pmc, GRAZE_OUT);
@@ -44,7 +65,8 @@ static answer ask(scene *s, const char *x, const char *y) {
     graze_topology_destroy(topology);
     assert_int_equal(graze_trace_topo(&topology, s->context, s->scene, p, trace), GRAZE_EUSE);
     assert_null(topology);
-    mpq_clears(p[0], p[1], witness[0], witness[1], NULL);
+    mpq_clears(p[0], p[1], witness[0], witness[1], far, NULL);
+    mpq_clears(along[0], along[1], along[2], along[3], NULL);
     graze_trace_destroy(trace);
     return out;
 }
@@ -55,17 +77,24 @@ static void positions(void **state) {
     scene_open(&s, slide, NULL);
     answer a = ask(&s, "5", "1");
     assert_true(a.position == GRAZE_TOPO_INTERIOR && a.level == GRAZE_LEVEL_WORD);
+    assert_true(!a.has_ray && !a.has_square);
     a = ask(&s, "5", "3");
     assert_true(a.position == GRAZE_TOPO_EXTERIOR && a.level == GRAZE_LEVEL_WORD);
     a = ask(&s, "5", "2"); /* the top edge slides along it */
     assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level > GRAZE_LEVEL_WORD && a.has_witness);
+    assert_true(a.has_ray == (a.level == GRAZE_LEVEL_L1) && a.has_square == !a.has_ray);
     assert_string_equal(a.reason, "");
     scene_close(&s);
     scene_open(&s, seam, NULL);
     a = ask(&s, "6", "1");
     assert_true(a.position == GRAZE_TOPO_INTERIOR && a.level > GRAZE_LEVEL_WORD && !a.has_witness);
     a = ask(&s, "6", "0"); /* below is nothing */
-    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.has_witness);
+    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.has_witness && a.has_ray);
+    scene_close(&s);
+    scene_open(&s, thin_gap, NULL);
+    a = ask(&s, "0", "0");
+    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level == GRAZE_LEVEL_L3);
+    assert_true(a.has_witness && a.has_square && !a.has_ray);
     scene_close(&s);
 }
 

@@ -42,12 +42,14 @@ class Answers(unittest.TestCase):
     def test_positions(self):
         """The top face at z = 2 slides along (5, 1, 2): what is above is out."""
         scene = common.cube_scene()
-        self.assertEqual(scene.topology((5, 1, 1)), ("interior", "word", "", None))
+        self.assertEqual(scene.topology((5, 1, 1)), ("interior", "word", "", None, None, None, None, None))
         self.assertEqual(scene.topology((5, 3, 1)).position, "exterior")
         found = scene.topology((5, 1, 2))
         self.assertEqual((found.position, found.level, found.reason), ("boundary", "L1", ""))
         self.assertEqual(scene.trace(found.witness).verdict.pmc, Pmc.OUT)
         self.assertGreater(found.witness[2], 2)
+        self.assertEqual(found.witness, tuple(p + found.epsilon * u for p, u in zip((5, 1, 2), found.direction)))
+        self.assertEqual((found.plane, found.rho), (None, None))
         rows = graze.Scene(scene.solid, scene.motion, topo=True)
         self.assertEqual(rows.rows([(5, 1, 2)]), ["5,1,2,on,boundary,8,1,0,1,OBO,boundary"])
         lines = rows.table([(5, 1, 2)]).splitlines()

@@ -199,6 +199,8 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_topology_level": (c_int, [c_void_p]),
     "graze_topology_reason": (c_char_p, [c_void_p]),
     "graze_topology_witness": (c_int, [c_void_p, c_void_p]),
+    "graze_topology_ray": (c_int, [c_void_p, c_void_p, c_void_p]),
+    "graze_topology_square": (c_int, [c_void_p, c_void_p, c_void_p]),
     "graze_topo_name": (c_char_p, [c_int]),
     "graze_site_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_site_create_at": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),

@@ -44,14 +44,23 @@ def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
                  verdict_of(library().graze_trace_verdict(trace)), tuple(contacts))
 
 
+def _integers(values: Rationals, start: int, count: int) -> Tuple[int, ...]:
+    return tuple(values[k].numerator for k in range(start, start + count))
+
+
 def read_topology(topology: ctypes.c_void_p, dimension: int) -> Topology:
     """A position relative to the closed sweep; the handle stays the caller's."""
-    call, witness = library(), Rationals(dimension)
+    call, witness, far, along = library(), Rationals(dimension), Rationals(1), Rationals(2 * dimension)
     found = call.graze_topology_witness(witness.address, topology)
-    return Topology(call.graze_topo_name(call.graze_topology_position(topology)).decode(),
+    made = Topology(call.graze_topo_name(call.graze_topology_position(topology)).decode(),
                     call.graze_topo_level_name(call.graze_topology_level(topology)).decode(),
                     call.graze_topology_reason(topology).decode(),
                     tuple(witness[k] for k in range(dimension)) if found else None)
+    if call.graze_topology_ray(along.address, far.address, topology):
+        return made._replace(direction=_integers(along, 0, dimension), epsilon=far[0])
+    if call.graze_topology_square(along.address, far.address, topology):
+        return made._replace(plane=(_integers(along, 0, dimension), _integers(along, dimension, dimension)), rho=far[0])
+    return made
 
 
 def time_of(time: int) -> Time:

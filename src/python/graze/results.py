@@ -70,13 +70,19 @@ class Topology(NamedTuple):
     `position` is `interior`, `boundary`, `exterior` or `undecided`, `level` what decided it (`word`,
     `L1`, `exact`, `tube`, `L2`, `LR`, `L3`,
     else `none`), `reason` why it is undecided, else "". `witness` is a point that is
-    `out`, for an `on` point that is `boundary`.
+    `out`, for an `on` point that is `boundary`. By L1 it is point + epsilon * direction, and all
+    nearer ones are `out` too. Else it is point + x a + y b with (a, b) = `plane` and x or y of size
+    `rho`, none larger, and every smaller square has such a point too.
     """
 
     position: str
     level: str
     reason: str
     witness: Optional[Tuple[Fraction, ...]]
+    direction: Optional[Tuple[int, ...]] = None
+    epsilon: Optional[Fraction] = None
+    plane: Optional[Tuple[Tuple[int, ...], Tuple[int, ...]]] = None
+    rho: Optional[Fraction] = None
 
 
 PMC_NAMES: Tuple[str, ...] = tuple(pmc.name.lower() for pmc in Pmc)
