@@ -70,8 +70,8 @@ static int is_steady(const ray_form *f) {
     return fmpz_poly_length(&f->plain_at) <= 1 && fmpz_poly_length(&f->plain_slope) <= 1;
 }
 
-/* Keep `reach` below the place at which the form vanishes at a time, if that is positive: up to there
- * it has the sign that it has at 0. */
+/* Keep `reach` below the place at which the form vanishes at a time, if that is positive: up to
+ * there it has the sign that it has at 0. */
 static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time) {
     int sign = 0, slope = 0, there = 0;
     fmpz_poly_t p;
@@ -116,7 +116,7 @@ static graze_status stay_below_at_roots(ray_maker *m, const ray_form *form, cons
 }
 
 /* out = a d - b c. */
-static void determinant(fmpz_poly_t out, const fmpz_poly_t a, const fmpz_poly_t b,
+static void cross_terms(fmpz_poly_t out, const fmpz_poly_t a, const fmpz_poly_t b,
                         const fmpz_poly_t c, const fmpz_poly_t d) {
     fmpz_poly_t other;
     fmpz_poly_init(other);
@@ -142,7 +142,7 @@ static graze_status stay_below_plane(ray_maker *m, const ray_form *form,
     } else {
         fmpz_poly_derivative(a, &form->at);
         fmpz_poly_derivative(b, &form->slope);
-        determinant(p, a, b, &form->at, &form->slope);
+        cross_terms(p, a, b, &form->at, &form->slope);
     }
     if (!status)
         status = stay_below_at_roots(m, form, p, window);
@@ -158,7 +158,7 @@ static graze_status stay_below_side(ray_maker *m, const ray_form *form, int side
                                     const dyadic_interval *window) {
     fmpz_poly_t p;
     fmpz_poly_init(p);
-    determinant(p, &form->at, &form->slope, &form[side].at, &form[side].slope);
+    cross_terms(p, &form->at, &form->slope, &form[side].at, &form[side].slope);
     m->special = m->special || (fmpz_poly_is_zero(p) && !is_steady(form));
     graze_status status = stay_below_at_roots(m, form, p, window);
     fmpz_poly_clear(p);
@@ -236,7 +236,8 @@ static graze_status stay_below_piece(ray_maker *m) {
 }
 
 /* About the solid's width, less for one of many facets, if the direction were of length 1. */
-static void set_first_reach(fmpq_t reach, const graze_solid *solid, const fmpz *direction, slong d) {
+static void set_first_reach(fmpq_t reach, const graze_solid *solid, const fmpz *direction,
+                            slong d) {
     int exponent = 0;
     double width = box_extent(&solid->boxes.node[0].box);
     (void)frexp(isfinite(width) ? width : 1, &exponent);

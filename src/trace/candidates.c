@@ -135,7 +135,7 @@ static void expand_whole(fmpz *out, const trajectory *c) {
     dyadic_interval_clear(&unit);
 }
 
-static graze_status search(searcher *s, graze_context *context) {
+static graze_status search_boxes(searcher *s, graze_context *context) {
     s->out->count = 0;
     if (reserve_spans(s)) {
         fmpz *whole = _fmpz_vec_init(span_length(s));
@@ -157,12 +157,12 @@ static graze_status search(searcher *s, graze_context *context) {
 graze_status candidates_find(candidates *out, graze_context *context, const graze_solid *solid,
                              const trajectory *c) {
     searcher s = {.solid = solid, .c = c, .out = out};
-    return search(&s, context);
+    return search_boxes(&s, context);
 }
 
 graze_status candidates_find_between(candidates *out, graze_context *context,
                                      const graze_solid *solid, trajectory *c, trajectory *other) {
     searcher s = {.solid = solid, .c = c, .other = other, .out = out};
     c->degree = other->degree = c->degree > other->degree ? c->degree : other->degree;
-    return search(&s, context);
+    return search_boxes(&s, context);
 }
