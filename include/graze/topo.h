@@ -69,7 +69,7 @@ GRAZE_API const char *graze_topology_reason(const graze_topology *topology);
 GRAZE_API int graze_topology_witness(mpq_t *out, const graze_topology *topology);
 /**
  * The ray on which the witness lies, where L1 decides: the points P + s direction with 0 < s <=
- * epsilon are all `out`, and the witness is that at epsilon (closure.md C73).
+ * epsilon are all `out`, and the witness is that at epsilon (closure.md C74).
  * @param[out] direction d initialised rationals, integers
  * @param[out] epsilon   initialised
  * @return 1, or 0 with both unchanged

@@ -4,7 +4,7 @@
  * A form pulled back to the place s of the ray is at(u) + s slope(u). What the place meets can
  * change only where a facet's form has a double root, where it and a side form vanish at once, and
  * at the ends of a piece: at finitely many u, which do not depend on s. There s = -at / slope, and
- * `reach` is kept below all such positive numbers (proofs/closure.md C73).
+ * `reach` is kept below all such positive numbers (proofs/closure.md C74).
  */
 #include "topo/ray.h"
 

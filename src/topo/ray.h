@@ -8,7 +8,7 @@
 
 /**
  * Find how far a ray from an `on` point of a sweep stays `out`, if it is so near the point
- * (proofs/closure.md C73): then P + s direction is `out` for 0 < s <= reach.
+ * (proofs/closure.md C74): then P + s direction is `out` for 0 < s <= reach.
  * @param[out] found     0 where the ray meets facets in a special position, or the limit `bits`;
  *                       another direction can be tried
  * @param[out] reach     positive, if found
