@@ -72,6 +72,7 @@
 #include <graze/draw.h>     /* pictures */
 #include <graze/boundary.h> /* the boundary of a sweep by sampling */
 #include <graze/certify.h>  /* certificates */
+#include <graze/grid.h>     /* memberships of grids of points */
 #include <graze/distance.h> /* how far a point is from the sweep, with proof */
 #include <graze/topo.h>     /* positions relative to the closed sweep */
 #include <graze/contact.h>  /* contact points of the envelope */

@@ -30,6 +30,7 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_WEIGHT] = "weight",
     [FLIP_GROUP] = "group",
     [FLIP_ALONE] = "alone",
+    [FLIP_CELL] = "cell",
 };
 
 static atomic_ulong calls;

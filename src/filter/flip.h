@@ -27,6 +27,7 @@ typedef enum flip_site {
     FLIP_WEIGHT,       /* a span's weights are positive */
     FLIP_GROUP,        /* so are those of several pieces */
     FLIP_ALONE,        /* a crossing is the only contact at its time */
+    FLIP_CELL,         /* a box of points misses a box, or a simplex */
     FLIP_SITE_COUNT
 } flip_site;
 

@@ -14,10 +14,6 @@
  * forms, and after them. */
 enum { BOX_LEVELS = 20, CHORD_LEVELS = 4, SIMPLEX_LEVELS = 14 };
 
-/* A span is cut where its thickness gives a box a surface so many times as large. Measured: much
- * less cuts curves in vain, much more leaves long triangles to be tested in vain. */
-static const double MOST_SURFACE = 1.2;
-
 typedef struct searcher {
     findings *out;
     curve *curve;
@@ -107,19 +103,6 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     s->failed |= !kept;
 }
 
-/* Whether a span is so thick that it meets many boxes which its curve misses: with the thickness
- * around it the box has a larger surface (in the plane: outline), which is the chance that a chord
- * meets it. */
-static int is_thick(const curve *c, const span *piece, const box *b) {
-    double x = b->high[0] - b->low[0], y = b->high[1] - b->low[1], z = b->high[2] - b->low[2];
-    double wx = x + 2 * piece->thick[0], wy = y + 2 * piece->thick[1], wz = z + 2 * piece->thick[2];
-    if (piece->bend <= 0)
-        return 0;
-    if (c->dimension == 2)
-        return wx + wy > MOST_SURFACE * (x + y);
-    return wx * (wy + wz) + wy * wz > MOST_SURFACE * (x * (y + z) + y * z);
-}
-
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
     for (;;) {
         const span *piece = &s->curve->spans[span_index];
@@ -130,7 +113,7 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
             flip(FLIP_BOX, !span_meets(piece, &here->box)))
             return;
         /* A single simplex is left to its own tests. */
-        if (!piece->bounded || (here->child && is_thick(s->curve, piece, &here->box))) {
+        if (!piece->bounded || (here->child && span_is_thick(s->curve, piece, &here->box))) {
             if (piece->level < BOX_LEVELS) {
                 cut_and_descend(s, node, span_index);
                 return;

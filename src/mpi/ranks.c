@@ -268,6 +268,7 @@ int ranks_serve(const classify_options *o) {
         answer_task task = {.context = &o->scene.context,
                             .scene = l.scene,
                             .certifier = l.certifier,
+                            .pmc_alone = o->scene.scene.columns == GRAZE_COLUMNS_PMC,
                             .source = {g ? NULL : &c, g, o->shard.part},
                             .format = o->format.rows};
         status = answerer_init(&a, &task);

@@ -41,9 +41,18 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
                                     task->format, rest);
 }
 
+/* Rows of pmc alone of grid points, many decided together. */
+static graze_status write_members(answerer *a, row_run *r, unsigned long first) {
+    const row_source *from = &a->task.source;
+    struct row_text *table = &r->out[RESULT_TABLE];
+    return grid_rows(&table->text, &table->length, &r->done, a->context, from->grid, from->part,
+                     first, r->taken);
+}
+
 void answer(answerer *a, row_run *r, const block *b, size_t first) {
-    size_t n = make_run_points(a, r, b, first);
-    graze_status status = write_answers(a, r, n);
+    int members = a->task.source.grid && a->task.pmc_alone && !a->task.certifier;
+    size_t n = members ? 0 : make_run_points(a, r, b, first);
+    graze_status status = members ? write_members(a, r, b->before + first) : write_answers(a, r, n);
     if (status)
         fault_clear(&r->fault);
     if (status == GRAZE_ECANCELED)

@@ -21,6 +21,7 @@ typedef struct answer_task {
     const graze_scene *scene;
     const graze_certifier *certifier; /* NULL: no certificate is wanted */
     int no_table;                     /* a certificate alone is */
+    int pmc_alone;                    /* the scene's option `columns` */
     row_source source;
     graze_format format;
 } answer_task;

@@ -9,12 +9,12 @@
 #include <string.h>
 #include "run/status.h"
 
-/* Coordinate i of axis k is (start + i step) / unit, from low to high. */
 struct grid {
     int dimension;
-    unsigned long size[3], count;
+    size_t size[3];
+    unsigned long count;
     mpq_t low[3], high[3];
-    mpz_t start[3], step[3], unit[3];
+    graze_grid *points;
 };
 
 /* Cut a text at its commas into at most `most` words; returns how many words it has. */
@@ -77,49 +77,30 @@ int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *co
     return EXIT_DONE;
 }
 
-/* With q the common denominator of low and high and n points: the unit is q (n - 1). */
-static void set_grid_steps(grid *g) {
-    mpz_t common;
-    mpz_init(common);
-    for (int k = 0; k < g->dimension; k++) {
-        mpz_lcm(common, mpq_denref(g->low[k]), mpq_denref(g->high[k]));
-        mpz_divexact(g->start[k], common, mpq_denref(g->low[k]));
-        mpz_mul(g->start[k], g->start[k], mpq_numref(g->low[k]));
-        mpz_divexact(g->step[k], common, mpq_denref(g->high[k]));
-        mpz_mul(g->step[k], g->step[k], mpq_numref(g->high[k]));
-        mpz_sub(g->step[k], g->step[k], g->start[k]);
-        mpz_mul_ui(g->start[k], g->start[k], g->size[k] - 1);
-        mpz_mul_ui(g->unit[k], common, g->size[k] - 1);
-    }
-    mpz_clear(common);
-}
-
 int grid_open(grid **out, const grid_options *o, graze_context *context, const graze_scene *scene) {
     grid *g = calloc(1, sizeof *g);
     *out = g;
     if (!g)
         return complain(EXIT_IO, "out of memory");
     g->dimension = graze_scene_dimension(scene);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         mpq_inits(g->low[k], g->high[k], NULL);
-        mpz_inits(g->start[k], g->step[k], g->unit[k], NULL);
-    }
     int status = read_grid_sizes(g, o->sizes, graze_context_limit(context, GRAZE_LIMIT_GRID));
     if (!status)
         status = o->box ? box_read(g->low, g->high, o->box, g->dimension, context)
                         : complain_of(graze_scene_box(g->low, g->high, context, scene), context);
     if (!status)
-        set_grid_steps(g);
+        status = complain_of(
+            graze_grid_create(&g->points, context, scene, g->size, g->low, g->high), context);
     return status;
 }
 
 void grid_close(grid *g) {
     if (!g)
         return;
-    for (int k = 0; k < 3; k++) {
+    graze_grid_destroy(g->points);
+    for (int k = 0; k < 3; k++)
         mpq_clears(g->low[k], g->high[k], NULL);
-        mpz_clears(g->start[k], g->step[k], g->unit[k], NULL);
-    }
     free(g);
 }
 
@@ -133,27 +114,14 @@ void grid_fill(const grid *g, shard part, block *b, unsigned long most) {
     b->count = left < BLOCK_ROWS ? left : BLOCK_ROWS;
 }
 
-static void set_grid_coordinate(mpq_t out, const grid *g, int k, unsigned long i) {
-    mpz_mul_ui(mpq_numref(out), g->step[k], i);
-    mpz_add(mpq_numref(out), mpq_numref(out), g->start[k]);
-    mpz_set(mpq_denref(out), g->unit[k]);
-    mpq_canonicalize(out);
+void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count) {
+    graze_grid_points(points, g->points, shard_place(part, first), part.count, count);
 }
 
-void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count) {
-    unsigned long last[3] = {0, 0, 0};
-    for (size_t r = 0; r < count; r++) {
-        unsigned long index = shard_place(part, first + r);
-        for (int k = 0; k < g->dimension; k++, points++) {
-            unsigned long i = index % g->size[k];
-            index /= g->size[k];
-            if (r > 0 && i == last[k])
-                mpq_set(*points, *(points - g->dimension));
-            else
-                set_grid_coordinate(*points, g, k, i);
-            last[k] = i;
-        }
-    }
+graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
+                       const grid *g, shard part, unsigned long first, size_t count) {
+    return graze_grid_rows(out, length, done, context, g->points, shard_place(part, first),
+                           part.count, count);
 }
 
 /* Room for a rational as text with its comma. */

@@ -28,6 +28,9 @@ void grid_fill(const grid *g, shard part, block *b, unsigned long most);
  * Any thread may ask.
  * @param[out] points room for three coordinates a point; d of them are set, point after point */
 void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count);
+/** Rows of pmc alone of these points, as graze_grid_rows. */
+graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
+                       const grid *g, shard part, unsigned long first, size_t count);
 /** `# grid` and `# box` lines, malloc'ed; NULL when out of memory. */
 char *grid_notes(const grid *g);
 

@@ -60,11 +60,11 @@ class Columns:
         self.checks.equal(status, 0, *words, error[:300])
         return out
 
-    def same(self, name, *words, free=("", "")):
+    def same(self, name, *words, free=("", ""), ways=((), ("--no-filter",))):
         """The table of pmc alone, after it was held against the full one. `free`: names of carried columns that the
         full table changes, because it has such answers, and how they stand where they are free."""
         expected = projected(self.good("classify", *words)).replace(*free, 1)
-        for flags in ([], ["--no-filter"]):
+        for flags in ways:
             given = self.good("classify", *words, *PMC, *flags)
             self.checks.equal(given == expected, True, name, *words, *flags,
                               *[f"{a!r} {b!r}" for a, b in zip(given.splitlines(), expected.splitlines()) if a != b][:3])
@@ -75,7 +75,9 @@ class Columns:
     def cases(self):
         for name in casefile.names():
             case = casefile.Case(name)
-            self.same(name, case.path(case.solid), case.path("motion.json"), case.path("points.csv"), *case.answers)
+            scene = case.path(case.solid), case.path("motion.json")
+            self.same(name, *scene, case.path("points.csv"), *case.answers)
+            self.same(name, *scene, "--grid", "67,33" if case.dimension == 2 else "18,9,17", *case.answers, ways=[()])
 
     def scenes(self):
         for scene in scenes():
@@ -87,6 +89,32 @@ class Columns:
             points = Maker(scene, self.args.random).points(count)
             path = self.graze.write(tag + ".csv", written(scene.d, points))
             self.same(scene.name, solid, motion, path, *scene.flags)
+            self.same(scene.name, solid, motion, "--grid", self.sizes(scene.d, 12 if scene.heavy else 24), *scene.flags,
+                      ways=[("--jobs", "2")])
+
+    def sizes(self, dimension, most):
+        """A grid whose last bricks are not whole ones."""
+        each = most * self.args.scale if dimension == 3 else 4 * most * self.args.scale
+        return ",".join(str(self.args.random.randrange(each // 2, each)) for _ in range(dimension))
+
+    def grids(self):
+        """Grids whose points lie on planes, edges and vertices of many poses; shards, and tables that go on."""
+        case = casefile.Case("bracket")
+        scene = case.path(case.solid), case.path("motion.json")
+        for size, box in (("33,34,19", "-1,-1,-1,15,15,8"), ("41,20,21", "0,0,0,10,10,10"), ("25,25,25", "1/3,0,1/7,9,8,7")):
+            words = (*scene, "--grid", size, "--box", box)
+            for operation in ("sweep", "unsweep"):
+                whole = self.same("bracket", *words, "--operation", operation, ways=[("--jobs", "1"), ("--jobs", "3")])
+        words = ("classify", *words, *PMC, "--operation", "unsweep")
+        parts = [os.path.join(os.path.dirname(self.graze.write("x", "")), f"grid-{k}.csv") for k in (1, 2, 3)]
+        for k, part in enumerate(parts):
+            self.good(*words, "--shard", f"{k + 1}/3", "--output", part)
+        self.checks.equal(self.good("merge", *parts) == whole, True, "merged parts of a grid")
+        cut = self.graze.write("grid-cut.csv", whole[:len(whole) * 2 // 3])
+        self.good(*words, "--resume", cut)
+        with open(cut, encoding="latin-1") as file:
+            self.checks.equal(file.read() == whole, True, "a continued grid")
+        self.same("bracket", *scene, "--grid", "9,10,11")
 
     def tip_of_a_hole(self):
         """From outside through the tip of a hole, which rests on the outer edge, into the hole: never inside."""
@@ -172,6 +200,7 @@ def main():
     columns = Columns(options(__doc__.splitlines()[0]))
     columns.cases()
     columns.scenes()
+    columns.grids()
     columns.tip_of_a_hole()
     columns.tables()
     print(f"{columns.rows} lines both ways, {columns.inside} of points inside")

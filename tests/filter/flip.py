@@ -122,6 +122,12 @@ def through_tips(graze, rng, count):
     return query
 
 
+def grid(graze, name, scene):
+    """Points decided by cells, of all sizes beside the boundary."""
+    paths = [graze.write(name + suffix, text) for suffix, text in zip((scene.solid.suffix, ".json"), scene.texts())]
+    return Query(f"grid, {name}", [*paths, "--grid", "330,290", "--columns", "pmc"])
+
+
 def over_the_break(graze, rng, count):
     """A crossing on one side of a break point and a grazed tip, for the exact path, on the other.
 
@@ -139,7 +145,7 @@ def over_the_break(graze, rng, count):
 
 
 def queries(graze, rng, scale):
-    """The files of FILES and the six made for one site, written."""
+    """The files of FILES and the six made for one site, written, and a grid."""
     plane = plane_solids(), plane_adversaries()
     space = dict(space_solids(), ridges=terrain(20, random.Random(5))), space_adversaries()
     for k, (solid, motion, place, form, *counts) in enumerate(FILES):
@@ -160,6 +166,7 @@ def queries(graze, rng, scale):
     yield weights(graze, rng, 12000 * scale)
     yield weights(graze, rng, 12000 * scale, 2)
     yield through_tips(graze, rng, 12000 * scale)
+    yield grid(graze, "comb", Scene("comb", plane[0]["comb"], plane[1]["across"], places(2)[""]))
     yield from over_the_break(graze, rng, 24000 * scale)
 
 

@@ -141,6 +141,28 @@ class Answers(unittest.TestCase):
         self.assertTrue(text.startswith("P = (5, 1, 2) is `on`"), text)
 
 
+class Grids(unittest.TestCase):
+    def test_square(self):
+        """[0, 1]^2 moved by (8, 0) sweeps [0, 9] x [0, 1]; the points are (i - 1, j/2 - 1)."""
+        scene = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
+        given = scene.grid((13, 9), (-1, -1), (11, 3))
+        for i in range(13):
+            for j in range(9):
+                outside = not (0 <= i - 1 <= 9 and 2 <= j <= 4)
+                touched = i - 1 in (0, 9) or j in (2, 4)
+                expected = graze.Pmc.OUT if outside else graze.Pmc.ON if touched else graze.Pmc.IN
+                self.assertEqual(given[i + 13 * j] if isinstance(given, bytes) else given[i, j], expected, (i, j))
+        self.assertEqual(len(scene.grid((2, 2))), 4 if isinstance(given, bytes) else 2)
+
+    def test_refusals(self):
+        scene = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
+        for size, box in (((4,), ()), ((4, 1), ()), ((4, 4), ((0, 0), (0, 1)))):
+            with self.assertRaises(graze.UseError):
+                scene.grid(size, *box)
+        with self.assertRaises(graze.LimitError):
+            graze.Scene(common.SQUARE, common.moved("8*t", "0"), limits={"grid": 15}).grid((4, 4))
+
+
 class Golden(unittest.TestCase):
     def test_cases(self):
         """classify and rows against every expected table under cases/."""

@@ -164,6 +164,33 @@ class Scene:
             raise
         return _enclosures(out)
 
+    def grid(self, size: Sequence[int], low: Optional[Sequence[Number]] = None,
+             high: Optional[Sequence[Number]] = None) -> Any:
+        """Exact memberships of a grid of points; neighbours are decided together where that is certain.
+
+        Args:
+            size: points along each axis, 2 or more.
+            low, high: the first and the last point; `box` where they are not given.
+        Returns:
+            With numpy an array of bytes of the shape `size`, [i, j, k] being the membership (see
+            `Pmc`) of the point i along x, j along y, k along z; without it bytes, x running fastest.
+        Raises:
+            TypeError, UseError, InputError, LimitError, InternalError: as `classify`.
+        """
+        context, pointer, box = self._context(), ctypes.c_void_p(), self.box()
+        if len(size) != self.dimension:
+            raise UseError(f"size: {len(size)} numbers; expected {self.dimension}")
+        sizes = (ctypes.c_size_t * self.dimension)(*size)
+        first = self._point(box[0] if low is None else low)
+        last = self._point(box[1] if high is None else high)
+        context.run(library().graze_grid_create, ctypes.byref(pointer), context.pointer,
+                    self._handle.pointer, sizes, first.address, last.address)
+        with Handle(pointer, library().graze_grid_destroy) as grid:
+            count = int(library().graze_grid_count(grid.pointer))
+            out = ctypes.create_string_buffer(count)
+            context.run(library().graze_grid_pmc, out, context.pointer, grid.pointer, 0, 1, count)
+        return out.raw if numpy is None else numpy.frombuffer(out.raw, "u1").reshape(size, order="F")
+
     @property
     def diagonal(self) -> float:
         """The diagonal of the box of the first position's corners, rounded down."""

@@ -1,0 +1,172 @@
+/* Spans made as thick as the box that the points are from, against the solid's tree.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "filter/cell.h"
+
+#include <math.h>
+#include "filter/chord.h"
+#include "filter/flip.h"
+#include "filter/normal.h"
+
+/* Spans are cut down to these levels: for the sake of boxes, and of one simplex. */
+enum { CELL_BOX_LEVELS = 16, CELL_LEVELS = 8 };
+
+/* A span is cut for one simplex where it strays from its chord by more than this share of the
+ * points' spread. */
+static const double LEAST_BEND = 0.25;
+
+/* Weights below it leave a piece without bound. */
+static const double CELL_LEAST_WEIGHT = 0x1p-40;
+
+typedef struct cell_search {
+    curve *curve;
+    const filter *filter;
+    const cell *points;
+    int meets; /* a point of the cell may meet the boundary */
+} cell_search;
+
+/* How far the trajectory of a point of the cell can be from the centre's, in all of one piece; 0 if
+ * there is no bound. */
+static int spread_over_piece(double spread[3], const carrier *map, const double *half) {
+    int d = map->dimension, n = map->degree;
+    for (int i = 0; i < d; i++) {
+        double most = 0;
+        for (int k = 0; k <= n; k++) {
+            double sum = 0;
+            for (int j = 0; j < d; j++)
+                sum += fabs(map->entry[(i * (d + 1) + j) * (n + 1) + k]) * half[j];
+            if (!(map->weight[k] > CELL_LEAST_WEIGHT))
+                return 0;
+            most = larger(most, sum / map->weight[k]);
+        }
+        spread[i] = FILTER_SLACK * most + FILTER_FLOOR;
+    }
+    return 1;
+}
+
+/* The same over several pieces. Those without a bound are cut before anything is asked of them. */
+static void spread_over_group(double spread[3], const piece_group *g, int d, const double *half) {
+    for (int i = 0; i < d; i++) {
+        double sum = 0;
+        for (int j = 0; j < d; j++) {
+            int e = i * (d + 1) + j;
+            sum += (larger(fabs(g->first[e]), fabs(g->last[e])) + g->off[e]) * half[j];
+        }
+        spread[i] = g->bounded ? FILTER_SLACK * sum + FILTER_FLOOR : 0;
+    }
+}
+
+static int spread_of(double spread[3], const cell_search *s, const span *part) {
+    const course *course = s->curve->course;
+    spread[2] = 0;
+    if (part->lost)
+        return 0;
+    if (part->degree)
+        return spread_over_piece(spread, &course->piece[part->piece], s->points->half);
+    spread_over_group(spread, &course->group[part->group], course->dimension, s->points->half);
+    return 1;
+}
+
+static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread);
+
+/* Both halves. Each of several pieces has a spread of its own. */
+static void cut_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
+    int several = !s->curve->spans[index].degree;
+    if (!curve_cut(s->curve, index)) {
+        s->meets = 1;
+        return;
+    }
+    uint32_t child = s->curve->spans[index].child;
+    for (uint32_t half = child; half < child + 2 && !s->meets; half++) {
+        double own[3];
+        if (several && !spread_of(own, s, &s->curve->spans[half]))
+            s->meets = 1;
+        else
+            descend_cell(s, node, half, several ? own : spread);
+    }
+}
+
+/* A simplex against the span as thick as the cell makes it. */
+static void meet_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
+    const corners *corners = &s->filter->solid->corners;
+    size_t d = (size_t)s->curve->dimension, simplex = s->filter->solid->boxes.node[node].simplex;
+    span wide = s->curve->spans[index];
+    double most = larger(spread[0], larger(spread[1], spread[2]));
+    for (int i = 0; i < 3; i++) {
+        wide.thick[i] += spread[i];
+        wide.wide[i] += spread[i];
+    }
+    wide.far += most;
+    chord_meeting found =
+        chord_meets(s->curve, &wide, corners->at + simplex * d * d, corners->error);
+    if (flip(FLIP_CELL, found == CHORD_MISSES))
+        return;
+    if (!wide.degree || (wide.bend > LEAST_BEND * most && wide.level < CELL_LEVELS))
+        cut_cell(s, node, index, spread);
+    else
+        s->meets = 1;
+}
+
+/* A span as thick as the spread meets a box where the span meets the box that much larger. */
+static box box_around(const box *b, const double *spread) {
+    box out = *b;
+    for (int i = 0; i < 3; i++) {
+        out.low[i] -= spread[i];
+        out.high[i] += spread[i];
+    }
+    return out;
+}
+
+static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
+    while (!s->meets) {
+        const span *piece = &s->curve->spans[index];
+        const tree_node *here = &s->filter->solid->boxes.node[node];
+        box around = box_around(&here->box, spread);
+        if (flip(FLIP_CELL, !span_meets(piece, &around)))
+            return;
+        int thick = here->child && span_is_thick(s->curve, piece, &around);
+        if ((thick || !piece->bounded) && piece->level < CELL_BOX_LEVELS) {
+            cut_cell(s, node, index, spread);
+            return;
+        }
+        if (!piece->bounded) {
+            s->meets = 1;
+        } else if (!here->child) {
+            meet_cell(s, node, index, spread);
+            return;
+        } else {
+            descend_cell(s, here->child, index, spread);
+            node = here->child + 1;
+        }
+    }
+}
+
+/* The span that is that part of its piece; 0 if there is none. */
+static int find_span(uint32_t *out, curve *c, const stay *part) {
+    const span *whole = curve_piece(c, part->piece);
+    if (!whole || whole->lost)
+        return 0;
+    uint32_t at = (uint32_t)(whole - c->spans);
+    for (int level = 1; level <= part->level; level++) {
+        if (!curve_cut(c, at))
+            return 0;
+        at = c->spans[at].child + (part->start >> (WINDOW_LEVELS - level) & 1);
+    }
+    *out = at;
+    return 1;
+}
+
+int cell_is_clear(curve *memory, const filter *f, const cell *points, const stay *during) {
+    cell_search s = {memory, f, points, 0};
+    filter_point centre;
+    uint32_t index = 0;
+    double spread[3];
+    for (int i = 0; i < 3; i++)
+        centre.at[i] = points->centre[i];
+    if (!f->solid->corners.at || !curve_set(memory, &f->course, &centre, &f->solid->corners) ||
+        (during && !find_span(&index, memory, during)) ||
+        !spread_of(spread, &s, &memory->spans[index]))
+        return 0;
+    descend_cell(&s, 0, index, spread);
+    return !s.meets && !memory->out_of_memory;
+}

@@ -1,0 +1,26 @@
+/* Stretches of time between certain crossings.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_STAY_H
+#define GRAZE_FILTER_STAY_H
+
+#include "filter/findings.h"
+
+/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, in 2^-WINDOW_LEVELS. */
+typedef struct stay {
+    uint32_t piece, start;
+    int level;
+} stay;
+
+/** As many as are looked for. */
+enum { STAYS_MOST = 2 };
+
+/**
+ * Find parts of the longest stretches of time in which the point of a search is certainly inside,
+ * or with `outside` certainly outside (proofs/membership.md C90).
+ * @param found of filter_search
+ * @return how many there are; 0 also where some finding is not certain, or there is no crossing
+ */
+int stays_find(stay out[STAYS_MOST], const findings *found, size_t piece_count, int outside);
+
+#endif

@@ -1,0 +1,209 @@
+/* A brick is halved along its axes until all points of a cell go one way, or few are left, which
+ * are asked one by one. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "lattice/brick.h"
+
+#include <flint/fmpq_vec.h>
+#include <string.h>
+#include "filter/cell.h"
+#include "filter/normal.h"
+#include "number/rounding.h"
+#include "verdict/classify.h"
+
+/* Cells of fewer points along each axis are not tried. */
+enum { LEAST_SIDE = 2 };
+
+typedef struct bricklayer {
+    unsigned char *pmc;
+    graze_context *context;
+    const graze_scene *scene;
+    const brick *whole;
+    int dimension;
+    fmpq *exact[3]; /* coordinates of the brick's points along each axis, and bounds of them */
+    double low[3][BRICK_SIDE_PLANE], high[3][BRICK_SIDE_PLANE];
+    curve tube;
+} bricklayer;
+
+/* The cell that holds the points. */
+static void make_cell(cell *out, const bricklayer *b, const brick *points) {
+    memset(out, 0, sizeof *out);
+    for (int k = 0; k < b->dimension; k++) {
+        double low = b->low[k][points->first[k] - b->whole->first[k]];
+        double high = b->high[k][points->end[k] - 1 - b->whole->first[k]];
+        out->centre[k] = 0.5 * (low + high);
+        out->half[k] =
+            FILTER_SLACK * larger(high - out->centre[k], out->centre[k] - low) + FILTER_FLOOR;
+    }
+}
+
+/* Of the cell's centre. */
+static graze_status decide_centre(graze_pmc *out, const bricklayer *b, const cell *points) {
+    graze_trace trace;
+    graze_status status = classify_point(&trace, b->context, b->scene,
+                                         (query_point){.value = points->centre}, TRACE_PMC);
+    if (status)
+        return status;
+    *out = trace.verdict.pmc;
+    trace_clear(&trace);
+    return GRAZE_OK;
+}
+
+/* All contacts of the centre; NULL if the filter cannot be used for it. */
+static const findings *search_centre(const bricklayer *b, const cell *points) {
+    filter_workspace *w = filter_workspace_of(b->context);
+    filter_point centre;
+    memcpy(centre.at, points->centre, sizeof centre.at);
+    if (w)
+        filter_begin(w);
+    return w && filter_search(w, NULL, &b->scene->filter, &centre) ? &w->found : NULL;
+}
+
+/* Whether the cell stays with its centre for some time where one time decides. */
+static int stays_with_centre(bricklayer *b, const cell *points, const findings *found) {
+    stay part[STAYS_MOST];
+    int count = stays_find(part, found, b->scene->motion->piece_count,
+                           b->scene->options.operation == GRAZE_UNSWEEP);
+    for (int k = 0; k < count; k++)
+        if (cell_is_clear(&b->tube, &b->scene->filter, points, &part[k]))
+            return 1;
+    return 0;
+}
+
+/* The membership of all points of a cell; NONE if it is not known to be one (proofs/membership.md
+ * C90). */
+static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points) {
+    const findings *found = search_centre(b, points);
+    *out = GRAZE_PMC_NONE;
+    if (!found)
+        return GRAZE_OK;
+    if (found->crossing_count) {
+        if (stays_with_centre(b, points, found))
+            *out = b->scene->options.operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN;
+        return GRAZE_OK;
+    }
+    if (found->window_count || !cell_is_clear(&b->tube, &b->scene->filter, points, NULL))
+        return GRAZE_OK;
+    graze_status status = decide_centre(out, b, points);
+    return status || *out != GRAZE_ON ? status
+                                      : context_fail(b->context, GRAZE_EINTERNAL,
+                                                     "a point is on the boundary, and its cell "
+                                                     "is not");
+}
+
+/* Where a point of the brick stands. */
+static unsigned char *place_of(const bricklayer *b, const size_t at[3]) {
+    size_t index = 0;
+    for (int k = 2; k >= 0; k--)
+        index = index * (b->whole->end[k] - b->whole->first[k]) + at[k] - b->whole->first[k];
+    return b->pmc + index;
+}
+
+/* The next point of a part of the brick; 0 behind the last. */
+static int next_place(size_t at[3], const brick *part) {
+    for (int k = 0; k < 3; k++) {
+        if (++at[k] < part->end[k])
+            return 1;
+        at[k] = part->first[k];
+    }
+    return 0;
+}
+
+/* One point; a limit or a fault is met again by who asks for it alone. */
+static graze_status ask_point(bricklayer *b, const size_t at[3]) {
+    fmpq point[3];
+    graze_trace trace;
+    for (int k = 0; k < b->dimension; k++)
+        point[k] = b->exact[k][at[k] - b->whole->first[k]];
+    graze_status status =
+        classify_point(&trace, b->context, b->scene, (query_point){.rational = point}, TRACE_PMC);
+    if (status)
+        return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
+    *place_of(b, at) = (unsigned char)trace.verdict.pmc;
+    trace_clear(&trace);
+    return GRAZE_OK;
+}
+
+static graze_status ask_points(bricklayer *b, const brick *part) {
+    size_t at[3];
+    graze_status status = GRAZE_OK;
+    memcpy(at, part->first, sizeof at);
+    do
+        status = ask_point(b, at);
+    while (!status && next_place(at, part));
+    return status;
+}
+
+static void fill_part(bricklayer *b, const brick *part, graze_pmc pmc) {
+    size_t at[3];
+    memcpy(at, part->first, sizeof at);
+    do
+        *place_of(b, at) = (unsigned char)pmc;
+    while (next_place(at, part));
+}
+
+/* Half `half` of a part, bit k telling which side of axis k; 0 if that is empty. */
+static int take_half(brick *out, const brick *part, int half) {
+    *out = *part;
+    for (int k = 0; k < 3; k++) {
+        size_t middle = part->first[k] + (part->end[k] - part->first[k] + 1) / 2;
+        if (half >> k & 1)
+            out->first[k] = middle;
+        else
+            out->end[k] = middle;
+        if (out->first[k] == out->end[k])
+            return 0;
+    }
+    return 1;
+}
+
+static graze_status decide_part(bricklayer *b, const brick *part) {
+    size_t most = 0;
+    graze_pmc pmc;
+    cell points;
+    for (int k = 0; k < 3; k++)
+        most = part->end[k] - part->first[k] > most ? part->end[k] - part->first[k] : most;
+    if (most < LEAST_SIDE)
+        return ask_points(b, part);
+    make_cell(&points, b, part);
+    graze_status status = decide_cell(&pmc, b, &points);
+    if (status)
+        return status;
+    if (pmc != GRAZE_PMC_NONE) {
+        fill_part(b, part, pmc);
+        return GRAZE_OK;
+    }
+    if (most <= LEAST_SIDE)
+        return ask_points(b, part);
+    for (int half = 0; half < 8 && !status; half++) {
+        brick child;
+        if (take_half(&child, part, half))
+            status = decide_part(b, &child);
+    }
+    return status;
+}
+
+/* Coordinates of the brick's points. */
+static void set_coordinates(bricklayer *b, const lattice *l) {
+    for (int k = 0; k < b->dimension; k++) {
+        size_t n = b->whole->end[k] - b->whole->first[k];
+        b->exact[k] = _fmpq_vec_init((slong)n);
+        for (size_t i = 0; i < n; i++) {
+            lattice_coordinate(b->exact[k] + i, l, k, b->whole->first[k] + i);
+            rational_bounds(&b->low[k][i], &b->high[k][i], b->exact[k] + i);
+        }
+    }
+}
+
+graze_status brick_decide(unsigned char pmc[BRICK_POINTS], graze_context *context,
+                          const graze_scene *scene, const lattice *l, const brick *points) {
+    bricklayer b = {
+        .pmc = pmc, .context = context, .scene = scene, .whole = points, .dimension = l->dimension};
+    memset(pmc, 0, BRICK_POINTS);
+    curve_init(&b.tube);
+    set_coordinates(&b, l);
+    graze_status status = context->exact_only ? ask_points(&b, points) : decide_part(&b, points);
+    for (int k = 0; k < l->dimension; k++)
+        _fmpq_vec_clear(b.exact[k], (slong)(points->end[k] - points->first[k]));
+    curve_clear(&b.tube);
+    return status;
+}
