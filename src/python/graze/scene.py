@@ -186,9 +186,9 @@ class Scene:
         context.run(library().graze_grid_create, ctypes.byref(pointer), context.pointer,
                     self._handle.pointer, sizes, first.address, last.address)
         with Handle(pointer, library().graze_grid_destroy) as grid:
-            count = int(library().graze_grid_count(grid.pointer))
+            count = int(library().graze_grid_count(grid))
             out = ctypes.create_string_buffer(count)
-            context.run(library().graze_grid_pmc, out, context.pointer, grid.pointer, 0, 1, count)
+            context.run(library().graze_grid_pmc, out, context.pointer, grid, 0, 1, count)
         return out.raw if numpy is None else numpy.frombuffer(out.raw, "u1").reshape(size, order="F")
 
     @property
