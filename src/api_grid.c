@@ -28,8 +28,8 @@ static graze_status check_sizes(graze_context *context, const size_t *size, int 
     return left ? GRAZE_OK : context_limit(context, GRAZE_LIMIT_GRID, "the number of points");
 }
 
-static graze_status make(graze_grid **out, graze_context *context, const graze_scene *scene,
-                         const size_t *size, const fmpq *low, const fmpq *high) {
+static graze_status make_grid(graze_grid **out, graze_context *context, const graze_scene *scene,
+                              const size_t *size, const fmpq *low, const fmpq *high) {
     int d = scene->motion->dimension;
     for (int k = 0; k < d; k++)
         if (fmpq_cmp(low + k, high + k) >= 0)
@@ -64,7 +64,7 @@ graze_status graze_grid_create(graze_grid **out, graze_context *context, const g
     if (!status)
         status = api_point(box + d, context, scene, high);
     if (!status)
-        status = make(out, context, scene, size, box, box + d);
+        status = make_grid(out, context, scene, size, box, box + d);
     _fmpq_vec_clear(box, 2 * d);
     return status;
 }

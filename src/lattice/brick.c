@@ -90,8 +90,8 @@ static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *point
                                                      "is not");
 }
 
-/* Where a point of the brick stands. */
-static unsigned char *place_of(const bricklayer *b, const size_t at[3]) {
+/* The byte of a point of the brick. */
+static unsigned char *byte_of(const bricklayer *b, const size_t at[3]) {
     size_t index = 0;
     for (int k = 2; k >= 0; k--)
         index = index * (b->whole->end[k] - b->whole->first[k]) + at[k] - b->whole->first[k];
@@ -118,7 +118,7 @@ static graze_status ask_point(bricklayer *b, const size_t at[3]) {
         classify_point(&trace, b->context, b->scene, (query_point){.rational = point}, TRACE_PMC);
     if (status)
         return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
-    *place_of(b, at) = (unsigned char)trace.verdict.pmc;
+    *byte_of(b, at) = (unsigned char)trace.verdict.pmc;
     trace_clear(&trace);
     return GRAZE_OK;
 }
@@ -137,7 +137,7 @@ static void fill_part(bricklayer *b, const brick *part, graze_pmc pmc) {
     size_t at[3];
     memcpy(at, part->first, sizeof at);
     do
-        *place_of(b, at) = (unsigned char)pmc;
+        *byte_of(b, at) = (unsigned char)pmc;
     while (next_place(at, part));
 }
 

@@ -64,7 +64,7 @@ static size_t find_brick(brick *out, const bricks *b, const size_t place[3]) {
     return index;
 }
 
-static size_t points_of(const brick *points) {
+static size_t brick_points(const brick *points) {
     size_t n = 1;
     for (int k = 0; k < 3; k++)
         n *= points->end[k] - points->first[k];
@@ -75,7 +75,7 @@ static size_t points_of(const brick *points) {
 static graze_status decide_brick(graze_context *context, bricks *b, size_t index,
                                  const brick *points) {
     brick_state *s = &b->state[index];
-    size_t n = points_of(points), same = 1;
+    size_t n = brick_points(points), same = 1;
     unsigned char *pmc = malloc(BRICK_POINTS);
     if (!pmc)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a part of a grid");
