@@ -201,6 +201,47 @@ static void certificates(bench *b) {
     HARMLESS(graze_certifier_destroy, CALLS(graze_certifier_destroy(NULL)));
 }
 
+static void grids(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    const size_t size[] = {2, 2, 2}, line[] = {2, 1, 2};
+    unsigned char pmc[1];
+    char *rows = NULL;
+    size_t length, done;
+    graze_grid *g = NULL;
+    mpq_t low[3], high[3];
+    for (int k = 0; k < 3; k++) {
+        mpq_inits(low[k], high[k], NULL);
+        mpq_set_ui(high[k], 1, 1);
+    }
+    WRONG(graze_grid_create(NULL, c, s, size, low, high));
+    WRONG_OUT(graze_grid, graze_grid_create(&out, NULL, s, size, low, high));
+    WRONG_OUT(graze_grid, graze_grid_create(&out, c, NULL, size, low, high));
+    WRONG_OUT(graze_grid, graze_grid_create(&out, c, s, NULL, low, high));
+    WRONG_OUT(graze_grid, graze_grid_create(&out, c, s, size, NULL, high));
+    WRONG_OUT(graze_grid, graze_grid_create(&out, c, s, size, low, NULL));
+    WRONG_OUT(graze_grid, graze_grid_create(&out, c, s, line, low, high));
+    WRONG_OUT(graze_grid, graze_grid_create(&out, c, s, size, high, high));
+    assert_int_equal(graze_grid_create(&g, c, s, size, low, high), GRAZE_OK);
+    WRONG(graze_grid_pmc(NULL, c, g, 0, 1, 1));
+    WRONG(graze_grid_pmc(pmc, NULL, g, 0, 1, 1));
+    WRONG(graze_grid_pmc(pmc, c, NULL, 0, 1, 1));
+    WRONG(graze_grid_pmc(pmc, c, g, 8, 1, 1));
+    WRONG(graze_grid_rows(NULL, &length, &done, c, g, 0, 1, 1));
+    WRONG(graze_grid_rows(&rows, NULL, &done, c, g, 0, 1, 1));
+    WRONG(graze_grid_rows(&rows, &length, NULL, c, g, 0, 1, 1));
+    WRONG(graze_grid_rows(&rows, &length, &done, NULL, g, 0, 1, 1));
+    WRONG(graze_grid_rows(&rows, &length, &done, c, NULL, 0, 1, 1));
+    WRONG(graze_grid_rows(&rows, &length, &done, c, g, 8, 1, 1));
+    HARMLESS(graze_grid_points, CALLS(graze_grid_points(NULL, g, 0, 1, 1)));
+    HARMLESS(graze_grid_points, CALLS(graze_grid_points(low, NULL, 0, 1, 1)));
+    HARMLESS(graze_grid_count, !graze_grid_count(NULL));
+    HARMLESS(graze_grid_destroy, CALLS(graze_grid_destroy(NULL)));
+    graze_grid_destroy(g);
+    for (int k = 0; k < 3; k++)
+        mpq_clears(low[k], high[k], NULL);
+}
+
 static void distances(bench *b) {
     graze_context *c = b->s.context;
     graze_enclosure e;

@@ -249,6 +249,7 @@ static void all(void **state) {
     certificates(&b);
     positions(&b);
     distances(&b);
+    grids(&b);
     contact_points(&b);
     none_is_left_out(&b);
     graze_comparison_destroy(b.comparison);
