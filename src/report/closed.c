@@ -1,7 +1,7 @@
 /* Positions in words. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "report/closed.h"
 
-static const char axis[] = "xyz";
+#include "report/closings.h"
 
 /* What each level says of a point, by position. */
 static const char *meaning_of(const topo_finding *topo) {
@@ -31,28 +31,12 @@ static const char *meaning_of(const topo_finding *topo) {
     }
 }
 
-/* a x + b y + c z. */
-static void put_form(text *t, const fmpz *normal) {
-    int first = 1;
-    for (int k = 0; k < 3; k++) {
-        if (fmpz_is_zero(normal + k))
-            continue;
-        char *digits = fmpz_get_str(NULL, 10, normal + k);
-        text_put(t, first ? "" : " + ");
-        if (!fmpz_is_one(normal + k))
-            text_format(t, "%s ", digits);
-        text_format(t, "d%c", axis[k]);
-        flint_free(digits);
-        first = 0;
-    }
-}
-
 static void put_undecided(text *t, const topo_finding *topo) {
     text_format(t, "it is undecided: %s.\n", topo->reason);
     if (!topo->has_across)
         return;
     text_put(t, "All directions (dx, dy, dz) are covered to first order but some of the plane ");
-    put_form(t, topo->across);
+    closings_form(t, topo->across, 3);
     text_put(t, " = 0:\na gap along it would be thinner "
                 "than every cone.\n");
 }

@@ -6,6 +6,7 @@
  * exact times and are correctly rounded.
  */
 #include "report/closed.h"
+#include "report/closings.h"
 #include "report/explain.h"
 
 #include <flint/fmpq_vec.h>
@@ -288,6 +289,7 @@ graze_status report_explain(char **out, graze_context *context, const graze_scen
                             const fmpq *point, const graze_trace *trace, const topo_finding *topo,
                             const distance *found) {
     text t;
+    graze_status status = GRAZE_OK;
     text_init(&t);
     put_answer(&t, scene, point, trace);
     put_ends(&t, scene, point, trace);
@@ -305,9 +307,14 @@ graze_status report_explain(char **out, graze_context *context, const graze_scen
         put_sweep_rule(&t, scene, trace);
         if (topo)
             closed_explain(&t, topo, scene->motion->dimension);
+        if (topo && trace->verdict.pmc == GRAZE_ON)
+            status = closings_explain(&t, context, scene, point, topo);
         if (found)
             explain_distance(&t, scene, found);
         text_put(&t, "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n");
     }
-    return text_finish(out, context, &t);
+    if (!status)
+        return text_finish(out, context, &t);
+    text_clear(&t);
+    return status;
 }

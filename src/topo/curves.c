@@ -183,6 +183,10 @@ static const char too_dear[] =
     "the scene has more curves, or curves of a higher degree, than are looked at";
 static const char in_plane[] = "facets or edges come to lie in a plane through the point";
 
+static slong most_degree(const curve_maker *m) {
+    return m->view->dimension == 2 ? CURVE_DEGREE : SLICE_CURVE_DEGREE;
+}
+
 /* The line at u = 0 or 1. */
 static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
     pullback_form at;
@@ -235,7 +239,7 @@ static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *
     graze_status status = meets_piece(&meets, m->context, common);
     if (meets)
         m->refused = in_plane;
-    else if (*degree > CURVE_DEGREE)
+    else if (*degree > most_degree(m))
         m->refused = too_dear;
     fmpz_poly_clear(common);
     return status;
@@ -300,7 +304,7 @@ static graze_status add_path(curve_maker *m, const motion_piece *piece, const fm
         for (int i = 0; i < 3; i++)
             fmpz_poly_scalar_submul_fmpz(&f[row].linear[2], &map->entry[row * 3 + i], scale + i);
         degree[row] = pullback_reduce(&f[row], common);
-        if (degree[row] > CURVE_DEGREE)
+        if (degree[row] > most_degree(m))
             m->refused = too_dear;
     }
     graze_status status = m->refused ? GRAZE_OK : add_common_zeros(m, f, degree);

@@ -8,9 +8,10 @@
 #include "scene/scene.h"
 #include "solid/planes.h"
 
-/** Largest degree in time of a pullback whose discriminant is taken; most curves in E^2, and in a
- * plane of E^3. */
-enum { CURVE_DEGREE = 8, CURVE_COUNT = 100000, SLICE_CURVE_COUNT = 5000 };
+/** Largest degree in time of a pullback whose discriminant is taken, and most curves, in E^2, once
+ * for a scene, and in a plane of E^3, for each point. A turn of degree 10 takes a second, of 12
+ * four. */
+enum { CURVE_DEGREE = 10, CURVE_COUNT = 100000, SLICE_CURVE_DEGREE = 8, SLICE_CURVE_COUNT = 5000 };
 
 /** Variables of the ring. */
 enum { RING_X, RING_Y, RING_T, RING_VARIABLES };

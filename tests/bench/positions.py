@@ -6,7 +6,7 @@ import glob
 import json
 import os
 import subprocess
-from collections import Counter
+from collections import Counter, defaultdict
 
 import measure
 
@@ -30,27 +30,37 @@ def cost(graze, solid, motion, points, *flags):
 
 
 def positions_of(graze, solid, motion, points):
+    """Level -> points that are `on` and that it decided, or `undecided`."""
     done = subprocess.run([graze, "classify", solid, motion, points, "--topo", "--format", "jsonl", "--quiet"],
-                          stdout=subprocess.PIPE, check=True)
-    records = [json.loads(line) for line in done.stdout.splitlines()]
-    return Counter(r.get("topo_level", "undecided") for r in records if r["pmc"] == "on")
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True)
+    out = defaultdict(list)
+    for line in done.stdout.splitlines():
+        record = json.loads(line)
+        if record["pmc"] == "on":
+            out[record.get("topo_level", "undecided")].append(record["point"])
+    return out
 
 
 def run(table, graze, folder, count):
-    """All rows; `count` points a scene, made by `graze generate`."""
+    """All rows; `count` points a scene, made by `graze generate`. What a level costs is measured on its points alone."""
     table.head("Positions in the closed sweep of generated points that are `on`, scenes of cases; none may be undecided in the plane")
-    levels, seconds = {2: Counter(), 3: Counter()}, Counter()
+    levels, seconds = {2: Counter(), 3: Counter()}, {2: Counter(), 3: Counter()}
     points = os.path.join(folder, "positions.csv")
     for dimension, _, solid, motion in scenes():
         with open(points, "w", encoding="ascii") as file:
             subprocess.run([graze, "generate", solid, motion, "-n", str(count), "--seed", "3", "--quiet"], stdout=file, check=True)
-        levels[dimension] += positions_of(graze, solid, motion, points)
-        with_topo, without = cost(graze, solid, motion, points, "--topo"), cost(graze, solid, motion, points)
-        seconds[dimension] += max(with_topo - without, 0)
+        for level, of in positions_of(graze, solid, motion, points).items():
+            with open(points, "w", encoding="ascii") as file:
+                file.writelines(",".join(p) + "\n" for p in of)
+            with_topo, without = cost(graze, solid, motion, points, "--topo"), cost(graze, solid, motion, points)
+            levels[dimension][level] += len(of)
+            seconds[dimension][level] += max(with_topo - without, 0)
     for dimension, of in levels.items():
-        on = sum(of.values())
+        on, spent = sum(of.values()), sum(seconds[dimension].values())
         name = "plane" if dimension == 2 else "space"
-        table.row(f"cost an `on` point: {name}, {on:,} points", 1e6 * seconds[dimension] / on, unit=" us", graze=seconds[dimension] / on)
+        table.row(f"cost an `on` point: {name}, {on:,} points", 1e6 * spent / on, unit=" us", graze=spent / on)
         table.row(f"undecided of 1,000: {name}", 1000 * of["undecided"] / on, most=0 if dimension == 2 else None, unit="")
         for level, n in sorted(of.items()):
             table.row(f"decided by {level}, of 1,000: {name}", 1000 * n / on, unit="")
+            table.row(f"cost a point decided by {level}: {name}", 1e6 * seconds[dimension][level] / n, unit=" us",
+                      graze=seconds[dimension][level] / n)

@@ -102,7 +102,28 @@ def check_explain(checks, graze):
     said = graze.call("explain", *roofs, "0", "0", "0", "--topo").stdout
     checks.holds("it is undecided: to first order the contacts close" in said, said)
     checks.holds("covered to first order but some of the plane" in said and "of the plane dz = 0:" in said, said)
+    checks.holds("; it closes dz < 0\n" in said and "; it closes dz > 0\n" in said, "both roofs", said)
+    checks.holds("That is a hint, no verdict." in said, said)
     checks.holds("closed set" not in graze.call("explain", *SQUARE, "4", "1").stdout, "nothing without --topo")
+
+
+def check_closings(checks, graze):
+    """What each contact covers, of worked examples: half-planes of sides, three quarters of a reflex corner, a pinch's
+    two sides; the body moves, so that what is inside at c(t) is seen about P. Over the end of a piece a contact is told
+    for each."""
+    def said(solid, motion, point):
+        files = os.path.join(EXAMPLES, "solids", solid), os.path.join(EXAMPLES, "motions", motion + ".json")
+        text = graze.call("explain", *files, *point.split(), "--topo").stdout
+        return [line.strip() for line in text.partition("that each covers to first order:\n")[2].splitlines()]
+    checks.equal(said("q2.wkt", "seam_ends", "4 1")[:3],
+                 ["at t = 1 and before, edge: dx <= 0", "at t = 1 and after, edge: dx <= 0",
+                  "at t = 4 and before, edge: dx >= 0"], "17b")
+    checks.equal(said("ll.wkt", "notch", "2 2")[0],
+                 "at t = 1 and before, corner: counter-clockwise from (0, 1) to (1, 0)", "26")
+    checks.equal(said("dd.wkt", "diagonal_up", "0 0")[0], "at t = 1/2, corner: all directions", "19")
+    checks.equal(said("c2.off", "seam_ends_3", "4 1 1")[0], "at t = 1 and before, facet: dx <= 0", "49")
+    checks.holds(any(line.startswith("at an irrational t between ") for line in said("dd.wkt", "pinch_sqrt2", "0 0")), "31")
+    checks.equal(graze.call("explain", *SQUARE, "1", "1", "--topo").stdout.count("first order"), 0, "a point that is in")
 
 
 def check_others(checks, graze, points):
@@ -146,6 +167,7 @@ def main():
     check_forged(checks, graze, points)
     check_undecided(checks, graze)
     check_explain(checks, graze)
+    check_closings(checks, graze)
     check_others(checks, graze, points)
     check_checker(checks, graze, points)
     checks.finish()

@@ -124,13 +124,13 @@ static void limit(void **state) {
     graze_solid_destroy(solid);
 }
 
-/* Where leading directions do not decide, curves of degree 9 in time are not made: a square's right
- * side, x = 1, comes to the origin at t = 0, with speed 0, and goes back. */
+/* Where leading directions do not decide, curves of degree 11 in time are not made: a square's
+ * right side, x = 1, comes to the origin at t = 0, with speed 0, and goes back. */
 static void degree(void **state) {
     (void)state;
     static const char motion_text[] =
         "{\"dimension\": 2, \"pieces\": [{\"t\": [-1, 1], \"transform\": {\"translate\": "
-        "[\"-1-t^9-t^2\", \"t\"]}}]}";
+        "[\"-1-t^11-t^2\", \"t\"]}}]}";
     graze_solid *solid = NULL;
     graze_motion *motion = NULL;
     graze_scene *scene = NULL;
