@@ -127,7 +127,9 @@ static int compare_angles(const void *a, const void *b) {
  */
 static graze_status put_sectors(const closings_maker *m, germ *g, fmpz *ray, size_t count) {
     graze_status status = GRAZE_OK;
-    int *covered = flint_calloc(count, sizeof *covered), some = 0, all = 1;
+    int *covered = calloc(count, sizeof *covered), some = 0, all = 1;
+    if (!covered)
+        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory");
     fmpz *middle = _fmpz_vec_init(2);
     for (size_t k = 0; k < count && !status; k++) {
         _fmpz_vec_add(middle, ray + 2 * k, ray + 2 * ((k + 1) % count), 2);
@@ -147,7 +149,7 @@ static graze_status put_sectors(const closings_maker *m, germ *g, fmpz *ray, siz
         some = 1;
     }
     text_put(m->t, all ? "all directions" : some ? "" : "no sector");
-    flint_free(covered);
+    free(covered);
     _fmpz_vec_clear(middle, 2);
     return status;
 }
