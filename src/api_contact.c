@@ -11,7 +11,8 @@
 
 /* P in the place of y, or the reverse: carried to the body by the inverse map. */
 static graze_status create(graze_site **out, graze_context *context, const graze_scene *scene,
-                           const mpq_t time, graze_rationals point, int in_world) {
+                           const mpq_t time, graze_rationals point, int in_world,
+                           const graze_cell *cell) {
     int d = scene->motion->dimension;
     fmpq *y = _fmpq_vec_init(d);
     fmpq_t t;
@@ -24,7 +25,8 @@ static graze_status create(graze_site **out, graze_context *context, const graze
     if (!status && in_world)
         status = site_to_body(y, context, scene, t);
     if (!status)
-        status = site_make(made, context, scene, t, y);
+        status = cell ? site_snap(made, context, scene, t, y, cell)
+                      : site_make(made, context, scene, t, y);
     if (status)
         free(made);
     else
@@ -36,7 +38,8 @@ static graze_status create(graze_site **out, graze_context *context, const graze
 
 static graze_status check_and_create(graze_site **out, graze_context *context,
                                      const graze_scene *scene, const mpq_t time,
-                                     graze_rationals point, const char *function, int in_world) {
+                                     graze_rationals point, const char *function, int in_world,
+                                     const graze_cell *cell) {
     if (out)
         *out = NULL;
     if (!out || !context || !scene || !time || !point)
@@ -45,18 +48,35 @@ static graze_status check_and_create(graze_site **out, graze_context *context,
     if (scene->options.operation != GRAZE_SWEEP)
         return api_misuse(context, function, "the scene is an unsweep; expected a sweep");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    return create(out, context, scene, time, point, in_world);
+    return create(out, context, scene, time, point, in_world, cell);
 }
 
 graze_status graze_site_create(graze_site **out, graze_context *context, const graze_scene *scene,
                                const mpq_t time, graze_rationals point) {
-    return check_and_create(out, context, scene, time, point, "graze_site_create", 0);
+    return check_and_create(out, context, scene, time, point, "graze_site_create", 0, NULL);
 }
 
 graze_status graze_site_create_at(graze_site **out, graze_context *context,
                                   const graze_scene *scene, const mpq_t time,
                                   graze_rationals world) {
-    return check_and_create(out, context, scene, time, world, "graze_site_create_at", 1);
+    return check_and_create(out, context, scene, time, world, "graze_site_create_at", 1, NULL);
+}
+
+graze_status graze_site_snap(graze_site **out, graze_context *context, const graze_scene *scene,
+                             const mpq_t time, graze_rationals point, graze_cell cell) {
+    return check_and_create(out, context, scene, time, point, "graze_site_snap", 0, &cell);
+}
+
+graze_status graze_site_snap_at(graze_site **out, graze_context *context, const graze_scene *scene,
+                                const mpq_t time, graze_rationals world, graze_cell cell) {
+    return check_and_create(out, context, scene, time, world, "graze_site_snap_at", 1, &cell);
+}
+
+int graze_site_shift(mpq_t out, const graze_site *site) {
+    if (!site || !site->snapped || site->missed)
+        return 0;
+    api_rational_out(out, site->shift);
+    return 1;
 }
 
 void graze_site_destroy(graze_site *site) {
@@ -88,7 +108,7 @@ const graze_time *graze_site_near_in(const graze_site *site) {
 }
 
 const graze_trace *graze_site_trace(const graze_site *site) {
-    return site ? &site->trace : NULL;
+    return site && !site->missed ? &site->trace : NULL;
 }
 
 size_t graze_site_germ_count(const graze_site *site) {

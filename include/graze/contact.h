@@ -87,6 +87,27 @@ GRAZE_API GRAZE_CHECKED graze_status graze_site_create(graze_site **out, graze_c
 GRAZE_API GRAZE_CHECKED graze_status graze_site_create_at(graze_site **out, graze_context *context,
                                                           const graze_scene *scene,
                                                           const mpq_t time, graze_rationals world);
+/**
+ * As graze_site_create, at the point nearest to y, of equally near ones the lexicographically
+ * first, of the contact set of a cell at that time; y need not be on the boundary. Distances are
+ * those of the solid's frame. If the set is empty the site has y as given, the cell and zeros for
+ * other facts, no near times, no trace and no facets.
+ * @param cell in E^3 a face, edge or vertex, in E^2 an edge or vertex
+ * @return also GRAZE_EINPUT: the solid has no such cell, or more than two facets meet along an edge
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_site_snap(graze_site **out, graze_context *context,
+                                                     const graze_scene *scene, const mpq_t time,
+                                                     graze_rationals point, graze_cell cell);
+/** As graze_site_snap, of the point y = M(time)^-1 P. */
+GRAZE_API GRAZE_CHECKED graze_status graze_site_snap_at(graze_site **out, graze_context *context,
+                                                        const graze_scene *scene, const mpq_t time,
+                                                        graze_rationals world, graze_cell cell);
+/**
+ * Squared distance by which graze_site_snap moved y.
+ * @param[out] out initialised; unchanged for 0
+ * @return 1; 0 for NULL, a site that was not snapped, and one whose cell has no contact then
+ */
+GRAZE_API int graze_site_shift(mpq_t out, const graze_site *site);
 /** Free a site. NULL is allowed. */
 GRAZE_API void graze_site_destroy(graze_site *site);
 /** Facts about a site; zeros for NULL. */
@@ -98,7 +119,7 @@ GRAZE_API void graze_site_point(mpq_t *body, mpq_t *world, const graze_site *sit
 GRAZE_API const graze_time *graze_site_near(const graze_site *site);
 /** The same for the closure of the times in the solid's interior. */
 GRAZE_API const graze_time *graze_site_near_in(const graze_site *site);
-/** Trace of P, borrowed; NULL for NULL. */
+/** Trace of P, borrowed; NULL for NULL and where a cell has no contact. */
 GRAZE_API const graze_trace *graze_site_trace(const graze_site *site);
 /** Number of facets through y times the sides of t; 0 for NULL. */
 GRAZE_API size_t graze_site_germ_count(const graze_site *site);
@@ -111,7 +132,8 @@ GRAZE_API size_t graze_site_germ_count(const graze_site *site);
 GRAZE_API graze_site_germ graze_site_germ_at(mpq_t g, mpq_t drift, mpq_t theta,
                                              const graze_site *site, size_t index);
 
-/** Head of a table of contact points: as graze_report_header. */
+/** Head of a table of contact points: as graze_report_header. For sites of graze_site_snap
+ * `columns` begin with `shift`. */
 GRAZE_API GRAZE_CHECKED graze_status graze_site_header(char **out, graze_context *context,
                                                        const graze_scene *scene, const char *notes,
                                                        const char *columns);

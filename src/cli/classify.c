@@ -91,6 +91,13 @@ int classify_check_files(const classify_options *o) {
     return EXIT_DONE;
 }
 
+int classify_check_table(const classify_options *o) {
+    if ((o->resume || o->shard.given) && (o->format.rows != GRAZE_FORMAT_CSV || o->format.table))
+        return complain(EXIT_USAGE, "%s needs the head of a table; expected --format csv",
+                        o->resume ? "--resume" : "--shard");
+    return EXIT_DONE;
+}
+
 /* What asks for more than pmc. */
 static int check_columns(const classify_options *o) {
     const char *more = o->scene.scene.sdf > 0                 ? "--sdf"
@@ -119,9 +126,9 @@ int classify_take(classify_options *o, const operands *given) {
         return status;
     if (o->times && !o->certificate)
         return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
-    if ((o->resume || o->shard.given) && (o->format.rows != GRAZE_FORMAT_CSV || o->format.table))
-        return complain(EXIT_USAGE, "%s needs the head of a table; expected --format csv",
-                        o->resume ? "--resume" : "--shard");
+    status = classify_check_table(o);
+    if (status)
+        return status;
     o->scene.solid = given->item[0];
     o->scene.motion = given->item[1];
     o->points = given->item[2];

@@ -17,6 +17,10 @@ int classify_take(classify_options *o, const operands *given);
 /** Do --output and --resume go together? Returns an exit status and says what is wrong. */
 int classify_check_files(const classify_options *o);
 
+/** Is the table one that --resume and --shard go with? Returns an exit status and says what is
+ * wrong. */
+int classify_check_table(const classify_options *o);
+
 /** Read the value i/n of --shard into a struct shard_choice. */
 int value_shard(void *to, const char *name, const char *value);
 

@@ -1,7 +1,6 @@
 /* graze contact: contact points of the envelope.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "run/contact.h"
-
+#include "cli/classify.h"
 #include "cli/commands.h"
 #include "cli/values.h"
 
@@ -16,9 +15,15 @@ static const char contact_help[] =
     "its trajectory before and after, whether the solid covers it at another time and when, the\n"
     "nearest times, and the word.\n"
     "\n"
+    "  --snap               move each point to the nearest one of its column cell (face 3, edge "
+    "1-2,\n"
+    "                       vertex 5) that is in contact then; column shift: squared distance\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with the values of each facet\n"
+    "  --jobs N             threads (default: all cores); the output is the same for any N\n"
     "  --output FILE        write there instead of to standard output\n"
+    "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
+    "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
     "  --quiet              no progress on the terminal\n"
     "  --round, --triangulate, --overlap, --no-filter, --limit NAME=V   as in graze classify\n"
     "\n"
@@ -33,32 +38,42 @@ static int value_rows(void *to, const char *name, const char *value) {
 }
 
 static const option_entry contact_table[] = {
-    OPTION("format", contact_options, format, value_rows),
-    OPTION("output", contact_options, output, value_text),
-    OPTION("o", contact_options, output, value_text),
-    OPTION("round", contact_options, scene.context.rounding, value_rounding),
-    FLAG("triangulate", contact_options, scene.solid_flags, value_triangulate),
-    OPTION("overlap", contact_options, scene.scene.overlap, value_overlap),
-    FLAG("no-filter", contact_options, scene.context.exact_only, value_flag),
-    OPTION("limit", contact_options, scene.context.limits, value_limit),
-    FLAG("quiet", contact_options, quiet, value_flag),
+    FLAG("snap", classify_options, sites.snap, value_flag),
+    OPTION("format", classify_options, format.rows, value_rows),
+    OPTION("jobs", classify_options, threads, value_jobs),
+    OPTION("output", classify_options, output, value_text),
+    OPTION("o", classify_options, output, value_text),
+    OPTION("resume", classify_options, resume, value_text),
+    OPTION("shard", classify_options, shard, value_shard),
+    OPTION("round", classify_options, scene.context.rounding, value_rounding),
+    FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
+    OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
+    FLAG("no-filter", classify_options, scene.context.exact_only, value_flag),
+    OPTION("limit", classify_options, scene.context.limits, value_limit),
+    FLAG("quiet", classify_options, quiet, value_flag),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int run_contact(void *options, const operands *given) {
-    contact_options *o = options;
+    classify_options *o = options;
     if (given->count != 3)
         return complain(EXIT_USAGE,
                         "contact takes SOLID, MOTION and CONTACTS, %d operands given; see graze "
                         "contact --help",
                         given->count);
+    int status = classify_check_files(o);
+    if (!status)
+        status = classify_check_table(o);
     o->scene.solid = given->item[0];
     o->scene.motion = given->item[1];
-    o->contacts = given->item[2];
-    return contact_run(o);
+    o->points = given->item[2];
+    return status ? status : classify_run(o);
 }
+
+static const classify_options whole_run = {.shard.part = {0, 1}, .sites.wanted = 1};
 
 const command command_contact = {.name = "contact",
                                  .options = contact_table,
-                                 .size = sizeof(contact_options),
+                                 .size = sizeof(classify_options),
+                                 .initial = &whole_run,
                                  .help = contact_help,
                                  .run = run_contact};

@@ -25,7 +25,9 @@ static const char merge_help[] =
     "  --output FILE        write there instead of to standard output\n"
     "  --quiet              no progress on the terminal\n"
     "\n"
-    "A part is the table or the certificate that graze classify or certify writes for one shard.\n"
+    "A part is the table or the certificate that graze classify, contact or certify writes for "
+    "one\n"
+    "shard.\n"
     "\n"
     "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
 

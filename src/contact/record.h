@@ -30,7 +30,8 @@ typedef struct site_germ {
 
 /** Sides before and after t. Germs stand facet by facet, before t first. `is_break`: two different
  * pieces meet at t. `near` and `near_in` are NULL where there is none; each is owned, or a time of
- * the trace. */
+ * the trace. `shift` counts where `snapped`; where that is `missed` too, the cell of the facts has
+ * no contact, and of the rest t, y, world and sides alone are known. */
 struct graze_site {
     const graze_scene *scene;
     int dimension, is_break;
@@ -44,6 +45,8 @@ struct graze_site {
     graze_time *itself;
     const graze_time *near, *near_in;
     graze_site_facts facts;
+    int snapped, missed;
+    fmpq_t shift;
 };
 
 #endif

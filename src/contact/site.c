@@ -9,6 +9,7 @@
 #include "contact/nearest.h"
 #include "contact/role.h"
 #include "contact/sides.h"
+#include "contact/snap.h"
 #include "trace/trajectory.h"
 #include "verdict/classify.h"
 
@@ -23,6 +24,7 @@ static void begin_site(graze_site *s, const graze_scene *scene, const fmpq_t t, 
         fmpq_set(s->y + i, y + i);
     fmpq_init(s->t);
     fmpq_set(s->t, t);
+    fmpq_init(s->shift);
     for (int k = 0; k < 2; k++)
         fmpq_init(s->side[k].u);
 }
@@ -31,6 +33,7 @@ void site_clear(graze_site *s) {
     _fmpq_vec_clear(s->y, s->dimension);
     _fmpq_vec_clear(s->world, s->dimension);
     fmpq_clear(s->t);
+    fmpq_clear(s->shift);
     for (int k = 0; k < 2; k++) {
         fmpq_clear(s->side[k].u);
         flow_clear(&s->side[k].flow);
@@ -230,5 +233,43 @@ graze_status site_make(graze_site *out, graze_context *context, const graze_scen
     graze_status status = fill_site(out, context);
     if (status)
         site_clear(out);
+    return status;
+}
+
+/* Where the cell has no contact: the point as it was. */
+static graze_status make_missed(graze_site *out, graze_context *context, const graze_scene *scene,
+                                const fmpq_t t, const fmpq *y, const graze_cell *cell) {
+    begin_site(out, scene, t, y);
+    graze_status status = sides_find(out->side, context, scene->motion, t);
+    if (status) {
+        site_clear(out);
+        return status;
+    }
+    find_world(out);
+    out->facts.cell = *cell;
+    out->snapped = out->missed = 1;
+    return GRAZE_OK;
+}
+
+graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,
+                       const fmpq_t t, const fmpq *y, const graze_cell *cell) {
+    nearby n;
+    nearby_init(&n, y, scene->motion->dimension);
+    graze_status status = snap_find(&n, context, scene, t, cell);
+    if (!status && n.found) {
+        status = site_make(out, context, scene, t, n.point);
+        n.found = !status;
+    }
+    if (n.found && cell->kind == GRAZE_CELL_VERTEX && out->facts.role != GRAZE_ROLE_CONTACT) {
+        site_clear(out);
+        n.found = 0;
+    }
+    if (n.found) {
+        fmpq_swap(out->shift, n.square);
+        out->snapped = 1;
+    } else if (!status) {
+        status = make_missed(out, context, scene, t, y, cell);
+    }
+    nearby_clear(&n);
     return status;
 }

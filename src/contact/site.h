@@ -15,6 +15,13 @@
  */
 graze_status site_make(graze_site *out, graze_context *context, const graze_scene *scene,
                        const fmpq_t t, const fmpq *y);
+/**
+ * Make the site at the point of a cell's contact set that is nearest to y (proofs/snap.md C75).
+ * @param[out] out uninitialised; site_clear after GRAZE_OK; `missed` where the set is empty
+ * @return as site_make and snap_find; y need not be on the boundary
+ */
+graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,
+                       const fmpq_t t, const fmpq *y, const graze_cell *cell);
 /** Carry a point P of d rationals to M(t)^-1 P, in place. GRAZE_EINPUT: t is not a time of the
  * motion. */
 graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene *scene,

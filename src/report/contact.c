@@ -91,12 +91,9 @@ static void put_slice(text *t, const graze_site_facts *f) {
     text_format(t, "%s,", graze_orientation_name(f->orientation));
 }
 
-void report_contact_csv(text *out, const graze_site *site, const char *rest) {
+/* role to word */
+static void put_site_answers(text *out, const graze_site *site) {
     const graze_site_facts *f = &site->facts;
-    put_numbers(out, site->t, 1);
-    put_numbers(out, site->y, site->dimension);
-    put_numbers(out, site->world, site->dimension);
-    put_cell_name(out, &f->cell);
     text_format(out, "%s,", graze_role_name(f->role));
     put_slice(out, f);
     text_format(out, "%s,%s,%s,%s,", state_name(f->left), state_name(f->right),
@@ -104,6 +101,22 @@ void report_contact_csv(text *out, const graze_site *site, const char *rest) {
     put_site_time(out, site->near);
     put_site_time(out, site->near_in);
     text_put(out, site->trace.word);
+}
+
+void report_contact_csv(text *out, const graze_site *site, const char *rest) {
+    const graze_site_facts *f = &site->facts;
+    put_numbers(out, site->t, 1);
+    put_numbers(out, site->y, site->dimension);
+    put_numbers(out, site->world, site->dimension);
+    put_cell_name(out, &f->cell);
+    if (site->missed)
+        text_put(out, ",,,,,,,,,,");
+    else
+        put_site_answers(out, site);
+    if (site->snapped)
+        text_put(out, ",");
+    if (site->snapped && !site->missed)
+        text_rational(out, site->shift);
     if (rest) {
         text_put(out, ",");
         text_put(out, rest);
@@ -166,14 +179,8 @@ static void json_facets(json_writer *w, const graze_site *site) {
     json_check(w, yajl_gen_array_close(w->gen));
 }
 
-static void json_site(json_writer *w, const graze_site *site) {
+static void json_answers(json_writer *w, const graze_site *site) {
     const graze_site_facts *f = &site->facts;
-    json_check(w, yajl_gen_map_open(w->gen));
-    json_rational(w, "time", site->t);
-    json_point(w, "body", site->y, site->dimension);
-    json_point(w, "point", site->world, site->dimension);
-    json_string(w, "cell");
-    json_cell(w, &f->cell);
     json_text(w, "role", graze_role_name(f->role));
     json_slice(w, f);
     json_state(w, "left", f->left);
@@ -183,6 +190,33 @@ static void json_site(json_writer *w, const graze_site *site) {
     json_time_or_null(w, "near", site->near);
     json_time_or_null(w, "near_in", site->near_in);
     json_text(w, "word", site->trace.word);
+}
+
+/* Of a cell without contact. */
+static void json_no_answers(json_writer *w) {
+    static const char *const names[] = {"role", "theta",   "contact_order", "orientation",
+                                        "left", "right",   "trimmed",       "status",
+                                        "near", "near_in", "word"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        json_null(w, names[k]);
+}
+
+static void json_site(json_writer *w, const graze_site *site) {
+    const graze_site_facts *f = &site->facts;
+    json_check(w, yajl_gen_map_open(w->gen));
+    json_rational(w, "time", site->t);
+    json_point(w, "body", site->y, site->dimension);
+    json_point(w, "point", site->world, site->dimension);
+    json_string(w, "cell");
+    json_cell(w, &f->cell);
+    if (site->missed)
+        json_no_answers(w);
+    else
+        json_answers(w, site);
+    if (site->missed)
+        json_null(w, "shift");
+    else if (site->snapped)
+        json_rational(w, "shift", site->shift);
     json_facets(w, site);
     json_check(w, yajl_gen_map_close(w->gen));
 }

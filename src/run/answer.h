@@ -31,7 +31,8 @@ typedef struct answerer {
     answer_task task;
     graze_context *context;
     reader reader;
-    mpq_t points[3 * RUN_ROWS];
+    mpq_t points[4 * RUN_ROWS];
+    graze_cell cell[RUN_ROWS]; /* where rows have cells */
     size_t rest_at[RUN_ROWS];
     const char *rest[RUN_ROWS];
 } answerer;

@@ -171,6 +171,8 @@ static int prepare_run(run_state *s, const classify_options *o) {
     else
         status = csv_open(&s->points, o->points, graze_scene_dimension(s->l.scene), o->shard.part,
                           s->l.context);
+    if (!status && o->sites.wanted)
+        csv_expect_sites(s->points, o->sites.snap);
     if (!status)
         status = check_points_files(s, o);
     if (!status)

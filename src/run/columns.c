@@ -11,6 +11,7 @@
 #include <string.h>
 #include "context/array.h"
 #include "number/text.h"
+#include "run/cell.h"
 #include "run/status.h"
 
 /* 0, 1, 2 for x, y, z, or for X, Y, Z if `first` is 'X'; -1 for any other name. */
@@ -34,6 +35,8 @@ static char first_axis_name(const fields *first, int dimension) {
 
 /* Is a column carried along: neither a coordinate nor an answer of graze classify? */
 static int is_further(const columns *c, size_t column) {
+    if (c->sites.wanted)
+        return c->sites.carried[column];
     for (int k = 0; k < c->dimension; k++)
         if (c->where[k] == column)
             return 0;
@@ -151,9 +154,9 @@ static int name_others(fault *f, columns *c, const fields *first, int numbered) 
     return EXIT_DONE;
 }
 
-/* Fix the columns by the first line; *header says whether it names them. */
-static int fix(int *header, fault *f, columns *c, const fields *first, unsigned long number,
-               columns_head head) {
+/* Fix the columns of points by the first line; *header says whether it names them. */
+static int fix_points(int *header, fault *f, columns *c, const fields *first, unsigned long number,
+                      columns_head head) {
     int found[3] = {0, 0, 0};
     *header = 0;
     for (int k = 0; k < 3; k++)
@@ -177,10 +180,20 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
         return fault_set(
             f, EXIT_INPUT, "%s:%lu: %zu columns; expected at least %d, or a header naming x, y%s",
             c->name, number, first->count, c->dimension, c->dimension == 3 ? ", z" : "");
-    c->count = first->count;
     if (*header)
         find_own(c, first, head);
-    int status = *header ? check_different_names(f, c, first, number) : EXIT_DONE;
+    return EXIT_DONE;
+}
+
+static int fix(int *header, fault *f, columns *c, const fields *first, unsigned long number,
+               columns_head head) {
+    c->count = first->count;
+    int status = c->sites.wanted ? site_columns_fix(f, &c->sites, c->where, first, c->name, number)
+                                 : fix_points(header, f, c, first, number, head);
+    if (c->sites.wanted)
+        *header = 1;
+    if (!status && *header)
+        status = check_different_names(f, c, first, number);
     if (!status)
         status = name_others(f, c, first, !*header);
     c->count = status ? 0 : first->count;
@@ -280,6 +293,28 @@ static const char *comma_hint(field token) {
                : "";
 }
 
+/* Read the cell of a row. */
+static int read_cell(fault *f, const columns *c, reader *r, unsigned long number) {
+    field token = field_content(r->cut.item[c->sites.cell]);
+    return cell_read(&r->cell, token)
+               ? EXIT_DONE
+               : fault_set(f, EXIT_INPUT, "%s:%lu: cell: `%.*s`; expected " CELL_FORM, c->name,
+                           number, FIELD_SHOWN(token));
+}
+
+static int refuse_number(fault *f, const columns *c, int index, field token, unsigned long number,
+                         const char *why, int status) {
+    char axis[2] = {(char)('x' + index), '\0'};
+    if (c->sites.wanted && index == 0 && site_time_is_root(token))
+        return fault_set(f, status,
+                         "%s:%lu: time: `%.*s` is a root; expected a rational time, as contact "
+                         "points have",
+                         c->name, number, FIELD_SHOWN(token));
+    return fault_set(f, status, "%s:%lu: %s: %s%s", c->name, number,
+                     c->sites.wanted ? site_number_name(&c->sites, index) : axis, why,
+                     comma_hint(token));
+}
+
 int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index) {
     const line *l = &b->lines[index];
     field text = {b->bytes + l->start, l->length};
@@ -289,13 +324,15 @@ int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block
     if (r->cut.count != c->count)
         return fault_set(f, EXIT_INPUT, "%s:%lu: %zu columns; expected %zu, as on the first line",
                          c->name, l->number, r->cut.count, c->count);
-    for (int k = 0; k < c->dimension; k++) {
+    for (int k = 0; k < c->numbers; k++) {
         field token = field_content(r->cut.item[c->where[k]]);
         graze_status read = graze_number_parse(point[k], r->context, token.start, token.length);
         if (read)
-            return fault_set(f, exit_for(read, EXIT_INPUT), "%s:%lu: %c: %s%s", c->name, l->number,
-                             'x' + k, graze_context_message(r->context), comma_hint(token));
+            return refuse_number(f, c, k, token, l->number, graze_context_message(r->context),
+                                 exit_for(read, EXIT_INPUT));
     }
+    if (c->sites.snap && read_cell(f, c, r, l->number))
+        return f->status;
     return c->others && !keep_others(r, c, l->length) ? fault_set(f, EXIT_IO, "out of memory")
                                                       : EXIT_DONE;
 }
@@ -303,10 +340,11 @@ int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block
 void reader_clear(reader *r) {
     fields_clear(&r->cut);
     free(r->rest);
-    *r = (reader){NULL, {NULL, 0, 0}, NULL, 0, 0};
+    *r = (reader){.context = NULL};
 }
 
 void columns_clear(columns *c) {
     free(c->others);
-    c->others = NULL;
+    free(c->sites.carried);
+    c->others = c->sites.carried = NULL;
 }

@@ -4,7 +4,7 @@
 #ifndef GRAZE_RUN_COLUMNS_H
 #define GRAZE_RUN_COLUMNS_H
 
-#include "run/block.h"
+#include "run/site_columns.h"
 
 /** Columns of a file that graze classify has written: its answers, which are not carried along. */
 typedef struct own_columns {
@@ -16,8 +16,10 @@ typedef struct own_columns {
 typedef struct columns {
     const char *name; /* of the file, for messages; borrowed */
     int dimension;
+    int numbers; /* of a row: the dimension, one more of contact points */
+    site_form sites;
     size_t count;
-    size_t where[3]; /* the columns of x, y, z */
+    size_t where[4]; /* the columns of time, x, y, z, without time of x, y, z */
     char separator;  /* of the file's fields; those of a table stand between commas */
     own_columns own;
     char *others; /* names of the further columns, comma-joined; NULL if none */
@@ -33,7 +35,8 @@ typedef struct columns_head {
 typedef struct reader {
     graze_context *context;
     fields cut;
-    char *rest; /* further columns of the rows of a run, each with a NUL */
+    graze_cell cell; /* of the row read last, where rows have cells */
+    char *rest;      /* further columns of the rows of a run, each with a NUL */
     size_t rest_length, rest_capacity;
 } reader;
 
@@ -58,7 +61,7 @@ char *columns_free_names(const columns *c, field own);
 
 /**
  * Read a line of a block. Any thread may ask, once the columns are fixed.
- * @param[out] point as many initialised rationals as the points have coordinates
+ * @param[out] point as many initialised rationals as rows have numbers
  * @param r          the further columns are added to `rest` where there are any
  * @return EXIT_DONE, or the status of the fault, which names file and line
  */

@@ -28,11 +28,16 @@ int csv_open(csv **out, const char *path, int dimension, shard part, graze_conte
     if (!c)
         return complain(EXIT_IO, "out of memory");
     int status = complain_of(stream_open(&c->in, context, path), context);
-    c->columns = (columns){.name = c->in.name, .dimension = dimension};
+    c->columns = (columns){.name = c->in.name, .dimension = dimension, .numbers = dimension};
     c->part = part;
     if (!status && fstat(c->in.fd, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 0)
         c->size = (unsigned long)about.st_size;
     return status;
+}
+
+void csv_expect_sites(csv *c, int snap) {
+    c->columns.sites = (site_form){.wanted = 1, .snap = snap, .dimension = c->columns.dimension};
+    c->columns.numbers = c->columns.dimension + 1;
 }
 
 void csv_close(csv *c) {
@@ -130,8 +135,12 @@ int csv_fill(csv *c, block *b, unsigned long most) {
            (b->count == 0 || csv_ready(c))) {
         field text;
         status = fault_of(&c->fault, stream_next(&c->in, &text), c->in.context, EXIT_INPUT);
-        if (!status && !text.start)
+        if (!status && !text.start) {
+            if (c->columns.sites.wanted && !c->columns.count)
+                status = site_columns_fault(&c->fault, &c->columns.sites, c->in.name, c->in.line,
+                                            "the file is empty");
             break;
+        }
         if (!status && !skipped(text))
             status = take_point_line(c, b, text);
         else if (!status && !c->columns.count)

@@ -16,6 +16,8 @@ typedef struct csv csv;
  * borrowed. On failure says why. */
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context);
 void csv_close(csv *c);
+/** Before the first line is read: the rows are contact points, which are moved with `snap`. */
+void csv_expect_sites(csv *c, int snap);
 /**
  * Fill a block with the next rows, at most `most`; an empty block means the end. On an error, for
  * which csv_fault has the message, the rows before it are in the block. EXIT_SIGNAL when a signal

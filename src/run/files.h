@@ -1,4 +1,4 @@
-/* Files and options of one run of graze classify or graze certify.
+/* Files and options of one run of graze classify, graze certify or graze contact.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_RUN_FILES_H
@@ -17,6 +17,9 @@ typedef struct classify_options {
         int given;  /* the table is marked as that of a shard */
         shard part; /* 0 of 1: the whole run */
     } shard;
+    struct site_choice {
+        int wanted, snap; /* contact points in place of points, moved to the contacts of cells */
+    } sites;
     struct row_format {
         graze_format rows;
         graze_export table; /* made of the rows at the end */

@@ -6,19 +6,20 @@
 #include <stdlib.h>
 #include <string.h>
 #include "context/array.h"
+#include "run/site_row.h"
 
 void kept_init(kept *k, graze_context *context, row_source source) {
     memset(k, 0, sizeof *k);
     k->context = k->reader.context = context;
     k->source = source;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 4; c++)
         mpq_init(k->point[c]);
 }
 
 void kept_clear(kept *k) {
     reader_clear(&k->reader);
     certified_clear(&k->intervals);
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 4; c++)
         mpq_clear(k->point[c]);
     free(k->text);
 }
@@ -84,7 +85,10 @@ static int check_row(kept *k, results *t) {
     const char *expected = row_check(&parts, &k->form, k->context, row);
     if (expected)
         return results_refuse(t, row, expected, (field){"", 0});
-    if (!field_equal(parts.point, point))
+    const columns *c = k->source.columns;
+    if (k->form.sites && (expected = site_row_fits(&parts, &k->form, c, k->context, k->point)))
+        return results_refuse(t, parts.point, expected, (field){"", 0});
+    if (!k->form.sites && !field_equal(parts.point, point))
         return results_refuse(t, parts.point, "this run's point, ", point);
     if (!field_equal(parts.rest, rest))
         return results_refuse(t, parts.rest, "this run's further columns, ", rest);

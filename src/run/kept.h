@@ -18,7 +18,7 @@ typedef struct kept {
     row_source source;
     row_form form;
     reader reader;
-    mpq_t point[3];
+    mpq_t point[4];
     certified intervals;
     char *text; /* the point's coordinates as they stand in a row; malloc'ed */
     size_t capacity;

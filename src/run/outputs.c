@@ -63,19 +63,40 @@ int outputs_open(outputs *out) {
 static char *make_head_notes(const outputs *out, const row_source *source, const char *shard) {
     const char *cut = out->o->scene.solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n"
                                                                           : "# triangulate no\n";
+    const char *snap = out->o->sites.snap ? "# snap yes\n" : "";
     char *grid = source->grid ? grid_notes(source->grid) : strdup("");
-    size_t room = grid ? strlen(cut) + strlen(grid) + strlen(shard) + 3 : 0;
+    size_t room = grid ? strlen(cut) + strlen(snap) + strlen(grid) + strlen(shard) + 3 : 0;
     char *notes = grid ? malloc(room) : NULL;
     if (notes)
-        snprintf(notes, room, "%s%s%s%s", cut, grid, *shard ? "# " : "", shard);
+        snprintf(notes, room, "%s%s%s%s%s", cut, snap, grid, *shard ? "# " : "", shard);
     free(grid);
     return notes;
+}
+
+/* The head of a table with these further columns, or NULL. */
+static graze_status make_header_of(char **text, const outputs *out, const char *notes,
+                                   const char *others) {
+    const struct site_choice *sites = &out->o->sites;
+    graze_context *context = out->l->context;
+    if (!sites->wanted)
+        return graze_report_header(text, context, out->l->scene, notes, others);
+    if (!sites->snap)
+        return graze_site_header(text, context, out->l->scene, notes, others);
+    char *all = malloc(others ? strlen(others) + sizeof "shift," : sizeof "shift,");
+    if (!all)
+        return GRAZE_ESYSTEM;
+    strcpy(all, others ? "shift," : "shift");
+    if (others)
+        strcat(all, others);
+    graze_status status = graze_site_header(text, context, out->l->scene, notes, all);
+    free(all);
+    return status;
 }
 
 /* The head of a table, with the further columns under names that are free. */
 static int make_head(char **text, const outputs *out, const row_source *source, const char *notes) {
     graze_context *context = out->l->context;
-    graze_status made = graze_report_header(text, context, out->l->scene, notes, NULL);
+    graze_status made = make_header_of(text, out, notes, NULL);
     if (made || !source->columns || !source->columns->others)
         return complain_of(made, context);
     size_t length = strlen(*text) - 1;
@@ -87,7 +108,7 @@ static int make_head(char **text, const outputs *out, const row_source *source, 
     *text = NULL;
     if (!others)
         return complain(EXIT_IO, "out of memory");
-    made = graze_report_header(text, context, out->l->scene, notes, others);
+    made = make_header_of(text, out, notes, others);
     free(others);
     return complain_of(made, context);
 }

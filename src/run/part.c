@@ -16,6 +16,11 @@ static int next_line(part *p, field *line) {
     return complain_of(stream_next(&p->in, line), p->in.context);
 }
 
+/* The command that writes such a file. */
+static const char *command_of(const part *p) {
+    return p->form.sites ? "graze contact" : result_command(p->form.kind);
+}
+
 static int complain_of_row(const part *p) {
     return complain(EXIT_INPUT, "%s: has other rows than the %lu it counts", p->in.name, p->rows);
 }
@@ -36,7 +41,7 @@ static const char *wrong(row_parts *parts, const part *p, field row) {
 
 static int refuse_row(const part *p, const char *expected) {
     return complain(EXIT_INPUT, "%s:%lu: is no row that %s writes; expected %s", p->in.name,
-                    p->in.line, result_command(p->form.kind), expected);
+                    p->in.line, command_of(p), expected);
 }
 
 static void copy_line(output *out, field line) {
@@ -111,9 +116,10 @@ static int find_kind(part *p, field line) {
     field version;
     p->form.kind = field_is(line, "graze-certificate 1") ? RESULT_CERTIFICATE : RESULT_TABLE;
     if (p->form.kind == RESULT_TABLE && !field_behind(&version, line, "# graze "))
-        return complain(EXIT_INPUT,
-                        "%s: expected a table of graze classify, or a certificate of graze certify",
-                        p->in.name);
+        return complain(
+            EXIT_INPUT,
+            "%s: expected a table of graze classify or contact, or a certificate of graze certify",
+            p->in.name);
     return EXIT_DONE;
 }
 
@@ -147,7 +153,7 @@ static int read_head(part *p) {
         return complain(EXIT_INPUT,
                         "%s: has no line `%s" SHARD_LINE "i/n` in its head; expected a %s of %s "
                         "--shard i/n",
-                        p->in.name, result_mark(kind), result_name(kind), result_command(kind));
+                        p->in.name, result_mark(kind), result_name(kind), command_of(p));
     if (row_form_read(&p->form, kind, p->head.data ? p->head.data : ""))
         return EXIT_DONE;
     if (kind == RESULT_TABLE)
@@ -204,7 +210,7 @@ static int read_tail(part *p, long long size) {
         return complain(EXIT_INPUT,
                         "%s: does not end with `%scomplete`: the run was interrupted; %s --resume "
                         "continues it",
-                        p->in.name, result_mark(p->form.kind), result_command(p->form.kind));
+                        p->in.name, result_mark(p->form.kind), command_of(p));
     unsigned long dealt = shard_rows(p->shard, p->rows_of_all);
     if (p->rows != dealt)
         return complain(EXIT_INPUT, "%s: counts %lu rows; expected %lu of %lu in all", p->in.name,

@@ -7,9 +7,9 @@
 #define _GNU_SOURCE /* memmem */
 #include "run/row.h"
 
-#include <ctype.h>
 #include <string.h>
 #include "run/enclosed.h"
+#include "run/site_row.h"
 
 /* Room for the longest: two names, `ext`, a digit and three counts. */
 enum { ANSWERS = 128 };
@@ -62,6 +62,8 @@ static int read_table_form(row_form *out, const char *head) {
     read_options(out, "# operation ", "# folds ", head);
     out->topo = field_is(note_of(head, "# topo "), "yes");
     out->sdf = note_of(head, "# sdf ").start != NULL;
+    if (strncmp(at, "time,", 5) == 0)
+        return site_form_read(out, at, field_is(note_of(head, "# snap "), "yes"));
     size_t last = (size_t)(out->topo + 3 * out->sdf);
     if (!length || head[length - 1] != '\n' || !skip_text(&at, "x,y,"))
         return 0;
@@ -82,15 +84,6 @@ static int read_table_form(row_form *out, const char *head) {
 int row_form_read(row_form *out, result_kind kind, const char *head) {
     *out = (row_form){.kind = kind, .separator = ','};
     return kind == RESULT_TABLE ? read_table_form(out, head) : read_certificate_form(out, head);
-}
-
-field row_take(field *rest, char separator) {
-    field out = {rest->start, 0}; /* fields are a few bytes long */
-    while (out.length < rest->length && out.start[out.length] != separator)
-        out.length++;
-    size_t gone = out.length + (out.length < rest->length);
-    *rest = (field){rest->start + gone, rest->length - gone};
-    return out;
 }
 
 /* Add a name and a comma. */
@@ -233,33 +226,15 @@ static const char *check_certified_row(row_parts *out, const row_form *form, gra
 }
 
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row) {
+    if (form->sites)
+        return site_row_check(out, form, context, row);
     return (form->kind == RESULT_TABLE ? check_table_row : check_certified_row)(out, form, context,
                                                                                 row);
 }
 
-/* A minus, digits without a zero in front; then nothing, or a slash and the same from 2 up. */
-int row_is_number(field f) {
-    const char *at = f.start, *end = at + f.length;
-    for (int part = 0; part < 2; part++) {
-        int minus = part == 0 && at < end && *at == '-';
-        at += minus;
-        int zero = at < end && *at == '0';
-        const char *digits = at;
-        while (at < end && isdigit((unsigned char)*at))
-            at++;
-        if (at == digits || (zero && (at - digits > 1 || minus || part == 1)))
-            return 0;
-        if (at == end)
-            return part == 0 || at - digits > 1 || *digits > '1';
-        if (*at++ != '/' || zero)
-            return 0;
-    }
-    return 0;
-}
-
 int row_point_is_written(field point, const row_form *form) {
     int good = 1;
-    for (int k = 0; k < form->dimension; k++)
+    for (int k = 0; k < (form->sites ? 2 * form->dimension + 1 : form->dimension); k++)
         good &= row_is_number(row_take(&point, form->separator));
     return good && !point.length;
 }

@@ -5,27 +5,7 @@
 #ifndef GRAZE_RUN_ROW_H
 #define GRAZE_RUN_ROW_H
 
-#include "run/lines.h"
-#include "graze.h"
-
-/** The form of the rows of a file, from its head. */
-typedef struct row_form {
-    result_kind kind;
-    char separator; /* between the parts of a row: a comma, or a blank in a certificate */
-    int dimension;
-    graze_options options; /* operation, folds and columns */
-    size_t others;         /* further columns of a table */
-    int topo;              /* rows end with a position */
-    int sdf;               /* before it with an enclosure */
-    field end;             /* of a certificate: the last time, in the head */
-    int contacts;          /* of a certificate: rows have their contacts */
-} row_form;
-
-/** A row's point, word, further columns and position, as they stand in it; without the commas
- * beside the answers. Without a word the field is empty. */
-typedef struct row_parts {
-    field point, word, rest, topo;
-} row_parts;
+#include "run/row_text.h"
 
 /** Read it from a head, up to its last line, which is borrowed; 0 if graze writes no such head for
  * that kind of file. */
@@ -43,11 +23,6 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
 /** Is each coordinate an integer or a ratio as graze classify writes it? Whether a ratio could be
  * reduced is not looked at. */
 int row_point_is_written(field point, const row_form *form);
-
-/** Take the bytes before the next separator, or up to the end. */
-field row_take(field *rest, char separator);
-/** An integer or a ratio as graze writes it. */
-int row_is_number(field f);
 
 /** The line of a head that says that rows end with the position relative to the closed sweep, and
  * the last line that counts those that are undecided. */

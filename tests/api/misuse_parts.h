@@ -319,6 +319,11 @@ static void contact_points(bench *b) {
     HARMLESS(graze_role_name, graze_role_name((graze_role)-1)[0] == 'n');
     HARMLESS(graze_trim_name, graze_trim_name((graze_trim)-1)[0] == 'n');
     HARMLESS(graze_orientation_name, graze_orientation_name((graze_orientation)-1)[0] == 'n');
+    graze_cell corner = {GRAZE_CELL_VERTEX, 0, 0};
+    WRONG(graze_site_snap(NULL, c, b->s.scene, b->half, b->point, corner));
+    WRONG_OUT(graze_site, graze_site_snap(&out, c, NULL, b->half, b->point, corner));
+    WRONG_OUT(graze_site, graze_site_snap_at(&out, c, b->s.scene, b->half, NULL, corner));
+    HARMLESS(graze_site_shift, !graze_site_shift(g, NULL));
     HARMLESS(graze_site_destroy, CALLS(graze_site_destroy(NULL)));
     HARMLESS(graze_site_get, !graze_site_get(NULL).role);
     HARMLESS(graze_site_point, CALLS(graze_site_point(b->x, b->x, NULL)));

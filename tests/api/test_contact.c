@@ -51,6 +51,42 @@ static void slides(void **state) {
     mpq_clears(y[0], y[1], p[0], p[1], near, NULL);
 }
 
+/* The back x = 0 of a square that moves to the right is a contact at the start alone. */
+static void snaps(void **state) {
+    (void)state;
+    scene s;
+    mpq_t t, from[2], y[2], p[2], square;
+    graze_site *site = NULL;
+    graze_cell back = {GRAZE_CELL_EDGE, 0, 3};
+    mpq_inits(t, from[0], from[1], y[0], y[1], p[0], p[1], square, NULL);
+    scene_open(&s, slide, NULL);
+    number(from[0], "-3");
+    number(from[1], "3");
+    assert_int_equal(graze_site_snap(&site, s.context, s.scene, t, from, back), GRAZE_OK);
+    graze_site_point(y, p, site);
+    assert_true(mpq_sgn(y[0]) == 0 && mpq_cmp_ui(y[1], 2, 1) == 0);
+    assert_int_equal(graze_site_shift(square, site), 1);
+    assert_int_equal(mpq_cmp_ui(square, 10, 1), 0);
+    assert_int_equal(graze_site_get(site).role, GRAZE_ROLE_CONTACT);
+    graze_site_destroy(site);
+    number(t, "1/2");
+    assert_int_equal(graze_site_snap_at(&site, s.context, s.scene, t, from, back), GRAZE_OK);
+    graze_site_point(y, p, site);
+    assert_true(mpq_cmp_si(y[0], -7, 1) == 0 && mpq_cmp_si(p[0], -3, 1) == 0);
+    assert_int_equal(graze_site_shift(square, site), 0);
+    graze_site_facts f = graze_site_get(site);
+    assert_true(f.role == GRAZE_ROLE_NONE && f.cell.kind == GRAZE_CELL_EDGE && f.cell.b == 3);
+    assert_null(graze_site_trace(site));
+    assert_null(graze_site_near(site));
+    assert_int_equal(graze_site_germ_count(site), 0);
+    graze_site_destroy(site);
+    back.b = 9;
+    assert_int_equal(graze_site_snap(&site, s.context, s.scene, t, from, back), GRAZE_EINPUT);
+    assert_null(site);
+    scene_close(&s);
+    mpq_clears(t, from[0], from[1], y[0], y[1], p[0], p[1], square, NULL);
+}
+
 /* At the break the front has g = 8 before and 4 after it: c enters at once. */
 static void germs(void **state) {
     (void)state;
@@ -138,8 +174,8 @@ static void names(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(slides), cmocka_unit_test(germs),
-                                       cmocka_unit_test(rows), cmocka_unit_test(refusals),
-                                       cmocka_unit_test(names)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(slides),   cmocka_unit_test(snaps),
+                                       cmocka_unit_test(germs),    cmocka_unit_test(rows),
+                                       cmocka_unit_test(refusals), cmocka_unit_test(names)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,8 +41,10 @@ static size_t answer_block(answerer *a, block *b) {
     return rows;
 }
 
-/* Points of a file, in both dimensions, whole and as a shard, answered in both formats. */
-static int read_points(const char *path, int dimension, shard part, graze_format format) {
+/* Points of a file, or contact points (1) that are moved (2), in both dimensions, whole and as a
+ * shard, answered in both formats. */
+static int read_points(const char *path, int dimension, shard part, graze_format format,
+                       int sites) {
     static block *b;
     context_options o;
     csv *points;
@@ -55,6 +57,8 @@ static int read_points(const char *path, int dimension, shard part, graze_format
         b = block_create();
     EXPECT(b != NULL);
     EXPECT(csv_open(&points, path, dimension, part, context) == EXIT_DONE);
+    if (sites)
+        csv_expect_sites(points, sites > 1);
     answer_task task = {.context = &o,
                         .scene = scene,
                         .source = {csv_columns(points), NULL, part},
@@ -74,9 +78,11 @@ static int read_points(const char *path, int dimension, shard part, graze_format
 
 int fuzz_points(const uint8_t *data, size_t size) {
     const char *path = fuzz_file("points.csv", data, size);
-    int solid = read_points(path, 3, (shard){0, 1}, GRAZE_FORMAT_CSV);
-    int plane = read_points(path, 2, (shard){0, 1}, GRAZE_FORMAT_JSONL);
-    read_points(path, 2, (shard){1, 3}, GRAZE_FORMAT_CSV);
+    int solid = read_points(path, 3, (shard){0, 1}, GRAZE_FORMAT_CSV, 0);
+    int plane = read_points(path, 2, (shard){0, 1}, GRAZE_FORMAT_JSONL, 0);
+    read_points(path, 2, (shard){1, 3}, GRAZE_FORMAT_CSV, 0);
+    read_points(path, 2, (shard){0, 1}, GRAZE_FORMAT_CSV, 1);
+    read_points(path, 3, (shard){0, 1}, GRAZE_FORMAT_JSONL, 2);
     return solid || plane;
 }
 

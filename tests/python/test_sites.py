@@ -36,6 +36,17 @@ class Sites(unittest.TestCase):
         by_place = common.root_scene().site("1", point=["1", "1/2"])
         self.assertEqual((by_place.body, by_place.role, by_place.near), ((0, F(1, 2)), "ingress", 1))
 
+    def test_snap(self):
+        """On the side x = 2 of the turning block the contact at 1/2 is (2, 3/4); its opposite y = -1 has none."""
+        scene = graze.Scene(BLOCK, TURN)
+        site, square = scene.snap("1/2", graze.Cell("edge", (0, 3)), [5, F(1, 3)])
+        self.assertEqual((site.body, square, site.role, site.near), ((2, F(3, 4)), F(1321, 144), "contact", F(4, 5)))
+        self.assertEqual(scene.snap("1/2", graze.Cell("edge", (0, 3)), point=site.point)[1], 0)
+        self.assertIsNone(scene.snap("1/2", graze.Cell("edge", (0, 1)), [5, F(1, 3)]))
+        self.assertEqual(scene.snap("1/2", graze.Cell("vertex", (1,)), [4, 0])[1], 1)
+        with self.assertRaisesRegex(graze.InputError, "no such cell"):
+            scene.snap("1/2", graze.Cell("face", (0,)), [5, 0])
+
     def test_refusals(self):
         scene = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
         with self.assertRaisesRegex(graze.InputError, "not on the boundary"):

@@ -30,6 +30,12 @@ def cell_of(made: CCell) -> Optional[Cell]:
     return Cell(kind, (made.a, made.b) if kind == "edge" else (made.a,))
 
 
+def cell_given(cell: Cell) -> CCell:
+    """A cell for a call; kind 0 if its kind is none."""
+    kinds = {name: number for number, name in _CELLS.items()}
+    return CCell(kinds.get(cell.kind, 0), *(tuple(cell.indices) + (0, 0))[:2])
+
+
 def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
     """Everything that a trace holds; the handle stays the caller's."""
     contacts = []

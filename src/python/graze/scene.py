@@ -14,12 +14,12 @@ from ._context import Context, Contexts, choice, settings
 from ._library import CEnclosure, COptions, CVerdict, Handle, library, take_text
 from ._numbers import Points, Rationals, numpy, read_points
 from ._samples import samples
-from ._traces import read_topology, read_trace, verdict_of
+from ._traces import cell_given, read_topology, read_trace, verdict_of
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
 from .pictures import Picture, draw
-from .results import (ENCLOSURE_DTYPE, VERDICT_DTYPE, Enclosure, Pmc, Sample, Topology, Trace,
-                      Verdict)
+from .results import (ENCLOSURE_DTYPE, VERDICT_DTYPE, Cell, Enclosure, Pmc, Sample, Topology,
+                      Trace, Verdict)
 from .sites import Site, read_site
 
 OPERATIONS = ("sweep", "unsweep")
@@ -231,17 +231,38 @@ class Scene:
         """A boundary point of the solid at a time: `body` in the solid's frame, or `point` where it
         is then. Raises as `trace`, and InputError for a time beyond the motion and a point that is
         not on the boundary."""
-        given = body if point is None else point
-        if given is None or (body is not None and point is not None):
-            raise UseError("site takes body or point, one of them")
         create = library().graze_site_create if point is None else library().graze_site_create_at
-        place, when = self._point(given), Rationals(1)
+        place, when = self._site_place(body, point), Rationals(1)
         context, pointer = self._context(), ctypes.c_void_p()
         when.set(0, time, context)
         context.run(create, ctypes.byref(pointer), context.pointer, self._handle.pointer,
                     when.address, place.address)
         with Handle(pointer, library().graze_site_destroy) as site:
             return read_site(site, when[0], self.dimension)
+
+    def snap(self, time: Number, cell: Cell, body: Optional[Sequence[Number]] = None, *,
+             point: Optional[Sequence[Number]] = None) -> Optional[Tuple[Site, Fraction]]:
+        """The contact of a face, edge or vertex at a time that is nearest to `body`, or to where
+        `point` is in the solid's frame, and the squared distance there; None if the cell has no
+        contact then. Raises as `site`, and InputError for a cell that the solid does not have."""
+        call, when, square = library(), Rationals(1), Rationals(1)
+        place = self._site_place(body, point)
+        context, pointer = self._context(), ctypes.c_void_p()
+        when.set(0, time, context)
+        context.run(call.graze_site_snap if point is None else call.graze_site_snap_at,
+                    ctypes.byref(pointer), context.pointer, self._handle.pointer, when.address,
+                    place.address, cell_given(cell))
+        with Handle(pointer, call.graze_site_destroy) as site:
+            if not call.graze_site_shift(square.address, site):
+                return None
+            return read_site(site, when[0], self.dimension), square[0]
+
+    def _site_place(self, body: Optional[Sequence[Number]],
+                    point: Optional[Sequence[Number]]) -> Rationals:
+        given = body if point is None else point
+        if given is None or (body is not None and point is not None):
+            raise UseError("a site takes body or point, one of them")
+        return self._point(given)
 
     def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1) -> List[str]:
         """The rows of `graze classify`, without line ends: CSV, or with `jsonl` JSON Lines, which
