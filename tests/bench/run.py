@@ -13,6 +13,7 @@ import statistics
 import tempfile
 
 import certificates
+import contacts
 import distances
 import positions
 import scenes
@@ -299,6 +300,7 @@ class Bench:
         self.grid("integer box", scenes.BLOCK)
         self.grid("L-shape", scenes.L_SHAPE)
         certificates.run(self.table, self.graze, self.folder, 60 if self.options.quick else 300)
+        contacts.run(self.table, self.graze, self.folder, 500 if self.options.quick else 2000)
         positions.run(self.table, self.graze, self.folder, 20 if self.options.quick else 100)
         self.table.end(self.options.json)
 
