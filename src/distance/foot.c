@@ -7,6 +7,9 @@
 #include "distance/square.h"
 #include "filter/normal.h"
 
+/* Squares that differ by less, relatively, may be equal but for rounding. */
+static const double TIE = 0x1p-48;
+
 int stance_make(stance *out, const path *of, double time) {
     int d = of->dimension;
     if (!window_make(&out->at, of, time, time))
@@ -70,28 +73,45 @@ static void clear_along(double *n, const double *e) {
     }
 }
 
-/* The nearest of the edges' feet; fills shares and the direction to the origin. */
+/* What all corners are beyond along n, as a distance. */
+static double support(const double *n, double y[3][3], int count) {
+    double most = -INFINITY;
+    for (int c = 0; c < count; c++)
+        most = larger(most, dot3(n, y[c]));
+    return -most / sqrt(dot3(n, n));
+}
+
+/* The foot of one edge: its share, the direction to the origin; the squared distance. */
+static double foot_of_edge(double *share, double *n, const double *a, const double *b) {
+    double e[3], s = share_of_edge(a, b);
+    for (int i = 0; i < 3; i++) {
+        e[i] = b[i] - a[i];
+        n[i] = -(a[i] + s * e[i]);
+    }
+    double square = dot3(n, n);
+    if (s > 0 && s < 1)
+        clear_along(n, e);
+    *share = s;
+    return square;
+}
+
+/* The nearest of the edges' feet; fills shares and the direction to the origin. Feet near a corner
+ * are equally far in doubles: among them the one whose direction bounds more. */
 static void foot_of_edges(double *share, double *n, double y[3][3], int count) {
     double best = INFINITY;
     share[0] = 1; /* where no square is in the range */
     share[1] = share[2] = 0;
     for (int k = 0; k < (count == 3 ? 3 : 1); k++) {
-        const double *a = y[k], *b = y[(k + 1) % count];
-        double s = share_of_edge(a, b), at[3];
-        for (int i = 0; i < 3; i++)
-            at[i] = a[i] + s * (b[i] - a[i]);
-        double square = dot3(at, at);
-        if (!(square < best))
+        double s, m[3], square = foot_of_edge(&s, m, y[k], y[(k + 1) % count]);
+        if (!(square < best * (1 + TIE)) ||
+            (square > best * (1 - TIE) && support(m, y, count) <= support(n, y, count)))
             continue;
-        best = square;
+        best = smaller(best, square);
         share[0] = share[1] = share[2] = 0;
         share[k] = 1 - s;
         share[(k + 1) % count] = s;
-        double e[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
         for (int i = 0; i < 3; i++)
-            n[i] = -at[i];
-        if (s > 0 && s < 1)
-            clear_along(n, e);
+            n[i] = m[i];
     }
 }
 

@@ -3,7 +3,7 @@
 
 Golden tables come from graze itself on a scene with a slide, a vertex and break points; candidates are made from
 them by known changes, and every figure of the JSON report is counted again here. Then the commands that the report
-gives are run, a long table shows that memory does not grow with rows, and both candidates of cases/candidates are
+gives are run, a long table shows that memory does not grow with rows, and the candidates in C of cases/candidates are
 compiled and judged on points whose answers are evident.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -176,8 +176,31 @@ def long_tables(graze, folder, count, memory):
         check(status == 0 and json.loads(out)["agree"] == count, extra, status, out[:200], said)
 
 
+def compiled(compiler, folder, name):
+    program = os.path.join(folder, name)
+    sources = [os.path.join(CASES, f) for f in (name + ".c", "scene.c", "motion.c")]
+    status, _, said = run(compiler, "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1", "-o", program,
+                          *sources, "-lyajl", "-lm")
+    check(status == 0, "compiling", name, said)
+    return program
+
+
+def sampled_distances(graze, compiler, folder):
+    """A minimum over fewer times is no less than s but for rounding; ten times the times come nearer."""
+    program, largest = compiled(compiler, folder, "sampled_sdf"), []
+    for poses in (10, 100):
+        _, out, said = run(graze, "validate", os.path.join(CASES, "ell.off"), os.path.join(CASES, "arch.json"), "-n", "300",
+                           "--representable", "binary64", "--on-as", "any", "--candidate-has", "sdf", "--format", "json",
+                           "--candidate", f"'{program}' {poses} {{solid}} {{motion}} {{points}} {{out}}")
+        told = json.loads(out)["comparison"]["errors-of-sdf"]
+        check(told["values"] == 300 and told["over"] > 100, "overestimates", poses, told["over"], said)
+        check(told["largest"] == told["largest-over"], "underestimates", poses, told["largest"])
+        largest.append(float(told["largest"]))
+    check(largest[0] > 5 * largest[1] > 0, "largest errors", largest)
+
+
 def candidates(graze, folder):
-    """Both candidates compile and are right where nothing is close."""
+    """The candidates compile and are right where nothing is close."""
     compiler = shutil.which("cc") or shutil.which("gcc")
     if not compiler:
         checks.skip("candidates", "there is no C compiler")
@@ -187,11 +210,7 @@ def candidates(graze, folder):
         # Passed by the block's foot; inside at the start; beside; above its path; inside at the end.
         file.write("x,y,z\n9/2,5/2,1\n1/2,1/2,1\n-1,0,1\n5,9/2,7/2\n5,7,5/2\n")
     for name, parameter in (("sampled", "100"), ("ei_double", "1e-9")):
-        program = os.path.join(folder, name)
-        sources = [os.path.join(CASES, f) for f in (name + ".c", "scene.c", "motion.c")]
-        status, _, said = run(compiler, "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1", "-o", program,
-                              *sources, "-lyajl", "-lm")
-        check(status == 0, "compiling", name, said)
+        program = compiled(compiler, folder, name)
         report = os.path.join(folder, "it's a report")
         status, _, said = run(graze, "validate", os.path.join(CASES, "ell.off"),
                               os.path.join(CASES, "arch.json"), "--points", points, "--output", report,
@@ -208,6 +227,7 @@ def candidates(graze, folder):
                             "--candidate", f"'{os.path.join(folder, 'sampled')}' 3 {{solid}} "
                             "{motion} {points} {out}")
     check(status == 1 and json.loads(out)["comparison"]["wrong"] > 20, "three samples", status, said)
+    sampled_distances(graze, compiler, folder)
 
 
 def main():

@@ -107,6 +107,12 @@ class Turn:
         rows = ((c, s, 0), (-s, c, 0), (0, 0, 1))
         return [x for row in rows for x in (*row, -t * sum(a * float(b) for a, b in zip(row, self.shift)))]
 
+    def at(self, t, y):
+        """M(t) y."""
+        c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+        turned = (c * y[0] - s * y[1], s * y[0] + c * y[1], y[2])
+        return tuple(a + t * b for a, b in zip(turned, self.shift))
+
     def speed(self, p):
         """|c'| is at most this: the angle's speed is at most 2, c = R^-1(P - tv)."""
         v = math.hypot(*map(float, self.shift))
@@ -116,7 +122,8 @@ class Turn:
 def sampled(checks, graze, tool, args):
     ell = prism(polygons()["ell"].parts[0][0], 0, 2)
     for name, solid, turn in (("ell turned", ell, Turn((3, 1, 2))), ("block turned", block(1, -1, 0, 3, 1, 2), Turn((0, 0, 4)))):
-        points = around(args.random, [(-3, -3, -2), (6, 6, 5)], SAMPLED * args.scale)
+        near = around(args.random, solid.vertices, SAMPLED * args.scale)
+        points = [turn.at(F(args.random.randint(0, 8), 8), y) for y in near]
         found = enclosures(checks, graze, name, solid, turn, points)
         poses = rows_of(turn.back(k / (TIMES - 1)) for k in range(TIMES))
         answers = ask(tool, solid, "poses", str(TIMES), poses, str(len(points)), rows_of(map(float, p) for p in points))
