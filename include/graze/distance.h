@@ -33,7 +33,8 @@ typedef struct graze_enclosure {
  * @param points    n*d canonical rationals, point after point; may be NULL if n is 0
  * @param tolerance greatest width wanted, positive and finite
  * @return GRAZE_EUSE; GRAZE_ELIMIT, also for numbers of solid, motion or point beyond 2^200 and
- * degrees beyond 32; GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL
+ * degrees beyond 32, beyond 20 on a piece that is not rigid; GRAZE_ECANCELED; GRAZE_ESYSTEM;
+ * GRAZE_EINTERNAL
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_distances(graze_enclosure *out, graze_context *context,
                                                      const graze_scene *scene,

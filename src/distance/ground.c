@@ -4,6 +4,7 @@
 #include "distance/ground.h"
 
 #include <stdlib.h>
+#include "distance/square.h"
 
 /* 1 if the linear part L of a map satisfies L^T L = W^2 I, as polynomials. */
 static int is_rigid(const point_map *map) {
@@ -50,6 +51,11 @@ static graze_status make_pieces(ground *g, graze_context *context) {
                                 "piece %zu of the motion: a degree or a coefficient is beyond what "
                                 "distances are computed for; expected a degree of at most %d",
                                 k, CARRIER_DEGREE);
+        if (!piece->rigid && g->tracing->piece[k].degree > SQUARED)
+            return context_fail(context, GRAZE_ELIMIT,
+                                "piece %zu of the motion: degree %d without being rigid is beyond "
+                                "what distances are computed for; expected at most %d",
+                                k, g->tracing->piece[k].degree, SQUARED);
     }
     return GRAZE_OK;
 }

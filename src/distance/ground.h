@@ -22,7 +22,7 @@ typedef struct ground {
 /**
  * The ground of a scene, made at the first call.
  * @return GRAZE_ESYSTEM; GRAZE_ELIMIT a number of solid or motion is beyond doubles, or a degree
- * beyond CARRIER_DEGREE
+ * beyond CARRIER_DEGREE, beyond SQUARED on a piece that is not rigid
  */
 graze_status ground_of(const ground **out, graze_context *context, const graze_scene *scene);
 
