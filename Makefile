@@ -36,7 +36,7 @@ PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema mypy
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
-PACKAGES_ALL   := $(PACKAGES_TEST) clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
+PACKAGES_ALL   := $(PACKAGES_TEST) chromium clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 comma   := ,
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/run/% src/mpi/% src/png/% src/check/%,$(wildcard src/*/*.c))
@@ -120,6 +120,8 @@ $B/%.o: %.cpp | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
+# The library holds the files of a page.
+$B/src/page/assets.o: $(wildcard src/page/*.html src/page/*.js src/page/three/*)
 $B/src/mpi/%.o: src/mpi/%.c | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CC   $<"
@@ -279,6 +281,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 $(PAGES)/*.1 $(DESTDIR)$(MANDIR)/man1
 	@install -m 644 $(PAGES)/*.3 $(DESTDIR)$(MANDIR)/man3
 	@install -m 644 $(PAGES)/*.5 $(DESTDIR)$(MANDIR)/man5
+	@install -m 644 src/page/three/LICENSE $(DESTDIR)$(DOCDIR)/LICENSE.three
 	@install -m 644 src/cli/motion.schema.json $(DESTDIR)$(DATADIR)/graze
 	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
 	@install -m 644 src/python/graze/*.py src/python/graze/py.typed $(DESTDIR)$(PYTHONDIR)/graze

@@ -75,8 +75,7 @@ for name, count in Counter(names).most_common():
 # Colours that the colour-blind can tell apart; equal neighbours of a row are one rectangle.
 
 # %%
-COLOURS = {"exterior": "#f2f2f2", "regular": "#8cc8ee", "fold": "#0a5f9e", "fold_boundary": "#d55e00",
-           "boundary": "#1a1a1a"}
+COLOURS = graze.class_colours()
 UNIT = 5  # of the picture, for one step of the grid
 
 

@@ -59,6 +59,19 @@ graze_comparison_counts graze_comparison_count(const graze_comparison *compariso
     return counts;
 }
 
+graze_disagreement graze_comparison_disagreement(const graze_comparison *comparison, size_t index) {
+    graze_disagreement out = {0, 0, 0, NULL, NULL, NULL};
+    if (!comparison || index >= comparison->shown)
+        return out;
+    const disagreement *d = &comparison->disagreements[index];
+    return (graze_disagreement){d->row,   d->golden_line, d->candidate_line,
+                                d->point, d->golden,      d->candidate};
+}
+
+const char *graze_comparison_head(const graze_comparison *comparison) {
+    return comparison ? comparison->explain_options : "";
+}
+
 graze_status graze_comparison_report(char **out, graze_context *context,
                                      const graze_comparison *comparison,
                                      graze_comparison_format format) {

@@ -6,9 +6,14 @@
 #include "api.h"
 #include "context/environment.h"
 #include "draw/draw.h"
+#include "draw/file.h"
+#include "draw/marks.h"
+#include "page/page.h"
 
 /* Fault of the options, or NULL. */
 static const char *misused(const graze_draw_options *o, int d) {
+    if (o->surface < -1 || o->surface > 19)
+        return "surface must be from -1 to 19";
     if (o->times == 1 || o->times > 64)
         return "times must be from 2 to 64";
     if (!o->low != !o->high)
@@ -50,6 +55,13 @@ static graze_status take_numbers(fmpq *out, graze_context *context, const graze_
     return status;
 }
 
+unsigned graze_class_colour(graze_class class_) {
+    graze_verdict verdict = {.class_ = class_};
+    if (class_ < GRAZE_REGULAR || class_ > GRAZE_EXTERIOR)
+        return 0;
+    return tone_colour(tone_of(&verdict));
+}
+
 graze_status graze_draw(graze_context *context, const graze_scene *scene, const char *file,
                         const graze_draw_options *options) {
     if (!context || !scene || !file)
@@ -80,9 +92,16 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
         .points = numbers + 2 * d + 1,
         .point_count = o->point_count,
         .names = o->names,
+        .strata = o->strata,
+        .answers = o->answers,
+        .surface = o->surface < 0 ? 0
+                   : o->surface   ? (unsigned)o->surface
+                   : d == 2       ? 8
+                                  : 5,
     };
     if (!status)
-        status = draw_picture(context, scene, file, &request);
+        status = (file_has_extension(file, "html") ? page_write : draw_picture)(context, scene,
+                                                                                file, &request);
     _fmpq_vec_clear(numbers, (slong)count);
     return status;
 }

@@ -93,6 +93,21 @@ GRAZE_API GRAZE_CHECKED graze_status graze_compare(graze_comparison **out, graze
 GRAZE_API void graze_comparison_destroy(graze_comparison *comparison);
 /** Counts of a comparison; the tables differ if wrong + missing + extra > 0. Zeros for NULL. */
 GRAZE_API graze_comparison_counts graze_comparison_count(const graze_comparison *comparison);
+/** A disagreement that was kept. Texts are borrowed from the comparison. */
+typedef struct graze_disagreement {
+    unsigned long row;                         /**< of the golden table, from 0; of a row that only
+                                                    the candidate has the number of those before it */
+    unsigned long golden_line, candidate_line; /**< in the files; 0: no such row */
+    const char *point;                         /**< coordinates with blanks between */
+    const char *golden, *candidate;            /**< answers as `pmc=on i=0`; NULL: no such row */
+} graze_disagreement;
+
+/** Disagreement `index` of the first `show`; zero past the end. */
+GRAZE_API graze_disagreement graze_comparison_disagreement(const graze_comparison *comparison,
+                                                           size_t index);
+/** What the golden table's head says of the scene, as options of `graze explain` with a blank
+ * before each; "" for NULL. Borrowed. */
+GRAZE_API const char *graze_comparison_head(const graze_comparison *comparison);
 /** Report of a comparison: confusion matrices, errors by stratum, distance, class, definition and
  * case, and the disagreements kept. Text for graze_free.
  * @return GRAZE_EUSE, GRAZE_ESYSTEM */

@@ -12,26 +12,38 @@ extern "C" {
 
 /** Options of a picture (rule 6). All pointers are borrowed. */
 typedef struct graze_draw_options {
-    const char *title;         /**< a line above the picture, UTF-8, or NULL */
-    unsigned long grid;        /**< cells along the longer side; 0: 240, or 360 for a wide box */
-    unsigned long times;       /**< number of positions of S, 2 to 64, evenly spaced; 0: 5 */
-    graze_rationals low, high; /**< corners of the box, d rationals each; NULL: around the scene */
-    int plane_axis;            /**< E^3: the plane in which this coordinate, 0 to 2, ... */
-    graze_rationals plane;     /**< ... has this value; NULL: z in the middle of the box */
-    double view[3];            /**< E^3: direction to the viewer; all 0: (2, -3, 2) */
-    graze_rationals points;    /**< point_count points, d canonical rationals each */
-    size_t point_count;        /**< number of points whose trajectories are drawn */
-    const char *const *names;  /**< a name for each point, UTF-8 */
-    size_t size;               /**< sizeof(graze_draw_options) or 0 */
+    const char *title;          /**< a line above the picture, UTF-8, or NULL */
+    unsigned long grid;         /**< cells along the longer side; 0: 240, or 360 for a wide box */
+    unsigned long times;        /**< number of positions of S, 2 to 64, evenly spaced; 0: 5 */
+    graze_rationals low, high;  /**< corners of the box, d rationals each; NULL: around the scene */
+    int plane_axis;             /**< E^3: the plane in which this coordinate, 0 to 2, ... */
+    graze_rationals plane;      /**< ... has this value; NULL: z in the middle of the box */
+    double view[3];             /**< E^3: direction to the viewer; all 0: (2, -3, 2) */
+    graze_rationals points;     /**< point_count points, d canonical rationals each */
+    size_t point_count;         /**< number of points whose trajectories are drawn */
+    const char *const *names;   /**< a name for each point, UTF-8 */
+    size_t size;                /**< sizeof(graze_draw_options) or 0 */
+    const char *const *strata;  /**< .html: for each point a group to filter by, or NULL; or NULL */
+    const char *const *answers; /**< .html: for each point on which a candidate is wrong its answer,
+                                     else NULL; or NULL */
+    int surface;                /**< .html: level of the sweep's surface (graze_boundary_options,
+                                     depth), 1 to 19; 0: 5, in E^2 8; -1: none */
 } graze_draw_options;
 
+/** The colour 0xRRGGBB of a class in every picture; 0 for GRAZE_CLASS_NONE. Never fails. */
+GRAZE_API unsigned graze_class_colour(graze_class class_);
 /**
  * Draw a scene. Square cells have the colour of the class of their centres, which are rationals and
  * classified exactly; over them, outlines of S at some times of the motion. In E^3 the cells are in
  * a plane, and a view of the positions of S is beside it. Points are drawn with their inverted
  * trajectories through the standing S; contacts are marked by kind and cell. For an unsweep,
  * colours show pmc and positions are those of the inverse motion.
- * @param file    the picture to write: .svg, or .png, which needs libgraze-png
+ *
+ * A page of HTML shows the same scene in a browser, without a network: S at a time that a slider
+ * chooses, the surface of the sweep as graze_boundary_create samples it, the points by class, the
+ * trajectory of the one that is clicked on, and the sentences of `graze explain` for it. It begins
+ * with the first point that has an entry in `answers`. `grid`, `plane` and `view` have no effect.
+ * @param file    the picture to write: .svg, .html, or .png, which needs libgraze-png
  * @param options may be NULL for the defaults
  * @return GRAZE_EUSE an option out of range, or another extension; GRAZE_ELIMIT more cells than the
  * limit `grid`; GRAZE_ESYSTEM the file cannot be written, or no libgraze-png; GRAZE_ECANCELED;

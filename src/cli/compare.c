@@ -3,6 +3,7 @@
 #include <string.h>
 #include "cli/commands.h"
 #include "cli/compare.h"
+#include "cli/compare_page.h"
 #include "cli/values.h"
 #include "run/load.h"
 #include "run/output.h"
@@ -40,6 +41,8 @@ static const char compare_help[] =
     "  --round none|binary64|binary32   round the points of both tables before they are matched\n"
     "  --show N             how many disagreements (10)\n"
     "  --solid FILE, --motion FILE      names for the commands that explain\n"
+    "  --page FILE          a page, .html, that begins with the first wrong row (graze draw "
+    "--help)\n"
     "  --format text|json   text is Markdown (default)\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --limit NAME=V       digits 10000, line 10^7\n"
@@ -63,7 +66,7 @@ typedef struct compare_options {
     context_options context;
     graze_compare_options compare;
     graze_comparison_format format;
-    const char *output;
+    const char *output, *page;
 } compare_options;
 
 static int report_comparison(const compare_options *o, graze_context *context,
@@ -88,6 +91,7 @@ static const option_entry compare_table[] = {
     OPTION("show", compare_options, compare.show, value_show),
     OPTION("solid", compare_options, compare.solid, value_text),
     OPTION("motion", compare_options, compare.motion, value_text),
+    OPTION("page", compare_options, page, value_text),
     OPTION("format", compare_options, format, value_report),
     OPTION("output", compare_options, output, value_text),
     OPTION("o", compare_options, output, value_text),
@@ -102,6 +106,10 @@ static int run_compare(void *options, const operands *given) {
                         given->count);
     if (strcmp(given->item[0], "-") == 0 && strcmp(given->item[1], "-") == 0)
         return complain(EXIT_USAGE, "GOLDEN and CANDIDATE cannot both be standard input");
+    if (o->page && (!o->compare.solid || !o->compare.motion))
+        return complain(EXIT_USAGE, "--page needs --solid FILE and --motion FILE");
+    if (o->page && (strcmp(given->item[0], "-") == 0 || strcmp(given->item[1], "-") == 0))
+        return complain(EXIT_USAGE, "--page reads both tables twice, so neither can be -");
     graze_context *context = NULL;
     graze_comparison *c = NULL;
     int status = compare_check(&o->compare);
@@ -110,6 +118,8 @@ static int run_compare(void *options, const operands *given) {
     if (!status)
         status = complain_of(
             graze_compare(&c, context, given->item[0], given->item[1], &o->compare), context);
+    if (!status && o->page)
+        status = compare_page(o->page, given->item[0], given->item[1], &o->compare, &o->context);
     if (!status)
         status = report_comparison(o, context, c);
     graze_comparison_destroy(c);

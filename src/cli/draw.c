@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
+#include "cli/marks.h"
 #include "cli/values.h"
-#include "context/array.h"
-#include "run/csv.h"
 #include "run/grid.h"
 #include "run/load.h"
 #include "run/numbers.h"
@@ -15,10 +14,13 @@
 static const char draw_help[] =
     "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
     "\n"
-    "FILE is .svg or .png. Square cells are coloured by the class of their centres, classified\n"
+    "FILE is .svg, .png or .html. Square cells are coloured by the class of their centres, "
+    "classified\n"
     "exactly, under outlines of S at some times; in 3D in a plane, beside a view of S. POINTS (a\n"
     "CSV file or -) are drawn with their inverted trajectories through S and all contacts; a\n"
-    "column id names them.\n"
+    "column id names them. A page, .html, shows S, its sweep, the points and their trajectories "
+    "in\n"
+    "a browser, to be turned, filtered and asked; it needs no network.\n"
     "\n"
     "  -o, --output FILE     the picture\n"
     "  -p X,Y[,Z]            one more point; may be given several times\n"
@@ -27,6 +29,7 @@ static const char draw_help[] =
     "  --box x0,y0[,z0],x1,y1[,z1]   the part of space to show; default: around the sweep\n"
     "  --plane z=1/2         3D: the plane of the cells, x=, y= or z= (the middle of the box)\n"
     "  --view X,Y,Z          3D: the direction to look from (2,-3,2)\n"
+    "  --surface N           page: level of the sweep's surface, or none (5, in the plane 8)\n"
     "  --title TEXT          the line above the picture (the names of the files)\n"
     "  --operation sweep|unsweep, --folds, --overlap, --triangulate, --round, --limit NAME=V,\n"
     "  --no-filter           as in graze classify\n"
@@ -37,134 +40,8 @@ typedef struct draw_given {
     scene_options scene;
     const char *points; /* a file, or NULL */
     const char *output, *grid, *times, *box, *plane, *view, *title;
+    int surface;
 } draw_given;
-
-/* The points of a picture with their names. */
-typedef struct marks {
-    int dimension;
-    mpq_t *value;
-    size_t values, value_capacity; /* values that are initialised */
-    char **name;
-    size_t count, capacity;
-} marks;
-
-static void marks_clear(marks *m) {
-    for (size_t k = 0; k < m->values; k++)
-        mpq_clear(m->value[k]);
-    for (size_t k = 0; k < m->count; k++)
-        free(m->name[k]);
-    free(m->value);
-    free(m->name);
-}
-
-/* Room for one more point; 0 where there is none. */
-static int marks_grow(marks *m) {
-    size_t values = (m->count + 1) * (size_t)m->dimension;
-    if (!array_reserve(&m->name, &m->capacity, m->count + 1, sizeof *m->name) ||
-        !array_reserve(&m->value, &m->value_capacity, values, sizeof *m->value))
-        return 0;
-    for (; m->values < values; m->values++)
-        mpq_init(m->value[m->values]);
-    return 1;
-}
-
-/* Take the point at the end of `value` over under a malloc'ed name. */
-static int marks_take(marks *m, char *name) {
-    if (!name)
-        return complain(EXIT_IO, "out of memory");
-    m->name[m->count++] = name;
-    return EXIT_DONE;
-}
-
-/* "3" for the third row. */
-static char *number_name(const char *before, size_t number) {
-    char text[32];
-    snprintf(text, sizeof text, "%s%zu", before, number);
-    return strdup(text);
-}
-
-/* Which of the further columns is `id`; *found is -1 if none is. 0 where memory is short. */
-static int id_column(long *found, const char *columns) {
-    fields cut = {NULL, 0, 0};
-    *found = -1;
-    fields_result result =
-        columns ? fields_cut(&cut, (field){columns, strlen(columns)}) : FIELDS_CUT;
-    for (size_t k = cut.count; k-- > 0;) {
-        field f = field_content(cut.item[k]);
-        if (f.length == 2 && memcmp(f.start, "id", 2) == 0)
-            *found = (long)k;
-    }
-    fields_clear(&cut);
-    return result != FIELDS_NO_MEMORY;
-}
-
-/* The name of a row: its id, or its number. NULL where memory is short. */
-static char *mark_name(const char *rest, long id, size_t number) {
-    fields cut = {NULL, 0, 0};
-    char *name = NULL;
-    if (id < 0)
-        return number_name("", number);
-    if (fields_cut(&cut, (field){rest, strlen(rest)}) == FIELDS_CUT && (size_t)id < cut.count) {
-        field f = field_content(cut.item[id]);
-        name = strndup(f.start, f.length);
-    }
-    fields_clear(&cut);
-    return name;
-}
-
-static int read_marks_block(marks *m, csv *points, const block *b, graze_context *context) {
-    fault f = {EXIT_DONE, NULL};
-    reader r = {.context = context};
-    long id;
-    int status = id_column(&id, csv_columns(points)->others) ? EXIT_DONE
-                                                             : complain(EXIT_IO, "out of memory");
-    for (size_t k = 0; k < b->count && !status; k++) {
-        r.rest_length = 0;
-        if (!marks_grow(m))
-            status = complain(EXIT_IO, "out of memory");
-        else if (columns_row(m->value + m->count * (size_t)m->dimension, &f, csv_columns(points),
-                             &r, b, k))
-            status = fault_tell(&f);
-        else
-            status = marks_take(m, mark_name(r.rest, id, m->count + 1));
-    }
-    reader_clear(&r);
-    fault_clear(&f);
-    return status;
-}
-
-static int read_marks_file(marks *m, const char *path, graze_context *context) {
-    csv *points = NULL;
-    block *b = block_create();
-    int status = b ? csv_open(&points, path, m->dimension, (shard){0, 1}, context)
-                   : complain(EXIT_IO, "out of memory");
-    for (int more = 1; more && !status;) {
-        block_reset(b, 0);
-        int read = csv_fill(points, b, BLOCK_ROWS);
-        more = b->count > 0;
-        status = read_marks_block(m, points, b, context);
-        if (!status && read)
-            status = read == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(points));
-    }
-    csv_close(points);
-    block_destroy(b);
-    return status;
-}
-
-static int read_marks(marks *m, const draw_given *o, const operands *given,
-                      graze_context *context) {
-    int status = o->points ? read_marks_file(m, o->points, context) : EXIT_DONE;
-    for (int k = 0; k < given->repeated_count && !status; k++) {
-        if (!marks_grow(m))
-            return complain(EXIT_IO, "out of memory");
-        status = numbers_read(m->value + m->count * (size_t)m->dimension, context, "-p",
-                              given->repeated[k], strlen(given->repeated[k]), m->dimension);
-        if (!status)
-            status = marks_take(m, given->repeated_count > 1 ? number_name("P", (size_t)k + 1)
-                                                             : strdup("P"));
-    }
-    return status;
-}
 
 /* Numbers of the options; initialised by the caller. */
 typedef struct frame {
@@ -214,9 +91,22 @@ static int read_picture_size(unsigned long *out, const char *option, const char 
     return EXIT_DONE;
 }
 
+/* `none`, or a level from 1 to 19. */
+static int value_surface(void *to, const char *name, const char *value) {
+    unsigned long level = 0;
+    if (strcmp(value, "none") == 0) {
+        *(int *)to = -1;
+        return EXIT_DONE;
+    }
+    if (!numbers_count(&level, value, 1) || level > 19)
+        return complain(EXIT_USAGE, "--%s %s: expected none or a level from 1 to 19", name, value);
+    *(int *)to = (int)level;
+    return EXIT_DONE;
+}
+
 static int draw_scene(const loaded *l, const draw_given *o, const operands *given, marks *m,
                       frame *f) {
-    graze_draw_options what = {.title = o->title};
+    graze_draw_options what = {.title = o->title, .surface = o->surface, .size = sizeof what};
     char title[512];
     const char *solid = strrchr(o->scene.solid, '/'), *motion = strrchr(o->scene.motion, '/');
     snprintf(title, sizeof title, "%s, %s", solid ? solid + 1 : o->scene.solid,
@@ -229,10 +119,10 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
     if (!status)
         status = read_frame(&what, f, o, m->dimension, l->context);
     if (!status)
-        status = read_marks(m, o, given, l->context);
-    what.points = m->value;
-    what.point_count = m->count;
-    what.names = (const char *const *)m->name;
+        status = o->points ? marks_read(m, o->points, l->context) : EXIT_DONE;
+    if (!status)
+        status = marks_take_points(m, given->repeated, given->repeated_count, l->context);
+    marks_give(&what, m);
     if (status)
         return status;
     graze_status drawn = graze_draw(l->context, l->scene, o->output, &what);
@@ -249,6 +139,7 @@ static const option_entry draw_table[] = {
     OPTION("plane", draw_given, plane, value_text),
     OPTION("view", draw_given, view, value_text),
     OPTION("title", draw_given, title, value_text),
+    OPTION("surface", draw_given, surface, value_surface),
     OPTION("operation", draw_given, scene.scene.operation, value_operation),
     OPTION("folds", draw_given, scene.scene.folds, value_folds),
     OPTION("overlap", draw_given, scene.scene.overlap, value_overlap),
@@ -266,8 +157,9 @@ static int run_draw(void *options, const operands *given) {
                         "draw --help",
                         given->count);
     if (!o->output)
-        return complain(EXIT_USAGE, "draw needs -o FILE, a name in .svg or .png; see graze draw "
-                                    "--help");
+        return complain(EXIT_USAGE,
+                        "draw needs -o FILE, a name in .svg, .png or .html; see graze draw "
+                        "--help");
     o->scene.solid = given->item[0];
     o->scene.motion = given->item[1];
     o->points = given->item[2];

@@ -170,6 +170,7 @@ static graze_status show(graze_comparison *c, const run *r, const table_row *gol
         return comparison_no_memory(r->context);
     disagreement *d = &c->disagreements[c->shown++];
     memset(d, 0, sizeof *d);
+    d->row = golden ? c->rows - 1 : c->rows;
     d->golden_line = golden ? golden->line : 0;
     d->candidate_line = candidate ? candidate->line : 0;
     d->point =

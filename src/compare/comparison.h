@@ -32,6 +32,7 @@ const char *grouping_title(grouping g);
 
 /** One disagreement, as it is shown. Texts are malloc'ed. */
 typedef struct disagreement {
+    unsigned long row;                         /* golden rows before it */
     unsigned long golden_line, candidate_line; /* 0: no such row */
     char *point;                               /* coordinates with blanks between */
     char *golden, *candidate;                  /* the answers; NULL where there is no row */

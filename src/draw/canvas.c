@@ -3,11 +3,10 @@
  */
 #include "draw/canvas.h"
 
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "context/array.h"
+#include "draw/save.h"
 
 void path_clear(path *p) {
     free(p->node);
@@ -19,20 +18,6 @@ void path_to(path *p, char verb, double x, double y) {
         p->failed = !array_reserve(&p->node, &p->capacity, p->count + 1, sizeof *p->node);
     if (!p->failed)
         p->node[p->count++] = (path_node){verb, x, y};
-}
-
-static graze_status write_file(graze_context *context, const char *file, const text *bytes) {
-    FILE *stream = fopen(file, "wb");
-    if (!stream)
-        return context_fail_in(context, GRAZE_ESYSTEM, file, 0, "cannot be opened for writing: %s",
-                               strerror(errno));
-    int wrong = fwrite(bytes->data, 1, bytes->length, stream) != bytes->length ? errno : 0;
-    if (fclose(stream) != 0 && !wrong)
-        wrong = errno;
-    if (wrong)
-        return context_fail_in(context, GRAZE_ESYSTEM, file, 0, "writing failed: %s",
-                               strerror(wrong));
-    return GRAZE_OK;
 }
 
 static int append_bytes(void *to, const char *data, size_t length) {
@@ -51,7 +36,7 @@ graze_status canvas_finish(canvas *c, graze_context *context, const char *file, 
         c->kind->finish(c, append_bytes, &bytes);
         status = c->failed || bytes.failed
                      ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture")
-                     : write_file(context, file, &bytes);
+                     : save_file(context, file, &bytes);
     }
     text_clear(&bytes);
     c->kind->destroy(c);
@@ -84,8 +69,8 @@ void canvas_circle(canvas *c, double x, double y, double radius, const style *s)
     c->kind->circle(c, x, y, radius, s);
 }
 
-/* Bytes of the UTF-8 character at `s`, or 0 if there is none that XML takes. */
-static size_t character_length(const unsigned char *s) {
+size_t canvas_character(const char *at) {
+    const unsigned char *s = (const unsigned char *)at;
     if (*s < 0x80)
         return *s >= 0x20 && *s != 0x7f;
     size_t n = *s >= 0xf0 ? 4 : *s >= 0xe0 ? 3 : 2;
@@ -108,7 +93,7 @@ void canvas_text(canvas *c, double x, double y, const lettering *l, const char *
     text_init(&clean);
     text_put(&clean, "");
     while (*string) {
-        size_t n = character_length((const unsigned char *)string);
+        size_t n = canvas_character(string);
         text_bytes(&clean, n ? string : "?", n ? n : 1);
         string += n ? n : 1;
     }

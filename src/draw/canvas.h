@@ -66,6 +66,8 @@ void canvas_circle(canvas *c, double x, double y, double radius, const style *s)
  * question marks. */
 void canvas_text(canvas *c, double x, double y, const lettering *l, const char *string);
 
+/** Bytes of the UTF-8 character at `at`, or 0 if there is none that XML takes. */
+size_t canvas_character(const char *at);
 /** Width of a text in pixels, for fonts as wide as DejaVu Sans. */
 double canvas_text_width(const char *string, double size);
 

@@ -8,7 +8,7 @@
 #include "draw/png.h"
 #include "draw/svg.h"
 
-static int has_extension(const char *file, const char *extension) {
+int file_has_extension(const char *file, const char *extension) {
     const char *dot = strrchr(file, '.');
     if (!dot || strlen(dot + 1) != strlen(extension))
         return 0;
@@ -19,12 +19,13 @@ static int has_extension(const char *file, const char *extension) {
 }
 
 graze_status canvas_check(graze_context *context, const char *file) {
-    if (has_extension(file, "png"))
+    if (file_has_extension(file, "png"))
         return canvas_check_png(context);
-    if (has_extension(file, "svg"))
+    if (file_has_extension(file, "svg"))
         return GRAZE_OK;
     return context_fail(context, GRAZE_EUSE,
-                        "%s: the extension is that of no picture; expected .svg or .png", file);
+                        "%s: the extension is that of no picture; expected .svg, .png or .html",
+                        file);
 }
 
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
@@ -33,6 +34,6 @@ graze_status canvas_create(canvas **out, graze_context *context, const char *fil
     graze_status status = canvas_check(context, file);
     if (status)
         return status;
-    return (has_extension(file, "png") ? canvas_create_png : canvas_create_svg)(out, context, width,
-                                                                                height);
+    return (file_has_extension(file, "png") ? canvas_create_png : canvas_create_svg)(out, context,
+                                                                                     width, height);
 }

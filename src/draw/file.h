@@ -6,6 +6,8 @@
 
 #include "draw/canvas.h"
 
+/** 1 if a name has an extension, which is given in small letters without its dot. */
+int file_has_extension(const char *file, const char *extension);
 /** Check before long work that canvas_create can make the picture: GRAZE_EUSE an extension other
  * than .svg and .png, GRAZE_ESYSTEM no library for the latter. */
 graze_status canvas_check(graze_context *context, const char *file);

@@ -263,3 +263,24 @@ void panel_triad(canvas *c, const panel *p) {
         canvas_text(c, x + 30 * dx, y + 30 * dy + 4, &letter, names[k]);
     }
 }
+
+void panel_scale_bar(canvas *c, const panel *p) {
+    const style line = {.stroke = PAINT(INK), .width = 2};
+    const lettering number = {.size = 11, .anchor = ANCHOR_MIDDLE, .halo = 1};
+    tick_step step = step_for(p->width / 8 / p->scale);
+    double length = step.size * p->scale, right = p->x + p->width - 14, y = p->y + p->height - 12;
+    path bar = {NULL, 0, 0, 0};
+    char text[48];
+    if (!(length < p->width / 2))
+        return;
+    tick_text(text, sizeof text, 1, &step);
+    path_to(&bar, 'M', right - length, y);
+    path_to(&bar, 'L', right, y);
+    for (int k = 0; k < 2; k++) {
+        path_to(&bar, 'M', right - k * length, y - 4);
+        path_to(&bar, 'L', right - k * length, y + 4);
+    }
+    canvas_path(c, &bar, &line, "scale");
+    path_clear(&bar);
+    canvas_text(c, right - length / 2, y - 7, &number, text);
+}

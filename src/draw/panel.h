@@ -58,6 +58,8 @@ double panel_span(const panel *p);
 void panel_frame(canvas *c, const panel *p);
 /** Numbers along the left and the lower side, and the names of the two axes. */
 void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical);
+/** A bar of a round length with its number, in the lower right corner. */
+void panel_scale_bar(canvas *c, const panel *p);
 /** Small arrows that show how the axes x, y, z lie. */
 void panel_triad(canvas *c, const panel *p);
 

@@ -20,6 +20,10 @@ typedef struct draw_request {
     const fmpq *points;     /* d each */
     size_t point_count;
     const char *const *names; /* one a point */
+    /* Pages alone: */
+    const char *const *strata;  /* one a point, or NULL; entries may be NULL */
+    const char *const *answers; /* the same: a candidate's, where it is wrong */
+    unsigned surface;           /* level of the sweep's surface; 0: none */
 } draw_request;
 
 #endif

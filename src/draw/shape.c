@@ -7,6 +7,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "draw/chain.h"
+#include "draw/edges.h"
+#include "draw/raster.h"
 
 /* Map all vertices by d rows of d + 1 numbers. */
 static graze_status place_vertices(shape *out, graze_context *context, const graze_solid *solid,
@@ -77,13 +80,23 @@ void shape_extent(extent *out, const shape *s, const projection *look) {
                    projection_at(look, 1, s->at + 3 * v));
 }
 
+/* Nodes of a line of a dense mesh are no nearer than this to one another, in pixels. */
+static double nodes_apart(size_t count) {
+    enum { DENSE = 2000 };
+    return count < DENSE ? 0 : .4;
+}
+
 void shape_rings(path *out, const shape *s, const panel *p) {
     const soup *input = &s->solid->input;
+    double apart = nodes_apart(input->index_count);
     for (size_t c = 0; c < input->cycle_count; c++) {
         for (size_t k = input->cycle_start[c]; k < input->cycle_start[c + 1]; k++) {
             double x, y;
             panel_map(&x, &y, p, s->at + 3 * (size_t)input->index[k]);
-            path_to(out, k == input->cycle_start[c] ? 'M' : 'L', x, y);
+            if (k == input->cycle_start[c])
+                path_to(out, 'M', x, y);
+            else
+                chain_to(out, x, y, apart);
         }
         path_to(out, 'z', 0, 0);
     }
@@ -97,21 +110,34 @@ static void meet_plane(double out[3], const double *a, const double *b, int axis
     out[axis] = place;
 }
 
+/* The segment of one triangle; 0 if the plane does not pass between its vertices. */
+static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, const panel *p,
+                          int axis, double place) {
+    int ends = 0;
+    for (int k = 0; k < 3; k++) {
+        uint64_t from = f->vertex[k], to = f->vertex[(k + 1) % 3];
+        const double *a = s->at + 3 * from, *b = s->at + 3 * to;
+        double end[3];
+        if ((a[axis] >= place) == (b[axis] >= place))
+            continue;
+        /* Alike from both sides of the edge. */
+        meet_plane(end, from < to ? a : b, from < to ? b : a, axis, place);
+        panel_map(&out->x[ends], &out->y[ends], p, end);
+        out->key[ends++] = from < to ? from << 32 | to : to << 32 | from;
+    }
+    return ends == 2;
+}
+
 void shape_slice(path *out, const shape *s, const panel *p, int axis, double place) {
     const simplices *cut = &s->solid->cut;
-    for (size_t f = 0; f < cut->count; f++) {
-        int ends = 0;
-        for (int k = 0; k < 3; k++) {
-            const double *a = s->at + 3 * (size_t)cut->item[f].vertex[k];
-            const double *b = s->at + 3 * (size_t)cut->item[f].vertex[(k + 1) % 3];
-            double end[3], x, y;
-            if ((a[axis] >= place) == (b[axis] >= place))
-                continue;
-            meet_plane(end, a, b, axis, place);
-            panel_map(&x, &y, p, end);
-            path_to(out, ends++ ? 'L' : 'M', x, y);
-        }
-    }
+    chain_segment *segments = calloc(cut->count + 1, sizeof *segments);
+    size_t n = 0;
+    out->failed |= !segments;
+    for (size_t f = 0; f < cut->count && segments; f++)
+        n += (size_t)slice_triangle(&segments[n], s, &cut->item[f], p, axis, place);
+    if (segments)
+        chain_path(out, segments, n, nodes_apart(cut->count));
+    free(segments);
 }
 
 /* A face turned towards the onlooker. */
@@ -170,47 +196,94 @@ static unsigned shade(unsigned colour, double light) {
     return PAINT(out);
 }
 
-static void paint_face(canvas *c, const shape *s, const finish *how, const face *f,
-                       const panel *p) {
-    const simplex *from = &s->solid->cut.item[f->simplex];
+/* How faces are painted: as paths, or where they are many as pixels. */
+typedef struct brush {
+    canvas *canvas;
+    const panel *panel;
+    const edge_list *edges;
+    raster pixels; /* without `pixel`: paths */
+} brush;
+
+static void paint_path(const brush *b, const style *plain, const style *line, const double x[3],
+                       const double y[3], unsigned sides) {
     path area = {NULL, 0, 0, 0}, edges = {NULL, 0, 0, 0};
-    double x[3], y[3];
-    for (int k = 0; k < 3; k++) {
-        panel_map(&x[k], &y[k], p, s->at + 3 * (size_t)from->vertex[k]);
+    for (int k = 0; k < 3; k++)
         path_to(&area, k ? 'L' : 'M', x[k], y[k]);
-    }
     path_to(&area, 'z', 0, 0);
     for (int k = 0; k < 3; k++)
-        if (!(from->diagonal >> k & 1)) {
+        if (sides >> k & 1) {
             path_to(&edges, 'M', x[k], y[k]);
             path_to(&edges, 'L', x[(k + 1) % 3], y[(k + 1) % 3]);
         }
-    unsigned paint = shade(how->colour, f->light);
-    const style plain = {.fill = paint, .faintness = how->faintness, .crisp = 1};
-    const style line = {
-        .stroke = shade(how->colour, -.6), .width = .6, .faintness = how->faintness};
-    canvas_path(c, &area, &plain, NULL);
-    if (how->edges)
-        canvas_path(c, &edges, &line, NULL);
+    canvas_path(b->canvas, &area, plain, NULL);
+    canvas_path(b->canvas, &edges, line, NULL);
     path_clear(&area);
     path_clear(&edges);
+}
+
+static void paint_pixels(brush *b, const style *plain, const style *line, double x[3], double y[3],
+                         unsigned sides) {
+    for (int k = 0; k < 3; k++) {
+        x[k] -= b->panel->x;
+        y[k] -= b->panel->y;
+    }
+    raster_triangle(&b->pixels, x, y, plain->fill, plain->faintness);
+    for (int k = 0; k < 3; k++) {
+        const double from[2] = {x[k], y[k]}, to[2] = {x[(k + 1) % 3], y[(k + 1) % 3]};
+        if (sides >> k & 1)
+            raster_line(&b->pixels, from, to, line->stroke, line->faintness);
+    }
+}
+
+static void paint_face(brush *b, const shape *s, const finish *how, const face *f) {
+    const simplex *from = &s->solid->cut.item[f->simplex];
+    double x[3], y[3];
+    for (int k = 0; k < 3; k++)
+        panel_map(&x[k], &y[k], b->panel, s->at + 3 * (size_t)from->vertex[k]);
+    const style plain = {
+        .fill = shade(how->colour, f->light), .faintness = how->faintness, .crisp = 1};
+    const style line = {
+        .stroke = shade(how->colour, -.6), .width = .6, .faintness = how->faintness};
+    unsigned sides = how->edges ? b->edges->sides[f->simplex] : 0;
+    if (b->pixels.pixel)
+        paint_pixels(b, &plain, &line, x, y, sides);
+    else
+        paint_path(b, &plain, &line, x, y, sides);
+}
+
+static graze_status paint_faces(brush *b, graze_context *context, const shape *shapes,
+                                const finish *finishes, const face *faces, size_t count) {
+    enum { MOST_PATHS = 2000 };
+    if (count > MOST_PATHS && !raster_init(&b->pixels, b->panel))
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
+    for (size_t k = 0; k < count; k++)
+        paint_face(b, &shapes[faces[k].shape], &finishes[faces[k].shape], &faces[k]);
+    if (b->pixels.pixel)
+        raster_draw(b->canvas, &b->pixels, b->panel);
+    raster_clear(&b->pixels);
+    return GRAZE_OK;
 }
 
 graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes,
                           const finish *finishes, size_t count, const panel *p) {
     size_t n = 0, per_shape = shapes[0].solid->cut.count;
+    edge_list edges;
+    graze_status status = edges_make(&edges, context, shapes[0].solid);
     face *faces = calloc(per_shape, count * sizeof *faces);
-    if (!faces)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
-    for (size_t s = 0; s < count; s++)
+    if (!status && !faces)
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
+    for (size_t s = 0; s < count && !status; s++)
         for (size_t f = 0; f < per_shape; f++) {
             faces[n].shape = s;
             faces[n].simplex = f;
             n += (size_t)see(&faces[n], &shapes[s], f, &p->look);
         }
-    qsort(faces, n, sizeof *faces, nearer_later);
-    for (size_t k = 0; k < n; k++)
-        paint_face(c, &shapes[faces[k].shape], &finishes[faces[k].shape], &faces[k], p);
+    if (!status) {
+        brush b = {c, p, &edges, {0, 0, NULL}};
+        qsort(faces, n, sizeof *faces, nearer_later);
+        status = paint_faces(&b, context, shapes, finishes, faces, n);
+    }
     free(faces);
-    return GRAZE_OK;
+    edges_clear(&edges);
+    return status;
 }

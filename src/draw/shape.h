@@ -37,7 +37,7 @@ void shape_slice(path *out, const shape *s, const panel *p, int axis, double pla
 typedef struct finish {
     unsigned colour; /* 0xRRGGBB, in full light */
     double faintness;
-    int edges; /* draw the boundary's edges */
+    int edges; /* draw the boundary's edges, of a dense mesh the sharp ones */
 } finish;
 
 /** Paint the faces of shapes in E^3 that are turned towards the onlooker, the far ones first. */

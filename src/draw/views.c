@@ -55,7 +55,7 @@ static void fit_trajectories(picture *p, const projection *look) {
 
 /* Title of the cells: a long ratio as a decimal, marked where that is not the number itself. */
 static void name_classes(picture *p) {
-    enum { LONG = 16 };
+    enum { LONG = 13 }; /* 12 digits and the bar */
     const char *what = is_unsweep(p) ? "The unsweep" : "The sweep by class";
     int axis = p->request->plane_axis, exact = 1;
     char title[sizeof p->classes.title];
@@ -219,6 +219,7 @@ graze_status view_positions(canvas *c, graze_context *context, const picture *p)
     canvas_unclip(c);
     panel_frame(c, at);
     panel_triad(c, at);
+    panel_scale_bar(c, at);
     draw_points(c, p, at, 0);
     canvas_end(c);
     return status;
@@ -379,10 +380,12 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
     for (size_t k = 0; k < n; k++)
         draw_contacts(c, at, &p->trails[k], &names);
     panel_frame(c, at);
-    if (is_plane(p))
+    if (is_plane(p)) {
         panel_ticks(c, at, 'x', 'y');
-    else
+    } else {
         panel_triad(c, at);
+        panel_scale_bar(c, at);
+    }
     for (size_t k = 0; k < n; k++)
         name_trail(c, at, &p->trails[k], p->request->names[k], &names);
     labels_tell(&names, c, at);

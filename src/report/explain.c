@@ -24,14 +24,42 @@ static const char *state_phrase(graze_state state) {
                                     : "outside";
 }
 
+/* A ratio of more than 12 digits. */
+static int is_long(const fmpq_t value) {
+    size_t digits =
+        fmpz_sizeinbase(fmpq_numref(value), 10) + fmpz_sizeinbase(fmpq_denref(value), 10);
+    return !fmpz_is_one(fmpq_denref(value)) && digits > 12;
+}
+
+/* The same coordinates as decimals between commas. */
+static void put_near(text *out, const fmpq *point, int d) {
+    text near;
+    int all = 1;
+    text_init(&near);
+    for (int k = 0; k < d; k++) {
+        int exact;
+        char *decimal = decimal_of_rational(&exact, point + k, DECIMAL_DIGITS);
+        all &= exact;
+        text_put(&near, k ? ", " : "");
+        text_owned(&near, decimal);
+    }
+    text_format(out, all ? " = (%s)" : ", about (%s),", near.failed ? "" : near.data);
+    out->failed |= near.failed;
+    text_clear(&near);
+}
+
 static void put_point(text *out, const fmpq *point, int d) {
+    int any = 0;
     text_put(out, "(");
     for (int k = 0; k < d; k++) {
         if (k)
             text_put(out, ", ");
         formula_rational(out, point + k);
+        any |= is_long(point + k);
     }
     text_put(out, ")");
+    if (any)
+        put_near(out, point, d);
 }
 
 /* `1/2 = 0.5`, `1/3, about 0.333333333333`, or the root with its polynomial and interval. */

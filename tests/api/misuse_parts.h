@@ -106,6 +106,8 @@ static void pictures(bench *b) {
         {.view = {NAN, 0, 0}},
         {.view = {0, INFINITY, 0}},
     };
+    HARMLESS(graze_class_colour, !graze_class_colour(GRAZE_CLASS_NONE));
+    HARMLESS(graze_class_colour, !graze_class_colour((graze_class)9));
     WRONG(graze_draw(NULL, b->s.scene, file, NULL));
     WRONG(graze_draw(c, NULL, file, NULL));
     WRONG(graze_draw(c, b->s.scene, NULL, NULL));
@@ -132,6 +134,10 @@ static void comparisons(bench *b) {
         WRONG_OUT(graze_comparison, graze_compare(&out, c, "a", "b", &odd[k]));
     HARMLESS(graze_comparison_destroy, CALLS(graze_comparison_destroy(NULL)));
     HARMLESS(graze_comparison_count, !graze_comparison_count(NULL).rows);
+    HARMLESS(graze_comparison_disagreement, !graze_comparison_disagreement(NULL, 0).point);
+    HARMLESS(graze_comparison_disagreement,
+             !graze_comparison_disagreement(b->comparison, SIZE_MAX).point);
+    HARMLESS(graze_comparison_head, !*graze_comparison_head(NULL));
     WRONG(graze_comparison_report(NULL, c, b->comparison, GRAZE_COMPARISON_TEXT));
     WRONG_OUT(char, graze_comparison_report(&out, NULL, b->comparison, GRAZE_COMPARISON_TEXT));
     WRONG_OUT(char, graze_comparison_report(&out, c, NULL, GRAZE_COMPARISON_TEXT));

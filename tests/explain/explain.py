@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Counts, case, definition and class come from the printed definitions (agree/lib/definitions.py), the trajectory's ends from
 the motion as generate/jets.py reads it, times and cells from the README. At most POINTS points a case, more with --scale.
 """
+import decimal
 import os
 import re
 import sys
@@ -34,8 +35,34 @@ def shown(x):
     return re.sub(r"(\d{12})(\d{17,})(\d{12})", lambda m: f"{m[1]}...{m[3]}[{len(m[0])} digits]", str(x))
 
 
+def rounded(x, digits=12):
+    """(decimal, 1 if it is the number itself): positional from 10^-5 on and up to as many places as there are digits."""
+    with decimal.localcontext() as context:
+        context.prec = digits
+        near = decimal.Decimal(x.numerator) / decimal.Decimal(x.denominator)
+    exact, figures = jets.F(near) == x, "".join(map(str, near.as_tuple().digits))
+    if x == 0:
+        return "0", True
+    e = len(figures) + near.as_tuple().exponent
+    figures = figures.rstrip("0") if exact else figures.ljust(digits, "0")
+    if e > digits or e < -4:
+        text = figures[0] + ("." + figures[1:] if figures[1:] else "") + f"e{e - 1}"
+    elif e <= 0:
+        text = "0." + "0" * -e + figures
+    else:
+        text = figures[:e].ljust(e, "0") + ("." + figures[e:] if figures[e:] else "")
+    return ("-" if x < 0 else "") + text, exact
+
+
 def place(values):
-    return "(" + ", ".join(map(shown, values)) + ")"
+    """Coordinates, and their decimals where a ratio has more than twelve digits."""
+    values = list(values)
+    text = "(" + ", ".join(map(shown, values)) + ")"
+    if all(x.denominator == 1 or len(f"{abs(x.numerator)}{x.denominator}") <= 12 for x in values):
+        return text
+    near = [rounded(jets.F(x)) for x in values]
+    decimals = ", ".join(n for n, _ in near)
+    return text + (f" = ({decimals})" if all(exact for _, exact in near) else f", about ({decimals}),")
 
 
 def plural(count, one, many):

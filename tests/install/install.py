@@ -47,7 +47,7 @@ def check_tree(root, version):
                  f"lib/libgraze.so.{version}", "lib/pkgconfig/graze.pc", "lib/cmake/graze/grazeConfig.cmake",
                  "lib/cmake/graze/grazeConfigVersion.cmake", "share/bash-completion/completions/graze",
                  "share/doc/graze/README.md", "share/doc/graze/CHANGELOG.md", "share/doc/graze/CITATION.cff",
-                 "share/doc/graze/LICENSE", "share/doc/graze/formats.md", "share/doc/graze/semantics.md"}, "files installed")
+                 "share/doc/graze/LICENSE", "share/doc/graze/LICENSE.three", "share/doc/graze/formats.md", "share/doc/graze/semantics.md"}, "files installed")
     for name in ("libgraze.so", "libgraze.so.0"):
         same(os.path.basename(os.path.realpath(f"{root}/lib/{name}")), f"libgraze.so.{version}", name)
     check(not any("__pycache__" in name for name in files_under(root)), "no compiled Python is installed")
@@ -61,6 +61,10 @@ def check_tree(root, version):
         with open(picture, "rb") as file:
             check(file.read(8) == b"\x89PNG\r\n\x1a\n", "a PNG picture of the installed program")
         os.remove(picture)
+    page = os.path.join(root, "page.html")
+    output([f"{root}/bin/graze", "draw", "cases/figure4/solid.wkt", "cases/figure4/motion.json", "-o", page])
+    check(os.path.getsize(page) > 500_000, "a page of the installed program, with three.js")
+    os.remove(page)
     for name in ("graze.pc", "grazeConfig.cmake", "grazeConfigVersion.cmake"):
         folder = "pkgconfig" if name.endswith(".pc") else "cmake/graze"
         with open(f"{root}/lib/{folder}/{name}", encoding="utf-8") as file:

@@ -24,7 +24,7 @@ import changes  # noqa: E402
 
 # Rooms from the bottom to the top; those of one line know nothing of one another.
 ORDER = ["context", "number", "table", "motion soup", "validate", "read", "solid", "filter", "scene", "trace",
-         "verdict generate", "topo lattice", "contact distance", "report compare", "convert boundary draw certify", "png", "api", "run", "cli", "mpi"]
+         "verdict generate", "topo lattice", "contact distance", "report compare", "convert boundary draw certify", "page", "png", "api", "run", "cli", "mpi"]
 RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms.split()}
 COMMANDS = {"run", "cli", "mpi"}
 # Small tools that the commands use beside the public header and table/.
@@ -38,6 +38,7 @@ CORE = "include/graze/core.h"
 PARTS = {room: room for room in ("report", "generate", "compare", "convert", "draw", "boundary", "certify",
                                   "topo", "contact", "distance")}
 PARTS["table"] = "report"
+PARTS["page"] = "draw"
 # What the checker of certificates may include.
 STANDARD = {"float.h", "gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",
             "unistd.h"}

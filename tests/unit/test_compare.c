@@ -246,6 +246,35 @@ static void report_holds(const char *part, graze_comparison_format format) {
     graze_comparison_destroy(c);
 }
 
+/* Rows are numbered as the golden table has them; what the candidate lacks is NULL. */
+static void disagreements(void **state) {
+    (void)state;
+    graze_comparison *c;
+    graze_compare_options o = {.show = 10};
+    write_file(golden_path,
+               "# graze\n# operation unsweep\n# round binary64\nx,y,pmc,id\n0,0,in,a\n1,0,on,b\n"
+               "2,0,in,c\n3,0,out,d\n# complete 4\n");
+    write_file(candidate_path, "x,y,pmc,id\n0,0,in,a\n1,0,out,b\n3,0,out,d\n4,0,in,e\n");
+    assert_int_equal(graze_compare(&c, context, golden_path, candidate_path, &o), GRAZE_OK);
+    graze_disagreement d = graze_comparison_disagreement(c, 0);
+    assert_int_equal(d.row, 1);
+    assert_int_equal(d.golden_line, 6);
+    assert_int_equal(d.candidate_line, 3);
+    assert_string_equal(d.point, "1 0");
+    assert_string_equal(d.golden, "pmc=on");
+    assert_string_equal(d.candidate, "pmc=out");
+    d = graze_comparison_disagreement(c, 1);
+    assert_int_equal(d.row, 2);
+    assert_null(d.candidate);
+    d = graze_comparison_disagreement(c, 2);
+    assert_int_equal(d.row, 4);
+    assert_null(d.golden);
+    assert_string_equal(d.point, "4 0");
+    assert_null(graze_comparison_disagreement(c, 3).point);
+    assert_string_equal(graze_comparison_head(c), " --round binary64 --operation unsweep");
+    graze_comparison_destroy(c);
+}
+
 static void reports(void **state) {
     (void)state;
     write_file(golden_path, "# folds combined\n# round binary32\n" HEAD "1/2,0" IN_ROW "2,0" ON_ROW
@@ -350,6 +379,7 @@ int main(void) {
         cmocka_unit_test(rounding_matches),
         cmocka_unit_test(random_tables),
         cmocka_unit_test(reports),
+        cmocka_unit_test(disagreements),
         cmocka_unit_test(byte_order_mark_alone),
         cmocka_unit_test(coordinates_are_numbers),
         cmocka_unit_test(tallies),

@@ -23,7 +23,7 @@ from .comparison import Comparison, compare
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
-from .pictures import Picture
+from .pictures import Picture, class_colours
 from .results import (CLASS_NAMES, ENCLOSURE_DTYPE, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact,
                       Enclosure, Pmc, Sample, Topology, Trace, Verdict, class_names, columns,
                       definition_names, pmc_names, to_dataframe)
@@ -36,7 +36,7 @@ __all__ = [
     "ENCLOSURE_DTYPE", "Enclosure", "GrazeError", "IllegalError", "InputError", "InternalError",
     "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Picture",
     "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
-    "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_names", "columns", "compare",
+    "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "columns", "compare",
     "decimal", "definition_names", "pmc_names", "slide", "to_dataframe", "turn", "version"]
 
 

@@ -230,6 +230,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
                                       c_ulonglong]),
     "graze_stratum_name": (c_char_p, [c_int]),
     "graze_stratum_default_weight": (c_ulong, [c_int]),
+    "graze_class_colour": (c_uint, [c_int]),
     "graze_draw": (c_int, [c_void_p, c_void_p, c_char_p, POINTER(CDrawOptions)]),
     "graze_compare": (c_int, [_OUT, c_void_p, c_char_p, c_char_p, POINTER(CCompareOptions)]),
     "graze_comparison_destroy": (None, [c_void_p]),

@@ -7,12 +7,13 @@ from __future__ import annotations
 import ctypes
 import os
 import tempfile
-from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from ._context import Context
 from ._library import CDrawOptions, Handle, library
 from ._numbers import Points, Rationals
 from .errors import UseError
+from .results import Class
 
 
 class Picture(NamedTuple):
@@ -34,6 +35,11 @@ class Picture(NamedTuple):
 
     def __repr__(self) -> str:
         return f"<graze.Picture, {len(self.svg)} characters of SVG>"
+
+
+def class_colours() -> Dict[str, str]:
+    """The colour of each class in every picture of Graze, as `#rrggbb`."""
+    return {class_.name.lower(): f"#{library().graze_class_colour(class_):06x}" for class_ in Class}
 
 
 def draw(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],

@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+# suite
+"""Pages of `graze draw -o scene.html` and `graze compare --page`, by their data.
+
+Words, classes, counts, times and cells of a page are those of `graze classify --format jsonl`; the maps of its
+motion take points to the boundary of the solid at the times of contact; the surface is that of `graze boundary`.
+A page holds the licence of three.js and names no file or address. What the page shows is tested in a browser
+(browser.py).
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import base64
+import csv
+import json
+import os
+import re
+import struct
+import sys
+import tempfile
+from fractions import Fraction as F
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "boundary"))
+
+import harness  # noqa: E402
+from files import read_ply  # noqa: E402
+from harness import ROOT, Checks, options  # noqa: E402
+
+CUBE = os.path.join(ROOT, "tests", "refuse", "common", "cube.off")
+checks = Checks()
+check = checks.holds
+
+
+def case(name):
+    folder = os.path.join(ROOT, "cases", name)
+    solid = next(f for f in sorted(os.listdir(folder)) if f.startswith("solid."))
+    return [os.path.join(folder, f) for f in (solid, "motion.json", "points.csv")]
+
+
+def run(graze, *arguments, status=0):
+    done = harness.run([graze, *arguments], 300)
+    check(done.returncode == status, arguments, done.returncode, done.stderr)
+    return done.stdout
+
+
+def read_page(path):
+    """(text without its data, the data)."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    found = re.findall(r'<script type="application/json" id="scene">(.*?)</script>', text, re.S)
+    check(len(found) == 1, path, "scripts of data", len(found))
+    return text.replace(found[0], ""), json.loads(found[0])
+
+
+def numbers(text, form, size):
+    data = base64.b64decode(text, validate=True)
+    return struct.unpack(f"<{len(data) // size}{form}", data)
+
+
+def time_of(time):
+    """As in JSON Lines; a root without its decimal, which has other digits there."""
+    return time if isinstance(time, str) else (time["poly"], time["lo"], time["hi"])
+
+
+def test_rows(data, lines, operation):
+    """The points beside JSON Lines."""
+    letter = {"face": "f", "edge": "e", "vertex": "v"}
+    check(len(data["points"]) == len(lines) > 0, "points", len(data["points"]), len(lines))
+    for row, line in zip(data["points"], map(json.loads, lines)):
+        at, word, tone, definition, position, i, t, _, _, answer, contacts = row
+        check([F(x) for x in at.split()] == [F(x) for x in line["point"]], "point", at, line["point"])
+        check(word == line["word"] and answer == 0, at, word, line["word"])
+        if operation == "sweep":
+            want = [line["class"], 0 if line["definition"] == "ext" else line["definition"], line["case"], line["i"], line["t"]]
+            check([data["tones"][tone][0], definition, position, i, t] == want, at, tone, definition, position, i, t, want)
+        else:
+            check(data["tones"][tone][0] == line["pmc"], at, tone, line["pmc"])
+        check(len(contacts) == 3 * len(line["contacts"]), at, contacts)
+        for k, contact in enumerate(line["contacts"]):
+            begin, end, says = contacts[3 * k:3 * k + 3]
+            times = [x if isinstance(x, str) else (x[1].split(" "), x[2], x[3]) for x in (begin, end or begin)]
+            check(times == [time_of(contact["from"]), time_of(contact["to"])], at, times, contact)
+            check((end == 0) == (contact["from"] == contact["to"]), at, "instant", end)
+            cells = [letter[kind] + ("-".join(map(str, cell)) if isinstance(cell, list) else str(cell))
+                     for feature in contact["features"] for kind, cell in feature.items()]
+            check(says.split() == ["X" if contact["kind"] == "intersection" else "T", *cells], at, says, contact)
+
+
+def near_zero(text):
+    """The decimal of a root is near a root of its polynomial, by a change of sign."""
+    decimal, poly = float(text[0]), [int(c) for c in text[1].split()]
+    step = abs(F(text[0])) / 10**11
+    values = [sum(c * (F(text[0]) + s * step)**k for k, c in enumerate(poly)) for s in (-1, 1)]
+    return values[0] * values[1] < 0 and float(F(text[2])) <= decimal <= float(F(text[3]))
+
+
+def image(piece, which, t, point):
+    """The image of a point under a piece's map."""
+    low, high = (float(F(x)) for x in piece["t"])
+    u, d = (t - low) / (high - low), len(point)
+    entry = [sum(c * u**k for k, c in enumerate(p)) for p in (*piece[which]["entries"], piece[which]["weight"])]
+    return [(entry[i * (d + 1) + d] + sum(entry[i * (d + 1) + j] * point[j] for j in range(d))) / entry[-1] for i in range(d)]
+
+
+def test_motion(graze, folder):
+    """A cube that turns and slides: each contact is on the cube, and `place` undoes `trace`."""
+    motion, points, page = (os.path.join(folder, name) for name in ("m.json", "p.csv", "m.html"))
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 3, "pieces": [{"t": ["0", "2"], "transform": {"translate": ["4*s", "0", "0"]}}, '
+                   '{"t": ["2", "3"], "transform": {"compose": [{"rotate": {"axis": ["0", "0", "1"], "tan_half": "s"}}, '
+                   '{"translate": ["4", "0", "0"]}]}}]}')
+    with open(points, "w", encoding="utf-8") as file:
+        file.write(run(graze, "generate", CUBE, motion, "-n", 60, "--seed", 2))
+    run(graze, "draw", CUBE, motion, points, "--surface", "none", "-o", page)
+    _, data = read_page(page)
+    check(data["surface"] is None, "a surface that was not asked for")
+    found, roots = 0, 0
+    for at, *_, contacts in data["points"]:
+        point = [float(F(x)) for x in at.split()]
+        for time in contacts[::3]:
+            root = not isinstance(time, str)
+            roots += root
+            if root:
+                check(near_zero(time), "decimal of a root", time)
+            t = float(time[0] if root else F(time))
+            piece = data["motion"][0 if t <= 2 else 1]
+            body = image(piece, "trace", t, point)
+            off = max(abs(x - 1) for x in body) - 1
+            check(abs(off) < 1e-8, at, time, "is not on the cube", body)
+            check(max(abs(a - b) for a, b in zip(image(piece, "place", t, body), point)) < 1e-8, at, time, "place and trace")
+            found += 1
+    check(found > 50 and roots > 0, "contacts", found, roots)
+
+
+def test_solid(data, path):
+    """Vertices, triangles and edges of the cube."""
+    with open(CUBE, encoding="utf-8") as file:
+        given = [float(x) for line in file.read().splitlines()[2:10] for x in line.split()]
+    check(list(numbers(data["solid"]["vertices"], "d", 8)) == given, path, "vertices")
+    check(len(numbers(data["solid"]["triangles"], "I", 4)) == 36, path, "triangles")
+    edges = numbers(data["solid"]["edges"], "I", 4)
+    pairs = {tuple(sorted(edges[k:k + 2])) for k in range(0, len(edges), 2)}
+    at = [given[3 * k:3 * k + 3] for k in range(8)]
+    want = {(a, b) for a in range(8) for b in range(a + 1, 8) if sum(x != y for x, y in zip(at[a], at[b])) == 1}
+    check(pairs == want and len(edges) == 24, path, "edges", pairs)
+
+
+def test_surface(graze, folder, data, level):
+    """The surface of `graze boundary` at this level."""
+    motion, ply = os.path.join(folder, "slide.json"), os.path.join(folder, "s.ply")
+    run(graze, "boundary", CUBE, motion, "--depth", level, "--contacts", 300, "--surface", ply)
+    vertices, faces = read_ply(ply)
+    check(data["surface"]["level"] == level, "level", data["surface"]["level"])
+    check(numbers(data["surface"]["faces"], "I", 4) == tuple(k for face in faces for k in face), "faces of the surface")
+    flat = numbers(data["surface"]["vertices"], "d", 8)
+    far = max(abs(a - float(b)) for a, b in zip(flat, (x for v in vertices for x in v)))
+    check(len(flat) == 3 * len(vertices) and far < 1e-12, "vertices of the surface", len(flat), far)
+
+
+def test_page(graze, folder):
+    """One page whole: nothing from elsewhere, texts that could end a script, the licence."""
+    motion, points, page = (os.path.join(folder, name) for name in ("slide.json", "named.csv", "named.html"))
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0", "0"]}}]}')
+    name, title = "</script><b>\\&", '</script><b>"\\&'
+    with open(points, "w", encoding="utf-8") as file:
+        file.write('x,y,z,id,stratum\n5,1,1,' + name + ',a\n1/3,1,2,two,b\n')
+    run(graze, "draw", CUBE, motion, points, "--title", title, "-o", page, "--surface", 4)
+    text, data = read_page(page)
+    check(data["title"] == title and [row[7:9] for row in data["points"]] == [[name, "a"], ["two", "b"]], data["points"])
+    check(text.count("<script") == 3 and text.count("</script") == 3, "scripts", text.count("<script"))
+    # The page's own part; the names of three.js's sources are no addresses that are asked for.
+    check(not re.search(r'<(?:script|link|img|iframe)[^>]*\b(?:src|href)=|@import|url\(|\bfetch\(|WebSocket', text.split("var THREE")[0] +
+                        text.rsplit("<script>", 1)[1]), "the page asks for a file")
+    check("default-src 'none'" in text, "content security policy")
+    with open(os.path.join(ROOT, "src", "page", "three", "LICENSE"), encoding="utf-8") as file:
+        check(file.read() in text, "the licence of three.js")
+    check("@LICENCE@" not in text and "@THREE@" not in text and "@SCENE@" not in text and "@PROGRAM@" not in text, "marks")
+    test_solid(data, page)
+    test_surface(graze, folder, data, 4)
+
+
+def test_cases(graze, folder):
+    page = os.path.join(folder, "case.html")
+    for name, more in (("bracket", []), ("figures-5-7-8", []), ("figure2-rotation-3d", []), ("bracket", ["--operation", "unsweep"]),
+                       ("combinations-2d-combined", ["--folds", "combined"])):
+        solid, motion, points = case(name)
+        run(graze, "draw", solid, motion, points, "-o", page, "--surface", "none", *more)
+        _, data = read_page(page)
+        lines = run(graze, "classify", solid, motion, points, "--format", "jsonl", *more).splitlines()
+        operation = "unsweep" if "unsweep" in more else "sweep"
+        check(data["operation"] == operation and (data["folds"] == "combined") == ("combined" in more), name, data["operation"])
+        test_rows(data, lines, operation)
+
+
+def test_compare(graze, folder):
+    """The wrong rows have the candidate's answer, also a missing one; the scene is that of the table's head."""
+    solid, motion, points = case("figures-5-7-8")
+    golden, mine, page = (os.path.join(folder, name) for name in ("golden.csv", "mine.csv", "c.html"))
+    with open(golden, "w", encoding="utf-8") as file:
+        file.write(run(graze, "classify", solid, motion, points, "--operation", "unsweep"))
+    with open(golden, encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    wrong = {3: "in", 8: "on"}
+    check(all(rows[k]["pmc"] == "out" for k in (*wrong, 11)), "rows of the case")
+    with open(mine, "w", encoding="utf-8") as file:
+        file.write("x,y,pmc\n" + "".join(f"{row['x']},{row['y']},{wrong.get(k, row['pmc'])}\n" for k, row in enumerate(rows) if k != 11))
+    run(graze, "compare", golden, mine, "--solid", solid, "--motion", motion, "--page", page, "--show", "1", status=1)
+    _, data = read_page(page)
+    got = {k: row[9] for k, row in enumerate(data["points"]) if row[9]}
+    check(got == {3: "pmc=in", 8: "pmc=on", 11: "nothing"}, "wrong rows", got)
+    check(data["operation"] == "unsweep" and len(data["points"]) == len(rows), data["operation"])
+
+
+def main():
+    graze = options(__doc__).graze
+    with tempfile.TemporaryDirectory() as folder:
+        test_page(graze, folder)
+        test_cases(graze, folder)
+        test_motion(graze, folder)
+        test_compare(graze, folder)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
