@@ -144,9 +144,13 @@ static graze_status take_options(graze_options *out, graze_context *context, con
             return api_misuse(context, function,
                               "topo and sdf are decided by the contacts, which columns of pmc "
                               "alone spare");
-        if (out->sdf >= 0 && isfinite(out->sdf))
+        if (!(out->sdf >= 0 && isfinite(out->sdf)))
+            return api_misuse(context, function, "sdf must be a positive finite width, or 0");
+        int near = out->motion_error == 0 || (out->motion_error > 0 && out->sdf > 0);
+        if (near && isfinite(out->motion_error))
             return GRAZE_OK;
-        return api_misuse(context, function, "sdf must be a positive finite width, or 0");
+        return api_misuse(context, function,
+                          "motion_error must be positive and finite beside a width sdf, or 0");
     }
     return api_misuse(context, function, "an option has an unknown value");
 }

@@ -24,6 +24,8 @@ static const char *misused(const graze_draw_options *o, int d) {
         return "a plane belongs to scenes of dimension 3";
     if (o->point_count && (!o->points || !o->names))
         return "points and names must not be NULL";
+    if (o->by != GRAZE_DRAW_BY_CLASS && o->by != GRAZE_DRAW_BY_DISTANCE)
+        return "by must be GRAZE_DRAW_BY_CLASS or GRAZE_DRAW_BY_DISTANCE";
     for (int k = 0; k < 3; k++)
         if (!(fabs(o->view[k]) < 1e100))
             return "view must be of finite numbers";
@@ -84,6 +86,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
         .title = o->title,
         .grid = o->grid,
         .times = o->times ? o->times : 5,
+        .by_distance = o->by == GRAZE_DRAW_BY_DISTANCE,
         .low = o->low ? numbers : NULL,
         .high = o->low ? numbers + d : NULL,
         .plane_axis = o->plane ? o->plane_axis : 2,

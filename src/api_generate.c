@@ -11,7 +11,8 @@ static const struct {
     unsigned long weight;
 } strata[GRAZE_STRATUM_COUNT] = {{"random", 4}, {"near", 4},    {"face", 16},    {"face-odd", 4},
                                  {"edge", 15},  {"vertex", 15}, {"crossing", 4}, {"start", 9},
-                                 {"end", 9},    {"break", 7},   {"slide", 3},    {"miss", 4}};
+                                 {"end", 9},    {"break", 7},   {"slide", 3},    {"miss", 4},
+                                 {"level", 0}};
 
 static int is_stratum(graze_stratum stratum) {
     return (int)stratum >= 0 && stratum < GRAZE_STRATUM_COUNT;
@@ -84,11 +85,11 @@ graze_status graze_generator_point(mpq_t *point, mpq_t time, graze_sample *out,
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     sample s;
     sample_init(&s);
-    generator_sample(&s, generator, row);
+    graze_status status = generator_sample(&s, context, generator, row);
     *out = s.made;
-    for (int i = 0; i < generator->scene->motion->dimension; i++)
+    for (int i = 0; i < generator->scene->motion->dimension && !status; i++)
         api_rational_out(point[i], s.point + i);
     api_rational_out(time, s.time);
     sample_clear(&s);
-    return GRAZE_OK;
+    return status;
 }

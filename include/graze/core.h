@@ -243,7 +243,10 @@ typedef struct graze_options {
     graze_columns columns; /**< pmc: of verdicts and rows of reports only pmc is set; no topo */
     double sdf; /**< rows of reports have an enclosure of the signed distance of at most this width
                    (graze/distance.h); 0: none */
-    int sdf_relative; /**< 1: `sdf` times the diagonal of S^0's box, rounded down */
+    int sdf_relative;    /**< 1: `sdf` times the diagonal of S^0's box, rounded down */
+    double motion_error; /**< with sdf: rows say whether pmc is certain for every continuous motion
+                            that displaces no point of the solid by more (proofs/distance.md C73);
+                            0: they do not */
 } graze_options;
 
 /**

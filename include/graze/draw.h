@@ -10,6 +10,12 @@
 extern "C" {
 #endif
 
+/** Meaning of the colours of cells. */
+typedef enum graze_draw_by {
+    GRAZE_DRAW_BY_CLASS = 0,   /**< the class of the centre; for an unsweep pmc */
+    GRAZE_DRAW_BY_DISTANCE = 1 /**< bands of its signed distance, with level lines */
+} graze_draw_by;
+
 /** Options of a picture (rule 6). All pointers are borrowed. */
 typedef struct graze_draw_options {
     const char *title;          /**< a line above the picture, UTF-8, or NULL */
@@ -28,6 +34,8 @@ typedef struct graze_draw_options {
                                      else NULL; or NULL */
     int surface;                /**< .html: level of the sweep's surface (graze_boundary_options,
                                      depth), 1 to 19; 0: 5, in E^2 8; -1: none */
+    graze_draw_by by;           /**< .svg, .png: by distance 120 cells, or 180 for a wide box, where
+                                     grid is 0 */
 } graze_draw_options;
 
 /** The colour 0xRRGGBB of a class in every picture; 0 for GRAZE_CLASS_NONE. Never fails. */
@@ -38,6 +46,8 @@ GRAZE_API unsigned graze_class_colour(graze_class class_);
  * a plane, and a view of the positions of S is beside it. Points are drawn with their inverted
  * trajectories through the standing S; contacts are marked by kind and cell. For an unsweep,
  * colours show pmc and positions are those of the inverse motion.
+ * By distance, the side of each centre is exact, and so is the line between cells of different
+ * answers; distances are within 1/64 of a cell's side, level lines interpolated between centres.
  *
  * A page of HTML shows the same scene in a browser, without a network: S at a time that a slider
  * chooses, the surface of the sweep as graze_boundary_create samples it, the points by class, the
@@ -46,8 +56,9 @@ GRAZE_API unsigned graze_class_colour(graze_class class_);
  * @param file    the picture to write: .svg, .html, or .png, which needs libgraze-png
  * @param options may be NULL for the defaults
  * @return GRAZE_EUSE an option out of range, or another extension; GRAZE_ELIMIT more cells than the
- * limit `grid`; GRAZE_ESYSTEM the file cannot be written, or no libgraze-png; GRAZE_ECANCELED;
- * GRAZE_EINTERNAL. On failure no file is created or changed, except by an error in writing it
+ * limit `grid`, by distance also as in graze_distances; GRAZE_ESYSTEM the file cannot be written,
+ * or no libgraze-png; GRAZE_ECANCELED; GRAZE_EINTERNAL. On failure no file is created or changed,
+ * except by an error in writing it
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_draw(graze_context *context, const graze_scene *scene,
                                                 const char *file,

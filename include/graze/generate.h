@@ -27,7 +27,9 @@ typedef enum graze_stratum {
     GRAZE_STRATUM_BREAK = 9,    /**< t a break point */
     GRAZE_STRATUM_SLIDE = 10,   /**< y in a facet whose plane the trajectory does not leave */
     GRAZE_STRATUM_MISS = 11,    /**< one of these displaced by 2^-k, k from 8 to 96 */
-    GRAZE_STRATUM_COUNT = 12
+    GRAZE_STRATUM_LEVEL = 12,   /**< beside an `on` contact, the signed distance in a decade that is
+                                   drawn, proved by its enclosure; default weight 0 */
+    GRAZE_STRATUM_COUNT = 13
 } graze_stratum;
 
 /** Order of a contact that is a slide in the plane of the facet. */
@@ -40,6 +42,7 @@ typedef struct graze_sample {
     graze_cell cell; /**< the cell of y; kind 0: no contact */
     int k;           /**< displaced by 2^-k along the normal of the moved facet; 0: not displaced */
     int outward;     /**< 1 if displaced to the outside */
+    int decade;      /**< level: 10^decade <= |s| < 10^(decade + 1), s < 0 unless outward */
 } graze_sample;
 
 /** Source of query points. It never changes: threads may share it. */
@@ -50,12 +53,14 @@ typedef struct graze_generator graze_generator;
 
 /**
  * Make a generator of query points for a scene, which is borrowed and must outlive it. A stratum
- * that a number of tries does not find in the scene gets the weight 0.
+ * that a number of tries does not find in the scene gets the weight 0. The decades of `level` are
+ * those from the largest of an `in` point that is found down to 1e-9 of the diagonal of S^0's box,
+ * on both sides.
  * @param weights GRAZE_STRATUM_COUNT weights of at most 10^6, or NULL for the defaults, with which
  * at least 70 % of the points are degenerate
  * @param flags   0 or GRAZE_GENERATE_REPRESENTABLE
  * @return GRAZE_EUSE an unknown flag, all weights 0, or no stratum with a weight can be made;
- * GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
+ * GRAZE_ELIMIT, with `level` also as in graze_distances; GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_generator_create(graze_generator **out, graze_context *context, const graze_scene *scene,

@@ -80,8 +80,9 @@ static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
     sample_init(&s);
     graze_status status = GRAZE_OK;
     for (unsigned long row = 0; row < count && !status; row++) {
-        generator_sample(&s, generator, row);
-        status = ask(context, b, s.point);
+        status = generator_sample(&s, context, generator, row);
+        if (!status)
+            status = ask(context, b, s.point);
     }
     sample_clear(&s);
     if (b->contact_count)

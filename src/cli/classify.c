@@ -18,6 +18,7 @@ static const char classify_help[] =
     "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
     "  --sdf TOL            three columns more: the signed distance to the sweep, enclosed to\n"
     "                       TOL, with 1e-6r to 1e-6 of the diagonal; a time that shows it\n"
+    "  --motion-error ETA   with --sdf, a column certain: no motion within ETA changes in or out\n"
     "  --topo               one column more, last: the position relative to the closed sweep\n"
     "  --columns all|pmc    answers: all (default), or pmc alone, which is decided sooner\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
@@ -67,6 +68,7 @@ static const option_entry classify_table[] = {
     OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
     OPTION("folds", classify_options, scene.scene.folds, value_folds),
     OPTION("sdf", classify_options, scene.scene, value_sdf),
+    OPTION("motion-error", classify_options, scene.scene, value_motion_error),
     FLAG("topo", classify_options, scene.scene.topo, value_flag),
     OPTION("columns", classify_options, scene.scene.columns, value_columns),
     OPTION("format", classify_options, format, value_format),
@@ -124,6 +126,8 @@ int classify_take(classify_options *o, const operands *given) {
         status = check_columns(o);
     if (status)
         return status;
+    if (o->scene.scene.motion_error > 0 && !(o->scene.scene.sdf > 0))
+        return complain(EXIT_USAGE, "--motion-error needs distances; expected --sdf beside it");
     if (o->times && !o->certificate)
         return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
     status = classify_check_table(o);

@@ -24,7 +24,10 @@ static const char draw_help[] =
     "\n"
     "  -o, --output FILE     the picture\n"
     "  -p X,Y[,Z]            one more point; may be given several times\n"
-    "  --grid N              cells along the longer side (240, or 360 of a wide box)\n"
+    "  --grid N              cells along the longer side (240, or 360 of a wide box; by distance "
+    "half)\n"
+    "  --by class|distance   colours: the class (default), or the signed distance, with its "
+    "levels\n"
     "  --times K             positions of S, from 2 to 64 (5)\n"
     "  --box x0,y0[,z0],x1,y1[,z1]   the part of space to show; default: around the sweep\n"
     "  --plane z=1/2         3D: the plane of the cells, x=, y= or z= (the middle of the box)\n"
@@ -39,6 +42,7 @@ static const char draw_help[] =
 typedef struct draw_given {
     scene_options scene;
     const char *points; /* a file, or NULL */
+    graze_draw_by by;
     const char *output, *grid, *times, *box, *plane, *view, *title;
     int surface;
 } draw_given;
@@ -106,7 +110,8 @@ static int value_surface(void *to, const char *name, const char *value) {
 
 static int draw_scene(const loaded *l, const draw_given *o, const operands *given, marks *m,
                       frame *f) {
-    graze_draw_options what = {.title = o->title, .surface = o->surface, .size = sizeof what};
+    graze_draw_options what = {
+        .title = o->title, .surface = o->surface, .by = o->by, .size = sizeof what};
     char title[512];
     const char *solid = strrchr(o->scene.solid, '/'), *motion = strrchr(o->scene.motion, '/');
     snprintf(title, sizeof title, "%s, %s", solid ? solid + 1 : o->scene.solid,
@@ -134,6 +139,7 @@ static const option_entry draw_table[] = {
     OPTION("o", draw_given, output, value_text),
     REPEATED("p"),
     OPTION("grid", draw_given, grid, value_text),
+    OPTION("by", draw_given, by, value_draw_by),
     OPTION("times", draw_given, times, value_text),
     OPTION("box", draw_given, box, value_text),
     OPTION("plane", draw_given, plane, value_text),

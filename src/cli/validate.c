@@ -31,19 +31,23 @@ static const char validate_help[] =
     "standard error. For a pipeline: sh -c 'mine <\"$1\" >\"$2\"' sh {points} {out}\n"
     "\n"
     "  -n N, --seed K       how many points (10000), and their seed (1)\n"
-    "  --strata, --representable   as in graze generate\n"
+    "  --strata, --representable   as in graze generate; with --candidate-has sdf also points\n"
+    "                       of the stratum level, unless strata are named\n"
     "  --points FILE        these points instead\n"
     "  --timeout V          seconds the candidate may take (3600)\n"
     "  --keep DIR           leave points.csv, golden.csv, candidate.csv there\n"
     "  --output NAME        write NAME.md and NAME.json instead of to standard output\n"
     "  --question, --on-as, --candidate-has, --truth, --sdf-tolerance, --motion-error, --round,\n"
     "  --show, --format     as in graze compare\n"
-    "  --sdf TOL            width of the enclosures that values are compared with (1e-6r)\n"
+    "  --sdf TOL            width of the enclosures that values are compared with (1e-10r)\n"
     "  --overlap, --folds, --operation, --triangulate, --jobs, --limit,\n"
     "  --quiet   as in graze classify\n"
     "\n"
     "Example: graze validate cube.off move.json --representable binary64 \\\n"
     "             --candidate './mine {solid} {motion} {points} {out}'\n";
+
+/* The weight of the stratum `level` among the default ones, where values are compared. */
+enum { LEVEL_WEIGHT = 30 };
 
 enum { POINTS, GOLDEN, ANSWERS, FILE_COUNT };
 
@@ -123,6 +127,7 @@ static int make_golden(validation *v, const validate_options *o) {
     points.seed = o->seed.given ? o->seed.seed : 1;
     points.output = v->files[POINTS];
     points.quiet = golden.quiet;
+    points.level = o->compare.has == GRAZE_HAS_SDF ? LEVEL_WEIGHT : 0;
     golden.points = points_of(v, o);
     golden.output = v->files[GOLDEN];
     int status = o->points ? EXIT_DONE : generate_run(&v->lost, &points);
@@ -317,7 +322,7 @@ static int choose_enclosures(validate_options *o) {
         return complain(EXIT_USAGE, "--sdf is for --candidate-has sdf or --motion-error; see graze "
                                     "validate --help");
     if (!golden->sdf && needed)
-        return value_sdf(golden, "sdf", "1e-6r");
+        return value_sdf(golden, "sdf", "1e-10r");
     return EXIT_DONE;
 }
 

@@ -4,6 +4,7 @@
 #include "cli/values.h"
 
 #include <float.h>
+#include <math.h>
 #include <string.h>
 #include "run/numbers.h"
 #include "run/status.h"
@@ -65,6 +66,31 @@ int value_sdf(void *to, const char *name, const char *value) {
                     name, value);
 }
 
+int value_motion_error(void *to, const char *name, const char *value) {
+    graze_options *out = to;
+    graze_context *context = NULL;
+    mpq_t exact, near;
+    mpq_inits(exact, near, NULL);
+    out->motion_error = 0;
+    graze_status status = graze_context_create(&context);
+    if (!status)
+        status = graze_number_parse(exact, context, value, strlen(value));
+    if (!status && mpq_sgn(exact) > 0) {
+        out->motion_error = mpq_get_d(exact); /* rounds towards 0 */
+        if (out->motion_error <= DBL_MAX) {
+            mpq_set_d(near, out->motion_error);
+            if (mpq_cmp(near, exact) < 0)
+                out->motion_error = nextafter(out->motion_error, (double)INFINITY);
+        }
+    }
+    mpq_clears(exact, near, NULL);
+    graze_context_destroy(context);
+    if (out->motion_error > 0 && out->motion_error <= DBL_MAX)
+        return EXIT_DONE;
+    return complain(EXIT_USAGE, "--%s %s: expected a positive number in the range of doubles", name,
+                    value);
+}
+
 /* A number of at least a sign, kept as its text. */
 static int number_of_sign(void *to, const char *name, const char *value, int least) {
     graze_context *context = NULL;
@@ -101,6 +127,7 @@ int value_positive(void *to, const char *name, const char *value) {
         return status;                                                                             \
     }
 
+VALUE_OF_WORDS(value_draw_by, graze_draw_by, "class", "distance")
 VALUE_OF_WORDS(value_overlap, graze_overlap, "extend", "reject")
 VALUE_OF_WORDS(value_folds, graze_folds, "separate", "combined")
 VALUE_OF_WORDS(value_operation, graze_operation, "sweep", "unsweep")

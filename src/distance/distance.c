@@ -152,6 +152,10 @@ graze_status distance_find(distance *out, graze_context *context, const graze_sc
     return status;
 }
 
+int distance_is_certain(const distance *found, double motion_error) {
+    return found->low > motion_error || found->high < -motion_error;
+}
+
 /* From a piece's own parameter to the motion's. */
 static void to_motion(fmpq_t time, const motion_piece *piece) {
     fmpq_t length;

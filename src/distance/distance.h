@@ -25,6 +25,9 @@ typedef struct distance {
 graze_status distance_find(distance *out, graze_context *context, const graze_scene *scene,
                            const fmpq *point, const graze_trace *trace, double tolerance);
 
+/** 1 if every motion within the error has the same answer (proofs/distance.md C73). */
+int distance_is_certain(const distance *found, double motion_error);
+
 /** The time of a distance of an `in` or `out` point, in the motion's parameter. */
 void distance_time(fmpq_t out, const distance *found, const graze_motion *motion);
 

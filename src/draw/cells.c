@@ -43,7 +43,7 @@ static graze_status lay_axis(cells *c, graze_context *context, int k, const fmpq
 
 graze_status cells_layout(cells *out, graze_context *context, int dimension, const int axis[2],
                           const fmpq *low, const fmpq *high, const fmpq_t plane,
-                          unsigned long longer) {
+                          unsigned long longer, int coarse) {
     memset(out, 0, sizeof *out);
     out->dimension = dimension;
     out->axis[0] = axis[0];
@@ -62,7 +62,7 @@ graze_status cells_layout(cells *out, graze_context *context, int dimension, con
         fmpq_set(out->side, other);
     fmpq_clear(other);
     if (!longer)
-        longer = wide ? 360 : 240;
+        longer = (wide ? 360 : 240) / (coarse ? 2 : 1);
     fmpz_t parts;
     fmpz_init_set_ui(parts, longer);
     fmpq_div_fmpz(out->side, out->side, parts);
@@ -83,6 +83,7 @@ void cells_clear(cells *c) {
     _fmpq_vec_clear(c->low, c->dimension);
     fmpq_clear(c->side);
     free(c->tone);
+    free(c->distance);
     memset(c, 0, sizeof *c);
 }
 
@@ -94,6 +95,13 @@ static void set_centre(fmpq_t out, const cells *c, int k, size_t index) {
     fmpq_div_2exp(out, out, 1);
     fmpq_add(out, out, c->low + c->axis[k]);
     fmpz_clear(halves);
+}
+
+void cells_centre(fmpq *out, const cells *c, size_t i, size_t j) {
+    for (int k = 0; k < c->dimension; k++)
+        fmpq_set(out + k, c->low + k);
+    set_centre(out + c->axis[0], c, 0, i);
+    set_centre(out + c->axis[1], c, 1, j);
 }
 
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene) {

@@ -13,7 +13,11 @@
 /** A grid more than so many times as wide as high is drawn wide. */
 #define CELLS_WIDE 1.6
 
-/** Colour of a point: its class for a sweep, its pmc for an unsweep. Zero is none. */
+/** Bands of the distance on each side. */
+enum { BANDS = 6 };
+
+/** Colour of a point: its class for a sweep, its pmc for an unsweep, of a cell also a band of its
+ * distance. Zero is none. */
 typedef enum tone {
     TONE_REGULAR = 1,
     TONE_FOLD = 2,
@@ -23,7 +27,9 @@ typedef enum tone {
     TONE_IN = 6,
     TONE_ON = 7,
     TONE_OUT = 8,
-    TONE_COUNT = 9
+    TONE_INNER = 9, /* bands of the distance, the nearest first */
+    TONE_OUTER = 15,
+    TONE_COUNT = 21
 } tone;
 
 /** The tone of a verdict. */
@@ -36,7 +42,10 @@ typedef struct cells {
     fmpq *low; /* a corner of d coordinates; off the two axes, the plane's place */
     int dimension;
     fmpq_t side;
-    unsigned char *tone; /* row by row, i running fastest */
+    unsigned char *tone;           /* row by row, i running fastest */
+    double *distance;              /* likewise, of the centres; NULL: not asked */
+    double step;                   /* between levels: */
+    int step_digit, step_exponent; /* 1, 2, 5 or 10, times this power of ten */
 } cells;
 
 /**
@@ -45,14 +54,17 @@ typedef struct cells {
  * @param[out] out    cleared by cells_clear, also on failure
  * @param low, high   d rationals each, low < high on both axes; the two of another axis have no
  * effect
- * @param longer      0: as many as give each two pixels
+ * @param longer      0: as many as give each two pixels, or with `coarse` four
  * @param plane       the place on the axis that is left, in E^3
  * @return GRAZE_ELIMIT more cells than the limit `grid`
  */
 graze_status cells_layout(cells *out, graze_context *context, int dimension, const int axis[2],
                           const fmpq *low, const fmpq *high, const fmpq_t plane,
-                          unsigned long longer);
+                          unsigned long longer, int coarse);
 void cells_clear(cells *c);
+
+/** The centre of a cell, d rationals. */
+void cells_centre(fmpq *out, const cells *c, size_t i, size_t j);
 
 /** Classify all centres. */
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene);

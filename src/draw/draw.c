@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "draw/file.h"
+#include "draw/levels.h"
 #include "draw/views.h"
 #include "scene/box.h"
 
@@ -57,11 +58,15 @@ static graze_status make_cells(picture *p, graze_context *context) {
             fmpq_set(place, request->plane);
     }
     if (!status)
-        status = cells_layout(&p->cells, context, d, axis, low, high, place, request->grid);
+        status = cells_layout(&p->cells, context, d, axis, low, high, place, request->grid,
+                              request->by_distance);
     fmpq_clear(place);
     _fmpq_vec_clear(low, d);
     _fmpq_vec_clear(high, d);
-    return status ? status : cells_classify(&p->cells, context, p->scene);
+    if (status)
+        return status;
+    return request->by_distance ? cells_measure(&p->cells, context, p->scene)
+                                : cells_classify(&p->cells, context, p->scene);
 }
 
 /* S at times spread evenly over the motion, both ends included. */
@@ -115,11 +120,15 @@ static graze_status make_trails(picture *p, graze_context *context) {
 }
 
 /* Collect the signs that the legend explains. */
-static void make_legend(picture *p) {
+static graze_status make_legend(picture *p, graze_context *context) {
+    int made = 1;
     size_t count = p->cells.count[0] * p->cells.count[1];
     legend *l = &p->legend;
     for (size_t k = 0; k < count; k++)
         l->tones[p->cells.tone[k]] = 1;
+    l->by_distance = p->request->by_distance;
+    for (int t = TONE_INNER; l->by_distance && t < TONE_COUNT; t++)
+        made &= band_text(l->band[t - TONE_INNER], &p->cells, (tone)t);
     l->plane = p->scene->motion->dimension == 3;
     l->trails = p->request->point_count > 0;
     for (size_t k = 0; k < p->request->point_count; k++) {
@@ -130,6 +139,7 @@ static void make_legend(picture *p) {
         for (size_t j = 0; j < c->span_count; j++)
             l->slides |= c->span[j].state == GRAZE_STATE_B && c->span[j].count > 1;
     }
+    return made ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
 }
 
 /* Places of the parts: panels in rows from the left, the legend on the right of them all. */
@@ -185,9 +195,11 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     if (outside)
         snprintf(missing, sizeof missing, " · %zu of %zu points outside the picture", outside,
                  p->request->point_count);
-    snprintf(remark, sizeof remark,
-             "%zu × %zu cells, each in the exact class of its centre%s · graze " GRAZE_VERSION,
-             p->cells.count[0], p->cells.count[1], missing);
+    snprintf(
+        remark, sizeof remark, "%zu × %zu cells, each %s of its centre%s · graze " GRAZE_VERSION,
+        p->cells.count[0], p->cells.count[1],
+        p->request->by_distance ? "on the exact side and by the distance" : "in the exact class",
+        missing);
     layout l = lay_out(p, title, remark);
     canvas *c;
     graze_status status = canvas_create(&c, context, file, l.width, l.height);
@@ -213,8 +225,9 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
         status = make_positions(&p, context);
     if (!status)
         status = make_trails(&p, context);
+    if (!status)
+        status = make_legend(&p, context);
     if (!status) {
-        make_legend(&p);
         views_fit(&p);
         status = draw_all(&p, context, file);
     }

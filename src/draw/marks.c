@@ -6,10 +6,17 @@
 static const struct {
     const char *name;
     unsigned colour;
-} tones[TONE_COUNT] = {
-    {"none", 0xffffff},     {"regular", 0x56b4e9},  {"fold", 0xe69f00}, {"fold_boundary", 0x0072b2},
-    {"boundary", 0xd55e00}, {"exterior", 0xffffff}, {"in", 0x56b4e9},   {"on", 0xd55e00},
-    {"out", 0xffffff}};
+} tones[TONE_COUNT] = {{"none", 0xffffff},     {"regular", 0x56b4e9},
+                       {"fold", 0xe69f00},     {"fold_boundary", 0x0072b2},
+                       {"boundary", 0xd55e00}, {"exterior", 0xffffff},
+                       {"in", 0x56b4e9},       {"on", 0xd55e00},
+                       {"out", 0xffffff},      {"inner-1", 0xc6e2f5},
+                       {"inner-2", 0x93c6e8},  {"inner-3", 0x5aa5d6},
+                       {"inner-4", 0x2b80ba},  {"inner-5", 0x0f5c94},
+                       {"inner-6", 0x063a63},  {"outer-1", 0xfff3d6},
+                       {"outer-2", 0xfde0a3},  {"outer-3", 0xf5c566},
+                       {"outer-4", 0xe6a12e},  {"outer-5", 0xbd7a10},
+                       {"outer-6", 0x855207}};
 
 const style outline_start = {.stroke = PAINT(INK), .width = 2};
 const style outline_end = {.stroke = PAINT(INK), .width = 2, .dash = 5};
@@ -18,6 +25,9 @@ const style outline_plane = {.stroke = PAINT(0x009e73), .width = 1.2, .dash = 6}
 const style trail_outside = {.stroke = PAINT(INK), .width = 1};
 const style trail_inside = {.stroke = PAINT(INK), .width = 2.4};
 const style trail_sliding = {.stroke = PAINT(0xcc79a7), .width = 5};
+
+const style line_level = {.stroke = PAINT(0x444444), .width = .7};
+const style line_border = {.stroke = PAINT(0xd55e00), .width = 3};
 
 unsigned tone_colour(tone t) {
     return tones[t].colour;
@@ -77,10 +87,10 @@ static void put_legend_entry(writer *w, const char *text) {
         canvas_text(w->canvas, w->x + SIGN, w->y, &plain, text);
 }
 
-static void put_swatch(writer *w, tone t) {
+static void put_swatch(writer *w, tone t, const char *name) {
     const style area = {
         .fill = PAINT(tone_colour(t)), .stroke = PAINT(0x888888), .width = 1, .crisp = 1};
-    put_legend_entry(w, tone_name(t));
+    put_legend_entry(w, name);
     if (!w->canvas)
         return;
     path box = {NULL, 0, 0, 0};
@@ -123,15 +133,42 @@ static void put_contacts(writer *w, const legend *l) {
         }
 }
 
-static void put_legend(writer *w, const legend *l) {
-    int unsweep = l->tones[TONE_IN] || l->tones[TONE_ON] || l->tones[TONE_OUT];
-    put_heading(w, unsweep ? "Unsweep" : "Class");
-    for (int t = TONE_REGULAR; t < TONE_COUNT; t++)
+/* The scale of distances, from the deepest band inside to the farthest outside. */
+static void put_scale(writer *w, const legend *l) {
+    put_heading(w, "Signed distance");
+    for (int t = TONE_OUTER - 1; t >= TONE_INNER; t--)
         if (l->tones[t])
-            put_swatch(w, (tone)t);
+            put_swatch(w, (tone)t, l->band[t - TONE_INNER]);
+    if (l->tones[TONE_ON])
+        put_swatch(w, TONE_ON, "0");
+    for (int t = TONE_OUTER; t < TONE_COUNT; t++)
+        if (l->tones[t])
+            put_swatch(w, (tone)t, l->band[t - TONE_INNER]);
+    put_legend_line(w, &line_border, "between in, on, out");
+    put_legend_line(w, &line_level, "level");
+}
+
+/* Classes, and for an unsweep answers. */
+static void put_classes(writer *w, const legend *l) {
+    int unsweep = l->tones[TONE_IN] || l->tones[TONE_ON] || l->tones[TONE_OUT], some = 0;
+    int last = l->by_distance ? TONE_EXTERIOR : TONE_OUT;
+    for (int t = TONE_REGULAR; t <= last; t++)
+        some |= l->tones[t];
+    if (some)
+        put_heading(w, l->by_distance ? "Class of points" : unsweep ? "Unsweep" : "Class");
+    for (int t = TONE_REGULAR; t <= last; t++)
+        if (l->tones[t])
+            put_swatch(w, (tone)t, tone_name((tone)t));
+}
+
+static void put_legend(writer *w, const legend *l) {
+    if (l->by_distance)
+        put_scale(w, l);
+    put_classes(w, l);
     put_heading(w, "Positions of S");
     put_legend_line(w, &outline_start, "at the start");
-    put_legend_line(w, &outline_between, "between");
+    if (!l->by_distance)
+        put_legend_line(w, &outline_between, "between");
     put_legend_line(w, &outline_end, "at the end");
     if (l->plane)
         put_legend_line(w, &outline_plane, "plane of the cells");

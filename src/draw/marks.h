@@ -22,6 +22,8 @@ void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kin
 
 /** Outlines of S at the start, at the end and between. */
 extern const style outline_start, outline_end, outline_between;
+/** Level lines of the distance, and the border between cells of different answers. */
+extern const style line_level, line_border;
 /** The rectangle of the cells, seen in space. */
 extern const style outline_plane;
 /** A trajectory outside, inside and on the boundary of S. */
@@ -30,7 +32,9 @@ extern const style trail_outside, trail_inside, trail_sliding;
 /** Contents of a picture, for its legend. */
 typedef struct legend {
     int tones[TONE_COUNT];
-    int plane; /* the cells lie in a plane of space */
+    int by_distance;
+    char band[TONE_COUNT - TONE_INNER][64]; /* distances of bands */
+    int plane;                              /* the cells lie in a plane of space */
     int trails, slides;
     int contacts[3][4]; /* by kind and cell */
 } legend;

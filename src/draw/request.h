@@ -13,6 +13,7 @@ typedef struct draw_request {
     const char *title;
     unsigned long grid;     /* 0: two pixels a cell */
     unsigned long times;    /* at least 2 */
+    int by_distance;        /* colours of cells: bands of the signed distance, else classes */
     const fmpq *low, *high; /* d each, low < high; both NULL: around the scene */
     int plane_axis;         /* E^3 */
     const fmpq *plane;      /* NULL: the middle of the box */

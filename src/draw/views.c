@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "draw/labels.h"
+#include "draw/levels.h"
 #include "report/decimal.h"
 
 static int is_plane(const picture *p) {
@@ -56,7 +57,10 @@ static void fit_trajectories(picture *p, const projection *look) {
 /* Title of the cells: a long ratio as a decimal, marked where that is not the number itself. */
 static void name_classes(picture *p) {
     enum { LONG = 13 }; /* 12 digits and the bar */
-    const char *what = is_unsweep(p) ? "The unsweep" : "The sweep by class";
+    const char *what = p->request->by_distance
+                           ? is_unsweep(p) ? "Distance to the unsweep" : "Distance to the sweep"
+                       : is_unsweep(p) ? "The unsweep"
+                                       : "The sweep by class";
     int axis = p->request->plane_axis, exact = 1;
     char title[sizeof p->classes.title];
     snprintf(title, sizeof title, "%s", what);
@@ -125,6 +129,23 @@ static void draw_cells(canvas *c, const picture *p) {
     canvas_end(c);
 }
 
+/* Level lines of the distance, and over them the borders between cells of different answers. */
+static void draw_levels(canvas *c, const picture *p) {
+    canvas_begin(c, "levels", NULL);
+    for (int k = 1 - BANDS; k < BANDS; k++) {
+        path line = {NULL, 0, 0, 0};
+        if (k)
+            level_path(&line, &p->cells, &p->classes, k);
+        canvas_path(c, &line, &line_level, "level");
+        path_clear(&line);
+    }
+    path border = {NULL, 0, 0, 0};
+    border_path(&border, &p->cells, &p->classes);
+    canvas_path(c, &border, &line_border, "border");
+    path_clear(&border);
+    canvas_end(c);
+}
+
 static void draw_outline(canvas *c, const picture *p, size_t k, const style *s) {
     path line = {NULL, 0, 0, 0};
     if (is_plane(p))
@@ -173,7 +194,10 @@ graze_status view_classes(canvas *c, const picture *p) {
     canvas_begin(c, "classes", NULL);
     canvas_clip(c, at->x, at->y, at->width, at->height);
     draw_cells(c, p);
-    for (size_t k = 1; k < last; k++)
+    if (p->request->by_distance)
+        draw_levels(c, p);
+    /* They would be taken for level lines. */
+    for (size_t k = 1; k < last && !p->request->by_distance; k++)
         draw_outline(c, p, k, &outline_between);
     draw_outline(c, p, last, &outline_end);
     draw_outline(c, p, 0, &outline_start);

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "generate/level.h"
 #include "scene/box.h"
 
 /* Times drawn from, tries for one row, and rows tried before a stratum is given up. */
@@ -12,19 +13,6 @@ enum { INSTANTS = 512, TIME_BITS = 10, TRIES = 200, TRIAL_ROWS = 24 };
 
 /* Rows of trials and of times: streams that no row of the table has. */
 static const uint64_t TRIAL_STREAM = UINT64_C(1) << 63, TIME_STREAM = UINT64_C(3) << 62;
-
-void sample_init(sample *s) {
-    memset(&s->made, 0, sizeof s->made);
-    for (int i = 0; i < 3; i++)
-        fmpq_init(s->point + i);
-    fmpq_init(s->time);
-}
-
-void sample_clear(sample *s) {
-    for (int i = 0; i < 3; i++)
-        fmpq_clear(s->point + i);
-    fmpq_clear(s->time);
-}
 
 /* Times at random multiples of 2^-10 inside random pieces; the first ones simple, so that even few
  * tries meet simple points. */
@@ -67,30 +55,53 @@ static graze_status list_joints(struct graze_generator *g, graze_context *contex
     return GRAZE_OK;
 }
 
-static int try_row(sample *out, const struct graze_generator *g, graze_stratum stratum,
-                   random_stream *r) {
-    for (int k = 0; k < TRIES; k++)
-        if (stratum_try(out, g, stratum, r))
-            return 1;
-    return 0;
+static graze_status try_row(int *made, sample *out, graze_context *context,
+                            const struct graze_generator *g, graze_stratum stratum,
+                            random_stream *r) {
+    graze_status status = GRAZE_OK;
+    *made = 0;
+    for (int k = 0; k < TRIES && !*made && !status; k++) {
+        if (stratum == GRAZE_STRATUM_LEVEL)
+            status = level_try(made, out, context, g, r);
+        else
+            *made = stratum_try(out, g, stratum, r);
+    }
+    return status;
+}
+
+/* Does a trial make a point of the stratum? */
+static graze_status try_stratum(int *made, sample *s, graze_context *context,
+                                struct graze_generator *g, graze_stratum stratum) {
+    graze_status status = GRAZE_OK;
+    *made = 0;
+    if (stratum == GRAZE_STRATUM_LEVEL && g->weight[stratum]) {
+        status = levels_find(g, context);
+        *made = g->level_count > 0;
+        return status;
+    }
+    for (uint64_t row = 0; row < TRIAL_ROWS && !*made && g->weight[stratum] && !status; row++) {
+        random_stream r;
+        random_seed(&r, g->seed, TRIAL_STREAM + row);
+        status = try_row(made, s, context, g, stratum, &r);
+    }
+    return status;
 }
 
 /* Set the weight of strata that no trial makes to 0. */
 static graze_status try_strata(struct graze_generator *g, graze_context *context) {
     sample s;
+    graze_status status = GRAZE_OK;
     sample_init(&s);
-    for (int stratum = 0; stratum < GRAZE_STRATUM_COUNT; stratum++) {
-        int made = 0;
-        for (uint64_t row = 0; row < TRIAL_ROWS && !made && g->weight[stratum]; row++) {
-            random_stream r;
-            random_seed(&r, g->seed, TRIAL_STREAM + row);
-            made = try_row(&s, g, (graze_stratum)stratum, &r);
-        }
+    for (int stratum = 0; stratum < GRAZE_STRATUM_COUNT && !status; stratum++) {
+        int made;
+        status = try_stratum(&made, &s, context, g, (graze_stratum)stratum);
         if (!made)
             g->weight[stratum] = 0;
         g->total += g->weight[stratum];
     }
     sample_clear(&s);
+    if (status)
+        return status;
     if (g->total == 0)
         return context_fail(context, GRAZE_EUSE,
                             "no stratum with a weight can be made for this scene; give weight to "
@@ -145,11 +156,14 @@ static graze_stratum draw_stratum(const struct graze_generator *g, random_stream
 /* Where a stratum makes no point for this row, another one is drawn; one of them made one in a
  * trial.
  */
-void generator_sample(sample *out, const struct graze_generator *g, uint64_t row) {
+graze_status generator_sample(sample *out, graze_context *context, const struct graze_generator *g,
+                              uint64_t row) {
     random_stream r;
+    graze_status status = GRAZE_OK;
     random_seed(&r, g->seed, row);
-    while (!try_row(out, g, draw_stratum(g, &r), &r))
-        ;
+    for (int made = 0; !made && !status;)
+        status = try_row(&made, out, context, g, draw_stratum(g, &r), &r);
     if (out->made.order == 0)
         fmpq_zero(out->time);
+    return status;
 }

@@ -6,16 +6,15 @@
 
 #include "generate/strata.h"
 
-void sample_init(sample *s);
-void sample_clear(sample *s);
-
 /** Make a generator; `out` is cleared by generator_clear in either case. */
 graze_status generator_make(struct graze_generator *out, graze_context *context,
                             const graze_scene *scene, uint64_t seed, const unsigned long *weights,
                             int representable);
 void generator_clear(struct graze_generator *g);
 
-/** The point of one row; it depends on generator and row alone. */
-void generator_sample(sample *out, const struct graze_generator *g, uint64_t row);
+/** The point of one row; it depends on generator and row alone.
+ * @return GRAZE_OK but for the stratum `level`: GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
+graze_status generator_sample(sample *out, graze_context *context, const struct graze_generator *g,
+                              uint64_t row);
 
 #endif

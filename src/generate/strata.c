@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include <string.h>
 #include "generate/velocity.h"
 #include "trace/trajectory.h"
 
@@ -19,6 +20,19 @@ enum {
     NEAR_LEAST = 4,
     NEAR_STEPS = 8
 };
+
+void sample_init(sample *s) {
+    memset(&s->made, 0, sizeof s->made);
+    for (int i = 0; i < 3; i++)
+        fmpq_init(s->point + i);
+    fmpq_init(s->time);
+}
+
+void sample_clear(sample *s) {
+    for (int i = 0; i < 3; i++)
+        fmpq_clear(s->point + i);
+    fmpq_clear(s->time);
+}
 
 /* One draw: where and when a body point touches. */
 typedef struct touchpoint {
@@ -306,24 +320,31 @@ static int is_double(const fmpq_t x) {
            fmpz_bits(p) < 1000 && fmpz_bits(q) < 1000;
 }
 
-static int is_kept(const sample *s, const struct graze_generator *g) {
+int sample_is_kept(const sample *s, const struct graze_generator *g) {
     for (int i = 0; g->representable && i < g->scene->motion->dimension; i++)
         if (!is_double(s->point + i))
             return 0;
     return 1;
 }
 
+/* An outward normal of the moved facet. */
+static void outward_normal(fmpq *out, const touchpoint *p, const struct graze_generator *g) {
+    int d = p->when->dimension, facing;
+    fmpz *plane = touched_plane(&facing, p, g);
+    instant_normal(out, p->when, plane);
+    for (int i = 0; i < d && facing < 0; i++)
+        fmpq_neg(out + i, out + i);
+    _fmpz_vec_clear(plane, d + 1);
+}
+
 /* Displace by 2^-k along the outward normal, scaled to largest coordinate 1; among doubles along
  * the axis of that coordinate. */
-static void displace(sample *s, const struct graze_generator *g, const touchpoint *p, int outward,
+static void displace(sample *s, const struct graze_generator *g, const fmpq *normal, int outward,
                      int k) {
-    int d = g->scene->motion->dimension, widest = 0, facing;
-    fmpz *plane = touched_plane(&facing, p, g);
-    fmpq *normal = _fmpq_vec_init(3);
+    int d = g->scene->motion->dimension, widest = 0;
     fmpq_t length, size;
     fmpq_init(length);
     fmpq_init(size);
-    instant_normal(normal, p->when, plane);
     for (int i = 0; i < d; i++) {
         fmpq_abs(size, normal + i);
         if (fmpq_cmp(size, length) > 0) {
@@ -331,19 +352,16 @@ static void displace(sample *s, const struct graze_generator *g, const touchpoin
             widest = i;
         }
     }
-    int sign = outward ? facing : -facing;
     for (int i = 0; i < d; i++) {
         if (g->representable && i != widest)
             continue;
         fmpq_div(size, normal + i, length);
         fmpq_div_2exp(size, size, (ulong)k);
-        if (sign > 0)
+        if (outward)
             fmpq_add(s->point + i, s->point + i, size);
         else
             fmpq_sub(s->point + i, s->point + i, size);
     }
-    _fmpz_vec_clear(plane, d + 1);
-    _fmpq_vec_clear(normal, 3);
     fmpq_clear(length);
     fmpq_clear(size);
     s->made.k = k;
@@ -360,12 +378,11 @@ static int try_random(sample *out, const struct graze_generator *g, random_strea
         fmpq_add(out->point + i, out->point + i, g->low + i);
     }
     fmpq_clear(part);
-    return is_kept(out, g);
+    return sample_is_kept(out, g);
 }
 
-/* A contact of a stratum, and displaced by 2^-k where k is not 0. */
-static int try_contact(sample *out, const struct graze_generator *g, graze_stratum stratum,
-                       random_stream *r, int k) {
+int stratum_contact(sample *out, fmpq *normal, const struct graze_generator *g,
+                    graze_stratum stratum, random_stream *r) {
     touchpoint p = {.zero = 0};
     for (int i = 0; i < 3; i++)
         fmpq_init(p.y + i);
@@ -378,12 +395,23 @@ static int try_contact(sample *out, const struct graze_generator *g, graze_strat
         out->made.cell = *cell_names_of(&names, &g->scene->solid->cut.names, &cell);
         fmpq_set(out->time, p.when->t);
         made = order_fits(stratum, out->made.order);
-        if (made && k != 0)
-            displace(out, g, &p, (int)random_below(r, 2), k);
     }
+    if (made && normal)
+        outward_normal(normal, &p, g);
     for (int i = 0; i < 3; i++)
         fmpq_clear(p.y + i);
-    return made && is_kept(out, g);
+    return made;
+}
+
+/* A contact of a stratum, and displaced by 2^-k where k is not 0. */
+static int try_contact(sample *out, const struct graze_generator *g, graze_stratum stratum,
+                       random_stream *r, int k) {
+    fmpq *normal = _fmpq_vec_init(3);
+    int made = stratum_contact(out, k ? normal : NULL, g, stratum, r);
+    if (made && k)
+        displace(out, g, normal, (int)random_below(r, 2), k);
+    _fmpq_vec_clear(normal, 3);
+    return made && sample_is_kept(out, g);
 }
 
 int stratum_try(sample *out, const struct graze_generator *g, graze_stratum stratum,

@@ -8,6 +8,13 @@
 #include "generate/random.h"
 #include "generate/special.h"
 
+/** A decade of |s| and a side of which the scene has points. */
+typedef struct level {
+    int decade, outward;
+} level;
+
+enum { MOST_LEVELS = 20 };
+
 struct graze_generator {
     const graze_scene *scene;
     uint64_t seed;
@@ -20,6 +27,8 @@ struct graze_generator {
     size_t joint_count; /* t0, the break points, t1 */
     instant *joints;
     specials special;
+    size_t level_count;
+    level levels[MOST_LEVELS];
 };
 
 /** One point and how it was made. */
@@ -29,7 +38,21 @@ typedef struct sample {
     fmpq_t time;
 } sample;
 
-/** Try once for a point of a stratum; 0 if this try made none. */
+void sample_init(sample *s);
+void sample_clear(sample *s);
+
+/** The stream that the search for levels draws from: no row of a table has it. */
+#define LEVEL_STREAM (UINT64_C(5) << 61)
+
+/** Try once for a contact of a stratum; 0 if this try made none.
+ * @param[out] normal d rationals, an outward normal of the moved facet; may be NULL */
+int stratum_contact(sample *out, fmpq *normal, const struct graze_generator *g,
+                    graze_stratum stratum, random_stream *r);
+
+/** 1 unless the generator keeps to points that a double holds, and this is none. */
+int sample_is_kept(const sample *s, const struct graze_generator *g);
+
+/** Try once for a point of a stratum but `level`; 0 if this try made none. */
 int stratum_try(sample *out, const struct graze_generator *g, graze_stratum stratum,
                 random_stream *r);
 

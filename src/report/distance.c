@@ -1,6 +1,7 @@
 /* Decimals that are bounds. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "report/distance.h"
 
+#include <math.h>
 #include <mpfr.h>
 #include <stdlib.h>
 #include "number/rational.h"
@@ -12,6 +13,21 @@ void report_bound(char out[BOUND_ROOM], double bound, int up) {
     mpfr_set_d(x, bound + 0.0, MPFR_RNDN);
     mpfr_snprintf(out, BOUND_ROOM, up ? "%.17RUg" : "%.17RDg", x);
     mpfr_clear(x);
+}
+
+void report_width(char out[BOUND_ROOM], double value, int up) {
+    double next = nextafter(value, up ? (double)INFINITY : 0);
+    mpfr_t x, read;
+    mpfr_init2(x, 53);
+    mpfr_init2(read, 256);
+    mpfr_set_d(x, value, MPFR_RNDN);
+    for (int digits = 1, done = 0; digits <= 17 && !done; digits++) {
+        mpfr_snprintf(out, BOUND_ROOM, up ? "%.*RUg" : "%.*RDg", digits, x);
+        mpfr_set_str(read, out, 10, up ? MPFR_RNDD : MPFR_RNDU);
+        done = up ? mpfr_cmp_d(read, next) < 0 : mpfr_cmp_d(read, next) > 0;
+    }
+    mpfr_clear(x);
+    mpfr_clear(read);
 }
 
 void report_distance_time(text *out, const graze_scene *scene, const distance *found) {
@@ -38,6 +54,8 @@ void report_distance(text *out, const graze_scene *scene, const distance *found)
     report_bound(high, found->high, 1);
     text_format(out, ",%s,%s,", low, high);
     report_distance_time(out, scene, found);
+    if (scene->options.motion_error > 0)
+        text_put(out, distance_is_certain(found, scene->options.motion_error) ? ",yes" : ",no");
 }
 
 void explain_distance(text *out, const graze_scene *scene, const distance *found) {

@@ -16,6 +16,15 @@ static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     text_put(t, given ? "\n" : "none\n");
 }
 
+/* A line of a number that is not 0. */
+static void put_width(text *t, const char *name, double width, int up) {
+    char number[BOUND_ROOM];
+    if (!(width > 0))
+        return;
+    report_width(number, width, up);
+    text_format(t, "# %s %s\n", name, number);
+}
+
 void table_notes(text *t, graze_context *context, const graze_scene *scene, const char *notes) {
     const graze_options *options = &scene->options;
     int unsweep = options->operation == GRAZE_UNSWEEP;
@@ -30,8 +39,8 @@ void table_notes(text *t, graze_context *context, const graze_scene *scene, cons
     text_format(t, "# folds %s\n",
                 options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
-    if (scene->tolerance > 0)
-        text_format(t, "# sdf %.17g\n", scene->tolerance);
+    put_width(t, "sdf", scene->tolerance, 1);
+    put_width(t, "motion-error", options->motion_error, 0);
     if (options->topo)
         text_put(t, "# topo yes\n");
     if (options->columns == GRAZE_COLUMNS_PMC)
@@ -58,6 +67,8 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
     }
     if (scene->tolerance > 0)
         text_put(&t, ",sdf_low,sdf_high,sdf_t");
+    if (options->motion_error > 0)
+        text_put(&t, ",certain");
     if (options->topo)
         text_put(&t, ",topo");
     text_put(&t, "\n");

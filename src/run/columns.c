@@ -45,11 +45,22 @@ static int is_further(const columns *c, size_t column) {
 
 /* How many of the last columns are an enclosure and a position, behind each other, among `most`. */
 static size_t count_last(const fields *first, columns_head head, size_t most) {
-    static const char *const names[] = {"topo", "sdf_t", "sdf_high", "sdf_low"};
+    const struct {
+        const char *name;
+        int is_there;
+    } last[] = {{"topo", head.topo},
+                {"certain", head.certain},
+                {"sdf_t", head.sdf},
+                {"sdf_high", head.sdf},
+                {"sdf_low", head.sdf}};
     size_t count = 0;
-    for (int k = head.topo ? 0 : 1; k < (head.sdf ? 4 : 1) && count < most; k++, count++)
-        if (!field_is(field_content(first->item[first->count - 1 - count]), names[k]))
+    for (size_t k = 0; k < sizeof last / sizeof *last && count < most; k++) {
+        if (!last[k].is_there)
+            continue;
+        if (!field_is(field_content(first->item[first->count - 1 - count]), last[k].name))
             return 0;
+        count++;
+    }
     return count;
 }
 

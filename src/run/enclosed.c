@@ -55,13 +55,13 @@ static field number_of(field row, const char *key) {
     return (field){at, comma ? (size_t)(comma - at) : 0};
 }
 
-int enclosed_is_wide(field row, double tolerance, int topo) {
+int enclosed_is_wide(field row, double tolerance, int behind) {
     field low, high;
     if (row.length && *row.start == '{') {
         low = number_of(row, "\"sdf_low\":");
         high = number_of(row, "\"sdf_high\":");
     } else {
-        if (topo)
+        for (; behind > 0; behind--)
             (void)cut_last(&row);
         (void)cut_last(&row); /* the time */
         high = cut_last(&row);

@@ -45,10 +45,13 @@ static int read_stratum_weight(unsigned long *weights, const char *text, size_t 
                     (int)length, text);
 }
 
-static int read_strata(unsigned long *weights, const char *list) {
+static int read_strata(unsigned long *weights, const generate_options *o) {
+    const char *list = o->strata;
     int status = EXIT_DONE;
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         weights[k] = list ? 0 : graze_stratum_default_weight((graze_stratum)k);
+    if (!list)
+        weights[GRAZE_STRATUM_LEVEL] = o->level;
     while (list && !status) {
         size_t length = strcspn(list, ",");
         status = read_stratum_weight(weights, list, length);
@@ -88,7 +91,8 @@ static void put_points_head(maker *m, const generate_options *o) {
     }
     put_points_box(m);
     output_put(&m->out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
-    output_put(&m->out, "stratum,order,cell,time,k,side\n");
+    output_put(&m->out, "stratum,order,cell,time,k,side");
+    output_put(&m->out, m->weights[GRAZE_STRATUM_LEVEL] ? ",decade\n" : "\n");
 }
 
 static void put_sample_cell(output *out, const graze_cell *cell) {
@@ -99,6 +103,16 @@ static void put_sample_cell(output *out, const graze_cell *cell) {
     else
         snprintf(text, sizeof text, "%s %zu", names[cell->kind], cell->a);
     output_put(out, text);
+}
+
+/* The last column, in tables that may have the stratum: the decade of |s|, with the sign of s. */
+static void put_decade(maker *m, const graze_sample *made) {
+    char text[32];
+    if (made->stratum == GRAZE_STRATUM_LEVEL)
+        snprintf(text, sizeof text, ",%s1e%+03d\n", made->outward ? "" : "-", made->decade);
+    else
+        snprintf(text, sizeof text, m->weights[GRAZE_STRATUM_LEVEL] ? ",\n" : "\n");
+    output_put(&m->out, text);
 }
 
 static int put_sample(maker *m, unsigned long row) {
@@ -114,7 +128,8 @@ static int put_sample(maker *m, unsigned long row) {
     char text[48];
     output_put(&m->out, graze_stratum_name(made.stratum));
     if (made.order == 0) {
-        output_put(&m->out, ",,,,,\n");
+        output_put(&m->out, ",,,,,");
+        put_decade(m, &made);
         return EXIT_DONE;
     }
     snprintf(text, sizeof text, made.order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made.order);
@@ -122,8 +137,13 @@ static int put_sample(maker *m, unsigned long row) {
     put_sample_cell(&m->out, &made.cell);
     output_put(&m->out, ",");
     output_number(&m->out, m->time);
-    snprintf(text, sizeof text, made.k ? ",%d,%s\n" : ",,\n", made.k, made.outward ? "out" : "in");
+    const char *side = made.outward ? "out" : "in";
+    if (made.k)
+        snprintf(text, sizeof text, ",%d,%s", made.k, side);
+    else
+        snprintf(text, sizeof text, ",,%s", made.stratum == GRAZE_STRATUM_LEVEL ? side : "");
     output_put(&m->out, text);
+    put_decade(m, &made);
     return EXIT_DONE;
 }
 
@@ -235,7 +255,7 @@ int generate_run(lost_strata *lost, const generate_options *o) {
     if (!m)
         return complain(EXIT_IO, "out of memory");
     mpq_inits(m->point[0], m->point[1], m->point[2], m->time, NULL);
-    int status = read_strata(m->weights, o->strata);
+    int status = read_strata(m->weights, o);
     if (!status)
         status = write_points(m, o);
     if (m->opened) {

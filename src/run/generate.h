@@ -17,10 +17,11 @@ typedef struct generate_options {
     scene_options scene;
     unsigned long count;
     unsigned long long seed;
-    const char *strata; /* NAME=W,...; NULL: all, with their default weights */
-    int representable;  /* coordinates that a binary64 holds */
-    const char *output; /* NULL: standard output */
-    int quiet;          /* no progress */
+    const char *strata;  /* NAME=W,...; NULL: all, with their default weights, and */
+    unsigned long level; /* this one of the stratum `level` */
+    int representable;   /* coordinates that a binary64 holds */
+    const char *output;  /* NULL: standard output */
+    int quiet;           /* no progress */
 } generate_options;
 
 /** Make the points and write the table. Returns an exit status and says what is wrong, also where

@@ -19,6 +19,7 @@ void outputs_init(outputs *out, const classify_options *o, const loaded *l) {
     out->file[RESULT_CERTIFICATE].beside = !o->no_table;
     out->file[RESULT_TABLE].counts_undecided = o->scene.scene.topo;
     out->file[RESULT_TABLE].tolerance = graze_scene_sdf(l->scene);
+    out->file[RESULT_TABLE].certain = o->scene.scene.motion_error > 0;
     typed_init(&out->typed, l->context);
 }
 

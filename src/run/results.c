@@ -22,8 +22,8 @@ void results_count(results *t, const char *text, size_t length) {
         const char *newline = memchr(text, '\n', length);
         size_t row = newline ? (size_t)(newline - text) : length, line = row + (newline != NULL);
         t->undecided += t->counts_undecided && row_is_undecided((field){text, row});
-        t->wide += t->tolerance > 0 &&
-                   enclosed_is_wide((field){text, row}, t->tolerance, t->counts_undecided);
+        t->wide += t->tolerance > 0 && enclosed_is_wide((field){text, row}, t->tolerance,
+                                                        t->counts_undecided + t->certain);
         text += line;
         length -= line;
     }

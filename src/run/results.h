@@ -22,6 +22,7 @@ typedef struct results {
     int counts_undecided;
     unsigned long undecided; /* of these rows, if they are counted */
     double tolerance;        /* of enclosures; 0: rows have none */
+    int certain;             /* rows say whether they are certain */
     unsigned long wide;      /* of these rows, those whose enclosure is wider */
     text head;               /* the part of a head that the file had */
     int head_whole;          /* it ends with the head's last line */

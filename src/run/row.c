@@ -62,9 +62,10 @@ static int read_table_form(row_form *out, const char *head) {
     read_options(out, "# operation ", "# folds ", head);
     out->topo = field_is(note_of(head, "# topo "), "yes");
     out->sdf = note_of(head, "# sdf ").start != NULL;
+    out->certain = note_of(head, "# motion-error ").start != NULL;
     if (strncmp(at, "time,", 5) == 0)
         return site_form_read(out, at, field_is(note_of(head, "# snap "), "yes"));
-    size_t last = (size_t)(out->topo + 3 * out->sdf);
+    size_t last = (size_t)(out->topo + out->certain + 3 * out->sdf);
     if (!length || head[length - 1] != '\n' || !skip_text(&at, "x,y,"))
         return 0;
     out->dimension = skip_text(&at, "z,") ? 3 : 2;
@@ -161,6 +162,11 @@ static const char *check_pmc_row(row_parts *out, const row_form *form, field res
     return NULL;
 }
 
+/* No row that is `on` is certain. */
+static int certainty_fits(graze_pmc pmc, field certain) {
+    return field_is(certain, "no") || (field_is(certain, "yes") && pmc != GRAZE_ON);
+}
+
 static const char *check_table_row(row_parts *out, const row_form *form, graze_context *context,
                                    field row) {
     char answers[ANSWERS];
@@ -184,6 +190,8 @@ static const char *check_table_row(row_parts *out, const row_form *form, graze_c
     out->topo = form->topo && more ? take_last_column(&rest) : (field){"", 0};
     if (form->topo && !position_fits(form, verdict.pmc, out->topo))
         return "a position in the last column that goes with pmc";
+    if (form->certain && !certainty_fits(verdict.pmc, take_last_column(&rest)))
+        return "yes or no in the column certain, and no for `on`";
     if (form->sdf) {
         field time = take_last_column(&rest), high = take_last_column(&rest);
         if (!enclosed_fits(verdict.pmc, take_last_column(&rest), high, time))

@@ -17,6 +17,7 @@ typedef struct row_form {
     int sites, snap;       /* it is of contact points, and they were moved */
     int topo;              /* rows end with a position */
     int sdf;               /* before it with an enclosure */
+    int certain;           /* and behind that with whether the answer is certain */
     field end;             /* of a certificate: the last time, in the head */
     int contacts;          /* of a certificate: rows have their contacts */
 } row_form;

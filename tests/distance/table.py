@@ -8,11 +8,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 The second method takes exact poses at 60 times and the time of each row, and the distance to each triangle in floats:
 no sample may be below sdf_low, and the one at sdf_t not above sdf_high.
 """
+import ast
 import csv
 import json
 import math
 import os
 import random
+import re
+import struct
 import sys
 from fractions import Fraction as F
 
@@ -84,12 +87,6 @@ def signed(pose, p):
     return -value
 
 
-def down(n, d):
-    """The largest double that is at most n/d."""
-    nearest = n / d
-    return nearest if F(nearest) <= F(n, d) else math.nextafter(nearest, 0)
-
-
 def rows_of(text):
     return list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
 
@@ -128,7 +125,7 @@ def check_table(checks, graze, points, scene):
     checks.equal([line.rsplit(",", 3)[0] for line in body],
                  [line for line in plain.stdout.splitlines() if not line.startswith("#")], "rows")
     checks.holds(body[0].endswith(",sdf_low,sdf_high,sdf_t"), body[0])
-    checks.holds(f"\n# sdf {down(1, 10**9):.17g}\n" in out.stdout, "the head")
+    checks.holds("\n# sdf 1e-09\n" in out.stdout, "the head has the number that was given")
     for (x, y, z, s), row in zip(ROWS, rows_of(out.stdout)):
         low, high = F(row["sdf_low"]), F(row["sdf_high"])
         checks.holds(low <= s <= high and high - low <= F(1, 10 ** 9), f"{x} {y} {z}", row)
@@ -176,6 +173,127 @@ def check_parts(checks, graze, points, scene, whole):
         checks.equal(out.returncode, 0, form, out.stderr)
 
 
+def below(n, d):
+    """The largest double that is at most n/d."""
+    nearest = n / d
+    return nearest if F(nearest) <= F(n, d) else math.nextafter(nearest, 0)
+
+
+def above(n, d):
+    """The least double that is at least n/d."""
+    nearest = n / d
+    return nearest if F(nearest) >= F(n, d) else math.nextafter(nearest, math.inf)
+
+
+def check_heads(checks, graze, points, scene):
+    """A width stands in the head as the shortest decimal that is read as its double again."""
+    widths = ((1, 10 ** 9), (1, 3), (1, 10 ** 18), (25, 1), (1, 1), (123456789, 10 ** 12), (1, 10 ** 300), (7, 10 ** 5))
+    for n, d in widths:
+        out = graze.call("classify", *scene, points, "--quiet", "--sdf", f"{n}/{d}", "--motion-error", f"{n}/{d}")
+        head = dict(line[2:].split(" ", 1) for line in out.stdout.splitlines() if line.startswith("# "))
+        width, error = F(head["sdf"]), F(head["motion-error"])
+        checks.equal(below(width.numerator, width.denominator), below(n, d), f"{n}/{d} read again", head["sdf"])
+        checks.equal(above(error.numerator, error.denominator), above(n, d), f"{n}/{d} read again", head)
+        digits = head["sdf"].split("e")[0].replace(".", "").strip("0")
+        for fewer in range(1, len(digits)):  # no number of fewer digits is in [double, next double)
+            unit = F(10) ** (math.floor(math.log10(width)) - fewer + 1)
+            least = math.ceil(F(below(n, d)) / unit) * unit
+            checks.holds(least >= F(math.nextafter(below(n, d), math.inf)), f"{n}/{d}: {head['sdf']} is not shortest")
+        if "/" not in f"{F(n, d)}" or n == 1 and d in (10 ** 9, 10 ** 18, 10 ** 300):
+            checks.equal([width, error], [F(n, d), F(n, d)], "the number that was given")
+
+
+def check_certain(checks, graze, points, scene):
+    """|s| > ETA, of points that are 1, 5, 1, 0, 1/3 and 1/2 away."""
+    for eta, certain in (("1/4", "yes yes yes no yes yes"), ("0.4", "yes yes yes no no yes"), ("3/4", "yes yes yes no no no"),
+                         ("1", "no yes no no no no"), ("100", "no no no no no no")):
+        ask = ("--quiet", "--sdf", "1e-9", "--motion-error", eta)
+        out = graze.call("classify", *scene, points, *ask)
+        checks.equal([row["certain"] for row in rows_of(out.stdout)], certain.split(), eta)
+        lines = graze.call("classify", *scene, points, *ask, "--format", "jsonl").stdout.splitlines()
+        checks.equal([json.loads(line)["certain"] for line in lines], certain.split(), eta)
+    ask = ("--quiet", "--sdf", "1e-9", "--motion-error", "0.4")
+    for more in ((), ("--topo",)):
+        whole = graze.call("classify", *scene, points, *ask, *more).stdout
+        again = graze.call("classify", *scene, graze.write("again.csv", whole), *ask, *more).stdout
+        checks.equal(again, whole, "a table as points")
+        parts = [graze.write(f"part-{k}.csv", graze.call("classify", *scene, points, *ask, *more, "--shard", f"{k}/2").stdout)
+                 for k in (1, 2)]
+        checks.equal(graze.call("merge", "--quiet", *parts).stdout, whole, "merged")
+        lines = whole.splitlines(keepends=True)
+        begun = graze.write("begun.csv", "".join(lines[:-3]))
+        graze.call("classify", *scene, points, *ask, *more, "--resume", begun)
+        with open(begun, encoding="utf-8") as f:
+            checks.equal(f.read(), whole, "continued")
+        wrong = graze.write("wrong.csv", "".join(lines[:-3 if more else -2]).replace("3/8,no", "3/8,yes"))
+        out = graze.call("classify", *scene, points, *ask, *more, "--resume", wrong)
+        checks.holds(out.returncode == 3 and "in the column certain" in out.stderr, out.stderr)
+    fine = graze.call("classify", *scene, points, "--quiet", "--sdf", "1e-17r", "--motion-error", "1")
+    checks.holds("rows is enclosed less closely" in fine.stderr, fine.stderr)
+    out = graze.call("classify", *scene, points, "--motion-error", "1")
+    checks.holds(out.returncode == 2 and "expected --sdf beside it" in out.stderr, out.stderr)
+    for bad in ("0", "-1", "nan", "1e400", "", "1r"):
+        out = graze.call("classify", *scene, points, "--sdf", "1", "--motion-error", bad)
+        checks.holds(out.returncode == 2 and "expected a positive number" in out.stderr, bad, out.stderr)
+
+
+def npy_columns(path):
+    """Columns of a structured npy file, of numbers and of texts as words."""
+    with open(path, "rb") as f:
+        data = f.read()
+    size, = struct.unpack("<I", data[8:12])
+    head = ast.literal_eval(data[12:12 + size].decode())
+    form = "<" + "".join({"f8": "d", "u4": "I"}.get(d[1:], d[2:] + "s") for _, d in head["descr"])
+    columns = zip((n for n, _ in head["descr"]), zip(*struct.iter_unpack(form, data[12 + size:])))
+    return {n: [v.rstrip(b"\0").decode() if isinstance(v, bytes) else v for v in c] for n, c in columns}
+
+
+def vtk_columns(path, count):
+    """name -> values of the columns of doubles of a legacy VTK file."""
+    with open(path, "rb") as f:
+        data = f.read()
+    heads = re.finditer(rb"^SCALARS (\w+) double 1\nLOOKUP_TABLE default\n", data, re.M)
+    return {h.group(1).decode(): list(struct.unpack_from(f">{count}d", data, h.end())) for h in heads}
+
+
+def check_grid(checks, graze, scene):
+    """A grid in every format, by one thread and by several, has the rows of its points."""
+    ask = ("--grid", "5,4,3", "--box=-1,-1,-1,12,4,4", "--quiet", "--sdf", "1e-7", "--motion-error", "1/8")
+    whole = graze.call("classify", *scene, *ask, "--jobs", "1").stdout
+    rows = rows_of(whole)
+    checks.equal(len(rows), 60, "points of the grid")
+    for row in rows:  # the cube [0, 2]^3 slides by 8 along x: the distance to [0, 10] x [0, 2]^2, or at most 1 deep
+        p = [F(row[a]) for a in "xyz"]
+        beyond = [max(-x, x - top, F(0)) for x, top in zip(p, (10, 2, 2))]
+        low, high = F(row["sdf_low"]), F(row["sdf_high"])
+        if any(beyond):
+            square = sum(b * b for b in beyond)
+            checks.holds(0 <= low and low * low <= square <= high * high and high - low <= F(1, 10 ** 7), row)
+            checks.equal(row["certain"], "yes" if square > F(1, 64) else "no", row)
+        else:
+            s = -min([F(1)] + [min(x, top - x) for x, top in zip(p, (10, 2, 2))])
+            checks.holds(low <= s <= high and high - low <= F(1, 10 ** 7), row)
+    checks.equal(graze.call("classify", *scene, *ask, "--jobs", "3").stdout, whole, "three threads")
+    parts = [graze.write(f"grid-{k}.csv", graze.call("classify", *scene, *ask, "--shard", f"{k}/3").stdout) for k in (1, 2, 3)]
+    checks.equal(graze.call("merge", "--quiet", *parts).stdout, whole, "shards of a grid")
+    lines = graze.call("classify", *scene, *ask, "--format", "jsonl").stdout.splitlines()
+    told = [json.loads(line) for line in lines]
+    checks.equal([(t["sdf_low"], t["sdf_high"], t["certain"]) for t in told],
+                 [(float(r["sdf_low"]), float(r["sdf_high"]), r["certain"]) for r in rows], "JSON Lines of a grid")
+    columns = {name: [float(r[name]) for r in rows] for name in ("sdf_low", "sdf_high")}
+    path = graze.write("grid.npy", "")
+    graze.call("classify", *scene, *ask, "--format", "npy", "--output", path)
+    arrays = npy_columns(path)
+    for name, values in columns.items():
+        checks.equal(arrays[name], values, "npy", name)
+    checks.equal(arrays["certain"], [r["certain"] for r in rows], "npy, certain")
+    path = graze.write("grid.vtk", "")
+    graze.call("classify", *scene, *ask, "--format", "vtk", "--output", path)
+    arrays = vtk_columns(path, len(rows))
+    for name, values in columns.items():
+        checks.equal(arrays[name], values, "vtk", name)
+
+
 def check_refused(checks, graze, points, scene):
     for bad in ("0", "-1", "x", "", "r", "nan", "1e400", "1e-400", "0r"):
         out = graze.call("classify", *scene, points, "--sdf", bad)
@@ -201,6 +319,9 @@ def main():
     check_lines(checks, graze, points, scene)
     check_parts(checks, graze, points, scene, whole)
     check_refused(checks, graze, points, scene)
+    check_heads(checks, graze, points, scene)
+    check_certain(checks, graze, points, scene)
+    check_grid(checks, graze, scene)
     check_samples(checks, graze, "screw", SCREW, screw, "1e-7")
     check_samples(checks, graze, "shear", SHEAR, shear, "1e-7")
     checks.finish()

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import copy
 import doctest
 import json
+import math
 import os
 import pickle
 import tempfile
@@ -74,6 +75,42 @@ class Answers(unittest.TestCase):
                 graze.Scene(full.solid, full.motion, **wrong)
         with self.assertRaises(graze.UseError):
             scene.rows(points, format="jsonl")
+
+    def test_enclosures(self):
+        """Rows are those of the program; s of (5, 5/2, 1) is 1/2, that of (5, 1, 1) is -1."""
+        plain = common.cube_scene()
+        scene = graze.Scene(plain.solid, plain.motion, sdf="1e-6r", motion_error=F(3, 4))
+        points = [(5, F(5, 2), 1), (5, 1, 1), (5, 1, 2)]
+        rows = [row.split(",") for row in scene.rows(points)]
+        self.assertEqual([row[-1] for row in rows], ["no", "yes", "no"])
+        for row, s in zip(rows, (F(1, 2), -1, 0)):
+            self.assertTrue(F(row[-4]) <= s <= F(row[-3]) and F(row[-3]) - F(row[-4]) <= F("3.5e-6"), row)
+        self.assertEqual([json.loads(row)["certain"] for row in scene.rows(points, "jsonl")], ["no", "yes", "no"])
+        lines = scene.table(points).splitlines()
+        self.assertTrue(lines[-5].endswith(",word,sdf_low,sdf_high,sdf_t,certain"), lines)
+        self.assertEqual([line.split(",") for line in lines[-4:-1]], rows)
+        self.assertIn("# motion-error 0.75", lines)
+        fine = graze.Scene(plain.solid, plain.motion, sdf="1e-9")
+        self.assertIn("# sdf 1e-09", fine.table(points).splitlines())
+        found = fine.distance(points, math.nextafter(1e-9, 0))
+        for row, one in zip(fine.rows(points), found):
+            low, high = (one["low"], one["high"]) if hasattr(found, "dtype") else (one.low, one.high)
+            self.assertEqual([float(x) for x in row.split(",")[-3:-1]], [low, high])
+        for wrong in ({"sdf": 0}, {"sdf": "-1"}, {"sdf": float("nan")}, {"sdf": "1e400"}, {"sdf": "r"},
+                      {"motion_error": 1}, {"sdf": 1, "motion_error": 0}, {"sdf": 1, "columns": "pmc"}):
+            with self.assertRaises(graze.UseError, msg=wrong):
+                graze.Scene(plain.solid, plain.motion, **wrong)
+
+    def test_levels(self):
+        """Points of a decade: the signed distance of the cube's sweep, in floats."""
+        scene = common.cube_scene()
+        made = list(scene.generate(40, 3, {"level": 1}))
+        for sample, one in zip(made, scene.distance([sample.point for sample in made], 1e-13)):
+            low, high = (one["low"], one["high"]) if graze.scene.numpy is not None else (one.low, one.high)
+            self.assertEqual(low > 0, sample.outward)
+            self.assertTrue(F(10) ** sample.decade <= min(abs(F(low)), abs(F(high))), sample)
+            self.assertTrue(max(abs(F(low)), abs(F(high))) < F(10) ** (sample.decade + 1), sample)
+        self.assertEqual({s.decade for s in scene.generate(9, 1)}, {None})
 
     def test_slide(self):
         """(5, 1, 2) has c = (5 - 8t, 1, 2) on the top from t = 3/8 to 5/8, over edges x = 2 and x = 0."""

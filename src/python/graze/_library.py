@@ -38,7 +38,7 @@ class COptions(ctypes.Structure):
 
     _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int), ("size", c_size_t),
                 ("topo", c_int), ("columns", c_int), ("sdf", c_double),
-                ("sdf_relative", c_int)]
+                ("sdf_relative", c_int), ("motion_error", c_double)]
 
 
 class CVerdict(ctypes.Structure):
@@ -79,7 +79,7 @@ class CSample(ctypes.Structure):
     """graze_sample."""
 
     _fields_ = [("stratum", c_int), ("order", c_int), ("cell", CCell), ("k", c_int),
-                ("outward", c_int)]
+                ("outward", c_int), ("decade", c_int)]
 
 
 class CSiteFacts(ctypes.Structure):
@@ -118,7 +118,8 @@ class CDrawOptions(ctypes.Structure):
     _fields_ = [("title", c_char_p), ("grid", c_ulong), ("times", c_ulong), ("low", c_void_p),
                 ("high", c_void_p), ("plane_axis", c_int), ("plane", c_void_p),
                 ("view", c_double * 3), ("points", c_void_p), ("point_count", c_size_t),
-                ("names", c_void_p), ("size", c_size_t)]
+                ("names", c_void_p), ("size", c_size_t), ("strata", c_void_p),
+                ("answers", c_void_p), ("surface", c_int), ("by", c_int)]
 
 
 class CCompareOptions(ctypes.Structure):

@@ -60,4 +60,5 @@ def _each(context: Context, generator: Handle, dimension: int, rows: range,
         cell = cell_of(made.cell)
         yield Sample(tuple(numbers[k] for k in range(dimension)), names[made.stratum],
                      numbers[dimension] if cell else None, cell, made.order, made.k,
-                     bool(made.outward))
+                     bool(made.outward),
+                     made.decade if names[made.stratum] == "level" else None)

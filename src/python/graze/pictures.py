@@ -44,10 +44,11 @@ def class_colours() -> Dict[str, str]:
 
 def draw(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],
          box: Optional[Tuple[Rationals, Rationals]], **options: Any) -> Picture:
-    """A picture of a scene; `options` are title, grid and times."""
+    """A picture of a scene; `options` are title, grid, times and by."""
     keep: List[Any] = []
     chosen = CDrawOptions(size=ctypes.sizeof(CDrawOptions), grid=options["grid"],
-                          times=options["times"], title=options["title"].encode())
+                          times=options["times"], title=options["title"].encode(),
+                          by=options["by"])
     if box:
         chosen.low, chosen.high = box[0].address, box[1].address
     if points:

@@ -159,6 +159,7 @@ class Sample:
         order: the order of contact with that cell's plane; -1 a slide in it, 0 without a contact.
         k: the point was displaced by 2^-k along the normal; 0 if it was not.
         outward: whether it was displaced to the outside.
+        decade: of the stratum `level`: 10^decade <= |s| < 10^(decade + 1); else None.
     """
 
     point: Tuple[Fraction, ...]
@@ -168,6 +169,7 @@ class Sample:
     order: int
     k: int
     outward: bool
+    decade: Optional[int] = None
 
 
 def _field(results: Any, name: str) -> List[int]:

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import ctypes
+import math
 import os
 from fractions import Fraction
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
@@ -50,7 +51,8 @@ class Scene:
                  operation: str = "sweep", overlap: str = "extend", folds: str = "separate",
                  triangulate: bool = False, round: str = "none", *,
                  limits: Optional[Mapping[str, int]] = None, use_filter: bool = True,
-                 topo: bool = False, columns: str = "all") -> None:
+                 topo: bool = False, columns: str = "all", sdf: Any = None,
+                 motion_error: Any = None) -> None:
         """Read, validate and put together; decide whether first and last position meet.
 
         Args:
@@ -65,6 +67,10 @@ class Scene:
             topo: rows and tables end with the position relative to the closed sweep.
             columns: `pmc`: verdicts, rows and tables have that answer alone, which is decided
                 sooner; the other fields of verdicts are 0. Not with topo, nor for JSON Lines.
+            sdf: rows and tables enclose the signed distance to at most this width: a number, or
+                text such as `1e-6r`, relative to `diagonal`. `distance` gives arrays.
+            motion_error: with sdf, a number: rows and tables say whether pmc is certain for every
+                motion within it.
             use_filter: let the certified floating-point filter go first; answers are the same.
         Raises:
             UseError: a word that is none, or a solid or motion that was rounded otherwise.
@@ -72,10 +78,12 @@ class Scene:
             IllegalError: not a legal solid, motion or pair of them.
         """
         chosen = settings(round, limits, use_filter)
+        width, relative = _width(sdf)
         options = COptions(choice("operation", operation, OPERATIONS),
                            choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS),
                            ctypes.sizeof(COptions), int(topo),
-                           choice("columns", columns, COLUMNS))
+                           choice("columns", columns, COLUMNS), width, relative,
+                           _rounded("motion_error", motion_error, math.inf))
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
@@ -87,6 +95,7 @@ class Scene:
         self.solid, self.motion = solid, motion
         self.operation, self.overlap, self.folds, self.round = operation, overlap, folds, round
         self.topo, self.columns = bool(topo), columns
+        self.sdf, self.motion_error = sdf, motion_error
         self._contexts = Contexts(chosen)
         context, pointer = self._contexts.mine(), ctypes.c_void_p()
         parts = input_handle(solid), input_handle(motion)
@@ -314,7 +323,8 @@ class Scene:
 
     def draw(self, points: Any = None, *, names: Optional[Sequence[str]] = None, title: str = "",
              grid: int = 0, times: int = 0,
-             box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None) -> Picture:
+             box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None,
+             by: str = "class") -> Picture:
         """A picture: the class of every cell, positions of the solid, and for points their inverted
         trajectories with contacts (`graze draw`). A notebook shows it.
 
@@ -324,11 +334,12 @@ class Scene:
             grid: cells along the longer side; 0 chooses.
             times: positions of the solid, 2 to 64; 0 is 5.
             box: the lowest and the highest corner; None is around the scene.
+            by: colours of cells: `class`, or `distance`: bands of the signed distance and levels.
         """
         corners = (self._point(box[0]), self._point(box[1])) if box else None
         given = None if points is None else self._points(points)
         return draw(self._context(), self._handle, given, names, corners, title=title, grid=grid,
-                    times=times)
+                    times=times, by=choice("by", by, ("class", "distance")))
 
     def _context(self) -> Context:
         return self._contexts.mine()
@@ -356,6 +367,28 @@ class Scene:
         context.run(library().graze_trace_create, ctypes.byref(pointer), context.pointer,
                     self._handle.pointer, point.address, brief=True)
         return Handle(pointer, library().graze_trace_destroy, self._handle)
+
+
+def _rounded(name: str, value: Any, towards: float) -> float:
+    """A positive number as a double, rounded towards another one; None is 0."""
+    if value is None:
+        return 0.0
+    try:
+        exact = Fraction(value)
+        near = float(exact)
+        wrong = near > exact if towards == 0 else near < exact
+        near = math.nextafter(near, towards) if wrong else near
+    except (ValueError, ZeroDivisionError, OverflowError):
+        exact, near = Fraction(0), 0.0
+    if exact <= 0 or not 0 < near < math.inf:
+        raise UseError(f"{name} is {value!r}; expected a positive number in the range of floats")
+    return near
+
+
+def _width(sdf: Any) -> Tuple[float, int]:
+    """The width of enclosures, rounded down, and whether it is relative."""
+    relative = isinstance(sdf, str) and sdf.endswith("r")
+    return _rounded("sdf", sdf[:-1] if relative else sdf, 0.0), int(relative)
 
 
 def _answers(structure: Any, dtype: Any, count: int) -> Tuple[Any, int]:
