@@ -130,6 +130,18 @@ class Columns:
         self.checks.equal({row[2] for row in rows if row[3] == "through the tip"}, {"on"}, "through the tip")
         self.checks.equal({row[2] for row in rows if row[3] == "beside it"}, {"in"}, "beside the tip")
 
+    def shallow_tip(self):
+        """The same with a hole, tip and trajectories that are all but parallel to the edge: the time of the crossing
+        is uncertain, by the slope and by the distance from the origin."""
+        solid = self.graze.write("thin.wkt", "POLYGON((0 1000, 16 1000, 16 1008, 0 1008, 0 1000), (4 1000, 12 256001/256, 12 4096001/4096, 4 1000))\n")
+        motion = self.graze.write("thin.json", '{"dimension": 2, "pieces": [{"t": [0, 1], "transform": '
+                                  '{"translate": ["-4*t", "-t/2048"]}}]}')
+        steps = [k for k in range(1, 1600) if k % 4]
+        lines = ["x,y"] + [f"{4 * 1601 - 4 * k}/1601,{1000 * 2048 * 1601 - k}/{2048 * 1601}" for k in steps]
+        path = self.graze.write("thin.csv", "\n".join(lines) + "\n")
+        rows = [line.split(",") for line in self.same("thin", solid, motion, path).splitlines() if line[0] != "#"][1:]
+        self.checks.equal({row[2] for row in rows}, {"on"}, "through a shallow tip")
+
     def tables(self):
         """All that reads tables takes those of pmc alone; carried columns may have the names of answers."""
         rng = random.Random(7)
@@ -202,6 +214,7 @@ def main():
     columns.scenes()
     columns.grids()
     columns.tip_of_a_hole()
+    columns.shallow_tip()
     columns.tables()
     print(f"{columns.rows} lines both ways, {columns.inside} of points inside")
     columns.checks.equal(columns.inside * 5 > columns.rows, True, "a fifth of the points is inside")
