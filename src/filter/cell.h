@@ -15,7 +15,7 @@ typedef struct cell {
 
 /**
  * Whether certainly no point of the cell meets the boundary, at any time of the motion or, with
- * `during`, of that part of it (proofs/membership.md C90).
+ * `during`, of that part of it (proofs/cells.md C76).
  * @param memory of one thread
  * @return 0 if that is not certain
  */

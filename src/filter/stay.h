@@ -17,7 +17,7 @@ enum { STAYS_MOST = 2 };
 
 /**
  * Find parts of the longest stretches of time in which the point of a search is certainly inside,
- * or with `outside` certainly outside (proofs/membership.md C90).
+ * or with `outside` certainly outside (proofs/cells.md C76).
  * @param found of filter_search
  * @return how many there are; 0 also where some finding is not certain, or there is no crossing
  */

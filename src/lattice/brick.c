@@ -69,8 +69,8 @@ static int stays_with_centre(bricklayer *b, const cell *points, const findings *
     return 0;
 }
 
-/* The membership of all points of a cell; NONE if it is not known to be one (proofs/membership.md
- * C90). */
+/* The membership of all points of a cell; NONE if it is not known to be one (proofs/cells.md
+ * C76). */
 static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points) {
     const findings *found = search_centre(b, points);
     *out = GRAZE_PMC_NONE;
