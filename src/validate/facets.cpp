@@ -8,6 +8,7 @@
 #include <algorithm>
 #include "validate/cut.hpp"
 #include "validate/failure.hpp"
+#include "validate/faults.hpp"
 
 namespace {
 
@@ -141,15 +142,51 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
         cut_planar_facet(context, out, at, s, facet, plane);
 }
 
+/* The first facet that is not legal, with its message, and those of its kind. */
+class bad_facets {
+  public:
+    void take(const failure &found, const graze_context *context, std::size_t facet) {
+        if (found.kind == nullptr)
+            throw failure(found);
+        if (kind_ == nullptr) {
+            kind_ = found.kind;
+            message_ = graze_context_message(context);
+        }
+        if (kind_ == found.kind)
+            list_.add(facet, std::to_string(facet));
+        else
+            others_++;
+    }
+    void report(graze_context *context) const {
+        const std::string others =
+            others_ > 0 ? "; " + std::to_string(others_) + " with other faults" : "";
+        if (kind_ != nullptr)
+            refuse(context, "%s%s%s", message_.c_str(), list_.text("such facets").c_str(),
+                   others.c_str());
+    }
+
+  private:
+    const char *kind_ = nullptr;
+    std::string message_;
+    fault_list list_;
+    std::size_t others_ = 0;
+};
+
 } // namespace
 
 std::vector<piece> cut_facets(graze_context *context, const points &at, const soup &s, bool fan) {
     std::vector<piece> out;
     out.reserve(s.index_count);
     interruption cancel(context);
+    bad_facets bad;
     for (std::size_t facet = 0; facet < s.facet_count; facet++) {
         cancel.poll();
-        cut_facet(context, out, at, s, facet, fan);
+        try {
+            cut_facet(context, out, at, s, facet, fan);
+        } catch (const failure &found) {
+            bad.take(found, context, facet);
+        }
     }
+    bad.report(context);
     return out;
 }

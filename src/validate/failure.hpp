@@ -12,6 +12,7 @@
 /** Thrown once the context holds the message; the guard returns the status. */
 struct failure {
     graze_status status;
+    const char *kind = nullptr; /* of an illegal solid: the same for faults of one kind */
 };
 
 /** The solid is illegal: records the message and throws. */
@@ -24,7 +25,7 @@ inline void refuse(graze_context *context, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    throw failure{context_fail(context, GRAZE_EILLEGAL, "%s", text)};
+    throw failure{context_fail(context, GRAZE_EILLEGAL, "%s", text), format};
 }
 
 /** Asks the cancel callback, but only at every 4096th call, so that inner loops may ask often. */

@@ -10,10 +10,12 @@
 #include "validate/surface.hpp"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 #include "validate/boxes.hpp"
 #include "validate/components.hpp"
 #include "validate/failure.hpp"
+#include "validate/faults.hpp"
 #include "validate/germs.hpp"
 
 namespace {
@@ -29,6 +31,9 @@ struct half_edge {
         return low == other.low && high == other.high;
     }
 };
+
+/* Illegal pairs of triangles that are counted. */
+constexpr std::size_t PAIRS_MOST = 1000;
 
 /* The side `side` of a triangle is in contact with the triangle `other` along a segment. */
 struct contact {
@@ -48,16 +53,19 @@ class surface {
 
     void collect_edges();
     void check_balance();
+    static std::pair<std::size_t, std::size_t> uses_of(place first, place last);
+    fault_list faults_like(place first, place last) const;
     void report_unbalanced(place first, place last);
-    void report_junction(const half_edge &broken);
+    void report_junction(const half_edge &broken, const fault_list &alike);
     bool inside_edge(std::uint32_t v, const half_edge &e) const;
     void check_pairs();
     void visit_pair(std::uint32_t i, std::uint32_t j);
+    std::string further_pairs();
     void report_pair();
     void check_edges();
     void check_edge(place first, place last, const std::vector<std::uint32_t> &others);
     bool range_on(mpq_class &from, mpq_class &to, const half_edge &e, std::uint32_t other) const;
-    void check_part(const half_edge &e, const std::vector<std::uint32_t> &around);
+    bool check_part(const half_edge &e, const std::vector<std::uint32_t> &around);
 
     std::size_t facet(std::uint32_t i) const {
         return pieces_[i].cell.facet;
@@ -72,7 +80,11 @@ class surface {
     disjoint_sets sets_;
     std::vector<half_edge> edges_; /* sorted: those of one edge stand together */
     std::vector<contact> contacts_;
+    std::vector<std::pair<place, place>> unbalanced_; /* edges, each with its sides */
     std::tuple<std::uint32_t, std::uint32_t, triangles> worst_;
+    std::vector<std::pair<std::size_t, std::size_t>> bad_pairs_; /* facets; at most PAIRS_MOST */
+    fault_list bad_edges_; /* around which in and out do not alternate */
+    std::string bad_edge_; /* the message for the first of them */
 };
 
 std::size_t surface::check(bool trust_contacts) {
@@ -97,6 +109,14 @@ void surface::collect_edges() {
     });
 }
 
+/* How often an edge is run through along its first and against it, the larger number first. */
+std::pair<std::size_t, std::size_t> surface::uses_of(place first, place last) {
+    const std::size_t along = static_cast<std::size_t>(
+        std::count_if(first, last, [](const half_edge &e) { return e.ascends; }));
+    const std::size_t against = static_cast<std::size_t>(last - first) - along;
+    return {std::max(along, against), std::min(along, against)};
+}
+
 /* Report the unbalanced edge of the first facet. */
 void surface::check_balance() {
     place worst = edges_.end(), worst_last = edges_.end();
@@ -106,7 +126,10 @@ void surface::check_balance() {
             balance += last->ascends ? 1 : -1;
             sets_.join(first->piece, last->piece);
         }
-        if (balance != 0 && (worst == edges_.end() || first->piece < worst->piece)) {
+        if (balance == 0)
+            continue;
+        unbalanced_.emplace_back(first, last);
+        if (worst == edges_.end() || first->piece < worst->piece) {
             worst = first;
             worst_last = last;
         }
@@ -115,8 +138,22 @@ void surface::check_balance() {
         report_unbalanced(worst, worst_last);
 }
 
+/* The unbalanced edges that are used as often as this one; all with more uses are of one kind. */
+fault_list surface::faults_like(place first, place last) const {
+    const auto kind = [](std::pair<std::size_t, std::size_t> uses) {
+        return uses.second == 0 && uses.first <= 2 ? uses.first : 3;
+    };
+    fault_list list;
+    for (const auto &[from, to] : unbalanced_)
+        if (kind(uses_of(from, to)) == kind(uses_of(first, last)))
+            list.add(facet(from->piece),
+                     std::to_string(end(*from, 0)) + "-" + std::to_string(end(*from, 1)));
+    return list;
+}
+
 void surface::report_unbalanced(place first, place last) {
-    report_junction(*first);
+    const fault_list alike = faults_like(first, last);
+    report_junction(*first, alike);
     std::vector<half_edge> along, against;
     for (place e = first; e != last; ++e)
         (e->ascends ? along : against).push_back(*e);
@@ -124,20 +161,21 @@ void surface::report_unbalanced(place first, place last) {
         along.swap(against);
     const half_edge &e = along.front();
     const std::uint32_t u = end(e, 0), v = end(e, 1);
+    const std::string others = alike.text("such edges");
     if (along.size() == 1)
         refuse(context_,
                "edge %u-%u is used once by facet %zu and never the other way: the surface is open "
-               "there; expected every edge to be run through as often one way as the other",
-               u, v, facet(e.piece));
+               "there; expected every edge to be run through as often one way as the other%s",
+               u, v, facet(e.piece), others.c_str());
     if (along.size() == 2 && against.empty())
         refuse(context_,
                "edge %u-%u is used twice in the same direction by facets %zu and %zu: they are "
-               "inconsistently oriented; expected one of them reversed",
-               u, v, facet(e.piece), facet(along[1].piece));
+               "inconsistently oriented; expected one of them reversed%s",
+               u, v, facet(e.piece), facet(along[1].piece), others.c_str());
     refuse(context_,
            "edge %u-%u is run through %zu times by facets such as %zu but %zu times the other way; "
-           "expected every edge to be run through as often one way as the other",
-           u, v, along.size(), facet(e.piece), against.size());
+           "expected every edge to be run through as often one way as the other%s",
+           u, v, along.size(), facet(e.piece), against.size(), others.c_str());
 }
 
 bool surface::inside_edge(std::uint32_t v, const half_edge &e) const {
@@ -152,25 +190,20 @@ bool surface::inside_edge(std::uint32_t v, const half_edge &e) const {
 }
 
 /* An edge A B on one side, A M and M B on the other: all three are unbalanced, and M is named. */
-void surface::report_junction(const half_edge &broken) {
+void surface::report_junction(const half_edge &broken, const fault_list &alike) {
     interruption cancel(context_);
-    for (place e = edges_.begin(), last; e != edges_.end(); e = last) {
-        int balance = 0;
-        for (last = e; last != edges_.end() && last->same_edge(*e); ++last)
-            balance += last->ascends ? 1 : -1;
+    for (const auto &[e, last] : unbalanced_) {
         cancel.poll();
-        if (balance == 0)
-            continue;
         const half_edge *whole = &broken, *part = &*e;
         for (int turn = 0; turn < 2; turn++, std::swap(whole, part))
             for (int k = 0; k < 2; k++)
                 if (inside_edge(pieces_[part->piece].at[(part->side + k) % 3], *whole))
-                    refuse(
-                        context_,
-                        "edge %u-%u of facet %zu has vertex %u in its middle, where facet %zu "
-                        "has a corner: a T-junction; expected the edge to be split at that vertex",
-                        end(*whole, 0), end(*whole, 1), facet(whole->piece), end(*part, k),
-                        facet(part->piece));
+                    refuse(context_,
+                           "edge %u-%u of facet %zu has vertex %u in its middle, where facet %zu "
+                           "has a corner: a T-junction; expected the edge to be split at that "
+                           "vertex%s",
+                           end(*whole, 0), end(*whole, 1), facet(whole->piece), end(*part, k),
+                           facet(part->piece), alike.text("edges without a partner").c_str());
     }
 }
 
@@ -190,17 +223,23 @@ void surface::check_pairs() {
 }
 
 /* Keep the smallest illegal pair, so that the message depends on the solid alone and not on the
- * order of the candidates, which CGAL chooses. */
+ * order of the candidates, which CGAL chooses; and count pairs, up to PAIRS_MOST. */
 void surface::visit_pair(std::uint32_t i, std::uint32_t j) {
     const piece &s = pieces_[i], &t = pieces_[j];
     if (s.planar && s.cell.facet == t.cell.facet)
         return;
-    if (std::tie(i, j) > std::tie(std::get<0>(worst_), std::get<1>(worst_)))
+    const bool later = std::tie(i, j) > std::tie(std::get<0>(worst_), std::get<1>(worst_));
+    if (later && bad_pairs_.size() == PAIRS_MOST)
         return;
     contact_sides sides;
     const triangles lie = triangles_lie(sides, at_, s, t);
-    if (lie == triangles::cross || lie == triangles::overlap)
-        worst_ = {i, j, lie};
+    if (lie == triangles::cross || lie == triangles::overlap) {
+        if (!later)
+            worst_ = {i, j, lie};
+        if (bad_pairs_.size() < PAIRS_MOST)
+            bad_pairs_.emplace_back(s.cell.facet, t.cell.facet);
+        return;
+    }
     if (lie != triangles::contact)
         return;
     sets_.join(i, j);
@@ -210,8 +249,21 @@ void surface::visit_pair(std::uint32_t i, std::uint32_t j) {
         contacts_.push_back({j, i, sides.second});
 }
 
+/* The text on further pairs of facets. */
+std::string surface::further_pairs() {
+    fault_list list;
+    if (bad_pairs_.size() == PAIRS_MOST)
+        return "; more than " + std::to_string(PAIRS_MOST - 1) + " pairs of triangles do so";
+    std::sort(bad_pairs_.begin(), bad_pairs_.end());
+    bad_pairs_.erase(std::unique(bad_pairs_.begin(), bad_pairs_.end()), bad_pairs_.end());
+    for (const auto &[one, two] : bad_pairs_)
+        list.add(one, std::to_string(one) + " and " + std::to_string(two));
+    return list.text("pairs of facets with common points inside them");
+}
+
 void surface::report_pair() {
     const auto [i, j, lie] = worst_;
+    const std::string others = further_pairs();
     if (facet(i) == facet(j))
         refuse(context_,
                "facet %zu: the triangles of its fan run through one another; cut the facet into "
@@ -220,12 +272,12 @@ void surface::report_pair() {
     if (lie == triangles::overlap)
         refuse(context_,
                "facets %zu and %zu lie on one another in their common plane: overlapping coplanar "
-               "facets; expected facets with disjoint insides",
-               facet(i), facet(j));
+               "facets; expected facets with disjoint insides%s",
+               facet(i), facet(j), others.c_str());
     refuse(context_,
            "facets %zu and %zu intersect each other; they may touch in vertices and along edges "
-           "only",
-           facet(i), facet(j));
+           "only%s",
+           facet(i), facet(j), others.c_str());
 }
 
 void surface::check_edges() {
@@ -252,6 +304,8 @@ void surface::check_edges() {
         if (last - first > 2 || !others.empty())
             check_edge(edges_.begin() + first, edges_.begin() + last, others);
     }
+    if (bad_edges_.count() > 0)
+        refuse(context_, "%s%s", bad_edge_.c_str(), bad_edges_.text("such edges").c_str());
 }
 
 /* Go along the edge from part to part; `around` holds the triangles that contain it. */
@@ -281,8 +335,9 @@ void surface::check_edge(place first, place last, const std::vector<std::uint32_
         else
             around.erase(std::remove(around.begin() + own, around.end(), events[k].other),
                          around.end());
-        if (events[k].where < events[k + 1].where && around.size() > 2)
-            check_part(*first, around);
+        if (events[k].where < events[k + 1].where && around.size() > 2 &&
+            !check_part(*first, around))
+            return;
     }
 }
 
@@ -311,7 +366,7 @@ bool surface::range_on(mpq_class &from, mpq_class &to, const half_edge &e,
     return from < to;
 }
 
-void surface::check_part(const half_edge &e, const std::vector<std::uint32_t> &around) {
+bool surface::check_part(const half_edge &e, const std::vector<std::uint32_t> &around) {
     std::vector<germ> germs;
     for (std::uint32_t i : around) {
         const piece &t = pieces_[i];
@@ -332,12 +387,17 @@ void surface::check_part(const half_edge &e, const std::vector<std::uint32_t> &a
     };
     const std::size_t k = not_alternating(germs, turn, alike);
     if (k == germs.size())
-        return;
-    std::size_t one = facet(germs[k].piece), two = facet(germs[(k + 1) % germs.size()].piece);
-    refuse(context_,
-           "around edge %u-%u facets %zu and %zu follow one another and both have the %s behind "
-           "them: parts overlap there; expected in and out to alternate around every edge",
-           end(e, 0), end(e, 1), one, two, germs[k].crossing > 0 ? "inside" : "outside");
+        return true;
+    const std::size_t one = facet(germs[k].piece), two = facet(germs[(k + 1) % germs.size()].piece);
+    const std::string name = std::to_string(end(e, 0)) + "-" + std::to_string(end(e, 1));
+    if (bad_edges_.count() == 0)
+        bad_edge_ = "around edge " + name + " facets " + std::to_string(one) + " and " +
+                    std::to_string(two) + " follow one another and both have the " +
+                    (germs[k].crossing > 0 ? "inside" : "outside") +
+                    " behind them: parts overlap there; expected in and out to alternate around "
+                    "every edge";
+    bad_edges_.add(bad_edges_.count(), name);
+    return false;
 }
 
 } // namespace
