@@ -19,6 +19,7 @@ from __future__ import annotations
 from ._library import VERSION as __version__
 from ._library import library as _load
 from ._motions import Joint, slide, turn
+from .boundaries import Boundary
 from .comparison import Comparison, compare
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
                      LibraryError, LimitError, MachineError, UseError)
@@ -32,8 +33,8 @@ from .sites import Site, SiteFacet
 from .times import AlgebraicNumber, Time, decimal
 
 __all__ = [
-    "AlgebraicNumber", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Comparison", "Contact",
-    "ENCLOSURE_DTYPE", "Enclosure", "GrazeError", "IllegalError", "InputError", "InternalError",
+    "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Comparison",
+    "Contact", "ENCLOSURE_DTYPE", "Enclosure", "GrazeError", "IllegalError", "InputError", "InternalError",
     "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Picture",
     "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "columns", "compare",

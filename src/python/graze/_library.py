@@ -122,6 +122,24 @@ class CDrawOptions(ctypes.Structure):
                 ("answers", c_void_p), ("surface", c_int), ("by", c_int)]
 
 
+class CBoundaryOptions(ctypes.Structure):
+    """graze_boundary_options."""
+
+    _fields_ = [("coarse", c_uint), ("depth", c_uint), ("budget", c_ulong), ("contacts", c_ulong),
+                ("seed", ctypes.c_ulonglong), ("low", c_void_p), ("high", c_void_p),
+                ("size", c_size_t), ("middles", c_int)]
+
+
+class CBoundarySummary(ctypes.Structure):
+    """graze_boundary_summary."""
+
+    _fields_ = [("points", c_size_t), ("cells", c_size_t), ("vertices", c_size_t),
+                ("faces", c_size_t), ("inside", c_ulong), ("on", c_ulong), ("out", c_ulong),
+                ("contacts", c_ulong), ("contacts_on", c_ulong), ("missed", c_ulong),
+                ("level", c_uint), ("complete", c_int), ("closed", c_int), ("bisected", c_ulong),
+                ("exact", c_size_t)]
+
+
 class CCompareOptions(ctypes.Structure):
     """graze_compare_options."""
 
@@ -232,6 +250,11 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_stratum_name": (c_char_p, [c_int]),
     "graze_stratum_default_weight": (c_ulong, [c_int]),
     "graze_class_colour": (c_uint, [c_int]),
+    "graze_boundary_create": (c_int, [_OUT, c_void_p, c_void_p, POINTER(CBoundaryOptions)]),
+    "graze_boundary_destroy": (None, [c_void_p]),
+    "graze_boundary_summarize": (CBoundarySummary, [c_void_p]),
+    "graze_boundary_vertex": (None, [c_void_p, c_void_p, c_size_t]),
+    "graze_boundary_face": (POINTER(c_size_t), [c_void_p, c_size_t]),
     "graze_draw": (c_int, [c_void_p, c_void_p, c_char_p, POINTER(CDrawOptions)]),
     "graze_compare": (c_int, [_OUT, c_void_p, c_char_p, c_char_p, POINTER(CCompareOptions)]),
     "graze_comparison_destroy": (None, [c_void_p]),

@@ -10,14 +10,16 @@ import threading
 from typing import Callable, List, Optional
 
 from ._context import Context, Contexts
+from ._progress import Progress, told
 from .errors import UseError
 
 PIECE = 512
 
 
 def run(count: int, jobs: Optional[int], contexts: Contexts,
-        work: Callable[[Context, int, int], None]) -> None:
-    """Call work(context, first, n) for pieces that together are 0 ... count - 1.
+        work: Callable[[Context, int, int], None], progress: Progress = False) -> None:
+    """Call work(context, first, n) for pieces that together are 0 ... count - 1, and tell how many
+    are done.
 
     Raises:
         UseError: `jobs` is not positive.
@@ -26,12 +28,17 @@ def run(count: int, jobs: Optional[int], contexts: Contexts,
     jobs = os.cpu_count() or 1 if jobs is None else jobs
     if jobs < 1:
         raise UseError(f"jobs is {jobs}; expected at least 1, or None for all cores")
-    starts = iter(range(0, count, PIECE))
-    if jobs == 1 or count <= PIECE:
-        for first in starts:
-            work(contexts.mine(), first, min(PIECE, count - first))
-        return
-    _run_threads(min(jobs, -(-count // PIECE)), count, contexts, work)
+    with told(progress, count) as add:
+
+        def piece(context: Context, first: int, size: int) -> None:
+            work(context, first, size)
+            add(size)
+
+        if jobs == 1 or count <= PIECE:
+            for first in range(0, count, PIECE):
+                piece(contexts.mine(), first, min(PIECE, count - first))
+            return
+        _run_threads(min(jobs, -(-count // PIECE)), count, contexts, piece)
 
 
 def _run_threads(jobs: int, count: int, contexts: Contexts,

@@ -14,6 +14,7 @@ from . import _motions
 from ._context import Context, Settings, settings
 from ._library import Handle, library, take_text
 from ._frames import refuse_masked
+from ._meshes import arrays_of
 from ._motions import Joint
 from ._numbers import Rationals, numpy, read_points
 from .errors import InputError, UseError
@@ -36,7 +37,8 @@ class Solid:
             source: the path of a file (.off .obj .ply .stl .nef3 .wkt), or (vertices, facets):
                 rows of 2 or 3 numbers, and for each facet (in the plane: ring) its vertices from 0.
                 Both may be arrays of numpy, the vertices a DataFrame too, as for points of a
-                `Scene`: with a column z they are in space.
+                `Scene`: with a column z they are in space. Or a mesh of trimesh or meshio, or a
+                polygon of shapely: what has vertices and faces, points and cells, or rings.
             triangulate: take facets that are not planar, fanned from their first vertex.
             round: `none`, `binary64` or `binary32`: round every coordinate first.
             limits: limits by name, as of `graze --limit`.
@@ -55,10 +57,12 @@ class Solid:
             context.run(library().graze_solid_read, ctypes.byref(pointer), context.pointer,
                         _path(source), flags)
         else:
+            found = arrays_of(source)
             try:
-                vertices, facets = source
+                vertices, facets = source if found is None else found
             except (TypeError, ValueError):
-                raise TypeError("a solid is a path or a pair (vertices, facets)") from None
+                raise TypeError("a solid is a path, a pair (vertices, facets), or a mesh or polygon "
+                                "of trimesh, meshio or shapely") from None
             _from_arrays(pointer, context, vertices, facets, flags)
         self._handle = Handle(pointer, library().graze_solid_destroy)
 

@@ -14,8 +14,10 @@ from . import _parallel
 from ._context import Context, Contexts, choice, settings
 from ._library import CEnclosure, COptions, CVerdict, Handle, library, take_text
 from ._numbers import Points, Rationals, numpy, read_points
+from ._progress import Progress
 from ._samples import samples
 from ._traces import cell_given, read_topology, read_trace, verdict_of
+from .boundaries import BUDGET, CONTACTS, DEPTH, Boundary, boundary
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
 from .pictures import Picture, draw
@@ -46,7 +48,7 @@ class Scene:
     value is an error, as NaN is.
     """
 
-    def __init__(self, solid: "Solid | str | os.PathLike[str] | Tuple[Any, Any]",
+    def __init__(self, solid: Any,
                  motion: "Motion | str | os.PathLike[str] | Mapping[str, Any]",
                  operation: str = "sweep", overlap: str = "extend", folds: str = "separate",
                  triangulate: bool = False, round: str = "none", *,
@@ -123,13 +125,15 @@ class Scene:
                     self._handle.pointer)
         return tuple(low[k] for k in range(low.count)), tuple(high[k] for k in range(high.count))
 
-    def classify(self, points: Any, jobs: Optional[int] = 1) -> Any:
+    def classify(self, points: Any, jobs: Optional[int] = 1, progress: Progress = False) -> Any:
         """Classify points exactly.
 
         Args:
             points: an array or rows. Arrays of floats are the fast way; other threads of Python run
                 meanwhile.
             jobs: threads; None takes all cores.
+            progress: a function of (points done, points in all), called by any thread every few
+                hundred points; what it raises ends the call. True: a bar of tqdm, if it is there.
         Returns:
             With numpy a structured array with the fields pmc, class, definition, case, i, t (see
             `Pmc`, `Class` and `Verdict`), without it a list of `Verdict`; one for each point.
@@ -144,17 +148,18 @@ class Scene:
         function = (library().graze_classify_doubles if given.are_doubles
                     else library().graze_classify)
         try:
-            self._ask(function, given, address, ctypes.sizeof(CVerdict), jobs)
+            self._ask(function, given, address, ctypes.sizeof(CVerdict), jobs, progress)
         except GrazeError as failure:
             failure.partial = _verdicts(out)
             raise
         return _verdicts(out)
 
-    def distance(self, points: Any, tolerance: float, jobs: Optional[int] = 1) -> Any:
+    def distance(self, points: Any, tolerance: float, jobs: Optional[int] = 1,
+                 progress: Progress = False) -> Any:
         """Enclose the signed distances of points to the sweep, negative inside (semantics.md 8).
 
         Args:
-            points, jobs: as `classify`.
+            points, jobs, progress: as `classify`.
             tolerance: greatest width high - low that is wanted, positive.
         Returns:
             With numpy a structured array with the fields low, high, time, pmc, wide (see
@@ -167,7 +172,8 @@ class Scene:
         function = (library().graze_distances_doubles if given.are_doubles
                     else library().graze_distances)
         try:
-            self._ask(function, given, address, ctypes.sizeof(CEnclosure), jobs, float(tolerance))
+            self._ask(function, given, address, ctypes.sizeof(CEnclosure), jobs, progress,
+                      float(tolerance))
         except GrazeError as failure:
             failure.partial = _enclosures(out)
             raise
@@ -273,7 +279,8 @@ class Scene:
             raise UseError("a site takes body or point, one of them")
         return self._point(given)
 
-    def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1) -> List[str]:
+    def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1,
+             progress: Progress = False) -> List[str]:
         """The rows of `graze classify`, without line ends: CSV, or with `jsonl` JSON Lines, which
         hold every contact with its exact times. Raises as `classify`."""
         given, kind = self._points(points), choice("format", format, FORMATS)
@@ -290,14 +297,14 @@ class Scene:
             context.check(status, f"point {first + done.value}: ")
             pieces[first] = rows
 
-        _parallel.run(given.count, jobs, self._contexts, piece)
+        _parallel.run(given.count, jobs, self._contexts, piece, progress)
         return [row for first in sorted(pieces) for row in pieces[first]]
 
-    def table(self, points: Any, jobs: Optional[int] = 1) -> str:
+    def table(self, points: Any, jobs: Optional[int] = 1, progress: Progress = False) -> str:
         """The whole table of `graze classify`, a text to be written to a file as it is."""
         context, head = self._context(), ctypes.c_void_p()
         notes = f"# triangulate {'yes' if self.solid.triangulate else 'no'}\n".encode()
-        rows = self.rows(points, jobs=jobs)
+        rows = self.rows(points, jobs=jobs, progress=progress)
         context.check(library().graze_report_header(ctypes.byref(head), context.pointer,
                                                     self._handle.pointer, notes, None))
         undecided = sum(row.endswith(",undecided") for row in rows)
@@ -320,6 +327,25 @@ class Scene:
         """
         return samples(Context(self._contexts.chosen), self._handle, self.dimension,
                        range(first, first + count), seed, strata, representable)
+
+    def boundary(self, depth: int = DEPTH, coarse: Optional[int] = None, budget: int = BUDGET,
+                 contacts: int = CONTACTS, seed: int = 1,
+                 box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None) -> Boundary:
+        """The boundary of the sweep as a surface, by adaptive sampling (`graze boundary`): every
+        vertex is on it or between two points that were classified exactly.
+
+        Args:
+            depth: cells are halved so often along each axis at most.
+            coarse: all cells are halved so often; None is 4, in the plane 5, or the depth.
+            budget: points that may be classified.
+            contacts: points of contact that are made, so that thin parts are found; `seed` is theirs.
+            box: the lowest and the highest corner; None is around the scene.
+        Raises:
+            UseError: a depth, a budget or a box that is none; LimitError, CanceledError.
+        """
+        corners = (self._point(box[0]), self._point(box[1])) if box else None
+        return boundary(self._context(), self._handle, self.dimension, depth, coarse, budget,
+                        contacts, seed, corners)
 
     def draw(self, points: Any = None, *, names: Optional[Sequence[str]] = None, title: str = "",
              grid: int = 0, times: int = 0,
@@ -351,7 +377,7 @@ class Scene:
         return self._points([point]).exact(0, 1)[0]
 
     def _ask(self, function: Any, given: Points, address: int, size: int, jobs: Optional[int],
-             *options: float) -> None:
+             progress: Progress, *options: float) -> None:
         """One of the library's functions of many points, by `jobs` threads."""
 
         def piece(context: Context, first: int, count: int) -> None:
@@ -360,7 +386,7 @@ class Scene:
                                   brief=count < _FEW)
             context.check(status, f"from point {first}: " if first else "")
 
-        _parallel.run(given.count, jobs, self._contexts, piece)
+        _parallel.run(given.count, jobs, self._contexts, piece, progress)
 
     def _trace(self, point: Rationals) -> Handle:
         context, pointer = self._context(), ctypes.c_void_p()
