@@ -11,10 +11,15 @@
 #include "lattice/rows.h"
 #include "verdict/classify.h"
 
-struct graze_grid {
-    lattice lattice;
+/* What is decided, and written, when it is first asked for; under locks of its own. */
+typedef struct grid_memory {
     bricks bricks;
     axis_texts texts;
+} grid_memory;
+
+struct graze_grid {
+    lattice lattice;
+    grid_memory *memory;
 };
 
 /* The sizes give no more points than the limit allows. */
@@ -35,12 +40,17 @@ static graze_status make_grid(graze_grid **out, graze_context *context, const gr
         if (fmpq_cmp(low + k, high + k) >= 0)
             return api_misuse(context, "graze_grid_create", "expected low < high");
     graze_grid *g = malloc(sizeof *g);
-    if (!g)
+    grid_memory *memory = malloc(sizeof *memory);
+    if (!g || !memory) {
+        free(g);
+        free(memory);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a grid");
+    }
     lattice_make(&g->lattice, d, size, low, high);
-    axis_texts_init(&g->texts);
+    axis_texts_init(&memory->texts);
+    g->memory = memory;
     *out = g;
-    if (bricks_make(&g->bricks, scene, &g->lattice))
+    if (bricks_make(&memory->bricks, scene, &g->lattice))
         return GRAZE_OK;
     graze_grid_destroy(g);
     *out = NULL;
@@ -72,8 +82,9 @@ graze_status graze_grid_create(graze_grid **out, graze_context *context, const g
 void graze_grid_destroy(graze_grid *grid) {
     if (!grid)
         return;
-    axis_texts_clear(&grid->texts);
-    bricks_clear(&grid->bricks);
+    axis_texts_clear(&grid->memory->texts);
+    bricks_clear(&grid->memory->bricks);
+    free(grid->memory);
     lattice_clear(&grid->lattice);
     free(grid);
 }
@@ -123,7 +134,7 @@ static graze_status ask_alone(unsigned char *pmc, graze_context *context, const 
     lattice_place(place, &grid->lattice, index);
     for (int k = 0; k < d; k++)
         lattice_coordinate(point + k, &grid->lattice, k, place[k]);
-    graze_status status = classify_point(&trace, context, grid->bricks.scene,
+    graze_status status = classify_point(&trace, context, grid->memory->bricks.scene,
                                          (query_point){.rational = point}, TRACE_PMC);
     if (!status) {
         *pmc = (unsigned char)trace.verdict.pmc;
@@ -133,29 +144,29 @@ static graze_status ask_alone(unsigned char *pmc, graze_context *context, const 
     return status ? context_item(context, status, "point", index, NULL) : GRAZE_OK;
 }
 
-graze_status graze_grid_pmc(unsigned char *pmc, graze_context *context, graze_grid *grid,
+graze_status graze_grid_pmc(unsigned char *out, graze_context *context, const graze_grid *grid,
                             size_t first, size_t step, size_t count) {
-    if (!context || !grid || (count && !pmc))
+    if (!context || !grid || (count && !out))
         return api_misuse(context, "graze_grid_pmc",
-                          "context, grid and, with count > 0, pmc must not be NULL");
+                          "context, grid and, with count > 0, out must not be NULL");
     if (points_there(grid, first, step, count) < count)
         return api_misuse(context, "graze_grid_pmc", "expected points of the grid");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_status status = GRAZE_OK;
     if (count)
-        memset(pmc, 0, count);
+        memset(out, 0, count);
     for (size_t p = 0, n; p < count && !status; p += n) {
-        status = bricks_row(pmc + p, &n, context, &grid->bricks, first + p * step,
+        status = bricks_row(out + p, &n, context, &grid->memory->bricks, first + p * step,
                             step == 1 ? count - p : 1);
         for (size_t k = 0; k < n && !status; k++)
-            if (!pmc[p + k])
-                status = ask_alone(pmc + p + k, context, grid, first + (p + k) * step);
+            if (!out[p + k])
+                status = ask_alone(out + p + k, context, grid, first + (p + k) * step);
     }
     return status;
 }
 
 graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
-                             graze_grid *grid, size_t first, size_t step, size_t count) {
+                             const graze_grid *grid, size_t first, size_t step, size_t count) {
     if (out)
         *out = NULL;
     if (length)
@@ -172,7 +183,7 @@ graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_con
     size_t rows = strlen((const char *)pmc);
     text t;
     text_init(&t);
-    rows_put(&t, &grid->texts, &grid->lattice, pmc, first, step, rows);
+    rows_put(&t, &grid->memory->texts, &grid->lattice, pmc, first, step, rows);
     if (t.failed)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);
     *done = t.failed ? 0 : rows;

@@ -39,13 +39,13 @@ GRAZE_API void graze_grid_points(mpq_t *points, const graze_grid *grid, size_t f
                                  size_t count);
 /**
  * Exact memberships of the same points: `in`, `on` and `out` as graze_classify tells them.
- * @param[out] pmc `count` values of graze_pmc; on failure 0 from the point that failed on
+ * @param[out] out `count` values of graze_pmc; on failure 0 from the point that failed on
  * @return GRAZE_EUSE also for points past the end; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM;
  * GRAZE_EINTERNAL
  */
-GRAZE_API GRAZE_CHECKED graze_status graze_grid_pmc(unsigned char *pmc, graze_context *context,
-                                                    graze_grid *grid, size_t first, size_t step,
-                                                    size_t count);
+GRAZE_API GRAZE_CHECKED graze_status graze_grid_pmc(unsigned char *out, graze_context *context,
+                                                    const graze_grid *grid, size_t first,
+                                                    size_t step, size_t count);
 
 /**
  * Rows of these points as graze_report_points writes them for a scene whose option `columns` is
@@ -56,7 +56,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_grid_pmc(unsigned char *pmc, graze_co
  * @return as graze_grid_pmc
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_grid_rows(char **out, size_t *length, size_t *done,
-                                                     graze_context *context, graze_grid *grid,
+                                                     graze_context *context, const graze_grid *grid,
                                                      size_t first, size_t step, size_t count);
 
 #ifdef __cplusplus
