@@ -76,5 +76,6 @@
 #include <graze/distance.h> /* how far a point is from the sweep, with proof */
 #include <graze/topo.h>     /* positions relative to the closed sweep */
 #include <graze/contact.h>  /* contact points of the envelope */
+#include <graze/envelope.h> /* events of the envelope */
 
 #endif

@@ -10,7 +10,7 @@
 static const command *const commands[] = {
     &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,
     &command_cases, &command_compare,  &command_validate, &command_motion,  &command_boundary,
-    &command_draw,  &command_certify,  &command_convert,  &command_contact};
+    &command_draw,  &command_certify,  &command_convert,  &command_contact, &command_envelope};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -30,6 +30,7 @@ static const char overview[] =
     "  graze convert SOLID|MOTION -o FILE   exact OFF or WKT, plain pieces: what graze-check "
     "reads\n"
     "  graze contact SOLID MOTION CONTACTS  boundary points at given times, and the envelope\n"
+    "  graze envelope SOLID MOTION          when the contact with the envelope changes\n"
     "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 options and an example\n"
     "  graze --version                      versions of graze and its libraries\n"

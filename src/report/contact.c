@@ -31,7 +31,9 @@ static void put_numbers(text *t, const fmpq *x, int count) {
     }
 }
 
-static void put_cell_name(text *t, const graze_cell *cell) {
+void report_put_cell(text *t, const graze_cell *cell) {
+    if (!cell->kind)
+        return;
     static const char *const kinds[] = {"", "face ", "edge ", "vertex "};
     text_put(t, kinds[cell->kind]);
     text_count(t, cell->a);
@@ -39,11 +41,9 @@ static void put_cell_name(text *t, const graze_cell *cell) {
         text_put(t, "-");
         text_count(t, cell->b);
     }
-    text_put(t, ",");
 }
 
-/* A ratio, or root(c0 c1 ...;a;b); nothing for NULL. */
-static void put_site_time(text *t, const graze_time *time) {
+void report_put_time(text *t, const graze_time *time) {
     if (time && time_is_rational(time)) {
         text_rational(t, time->low);
     } else if (time) {
@@ -59,7 +59,6 @@ static void put_site_time(text *t, const graze_time *time) {
         text_rational(t, time->high);
         text_put(t, ")");
     }
-    text_put(t, ",");
 }
 
 static const char *state_name(graze_state state) {
@@ -98,8 +97,10 @@ static void put_site_answers(text *out, const graze_site *site) {
     put_slice(out, f);
     text_format(out, "%s,%s,%s,%s,", state_name(f->left), state_name(f->right),
                 is_trimmed(f) ? "yes" : "no", graze_trim_name(f->trim));
-    put_site_time(out, site->near);
-    put_site_time(out, site->near_in);
+    report_put_time(out, site->near);
+    text_put(out, ",");
+    report_put_time(out, site->near_in);
+    text_put(out, ",");
     text_put(out, site->trace.word);
 }
 
@@ -108,7 +109,8 @@ void report_contact_csv(text *out, const graze_site *site, const char *rest) {
     put_numbers(out, site->t, 1);
     put_numbers(out, site->y, site->dimension);
     put_numbers(out, site->world, site->dimension);
-    put_cell_name(out, &f->cell);
+    report_put_cell(out, &f->cell);
+    text_put(out, ",");
     if (site->missed)
         text_put(out, ",,,,,,,,,,");
     else

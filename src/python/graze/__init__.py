@@ -21,6 +21,7 @@ from ._library import library as _load
 from ._motions import Joint, slide, turn
 from .boundaries import Boundary
 from .comparison import Comparison, compare
+from .envelopes import Envelope, Event
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
@@ -34,7 +35,8 @@ from .times import AlgebraicNumber, Time, decimal
 
 __all__ = [
     "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Comparison",
-    "Contact", "ENCLOSURE_DTYPE", "Enclosure", "GrazeError", "IllegalError", "InputError", "InternalError",
+    "Contact", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "IllegalError",
+    "InputError", "InternalError",
     "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Picture",
     "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "columns", "compare",

@@ -96,6 +96,21 @@ class CSiteGerm(ctypes.Structure):
     _fields_ = [("facet", CCell), ("side", c_int), ("order", c_int), ("sign", c_int)]
 
 
+class CEvent(ctypes.Structure):
+    """graze_event."""
+
+    _fields_ = [("kind", c_int), ("time", c_void_p), ("facet", CCell), ("other", CCell),
+                ("cell", CCell), ("before", c_int), ("after", c_int)]
+
+
+class CEnvelopeFacts(ctypes.Structure):
+    """graze_envelope_facts."""
+
+    _fields_ = [("facets", c_size_t), ("edges", c_size_t), ("vertices", c_size_t),
+                ("decomposable", c_int), ("reason", c_int), ("facet", CCell), ("cell", CCell),
+                ("time", c_void_p)]
+
+
 class CJoint(ctypes.Structure):
     """graze_joint."""
 
@@ -225,6 +240,11 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_topology_ray": (c_int, [c_void_p, c_void_p, c_void_p]),
     "graze_topology_square": (c_int, [c_void_p, c_void_p, c_void_p]),
     "graze_topo_name": (c_char_p, [c_int]),
+    "graze_envelope_create": (c_int, [_OUT, c_void_p, c_void_p]),
+    "graze_envelope_destroy": (None, [c_void_p]),
+    "graze_envelope_get": (CEnvelopeFacts, [c_void_p]),
+    "graze_envelope_event_count": (c_size_t, [c_void_p]),
+    "graze_envelope_event": (CEvent, [c_void_p, c_size_t]),
     "graze_site_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_site_create_at": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_site_snap": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p, CCell]),
@@ -241,6 +261,9 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_role_name": (c_char_p, [c_int]),
     "graze_trim_name": (c_char_p, [c_int]),
     "graze_orientation_name": (c_char_p, [c_int]),
+    "graze_event_kind_name": (c_char_p, [c_int]),
+    "graze_decomposable_name": (c_char_p, [c_int]),
+    "graze_decomposable_reason_name": (c_char_p, [c_int]),
     "graze_topo_level_name": (c_char_p, [c_int]),
     "graze_generator_create": (c_int, [_OUT, c_void_p, c_void_p, c_ulonglong, POINTER(c_ulong),
                                        c_uint]),

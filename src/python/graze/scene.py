@@ -18,6 +18,7 @@ from ._progress import Progress
 from ._samples import samples
 from ._traces import cell_given, read_topology, read_trace, verdict_of
 from .boundaries import BUDGET, CONTACTS, DEPTH, Boundary, boundary
+from .envelopes import Envelope, read_envelope
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
 from .pictures import Picture, draw
@@ -278,6 +279,19 @@ class Scene:
         if given is None or (body is not None and point is not None):
             raise UseError("a site takes body or point, one of them")
         return self._point(given)
+
+    def envelope(self) -> Envelope:
+        """Every time at which the contact points of the envelope change, and whether it is
+        decomposable.
+
+        Raises:
+            UseError: the scene is an unsweep; LimitError, InternalError.
+        """
+        context, pointer = self._context(), ctypes.c_void_p()
+        context.run(library().graze_envelope_create, ctypes.byref(pointer), context.pointer,
+                    self._handle.pointer)
+        with Handle(pointer, library().graze_envelope_destroy) as envelope:
+            return read_envelope(envelope)
 
     def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1,
              progress: Progress = False) -> List[str]:

@@ -1,0 +1,47 @@
+/* What an envelope holds.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_ENVELOPE_RECORD_H
+#define GRAZE_ENVELOPE_RECORD_H
+
+#include "envelope/cells.h"
+#include "envelope/events.h"
+#include "envelope/field.h"
+#include "scene/scene.h"
+
+/** The finding that decides whether the envelope decomposes: the one of the least reason, of these
+ * the first. */
+typedef struct finding {
+    graze_decomposable_reason reason;
+    graze_cell facet, cell;
+    graze_time *time; /* or NULL; owned */
+} finding;
+
+/** One field a piece. `is_break`: two different pieces meet at the beginning of piece k. `still`:
+ * entry piece * facets + facet: g vanishes all over the facet on the piece. */
+struct graze_envelope {
+    const graze_scene *scene;
+    cell_complex cells;
+    size_t piece_count;
+    field *field;
+    unsigned char *is_break, *still;
+    event_list events;
+    finding found;
+};
+
+/** A part of the curve: `a` and `b` are its ends, d rationals each, the same for a point; of a
+ * whole facet a point within it, and `facet` is its number. */
+typedef struct curve_part {
+    graze_curve_part facts;
+    fmpq *a, *b;
+    size_t facet;
+} curve_part;
+
+struct graze_curve {
+    int dimension;
+    fmpq_t t;
+    size_t count, capacity;
+    curve_part *part;
+};
+
+#endif

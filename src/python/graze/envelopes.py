@@ -1,0 +1,74 @@
+"""Events of an envelope: when the contact of the moving solid with it changes.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Dict, Optional, Tuple
+
+from ._library import library
+from ._traces import cell_of, time_of
+from .results import Cell
+from .times import Time
+
+_NO_SIGN = 2
+
+
+@dataclass(frozen=True)
+class Event:
+    """A time at which the contact points change, as a row of `graze envelope --events`.
+
+    `kind` is `saddle`, `g`, `meet`, `theta`, `turn` or `singular`. `other` is the second facet of a
+    `meet`. `before` and `after` are signs, None beyond an end of the motion and for `singular`.
+    """
+
+    kind: str
+    time: Time
+    facet: Optional[Cell]
+    other: Optional[Cell]
+    cell: Optional[Cell]
+    before: Optional[int]
+    after: Optional[int]
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """All events in order of time, and whether the envelope is decomposable.
+
+    `decomposable` is `yes`, `no` or `borderline`, `reason` says why in words; `facet`, `cell` and
+    `time` are where and when, None where it is about no cell or time. `facets`, `edges` and
+    `vertices` are numbers of cells by position.
+    """
+
+    decomposable: str
+    reason: str
+    facet: Optional[Cell]
+    cell: Optional[Cell]
+    time: Optional[Time]
+    facets: int
+    edges: int
+    vertices: int
+    events: Tuple[Event, ...]
+
+
+def read_envelope(envelope: ctypes.c_void_p) -> Envelope:
+    """Everything that an envelope holds; the handle stays the caller's."""
+    call = library()
+    facts = call.graze_envelope_get(envelope)
+    times: Dict[int, Time] = {}
+    events = []
+    for index in range(call.graze_envelope_event_count(envelope)):
+        made = call.graze_envelope_event(envelope, index)
+        if made.time not in times:
+            times[made.time] = time_of(made.time)
+        before, after = (None if sign == _NO_SIGN else sign for sign in (made.before, made.after))
+        events.append(Event(call.graze_event_kind_name(made.kind).decode(), times[made.time],
+                            cell_of(made.facet), cell_of(made.other), cell_of(made.cell), before,
+                            after))
+    return Envelope(call.graze_decomposable_name(facts.decomposable).decode(),
+                    call.graze_decomposable_reason_name(facts.reason).decode(),
+                    cell_of(facts.facet), cell_of(facts.cell),
+                    time_of(facts.time) if facts.time else None, facts.facets, facts.edges,
+                    facts.vertices, tuple(events))

@@ -1,0 +1,60 @@
+/* Rows of events. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "report/envelope.h"
+
+#include "report/contact.h"
+#include "report/table.h"
+
+graze_status report_events_header(char **out, graze_context *context, const graze_scene *scene,
+                                  const char *notes) {
+    text t;
+    text_init(&t);
+    table_notes(&t, context, scene, notes);
+    text_put(&t, "time,kind,facet,cell,before,after\n");
+    return text_finish(out, context, &t);
+}
+
+static const char *sign_text(int sign) {
+    return sign == GRAZE_SIGN_ABSENT ? "" : sign > 0 ? "+" : sign < 0 ? "-" : "0";
+}
+
+void report_event(text *out, const graze_envelope *envelope, const found_event *event) {
+    report_put_time(out, envelope->events.time[event->time]);
+    text_format(out, ",%s,", graze_event_kind_name(event->kind));
+    report_put_cell(out, &event->facet);
+    if (event->other.kind)
+        text_put(out, " and ");
+    report_put_cell(out, &event->other);
+    text_put(out, ",");
+    report_put_cell(out, &event->cell);
+    text_format(out, ",%s,%s\n", sign_text(event->before), sign_text(event->after));
+}
+
+graze_status report_curve_header(char **out, graze_context *context, const graze_scene *scene,
+                                 const char *notes) {
+    int flat = scene->motion->dimension == 2;
+    text t;
+    text_init(&t);
+    table_notes(&t, context, scene, notes);
+    text_put(&t, flat ? "time,kind,cell,ax,ay,bx,by" : "time,kind,cell,ax,ay,az,bx,by,bz");
+    text_put(&t, ",theta_a,theta_b,orientation,status,chain,form\n");
+    return text_finish(out, context, &t);
+}
+
+static const char *known_name(const char *name) {
+    return name[0] == 'n' && name[1] == 'o' && name[2] == 'n' ? "" : name;
+}
+
+void report_curve(text *out, const graze_curve *curve, const curve_part *part) {
+    const graze_curve_part *f = &part->facts;
+    text_rational(out, curve->t);
+    text_format(out, ",%s,", graze_curve_kind_name(f->kind));
+    report_put_cell(out, &f->cell);
+    for (int k = 0; k < 2 * curve->dimension; k++) {
+        text_put(out, ",");
+        text_rational(out, k < curve->dimension ? part->a + k : part->b + k - curve->dimension);
+    }
+    text_format(out, ",%s,%s,%s,%s,", sign_text(f->theta_a), sign_text(f->theta_b),
+                known_name(graze_orientation_name(f->orientation)), graze_trim_name(f->trim));
+    text_count(out, f->chain);
+    text_format(out, ",%s\n", known_name(graze_chain_form_name(f->form)));
+}
