@@ -39,7 +39,7 @@ static int compare_sides(const void *left, const void *right) {
     return a->simplex < b->simplex ? -1 : a->simplex > b->simplex;
 }
 
-static void list_sides(edge_finder *f) {
+static void list_edge_sides(edge_finder *f) {
     const cell_complex *c = f->c;
     size_t d = (size_t)c->dimension, sides = d == 3 ? 3 : 1;
     for (size_t s = 0; s < c->solid->cut.count; s++)
@@ -305,7 +305,7 @@ static graze_status cut_side(edge_finder *f, const side *e) {
     return status ? status : append_edge(f, from, e->v);
 }
 
-static int compare_edges(const void *left, const void *right) {
+static int order_of_edges(const void *left, const void *right) {
     const cell_edge *a = left, *b = right;
     if (a->u != b->u)
         return a->u < b->u ? -1 : 1;
@@ -315,9 +315,9 @@ static int compare_edges(const void *left, const void *right) {
 /* Parts of different sides may be one edge. */
 static void drop_repeated(cell_complex *c) {
     size_t kept = 0;
-    qsort(c->edge, c->edge_count, sizeof *c->edge, compare_edges);
+    qsort(c->edge, c->edge_count, sizeof *c->edge, order_of_edges);
     for (size_t k = 0; k < c->edge_count; k++)
-        if (kept == 0 || compare_edges(&c->edge[kept - 1], &c->edge[k]) != 0)
+        if (kept == 0 || order_of_edges(&c->edge[kept - 1], &c->edge[k]) != 0)
             c->edge[kept++] = c->edge[k];
     c->edge_count = kept;
 }
@@ -331,7 +331,7 @@ graze_status edges_find(cell_complex *c, graze_context *context) {
                               ? GRAZE_OK
                               : context_fail(context, GRAZE_ESYSTEM, "out of memory for edges");
     if (!status) {
-        list_sides(&f);
+        list_edge_sides(&f);
         keep_edges(&f);
     }
     for (size_t k = 0; k < f.side_count && !status; k++) {

@@ -3,7 +3,7 @@
 
 #include <flint/fmpq_vec.h>
 #include "envelope/curve.h"
-#include "generate/random.h"
+#include "number/random.h"
 #include "number/order.h"
 
 /* Is a time strictly within its piece? */

@@ -5,7 +5,7 @@
 #define GRAZE_GENERATE_STRATA_H
 
 #include "graze/generate.h"
-#include "generate/random.h"
+#include "number/random.h"
 #include "generate/special.h"
 
 /** A decade of |s| and a side of which the scene has points. */

@@ -82,8 +82,8 @@ static int write_tables(const envelope_options *o, const loaded *l,
     if (!status && o->curve)
         status = envelope_write_curves(o->curve, o->at, l->context, envelope);
     if (!status && o->points)
-        status = envelope_write_contacts(o->points, o->count, (unsigned long)o->seed, l->context,
-                                         l->scene, envelope);
+        status = envelope_write_contacts(o->points, o->count, (unsigned long)o->seed,
+                                         load_note(&o->scene), l, envelope);
     return status;
 }
 

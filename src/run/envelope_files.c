@@ -96,10 +96,10 @@ int envelope_write_curves(const char *path, const char *times, graze_context *co
 enum { TRIES = 1000 };
 
 static int put_contact_points(output *out, unsigned long count, unsigned long seed,
-                              graze_context *context, const graze_scene *scene,
-                              const graze_envelope *envelope) {
+                              const char *notes, const loaded *l, const graze_envelope *envelope) {
     char *text = NULL, last[48];
-    graze_status status = graze_site_header(&text, context, scene, NULL, NULL);
+    graze_context *context = l->context;
+    graze_status status = graze_site_header(&text, context, l->scene, notes, NULL);
     unsigned long rows = 0, empty = 0;
     if (!status)
         output_put(out, text);
@@ -124,13 +124,12 @@ static int put_contact_points(output *out, unsigned long count, unsigned long se
 }
 
 int envelope_write_contacts(const char *path, unsigned long count, unsigned long seed,
-                            graze_context *context, const graze_scene *scene,
-                            const graze_envelope *envelope) {
+                            const char *notes, const loaded *l, const graze_envelope *envelope) {
     output out;
     int status = output_open(&out, path);
     if (status)
         return status;
-    status = put_contact_points(&out, count, seed, context, scene, envelope);
+    status = put_contact_points(&out, count, seed, notes, l, envelope);
     int closed = output_close(&out);
     return status ? status : closed;
 }

@@ -54,6 +54,10 @@ int load_certifiable(const char *solid) {
     return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt", solid);
 }
 
+const char *load_note(const scene_options *o) {
+    return o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n" : "# triangulate no\n";
+}
+
 int loaded_certify(loaded *l, const scene_options *o, int times) {
     unsigned flags = o->solid_flags | (times ? GRAZE_CERTIFY_TIMES : 0);
     graze_status made = graze_certifier_create(&l->certifier, l->context, l->scene, flags);

@@ -62,8 +62,7 @@ int outputs_open(outputs *out) {
 
 /* Lines of the table's head beside those of the scene: malloc'ed, NULL when out of memory. */
 static char *make_head_notes(const outputs *out, const row_source *source, const char *shard) {
-    const char *cut = out->o->scene.solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n"
-                                                                          : "# triangulate no\n";
+    const char *cut = load_note(&out->o->scene);
     const char *snap = out->o->sites.snap ? "# snap yes\n" : "";
     char *grid = source->grid ? grid_notes(source->grid) : strdup("");
     size_t room = grid ? strlen(cut) + strlen(snap) + strlen(grid) + strlen(shard) + 3 : 0;

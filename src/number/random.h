@@ -1,8 +1,8 @@
 /* A stream of random numbers that depends on a seed and a row alone, the same on every machine.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef GRAZE_GENERATE_RANDOM_H
-#define GRAZE_GENERATE_RANDOM_H
+#ifndef GRAZE_NUMBER_RANDOM_H
+#define GRAZE_NUMBER_RANDOM_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* SplitMix64.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "generate/random.h"
+#include "number/random.h"
 
 static uint64_t next_word(random_stream *r) {
     uint64_t z = r->state += UINT64_C(0x9e3779b97f4a7c15);
