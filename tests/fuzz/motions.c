@@ -218,7 +218,7 @@ int fuzz_joints(const uint8_t *data, size_t size) {
     int status = command_read(&given, options, &help, &command_motion, argc, argv);
     if (!status && !help) {
         status = command_motion.run(options, &given);
-        int names_no_file = w.count && strcmp(w.word[0], "dyadic") == 0 && status == EXIT_IO;
+        int names_no_file = w.count > 1 && strcmp(w.word[1], "dyadic") == 0 && status == EXIT_IO;
         EXPECT(status == EXIT_DONE || status == EXIT_USAGE || status == EXIT_INPUT ||
                status == EXIT_LIMIT || names_no_file);
         taken = status == EXIT_DONE;
