@@ -123,8 +123,8 @@ def make(graze, folder):
     yield Scene("classify-npy", ["classify", *one, "--format", "npy", u, roll, two, "--output", "made"], opened=("made",))
     yield Scene("classify-resume", ["classify", *one, "--resume", "table", u, roll, two], files={"table": begun},
                 tables=("table",))
-    yield Scene("contact", ["contact", u, roll, at["sites2.csv"], "--output", "table"], tables=("table",))
-    yield Scene("contact-jsonl", ["contact", "--format", "jsonl", cube, turn, at["sites3.csv"]])
+    yield Scene("contact", ["contact", *one, u, roll, at["sites2.csv"], "--output", "table"], tables=("table",))
+    yield Scene("contact-jsonl", ["contact", *one, "--format", "jsonl", cube, turn, at["sites3.csv"]])
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
     yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))
