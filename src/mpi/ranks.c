@@ -264,7 +264,7 @@ int ranks_serve(const classify_options *o) {
     if (!status && o->certificate)
         status = loaded_certify(&l, &o->scene, o->times);
     if (!status) {
-        c.dimension = graze_scene_dimension(l.scene);
+        c.numbers = c.dimension = graze_scene_dimension(l.scene);
         answer_task task = {.context = &o->scene.context,
                             .scene = l.scene,
                             .certifier = l.certifier,
