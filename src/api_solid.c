@@ -4,8 +4,10 @@
 #include <flint/fmpq_vec.h>
 #include <stdint.h>
 #include <string.h>
+#include <strings.h>
 #include "api.h"
 #include "context/environment.h"
+#include "mend/mend.h"
 #include "number/rounding.h"
 #include "read/nesting.h"
 #include "read/read.h"
@@ -51,6 +53,55 @@ graze_status graze_solid_read_trusted(graze_solid **out, graze_context *context,
     if (flags & ~GRAZE_SOLID_TRIANGULATE)
         return api_misuse(context, "graze_solid_read_trusted", "an unknown flag is set");
     return read_solid(out, context, path, flags, sha256);
+}
+
+/* Read a mesh that may be mended. */
+static graze_status read_mesh(soup *input, graze_context *context, const char *path) {
+    const char *extension = strrchr(path, '.');
+    if (extension && (!strcasecmp(extension, ".wkt") || !strcasecmp(extension, ".nef3")))
+        return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                               "only meshes are mended; expected .off, .obj, .ply or .stl");
+    return soup_read(input, context, path);
+}
+
+graze_status graze_solid_mend(char **out, char **report, graze_context *context, const char *path,
+                              unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (report)
+        *report = NULL;
+    if (!out || !context || !path)
+        return api_misuse(context, "graze_solid_mend", "out, context and path must not be NULL");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, "graze_solid_mend", "an unknown flag is set");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_solid *solid = NULL;
+    soup input;
+    text written, done;
+    graze_status status = read_mesh(&input, context, path);
+    if (status)
+        return status;
+    text_init(&written);
+    text_init(&done);
+    status = mend_solid(&solid, &done, context, &input, flags);
+    if (!status) {
+        solid_write(&written, solid);
+        status = text_finish(out, context, &written);
+    } else {
+        status = context_in(context, status, path, 0);
+    }
+    if (report && (!status || status == GRAZE_EILLEGAL)) {
+        *report = text_take(&done);
+        if (!*report)
+            status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    }
+    if (status && *out) {
+        graze_free(*out);
+        *out = NULL;
+    }
+    text_clear(&done);
+    graze_solid_destroy(solid);
+    return status;
 }
 
 /* A caller's arrays; exactly one of `rationals` and `doubles` is given. */
@@ -193,6 +244,28 @@ size_t graze_solid_component_count(const graze_solid *solid) {
 
 const char *graze_solid_note(const graze_solid *solid) {
     return solid ? solid->note : "";
+}
+
+graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
+                             const graze_solid *solid) {
+    if (!low || !high || !context || !solid)
+        return api_misuse(context, "graze_solid_box",
+                          "low, high, context and solid must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    size_t d = (size_t)solid->input.dimension;
+    for (size_t i = 0; i < d; i++) {
+        const fmpq *first = solid->input.coordinates + solid->cut.item[0].vertex[0] * d + i;
+        const fmpq *least = first, *most = first;
+        for (size_t k = 0; k < solid->cut.count * d; k++) {
+            size_t vertex = solid->cut.item[k / d].vertex[k % d];
+            const fmpq *value = solid->input.coordinates + vertex * d + i;
+            least = fmpq_cmp(value, least) < 0 ? value : least;
+            most = fmpq_cmp(value, most) > 0 ? value : most;
+        }
+        api_rational_out(low[i], least);
+        api_rational_out(high[i], most);
+    }
+    return GRAZE_OK;
 }
 
 graze_status graze_solid_text(char **out, graze_context *context, const graze_solid *solid) {

@@ -128,6 +128,29 @@ graze_status graze_time_decimal(char **out, graze_context *context, const graze_
     return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
 
+graze_status graze_number_decimal(char **out, graze_context *context, const mpq_t value,
+                                  int digits) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !value)
+        return api_misuse(context, "graze_number_decimal",
+                          "out, context and value must not be NULL");
+    if (digits < 0 || digits > 1000)
+        return api_misuse(context, "graze_number_decimal", "digits must be from 0 to 1000");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    int finite = 1;
+    fmpq_t number;
+    fmpq_init(number);
+    graze_status status = api_rational(number, context, value);
+    if (!status)
+        *out = digits ? decimal_of_rational(NULL, number, digits) : decimal_finite(&finite, number);
+    fmpq_clear(number);
+    if (status || *out)
+        return status;
+    return finite ? context_fail(context, GRAZE_ESYSTEM, "out of memory")
+                  : context_fail(context, GRAZE_EINPUT, "the number has no finite decimal");
+}
+
 graze_status graze_report_header(char **out, graze_context *context, const graze_scene *scene,
                                  const char *notes, const char *columns) {
     if (out)

@@ -121,6 +121,15 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_dyadic(char **json, char
                                                                mpq_srcptr tolerance);
 
 /**
+ * The coordinate box of a solid where it stands in its file, exactly.
+ * @param[out] low, high d initialised rationals each
+ * @return GRAZE_EUSE a NULL argument
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_solid_box(mpq_t *low, mpq_t *high,
+                                                     graze_context *context,
+                                                     const graze_solid *solid);
+
+/**
  * Write a solid as an exact file, which graze_solid_read and graze-check read: in E^3 OFF, its
  * facets cut into triangles (one with holes too), in E^2 WKT. It bounds the same points; vertices
  * keep their numbers, facets do not.
@@ -129,6 +138,22 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_dyadic(char **json, char
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_text(char **out, graze_context *context,
                                                       const graze_solid *solid);
+
+/**
+ * Mend a mesh that bounds no solid, as far as that moves no point: equal vertices become one,
+ * facets without area go, edges are split at vertices in their middle, and, where it is not legal
+ * yet, facets are turned round. The result is validated as graze_solid_read does.
+ * @param[out] out    text of an OFF file of triangles for graze_free; NULL on failure
+ * @param[out] report text for graze_free: a line for each kind of thing that was done, with the
+ * first few numbers of the input's facets and vertices, empty if nothing was; also on
+ * GRAZE_EILLEGAL, unless the file has no facet. May be NULL
+ * @param path        a file in .off, .obj, .ply or .stl
+ * @param flags       0 or GRAZE_SOLID_TRIANGULATE
+ * @return as graze_solid_read; GRAZE_EILLEGAL is what is left after mending
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_solid_mend(char **out, char **report,
+                                                      graze_context *context, const char *path,
+                                                      unsigned flags);
 
 /**
  * Write a motion as a motion file of plain pieces, which graze-check reads: the same map at every

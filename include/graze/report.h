@@ -25,6 +25,19 @@ typedef struct graze_hashes {
 /** Hashes of a scene; zeros for NULL. */
 GRAZE_API graze_hashes graze_scene_hashes(const graze_scene *scene);
 
+/**
+ * Write a rational as a decimal, with an exponent if it is small (`1.5e-9`) or is rounded before
+ * the units (`1.2e5`).
+ * @param[out] out text for graze_free
+ * @param value    canonical
+ * @param digits   0: the number itself; 1 to 1000: rounded to nearest, ties to even, at so many
+ * significant digits where it has more
+ * @return GRAZE_EUSE; GRAZE_EINPUT digits is 0 and the number has no finite decimal; GRAZE_ELIMIT;
+ * GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_number_decimal(char **out, graze_context *context,
+                                                          const mpq_t value, int digits);
+
 /** Form of rows. */
 typedef enum graze_format { GRAZE_FORMAT_CSV = 0, GRAZE_FORMAT_JSONL = 1 } graze_format;
 

@@ -8,8 +8,8 @@
 static const char classify_help[] =
     "graze classify SOLID MOTION POINTS: in, on, out and the class of each point, exactly\n"
     "\n"
-    "POINTS is a CSV file or - for standard input; a header may name x, y, z among other columns,\n"
-    "which are kept. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
+    "POINTS is a CSV or .npy file, or - for CSV on standard input; a header may name x, y, z\n"
+    "among other columns, which are kept. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
     "\n"
     "  --grid NX,NY[,NZ]    a grid of points instead of POINTS, each number at least 2\n"
     "  --box x0,y0[,z0],x1,y1[,z1]   the grid's corners; default: a box around the sweep\n"
@@ -21,6 +21,9 @@ static const char classify_help[] =
     "  --motion-error ETA   with --sdf, a column certain: no motion within ETA changes in or out\n"
     "  --topo               one column more, last: the position relative to the closed sweep\n"
     "  --columns all|pmc    answers: all (default), or pmc alone, which is decided sooner\n"
+    "  --coordinates exact|as-given|decimal   of the points in the table: integers and ratios\n"
+    "                       (default), the numbers as they stand in POINTS, or finite decimals\n"
+    "  --digits N           round these to N digits where they are longer\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with its contacts\n"
     "  --format vtk|npy     the table as a legacy VTK file or a structured numpy array\n"
@@ -71,6 +74,8 @@ static const option_entry classify_table[] = {
     OPTION("motion-error", classify_options, scene.scene, value_motion_error),
     FLAG("topo", classify_options, scene.scene.topo, value_flag),
     OPTION("columns", classify_options, scene.scene.columns, value_columns),
+    OPTION("coordinates", classify_options, coordinates.form, value_coordinates),
+    OPTION("digits", classify_options, coordinates.digits, value_digits),
     OPTION("format", classify_options, format, value_format),
     OPTION("round", classify_options, scene.context.rounding, value_rounding),
     FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
@@ -112,6 +117,25 @@ static int check_columns(const classify_options *o) {
     return complain(EXIT_USAGE, "%s needs all answers; expected no --columns pmc beside it", more);
 }
 
+/* Other forms of coordinates are those of CSV rows, of points that were read as they are. */
+static int check_coordinates(const classify_options *o) {
+    const char *other = NULL;
+    if (o->coordinates.form == COORDINATES_EXACT)
+        return coordinates_check(&o->coordinates);
+    if (o->certificate)
+        return complain(EXIT_USAGE, "--certify needs a table with --coordinates exact");
+    if (o->format.rows != GRAZE_FORMAT_CSV || o->format.table)
+        return complain(EXIT_USAGE, "--coordinates goes with --format csv");
+    if (o->coordinates.form == COORDINATES_AS_GIVEN)
+        other = o->scene.context.rounding ? "--round" : o->grid.sizes ? "--grid" : NULL;
+    if (other)
+        return complain(EXIT_USAGE,
+                        "--coordinates as-given repeats numbers that are read and not changed; "
+                        "expected no %s beside it",
+                        other);
+    return coordinates_check(&o->coordinates);
+}
+
 int classify_take(classify_options *o, const operands *given) {
     int wanted = o->grid.sizes ? 2 : 3;
     if (o->grid.box && !o->grid.sizes)
@@ -124,6 +148,8 @@ int classify_take(classify_options *o, const operands *given) {
     int status = classify_check_files(o);
     if (!status)
         status = check_columns(o);
+    if (!status)
+        status = check_coordinates(o);
     if (status)
         return status;
     if (o->scene.scene.motion_error > 0 && !(o->scene.scene.sdf > 0))

@@ -24,6 +24,9 @@ static const char generate_help[] =
     "  --representable binary64     keep to points whose coordinates a double holds; a motion "
     "with\n"
     "                       other numbers than dyadic ones has few: see graze motion dyadic\n"
+    "  --coordinates exact|decimal  of the points: integers and ratios (default), or finite\n"
+    "                       decimals, which all points that a double holds have\n"
+    "  --digits N           round these to N digits where they are longer\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --round, --triangulate, --overlap, --operation, --limit, --quiet   as in graze classify\n"
     "\n"
@@ -43,6 +46,8 @@ static const option_entry generate_table[] = {
     OPTION("seed", generate_given, seed, value_seed),
     OPTION("strata", generate_given, run.strata, value_text),
     OPTION("representable", generate_given, run.representable, value_binary64),
+    OPTION("coordinates", generate_given, run.coordinates.form, value_coordinates),
+    OPTION("digits", generate_given, run.coordinates.digits, value_digits),
     OPTION("output", generate_given, run.output, value_text),
     OPTION("o", generate_given, run.output, value_text),
     OPTION("round", generate_given, run.scene.context.rounding, value_rounding),
@@ -58,6 +63,12 @@ static int run_generate(void *options, const operands *given) {
     if (given->count != 2 || !o->run.count || !o->seed.given)
         return complain(EXIT_USAGE, "generate takes SOLID, MOTION, -n N and --seed K; see graze "
                                     "generate --help");
+    if (o->run.coordinates.form == COORDINATES_AS_GIVEN)
+        return complain(EXIT_USAGE, "--coordinates as-given: expected exact or decimal; points "
+                                    "that are made are not given");
+    int status = coordinates_check(&o->run.coordinates);
+    if (status)
+        return status;
     o->run.scene.solid = given->item[0];
     o->run.scene.motion = given->item[1];
     o->run.seed = o->seed.seed;

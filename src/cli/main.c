@@ -8,9 +8,10 @@
 #include "run/output.h"
 
 static const command *const commands[] = {
-    &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,
-    &command_cases, &command_compare,  &command_validate, &command_motion,  &command_boundary,
-    &command_draw,  &command_certify,  &command_convert,  &command_contact, &command_envelope};
+    &command_check,    &command_classify, &command_merge,    &command_explain,
+    &command_generate, &command_cases,    &command_compare,  &command_validate,
+    &command_motion,   &command_boundary, &command_draw,     &command_certify,
+    &command_convert,  &command_contact,  &command_envelope, &command_mend};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -29,6 +30,7 @@ static const char overview[] =
     "  graze certify SOLID MOTION POINTS -o FILE   answers with proofs, for graze-check\n"
     "  graze convert SOLID|MOTION -o FILE   exact OFF or WKT, plain pieces: what graze-check "
     "reads\n"
+    "  graze mend SOLID -o FILE.off         a legal solid out of a mesh that is none\n"
     "  graze contact SOLID MOTION CONTACTS  boundary points at given times, and the envelope\n"
     "  graze envelope SOLID MOTION          when the contact with the envelope changes\n"
     "  graze cases                          the golden cases and what they show\n"

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cli/commands.h"
+#include "cli/motion_examples.h"
 #include "cli/values.h"
 #include "run/load.h"
 #include "run/numbers.h"
@@ -42,6 +43,8 @@ static const char motion_help[] =
     "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; not for poses\n"
     "  --output FILE, --report FILE   the motion (standard output), the errors (standard error)\n"
     "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
+    "  --examples           motion files with every key, each one line behind a # line, and no "
+    "more\n"
     "\n"
     "man 5 graze-motion has the motion file key by key, and lists of poses.\n"
     "\n"
@@ -72,6 +75,7 @@ typedef struct motion_options {
     context_options context;
     const char *own[OWN]; /* NULL: not given */
     const char *output;
+    int examples;
 } motion_options;
 
 static const option_entry motion_table[] = {
@@ -95,6 +99,7 @@ static const option_entry motion_table[] = {
     OPTION("o", motion_options, output, value_text),
     OPTION("limit", motion_options, context.limits, value_limit),
     REPEATED("ignore"),
+    FLAG("examples", motion_options, examples, value_flag),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 enum { NUMBERS_OF_JOINT = 8 }; /* degrees, pitch, axis, center */
@@ -399,6 +404,10 @@ static int write_motion(const job *j) {
 
 static int run_motion(void *options, const operands *given) {
     job j = {.o = options, .given = given};
+    if (j.o->examples)
+        return given->count
+                   ? complain(EXIT_USAGE, "--examples stands alone; see graze motion --help")
+                   : output_text(j.o->output, motion_examples);
     int status = context_make(&j.context, &j.o->context);
     mpq_inits(j.tolerance, j.radius, j.ends[0], j.ends[1], j.ends[2], NULL);
     if (!status)

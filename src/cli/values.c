@@ -6,6 +6,7 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
+#include "run/coordinates.h"
 #include "run/numbers.h"
 #include "run/status.h"
 
@@ -132,6 +133,7 @@ VALUE_OF_WORDS(value_overlap, graze_overlap, "extend", "reject")
 VALUE_OF_WORDS(value_folds, graze_folds, "separate", "combined")
 VALUE_OF_WORDS(value_operation, graze_operation, "sweep", "unsweep")
 VALUE_OF_WORDS(value_columns, graze_columns, "all", "pmc")
+VALUE_OF_WORDS(value_coordinates, coordinate_form, "exact", "as-given", "decimal")
 VALUE_OF_WORDS(value_report, graze_comparison_format, "text", "json")
 VALUE_OF_WORDS(value_question, graze_question, "open", "closed")
 VALUE_OF_WORDS(value_on_as, graze_on_as, "on", "any", "in", "out")
@@ -201,6 +203,14 @@ int value_jobs(void *to, const char *name, const char *value) {
     if (!numbers_count(&jobs, value, 1) || jobs > 1024)
         return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to 1024", name, value);
     *(int *)to = (int)jobs;
+    return EXIT_DONE;
+}
+
+int value_digits(void *to, const char *name, const char *value) {
+    unsigned long digits;
+    if (!numbers_count(&digits, value, 1) || digits > 1000)
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to 1000", name, value);
+    *(int *)to = (int)digits;
     return EXIT_DONE;
 }
 

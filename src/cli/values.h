@@ -32,6 +32,8 @@ option_read value_has;          /**< graze_candidate_has */
 option_read value_truth;        /**< graze_truth */
 option_read value_width;        /**< const char *: a number from 0 up, borrowed */
 option_read value_positive;     /**< const char *: a number above 0, borrowed */
+option_read value_coordinates;  /**< coordinate_form */
+option_read value_digits;       /**< int from 1 to 1000 */
 option_read value_show;         /**< size_t up to 10^6 */
 
 typedef struct seed_value {

@@ -269,7 +269,7 @@ int ranks_serve(const classify_options *o) {
                             .scene = l.scene,
                             .certifier = l.certifier,
                             .pmc_alone = o->scene.scene.columns == GRAZE_COLUMNS_PMC,
-                            .source = {g ? NULL : &c, g, o->shard.part},
+                            .source = {g ? NULL : &c, g, o->shard.part, o->coordinates},
                             .format = o->format.rows};
         status = answerer_init(&a, &task);
         ready = 1;

@@ -40,6 +40,34 @@ char *decimal_layout(int negative, const char *digits, size_t count, slong expon
     return t.data;
 }
 
+char *decimal_finite(int *finite, const fmpq_t value) {
+    fmpz_t rest, prime, figures;
+    fmpz_init(rest);
+    fmpz_init_set_ui(prime, 5);
+    fmpz_init(figures);
+    slong places = (slong)fmpz_val2(fmpq_denref(value));
+    fmpz_tdiv_q_2exp(rest, fmpq_denref(value), (ulong)places);
+    slong fives = fmpz_remove(rest, rest, prime);
+    places = fives > places ? fives : places;
+    char *out = NULL;
+    *finite = fmpz_is_one(rest);
+    if (*finite) {
+        fmpz_set_ui(figures, 10);
+        fmpz_pow_ui(figures, figures, (ulong)places);
+        fmpz_divexact(figures, figures, fmpq_denref(value));
+        fmpz_mul(figures, figures, fmpq_numref(value));
+        fmpz_abs(figures, figures);
+        char *digits = fmpz_get_str(NULL, 10, figures);
+        size_t count = strlen(digits);
+        out = decimal_layout(fmpq_sgn(value) < 0, digits, count, (slong)count - places, 1);
+        flint_free(digits);
+    }
+    fmpz_clear(rest);
+    fmpz_clear(prime);
+    fmpz_clear(figures);
+    return out;
+}
+
 /* quotient, remainder of |value| * 10^shift, remainder over *divisor. */
 static void scaled(fmpz_t quotient, fmpz_t remainder, fmpz_t divisor, const fmpq_t value,
                    slong shift) {

@@ -3,9 +3,44 @@
  */
 #include "run/answer.h"
 
+#include <stdio.h>
 #include <string.h>
 #include "run/site_answer.h"
 #include "run/status.h"
+
+int row_source_put_point(text *out, fault *f, const row_source *from, reader *r, mpq_t *point,
+                         int dimension, char separator, const block *b, size_t row) {
+    char place[32];
+    text where;
+    field tokens[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
+    for (int k = 0; !from->grid && k < dimension; k++)
+        tokens[k] = field_content(r->cut.item[from->columns->where[k]]);
+    if (from->coordinates.form != COORDINATES_DECIMAL)
+        return coordinates_put(out, f, &from->coordinates, r->context, point, dimension, separator,
+                               tokens, "");
+    snprintf(place, sizeof place, from->grid ? "row %lu" : ":%lu",
+             from->grid ? shard_place(from->part, b->before + row) + 1 : b->lines[row].number);
+    text_init(&where);
+    text_put(&where, from->grid ? "" : from->columns->name);
+    text_put(&where, place);
+    out->failed |= where.failed;
+    int status = coordinates_put(out, f, &from->coordinates, r->context, point, dimension,
+                                 separator, tokens, where.failed ? "" : where.data);
+    text_clear(&where);
+    return status;
+}
+
+/* Write the coordinates of a run's point, unless its row has them already. */
+static int write_point(answerer *a, row_run *r, const block *b, size_t first, size_t n) {
+    int d = graze_scene_dimension(a->task.scene);
+    if (a->task.source.coordinates.form == COORDINATES_EXACT)
+        return EXIT_DONE;
+    int status = row_source_put_point(&a->written, &r->fault, &a->task.source, &a->reader,
+                                      a->points + n * (size_t)d, d, ',', b, first + n);
+    if (!status)
+        text_bytes(&a->written, "", 1);
+    return status;
+}
 
 /* Make the points of a run's rows; returns how many before a fault. */
 static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t first) {
@@ -13,14 +48,15 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
     size_t d =
         (size_t)(from->columns ? from->columns->numbers : graze_scene_dimension(a->task.scene));
     size_t n = 0;
-    if (from->grid) {
+    if (from->grid)
         grid_points(a->points, from->grid, from->part, b->before + first, r->taken);
-        return r->taken;
-    }
     a->reader.rest_length = 0;
     for (; n < r->taken; n++) {
         a->rest_at[n] = a->reader.rest_length;
-        if (columns_row(a->points + n * d, &r->fault, from->columns, &a->reader, b, first + n))
+        if (!from->grid &&
+            columns_row(a->points + n * d, &r->fault, from->columns, &a->reader, b, first + n))
+            break;
+        if (write_point(a, r, b, first, n))
             break;
         a->cell[n] = a->reader.cell;
     }
@@ -69,8 +105,23 @@ static void fail_row(answerer *a, row_run *r, graze_status status, const block *
                   shard_place(a->task.source.part, b->before + row) + 1, why);
 }
 
+/* Put the coordinates in the form asked for in front of the rows. */
+static void put_written_points(answerer *a, row_run *r) {
+    struct row_text *table = &r->out[RESULT_TABLE];
+    if (a->task.source.coordinates.form == COORDINATES_EXACT)
+        return;
+    if (!a->written.failed && coordinates_replace(&table->text, &table->length, a->written.data,
+                                                  r->done, graze_scene_dimension(a->task.scene)))
+        return;
+    fault_clear(&r->fault);
+    r->done = 0;
+    fault_set(&r->fault, EXIT_IO, "out of memory");
+}
+
 void answer(answerer *a, row_run *r, const block *b, size_t first) {
-    int members = a->task.source.grid && a->task.pmc_alone && !a->task.certifier;
+    int members = a->task.source.grid && a->task.pmc_alone && !a->task.certifier &&
+                  a->task.source.coordinates.form == COORDINATES_EXACT;
+    text_clear(&a->written);
     size_t n = members ? 0 : make_run_points(a, r, b, first);
     graze_status status = members ? write_members(a, r, b->before + first) : write_answers(a, r, n);
     if (status)
@@ -79,6 +130,7 @@ void answer(answerer *a, row_run *r, const block *b, size_t first) {
         r->fault.status = EXIT_SIGNAL;
     else if (status)
         fail_row(a, r, status, b, first + r->done);
+    put_written_points(a, r);
 }
 
 int answerer_init(answerer *a, const answer_task *task) {
@@ -95,5 +147,6 @@ void answerer_clear(answerer *a) {
     for (size_t p = 0; p < 4 * RUN_ROWS; p++)
         mpq_clear(a->points[p]);
     reader_clear(&a->reader);
+    text_clear(&a->written);
     graze_context_destroy(a->context);
 }

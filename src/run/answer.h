@@ -5,6 +5,7 @@
 #define GRAZE_RUN_ANSWER_H
 
 #include "run/columns.h"
+#include "run/coordinates.h"
 #include "run/grid.h"
 #include "run/load.h"
 
@@ -13,6 +14,7 @@ typedef struct row_source {
     const columns *columns;
     const grid *grid;
     shard part;
+    coordinate_options coordinates; /* form in which their points are written */
 } row_source;
 
 /** Common data of all answerers. All is borrowed, and only read. */
@@ -33,9 +35,19 @@ typedef struct answerer {
     reader reader;
     mpq_t points[4 * RUN_ROWS];
     graze_cell cell[RUN_ROWS]; /* where rows have cells */
+    text written; /* coordinates of the rows of a run, each with a NUL, unless they are exact */
     size_t rest_at[RUN_ROWS];
     const char *rest[RUN_ROWS];
 } answerer;
+
+/**
+ * Add the coordinates of a point that was just made, in the form of its source.
+ * @param r      the reader with which it was read; not looked at of a grid
+ * @param row    its place in the block
+ * @return EXIT_DONE, or the status of the fault
+ */
+int row_source_put_point(text *out, fault *f, const row_source *from, reader *r, mpq_t *point,
+                         int dimension, char separator, const block *b, size_t row);
 
 /** Make an answerer; answerer_clear frees it in either case. On failure says why. */
 int answerer_init(answerer *a, const answer_task *task);

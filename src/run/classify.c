@@ -37,7 +37,8 @@ typedef struct run_state {
 } run_state;
 
 static row_source source_of(const run_state *s, const classify_options *o) {
-    return (row_source){s->points ? csv_columns(s->points) : NULL, s->grid, o->shard.part};
+    return (row_source){s->points ? csv_columns(s->points) : NULL, s->grid, o->shard.part,
+                        o->coordinates};
 }
 
 /* Take the next rows, at most `most`, into a block; before the first, write the heads. */
@@ -175,6 +176,11 @@ static int prepare_run(run_state *s, const classify_options *o) {
         csv_expect_sites(s->points, o->sites.snap);
     if (!status)
         status = check_points_files(s, o);
+    if (!status && o->coordinates.form == COORDINATES_AS_GIVEN && csv_is_array(s->points))
+        status = complain(EXIT_USAGE,
+                          "%s: a .npy file has no numbers as text; expected --coordinates exact or "
+                          "decimal",
+                          o->points);
     if (!status)
         status = make_ring(s, ring_size(o));
     answer_task task = {.context = &o->scene.context,

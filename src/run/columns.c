@@ -217,8 +217,8 @@ int columns_fix(int *header, fault *f, columns *c, graze_context *context, field
     static const char npy[] = "\x93NUMPY";
     if (text.length >= sizeof npy - 1 && memcmp(text.start, npy, sizeof npy - 1) == 0)
         return fault_set(f, EXIT_INPUT,
-                         "%s: is a .npy file; expected text, as of numpy.savetxt(FILE, points, "
-                         "'%%.17g', ',')",
+                         "%s: is a .npy file, which is no text and is read by its name; expected "
+                         "a plain file",
                          c->name);
     c->separator = field_separator(text);
     graze_status cut = fields_read(&first, context, c->name, number, text, c->separator);

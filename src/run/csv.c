@@ -1,4 +1,4 @@
-/* Reads points from CSV in blocks (src/cli/formats.md, Points).
+/* Reads points from CSV and .npy files in blocks (src/cli/formats.md, Points).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Lines are found and handed on as they are (columns.h reads them); those of other shards are only
@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 #include <sys/stat.h>
+#include "run/npy.h"
 #include "table/stream.h"
 
 struct csv {
@@ -19,6 +20,8 @@ struct csv {
     unsigned long rows; /* of all shards, so far */
     unsigned long long checksum;
     unsigned long size; /* bytes of the file; 0 of a pipe */
+    int is_array;       /* a .npy file, whose head is read with its first row */
+    npy *array;
 };
 
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context) {
@@ -32,6 +35,7 @@ int csv_open(csv **out, const char *path, int dimension, shard part, graze_conte
     c->part = part;
     if (!status && fstat(c->in.fd, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 0)
         c->size = (unsigned long)about.st_size;
+    c->is_array = !status && npy_is(c->in.fd, c->in.name);
     return status;
 }
 
@@ -43,6 +47,7 @@ void csv_expect_sites(csv *c, int snap) {
 void csv_close(csv *c) {
     if (!c)
         return;
+    npy_close(c->array);
     stream_close(&c->in);
     fault_clear(&c->fault);
     columns_clear(&c->columns);
@@ -58,7 +63,8 @@ const columns *csv_columns(const csv *c) {
 }
 
 portion csv_portion(const csv *c) {
-    return (portion){(unsigned long)c->in.offset, c->size};
+    return c->array ? (portion){npy_done(c->array), npy_count(c->array)}
+                    : (portion){(unsigned long)c->in.offset, c->size};
 }
 
 unsigned long csv_rows(const csv *c) {
@@ -114,7 +120,28 @@ static int take_point_line(csv *c, block *b, field text) {
 }
 
 int csv_ready(csv *c) {
-    return stream_ready(&c->in);
+    return c->is_array || stream_ready(&c->in);
+}
+
+int csv_is_array(const csv *c) {
+    return c->is_array;
+}
+
+/* The next line of the file, or the next row of an array as one. */
+static int next_point_line(csv *c, field *line) {
+    int status = EXIT_DONE;
+    if (!c->is_array)
+        return fault_of(&c->fault, stream_next(&c->in, line), c->in.context, EXIT_INPUT);
+    if (c->columns.sites.wanted)
+        return site_columns_fault(&c->fault, &c->columns.sites, c->in.name, 1,
+                                  "a .npy file has no names");
+    if (!c->array)
+        status = npy_open(&c->array, &c->fault, c->in.fd, c->in.name, c->columns.dimension);
+    if (!status)
+        status = npy_next(c->array, &c->fault, line);
+    if (!status)
+        c->in.line = npy_done(c->array);
+    return status;
 }
 
 /* A `#` line before the first row: does it say that Graze has written the file? */
@@ -135,7 +162,7 @@ int csv_fill(csv *c, block *b, unsigned long most) {
     while (!status && b->count < BLOCK_ROWS && b->count < most && b->used < BLOCK_BYTES &&
            (b->count == 0 || csv_ready(c))) {
         field text;
-        status = fault_of(&c->fault, stream_next(&c->in, &text), c->in.context, EXIT_INPUT);
+        status = next_point_line(c, &text);
         if (!status && !text.start) {
             if (c->columns.sites.wanted && !c->columns.count)
                 status = site_columns_fault(&c->fault, &c->columns.sites, c->in.name, c->in.line,

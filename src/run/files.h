@@ -4,6 +4,7 @@
 #ifndef GRAZE_RUN_FILES_H
 #define GRAZE_RUN_FILES_H
 
+#include "run/coordinates.h"
 #include "run/grid.h"
 #include "run/load.h"
 
@@ -24,6 +25,7 @@ typedef struct classify_options {
         graze_format rows;
         graze_export table; /* made of the rows at the end */
     } format;
+    coordinate_options coordinates;
     int no_table;            /* a certificate takes the table's place */
     const char *output;      /* NULL: standard output */
     const char *resume;      /* the table to continue, or NULL */

@@ -77,10 +77,12 @@ static void put_points_box(maker *m) {
 }
 
 static void put_points_head(maker *m, const generate_options *o) {
-    char line[128];
+    char line[128], form[COORDINATES_NOTE];
     snprintf(line, sizeof line, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
              GRAZE_VERSION, o->seed, o->representable ? "binary64" : "no");
     output_put(&m->out, line);
+    coordinates_note(form, &o->coordinates);
+    output_put(&m->out, form);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
         unsigned long weight = graze_generator_weight(m->generator, (graze_stratum)k);
         if (m->weights[k] == 0)
@@ -115,16 +117,33 @@ static void put_decade(maker *m, const graze_sample *made) {
     output_put(&m->out, text);
 }
 
-static int put_sample(maker *m, unsigned long row) {
-    graze_sample made;
-    graze_status status =
-        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, row);
-    if (status)
-        return complain_of(status, m->l.context);
-    for (int i = 0; i < graze_scene_dimension(m->l.scene); i++) {
-        output_number(&m->out, m->point[i]);
+/* The coordinates of the point, with a comma behind them. */
+static int put_sample_point(maker *m, const coordinate_options *form, unsigned long row) {
+    char where[32];
+    fault f = {EXIT_DONE, NULL};
+    text point;
+    text_init(&point);
+    snprintf(where, sizeof where, "point %lu", row + 1);
+    int status = coordinates_put(&point, &f, form, m->l.context, m->point,
+                                 graze_scene_dimension(m->l.scene), ',', NULL, where);
+    if (!status) {
+        output_bytes(&m->out, point.data, point.length);
         output_put(&m->out, ",");
     }
+    fault_tell(&f);
+    fault_clear(&f);
+    text_clear(&point);
+    return status;
+}
+
+static int put_sample(maker *m, const generate_options *o, unsigned long row) {
+    graze_sample made;
+    graze_status found =
+        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, row);
+    int status =
+        found ? complain_of(found, m->l.context) : put_sample_point(m, &o->coordinates, row);
+    if (status)
+        return status;
     char text[48];
     output_put(&m->out, graze_stratum_name(made.stratum));
     if (made.order == 0) {
@@ -153,7 +172,7 @@ static int put_samples(maker *m, const generate_options *o) {
     progress_start(&line, o->quiet, 0, (portion){0, o->count});
     unsigned long row = 0;
     for (; row < o->count && !status && !m->out.error; row++) {
-        status = interrupt_signal() ? EXIT_SIGNAL : put_sample(m, row);
+        status = interrupt_signal() ? EXIT_SIGNAL : put_sample(m, o, row);
         if (row % 1024 == 0)
             progress_show(&line, row, (portion){row, o->count});
     }
@@ -247,7 +266,13 @@ static int write_points(maker *m, const generate_options *o) {
     if (status)
         return status;
     put_points_head(m, o);
-    return put_samples(m, o);
+    status = put_samples(m, o);
+    if (!status && o->coordinates.digits)
+        complain(EXIT_DONE,
+                 "note: coordinates of more than %d digits are rounded; a rounded point need not "
+                 "be at the contact that its columns name",
+                 o->coordinates.digits);
+    return status;
 }
 
 int generate_run(lost_strata *lost, const generate_options *o) {

@@ -4,6 +4,7 @@
 #ifndef GRAZE_RUN_GENERATE_H
 #define GRAZE_RUN_GENERATE_H
 
+#include "run/coordinates.h"
 #include "run/load.h"
 
 /** Strata with a weight of which no point can be made, as sets of 1 << graze_stratum: the scene has
@@ -19,9 +20,10 @@ typedef struct generate_options {
     unsigned long long seed;
     const char *strata;  /* NAME=W,...; NULL: all, with their default weights, and */
     unsigned long level; /* this one of the stratum `level` */
-    int representable;   /* coordinates that a binary64 holds */
-    const char *output;  /* NULL: standard output */
-    int quiet;           /* no progress */
+    coordinate_options coordinates;
+    int representable;  /* coordinates that a binary64 holds */
+    const char *output; /* NULL: standard output */
+    int quiet;          /* no progress */
 } generate_options;
 
 /** Make the points and write the table. Returns an exit status and says what is wrong, also where

@@ -3,9 +3,7 @@
  */
 #include "run/kept.h"
 
-#include <stdlib.h>
 #include <string.h>
-#include "context/array.h"
 #include "run/site_row.h"
 
 void kept_init(kept *k, graze_context *context, row_source source) {
@@ -21,40 +19,24 @@ void kept_clear(kept *k) {
     certified_clear(&k->intervals);
     for (int c = 0; c < 4; c++)
         mpq_clear(k->point[c]);
-    free(k->text);
+    text_clear(&k->written);
 }
 
-/* The point of a row of the block, and its further columns in the reader. */
-static int make_point(kept *k, const block *b, size_t index) {
+/* Make the point of a row of the block: its coordinates as they stand in a row, and its further
+ * columns in the reader. */
+static int make_point(kept *k, const block *b, size_t index, fault *f) {
     const row_source *from = &k->source;
-    fault f = {EXIT_DONE, NULL};
-    if (from->grid) {
-        grid_points(k->point, from->grid, from->part, b->before + index, 1);
-        return EXIT_DONE;
-    }
+    int status = EXIT_DONE;
     k->reader.rest_length = 0;
-    int status = columns_row(k->point, &f, from->columns, &k->reader, b, index);
-    if (status)
-        fault_tell(&f);
-    fault_clear(&f);
-    return status;
-}
-
-/* The point as text, or a field without start when memory is short. */
-static field point_text(kept *k) {
-    size_t room = 1, used = 0;
-    for (int c = 0; c < k->form.dimension; c++)
-        room += mpz_sizeinbase(mpq_numref(k->point[c]), 10) +
-                mpz_sizeinbase(mpq_denref(k->point[c]), 10) + 4;
-    if (!array_reserve(&k->text, &k->capacity, room, 1))
-        return (field){NULL, 0};
-    for (int c = 0; c < k->form.dimension; c++) {
-        if (c)
-            k->text[used++] = k->form.separator;
-        mpq_get_str(k->text + used, 10, k->point[c]);
-        used += strlen(k->text + used);
-    }
-    return (field){k->text, used};
+    if (from->grid)
+        grid_points(k->point, from->grid, from->part, b->before + index, 1);
+    else
+        status = columns_row(k->point, f, from->columns, &k->reader, b, index);
+    text_clear(&k->written);
+    return status || k->form.sites
+               ? status
+               : row_source_put_point(&k->written, f, from, &k->reader, k->point, k->form.dimension,
+                                      k->form.separator, b, index);
 }
 
 /* The intervals and contacts of a row. */
@@ -73,10 +55,8 @@ static int check_intervals(kept *k, results *t, field word) {
 }
 
 static int check_row(kept *k, results *t) {
-    field row, point = point_text(k), rest = {"", 0};
+    field row, point = {k->written.data, k->written.length}, rest = {"", 0};
     row_parts parts;
-    if (!point.start)
-        return complain(EXIT_IO, "out of memory");
     if (k->form.others)
         rest = (field){k->reader.rest, strlen(k->reader.rest)};
     int status = results_next(t, &row);
@@ -100,7 +80,11 @@ int kept_check(kept *k, results *t, const block *b) {
     if (!k->form.dimension && !row_form_read(&k->form, t->kind, t->head.data))
         return complain(EXIT_FAULT, "%s: its head is not understood", t->resumed);
     for (size_t r = 0; r < b->count && !status; r++) {
-        status = make_point(k, b, r);
+        fault f = {EXIT_DONE, NULL};
+        status = make_point(k, b, r, &f);
+        if (status)
+            fault_tell(&f);
+        fault_clear(&f);
         if (!status)
             status = check_row(k, t);
     }

@@ -20,8 +20,7 @@ typedef struct kept {
     reader reader;
     mpq_t point[4];
     certified intervals;
-    char *text; /* the point's coordinates as they stand in a row; malloc'ed */
-    size_t capacity;
+    text written; /* the point's coordinates as they stand in a row */
 } kept;
 
 /** For one file, table or certificate. kept_clear in any case. */

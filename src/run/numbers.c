@@ -1,4 +1,4 @@
-/* Reads numbers on the command line.
+/* Reads numbers on the command line, and writes numbers.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "run/numbers.h"
@@ -33,4 +33,10 @@ int numbers_count(unsigned long *out, const char *text, unsigned long low) {
     errno = 0;
     *out = strtoul(text, &end, 10);
     return !*end && !errno && *out >= low;
+}
+
+char *numbers_text(const mpq_t value) {
+    char *out =
+        malloc(mpz_sizeinbase(mpq_numref(value), 10) + mpz_sizeinbase(mpq_denref(value), 10) + 3);
+    return out ? mpq_get_str(out, 10, value) : NULL;
 }

@@ -1,4 +1,4 @@
-/* Numbers on the command line.
+/* Numbers on the command line, and as text.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_RUN_NUMBERS_H
@@ -17,5 +17,8 @@ int numbers_read(mpq_t *out, graze_context *context, const char *name, const cha
 
 /** A whole number from `low` up; digits only. 1 if it is one. */
 int numbers_count(unsigned long *out, const char *text, unsigned long low);
+
+/** An integer, or a ratio in lowest terms: malloc'ed; NULL when out of memory. */
+char *numbers_text(const mpq_t value);
 
 #endif

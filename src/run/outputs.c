@@ -64,11 +64,14 @@ int outputs_open(outputs *out) {
 static char *make_head_notes(const outputs *out, const row_source *source, const char *shard) {
     const char *cut = load_note(&out->o->scene);
     const char *snap = out->o->sites.snap ? "# snap yes\n" : "";
+    char form[COORDINATES_NOTE];
+    coordinates_note(form, &source->coordinates);
     char *grid = source->grid ? grid_notes(source->grid) : strdup("");
-    size_t room = grid ? strlen(cut) + strlen(snap) + strlen(grid) + strlen(shard) + 3 : 0;
+    size_t room =
+        grid ? strlen(cut) + strlen(snap) + strlen(form) + strlen(grid) + strlen(shard) + 3 : 0;
     char *notes = grid ? malloc(room) : NULL;
     if (notes)
-        snprintf(notes, room, "%s%s%s%s%s", cut, snap, grid, *shard ? "# " : "", shard);
+        snprintf(notes, room, "%s%s%s%s%s%s", cut, snap, form, grid, *shard ? "# " : "", shard);
     free(grid);
     return notes;
 }
@@ -272,6 +275,11 @@ int outputs_close(outputs *out, int status) {
     if (!status && out->o->scene.scene.topo)
         complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided",
                  out->file[RESULT_TABLE].undecided, out->file[RESULT_TABLE].rows);
+    if (!status && out->o->coordinates.digits)
+        complain(EXIT_DONE,
+                 "note: coordinates of more than %d digits are rounded; the answers are those of "
+                 "the points before that",
+                 out->o->coordinates.digits);
     if (!status && out->file[RESULT_TABLE].wide)
         complain(EXIT_DONE,
                  "note: the distance of %lu of %lu rows is enclosed less closely than asked for",

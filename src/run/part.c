@@ -32,8 +32,9 @@ static const char *wrong(row_parts *parts, const part *p, field row) {
                                : row_check(parts, &p->form, p->in.context, row);
     if (expected)
         return expected;
-    if (!row_point_is_written(parts->point, &p->form))
-        return "coordinates such as -12 or 22/7";
+    expected = row_point_is_written(parts->point, &p->form, p->in.context);
+    if (expected)
+        return expected;
     if (p->form.others && fields_count(parts->rest) != p->form.others)
         return "as many further columns as the column line has";
     return NULL;

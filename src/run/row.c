@@ -65,6 +65,10 @@ static int read_table_form(row_form *out, const char *head) {
     out->certain = note_of(head, "# motion-error ").start != NULL;
     if (strncmp(at, "time,", 5) == 0)
         return site_form_read(out, at, field_is(note_of(head, "# snap "), "yes"));
+    field written = note_of(head, "# coordinates ");
+    if (written.start)
+        out->coordinates =
+            field_is(written, "as-given") ? COORDINATES_AS_GIVEN : COORDINATES_DECIMAL;
     size_t last = (size_t)(out->topo + out->certain + 3 * out->sdf);
     if (!length || head[length - 1] != '\n' || !skip_text(&at, "x,y,"))
         return 0;
@@ -240,11 +244,33 @@ const char *row_check(row_parts *out, const row_form *form, graze_context *conte
                                                                                 row);
 }
 
-int row_point_is_written(field point, const row_form *form) {
+static int is_any_number(graze_context *context, field f) {
+    mpq_t value;
+    mpq_init(value);
+    graze_status read = graze_number_parse(value, context, f.start, f.length);
+    mpq_clear(value);
+    return read == GRAZE_OK;
+}
+
+/* A decimal as graze writes it has neither a slash nor a plus in front. */
+static int is_decimal(graze_context *context, field f) {
+    return f.length && *f.start != '+' && !memchr(f.start, '/', f.length) &&
+           is_any_number(context, f);
+}
+
+const char *row_point_is_written(field point, const row_form *form, graze_context *context) {
+    static const char *const expected[] = {[COORDINATES_EXACT] = "coordinates such as -12 or 22/7",
+                                           [COORDINATES_AS_GIVEN] = "coordinates that are numbers",
+                                           [COORDINATES_DECIMAL] =
+                                               "coordinates such as -12 or 0.125"};
     int good = 1;
-    for (int k = 0; k < (form->sites ? 2 * form->dimension + 1 : form->dimension); k++)
-        good &= row_is_number(row_take(&point, form->separator));
-    return good && !point.length;
+    for (int k = 0; k < (form->sites ? 2 * form->dimension + 1 : form->dimension); k++) {
+        field number = row_take(&point, form->separator);
+        good &= form->coordinates == COORDINATES_EXACT      ? row_is_number(number)
+                : form->coordinates == COORDINATES_AS_GIVEN ? is_any_number(context, number)
+                                                            : is_decimal(context, number);
+    }
+    return good && !point.length ? NULL : expected[form->coordinates];
 }
 
 int row_is_undecided(field row) {

@@ -20,9 +20,10 @@ int row_form_read(row_form *out, result_kind kind, const char *head);
  */
 const char *row_check(row_parts *out, const row_form *form, graze_context *context, field row);
 
-/** Is each coordinate an integer or a ratio as graze classify writes it? Whether a ratio could be
- * reduced is not looked at. */
-int row_point_is_written(field point, const row_form *form);
+/** Is each coordinate written as the head says: an integer or a ratio, of which it is not looked at
+ * whether it could be reduced; a decimal; any number?
+ * @return NULL, or what is expected */
+const char *row_point_is_written(field point, const row_form *form, graze_context *context);
 
 /** The line of a head that says that rows end with the position relative to the closed sweep, and
  * the last line that counts those that are undecided. */

@@ -4,6 +4,7 @@
 #ifndef GRAZE_RUN_ROW_TEXT_H
 #define GRAZE_RUN_ROW_TEXT_H
 
+#include "run/coordinates.h"
 #include "run/lines.h"
 #include "graze.h"
 
@@ -12,14 +13,15 @@ typedef struct row_form {
     result_kind kind;
     char separator; /* between the parts of a row: a comma, or a blank in a certificate */
     int dimension;
-    graze_options options; /* operation, folds and columns */
-    size_t others;         /* further columns of a table */
-    int sites, snap;       /* it is of contact points, and they were moved */
-    int topo;              /* rows end with a position */
-    int sdf;               /* before it with an enclosure */
-    int certain;           /* and behind that with whether the answer is certain */
-    field end;             /* of a certificate: the last time, in the head */
-    int contacts;          /* of a certificate: rows have their contacts */
+    graze_options options;       /* operation, folds and columns */
+    size_t others;               /* further columns of a table */
+    int sites, snap;             /* it is of contact points, and they were moved */
+    int topo;                    /* rows end with a position */
+    int sdf;                     /* before it with an enclosure */
+    int certain;                 /* and behind that with whether the answer is certain */
+    coordinate_form coordinates; /* not of contact points, which are exact */
+    field end;                   /* of a certificate: the last time, in the head */
+    int contacts;                /* of a certificate: rows have their contacts */
 } row_form;
 
 /** A row's point, word, further columns and position, as they stand in it; without the commas

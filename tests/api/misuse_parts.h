@@ -53,6 +53,11 @@ static void rows(bench *b) {
     WRONG_OUT(char, graze_report_point(&out, c, NULL, b->point, GRAZE_FORMAT_CSV, NULL));
     WRONG_OUT(char, graze_report_point(&out, c, s, NULL, GRAZE_FORMAT_CSV, NULL));
     WRONG_OUT(char, graze_report_point(&out, c, s, b->point, (graze_format)-1, NULL));
+    WRONG(graze_number_decimal(NULL, c, b->point[0], 5));
+    WRONG_OUT(char, graze_number_decimal(&out, NULL, b->point[0], 5));
+    WRONG_OUT(char, graze_number_decimal(&out, c, NULL, 5));
+    WRONG_OUT(char, graze_number_decimal(&out, c, b->point[0], -1));
+    WRONG_OUT(char, graze_number_decimal(&out, c, b->point[0], 1001));
     WRONG(graze_report_explain(NULL, c, s, b->point, t));
     WRONG_OUT(char, graze_report_explain(&out, NULL, s, b->point, t));
     WRONG_OUT(char, graze_report_explain(&out, c, NULL, b->point, t));

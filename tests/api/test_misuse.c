@@ -76,6 +76,14 @@ static void solids(bench *b) {
     HARMLESS(graze_solid_vertex_count, !graze_solid_vertex_count(NULL));
     HARMLESS(graze_solid_facet_count, !graze_solid_facet_count(NULL));
     HARMLESS(graze_solid_component_count, !graze_solid_component_count(NULL));
+    WRONG(graze_solid_mend(NULL, NULL, c, "x.off", 0));
+    WRONG_OUT(char, graze_solid_mend(&out, NULL, NULL, "x.off", 0));
+    WRONG_OUT(char, graze_solid_mend(&out, NULL, c, NULL, 0));
+    WRONG_OUT(char, graze_solid_mend(&out, NULL, c, "x.off", 2));
+    WRONG(graze_solid_box(NULL, b->point, c, b->s.solid));
+    WRONG(graze_solid_box(b->point, NULL, c, b->s.solid));
+    WRONG(graze_solid_box(b->point, b->point, NULL, b->s.solid));
+    WRONG(graze_solid_box(b->point, b->point, c, NULL));
     WRONG(graze_solid_text(NULL, c, b->s.solid));
     WRONG_OUT(char, graze_solid_text(&out, NULL, b->s.solid));
     WRONG_OUT(char, graze_solid_text(&out, c, NULL));

@@ -36,7 +36,8 @@ static void pictures_refused(void **state) {
         expect(graze_draw(s.context, s.scene, picture, &wrong[k].options), GRAZE_EUSE, &s,
                wrong[k].says);
     expect(graze_draw(s.context, s.scene, NULL, NULL), GRAZE_EUSE, &s, "must not be NULL");
-    expect(graze_draw(s.context, s.scene, "x.svg.txt", NULL), GRAZE_EUSE, &s, ".svg, .png or .html");
+    expect(graze_draw(s.context, s.scene, "x.svg.txt", NULL), GRAZE_EUSE, &s,
+           ".svg, .png or .html");
     mpq_clears(low[0], low[1], high[0], high[1], NULL);
     scene_close(&s);
 }

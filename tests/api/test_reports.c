@@ -111,6 +111,34 @@ static void rows_and_explanation(void **state) {
 }
 
 /* (5, 1) is inside for 3 < 8t < 5; (16/3, 2) slides along the upper edge; (-1, -1) is below. */
+static void number_as_decimal(void **state) {
+    (void)state;
+    graze_context *context = NULL;
+    char *text;
+    mpq_t x;
+    mpq_init(x);
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    mpq_set_si(x, -22, 7);
+    assert_int_equal(graze_number_decimal(&text, context, x, 4), GRAZE_OK);
+    assert_string_equal(text, "-3.143");
+    graze_free(text);
+    assert_int_equal(graze_number_decimal(&text, context, x, 0), GRAZE_EINPUT);
+    assert_string_equal(graze_context_message(context), "the number has no finite decimal");
+    assert_null(text);
+    mpq_set_si(x, 1, 8);
+    assert_int_equal(graze_number_decimal(&text, context, x, 0), GRAZE_OK);
+    assert_string_equal(text, "0.125");
+    graze_free(text);
+    mpq_set_si(x, 123456, 1);
+    assert_int_equal(graze_number_decimal(&text, context, x, 2), GRAZE_OK);
+    assert_string_equal(text, "1.2e5");
+    graze_free(text);
+    mpz_set_ui(mpq_denref(x), 0);
+    assert_int_equal(graze_number_decimal(&text, context, x, 0), GRAZE_EUSE);
+    mpq_clear(x);
+    graze_context_destroy(context);
+}
+
 static void rows_of_many_points(void **state) {
     (void)state;
     static const char inside[] = "5,1,in,regular,5,1,2,0,OBIBO,a\n";
@@ -164,9 +192,8 @@ static void rows_of_many_points(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hash_of_the_canonical_text),
-        cmocka_unit_test(hash_of_a_fanned_solid),
-        cmocka_unit_test(rows_and_explanation),
+        cmocka_unit_test(hash_of_the_canonical_text), cmocka_unit_test(hash_of_a_fanned_solid),
+        cmocka_unit_test(rows_and_explanation),       cmocka_unit_test(number_as_decimal),
         cmocka_unit_test(rows_of_many_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

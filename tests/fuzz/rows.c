@@ -44,7 +44,7 @@ static size_t answer_block(answerer *a, block *b) {
 /* Points of a file, or contact points (1) that are moved (2), in both dimensions, whole and as a
  * shard, answered in both formats. */
 static int read_points(const char *path, int dimension, shard part, graze_format format,
-                       int sites) {
+                       coordinate_options written, int sites) {
     static block *b;
     context_options o;
     csv *points;
@@ -61,7 +61,7 @@ static int read_points(const char *path, int dimension, shard part, graze_format
         csv_expect_sites(points, sites > 1);
     answer_task task = {.context = &o,
                         .scene = scene,
-                        .source = {csv_columns(points), NULL, part},
+                        .source = {csv_columns(points), NULL, part, written},
                         .format = format};
     EXPECT(answerer_init(&a, &task) == EXIT_DONE);
     block_reset(b, 0);
@@ -78,11 +78,16 @@ static int read_points(const char *path, int dimension, shard part, graze_format
 
 int fuzz_points(const uint8_t *data, size_t size) {
     const char *path = fuzz_file("points.csv", data, size);
-    int solid = read_points(path, 3, (shard){0, 1}, GRAZE_FORMAT_CSV, 0);
-    int plane = read_points(path, 2, (shard){0, 1}, GRAZE_FORMAT_JSONL, 0);
-    read_points(path, 2, (shard){1, 3}, GRAZE_FORMAT_CSV, 0);
-    read_points(path, 2, (shard){0, 1}, GRAZE_FORMAT_CSV, 1);
-    read_points(path, 3, (shard){0, 1}, GRAZE_FORMAT_JSONL, 2);
+    const coordinate_options exact = {COORDINATES_EXACT, 0};
+    const coordinate_options given = {COORDINATES_AS_GIVEN, 0}, decimal = {COORDINATES_DECIMAL, 0};
+    const coordinate_options rounded = {COORDINATES_DECIMAL, 1 + (int)(size % 40)};
+    const shard all = {0, 1};
+    int solid = read_points(path, 3, all, GRAZE_FORMAT_CSV, given, 0);
+    int plane = read_points(path, 2, all, GRAZE_FORMAT_JSONL, exact, 0);
+    read_points(path, 2, (shard){1, 3}, GRAZE_FORMAT_CSV, decimal, 0);
+    read_points(path, 2, all, GRAZE_FORMAT_CSV, exact, 1);
+    read_points(path, 3, all, GRAZE_FORMAT_JSONL, exact, 2);
+    read_points(fuzz_file("points.npy", data, size), 2, all, GRAZE_FORMAT_CSV, rounded, 0);
     return solid || plane;
 }
 

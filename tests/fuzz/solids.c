@@ -14,6 +14,14 @@ static void look_at(const graze_solid *solid) {
     EXPECT(graze_solid_facet_count(solid) >= (d == 2 ? 3 : 2));
     EXPECT(graze_solid_component_count(solid) >= 1);
     EXPECT(graze_solid_component_count(solid) <= graze_solid_facet_count(solid));
+    graze_context *context = fuzz_context();
+    mpq_t low[3], high[3];
+    mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
+    EXPECT(graze_solid_box(low, high, context, solid) == GRAZE_OK);
+    for (int k = 0; k < d; k++)
+        EXPECT(mpq_cmp(low[k], high[k]) < 0);
+    mpq_clears(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
+    graze_context_destroy(context);
     EXPECT(graze_solid_note(solid) && !strchr(graze_solid_note(solid), '\n'));
 }
 
@@ -61,6 +69,25 @@ static void write_again(graze_context *context, const graze_solid *solid) {
     graze_free(second);
 }
 
+/* A mesh that is legal stays so; what is written is legal. */
+static void mend(graze_context *context, const char *path, unsigned flags, int legal) {
+    char *text = NULL, *report = NULL;
+    graze_solid *again = NULL;
+    int mesh = !strstr(path, ".wkt") && !strstr(path, ".nef3");
+    graze_status made = graze_solid_mend(&text, &report, context, path, flags);
+    EXPECT((made == GRAZE_OK) == (text != NULL));
+    EXPECT(report ? made == GRAZE_OK || made == GRAZE_EILLEGAL : made != GRAZE_OK);
+    EXPECT(mesh ? !legal || made == GRAZE_OK || made == GRAZE_ELIMIT : made == GRAZE_EINPUT);
+    if (text) {
+        const char *mended = fuzz_file("mended.off", (const uint8_t *)text, strlen(text));
+        graze_status status = graze_solid_read(&again, context, mended, 0);
+        EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
+    }
+    graze_solid_destroy(again);
+    graze_free(text);
+    graze_free(report);
+}
+
 static int read_file(const char *name, const uint8_t *data, size_t size) {
     static const graze_rounding roundings[] = {GRAZE_ROUND_NONE, GRAZE_ROUND_BINARY32};
     graze_context *context = fuzz_context();
@@ -77,6 +104,7 @@ static int read_file(const char *name, const uint8_t *data, size_t size) {
             write_again(context, solid);
             taken = 1;
         }
+        mend(context, path, flags, solid != NULL);
         graze_solid_destroy(solid);
         /* Bytes that are not of the format are not so with other flags either. */
         if (status == GRAZE_EINPUT)

@@ -3,6 +3,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import dataclasses
 import pathlib
+import struct
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -11,6 +12,13 @@ CASES = ROOT / "cases"
 CORNERS = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)]
 FACES = [(3, 2, 1, 0), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
 TRIANGLES = [t for a, b, c, d in FACES for t in ((a, b, c), (a, c, d))]
+
+# Two points, as numpy.save writes them.
+HEAD = b"{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2)}\n"
+ARRAY = b"\x93NUMPY\x01\x00" + bytes((len(HEAD), 0)) + HEAD + struct.pack("<4d", 9, 2, 1, 1)
+# A tetrahedron with a vertex of its own in each facet, one facet turned, one cut at the middle of a side, one of no area.
+BROKEN = (b"OFF\n14 6 0\n" + b"0 0 0\n2 0 0\n0 2 0\n0 0 2\n" * 3 + b"1 0 0\n1 0 0\n" +
+          b"3 0 1 2\n3 4 12 7\n3 13 5 3\n3 1 6 11\n3 2 8 7\n3 0 4 8\n")
 
 
 def lines(rows, form):
@@ -116,6 +124,10 @@ def make(graze, folder):
                 tables=("table",))
     yield Scene("classify-pmc", ["classify", *one, "--columns", "pmc", cube, turn, three, "--output", "table"],
                 tables=("table",))
+    yield Scene("classify-decimal", ["classify", *one, "--coordinates", "decimal", "--digits", "3", u, roll, two])
+    yield Scene("classify-npy-points", ["classify", *one, "--coordinates", "decimal", u, roll, "points"],
+                files={"points": ARRAY})
+    yield Scene("mend", ["mend", "broken.off", "-o", "made.off"], files={"broken.off": BROKEN})
     yield Scene("classify-jsonl", ["classify", *one, "--format", "jsonl", u, roll, two])
     yield Scene("classify-grid", ["classify", *one, "--grid", "4,3,2", "--receipt", receipt, cube, turn])
     yield Scene("classify-vtk", ["classify", *one, "--format", "vtk", "--grid", "4,3", u, roll, "--output", "made"],

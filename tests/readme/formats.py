@@ -84,6 +84,27 @@ def known_keys(program):
     return keys
 
 
+def examples(program, known):
+    """What graze motion --examples prints: legal motions with every key, each named in the line before one."""
+    output, status = program.run("motion", "--examples")
+    lines = output.splitlines()
+    check(status == 0 and len(lines) % 2 == 0 and len(lines) > 20, status, output)
+    shown, named = set(), set()
+
+    def collect(pairs):
+        shown.update(key for key, _ in pairs)
+        return dict(pairs)
+
+    for note, text in zip(lines[::2], lines[1::2]):
+        check(note.startswith("# ") and text.startswith("{"), note, text)
+        named.update(re.findall(r"[a-z_]+", note))
+        motion = json.loads(text, object_pairs_hook=collect)
+        output, status = program.check_motion(motion["dimension"], text)
+        check(status == 0, f"status {status} of {text}{output}")
+    check(shown == known, f"keys without an example: {sorted(known - shown)}; unknown: {sorted(shown - known)}")
+    check(known <= named, f"keys that no line names: {sorted(known - named)}")
+
+
 def number(text):
     """10^10, 4*10^9, 4·10^9 and 10,000 as integers."""
     factor, _, power = text.replace("·", "*").replace(",", "").rpartition("*")
@@ -128,6 +149,7 @@ def main():
         shown, known = motions(page, program), known_keys(program)
         check(known <= shown, f"keys that no example of the page shows: {sorted(known - shown)}")
         check(shown <= known, f"keys of examples that no refusal lists: {sorted(shown - known)}")
+        examples(program, known)
         limits(page, program)
         tables(page, program)
     checks.finish()

@@ -24,7 +24,7 @@ import changes  # noqa: E402
 
 # Rooms from the bottom to the top; those of one line know nothing of one another.
 ORDER = ["context", "number", "table", "motion soup", "validate", "read", "solid", "filter", "scene", "trace",
-         "verdict", "topo lattice", "contact distance", "envelope", "report compare generate", "convert boundary draw certify", "page", "png", "api", "run", "cli", "mpi"]
+         "verdict", "topo lattice", "contact distance", "envelope", "report compare generate", "convert boundary draw certify mend", "page", "png", "api", "run", "cli", "mpi"]
 RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms.split()}
 COMMANDS = {"run", "cli", "mpi"}
 # Small tools that the commands use beside the public header and table/.

@@ -28,6 +28,36 @@ static void expect_decimal(const char *value, int digits, const char *decimal, i
 }
 
 /* Ties go to the even digit; carries and powers of ten are where an exponent goes wrong. */
+static void expect_finite(const char *value, const char *decimal) {
+    fmpq_t x;
+    fmpq_init(x);
+    fmpq_set_str(x, value, 10);
+    int finite;
+    char *text = decimal_finite(&finite, x);
+    assert_int_equal(finite, decimal != NULL);
+    if (decimal)
+        assert_string_equal(text, decimal);
+    else
+        assert_null(text);
+    free(text);
+    fmpq_clear(x);
+}
+
+static void finite_decimals(void **state) {
+    (void)state;
+    expect_finite("0", "0");
+    expect_finite("-7", "-7");
+    expect_finite("1200", "1200");
+    expect_finite("1/8", "0.125");
+    expect_finite("-3/20", "-0.15");
+    expect_finite("12345678901/1000", "12345678.901");
+    expect_finite("1/1048576", "9.5367431640625e-7");
+    expect_finite("7/3125", "0.00224");
+    expect_finite("1/3", NULL);
+    expect_finite("5/6", NULL);
+    expect_finite("1/1000001", NULL);
+}
+
 static void decimals_of_rationals(void **state) {
     (void)state;
     expect_decimal("0", 5, "0", 1);
@@ -438,6 +468,7 @@ static void explanation(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(finite_decimals),
         cmocka_unit_test(decimals_of_rationals),
         cmocka_unit_test(decimals_against_mpfr),
         cmocka_unit_test(decimal_of_a_root),

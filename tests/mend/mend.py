@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+# suite
+"""graze mend: meshes damaged on purpose are legal again and bound the same points; what cannot be mended is named.
+
+A golden mesh is damaged in ways that move no point, mended, and every point of a grid and of generate has the answers of
+the undamaged one. SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+import pathlib
+import sys
+import tempfile
+from fractions import Fraction
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+from harness import ROOT, Checks, options, run  # noqa: E402
+
+COMMON = pathlib.Path(ROOT) / "tests" / "refuse" / "common"
+MOTION = COMMON / "move3.json"
+checks = Checks()
+check = checks.holds
+
+CUBE = ([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)],
+        [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 6),
+         (3, 0, 4), (3, 4, 7)])
+
+
+def moved(mesh, by, scale=1, inward=False):
+    vertices, facets = mesh
+    return ([tuple(Fraction(x) * scale + d for x, d in zip(v, by)) for v in vertices],
+            [f[::-1] if inward else f for f in facets])
+
+
+def together(*meshes):
+    vertices, facets = [], []
+    for more, own in meshes:
+        facets += [tuple(v + len(vertices) for v in f) for f in own]
+        vertices += more
+    return vertices, facets
+
+
+def write(path, mesh):
+    vertices, facets = mesh
+    lines = ["OFF", f"{len(vertices)} {len(facets)} 0", *(" ".join(map(str, v)) for v in vertices),
+             *(" ".join(map(str, (len(f), *f))) for f in facets)]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def apart(mesh):
+    """Every facet with vertices of its own, as STL has them."""
+    vertices, facets = mesh
+    return ([vertices[v] for f in facets for v in f],
+            [tuple(range(k, k + len(f))) for k, f in zip(starts(facets), facets)])
+
+
+def starts(facets):
+    at = 0
+    for f in facets:
+        yield at
+        at += len(f)
+
+
+def junction(mesh, random):
+    """One facet is cut at the middle of its first side, which its neighbour keeps whole."""
+    vertices, facets = mesh
+    k = random.randrange(len(facets))
+    a, b, *rest = facets[k]
+    middle = tuple(Fraction(x + y) * Fraction(1, 3) + Fraction(y) / 3 for x, y in zip(vertices[a], vertices[b]))
+    m = len(vertices)
+    return vertices + [middle], facets[:k] + facets[k + 1:] + [(a, m, *rest[-1:]), (m, b, *rest)]
+
+
+def sliver(mesh, random):
+    """A facet without area beside a side."""
+    vertices, facets = mesh
+    a, b = random.choice(facets)[:2]
+    middle = tuple(Fraction(x + y) / 2 for x, y in zip(vertices[a], vertices[b]))
+    return vertices + [middle], facets + [random.choice([(a, len(vertices), b), (a, b, a), (a, a, a), (b, len(vertices), a)])]
+
+
+def turned(mesh, random):
+    vertices, facets = mesh
+    return vertices, [f[::-1] if random.random() < 0.4 else f for f in facets]
+
+
+def shuffled(mesh, random):
+    vertices, facets = mesh
+    facets = list(facets)
+    random.shuffle(facets)
+    return vertices, facets
+
+
+DAMAGE = (junction, sliver, turned, shuffled)
+
+
+def answers(graze, folder, solid):
+    """The answers at points of a grid, without the head."""
+    done = run([graze, "classify", str(solid), str(MOTION), "--grid", "7,7,7", "--box", "-1,-1,-1,9,7,7"], 120)
+    check(done.returncode == 0, solid, done.stderr)
+    return [line for line in done.stdout.splitlines() if not line.startswith("#")]
+
+
+def mend(graze, folder, mesh, status=0):
+    path, out = folder / "damaged.off", folder / "mended.off"
+    write(path, mesh)
+    out.unlink(missing_ok=True)
+    done = run([graze, "mend", str(path), "-o", str(out)], 120)
+    check(done.returncode == status and out.exists() == (status == 0), status, done.returncode, done.stdout, done.stderr,
+          path.read_text()[:2000])
+    return out, done.stdout, done.stderr
+
+
+def same_points(graze, folder, random, scale):
+    """Damaged meshes bound the points of the good ones."""
+    tetrahedron = ([(0, 0, 0), (6, 0, 0), (0, 6, 0), (0, 0, 6)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
+    good = {"cube": CUBE, "tetrahedron": tetrahedron,
+            "hollow": together(moved(CUBE, (0, 0, 0), 3), moved(CUBE, (1, 1, 1), 2, inward=True), moved(CUBE, (2, 2, 2))),
+            "two": together(CUBE, moved(CUBE, (3, 0, 0))), "touching": together(CUBE, moved(CUBE, (2, 2, 0)))}
+    for name, mesh in good.items():
+        write(folder / "good.off", mesh)
+        want = answers(graze, folder, folder / "good.off")
+        out, said, _ = mend(graze, folder, mesh)
+        check(said == "nothing to mend\n" or name == "touching", name, said)
+        check(answers(graze, folder, out) == want, name, "undamaged")
+        for _ in range(4 * scale):
+            damaged = mesh
+            for _ in range(random.randint(1, 4)):
+                damaged = random.choice(DAMAGE)(damaged, random)
+            if random.random() < 0.5:
+                damaged = apart(damaged)
+            out, said, _ = mend(graze, folder, damaged)
+            check(answers(graze, folder, out) == want, name, "answers", said)
+
+
+def said_by_hand(graze, folder):
+    """Each step says what it did."""
+    vertices, facets = CUBE
+    _, said, _ = mend(graze, folder, apart(CUBE))
+    check(said.startswith("merged 28 vertices with the first one at their position: 3 with 0, "), said)
+    _, said, _ = mend(graze, folder, (vertices, facets[:5] + [facets[5][::-1]] + facets[6:]))
+    check(said == "turned 1 facets round: 5\n", said)
+    _, said, _ = mend(graze, folder, (vertices, [f[::-1] for f in facets]))
+    check(said.startswith("turned 12 facets round: 0, 1, 2, 3, 4, 5, 6, 7, ...\n"), said)
+    _, said, _ = mend(graze, folder, (vertices, facets + [(0, 1, 0), (0, 0, 0)]))
+    check(said == "dropped 2 facets without area: 12, 13\n", said)
+    _, said, _ = mend(graze, folder, (vertices + [(1, 0, 0)], facets[:4] + [(0, 8, 5), (8, 1, 5)] + facets[5:]))
+    check(said == "split 1 edges with a vertex in their middle: 0-1 at vertex 8\n", said)
+    _, said, _ = mend(graze, folder, (vertices, [(0, 0, 2, 1)] + facets[1:]))
+    check(said == "took repeated corners out of 1 facets: 0\n", said)
+
+
+def not_mended(graze, folder):
+    vertices, facets = CUBE
+    band = [(k, (k + 1) % 5, (k + 2) % 5) for k in range(5)]
+    for mesh, says in (((vertices, facets[1:]), "never the other way: the surface is open there"),
+                       (together(CUBE, moved(CUBE, (1, 1, 1))), "intersect each other"),
+                       (together(CUBE, CUBE), "lie on one another"),
+                       ((vertices, [(0, 1, 0), (1, 2, 1)]), "no facet has an area"),
+                       (([(0, 0, 0), (3, 0, 1), (4, 3, 0), (1, 5, 2), (-2, 3, 3)], band), "a surface with one side only"),
+                       (together(*(moved(CUBE, (3 * k, 0, 0), inward=True) for k in range(1001))), "the facets make 1001 shells")):
+        _, _, said = mend(graze, folder, mesh, status=1)
+        check(says in said and len(said.splitlines()) == 1, says, said)
+
+
+def main():
+    given = options(__doc__)
+    with tempfile.TemporaryDirectory(prefix="graze-mend-") as name:
+        folder = pathlib.Path(name)
+        said_by_hand(given.graze, folder)
+        not_mended(given.graze, folder)
+        same_points(given.graze, folder, given.random, given.scale)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
