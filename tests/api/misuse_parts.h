@@ -253,6 +253,56 @@ static void grids(bench *b) {
         mpq_clears(low[k], high[k], NULL);
 }
 
+static void envelopes(bench *b) {
+    graze_context *c = b->s.context;
+    graze_envelope *e = NULL;
+    graze_curve *u = NULL;
+    graze_options unsweep = {.operation = GRAZE_UNSWEEP, .size = sizeof unsweep};
+    graze_scene *other = NULL;
+    assert_int_equal(graze_scene_create(&other, c, b->s.solid, b->s.motion, &unsweep), GRAZE_OK);
+    WRONG(graze_envelope_create(NULL, c, b->s.scene));
+    WRONG_OUT(graze_envelope, graze_envelope_create(&out, NULL, b->s.scene));
+    WRONG_OUT(graze_envelope, graze_envelope_create(&out, c, NULL));
+    WRONG_OUT(graze_envelope, graze_envelope_create(&out, c, other));
+    assert_int_equal(graze_envelope_create(&e, c, b->s.scene), GRAZE_OK);
+    WRONG(graze_envelope_header(NULL, c, e, NULL));
+    WRONG_OUT(char, graze_envelope_header(&out, NULL, e, NULL));
+    WRONG_OUT(char, graze_envelope_header(&out, c, NULL, NULL));
+    WRONG(graze_envelope_row(NULL, c, e, 0));
+    WRONG_OUT(char, graze_envelope_row(&out, NULL, e, 0));
+    WRONG_OUT(char, graze_envelope_row(&out, c, NULL, 0));
+    WRONG_OUT(char, graze_envelope_row(&out, c, e, graze_envelope_event_count(e)));
+    WRONG(graze_curve_create(NULL, c, e, b->half));
+    WRONG_OUT(graze_curve, graze_curve_create(&out, NULL, e, b->half));
+    WRONG_OUT(graze_curve, graze_curve_create(&out, c, NULL, b->half));
+    WRONG_OUT(graze_curve, graze_curve_create(&out, c, e, NULL));
+    WRONG(graze_curve_header(NULL, c, e, NULL));
+    WRONG_OUT(char, graze_curve_header(&out, NULL, e, NULL));
+    WRONG_OUT(char, graze_curve_header(&out, c, NULL, NULL));
+    WRONG(graze_curve_row(NULL, c, u, 0));
+    WRONG_OUT(char, graze_curve_row(&out, NULL, u, 0));
+    WRONG_OUT(char, graze_curve_row(&out, c, NULL, 0));
+    WRONG(graze_envelope_site(NULL, c, e, 1, 0));
+    WRONG_OUT(graze_site, graze_envelope_site(&out, NULL, e, 1, 0));
+    WRONG_OUT(graze_site, graze_envelope_site(&out, c, NULL, 1, 0));
+    HARMLESS(graze_envelope_destroy, CALLS(graze_envelope_destroy(NULL)));
+    HARMLESS(graze_envelope_get, graze_envelope_get(NULL).facets == 0);
+    HARMLESS(graze_envelope_event_count, graze_envelope_event_count(NULL) == 0);
+    HARMLESS(graze_envelope_event, graze_envelope_event(NULL, 0).kind == GRAZE_EVENT_NONE);
+    HARMLESS(graze_curve_destroy, CALLS(graze_curve_destroy(NULL)));
+    HARMLESS(graze_curve_count, graze_curve_count(NULL) == 0);
+    HARMLESS(graze_curve_at, graze_curve_at(NULL, 0).kind == GRAZE_CURVE_NONE);
+    HARMLESS(graze_curve_ends, CALLS(graze_curve_ends(b->x, b->x, NULL, 0)));
+    HARMLESS(graze_event_kind_name, strcmp(graze_event_kind_name(-1), "none") == 0);
+    HARMLESS(graze_decomposable_name, strcmp(graze_decomposable_name(-1), "none") == 0);
+    HARMLESS(graze_decomposable_reason_name,
+             strcmp(graze_decomposable_reason_name(-1), "none") == 0);
+    HARMLESS(graze_curve_kind_name, strcmp(graze_curve_kind_name(-1), "none") == 0);
+    HARMLESS(graze_chain_form_name, strcmp(graze_chain_form_name(-1), "none") == 0);
+    graze_envelope_destroy(e);
+    graze_scene_destroy(other);
+}
+
 static void distances(bench *b) {
     graze_context *c = b->s.context;
     graze_enclosure e;

@@ -258,6 +258,7 @@ static void all(void **state) {
     positions(&b);
     distances(&b);
     grids(&b);
+    envelopes(&b);
     contact_points(&b);
     none_is_left_out(&b);
     graze_comparison_destroy(b.comparison);
