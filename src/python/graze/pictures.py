@@ -39,7 +39,8 @@ class Picture(NamedTuple):
 
 def class_colours() -> Dict[str, str]:
     """The colour of each class in every picture of Graze, as `#rrggbb`."""
-    return {class_.name.lower(): f"#{library().graze_class_colour(class_):06x}" for class_ in Class}
+    return {class_.name.lower(): f"#{library().graze_class_colour(class_):06x}"
+            for class_ in Class if class_ != Class.NONE}
 
 
 def draw(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],
