@@ -61,7 +61,7 @@ stage "threads" threads
 stage "coverage" make -s coverage
 stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 4 --limit 1500
 stage "2,000 distances to Minkowski sums" python3 tests/run.py --build build --only tests/distance/cgal --scale 8 --limit 3000
-stage "20,000 contact points probed" python3 tests/run.py --build build --only tests/contact/probe --scale 80 --limit 5000
+stage "4,000 contact points probed" python3 tests/run.py --build build --only tests/contact/probe --scale 15 --limit 3000
 stage "with and without the filter" python3 tests/run.py --build build --only tests/filter/equal --scale 15 --limit 3000
 stage "certificates of 300 rows a case" python3 tests/run.py --build build --only tests/check/golden --scale 15 --limit 3000
 stage "contacts of 100 rows a case" python3 tests/run.py --build build --only tests/check/contacts --scale 5 --limit 3000
