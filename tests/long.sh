@@ -1,5 +1,5 @@
 #!/bin/bash
-# The tests that take long: lint, both sanitizer builds, coverage by file, long agreement runs, 300,000 points with
+# The tests that take long: lint, both sanitizer builds, coverage by file, long agreement runs, 160,000 points with
 # the filter and without it (10^6 with --scale 50), the filter's decisions falsified, and the mutants of the rules
 # (tests/mutate.py without --only runs those of the whole kernel, which takes hours).
 set -euo pipefail
@@ -59,13 +59,13 @@ stage "lint" tests/lint.sh
 stage "address and undefined behaviour" under_sanitizers build-asan "-fsanitize=address,undefined -fno-sanitize-recover=all"
 stage "threads" threads
 stage "coverage" make -s coverage
-stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 4 --limit 1500
+stage "long agreement" python3 tests/run.py --build build --only tests/agree/ --scale 2 --limit 1500
 stage "2,000 distances to Minkowski sums" python3 tests/run.py --build build --only tests/distance/cgal --scale 8 --limit 3000
-stage "4,000 contact points probed" python3 tests/run.py --build build --only tests/contact/probe --scale 15 --limit 3000
-stage "with and without the filter" python3 tests/run.py --build build --only tests/filter/equal --scale 15 --limit 3000
+stage "2,000 contact points probed" python3 tests/run.py --build build --only tests/contact/probe --scale 8 --limit 3000
+stage "with and without the filter" python3 tests/run.py --build build --only tests/filter/equal --scale 8 --limit 3000
 stage "certificates of 300 rows a case" python3 tests/run.py --build build --only tests/check/golden --scale 15 --limit 3000
 stage "contacts of 100 rows a case" python3 tests/run.py --build build --only tests/check/contacts --scale 5 --limit 3000
-stage "mutants of certificates" python3 tests/run.py --build build --only tests/check/mutants --scale 2 --limit 5000
+stage "mutants of certificates" python3 tests/run.py --build build --only tests/check/mutants --limit 5000
 stage "forged certificates" python3 tests/check/forged.py --graze build/graze
 stage "the checker weakened" python3 tests/check/weakened.py --graze build/graze --only verdict.c,trace.c,poly.c,motion.c,legal.c
 stage "falsified decisions" flips

@@ -77,7 +77,7 @@ class Columns:
             case = casefile.Case(name)
             scene = case.path(case.solid), case.path("motion.json")
             self.same(name, *scene, case.path("points.csv"), *case.answers)
-            self.same(name, *scene, "--grid", "67,33" if case.dimension == 2 else "18,9,17", *case.answers, ways=[()])
+            self.same(name, *scene, "--grid", "35,19" if case.dimension == 2 else "9,5,8", *case.answers, ways=[()])
 
     def scenes(self):
         for scene in scenes():
@@ -89,7 +89,7 @@ class Columns:
             points = Maker(scene, self.args.random).points(count)
             path = self.graze.write(tag + ".csv", written(scene.d, points))
             self.same(scene.name, solid, motion, path, *scene.flags)
-            self.same(scene.name, solid, motion, "--grid", self.sizes(scene.d, 12 if scene.heavy else 24), *scene.flags,
+            self.same(scene.name, solid, motion, "--grid", self.sizes(scene.d, 6 if scene.heavy else 10), *scene.flags,
                       ways=[("--jobs", "2")])
 
     def sizes(self, dimension, most):
@@ -101,7 +101,7 @@ class Columns:
         """Grids whose points lie on planes, edges and vertices of many poses; shards, and tables that go on."""
         case = casefile.Case("bracket")
         scene = case.path(case.solid), case.path("motion.json")
-        for size, box in (("33,34,19", "-1,-1,-1,15,15,8"), ("41,20,21", "0,0,0,10,10,10"), ("25,25,25", "1/3,0,1/7,9,8,7")):
+        for size, box in (("17,18,13", "-1,-1,-1,15,15,8"), ("21,10,11", "0,0,0,10,10,10"), ("19,17,18", "1/3,0,1/7,9,8,7")):
             words = (*scene, "--grid", size, "--box", box)
             for operation in ("sweep", "unsweep"):
                 whole = self.same("bracket", *words, "--operation", operation, ways=[("--jobs", "1"), ("--jobs", "3")])
