@@ -294,7 +294,8 @@ static graze_status cut_side(edge_finder *f, const side *e) {
     f->inner_count = 0;
     box_of(&around, f->c, e);
     graze_status status = search_touching(f, e, &around, 0);
-    qsort(f->inner, f->inner_count, f->inner_count ? sizeof *f->inner : 1, compare_inner);
+    if (f->inner_count)
+        qsort(f->inner, f->inner_count, sizeof *f->inner, compare_inner);
     size_t from = e->u;
     for (size_t k = 0; k < f->inner_count; k++) {
         if (!status)
