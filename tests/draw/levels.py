@@ -19,7 +19,7 @@ from fractions import Fraction as F
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from draw import SVG, Cells, checks, group, options, run  # noqa: E402
+from draw import SVG, Cells, checks, excuse_fonts, group, options, run  # noqa: E402
 
 LIFT = {"dimension": 2, "pieces": [{"t": [0, 1], "transform": {"translate": [0, "3*t"]}}]}
 
@@ -123,6 +123,7 @@ def check_lines(root, cells, step):
 def main():
     args = options(__doc__)
     with tempfile.TemporaryDirectory() as folder:
+        excuse_fonts(folder)
         path = {name: os.path.join(folder, name) for name in ("square.wkt", "lift.json", "out.svg", "out.png")}
         with open(path["square.wkt"], "w", encoding="utf-8") as f:
             f.write("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n")
