@@ -1,7 +1,8 @@
 /* The simplices of a facet about a vertex. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A slice goes on from a vertex into a triangle that holds the vertex if g has both signs at its
- * corners, or along a side of it that two triangles of the facet share.
+ * corners or vanishes at all of them, or along a side of it that two triangles of the facet share.
+ * Where coplanar facets meet, it may go on along the flat edge between them.
  */
 #include "envelope/enter.h"
 
@@ -61,20 +62,43 @@ static int is_inside_facet(const cell_complex *c, const cell_facet *f, size_t a,
     return found == 2;
 }
 
-/* Does the slice go on into a triangle that holds the vertex, or along a side of it? */
-static graze_status enters_simplex(int *out, const moment *m, size_t simplex, size_t vertex) {
+/* Does the slice go on into a triangle that holds the vertex, or along a side of it? g = 0 at just
+ * two corners: the vertex is in the side between them. */
+static graze_status enters_simplex(int *out, const moment *m, size_t simplex) {
     const cell_complex *c = &m->e->cells;
-    const cell_facet *f = &c->facet[m->facet];
+    const size_t *corner = c->corner + simplex * 3;
     int positive = 0, negative = 0;
+    size_t zero[3], zeros = 0;
     graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < 3 && !status && !*out; k++) {
-        size_t corner = c->corner[simplex * 3 + k];
+    for (size_t k = 0; k < 3 && !status; k++) {
         int sign = 0;
-        status = sign_at(&sign, m, corner);
+        status = sign_at(&sign, m, corner[k]);
         positive |= sign > 0;
         negative |= sign < 0;
-        *out = (positive && negative) ||
-               (sign == 0 && corner != vertex && is_inside_facet(c, f, vertex, corner));
+        if (sign == 0)
+            zero[zeros++] = corner[k];
+    }
+    *out = !status && ((positive && negative) || zeros == 3 ||
+                       (zeros == 2 && is_inside_facet(c, &c->facet[m->facet], zero[0], zero[1])));
+    return status;
+}
+
+/* Does g vanish along a flat edge at the vertex, beside which the facet goes on? In E^2 such an
+ * edge is the facet's own. */
+static graze_status goes_along_flat_edge(int *out, const moment *m, size_t vertex) {
+    const cell_complex *c = &m->e->cells;
+    graze_status status = GRAZE_OK;
+    for (size_t j = c->vertex_edges.start[vertex];
+         j < c->vertex_edges.start[vertex + 1] && !status && !*out; j++) {
+        const cell_edge *edge = &c->edge[c->vertex_edges.item[j]];
+        const size_t *facet = c->edge_facets.item + c->edge_facets.start[c->vertex_edges.item[j]];
+        size_t count = c->edge_facets.start[c->vertex_edges.item[j] + 1] -
+                       c->edge_facets.start[c->vertex_edges.item[j]];
+        int sign = 1;
+        for (size_t i = 0; i < count && edge->kind == PLACE_FACET; i++)
+            if (facet[i] == m->facet)
+                status = sign_at(&sign, m, edge->u == vertex ? edge->v : edge->u);
+        *out = !status && sign == 0;
     }
     return status;
 }
@@ -82,11 +106,11 @@ static graze_status enters_simplex(int *out, const moment *m, size_t simplex, si
 static graze_status enters(int *out, const moment *m, size_t vertex) {
     const cell_complex *c = &m->e->cells;
     const cell_facet *f = &c->facet[m->facet];
-    graze_status status = GRAZE_OK;
     *out = 0;
+    graze_status status = goes_along_flat_edge(out, m, vertex);
     for (size_t j = 0; j < f->count && c->dimension == 3 && !status && !*out; j++)
         if (holds(c, c->order[f->first + j], vertex))
-            status = enters_simplex(out, m, c->order[f->first + j], vertex);
+            status = enters_simplex(out, m, c->order[f->first + j]);
     return status;
 }
 

@@ -162,26 +162,24 @@ static int run_reaches(const corner_view *v, const signed char *sign) {
     return 0;
 }
 
-/* Of a facet with g = 0 at the vertex at point k: does g vanish along all its edges there, two of
- * them in E^3; or does its slice, next to the point, end on such an edge? */
-static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at, int before,
-                       int after) {
+/* Of a facet with g = 0 at the vertex at point k: does its slice, next to the point, end on an edge
+ * at the vertex, and come to it? It does if g is not 0 all along that edge then (proofs/events.md
+ * C82). */
+static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at) {
     const cell_complex *c = &v->e->cells;
-    const signed char *here = before ? signs_before(&v->s, at) : signs_at(&v->s, at);
+    const signed char *here = signs_at(&v->s, at);
     corner_pair p = {.position = facets_at(c, v->vertex) - 1};
     size_t j = c->vertex_edges.start[v->vertex], k = 0;
-    int zero = 0, others = 0, comes = 0;
+    int comes = 0;
     while (next_pair(&p, c, v->vertex, &j, &k)) {
-        if (p.facet != facet)
+        if (p.facet != facet || here[p.position] == 0)
             continue;
-        zero += here[p.position] == 0;
-        others += here[p.position] != 0;
-        if (!before && at > 0)
+        if (at > 0)
             comes |= signs_before(&v->s, at)[own] * signs_before(&v->s, at)[p.position] < 0;
-        if (after)
+        if (at + 1 < v->s.x.count)
             comes |= signs_before(&v->s, at + 1)[own] * signs_before(&v->s, at + 1)[p.position] < 0;
     }
-    return comes || (zero >= c->dimension - 1 && !others);
+    return comes;
 }
 
 /* Does a slice reach the vertex, at point k, or before it? */
@@ -194,10 +192,9 @@ static graze_status slice_reaches(int *out, const corner_view *v, size_t k, int 
         size_t facet = c->vertex_facets.item[c->vertex_facets.start[v->vertex] + j];
         if (sign[j] != 0)
             continue;
-        *out = slice_comes(v, facet, j, k, before, !before && k + 1 < v->s.x.count);
-        if (!*out && before)
-            *out = enters_before(v->e, facet, v->vertex, v->piece, &v->s.x, k);
-        else if (!*out)
+        *out = before ? enters_before(v->e, facet, v->vertex, v->piece, &v->s.x, k)
+                      : slice_comes(v, facet, j, k);
+        if (!*out && !before)
             status = enters_at(out, v->e, v->context, facet, v->vertex, v->piece, &v->s.x, k);
     }
     return status;
