@@ -68,6 +68,15 @@ unsigned long graze_generator_weight(const graze_generator *generator, graze_str
     return generator && is_stratum(stratum) ? generator->weight[stratum] : 0;
 }
 
+int graze_generator_missing_decade(int *decade, int *outward, const graze_generator *generator,
+                                   size_t index) {
+    if (!decade || !outward || !generator || index >= generator->missing_count)
+        return 0;
+    *decade = generator->missing[index].decade;
+    *outward = generator->missing[index].outward;
+    return 1;
+}
+
 void graze_generator_box(mpq_t *low, mpq_t *high, const graze_generator *generator) {
     if (!low || !high || !generator)
         return;

@@ -55,7 +55,7 @@ typedef struct graze_generator graze_generator;
  * Make a generator of query points for a scene, which is borrowed and must outlive it. A stratum
  * that a number of tries does not find in the scene gets the weight 0. The decades of `level` are
  * those from the largest of an `in` point that is found down to 1e-9 of the diagonal of S^0's box,
- * on both sides.
+ * on both sides; those that a number of tries does not find are missing.
  * @param weights GRAZE_STRATUM_COUNT weights of at most 10^6, or NULL for the defaults, with which
  * at least 70 % of the points are degenerate
  * @param flags   0 or GRAZE_GENERATE_REPRESENTABLE
@@ -70,6 +70,10 @@ GRAZE_API void graze_generator_destroy(graze_generator *generator);
 /** Weight in force; 0 for a stratum that cannot be made, and for NULL. */
 GRAZE_API unsigned long graze_generator_weight(const graze_generator *generator,
                                                graze_stratum stratum);
+/** A decade of `level` that is missing, by index from 0: 10^*decade <= |s| < 10^(*decade + 1), s >
+ * 0 if *outward. Returns 0, and sets nothing, past the last one and for NULL. */
+GRAZE_API int graze_generator_missing_decade(int *decade, int *outward,
+                                             const graze_generator *generator, size_t index);
 /** Default weight of a stratum. */
 GRAZE_API unsigned long graze_stratum_default_weight(graze_stratum stratum);
 /** Box of the stratum `random`.

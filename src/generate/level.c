@@ -208,6 +208,8 @@ graze_status levels_find(struct graze_generator *g, graze_context *context) {
             deepest |= found && !outward;
             if (found)
                 g->levels[g->level_count++] = where;
+            else if (deepest)
+                g->missing[g->missing_count++] = where;
         }
     return status;
 }

@@ -8,7 +8,8 @@
 
 /**
  * Find the decades of |s| that the scene has points of, on each side: those of `in` points from the
- * largest down to 1e-9 of the diagonal, and the same ones of `out` points.
+ * largest down to 1e-9 of the diagonal, and the same ones of `out` points. Those among them that no
+ * try finds are the missing ones.
  * @return GRAZE_ELIMIT the scene is beyond what distances are computed for; GRAZE_ECANCELED,
  * GRAZE_ESYSTEM
  */

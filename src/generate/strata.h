@@ -27,8 +27,8 @@ struct graze_generator {
     size_t joint_count; /* t0, the break points, t1 */
     instant *joints;
     specials special;
-    size_t level_count;
-    level levels[MOST_LEVELS];
+    size_t level_count, missing_count;
+    level levels[MOST_LEVELS], missing[MOST_LEVELS]; /* tries found none of the missing ones */
 };
 
 /** One point and how it was made. */

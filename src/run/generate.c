@@ -76,6 +76,22 @@ static void put_points_box(maker *m) {
         mpq_clear(high[i]);
 }
 
+/* A decade of |s|, with the sign of s. */
+static int put_decade_name(char *text, size_t size, int outward, int decade) {
+    return snprintf(text, size, "%s1e%+03d", outward ? "" : "-", decade);
+}
+
+static void put_missing_decades(maker *m) {
+    int decade, outward;
+    char name[24];
+    for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, m->generator, k); k++) {
+        put_decade_name(name, sizeof name, outward, decade);
+        output_put(&m->out, "# decade ");
+        output_put(&m->out, name);
+        output_put(&m->out, " cannot be made\n");
+    }
+}
+
 static void put_points_head(maker *m, const generate_options *o) {
     char line[128], form[COORDINATES_NOTE];
     snprintf(line, sizeof line, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
@@ -91,6 +107,7 @@ static void put_points_head(maker *m, const generate_options *o) {
                  graze_stratum_name((graze_stratum)k), weight);
         output_put(&m->out, line);
     }
+    put_missing_decades(m);
     put_points_box(m);
     output_put(&m->out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
     output_put(&m->out, "stratum,order,cell,time,k,side");
@@ -107,14 +124,15 @@ static void put_sample_cell(output *out, const graze_cell *cell) {
     output_put(out, text);
 }
 
-/* The last column, in tables that may have the stratum: the decade of |s|, with the sign of s. */
+/* The last column, in tables that may have the stratum. */
 static void put_decade(maker *m, const graze_sample *made) {
-    char text[32];
+    char name[24] = "";
     if (made->stratum == GRAZE_STRATUM_LEVEL)
-        snprintf(text, sizeof text, ",%s1e%+03d\n", made->outward ? "" : "-", made->decade);
-    else
-        snprintf(text, sizeof text, m->weights[GRAZE_STRATUM_LEVEL] ? ",\n" : "\n");
-    output_put(&m->out, text);
+        put_decade_name(name, sizeof name, made->outward, made->decade);
+    if (m->weights[GRAZE_STRATUM_LEVEL])
+        output_put(&m->out, ",");
+    output_put(&m->out, name);
+    output_put(&m->out, "\n");
 }
 
 /* The coordinates of the point, with a comma behind them. */
@@ -247,6 +265,27 @@ static int tell_lost(const maker *m, const generate_options *o) {
     return status;
 }
 
+/* Name the decades of the signed distance that get no points. */
+static int tell_missing_decades(const maker *m) {
+    int decade, outward, status = EXIT_DONE;
+    char name[24];
+    text said;
+    text_init(&said);
+    text_put(&said, "");
+    for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, m->generator, k); k++) {
+        put_decade_name(name, sizeof name, outward, decade);
+        text_format(&said, k ? ", %s" : "%s", name);
+    }
+    char *names = text_take(&said);
+    if (!names)
+        status = complain(EXIT_IO, "out of memory");
+    else if (*names)
+        status = complain(
+            EXIT_DONE, "note: no point was found whose signed distance is of the decade %s", names);
+    free(names);
+    return status;
+}
+
 static int write_points(maker *m, const generate_options *o) {
     int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
     if (status)
@@ -259,6 +298,8 @@ static int write_points(maker *m, const generate_options *o) {
     status = find_lost(m, o);
     if (!status)
         status = tell_lost(m, o);
+    if (!status)
+        status = tell_missing_decades(m);
     if (status)
         return status;
     status = output_open(&m->out, o->output);

@@ -205,6 +205,9 @@ int fuzz_generate(const uint8_t *data, size_t size) {
         if (sample.order != 0 && sample.k == 0 && sample.stratum != GRAZE_STRATUM_LEVEL)
             check_contact(context, scene, point, time);
     }
+    int decade, outward;
+    for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, g, k); k++)
+        EXPECT(k < 20 && (outward == 0 || outward == 1));
     if (made)
         graze_generator_box(point, point, g);
     mpq_clears(point[0], point[1], point[2], time, NULL);

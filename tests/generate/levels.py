@@ -78,6 +78,19 @@ def check_box(graze, name, scene, top, last):
         checks.holds(in_decade(signed_square(box, deepest, place), row["decade"]), name, row)
 
 
+def check_missing(graze, scene):
+    """2^33 away doubles are multiples of 2^-19, and so are the differences that a distance of a box is the hypotenuse of: no
+    decade below 1e-06 has points. Each decade has rows or stands in the head and in the note."""
+    done = run([graze, "generate", *scene, "-n", 500, "--seed", 5, "--strata", "level", "--representable", "binary64"], 600)
+    checks.equal(done.returncode, 0, *scene, done.stderr)
+    missing = [line.split()[2] for line in done.stdout.splitlines() if line.startswith("# decade ") and line.endswith(" cannot be made")]
+    _, rows = rows_of(done.stdout)
+    made = {row["decade"] for row in rows}
+    checks.holds(expected_decades(-7, -9) <= set(missing), "below the last place", missing)
+    checks.equal((made | set(missing), made & set(missing)), (expected_decades(-1, -9), set()), "each decade", made, missing)
+    checks.holds(f"of the decade {', '.join(missing)}" in done.stderr, "note", done.stderr)
+
+
 def check_enclosures(graze, folder, name, operation):
     case = os.path.join(ROOT, "cases", name)
     solid = next(f for f in sorted(os.listdir(case)) if f.startswith("solid."))
@@ -124,15 +137,17 @@ def check_validate(graze, folder, scene):
 def main():
     args = options(__doc__)
     with tempfile.TemporaryDirectory() as folder:
-        path = {name: os.path.join(folder, name) for name in ("slide.json", "lift.json", "square.wkt", "far.json")}
+        path = {name: os.path.join(folder, name) for name in ("slide.json", "lift.json", "square.wkt", "far.json", "away.json")}
         for name, text in (("slide.json", json.dumps(SLIDE)), ("lift.json", json.dumps(LIFT)),
                            ("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n"),
+                           ("away.json", json.dumps(LIFT).replace('[0, "3*t"]', '["2^33", "2^33+3*t"]')),
                            ("far.json", json.dumps(LIFT).replace("3*t", "t^40"))):
             with open(path[name], "w", encoding="utf-8") as f:
                 f.write(text)
         # Diagonals of 3.46 and 1.41: 1e-9 of them is in the decade of 1e-9.
         check_box(args.graze, "cube", [CUBE, path["slide.json"]], -1, -9)
         check_box(args.graze, "square", [path["square.wkt"], path["lift.json"]], -1, -9)
+        check_missing(args.graze, [path["square.wkt"], path["away.json"]])
         check_enclosures(args.graze, folder, "bracket", "sweep")
         check_enclosures(args.graze, folder, "gear", "sweep")
         check_enclosures(args.graze, folder, "unsweep-figure7", "unsweep")

@@ -18,7 +18,7 @@ from programs import ROOT, check, checks, options, output, read, same
 RECORD = os.path.join("tests", "install", "abi.txt")
 COMMAND = "python3 tests/install/abi.py --record"
 # Types whose address is an output before the context and a handle behind it.
-OUTPUT = re.compile(r"(?:graze_\w+ \*+|double \*|unsigned char \*|char \*\*|size_t \*|mpq_t \*?|mpz_t )\w+$")
+OUTPUT = re.compile(r"(?:graze_\w+ \*+|double \*|int \*|unsigned char \*|char \*\*|size_t \*|mpq_t \*?|mpz_t )\w+$")
 OPTIONS = ("options", "flags", "form", "format")
 
 
