@@ -1,48 +1,45 @@
 /* Contacts of a row: their times and cells, as the lines of a certificate say them.
  * SPDX-License-Identifier: MIT
  */
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include "check.h"
 
-/* A face a; an edge a < b; a vertex a. */
+/* A face 0, a; an edge 1, a < b; a vertex 2, a. */
 typedef struct cell {
-    enum { FACE, EDGE, VERTEX } kind;
-    size_t a, b;
+    size_t part[3];
 } cell;
 
-static void put(contact *c, const char *text, size_t length) {
-    for (size_t k = 0; k < length; k++) {
-        c->text = room_for(c->text, c->length, &c->room, 1);
-        c->text[c->length++] = text[k];
-    }
-}
+enum { FACE, EDGE, VERTEX };
 
-static void put_number(contact *c, mpq_srcptr x) {
-    char *text = mpq_get_str(NULL, 10, x);
-    put(c, " ", 1);
-    put(c, text, strlen(text));
+static void put(contact *c, const char *format, ...) {
+    char *text;
+    va_list arguments;
+    va_start(arguments, format);
+    size_t length = (size_t)gmp_vasprintf(&text, format, arguments);
+    va_end(arguments);
+    c->text = room_for(c->text, c->length + length, &c->room, 1);
+    memcpy(c->text + c->length, text, length);
+    c->length += length;
     free(text);
 }
 
-/* The root of q in the last interval: a number if q is linear. */
-static void put_root(contact *c, const trace *r, const poly *q) {
+/* The root of q in the last interval, a number if q is linear; or one of the interval's ends. */
+static void put_time(contact *c, const trace *r, const poly *q, int at_root, mpq_srcptr end) {
     mpq_t x;
     mpq_init(x);
-    if (q->n == 2) {
-        mpq_set_num(x, q->c[0]);
-        mpq_set_den(x, q->c[1]);
+    if (!at_root) {
+        put(c, " %Qd", end);
+    } else if (q->n == 2) {
+        mpz_neg(mpq_numref(x), q->c[0]);
+        mpz_set(mpq_denref(x), q->c[1]);
         mpq_canonicalize(x);
-        mpq_neg(x, x);
-        put_number(c, x);
+        put(c, " %Qd", x);
     } else {
-        put(c, " root", 5);
-        put_number(c, r->from);
-        put_number(c, r->at);
-        for (size_t k = 0; k < q->n; k++) {
-            mpq_set_z(x, q->c[k]);
-            put_number(c, x);
-        }
+        put(c, " root %Qd %Qd", r->from, r->at);
+        for (size_t k = 0; k < q->n; k++)
+            put(c, " %Zd", q->c[k]);
     }
     mpq_clear(x);
 }
@@ -59,18 +56,18 @@ static cell cell_of(const solid *s, size_t simplex, unsigned zero) {
             v[n++] = f->v[i];
     }
     if (n == 3 || (n == 2 && (zero & f->diagonals)))
-        return (cell){FACE, f->facet, 0};
+        return (cell){{FACE, f->facet, 0}};
     if (n == 2)
-        return v[0] < v[1] ? (cell){EDGE, v[0], v[1]} : (cell){EDGE, v[1], v[0]};
-    return (cell){VERTEX, v[0], 0};
+        return (cell){{EDGE, v[v[0] > v[1]], v[v[0] < v[1]]}};
+    return (cell){{VERTEX, v[0], 0}};
 }
 
 static int compare_cells(const void *x, const void *y) {
     const cell *p = x, *q = y;
-    int order = (p->kind > q->kind) - (p->kind < q->kind);
-    if (order == 0)
-        order = (p->a > q->a) - (p->a < q->a);
-    return order != 0 ? order : (p->b > q->b) - (p->b < q->b);
+    int order = 0;
+    for (int k = 0; k < 3 && order == 0; k++)
+        order = (p->part[k] > q->part[k]) - (p->part[k] < q->part[k]);
+    return order;
 }
 
 /* The cells met, some twice; in the plane with all vertices of a ring that follow one another at a
@@ -81,60 +78,47 @@ static cell *cells_met(size_t *count, const trace *r) {
     *count = 0;
     for (size_t k = 0; k < r->met.count; k++) {
         cell next = cell_of(r->s, r->met.item[k] / 8, r->met.item[k] % 8);
-        for (int more = 1; more;) {
+        size_t before, twins = r->s->d == 2 && next.part[0] == VERTEX;
+        do {
             all = room_for(all, *count, &room, sizeof *all);
             all[(*count)++] = next;
-            more = next.kind == VERTEX && r->s->d == 2 && r->s->twin[next.a] != next.a;
-            next.a = more ? r->s->twin[next.a] : next.a;
-        }
+            before = next.part[1];
+            next.part[1] = twins ? r->s->twin[before] : before;
+        } while (next.part[1] != before);
     }
     return all;
 }
 
 static void put_cells(contact *c, trace *r) {
-    static const char *const name[] = {" face ", " edge ", " vertex "};
+    static const char *const format[] = {" face %zu", " edge %zu-%zu", " vertex %zu"};
     size_t count;
     cell *all = cells_met(&count, r);
-    char text[80]; /* a number has at most 20 digits */
     qsort(all, count, sizeof *all, compare_cells);
-    for (size_t k = 0, next; k < count; k = next) {
-        for (next = k + 1; next < count && compare_cells(&all[next], &all[k]) == 0; next++)
-            ;
-        snprintf(text, sizeof text, all[k].kind == EDGE ? "%s%zu-%zu" : "%s%zu", name[all[k].kind],
-                 all[k].a, all[k].b);
-        put(c, text, strlen(text));
-    }
+    for (size_t k = 0; k < count; k++)
+        if (k == 0 || compare_cells(&all[k], &all[k - 1]) != 0)
+            put(c, format[all[k].part[0]], all[k].part[1], all[k].part[2]);
     free(all);
     trace_forget_cells(r);
 }
 
-/* The root of the last interval, or where its state begins to be B, or ends: one of its ends. */
-static void put_time(contact *c, const trace *r, const poly *q, int at_root, mpq_srcptr end) {
-    if (at_root)
-        put_root(c, r, q);
-    else
-        put_number(c, end);
-}
-
 int contact_follow(contact *c, trace *r, word kind, const poly *q) {
-    static const char name[] = "contact", to[] = " to";
-    size_t begin = strlen(name), mid;
+    static const char name[] = "contact";
     char first = kind.at[0], last = kind.at[kind.length - 1];
     int at_root = kind.length == 3;
     if (kind.length == 1 && last != 'B')
         return 0;
     if (c->length == 0) {
-        put(c, name, begin);
+        put(c, name);
         put_time(c, r, q, at_root && first != 'B', first == 'B' ? r->from : r->at);
     }
     if (last == 'B' && mpq_cmp(r->at, r->m->piece[r->m->count - 1].hi) != 0)
         return 0;
-    mid = c->length;
-    put(c, to, strlen(to));
+    size_t begin = strlen(name), length = c->length - begin;
+    put(c, " to");
+    size_t end = c->length;
     put_time(c, r, q, at_root && last != 'B', last == 'B' ? r->at : r->from);
-    size_t length = c->length - mid - strlen(to);
-    if (length == mid - begin && memcmp(c->text + begin, c->text + c->length - length, length) == 0)
-        c->length = mid;
+    if (c->length - end == length && memcmp(c->text + begin, c->text + end, length) == 0)
+        c->length = begin + length; /* both are one text */
     put_cells(c, r);
     return 1;
 }

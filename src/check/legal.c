@@ -1,8 +1,6 @@
 /* Is the boundary that of a legal solid? proofs/certificate.md, claims K1 to K4.
  * SPDX-License-Identifier: MIT
  */
-#include <stdlib.h>
-#include <string.h>
 #include "solid.h"
 
 enum { MOST_WEIGHTS = 40 };
@@ -14,9 +12,9 @@ typedef struct shape {
 
 /* Two simplices, and scratch. */
 typedef struct work {
-    const solid *s;
+    int d;
     shape a, b;
-    mpz_t *n, *low, *high, *value; /* low and high: 2 each */
+    mpz_t *n, *value; /* 3; 6 */
 } work;
 
 static void load(shape *a, const solid *s, const simplex *f) {
@@ -28,25 +26,20 @@ static void load(shape *a, const solid *s, const simplex *f) {
         mpz_sub(a->edge[k / d][k % d], a->vertex[(k / d + 1) % d][k % d], a->vertex[k / d][k % d]);
 }
 
-/* The least and the greatest value of n on `count` points. */
-static void range(work *w, int which, mpz_t *n, mpz_t *const *p, int count) {
-    for (int k = 0; k < count; k++) {
-        form_value(w->value[0], n, p[k], w->s->d);
-        if (k == 0 || mpz_cmp(w->value[0], w->low[which]) < 0)
-            mpz_set(w->low[which], w->value[0]);
-        if (k == 0 || mpz_cmp(w->value[0], w->high[which]) > 0)
-            mpz_set(w->high[which], w->value[0]);
-    }
-}
-
-/* Does n separate the relative interiors of the hulls of b and of `count` points p? Not if n is
- * constant, the same, on both. */
+/* Does n separate the relative interiors of the hulls of b and of `count` points p? So if its
+ * values at p are at most those on b, or at least, but not both: then all are one. */
 static int separates(work *w, mpz_t *n, mpz_t *const *p, int count) {
-    range(w, 0, n, p, count);
-    range(w, 1, n, w->b.vertex, w->s->d);
-    if (mpz_cmp(w->low[0], w->high[1]) == 0 && mpz_cmp(w->low[1], w->high[0]) == 0)
-        return 0;
-    return mpz_cmp(w->high[0], w->low[1]) <= 0 || mpz_cmp(w->high[1], w->low[0]) <= 0;
+    int below = 1, above = 1, d = w->d;
+    for (int k = 0; k < d; k++)
+        form_value(w->value[k], n, w->b.vertex[k], d);
+    for (int k = 0; k < count; k++)
+        form_value(w->value[d + k], n, p[k], d);
+    for (int k = 0; k < count * d && (below || above); k++) {
+        int order = mpz_cmp(w->value[d + k / d], w->value[k % d]);
+        below = below && order <= 0;
+        above = above && order >= 0;
+    }
+    return below != above;
 }
 
 static int crossed_separates(work *w, mpz_t *u, mpz_t *v, mpz_t *const *p, int count) {
@@ -54,119 +47,81 @@ static int crossed_separates(work *w, mpz_t *u, mpz_t *v, mpz_t *const *p, int c
     return separates(w, w->n, p, count);
 }
 
-/* The relative interiors of the two loaded simplices are disjoint. */
-static int disjoint(work *w) {
-    int d = w->s->d, found = separates(w, w->a.normal, w->a.vertex, d) ||
-                             separates(w, w->b.normal, w->a.vertex, d);
-    if (d == 2)
-        return found || separates(w, w->a.edge[0], w->a.vertex, d);
-    for (int k = 0; k < 9; k++)
-        found = found || crossed_separates(w, w->a.edge[k / 3], w->b.edge[k % 3], w->a.vertex, d);
+/* Points in the plane of b: does a normal within that plane separate, orthogonal to an edge of
+ * either? */
+static int separated_within(work *w, mpz_t *const *p, int count) {
+    if (w->d == 2)
+        return separates(w, w->b.edge[0], p, count);
+    int found = 0;
     for (int k = 0; k < 3; k++)
-        found = found || crossed_separates(w, w->a.normal, w->a.edge[k], w->a.vertex, d) ||
-                crossed_separates(w, w->a.normal, w->b.edge[k], w->a.vertex, d);
+        found = found || crossed_separates(w, w->b.normal, w->b.edge[k], p, count) ||
+                crossed_separates(w, w->b.normal, w->a.edge[k], p, count);
     return found;
 }
 
-/* The edge k of a (in the plane its vertex k), which lies in the plane of b: has it a point in the
- * relative interior of b? */
-static int rests(work *w, int k) {
-    mpz_t *p[2] = {w->a.vertex[k], w->a.vertex[(k + 1) % 3]};
-    if (w->s->d == 2)
-        return !separates(w, w->b.edge[0], p, 1);
-    int separated = crossed_separates(w, w->b.normal, w->a.edge[k], p, 2);
-    for (int i = 0; i < 3; i++)
-        separated = separated || crossed_separates(w, w->b.normal, w->b.edge[i], p, 2);
-    return !separated;
+/* The relative interiors of the two loaded simplices are disjoint: claim K1. */
+static int disjoint(work *w) {
+    int d = w->d;
+    mpz_t **p = w->a.vertex;
+    int found = separates(w, w->a.normal, p, d) || separates(w, w->b.normal, p, d);
+    for (int k = 0; k < 9 && d == 3; k++)
+        found = found || crossed_separates(w, w->a.edge[k / 3], w->b.edge[k % 3], p, d);
+    return found || separated_within(w, p, d);
 }
 
-/* On which side of b do simplices lie whose edges (vertices) rest in its relative interior? Bit 1:
- * outside, bit 2: inside. */
+/* On which side of b does a lie, if one of its edges (vertices) rests in b's relative interior? Bit
+ * 1: outside, bit 2: inside. */
 static int resting_sides(work *w) {
-    int d = w->s->d, at[3], out = 0;
-    range(w, 1, w->b.normal, w->b.vertex, 1);
+    int d = w->d, at[3], out = 0;
+    for (int k = 0; k < d; k++)
+        at[k] = form_value(w->value[0], w->b.normal, w->a.vertex[k], d + 1);
     for (int k = 0; k < d; k++) {
-        range(w, 0, w->b.normal, w->a.vertex + k, 1);
-        at[k] = mpz_cmp(w->low[0], w->low[1]);
-    }
-    for (int k = 0; k < d; k++) {
-        int other = at[(k + d - 1) % d], lies = at[k] == 0 && (d == 2 || at[(k + 1) % 3] == 0);
-        if (lies && other != 0 && rests(w, k))
+        mpz_t *end[2] = {w->a.vertex[k], w->a.vertex[(k + 1) % d]};
+        int other = at[(k + d - 1) % d], lies = at[k] == 0 && (d == 2 || at[(k + 1) % d] == 0);
+        if (lies && other != 0 && !separated_within(w, end, d - 1))
             out |= other > 0 ? 1 : 2;
     }
     return out;
 }
 
-/* Claims K1 and K3. */
-static void check_pairs(const solid *s) {
-    list found = {0, 0, NULL};
-    work w = {
-        .s = s, .n = integers(3), .low = integers(2), .high = integers(2), .value = integers(1)};
-    for (int k = 0; k < 3; k++) {
-        w.a.edge[k] = integers(3);
-        w.b.edge[k] = integers(3);
-    }
-    for (size_t i = 0; i < s->count; i++) {
-        int sides = 0;
-        load(&w.b, s, &s->simplex[i]);
-        solid_near(&found, s, &s->simplex[i].box);
-        for (size_t k = 0; k < found.count; k++) {
-            if (found.item[k] == i)
-                continue;
-            const simplex *other = &s->simplex[found.item[k]];
-            load(&w.a, s, other);
-            if (found.item[k] > i && !disjoint(&w))
-                refute("solid: facets %zu and %zu have inner points in common", s->simplex[i].facet,
-                       other->facet);
-            sides |= resting_sides(&w);
-        }
-        if (sides == 3)
-            give_up("solid: edges (vertices) rest inside facet %zu on both of its sides",
-                    s->simplex[i].facet);
-    }
-}
-
-/* A side of a simplex: an edge between positions a <= b (in the plane a vertex, a = b), run through
- * one way or the other. */
-typedef struct side {
-    mpz_t *a, *b;
-    size_t facet;
-    int d, way;
-} side;
-
-/* The order of two positions. */
-static int compare(mpz_t *p, mpz_t *q, int d) {
-    int order = 0;
+/* For each side of b: how often a runs along it, less how often the other way. In the plane sides
+ * are the vertices, the first one way and the second the other. */
+static void add_sides(long *sum, const work *w) {
+    int d = w->d, same[3][3]; /* vertex i of b and vertex k of a have one position */
     for (int i = 0; i < d; i++)
-        order = order != 0 ? order : mpz_cmp(p[i], q[i]);
-    return order;
+        for (int k = 0; k < d; k++) {
+            same[i][k] = 1;
+            for (int c = 0; c < d && same[i][k]; c++)
+                same[i][k] = mpz_cmp(w->b.vertex[i][c], w->a.vertex[k][c]) == 0;
+        }
+    for (int i = 0; i < d; i++)
+        for (int k = 0; k < d; k++) {
+            int next = (i + 1) % 3, beyond = (k + 1) % 3;
+            if (d == 2)
+                sum[i] += i == k ? same[i][k] : -same[i][k];
+            else
+                sum[i] += (same[i][k] && same[next][beyond]) - (same[i][beyond] && same[next][k]);
+        }
 }
 
-static int compare_sides(const void *x, const void *y) {
-    const side *p = x, *q = y;
-    int order = compare(p->a, q->a, p->d);
-    return order != 0 ? order : compare(p->b, q->b, p->d);
-}
-
-/* Claim K2. */
-static void check_closed(const solid *s) {
-    size_t d = (size_t)s->d, n = d * s->count;
-    side *all = grow(NULL, n, sizeof *all);
-    for (size_t i = 0; i < n; i++) {
-        const simplex *f = &s->simplex[i / d];
-        mpz_t *a = solid_vertex(s, f->v[i % d]);
-        mpz_t *b = d == 3 ? solid_vertex(s, f->v[(i + 1) % d]) : a;
-        int ahead = d == 3 ? compare(a, b, 3) < 0 : i % d == 0;
-        all[i] = (side){ahead ? a : b, ahead ? b : a, f->facet, s->d, ahead ? 1 : -1};
+/* Claims K1 to K3 for one simplex, beside those near it. */
+static void check_near(work *w, const solid *s, size_t number, const list *near) {
+    const simplex *f = &s->simplex[number];
+    long sum[3] = {0, 0, 0};
+    int sides = 0;
+    load(&w->b, s, f);
+    for (size_t k = 0; k < near->count; k++) {
+        load(&w->a, s, &s->simplex[near->item[k]]);
+        add_sides(sum, w);
+        if (near->item[k] > number && !disjoint(w))
+            refute("solid: facets %zu and %zu have inner points in common", f->facet,
+                   s->simplex[near->item[k]].facet);
+        sides |= resting_sides(w);
     }
-    qsort(all, n, sizeof *all, compare_sides);
-    long sum = 0;
-    for (size_t k = 0; k < n; k++) {
-        sum += all[k].way;
-        if ((k + 1 == n || compare_sides(&all[k], &all[k + 1]) != 0) && sum != 0)
-            refute("solid: it is not closed at a side of facet %zu", all[k].facet);
-    }
-    free(all);
+    if (sum[0] != 0 || sum[1] != 0 || sum[2] != 0)
+        refute("solid: it is not closed at a side of facet %zu", f->facet);
+    if (sides == 3)
+        give_up("solid: edges (vertices) rest inside facet %zu on both of its sides", f->facet);
 }
 
 /* Claim K4 for one simplex, from its points with the weights 1 : k : k^2. */
@@ -191,8 +146,16 @@ static void check_sides(const solid *s, const simplex *f) {
 }
 
 void solid_check(const solid *s) {
-    check_closed(s);
-    check_pairs(s);
+    work w = {.d = s->d, .n = integers(3), .value = integers(6)};
+    list near = {0, 0, NULL};
+    for (int k = 0; k < 3; k++) {
+        w.a.edge[k] = integers(3);
+        w.b.edge[k] = integers(3);
+    }
+    for (size_t k = 0; k < s->count; k++) {
+        solid_near(&near, s, &s->simplex[k].box);
+        check_near(&w, s, k, &near);
+    }
     for (size_t k = 0; k < s->count; k++)
         check_sides(s, &s->simplex[k]);
 }

@@ -1,4 +1,4 @@
-/* The maps of a motion over one denominator, their inverses, continuity, signs.
+/* The maps of a motion, their inverses, continuity, signs.
  * SPDX-License-Identifier: MIT
  */
 #include "motion.h"
@@ -9,11 +9,6 @@ void motion_check_size(const poly *p) {
     for (size_t k = 0; k < p->n; k++)
         if (mpz_sizeinbase(p->c[k], 2) > MOST_BITS)
             give_up("the motion has a coefficient of more than %d bits", MOST_BITS);
-}
-
-void fraction_clear(fraction *f) {
-    poly_clear(&f->num);
-    poly_clear(&f->den);
 }
 
 /* Divide a map by a factor common to its entries and its weight, and by the weight's sign at x. */
@@ -34,53 +29,21 @@ static void shorten(poly *map, const mpq_t x) {
     integers_free(sign, 1);
 }
 
-/* Entries over the least common multiple of their denominators. */
-static void make_forward(piece *p, fraction *entry) {
-    poly g = {0}, factor = {0}, *weight = &p->forward[WEIGHT];
-    poly_set_si(weight, 1);
-    for (int k = 0; k < WEIGHT; k++) {
-        poly_common(&g, weight, &entry[k].den);
-        poly_set(&factor, &entry[k].den);
-        must(poly_divide(&factor, &g), "motion: a divisor does not divide");
-        poly_multiply(weight, &factor);
-        motion_check_size(weight);
-    }
-    for (int k = 0; k < WEIGHT; k++) {
-        poly_set(&factor, weight);
-        must(poly_divide(&factor, &entry[k].den), "motion: a divisor does not divide");
-        poly_add_product(&p->forward[k], &entry[k].num, &factor, 1);
-        fraction_clear(&entry[k]);
-    }
-    shorten(p->forward, p->lo);
-    poly_clear(&g);
-    poly_clear(&factor);
-}
-
-/* out += the cofactor (r, c); in E^3 cyclic indices bring its sign. */
-static void add_cofactor(poly *out, const poly *m, int d, int r, int c) {
-    if (d == 2) {
-        mpz_t sign;
-        mpz_init_set_si(sign, r == c ? 1 : -1);
-        poly_add_scaled(out, &m[4 * (1 - r) + 1 - c], sign);
-        mpz_clear(sign);
-        return;
-    }
-    int i = 4 * ((r + 1) % 3), k = 4 * ((r + 2) % 3), a = (c + 1) % 3, b = (c + 2) % 3;
-    poly_add_product(out, &m[i + a], &m[k + b], 1);
-    poly_add_product(out, &m[i + b], &m[k + a], -1);
-}
-
-/* M = (A | b) / h has the inverse (adj(A) h | - adj(A) b) / det A. */
-static void make_inverse(piece *p, int d) {
-    for (int i = 0; i < d; i++)
-        for (int k = 0; k < d; k++) {
-            poly adjugate = {0};
-            add_cofactor(&adjugate, p->forward, d, k, i);
-            poly_add_product(&p->inverse[4 * i + k], &adjugate, &p->forward[WEIGHT], 1);
-            poly_add_product(&p->inverse[4 * i + d], &adjugate, &p->forward[4 * k + d], -1);
-            if (k == 0)
-                poly_add_product(&p->det, &adjugate, &p->forward[i], 1);
-            poly_clear(&adjugate);
+/* M = (A | b) / h has the inverse (adj(A) h | - adj(A) b) / det A. Cyclic indices bring the signs
+ * of cofactors. In the plane z stands still. */
+static void make_inverse(piece *p) {
+    const poly *m = p->forward;
+    for (int r = 0; r < 3; r++)
+        for (int c = 0; c < 3; c++) {
+            int i = 4 * ((r + 1) % 3), k = 4 * ((r + 2) % 3), a = (c + 1) % 3, b = (c + 2) % 3;
+            poly cofactor = {0};
+            poly_add_product(&cofactor, &m[i + a], &m[k + b], 1);
+            poly_add_product(&cofactor, &m[i + b], &m[k + a], -1);
+            poly_add_product(&p->inverse[4 * c + r], &cofactor, &m[WEIGHT], 1);
+            poly_add_product(&p->inverse[4 * c + 3], &cofactor, &m[4 * r + 3], -1);
+            if (c == 0)
+                poly_add_product(&p->det, &cofactor, &m[4 * r], 1);
+            poly_clear(&cofactor);
         }
     if (p->det.n == 0)
         refute("motion: the determinant is zero");
@@ -104,30 +67,19 @@ static int agree(const piece *p, const piece *q, const mpq_t x) {
     return same;
 }
 
-void motion_add(motion *m, const mpq_t lo, const mpq_t hi, fraction entry[WEIGHT]) {
-    size_t k = m->count;
-    if (mpq_cmp(lo, hi) >= 0)
-        refute("motion: piece %zu does not have lo < hi", k);
-    if (k > 0 && !mpq_equal(m->piece[k - 1].hi, lo))
-        refute("motion: piece %zu does not begin where the one before it ends", k);
+void motion_add(motion *m, const piece *next) {
+    size_t k = m->count++;
     m->piece = room_for(m->piece, k, &m->room, sizeof *m->piece);
-    piece *p = &m->piece[m->count++];
-    *p = (piece){.det = {0}};
-    mpq_inits(p->lo, p->hi, NULL);
-    mpq_set(p->lo, lo);
-    mpq_set(p->hi, hi);
-    make_forward(p, entry);
-    make_inverse(p, m->d);
-    if (k > 0 && !agree(p - 1, p, lo))
+    piece *p = &m->piece[k];
+    *p = *next;
+    if (mpq_cmp(p->lo, p->hi) >= 0)
+        refute("motion: piece %zu does not have lo < hi", k);
+    if (k > 0 && !mpq_equal(p[-1].hi, p->lo))
+        refute("motion: piece %zu does not begin where the one before it ends", k);
+    shorten(p->forward, p->lo);
+    make_inverse(p);
+    if (k > 0 && !agree(p - 1, p, p->lo))
         refute("motion: it jumps at the beginning of piece %zu", k);
-}
-
-static int has_one_sign(const poly *p, const mpq_t lo, const mpq_t hi) {
-    mpz_t *b = integers(p->n);
-    bernstein(b, p, p->n - 1, lo, hi);
-    int sign = strict_sign(b, p->n);
-    integers_free(b, p->n);
-    return sign != 0;
 }
 
 void motion_check_signs(const motion *m, mpq_t *times, size_t count) {
@@ -144,9 +96,9 @@ void motion_check_signs(const motion *m, mpq_t *times, size_t count) {
         piece += mpq_cmp(lo, m->piece[piece].hi) >= 0;
         if (mpq_cmp(hi, m->piece[piece].hi) > 0)
             refute("motion: the times of signs do not follow the pieces");
-        if (!has_one_sign(&m->piece[piece].forward[WEIGHT], lo, hi))
+        if (!strict_sign(poly_signs(&m->piece[piece].forward[WEIGHT], lo, hi)))
             refute("motion: signs, interval %zu: the denominator has no strict sign", k);
-        if (!has_one_sign(&m->piece[piece].det, lo, hi))
+        if (!strict_sign(poly_signs(&m->piece[piece].det, lo, hi)))
             refute("motion: signs, interval %zu: the determinant has no strict sign", k);
     }
 }

@@ -6,15 +6,15 @@
 
 #include "poly.h"
 
-/** Entry (i, k) of a map's d rows of d + 1 is at[4 i + k]; all entries are divided by the weight.
- */
+/** Entry (i, k) of a map's 3 rows of 4 is at[4 i + k], that of its translation is at[4 i + 3]; all
+ * are divided by the weight. In the plane z stands still. */
 enum { WEIGHT = 12, MAP = 13 };
 
 typedef struct piece {
     mpq_t lo, hi;
     poly forward[MAP]; /* without a factor common to all; the weight is positive at lo or 0 */
     poly inverse[MAP]; /* the same of its inverse */
-    poly det;          /* of the d by d part of `forward` */
+    poly det;          /* of the 3 by 3 part of `forward` */
 } piece;
 
 typedef struct motion {
@@ -23,20 +23,13 @@ typedef struct motion {
     piece *piece;
 } motion;
 
-/** num / den, den not zero. */
-typedef struct fraction {
-    poly num, den;
-} fraction;
-
-void fraction_clear(fraction *f);
-
 /** Read a motion file of plain pieces. t0 < t1, order and continuity are tested; poles and det by
  * motion_check_signs. */
 motion motion_read(const char *path, const char *text, size_t length);
 
-/** The next piece on [lo, hi], with the map of these entries, which are cleared. Refutes one that
- * does not go on from the piece before it. */
-void motion_add(motion *m, const mpq_t lo, const mpq_t hi, fraction entry[WEIGHT]);
+/** Take in the next piece, of which lo, hi and `forward` are given, common factors and all. Refutes
+ * one that does not go on from the piece before it. */
+void motion_add(motion *m, const piece *next);
 /** The denominator and the determinant have one strict sign between neighbouring times, which go
  * from t0 to t1 and take in all break points; or refutes. */
 void motion_check_signs(const motion *m, mpq_t *times, size_t count);

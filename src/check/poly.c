@@ -139,31 +139,27 @@ void poly_common(poly *out, const poly *a, const poly *b) {
  * the sum of C(n, k) b_k D^n y^k. By Horner: r_n = p_n, r_i = r_(i+1) (A + B y) + p_i (D
  * (1+y))^(n-i). */
 void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b) {
-    mpz_t old, *power = integers(n + 1), *end = integers(3); /* A, B, D */
-    mpz_init(old);
+    mpz_t *binomial = integers(n + 1), *end = integers(5); /* A, B, D, D^step, p_i D^step */
     integers_of(end, (mpq_srcptr[]){a, b}, 2);
-    for (size_t k = 0; k <= n; k++)
-        mpz_set_ui(out[k], 0);
-    mpz_set_ui(power[0], 1);
+    mpz_set_ui(end[3], 1);
+    mpz_set_ui(binomial[0], 1);
     for (size_t step = 0; step <= n; step++) {
-        size_t i = n - step; /* power is (D (1+y))^step, out has degree < step */
-        for (size_t k = step + 1; k-- > 0 && step > 0;) {
-            mpz_mul(old, out[k], end[0]);
-            if (k > 0)
-                mpz_addmul(old, out[k - 1], end[1]);
-            mpz_swap(out[k], old);
+        size_t i = n - step;
+        mpz_set_ui(out[step], 0);
+        for (size_t k = step; k > 0; k--) {
+            mpz_mul(out[k], out[k], end[0]);
+            mpz_addmul(out[k], out[k - 1], end[1]);
+            mpz_add(binomial[k], binomial[k], binomial[k - 1]);
         }
+        mpz_mul(out[0], out[0], end[0]);
+        if (i < p->n)
+            mpz_mul(end[4], end[3], p->c[i]);
         for (size_t k = 0; i < p->n && k <= step; k++)
-            mpz_addmul(out[k], power[k], p->c[i]);
-        for (size_t k = step + 2; k-- > 0 && step < n;) {
-            if (k > 0)
-                mpz_add(power[k], power[k], power[k - 1]);
-            mpz_mul(power[k], power[k], end[2]);
-        }
+            mpz_addmul(out[k], binomial[k], end[4]);
+        mpz_mul(end[3], end[3], end[2]);
     }
-    integers_free(power, n + 1);
-    integers_free(end, 3);
-    mpz_clear(old);
+    integers_free(binomial, n + 1);
+    integers_free(end, 5);
 }
 
 void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x) {
@@ -178,10 +174,27 @@ void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x) {
     integers_free(b, n + 1);
 }
 
-int strict_sign(mpz_t *c, size_t count) {
-    int sign = mpz_sgn(c[0]);
-    for (size_t k = 1; k < count; k++)
-        if (mpz_sgn(c[k]) != sign)
-            return 0;
-    return sign;
+signs signs_of(mpz_t *c, size_t count) {
+    signs out = {mpz_sgn(c[0]), mpz_sgn(c[count - 1]), 1, -1, 0};
+    int before = 0;
+    for (size_t k = 0; k < count; k++) {
+        int sign = mpz_sgn(c[k]);
+        out.least = sign < out.least ? sign : out.least;
+        out.most = sign > out.most ? sign : out.most;
+        out.changes += sign * before < 0;
+        before = sign != 0 ? sign : before;
+    }
+    return out;
+}
+
+signs poly_signs(const poly *p, const mpq_t a, const mpq_t b) {
+    mpz_t *c = integers(p->n);
+    bernstein(c, p, p->n - 1, a, b);
+    signs out = signs_of(c, p->n);
+    integers_free(c, p->n);
+    return out;
+}
+
+int strict_sign(signs s) {
+    return s.least == s.most ? s.least : 0;
 }

@@ -40,7 +40,18 @@ void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x);
  * integer that depends on n, a and b alone. `out` are n + 1.
  */
 void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b);
-/** 1 or -1 if all, one or more, have this strict sign, else 0. */
-int strict_sign(mpz_t *c, size_t count);
+
+/** Of the signs of coefficients, one or more: the first, the last, the least, the greatest, and how
+ * often one that is not 0 is followed by the other. */
+typedef struct signs {
+    int first, last, least, most;
+    size_t changes;
+} signs;
+
+signs signs_of(mpz_t *c, size_t count);
+/** Of the Bernstein coefficients on [a, b] of p, which is not zero, to its own degree. */
+signs poly_signs(const poly *p, const mpq_t a, const mpq_t b);
+/** 1 or -1 if all have this sign, else 0. */
+int strict_sign(signs s);
 
 #endif

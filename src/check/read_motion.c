@@ -8,6 +8,16 @@
  */
 #include "motion.h"
 
+/* num / den, den not zero. */
+typedef struct fraction {
+    poly num, den;
+} fraction;
+
+static void fraction_clear(fraction *f) {
+    poly_clear(&f->num);
+    poly_clear(&f->den);
+}
+
 /* What stands between quotes, or bare. */
 static word value(source *f) {
     word w = token(f);
@@ -105,6 +115,27 @@ static void read_entry(fraction *out, source *f) {
     fraction_clear(&bottom);
 }
 
+/* The entries over the least common multiple of their denominators; they are cleared. */
+static void make_forward(piece *p, fraction *entry) {
+    poly g = {0}, factor = {0}, *weight = &p->forward[WEIGHT];
+    poly_set_si(weight, 1);
+    for (int k = 0; k < WEIGHT; k++) {
+        poly_common(&g, weight, &entry[k].den);
+        poly_set(&factor, &entry[k].den);
+        must(poly_divide(&factor, &g), "motion: a divisor does not divide");
+        poly_multiply(weight, &factor);
+        motion_check_size(weight);
+    }
+    for (int k = 0; k < WEIGHT; k++) {
+        poly_set(&factor, weight);
+        must(poly_divide(&factor, &entry[k].den), "motion: a divisor does not divide");
+        poly_add_product(&p->forward[k], &entry[k].num, &factor, 1);
+        fraction_clear(&entry[k]);
+    }
+    poly_clear(&g);
+    poly_clear(&factor);
+}
+
 /* d rows of d + 1, or their last column alone; what is not given is that of the identity. */
 static void read_transform(fraction *entry, source *f, int d) {
     for (int k = 0; k < WEIGHT; k++) {
@@ -121,7 +152,7 @@ static void read_transform(fraction *entry, source *f, int d) {
         token_want(f, i > 0 ? "," : "");
         token_want(f, matrix ? "[" : "");
         for (int k = matrix ? 0 : d; k <= d; k++) {
-            read_entry(&entry[4 * i + k], f);
+            read_entry(&entry[4 * i + (k < d ? k : 3)], f);
             token_want(f, k < d ? "," : "");
         }
         token_want(f, matrix ? "]" : "");
@@ -131,17 +162,17 @@ static void read_transform(fraction *entry, source *f, int d) {
 
 static void read_piece(motion *m, source *f) {
     fraction entry[WEIGHT] = {{{0}, {0}}};
-    mpq_t lo, hi;
-    mpq_inits(lo, hi, NULL);
+    piece next = {.det = {0}};
+    mpq_inits(next.lo, next.hi, NULL);
     token_want(f, "{ \"t\" : [");
-    read_number(lo, f);
+    read_number(next.lo, f);
     token_want(f, ",");
-    read_number(hi, f);
+    read_number(next.hi, f);
     token_want(f, "] , \"transform\" :");
     read_transform(entry, f, m->d);
     token_want(f, "}");
-    motion_add(m, lo, hi, entry);
-    mpq_clears(lo, hi, NULL);
+    make_forward(&next, entry);
+    motion_add(m, &next);
 }
 
 motion motion_read(const char *path, const char *text, size_t length) {

@@ -157,6 +157,19 @@ static void read_wkt(solid *s, draft *in) {
         source_fail(&in->f, "text follows the last ')'");
 }
 
+/* One more piece of the fan of a facet: in the plane of the one before, and turned the same way. */
+static void check_fan(const solid *s, const simplex *before, const simplex *f) {
+    mpz_t value;
+    mpz_init(value);
+    if (form_value(value, before->plane, solid_vertex(s, f->v[2]), 4) != 0)
+        refute("solid: facet %zu is not planar", f->facet);
+    if (mpz_sgn(before->plane[before->axis]) != mpz_sgn(f->plane[before->axis]))
+        give_up("solid: facet %zu is not the fan of its first corner; expected what graze convert "
+                "writes",
+                f->facet);
+    mpz_clear(value);
+}
+
 solid solid_read(const char *path, const char *text, size_t length) {
     solid s = {.d = 0};
     draft in = {.f = source_open(path, text, length, "()," BLANKS)};
@@ -173,5 +186,8 @@ solid solid_read(const char *path, const char *text, size_t length) {
         give_up("%s: a solid in .off or .wkt is expected", path);
     take_positions(&s, &in);
     solid_finish(&s);
+    for (size_t k = 1; k < s.count; k++)
+        if (s.d == 3 && s.simplex[k].facet == s.simplex[k - 1].facet)
+            check_fan(&s, &s.simplex[k - 1], &s.simplex[k]);
     return s;
 }

@@ -18,18 +18,20 @@ static void ratio_bounds(double *low, double *high, const mpz_t x, const mpz_t w
     *high = fmax(scalbln(m + margin, ex - ew) + 0x1p-1000, -DBL_MAX);
 }
 
-static void box_add(box *a, const box *b, int first) {
+const box box_empty = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+
+static void box_add(box *a, const box *b) {
     for (int i = 0; i < 3; i++) {
-        a->low[i] = first || b->low[i] < a->low[i] ? b->low[i] : a->low[i];
-        a->high[i] = first || b->high[i] > a->high[i] ? b->high[i] : a->high[i];
+        a->low[i] = b->low[i] < a->low[i] ? b->low[i] : a->low[i];
+        a->high[i] = b->high[i] > a->high[i] ? b->high[i] : a->high[i];
     }
 }
 
-void box_take(box *b, mpz_t *x, int d, int first) {
+void box_take(box *b, mpz_t *x, int d) {
     box at = {{0, 0, 0}, {0, 0, 0}};
     for (int i = 0; i < d; i++)
         ratio_bounds(&at.low[i], &at.high[i], x[i], x[d]);
-    box_add(b, &at, first);
+    box_add(b, &at);
 }
 
 static int boxes_meet(const box *a, const box *b) {
@@ -52,28 +54,26 @@ void cross(mpz_t *out, mpz_t *a, mpz_t *b) {
 }
 
 int form_value(mpz_t out, mpz_t *form, mpz_t *x, int n) {
-    mpz_set_ui(out, 0);
-    for (int i = 0; i < n; i++)
+    mpz_mul(out, form[0], x[0]);
+    for (int i = 1; i < n; i++)
         mpz_addmul(out, form[i], x[i]);
     return mpz_sgn(out);
 }
 
-/* The normal (q - p) x (r - p), in the plane q - p turned to the right; then the constant. */
+/* The normal (q - p) x (r - p), in the plane (q - p) x e_3; then the constant. */
 static void make_plane(simplex *f, const solid *s) {
     int d = s->d;
-    mpz_t *p = solid_vertex(s, f->v[0]), *q = solid_vertex(s, f->v[1]);
-    mpz_t *r = solid_vertex(s, f->v[d - 1]), *a = integers(3), *b = integers(3);
+    mpz_t *p = solid_vertex(s, f->v[0]), *q = solid_vertex(s, f->v[1]),
+          *r = solid_vertex(s, f->v[2]);
+    mpz_t *a = integers(3), *b = integers(3);
     f->plane = integers(4);
+    mpz_set_ui(b[2], 1);
     for (int i = 0; i < d; i++) {
         mpz_sub(a[i], q[i], p[i]);
-        mpz_sub(b[i], r[i], p[i]);
+        if (d == 3)
+            mpz_sub(b[i], r[i], p[i]);
     }
-    if (d == 3)
-        cross(f->plane, a, b);
-    else {
-        mpz_swap(f->plane[0], a[1]);
-        mpz_neg(f->plane[1], a[0]);
-    }
+    cross(f->plane, a, b);
     form_value(a[0], f->plane, p, d);
     mpz_neg(f->plane[d], a[0]);
     integers_free(a, 3);
@@ -86,35 +86,18 @@ static void make_plane(simplex *f, const solid *s) {
                 f->facet);
 }
 
-/* One more piece of the fan of a facet: in the plane of the one before, and turned the same way. */
-static void check_fan(const solid *s, const simplex *before, const simplex *f) {
-    mpz_t value;
-    mpz_init(value);
-    if (form_value(value, before->plane, solid_vertex(s, f->v[2]), 4) != 0)
-        refute("solid: facet %zu is not planar", f->facet);
-    if (mpz_sgn(before->plane[before->axis]) != mpz_sgn(f->plane[before->axis]))
-        give_up("solid: facet %zu is not the fan of its first corner; expected what graze convert "
-                "writes",
-                f->facet);
-    mpz_clear(value);
-}
-
 void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k) {
-    int d = s->d;
-    mpz_t *p = solid_vertex(s, f->v[k]), *q = solid_vertex(s, f->v[(k + 1) % d]);
-    for (int i = 0; i <= d; i++)
-        mpz_set_ui(out[i], 0);
-    if (d == 2) {
-        int b = 1 - axis;
-        mpz_set_si(out[b], mpz_cmp(q[b], p[b]) > 0 ? 1 : -1);
-        mpz_submul(out[2], out[b], p[b]);
-        return;
-    }
-    int b = (axis + 1) % 3, c = (axis + 2) % 3, ahead = mpz_sgn(f->plane[axis]) > 0;
-    mpz_sub(out[b], ahead ? p[c] : q[c], ahead ? q[c] : p[c]);
-    mpz_sub(out[c], ahead ? q[b] : p[b], ahead ? p[b] : q[b]);
-    mpz_submul(out[3], out[b], p[b]);
-    mpz_submul(out[3], out[c], p[c]);
+    int d = s->d, next = (k + 1) % d, ahead = d == 2 || mpz_sgn(f->plane[axis]) > 0;
+    int b = (axis + 1) % d, c = (axis + d - 1) % d; /* in the plane one number */
+    mpz_t *p = solid_vertex(s, f->v[ahead ? k : next]),
+          *q = solid_vertex(s, f->v[ahead ? next : k]);
+    mpz_set_ui(out[axis], 0);
+    mpz_set_ui(out[d], 0);
+    mpz_sub(out[b], p[c], q[c]);
+    mpz_sub(out[c], q[b], p[b]);
+    mpz_submul(out[d], out[b], p[b]);
+    if (d == 3)
+        mpz_submul(out[d], out[c], p[c]);
 }
 
 typedef struct keyed {
@@ -129,10 +112,10 @@ static int compare_keys(const void *a, const void *b) {
 
 /* Fill a node and those below it with n simplices; halves along the longest side. */
 static void build(solid *s, size_t at, keyed *k, size_t n) {
-    box all = {{0, 0, 0}, {0, 0, 0}};
+    box all = box_empty;
     int axis = 0;
     for (size_t i = 0; i < n; i++)
-        box_add(&all, &s->simplex[k[i].simplex].box, i == 0);
+        box_add(&all, &s->simplex[k[i].simplex].box);
     s->node[at] = (node){all, k[0].simplex};
     if (n == 1)
         return;
@@ -155,10 +138,9 @@ void solid_finish(solid *s) {
     for (size_t i = 0; i < s->count; i++) {
         simplex *f = &s->simplex[i];
         make_plane(f, s);
-        if (s->d == 3 && i > 0 && f->facet == f[-1].facet)
-            check_fan(s, f - 1, f);
+        f->box = box_empty;
         for (int v = 0; v < s->d; v++)
-            box_take(&f->box, solid_vertex(s, f->v[v]), s->d, v == 0);
+            box_take(&f->box, solid_vertex(s, f->v[v]), s->d);
         k[i] = (keyed){0, i};
     }
     s->node = grow(NULL, 2 * s->count, sizeof *s->node);
@@ -174,12 +156,12 @@ void list_add(list *l, size_t item) {
 static void near_below(list *out, const solid *s, const box *b, size_t at, size_t n) {
     if (!boxes_meet(&s->node[at].box, b))
         return;
-    if (n > 1) {
-        near_below(out, s, b, at + 1, n / 2);
-        near_below(out, s, b, at + n / 2 * 2, n - n / 2);
+    if (n == 1) {
+        list_add(out, s->node[at].simplex);
         return;
     }
-    list_add(out, s->node[at].simplex);
+    near_below(out, s, b, at + 1, n / 2);
+    near_below(out, s, b, at + n / 2 * 2, n - n / 2);
 }
 
 void solid_near(list *out, const solid *s, const box *b) {
@@ -204,10 +186,10 @@ static int is_within(const solid *s, const simplex *f, mpz_t *x, int axis, int d
 
 int solid_ray(long *sum, const solid *s, mpz_t *x, int axis, const simplex *skip) {
     mpz_t *side = integers(5);
-    box b;
+    box b = box_empty;
     list found = {0, 0, NULL};
     int d = s->d, off = 1;
-    box_take(&b, x, d, 1);
+    box_take(&b, x, d);
     b.high[axis] = HUGE_VAL;
     solid_near(&found, s, &b);
     *sum = 0;

@@ -59,9 +59,9 @@ void solid_finish(solid *s);
 mpz_t *solid_vertex(const solid *s, size_t v);
 /** The simplices whose boxes have a point in common with b. */
 void solid_near(list *out, const solid *s, const box *b);
-/** Make a box hold the point with the d coordinates x[i] / x[d], x[d] > 0; `first` in an empty one.
- */
-void box_take(box *b, mpz_t *x, int d, int first);
+extern const box box_empty;
+/** Make a box hold the point with the d coordinates x[i] / x[d], x[d] > 0. */
+void box_take(box *b, mpz_t *x, int d);
 
 /** a x b, 3 each */
 void cross(mpz_t *out, mpz_t *a, mpz_t *b);

@@ -33,8 +33,8 @@ void trace_init(trace *r, const solid *s, const motion *m, int unsweep, int with
     *r = (trace){.s = s, .m = m, .unsweep = unsweep, .with_cells = with_cells};
     mpq_inits(r->from, r->at, r->point[0], r->point[1], r->point[2], NULL);
     r->beta = integers(4 * (MOST_DEGREE + 1));
-    r->root = integers(MOST_DEGREE + 1);
-    r->form = integers(5);
+    r->coefs = integers(MOST_DEGREE + 1);
+    r->form = integers(4);
     r->p = integers(4);
     r->is_met = grow(NULL, s->count, 1);
     memset(r->is_met, 0, s->count);
@@ -53,7 +53,7 @@ static void keep_cell(trace *r, const simplex *f, unsigned zero) {
     list_add(&r->met, 8 * simplex + zero);
 }
 
-/* X_i = scale (N_i0 P_0 + ... + N_id P_d), W = weight P_d. */
+/* X_i = scale (N_i0 P_0 + ... + N_i3 P_d), W = weight P_d. */
 static void make_trajectory(trace *r) {
     const piece *m = &r->m->piece[r->piece];
     const poly *map = r->unsweep ? m->forward : m->inverse;
@@ -61,9 +61,8 @@ static void make_trajectory(trace *r) {
     r->n = 0;
     for (int i = 0; i <= d; i++) {
         r->x[i].n = 0;
-        if (i == d)
-            poly_add_scaled(&r->x[i], &map[WEIGHT], r->p[d]);
-        for (int j = 0; j <= d && i < d; j++)
+        poly_add_scaled(&r->x[i], &map[i < d ? 4 * i + 3 : WEIGHT], r->p[d]);
+        for (int j = 0; j < d && i < d; j++)
             poly_add_scaled(&r->x[i], &map[4 * i + j], r->p[j]);
         if (i < d)
             poly_scale(&r->x[i], r->s->scale);
@@ -92,7 +91,7 @@ static mpz_t *control_point(const trace *r, size_t k) {
 /* The interval lies in one piece; its coefficients, and the simplices near it: test L1. */
 static void enclose(trace *r, const claim *c) {
     int d = r->m->d;
-    box b;
+    box b = box_empty;
     while (r->piece + 1 < r->m->count && mpq_cmp(c->a, r->m->piece[r->piece].hi) >= 0) {
         r->piece++;
         make_trajectory(r);
@@ -100,32 +99,22 @@ static void enclose(trace *r, const claim *c) {
     if (mpq_cmp(c->b, r->m->piece[r->piece].hi) > 0)
         fail(r, "the interval does not lie in one piece of the motion");
     for (int i = 0; i <= d; i++) {
-        bernstein(r->root, &r->x[i], r->n, c->a, c->b);
-        if (i == d && strict_sign(r->root, r->n + 1) != 1)
+        bernstein(r->coefs, &r->x[i], r->n, c->a, c->b);
+        if (i == d && strict_sign(signs_of(r->coefs, r->n + 1)) != 1)
             fail(r, "the weight's coefficients do not have one sign on the interval");
         for (size_t k = 0; k <= r->n; k++)
-            mpz_swap(control_point(r, k)[i], r->root[k]);
+            mpz_swap(control_point(r, k)[i], r->coefs[k]);
     }
     for (size_t k = 0; k <= r->n; k++)
-        box_take(&b, control_point(r, k), d, k == 0);
+        box_take(&b, control_point(r, k), d);
     solid_near(&r->near, r->s, &b);
 }
 
-/* The sign of coefficient k of a form's pullback. */
-static int form_sign(trace *r, mpz_t *form, size_t k) {
-    return form_value(r->form[4], form, control_point(r, k), r->m->d + 1);
-}
-
-static int form_is(trace *r, mpz_t *form, int sign) {
+/* The signs of the coefficients of a form's pullback. */
+static signs pullback_signs(trace *r, mpz_t *form) {
     for (size_t k = 0; k <= r->n; k++)
-        if (form_sign(r, form, k) != sign)
-            return 0;
-    return 1;
-}
-
-/* The one strict sign of all of them, or 0. */
-static int form_strict(trace *r, mpz_t *form) {
-    return form_is(r, form, 1) - form_is(r, form, -1);
+        form_value(r->coefs[k], form, control_point(r, k), r->m->d + 1);
+    return signs_of(r->coefs, r->n + 1);
 }
 
 static mpz_t *side_form(trace *r, const simplex *f, int k) {
@@ -133,79 +122,67 @@ static mpz_t *side_form(trace *r, const simplex *f, int k) {
     return r->form;
 }
 
-/* Tests L2 and L3. */
-static int cleared(trace *r, const simplex *f) {
-    int clear = form_strict(r, f->plane) != 0;
-    for (int k = 0; k < r->s->d; k++)
-        clear = clear || form_is(r, side_form(r, f, k), -1);
+/* Tests L2 and L3. If neither succeeds, `all` has the signs of the side forms and, last, of the
+ * plane's. */
+static int cleared(trace *r, const simplex *f, signs *all) {
+    int d = r->s->d, clear;
+    all[d] = pullback_signs(r, f->plane);
+    clear = strict_sign(all[d]) != 0;
+    for (int k = 0; k < d && !clear; k++) {
+        all[k] = pullback_signs(r, side_form(r, f, k));
+        clear = all[k].most < 0;
+    }
     return clear;
 }
 
-/* On an interval that has no root: the signs at its beginning, within, and at its end. */
-static void slide_signs(int *out, trace *r, mpz_t *form) {
-    int least = 1, most = -1;
-    for (size_t k = 0; k <= r->n; k++) {
-        int sign = form_sign(r, form, k);
-        least = sign < least ? sign : least;
-        most = sign > most ? sign : most;
-        out[LEFT] = k == 0 ? sign : out[LEFT];
-        out[RIGHT] = sign;
-    }
-    out[MID] = least >= 0 ? most : most <= 0 ? least : UNKNOWN;
-}
-
-/* f = q^e g, e as large as can be: the signs of g and of q give those of f. */
-static void form_signs(int *out, trace *r, const claim *c, mpz_t *form) {
-    if (!c->q) {
-        slide_signs(out, r, form);
+/* The signs of a form's pullback f, whose coefficients' are `all`. f = q^e g, e as large as can be:
+ * the signs of g and of q give them. Without a root: at the beginning, within, and at the end. */
+static void form_signs(int *out, const trace *r, const claim *c, mpz_t *form, signs all) {
+    out[LEFT] = all.first;
+    out[MID] = all.least >= 0 ? all.most : all.most <= 0 ? all.least : UNKNOWN;
+    out[RIGHT] = all.last;
+    if (!c->q || all.least == all.most)
         return;
-    }
-    int sign = form_strict(r, form);
     size_t power = 0;
     poly f = {0};
     for (int i = 0; i <= r->m->d; i++)
-        if (sign == 0)
-            poly_add_scaled(&f, &r->x[i], form[i]);
-    for (int p = 0; p < PLACES; p++)
-        out[p] = sign;
-    if (f.n > 0) {
-        while (poly_divide(&f, c->q))
-            power++;
-        bernstein(r->root, &f, f.n - 1, c->a, c->b);
-        sign = strict_sign(r->root, f.n);
-        for (int p = LEFT; p <= RIGHT; p += 2)
-            out[p] = sign == 0 ? UNKNOWN : power % 2 == 1 ? sign * c->q_sign[p] : sign;
-        out[MID] = power > 0 ? 0 : UNKNOWN;
-    }
+        poly_add_scaled(&f, &r->x[i], form[i]);
+    while (poly_divide(&f, c->q))
+        power++;
+    int sign = strict_sign(poly_signs(&f, c->a, c->b));
+    for (int p = LEFT; p <= RIGHT; p += 2)
+        out[p] = sign == 0 ? UNKNOWN : power % 2 == 1 ? sign * c->q_sign[p] : sign;
+    out[MID] = power > 0 ? 0 : UNKNOWN;
     poly_clear(&f);
 }
 
 /* A simplex that is not cleared: tests L4 and L5 on the sides that must be free of it; and where
  * does it hold the trajectory, in which of its cells? */
-static void meet(trace *r, claim *c, const simplex *f) {
-    int sign[PLACES], out[PLACES], in[PLACES];
+static void meet(trace *r, claim *c, const simplex *f, const signs *all) {
+    int sign[PLACES], off[PLACES], on[PLACES];
     unsigned zero[PLACES] = {0, 0, 0};
-    form_signs(sign, r, c, f->plane);
+    form_signs(sign, r, c, f->plane, all[r->s->d]);
     for (int p = 0; p < PLACES; p++) {
-        out[p] = sign[p] == 1 || sign[p] == -1;
-        in[p] = sign[p] == 0;
+        off[p] = sign[p] == 1 || sign[p] == -1;
+        on[p] = sign[p] == 0;
     }
     for (int k = 0; k < r->s->d; k++) {
-        form_signs(sign, r, c, side_form(r, f, k));
+        form_signs(sign, r, c, side_form(r, f, k), all[k]);
         for (int p = 0; p < PLACES; p++) {
-            out[p] = out[p] || sign[p] == -1;
-            in[p] = in[p] && (sign[p] == 0 || sign[p] == 1);
+            off[p] = off[p] || sign[p] == -1;
+            on[p] = on[p] && (sign[p] == 0 || sign[p] == 1);
             zero[p] |= sign[p] == 0 ? 1u << k : 0;
         }
     }
     for (int p = 0; p < PLACES; p++) {
-        if ((c->letter[p] == 'O' || c->letter[p] == 'I') && !out[p])
+        int beside = c->letter[p] == 'O' || c->letter[p] == 'I';
+        if (beside && !off[p])
             fail_at(r, f, "is not cleared beside the root");
-        if (r->with_cells && c->letter[p] == 'B' && !out[p] && !in[p])
+        if (r->with_cells && c->letter[p] == 'B' && !off[p] && !on[p])
             fail_at(r, f, "is neither met nor cleared");
-        if (r->with_cells && c->letter[p] == 'B' && in[p])
+        if (r->with_cells && c->letter[p] == 'B' && on[p])
             keep_cell(r, f, zero[p]);
-        c->held[p] = c->held[p] || in[p];
+        c->held[p] = c->held[p] || on[p];
     }
 }
 
@@ -214,38 +191,35 @@ static void meet(trace *r, claim *c, const simplex *f) {
 static void check_near(trace *r, claim *c) {
     for (size_t k = 0; k < r->near.count; k++) {
         const simplex *f = &r->s->simplex[r->near.item[k]];
-        if (cleared(r, f))
+        signs all[4];
+        if (cleared(r, f, all))
             continue;
         if (!c->letter[MID])
             fail_at(r, f, "is not cleared");
-        meet(r, c, f);
+        meet(r, c, f, all);
     }
 }
 
-/* Some simplex holds the trajectory within the interval, and so on all of it. */
-static void check_slide(trace *r, claim *c) {
-    memset(c->letter, 'B', PLACES);
-    check_near(r, c);
-    if (!c->held[MID])
-        fail(r, "no facet holds the trajectory on the interval");
+/* Where the letter is B a simplex must hold the trajectory; at a root not if a side is B, whose
+ * limit it is, or if the letters differ (K12). */
+static void check_held(const trace *r, const claim *c) {
+    char left = c->letter[LEFT], right = c->letter[RIGHT];
+    int implied = c->q && (left == 'B' || right == 'B' || (left && right && left != right));
+    for (int p = 0; p < PLACES; p++)
+        if (c->letter[p] == 'B' && !c->held[p] && !(p == MID && implied))
+            fail(r, p == MID ? "no facet holds the trajectory"
+                             : "no facet holds the trajectory beside the root");
 }
 
 /* q has just one root in the open interval, a simple one, and none at its ends: one sign change
  * (proofs/claims.md C24). */
-static void isolate(trace *r, claim *c) {
-    size_t changes = 0, last = c->q->n - 1;
-    int sign = 0;
+static void isolate(const trace *r, claim *c) {
     if (c->q->n < 2 || c->q->n > r->n + 1)
         fail(r, "the polynomial's degree is not that of a divisor");
-    bernstein(r->root, c->q, last, c->a, c->b);
-    for (size_t k = 0; k <= last; k++) {
-        int s = mpz_sgn(r->root[k]);
-        changes += s != 0 && sign != 0 && s != sign;
-        sign = s != 0 ? s : sign;
-    }
-    c->q_sign[LEFT] = mpz_sgn(r->root[0]);
-    c->q_sign[RIGHT] = mpz_sgn(r->root[last]);
-    if (changes != 1 || c->q_sign[LEFT] == 0 || c->q_sign[RIGHT] == 0)
+    signs all = poly_signs(c->q, c->a, c->b);
+    c->q_sign[LEFT] = all.first;
+    c->q_sign[RIGHT] = all.last;
+    if (all.changes != 1 || all.first == 0 || all.last == 0)
         fail(r, "the interval does not isolate one root of the polynomial");
 }
 
@@ -290,40 +264,25 @@ static void add_letters(trace *r, const claim *c, word kind) {
     }
 }
 
-/* O, I, B; one of O, I beside B; B between two of O, I, B. */
-static int is_kind(word w) {
+/* O, I, B; one of O, I beside B; B between two of O, I, B: the letters of the places. Without a
+ * root they are none, or all B. Returns 0 if it is none of these. */
+static int read_kind(char *letter, word w) {
+    char first = w.at[0], last = w.at[w.length - 1];
     for (size_t k = 0; k < w.length; k++)
         if (w.at[k] != 'O' && w.at[k] != 'I' && w.at[k] != 'B')
             return 0;
-    return w.length == 1 || (w.length == 2 && (w.at[0] == 'B') != (w.at[1] == 'B')) ||
-           (w.length == 3 && w.at[1] == 'B');
-}
-
-/* An interval with a root, which parts its sides. */
-static void check_root(trace *r, claim *c, word kind) {
-    poly end = {0};
-    char *side = c->letter;
-    side[MID] = 'B';
-    side[LEFT] = kind.length == 3 || *kind.at != 'B' ? kind.at[0] : 0;
-    side[RIGHT] = kind.length == 3 || *kind.at == 'B' ? kind.at[kind.length - 1] : 0;
-    if (kind.length == 2)
-        root_at_end(&end, c);
-    else
-        isolate(r, c);
-    check_near(r, c);
-    for (int p = LEFT; p <= RIGHT; p += 2)
-        if (side[p] == 'B' && !c->held[p])
-            fail(r, "no facet holds the trajectory beside the root");
-    int implied = side[LEFT] == 'B' || side[RIGHT] == 'B' ||
-                  (side[LEFT] && side[RIGHT] && side[LEFT] != side[RIGHT]);
-    if (!implied && !c->held[MID])
-        fail(r, "no facet holds the trajectory at the root");
-    poly_clear(&end);
+    memset(letter, w.length > 1 || first == 'B' ? 'B' : 0, PLACES);
+    if (w.length == 1)
+        return 1;
+    letter[LEFT] = w.length == 3 || first != 'B' ? first : 0;
+    letter[RIGHT] = w.length == 3 || last != 'B' ? last : 0;
+    return w.length == 2 ? (first == 'B') != (last == 'B') : w.length == 3 && w.at[1] == 'B';
 }
 
 void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
     claim c = {.a = r->at, .b = to, .q = q};
-    if (!is_kind(kind) || (q != NULL) != (kind.length == 3))
+    poly end = {0};
+    if (!read_kind(c.letter, kind) || (q != NULL) != (kind.length == 3))
         fail(r, "an interval is of a kind that does not exist, or its polynomial is missing or too "
                 "much");
     if (mpq_cmp(c.a, c.b) >= 0)
@@ -331,15 +290,16 @@ void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
     if (last_letter(r) && last_letter(r) != *kind.at)
         fail(r, "an interval begins with another state than the one before it ends with");
     enclose(r, &c);
-    if (kind.length > 1)
-        check_root(r, &c, kind);
-    else if (*kind.at == 'B')
-        check_slide(r, &c);
-    else
-        check_near(r, &c);
+    if (kind.length == 2)
+        root_at_end(&end, &c);
+    if (kind.length == 3)
+        isolate(r, &c);
+    check_near(r, &c);
+    check_held(r, &c);
     add_letters(r, &c, kind);
     mpq_set(r->from, r->at);
     mpq_set(r->at, to);
+    poly_clear(&end);
 }
 
 void trace_end(trace *r) {

@@ -25,9 +25,9 @@ typedef struct trace {
     size_t length;  /* of its beginning that the intervals so far have spelled */
 
     /* The interval at hand. */
-    mpz_t *beta; /* n + 1 times the d + 1 scaled Bernstein coefficients of x */
-    mpz_t *root; /* n + 1: of one polynomial */
-    mpz_t *form; /* d + 1, and one for a value */
+    mpz_t *beta;  /* n + 1 times the d + 1 scaled Bernstein coefficients of x */
+    mpz_t *coefs; /* n + 1: of one polynomial */
+    mpz_t *form;  /* d + 1 */
     list near;
 
     /* Cells met since the caller last took them, each once: 8 times a simplex, and a bit for each
