@@ -170,6 +170,72 @@ GRAZE_API GRAZE_CHECKED graze_status graze_curve_header(char **out, graze_contex
 GRAZE_API GRAZE_CHECKED graze_status graze_curve_row(char **out, graze_context *context,
                                                      const graze_curve *curve, size_t index);
 
+/** A patch: a cell of the solid over a maximal interval of time in which it carries contact and no
+ * event concerns it. Its cell is a facet with a segment of its slice, or all of it, an edge with a
+ * run or a single point, or a vertex. Borrowed times are those of the patches. */
+typedef struct graze_patch {
+    graze_curve_kind kind;
+    graze_cell cell;
+    const graze_time *from, *to; /**< open interval; borrowed */
+    graze_cell a, b;             /**< ends: vertices; of a slice edges; of a run facets whose slice
+                                      ends there; kind 0 for a point and a whole facet */
+    int theta_a, theta_b;        /**< as in graze_curve_part, all the time */
+    graze_orientation orientation; /**< at the sample */
+    graze_trim trim;               /**< at the sample */
+} graze_patch;
+
+/** Patches that meet at a vertex or an edge, for an interval of time or, where `from` is `to`, at
+ * an event or break. */
+typedef struct graze_patch_joint {
+    graze_cell cell;             /**< vertex or edge */
+    const graze_time *from, *to; /**< borrowed */
+    graze_chain_form form;       /**< for an interval (E^3): closed for two slices or runs, open for
+                                      one, branching for more or a whole facet */
+    size_t count;                /**< its patches, ascending */
+    const size_t *patch;         /**< borrowed */
+} graze_patch_joint;
+
+typedef struct graze_patches graze_patches;
+
+/**
+ * Find the patches of an envelope, each with one exact sample, and how they meet. The envelope is
+ * borrowed and must outlive them. One thread uses an envelope at a time.
+ * @return GRAZE_EUSE a NULL; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_patches_create(graze_patches **out,
+                                                          graze_context *context,
+                                                          const graze_envelope *envelope);
+/** Free patches with their times. NULL is allowed. */
+GRAZE_API void graze_patches_destroy(graze_patches *patches);
+/** Number of patches; 0 for NULL. */
+GRAZE_API size_t graze_patches_count(const graze_patches *patches);
+/** Patch `index`: facets, edges, vertices, each in order of time; zero past the end. */
+GRAZE_API graze_patch graze_patches_at(const graze_patches *patches, size_t index);
+/** The sample of a patch: a time in its interval, and the contact point in the solid's frame and in
+ * that of the query points, d initialised rationals each. Unchanged past the end. */
+GRAZE_API void graze_patches_sample(mpq_t time, mpq_t *body, mpq_t *world,
+                                    const graze_patches *patches, size_t index);
+/** Number of joints; 0 for NULL. */
+GRAZE_API size_t graze_patches_joint_count(const graze_patches *patches);
+/** Joint `index`: those of intervals, then those of events; zero past the end. */
+GRAZE_API graze_patch_joint graze_patches_joint(const graze_patches *patches, size_t index);
+
+/** Heads of the tables of patches and of joints, with the line of names: as graze_report_header. */
+GRAZE_API GRAZE_CHECKED graze_status graze_patches_header(char **out, graze_context *context,
+                                                          const graze_envelope *envelope,
+                                                          const char *notes);
+GRAZE_API GRAZE_CHECKED graze_status graze_patches_joint_header(char **out, graze_context *context,
+                                                                const graze_envelope *envelope,
+                                                                const char *notes);
+/** Row of patch `index` with its newline, CSV; text for graze_free.
+ * @return GRAZE_EUSE a NULL or no such patch; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM */
+GRAZE_API GRAZE_CHECKED graze_status graze_patches_row(char **out, graze_context *context,
+                                                       const graze_patches *patches, size_t index);
+/** The same of joint `index`. */
+GRAZE_API GRAZE_CHECKED graze_status graze_patches_joint_row(char **out, graze_context *context,
+                                                             const graze_patches *patches,
+                                                             size_t index);
+
 /**
  * Contact point `index` of a seed, at a time between two events, one such gap after another; where
  * and when in it by chance. NULL: there is no contact at that time. It borrows the scene.

@@ -18,6 +18,10 @@ static const char envelope_help[] =
     "  --at T,... --curve FILE   the contact points at times within the motion: slices, runs, "
     "points\n"
     "                       and whole facets with their ends, verdicts and chains\n"
+    "  --patches FILE       facets, edges and vertices over the intervals in which they carry "
+    "contact,\n"
+    "                       with a sample of each; --joints FILE   which of them meet, where and "
+    "when\n"
     "  -n N --points FILE   N contact points spread over the motion, as rows of graze contact;\n"
     "  --seed K             their seed (1)\n"
     "  --operation sweep    the one that has an envelope; unsweep is refused\n"
@@ -34,6 +38,8 @@ static const option_entry envelope_table[] = {
     OPTION("events", envelope_given, run.events, value_text),
     OPTION("at", envelope_given, run.at, value_text),
     OPTION("curve", envelope_given, run.curve, value_text),
+    OPTION("patches", envelope_given, run.patches, value_text),
+    OPTION("joints", envelope_given, run.joints, value_text),
     OPTION("n", envelope_given, run.count, value_count),
     OPTION("seed", envelope_given, seed, value_seed),
     OPTION("points", envelope_given, run.points, value_text),

@@ -68,7 +68,7 @@ static void join_ends(graze_curve *c, size_t *parent, const chain_end *end, size
 
 /* A whole facet hangs together with all that ends in it. */
 static void join_whole(graze_curve *c, size_t *parent, const cell_complex *cells, size_t part) {
-    size_t facet = c->part[part].facet;
+    size_t facet = c->part[part].number;
     c->part[part].facts.form = GRAZE_CHAIN_BRANCHING;
     for (size_t k = 0; k < c->count; k++)
         if (is_segment(&c->part[k]) && (parts_facet_holds(cells, facet, c->part[k].a) ||

@@ -12,8 +12,16 @@
 #include "context/array.h"
 #include "solid/forms.h"
 
-graze_status parts_add(graze_curve *c, graze_context *context, graze_curve_kind kind,
-                       const graze_cell *cell, const fmpq *a, const fmpq *b) {
+/* A point in which a slice or run may end. */
+typedef struct slice_point {
+    fmpq at[3];
+    part_end end;
+} slice_point;
+
+/* One more part between two points, which are copied. */
+static graze_status add_part(graze_curve *c, graze_context *context, graze_curve_kind kind,
+                             const graze_cell *cell, size_t number, const slice_point *a,
+                             const slice_point *b) {
     graze_status status = array_grow(context, &c->part, &c->capacity, c->count + 1, sizeof *c->part,
                                      "the parts of a curve");
     if (status)
@@ -21,12 +29,14 @@ graze_status parts_add(graze_curve *c, graze_context *context, graze_curve_kind 
     curve_part *made = &c->part[c->count++];
     made->facts = (graze_curve_part){
         .kind = kind, .cell = *cell, .theta_a = GRAZE_SIGN_ABSENT, .theta_b = GRAZE_SIGN_ABSENT};
-    made->facet = SIZE_MAX;
+    made->number = number;
+    made->end[0] = a->end;
+    made->end[1] = b->end;
     made->a = _fmpq_vec_init(c->dimension);
     made->b = _fmpq_vec_init(c->dimension);
     for (int i = 0; i < c->dimension; i++) {
-        fmpq_set(made->a + i, a + i);
-        fmpq_set(made->b + i, b + i);
+        fmpq_set(made->a + i, a->at + i);
+        fmpq_set(made->b + i, b->at + i);
     }
     return GRAZE_OK;
 }
@@ -42,28 +52,30 @@ static void middle_of(fmpq *out, const fmpq *a, const fmpq *b, int d) {
     }
 }
 
-/* A point of a slice. `vertex`: its number, or SIZE_MAX within an edge. */
-typedef struct slice_point {
-    fmpq at[3];
-    size_t vertex;
-} slice_point;
-
 typedef struct slice_points {
     size_t count, capacity;
     slice_point *item;
 } slice_points;
 
+static part_end end_at(size_t vertex) {
+    return (part_end){vertex, SIZE_MAX, SIZE_MAX};
+}
+
+static part_end end_within(size_t edge, size_t facet) {
+    return (part_end){SIZE_MAX, edge, facet};
+}
+
 static graze_status add_point(slice_points *list, graze_context *context, const fmpq *at,
-                              size_t vertex, int d) {
+                              part_end end, int d) {
     for (size_t k = 0; k < list->count; k++)
-        if (vertex != SIZE_MAX && list->item[k].vertex == vertex)
+        if (end.vertex != SIZE_MAX && list->item[k].end.vertex == end.vertex)
             return GRAZE_OK;
     graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
                                      sizeof *list->item, "the points of a slice");
     if (status)
         return status;
     slice_point *made = &list->item[list->count++];
-    made->vertex = vertex;
+    made->end = end;
     for (int i = 0; i < 3; i++)
         fmpq_init(made->at + i);
     for (int i = 0; i < d; i++)
@@ -87,18 +99,19 @@ static graze_status meet_edges(slice_points *list, int *off, graze_context *cont
     fmpq *zero = _fmpq_vec_init(d + 2), *g = zero + d;
     for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1] && !status;
          j++) {
-        const cell_edge *e = &c->edge[c->facet_edges.item[j]];
+        size_t edge = c->facet_edges.item[j];
+        const cell_edge *e = &c->edge[edge];
         const size_t ends[] = {e->u, e->v};
         for (int k = 0; k < 2; k++)
             snapshot_g(g + k, s, facet, vertex_at(s, ends[k]));
         for (int k = 0; k < 2 && !status; k++) {
             *off |= !fmpq_is_zero(g + k);
             if (fmpq_is_zero(g + k))
-                status = add_point(list, context, vertex_at(s, ends[k]), ends[k], d);
+                status = add_point(list, context, vertex_at(s, ends[k]), end_at(ends[k]), d);
         }
         if (!status && fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
             snapshot_zero(zero, g, g + 1, vertex_at(s, e->u), vertex_at(s, e->v), d);
-            status = add_point(list, context, zero, SIZE_MAX, d);
+            status = add_point(list, context, zero, end_within(edge, facet), d);
         }
     }
     _fmpq_vec_clear(zero, d + 2);
@@ -111,6 +124,15 @@ static int compare_slice_points(const void *left, const void *right) {
     for (int i = 0; i < 3 && order == 0; i++)
         order = fmpq_cmp(a->at + i, b->at + i);
     return order;
+}
+
+/* Of points at one place the one of the first facet last. */
+static int compare_edge_points(const void *left, const void *right) {
+    const slice_point *a = left, *b = right;
+    int order = compare_slice_points(a, b);
+    return order                          ? order
+           : a->end.facet != b->end.facet ? (a->end.facet < b->end.facet ? 1 : -1)
+                                          : 0;
 }
 
 int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at) {
@@ -144,13 +166,13 @@ static int are_joined(const cell_complex *c, size_t a, size_t b) {
 }
 
 static graze_status add_slice(graze_curve *c, graze_context *context, const snapshot *s,
-                              size_t facet, const fmpq *a, const fmpq *b) {
+                              size_t facet, const slice_point *a, const slice_point *b) {
     graze_status status =
-        parts_add(c, context, GRAZE_CURVE_SLICE, &s->e->cells.facet[facet].name, a, b);
+        add_part(c, context, GRAZE_CURVE_SLICE, &s->e->cells.facet[facet].name, facet, a, b);
     if (status)
         return status;
-    c->part[c->count - 1].facts.theta_a = snapshot_theta_sign(s, facet, a);
-    c->part[c->count - 1].facts.theta_b = snapshot_theta_sign(s, facet, b);
+    c->part[c->count - 1].facts.theta_a = snapshot_theta_sign(s, facet, a->at);
+    c->part[c->count - 1].facts.theta_b = snapshot_theta_sign(s, facet, b->at);
     return GRAZE_OK;
 }
 
@@ -160,18 +182,19 @@ static graze_status add_whole(graze_curve *c, graze_context *context, const snap
     const cell_complex *cells = &s->e->cells;
     int d = s->dimension;
     const size_t *corner = cells->corner + cells->order[cells->facet[facet].first] * (size_t)d;
-    fmpq *middle = _fmpq_vec_init(d);
+    slice_point middle = {.end = end_at(SIZE_MAX)};
+    for (int i = 0; i < 3; i++)
+        fmpq_init(middle.at + i);
     for (int i = 0; i < d; i++) {
         for (int k = 0; k < d; k++)
-            fmpq_add(middle + i, middle + i, vertex_at(s, corner[k]) + i);
-        fmpz_mul_si(fmpq_denref(middle + i), fmpq_denref(middle + i), d);
-        fmpq_canonicalise(middle + i);
+            fmpq_add(middle.at + i, middle.at + i, vertex_at(s, corner[k]) + i);
+        fmpz_mul_si(fmpq_denref(middle.at + i), fmpq_denref(middle.at + i), d);
+        fmpq_canonicalise(middle.at + i);
     }
     graze_status status =
-        parts_add(c, context, GRAZE_CURVE_WHOLE, &cells->facet[facet].name, middle, middle);
-    if (!status)
-        c->part[c->count - 1].facet = facet;
-    _fmpq_vec_clear(middle, d);
+        add_part(c, context, GRAZE_CURVE_WHOLE, &cells->facet[facet].name, facet, &middle, &middle);
+    for (int i = 0; i < 3; i++)
+        fmpq_clear(middle.at + i);
     return status;
 }
 
@@ -184,8 +207,9 @@ static graze_status add_segments(graze_curve *c, graze_context *context, const s
     for (size_t k = 1; k < list->count && !status; k++) {
         const slice_point *a = &list->item[k - 1], *b = &list->item[k];
         middle_of(middle, a->at, b->at, 3);
-        if (!are_joined(cells, a->vertex, b->vertex) && parts_facet_holds(cells, facet, middle))
-            status = add_slice(c, context, s, facet, a->at, b->at);
+        if (!are_joined(cells, a->end.vertex, b->end.vertex) &&
+            parts_facet_holds(cells, facet, middle))
+            status = add_slice(c, context, s, facet, a, b);
     }
     _fmpq_vec_clear(middle, 3);
     return status;
@@ -200,8 +224,8 @@ graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapsh
         status = add_whole(c, context, s, facet);
     else if (!status && s->dimension == 2)
         for (size_t k = 0; k < list.count && !status; k++) {
-            if (list.item[k].vertex == SIZE_MAX)
-                status = add_slice(c, context, s, facet, list.item[k].at, list.item[k].at);
+            if (list.item[k].end.vertex == SIZE_MAX)
+                status = add_slice(c, context, s, facet, &list.item[k], &list.item[k]);
         }
     else if (!status && list.count) {
         qsort(list.item, list.count, sizeof *list.item, compare_slice_points);
@@ -241,21 +265,21 @@ static graze_status cut_edge(slice_points *list, graze_context *context, const s
     const fmpq *u = vertex_at(s, e->u), *v = vertex_at(s, e->v);
     int d = s->dimension;
     fmpq *g = _fmpq_vec_init(d + 2), *zero = g + 2;
-    graze_status status = add_point(list, context, u, e->u, d);
+    graze_status status = add_point(list, context, u, end_at(e->u), d);
     for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1] && !status;
          j++) {
         snapshot_g(g, s, c->edge_facets.item[j], u);
         snapshot_g(g + 1, s, c->edge_facets.item[j], v);
         if (fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
             snapshot_zero(zero, g, g + 1, u, v, d);
-            status = add_point(list, context, zero, SIZE_MAX, d);
+            status = add_point(list, context, zero, end_within(edge, c->edge_facets.item[j]), d);
         }
     }
     if (!status)
-        status = add_point(list, context, v, e->v, d);
+        status = add_point(list, context, v, end_at(e->v), d);
     _fmpq_vec_clear(g, d + 2);
     if (!status)
-        qsort(list->item, list->count, sizeof *list->item, compare_slice_points);
+        qsort(list->item, list->count, sizeof *list->item, compare_edge_points);
     return status;
 }
 
@@ -281,12 +305,12 @@ static graze_status add_runs(graze_curve *c, graze_context *context, const snaps
         if (!status)
             status = is_contact_point(&here, context, s, e->kind, facet, count, list->item[k].at);
         if (!status && open && !(next && here)) {
-            status = parts_add(c, context, GRAZE_CURVE_RUN, &e->name, list->item[from].at,
-                               list->item[k].at);
+            status = add_part(c, context, GRAZE_CURVE_RUN, &e->name, edge, &list->item[from],
+                              &list->item[k]);
             open = 0;
         } else if (!status && !open && !next && here && !is_end) {
-            status = parts_add(c, context, GRAZE_CURVE_POINT, &e->name, list->item[k].at,
-                               list->item[k].at);
+            status = add_part(c, context, GRAZE_CURVE_POINT, &e->name, edge, &list->item[k],
+                              &list->item[k]);
         }
         if (next && !open) {
             open = 1;
@@ -320,16 +344,24 @@ static int is_end_of_part(const graze_curve *c, const fmpq *at) {
     return 0;
 }
 
-graze_status parts_of_vertex(graze_curve *c, graze_context *context, const snapshot *s,
-                             size_t vertex) {
+graze_status parts_add_vertex(graze_curve *c, graze_context *context, const snapshot *s,
+                              size_t vertex) {
     const cell_complex *cells = &s->e->cells;
     size_t first = cells->vertex_facets.start[vertex];
     int contact = 0;
     graze_status status = is_contact_point(
         &contact, context, s, cells->vertex[vertex].kind, cells->vertex_facets.item + first,
         cells->vertex_facets.start[vertex + 1] - first, vertex_at(s, vertex));
-    if (!status && contact && !is_end_of_part(c, vertex_at(s, vertex)))
-        status = parts_add(c, context, GRAZE_CURVE_POINT, &cells->vertex[vertex].name,
-                           vertex_at(s, vertex), vertex_at(s, vertex));
-    return status;
+    if (status || !contact)
+        return status;
+    slice_point at = {.end = end_at(vertex)};
+    for (int i = 0; i < s->dimension; i++)
+        at.at[i] = vertex_at(s, vertex)[i]; /* borrowed */
+    return add_part(c, context, GRAZE_CURVE_POINT, &cells->vertex[vertex].name, vertex, &at, &at);
+}
+
+graze_status parts_of_vertex(graze_curve *c, graze_context *context, const snapshot *s,
+                             size_t vertex) {
+    return is_end_of_part(c, vertex_at(s, vertex)) ? GRAZE_OK
+                                                   : parts_add_vertex(c, context, s, vertex);
 }

@@ -7,15 +7,14 @@
 #include "envelope/record.h"
 #include "envelope/snapshot.h"
 
-/** One more part, with copies of its ends; trim and chain are found later. */
-graze_status parts_add(graze_curve *c, graze_context *context, graze_curve_kind kind,
-                       const graze_cell *cell, const fmpq *a, const fmpq *b);
-
 /** The slice of a facet within its relative interior, or all of it. */
 graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapshot *s,
                             size_t facet);
 /** Runs and single contacts in the relative interior of an edge (E^3), its ends added. */
 graze_status parts_of_edge(graze_curve *c, graze_context *context, const snapshot *s, size_t edge);
+/** A vertex that is a contact. */
+graze_status parts_add_vertex(graze_curve *c, graze_context *context, const snapshot *s,
+                              size_t vertex);
 /** A vertex that is a contact and no end of another part. */
 graze_status parts_of_vertex(graze_curve *c, graze_context *context, const snapshot *s,
                              size_t vertex);

@@ -29,12 +29,19 @@ struct graze_envelope {
     finding found;
 };
 
+/** Where a part ends: at a vertex; or else within an edge, where g of a facet vanishes. Numbers of
+ * these, SIZE_MAX for none. */
+typedef struct part_end {
+    size_t vertex, edge, facet;
+} part_end;
+
 /** A part of the curve: `a` and `b` are its ends, d rationals each, the same for a point; of a
- * whole facet a point within it, and `facet` is its number. */
+ * whole facet a point within it. `number` is that of its facet, edge or vertex. */
 typedef struct curve_part {
     graze_curve_part facts;
     fmpq *a, *b;
-    size_t facet;
+    size_t number;
+    part_end end[2];
 } curve_part;
 
 struct graze_curve {

@@ -4,7 +4,7 @@
 #ifndef GRAZE_REPORT_ENVELOPE_H
 #define GRAZE_REPORT_ENVELOPE_H
 
-#include "envelope/record.h"
+#include "envelope/patches.h"
 #include "number/text.h"
 
 /** Head of the table of events. @param notes may be NULL */
@@ -17,5 +17,14 @@ void report_event(text *out, const graze_envelope *envelope, const found_event *
 graze_status report_curve_header(char **out, graze_context *context, const graze_scene *scene,
                                  const char *notes);
 void report_curve(text *out, const graze_curve *curve, const curve_part *part);
+
+/** Heads of the tables of patches and joints. @param notes may be NULL */
+graze_status report_patches_header(char **out, graze_context *context, const graze_scene *scene,
+                                   const char *notes);
+graze_status report_joints_header(char **out, graze_context *context, const graze_scene *scene,
+                                  const char *notes);
+/** Rows of these tables, from canonical times. */
+void report_patch(text *out, const graze_patches *patches, size_t index);
+void report_joint(text *out, const graze_patches *patches, size_t index);
 
 #endif

@@ -81,6 +81,8 @@ static int write_tables(const envelope_options *o, const loaded *l,
         status = envelope_write_events(o->events, l->context, envelope);
     if (!status && o->curve)
         status = envelope_write_curves(o->curve, o->at, l->context, envelope);
+    if (!status && (o->patches || o->joints))
+        status = envelope_write_patches(o->patches, o->joints, l->context, envelope);
     if (!status && o->points)
         status = envelope_write_contacts(o->points, o->count, (unsigned long)o->seed,
                                          load_note(&o->scene), l, envelope);

@@ -9,7 +9,8 @@
 /** Strings are borrowed. */
 typedef struct envelope_options {
     scene_options scene;
-    const char *events;     /* files; NULL: none */
+    const char *events; /* files; NULL: none */
+    const char *patches, *joints;
     const char *at, *curve; /* times between commas, and their file */
     unsigned long count;    /* contact points, and their file */
     unsigned long long seed;

@@ -92,6 +92,58 @@ int envelope_write_curves(const char *path, const char *times, graze_context *co
     return status ? status : closed;
 }
 
+/* A row of a table of patches, by number. */
+typedef graze_status patch_row(char **out, graze_context *context, const graze_patches *patches,
+                               size_t index);
+
+/* A table of `count` rows behind its head, which is freed. */
+static int write_patch_table(const char *path, char *head, size_t count, patch_row *row,
+                             graze_context *context, const graze_patches *patches) {
+    output out;
+    char last[48];
+    graze_status found = GRAZE_OK;
+    int status = output_open(&out, path);
+    if (!status)
+        output_put(&out, head);
+    graze_free(head);
+    if (status)
+        return status;
+    for (size_t k = 0; k < count && !found && !out.error; k++) {
+        char *text = NULL;
+        found = row(&text, context, patches, k);
+        if (!found)
+            output_put(&out, text);
+        graze_free(text);
+    }
+    snprintf(last, sizeof last, "# complete %zu\n", count);
+    if (!found)
+        output_put(&out, last);
+    status = complain_of(found, context);
+    int closed = output_close(&out);
+    return status ? status : closed;
+}
+
+int envelope_write_patches(const char *patches, const char *joints, graze_context *context,
+                           const graze_envelope *envelope) {
+    graze_patches *found = NULL;
+    char *head = NULL;
+    int status = complain_of(graze_patches_create(&found, context, envelope), context);
+    if (!status && patches) {
+        status = complain_of(graze_patches_header(&head, context, envelope, NULL), context);
+        if (!status)
+            status = write_patch_table(patches, head, graze_patches_count(found), graze_patches_row,
+                                       context, found);
+    }
+    if (!status && joints) {
+        status = complain_of(graze_patches_joint_header(&head, context, envelope, NULL), context);
+        if (!status)
+            status = write_patch_table(joints, head, graze_patches_joint_count(found),
+                                       graze_patches_joint_row, context, found);
+    }
+    graze_patches_destroy(found);
+    return status;
+}
+
 /* Times without contact give no row; after as many of them as this there may be none at all. */
 enum { TRIES = 1000 };
 

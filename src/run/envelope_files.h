@@ -11,6 +11,9 @@ int envelope_write_events(const char *path, graze_context *context, const graze_
 /** @param times numbers between commas */
 int envelope_write_curves(const char *path, const char *times, graze_context *context,
                           const graze_envelope *envelope);
+/** @param patches, joints files, one of them may be NULL */
+int envelope_write_patches(const char *patches, const char *joints, graze_context *context,
+                           const graze_envelope *envelope);
 /** Fewer than `count` rows where there are no contacts.
  * @param notes lines of the head beside those of the scene */
 int envelope_write_contacts(const char *path, unsigned long count, unsigned long seed,
