@@ -4,7 +4,7 @@
 #ifndef GRAZE_ENVELOPE_JOINTS_H
 #define GRAZE_ENVELOPE_JOINTS_H
 
-#include "envelope/patches.h"
+#include "envelope/patch.h"
 
 /** Find the joints of patches that are complete (proofs/events.md C85). */
 graze_status joints_find(graze_patches *p, graze_context *context);

@@ -19,9 +19,9 @@ typedef struct slice_point {
 } slice_point;
 
 /* One more part between two points, which are copied. */
-static graze_status add_part(graze_curve *c, graze_context *context, graze_curve_kind kind,
-                             const graze_cell *cell, size_t number, const slice_point *a,
-                             const slice_point *b) {
+static graze_status add_curve_part(graze_curve *c, graze_context *context, graze_curve_kind kind,
+                                   const graze_cell *cell, size_t number, const slice_point *a,
+                                   const slice_point *b) {
     graze_status status = array_grow(context, &c->part, &c->capacity, c->count + 1, sizeof *c->part,
                                      "the parts of a curve");
     if (status)
@@ -168,7 +168,7 @@ static int are_joined(const cell_complex *c, size_t a, size_t b) {
 static graze_status add_slice(graze_curve *c, graze_context *context, const snapshot *s,
                               size_t facet, const slice_point *a, const slice_point *b) {
     graze_status status =
-        add_part(c, context, GRAZE_CURVE_SLICE, &s->e->cells.facet[facet].name, facet, a, b);
+        add_curve_part(c, context, GRAZE_CURVE_SLICE, &s->e->cells.facet[facet].name, facet, a, b);
     if (status)
         return status;
     c->part[c->count - 1].facts.theta_a = snapshot_theta_sign(s, facet, a->at);
@@ -191,8 +191,8 @@ static graze_status add_whole(graze_curve *c, graze_context *context, const snap
         fmpz_mul_si(fmpq_denref(middle.at + i), fmpq_denref(middle.at + i), d);
         fmpq_canonicalise(middle.at + i);
     }
-    graze_status status =
-        add_part(c, context, GRAZE_CURVE_WHOLE, &cells->facet[facet].name, facet, &middle, &middle);
+    graze_status status = add_curve_part(c, context, GRAZE_CURVE_WHOLE, &cells->facet[facet].name,
+                                         facet, &middle, &middle);
     for (int i = 0; i < 3; i++)
         fmpq_clear(middle.at + i);
     return status;
@@ -305,12 +305,12 @@ static graze_status add_runs(graze_curve *c, graze_context *context, const snaps
         if (!status)
             status = is_contact_point(&here, context, s, e->kind, facet, count, list->item[k].at);
         if (!status && open && !(next && here)) {
-            status = add_part(c, context, GRAZE_CURVE_RUN, &e->name, edge, &list->item[from],
-                              &list->item[k]);
+            status = add_curve_part(c, context, GRAZE_CURVE_RUN, &e->name, edge, &list->item[from],
+                                    &list->item[k]);
             open = 0;
         } else if (!status && !open && !next && here && !is_end) {
-            status = add_part(c, context, GRAZE_CURVE_POINT, &e->name, edge, &list->item[k],
-                              &list->item[k]);
+            status = add_curve_part(c, context, GRAZE_CURVE_POINT, &e->name, edge, &list->item[k],
+                                    &list->item[k]);
         }
         if (next && !open) {
             open = 1;
@@ -357,7 +357,8 @@ graze_status parts_add_vertex(graze_curve *c, graze_context *context, const snap
     slice_point at = {.end = end_at(vertex)};
     for (int i = 0; i < s->dimension; i++)
         at.at[i] = vertex_at(s, vertex)[i]; /* borrowed */
-    return add_part(c, context, GRAZE_CURVE_POINT, &cells->vertex[vertex].name, vertex, &at, &at);
+    return add_curve_part(c, context, GRAZE_CURVE_POINT, &cells->vertex[vertex].name, vertex, &at,
+                          &at);
 }
 
 graze_status parts_of_vertex(graze_curve *c, graze_context *context, const snapshot *s,

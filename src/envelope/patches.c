@@ -22,11 +22,10 @@ typedef graze_status add_concern(cut_list *cuts, graze_context *context, const c
 /* The cell that an end is named by: its vertex; the edge on which a slice ends; the facet whose
  * slice bounds a run. */
 static graze_cell end_name(const cell_complex *c, graze_curve_kind kind, const part_end *end) {
-    return kind == GRAZE_CURVE_POINT || kind == GRAZE_CURVE_WHOLE
-               ? (graze_cell){0, 0, 0}
-           : end->vertex != SIZE_MAX   ? c->vertex[end->vertex].name
-           : kind == GRAZE_CURVE_SLICE ? c->edge[end->edge].name
-                                       : c->facet[end->facet].name;
+    return kind == GRAZE_CURVE_POINT || kind == GRAZE_CURVE_WHOLE ? (graze_cell){0, 0, 0}
+           : end->vertex != SIZE_MAX                              ? c->vertex[end->vertex].name
+           : kind == GRAZE_CURVE_SLICE                            ? c->edge[end->edge].name
+                                                                  : c->facet[end->facet].name;
 }
 
 /* The sample: the middle of a part. */

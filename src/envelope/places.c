@@ -5,8 +5,8 @@
 #include <string.h>
 #include "context/array.h"
 
-static graze_status add_place(place_list *list, graze_context *context, int is_edge, size_t cell,
-                              size_t facet, size_t patch) {
+static graze_status add_patch_place(place_list *list, graze_context *context, int is_edge,
+                                    size_t cell, size_t facet, size_t patch) {
     graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
                                      sizeof *list->item, "the ends of patches");
     if (!status)
@@ -16,24 +16,25 @@ static graze_status add_place(place_list *list, graze_context *context, int is_e
 
 static graze_status add_end(place_list *list, graze_context *context, const part_end *end,
                             size_t patch) {
-    return end->vertex != SIZE_MAX ? add_place(list, context, 0, end->vertex, SIZE_MAX, patch)
-                                   : add_place(list, context, 1, end->edge, end->facet, patch);
+    return end->vertex != SIZE_MAX
+               ? add_patch_place(list, context, 0, end->vertex, SIZE_MAX, patch)
+               : add_patch_place(list, context, 1, end->edge, end->facet, patch);
 }
 
 /* A whole facet ends in all its edges, in E^2 in its vertices. */
-static graze_status add_border(place_list *list, graze_context *context, const cell_complex *c,
-                               size_t facet, size_t patch) {
+static graze_status add_border_places(place_list *list, graze_context *context,
+                                      const cell_complex *c, size_t facet, size_t patch) {
     graze_status status = GRAZE_OK;
     for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1] && !status;
          j++) {
         size_t edge = c->facet_edges.item[j];
         if (c->dimension == 3) {
-            status = add_place(list, context, 1, edge, SIZE_MAX, patch);
+            status = add_patch_place(list, context, 1, edge, SIZE_MAX, patch);
             continue;
         }
-        status = add_place(list, context, 0, c->edge[edge].u, SIZE_MAX, patch);
+        status = add_patch_place(list, context, 0, c->edge[edge].u, SIZE_MAX, patch);
         if (!status)
-            status = add_place(list, context, 0, c->edge[edge].v, SIZE_MAX, patch);
+            status = add_patch_place(list, context, 0, c->edge[edge].v, SIZE_MAX, patch);
     }
     return status;
 }
@@ -42,13 +43,13 @@ static graze_status add_patch_places(place_list *list, graze_context *context,
                                      const cell_complex *c, const patch *item, size_t patch) {
     const part_end *a = &item->end[0], *b = &item->end[1];
     if (item->facts.kind == GRAZE_CURVE_WHOLE)
-        return add_border(list, context, c, item->number, patch);
+        return add_border_places(list, context, c, item->number, patch);
     graze_status status = add_end(list, context, a, patch);
     if (!status)
         status = add_end(list, context, b, patch);
     if (!status && item->facts.kind == GRAZE_CURVE_RUN && a->vertex != SIZE_MAX &&
         b->vertex != SIZE_MAX)
-        status = add_place(list, context, 1, item->number, SIZE_MAX, patch);
+        status = add_patch_place(list, context, 1, item->number, SIZE_MAX, patch);
     return status;
 }
 
@@ -56,7 +57,7 @@ static int compare_sizes(size_t a, size_t b) {
     return a < b ? -1 : a > b;
 }
 
-static int compare_places(const void *left, const void *right) {
+static int compare_patch_places(const void *left, const void *right) {
     const patch_place *a = left, *b = right;
     int order = a->is_edge - b->is_edge;
     order = order ? order : compare_sizes(a->cell, b->cell);
@@ -71,9 +72,9 @@ graze_status places_make(place_list *out, graze_context *context, const graze_pa
     for (size_t k = 0; k < p->count && !status; k++)
         status = add_patch_places(out, context, &p->envelope->cells, &p->item[k], k);
     if (out->count)
-        qsort(out->item, out->count, sizeof *out->item, compare_places);
+        qsort(out->item, out->count, sizeof *out->item, compare_patch_places);
     for (size_t k = 0; k < out->count; k++)
-        if (kept == 0 || compare_places(&out->item[kept - 1], &out->item[k]) != 0)
+        if (kept == 0 || compare_patch_places(&out->item[kept - 1], &out->item[k]) != 0)
             out->item[kept++] = out->item[k];
     out->count = kept;
     return status;
@@ -84,7 +85,7 @@ size_t places_first(const place_list *list, int is_edge, size_t cell) {
     size_t low = 0, high = list->count;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        if (compare_places(&list->item[middle], &key) < 0)
+        if (compare_patch_places(&list->item[middle], &key) < 0)
             low = middle + 1;
         else
             high = middle;

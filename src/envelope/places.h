@@ -4,7 +4,7 @@
 #ifndef GRAZE_ENVELOPE_PLACES_H
 #define GRAZE_ENVELOPE_PLACES_H
 
-#include "envelope/patches.h"
+#include "envelope/patch.h"
 
 /** A vertex, or an edge with a facet in which g vanishes there; SIZE_MAX for all of the edge. */
 typedef struct patch_place {

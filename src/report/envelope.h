@@ -4,7 +4,7 @@
 #ifndef GRAZE_REPORT_ENVELOPE_H
 #define GRAZE_REPORT_ENVELOPE_H
 
-#include "envelope/patches.h"
+#include "envelope/patch.h"
 #include "number/text.h"
 
 /** Head of the table of events. @param notes may be NULL */

@@ -86,6 +86,58 @@ static void curves(void **state) {
     mpq_clears(t, a[0], a[1], b[0], b[1], NULL);
 }
 
+/* Patches up to t = 1 and from then on: bottom and top slide, and each corner is in contact, as its
+ * vertical side moves while the other one slides. A corner meets its slide; at t = 1 all change. */
+static void patches(void **state) {
+    (void)state;
+    scene s;
+    mpq_t t, y[2], p[2];
+    graze_envelope *e = NULL;
+    graze_patches *found = NULL;
+    char *text;
+    mpq_inits(t, y[0], y[1], p[0], p[1], NULL);
+    scene_open(&s, back, NULL);
+    assert_int_equal(graze_envelope_create(&e, s.context, s.scene), GRAZE_OK);
+    assert_int_equal(graze_patches_create(&found, s.context, e), GRAZE_OK);
+    assert_int_equal(graze_patches_count(found), 12);
+    graze_patch first = graze_patches_at(found, 0), next = graze_patches_at(found, 1);
+    assert_true(first.kind == GRAZE_CURVE_WHOLE && first.cell.a == 0 && first.cell.b == 1);
+    assert_true(first.a.kind == 0 && first.theta_a == GRAZE_SIGN_ABSENT);
+    assert_ptr_equal(first.to, next.from);
+    assert_int_equal(graze_time_rational(t, first.to), 1);
+    assert_int_equal(mpq_cmp_ui(t, 1, 1), 0);
+    assert_int_equal(graze_patches_at(found, 11).kind, GRAZE_CURVE_POINT);
+    assert_int_equal(graze_patches_at(found, 12).kind, GRAZE_CURVE_NONE);
+    graze_patches_sample(t, y, p, found, 0);
+    assert_true(mpq_cmp_ui(t, 1, 2) == 0 && mpq_cmp_ui(y[0], 1, 1) == 0 && mpq_sgn(y[1]) == 0);
+    assert_true(mpq_cmp_ui(p[0], 5, 1) == 0 && mpq_sgn(p[1]) == 0);
+    assert_int_equal(graze_patches_row(&text, s.context, found, 0), GRAZE_OK);
+    assert_string_equal(text, "0,whole,edge 0-1,0,1,,,,,degenerate,1/2,1,0,5,0,slides\n");
+    graze_free(text);
+    assert_int_equal(graze_patches_row(&text, s.context, found, 12), GRAZE_EUSE);
+    assert_int_equal(graze_patches_joint_count(found), 12);
+    graze_patch_joint joint = graze_patches_joint(found, 0);
+    assert_true(joint.cell.kind == GRAZE_CELL_VERTEX && joint.cell.a == 0 && joint.count == 2);
+    assert_true(joint.patch[0] == 0 && joint.patch[1] == 4 && joint.form == GRAZE_CHAIN_NONE);
+    assert_ptr_equal(joint.from, first.from);
+    assert_int_equal(graze_patches_joint(found, 12).count, 0);
+    assert_int_equal(graze_patches_joint_row(&text, s.context, found, 0), GRAZE_OK);
+    assert_string_equal(text, "vertex 0,0,1,,0 4\n");
+    graze_free(text);
+    assert_int_equal(graze_patches_joint_row(&text, s.context, found, 12), GRAZE_EUSE);
+    assert_int_equal(graze_patches_header(&text, s.context, e, NULL), GRAZE_OK);
+    assert_non_null(
+        strstr(text, "\npatch,kind,cell,from,to,a,b,theta_a,theta_b,orientation,time,"));
+    graze_free(text);
+    assert_int_equal(graze_patches_joint_header(&text, s.context, e, NULL), GRAZE_OK);
+    assert_non_null(strstr(text, "\ncell,from,to,form,patches\n"));
+    graze_free(text);
+    graze_patches_destroy(found);
+    graze_envelope_destroy(e);
+    scene_close(&s);
+    mpq_clears(t, y[0], y[1], p[0], p[1], NULL);
+}
+
 static void wrong_calls(void **state) {
     (void)state;
     scene s;
@@ -138,10 +190,8 @@ static void names(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(events),
-        cmocka_unit_test(curves),
-        cmocka_unit_test(wrong_calls),
-        cmocka_unit_test(names),
+        cmocka_unit_test(events),      cmocka_unit_test(curves), cmocka_unit_test(patches),
+        cmocka_unit_test(wrong_calls), cmocka_unit_test(names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
