@@ -137,6 +137,10 @@ def make(graze, folder):
                 tables=("table",))
     yield Scene("contact", ["contact", *one, u, roll, at["sites2.csv"], "--output", "table"], tables=("table",))
     yield Scene("contact-jsonl", ["contact", *one, "--format", "jsonl", cube, turn, at["sites3.csv"]])
+    yield Scene("envelope", ["envelope", u, roll, "--events", "e.csv", "--patches", "p.csv", "--joints", "j.csv", "--at", "1/3",
+                             "--curve", "c.csv"], tables=("e.csv", "p.csv", "j.csv", "c.csv"))
+    yield Scene("envelope-3", ["envelope", cube, turn, "--patches", "p.csv", "--joints", "j.csv", "-n", "3", "--points", "n.csv"],
+                tables=("p.csv", "j.csv", "n.csv"))
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
     yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))
