@@ -11,90 +11,111 @@
 #include "number/refine.h"
 #include "number/rounding.h"
 
-/* Contacts' times are narrowed to this many binary places. */
+/* Contacts' times are narrowed to this many binary places, beyond those of the shortest arc. */
 enum { PLACES = 60 };
 
 /* Enclose a contact's time in its piece. */
 static graze_status narrow_time(fmpq_t low, fmpq_t high, graze_context *context,
-                                const graze_time *time) {
+                                const graze_time *time, ulong places) {
     algebraic x;
     algebraic_init(&x);
     algebraic_set(&x, &time->u);
     graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
-    for (int step = 0; !status && !algebraic_is_rational(&x) && x.where.exponent < PLACES; step++)
+    for (int step = 0; !status && !algebraic_is_rational(&x) && x.where.exponent < places; step++)
         status = algebraic_narrow(context, &x, step, &gain);
     algebraic_bounds(low, high, &x);
     algebraic_clear(&x);
     return status;
 }
 
-/* A contact's time with its enclosure in doubles. */
+/* A contact's time is between v = low of one arc and v = high of the same or a later one. */
 typedef struct moment {
-    size_t piece;
+    size_t low_arc, high_arc;
     double low, high;
 } moment;
 
-static graze_status enclose_moment(moment *out, graze_context *context, const graze_time *time) {
+/* The last arc of a piece that begins at u or before, and doubles about v. */
+static size_t find_arc(double *low, double *high, graze_context *context, const ground *base,
+                       size_t piece, const fmpq_t u) {
+    fmpq_t from, length, v;
+    size_t k = base->first[piece + 1];
+    fmpq_init(from);
+    fmpq_init(length);
+    fmpq_init(v);
+    do
+        (void)rational_from_double(from, context, base->arc[--k].from);
+    while (k > base->first[piece] && fmpq_cmp(from, u) > 0);
+    (void)rational_from_double(length, context, base->arc[k].length);
+    fmpq_sub(v, u, from);
+    fmpq_div(v, v, length);
+    rational_bounds(low, high, v);
+    *low = fmax(*low, 0);
+    *high = fmin(*high, 1);
+    fmpq_clear(from);
+    fmpq_clear(length);
+    fmpq_clear(v);
+    return k;
+}
+
+static graze_status enclose_moment(moment *out, graze_context *context, const ground *base,
+                                   const graze_time *time) {
     fmpq_t low, high;
+    double unused;
     fmpq_init(low);
     fmpq_init(high);
-    graze_status status = narrow_time(low, high, context, time);
-    double unused;
-    rational_bounds(&out->low, &unused, low);
-    rational_bounds(&unused, &out->high, high);
-    out->low = fmax(out->low, 0);
-    out->high = fmin(out->high, 1);
-    out->piece = time->piece;
+    graze_status status = narrow_time(low, high, context, time, PLACES + base->deepest);
+    out->low_arc = find_arc(&out->low, &unused, context, base, time->piece, low);
+    out->high_arc = find_arc(&unused, &out->high, context, base, time->piece, high);
     fmpq_clear(low);
     fmpq_clear(high);
     return status;
 }
 
-/* The stretches of a stay between two moments, piece by piece. */
+/* The stretches of a stay between two moments, arc by arc. */
 static graze_status add_stay(stretch_of_time **list, size_t *count, graze_context *context,
                              const moment *from, const moment *to) {
-    size_t pieces = to->piece - from->piece + 1;
-    stretch_of_time *grown = realloc(*list, (*count + pieces) * sizeof *grown);
+    size_t arcs = to->high_arc - from->low_arc + 1;
+    stretch_of_time *grown = realloc(*list, (*count + arcs) * sizeof *grown);
     if (!grown)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a distance");
     *list = grown;
-    for (size_t k = from->piece; k <= to->piece; k++) {
-        int first = k == from->piece, last = k == to->piece;
-        grown[(*count)++] = (stretch_of_time){.piece = k,
-                                              .from = first ? from->low : 0,
-                                              .to = last ? to->high : 1,
-                                              .sure_from = first ? from->high : 0,
-                                              .sure_to = last ? to->low : 1};
+    for (size_t k = from->low_arc; k <= to->high_arc; k++) {
+        double sure_from = k < from->high_arc ? INFINITY : k == from->high_arc ? from->high : 0;
+        double sure_to = k > to->low_arc ? -INFINITY : k == to->low_arc ? to->low : 1;
+        grown[(*count)++] = (stretch_of_time){.arc = k,
+                                              .from = k == from->low_arc ? from->low : 0,
+                                              .to = k == to->high_arc ? to->high : 1,
+                                              .sure_from = sure_from,
+                                              .sure_to = sure_to};
     }
     return GRAZE_OK;
 }
 
 /* All stretches at which the trace has the wanted state. */
 static graze_status find_stays(stretch_of_time **list, size_t *count, graze_context *context,
-                               const graze_scene *scene, const graze_trace *trace,
-                               graze_state wanted) {
-    moment from = {0, 0, 0}, to;
+                               const ground *base, const graze_trace *trace, graze_state wanted) {
+    size_t last = base->arc_count - 1;
+    moment from = {0, 0, 0, 0}, to;
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k <= trace->contact_count && !status; k++) {
         const contact *next = k < trace->contact_count ? &trace->contact[k] : NULL;
         graze_state state = next ? next->left : trace->last;
-        to = (moment){scene->motion->piece_count - 1, 1, 1};
+        to = (moment){last, last, 1, 1};
         if (next)
-            status = enclose_moment(&to, context, next->from);
+            status = enclose_moment(&to, context, base, next->from);
         if (!status && state == wanted)
             status = add_stay(list, count, context, &from, &to);
         if (!status && next)
-            status = enclose_moment(&from, context, next->to);
+            status = enclose_moment(&from, context, base, next->to);
     }
     return status;
 }
 
-static graze_status find_greatest(search *s, const graze_scene *scene, const graze_trace *trace,
-                                  graze_state wanted) {
+static graze_status find_greatest(search *s, const graze_trace *trace, graze_state wanted) {
     stretch_of_time *list = NULL;
     size_t count = 0;
-    graze_status status = find_stays(&list, &count, s->context, scene, trace, wanted);
+    graze_status status = find_stays(&list, &count, s->context, s->base, trace, wanted);
     if (!status)
         status = search_greatest(s, list, count);
     free(list);
@@ -119,14 +140,17 @@ static graze_status find_off(distance *out, search *s, const graze_scene *scene,
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
     int negative = trace->verdict.pmc == GRAZE_IN, greatest = negative != unsweep;
     graze_state wanted = unsweep ? GRAZE_STATE_O : GRAZE_STATE_I;
-    graze_status status = greatest ? find_greatest(s, scene, trace, wanted) : search_least(s);
+    graze_status status = greatest ? find_greatest(s, trace, wanted) : search_least(s);
     out->low = negative ? -s->high : s->low;
     out->high = negative ? -s->low : s->high;
     /* The decimals of a table are outside the doubles by less than this. */
     double more = 0x1p-50 * fmax(fabs(out->low), fabs(out->high));
     out->wide = !(out->high - out->low + more <= s->tolerance);
-    out->piece = s->piece;
-    out->u = s->time;
+    const arc *of = &s->base->arc[s->arc];
+    out->piece = of->piece;
+    out->from = of->from;
+    out->length = of->length;
+    out->v = s->time;
     out->at = greatest && !s->met ? end_of_stay(trace, wanted) : NULL;
     return status;
 }
@@ -169,23 +193,22 @@ static void to_motion(fmpq_t time, const motion_piece *piece) {
 graze_status distance_contact_time(fmpq_t out, graze_context *context, const graze_time *time) {
     fmpq_t high;
     fmpq_init(high);
-    graze_status status = narrow_time(out, high, context, time);
+    graze_status status = narrow_time(out, high, context, time, PLACES);
     fmpq_clear(high);
     to_motion(out, &time->motion->piece[time->piece]);
     return status;
 }
 
 void distance_time(fmpq_t out, const distance *found, const graze_motion *motion) {
-    fmpz_t numerator;
-    int exponent;
-    double m = frexp(found->u, &exponent);
-    fmpz_init(numerator);
-    fmpz_set_d(numerator, ldexp(m, 53));
-    fmpq_set_fmpz(out, numerator);
-    if (exponent >= 53)
-        fmpq_mul_2exp(out, out, (ulong)(exponent - 53));
-    else
-        fmpq_div_2exp(out, out, (ulong)(53 - exponent));
-    fmpz_clear(numerator);
+    fmpq_t length, v;
+    fmpq_init(length);
+    fmpq_init(v);
+    /* All three are finite. */
+    (void)rational_from_double(out, NULL, found->from);
+    (void)rational_from_double(length, NULL, found->length);
+    (void)rational_from_double(v, NULL, found->v);
+    fmpq_addmul(out, length, v);
+    fmpq_clear(length);
+    fmpq_clear(v);
     to_motion(out, &motion->piece[found->piece]);
 }

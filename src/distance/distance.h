@@ -9,9 +9,9 @@
 /** low <= s <= high, with the sign of the point's exact answer (proofs/distance.md C66, C67). */
 typedef struct distance {
     double low, high;
-    int wide;             /* high - low is more than was asked for */
-    size_t piece;         /* a time at which the solid is as near as the bound says: */
-    double u;             /* the piece's parameter, or */
+    int wide;     /* high - low is more than was asked for */
+    size_t piece; /* a time at which the solid is as near as the bound says: the piece's */
+    double from, length, v; /* parameter from + length v, exactly, or */
     const graze_time *at; /* a contact, borrowed from the trace: the first of an `on` point, or one
                              at the end of a stay in which no double is certain to lie */
 } distance;

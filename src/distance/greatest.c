@@ -19,7 +19,7 @@ typedef struct sample {
 } sample;
 
 static const double *corners_of(const search *s, uint32_t simplex) {
-    int d = s->base->tracing->dimension;
+    int d = s->base->scene->motion->dimension;
     return s->base->scene->solid->corners.at + (size_t)simplex * d * d;
 }
 
@@ -53,7 +53,7 @@ static int take_sample(sample *out, search *s, const stretch_of_time *of, const 
     if (sure && (!s->met || found.low > s->low)) {
         s->met = 1;
         s->low = found.low;
-        s->piece = of->piece;
+        s->arc = of->arc;
         s->time = time;
     }
     return 1;
@@ -109,7 +109,7 @@ graze_status search_greatest(search *s, const stretch_of_time *stretch, size_t c
         path p;
         window w;
         sample first, last;
-        status = path_make(&p, s->context, s->base, of->piece, s->point_low, s->point_high);
+        status = path_make(&p, s->context, s->base, of->arc, s->point_low, s->point_high);
         if (status)
             break;
         (void)take_sample(&first, s, of, &p, of->from, NULL, 0);

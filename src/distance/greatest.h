@@ -6,9 +6,10 @@
 
 #include "distance/search.h"
 
-/** A stretch of one piece whose interior times [sure_from, sure_to] are certainly of a stay. */
+/** A stretch of one arc whose times [sure_from, sure_to] are certainly of a stay; none if sure_from
+ * > sure_to. */
 typedef struct stretch_of_time {
-    size_t piece;
+    size_t arc;
     double from, to, sure_from, sure_to;
 } stretch_of_time;
 

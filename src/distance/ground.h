@@ -7,16 +7,27 @@
 #include "filter/course.h"
 #include "scene/scene.h"
 
-typedef struct ground_piece {
+/**
+ * A part of a piece on which no weight varies much, so that its rounding is small everywhere: the
+ * whole piece, of most motions. Its own parameter v runs from 0 to 1, the piece's is from +
+ * length v, with `from` and `length` dyadic and exact.
+ */
+typedef struct arc {
+    size_t piece;
+    double from, length;
     int rigid;       /* distances of the space of query points are those of the solid's */
+    carrier tracing; /* of a part; unset where the arc is the piece, whose map the filter has */
     carrier placing; /* motion_placing; set only if not rigid */
-} ground_piece;
+} arc;
 
 /** Immutable once made; belongs to the scene. */
 typedef struct ground {
     const graze_scene *scene;
-    const course *tracing; /* the filter's */
-    ground_piece *piece;
+    const course *whole; /* the filter's */
+    size_t arc_count, arc_capacity;
+    arc *arc;      /* in the order of time */
+    size_t *first; /* arc of each piece, and their number behind the last */
+    ulong deepest; /* the shortest arc is 2^-deepest of its piece */
 } ground;
 
 /**
@@ -25,5 +36,8 @@ typedef struct ground {
  * beyond CARRIER_DEGREE, beyond SQUARED on a piece that is not rigid
  */
 graze_status ground_of(const ground **out, graze_context *context, const graze_scene *scene);
+
+/** The tracing map of an arc. */
+const carrier *ground_tracing(const ground *g, size_t index);
 
 #endif

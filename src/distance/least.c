@@ -111,7 +111,7 @@ static int ask_middle(search *s, const window *w, const stance *mid, double time
         return 1;
     if (found.high < s->high) {
         s->high = found.high;
-        s->piece = w->of->piece;
+        s->arc = w->of->arc;
         s->time = time;
     }
     foot_find(&f, mid, s->base->scene->solid->corners.at + (size_t)found.simplex * d * d);
@@ -190,26 +190,26 @@ static graze_status explore_least(search *s, const path *p, double from, double 
     return status;
 }
 
-typedef struct piece_bound {
+typedef struct arc_bound {
     double low;
-    size_t piece;
-} piece_bound;
+    size_t arc;
+} arc_bound;
 
 static int compare_bounds(const void *left, const void *right) {
-    const piece_bound *a = left, *b = right;
-    return a->low < b->low ? -1 : a->low > b->low ? 1 : a->piece < b->piece ? -1 : 1;
+    const arc_bound *a = left, *b = right;
+    return a->low < b->low ? -1 : a->low > b->low ? 1 : a->arc < b->arc ? -1 : 1;
 }
 
-/* What the solid's box says about a whole piece. */
-static graze_status bound_piece(piece_bound *out, search *s, size_t piece) {
+/* What the solid's box says about a whole arc. */
+static graze_status bound_arc(arc_bound *out, search *s, size_t index) {
     path p;
     window w;
     stance mid;
     double g[3];
     const box *root = &s->base->scene->solid->boxes.node[0].box;
-    out->piece = piece;
+    out->arc = index;
     out->low = 0;
-    graze_status status = path_make(&p, s->context, s->base, piece, s->point_low, s->point_high);
+    graze_status status = path_make(&p, s->context, s->base, index, s->point_low, s->point_high);
     if (status || !window_make(&w, &p, 0, 1) || !stance_make(&mid, &p, 0.5))
         return status;
     foot_of_box(g, &mid, root);
@@ -217,10 +217,10 @@ static graze_status bound_piece(piece_bound *out, search *s, size_t piece) {
     return status;
 }
 
-static graze_status explore_pieces(search *s, piece_bound *bound, size_t count) {
+static graze_status explore_arcs(search *s, arc_bound *bound, size_t count) {
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < count && !status; k++)
-        status = bound_piece(&bound[k], s, k);
+        status = bound_arc(&bound[k], s, k);
     if (status)
         return status;
     qsort(bound, count, sizeof *bound, compare_bounds);
@@ -230,7 +230,7 @@ static graze_status explore_pieces(search *s, piece_bound *bound, size_t count) 
             s->low = smaller(s->low, bound[k].low);
             break;
         }
-        status = path_make(&p, s->context, s->base, bound[k].piece, s->point_low, s->point_high);
+        status = path_make(&p, s->context, s->base, bound[k].arc, s->point_low, s->point_high);
         if (!status)
             status = explore_least(s, &p, 0, 1, 0, 1);
     }
@@ -238,8 +238,8 @@ static graze_status explore_pieces(search *s, piece_bound *bound, size_t count) 
 }
 
 graze_status search_least(search *s) {
-    size_t count = s->base->tracing->piece_count;
-    piece_bound *bound = malloc(count * sizeof *bound);
+    size_t count = s->base->arc_count;
+    arc_bound *bound = malloc(count * sizeof *bound);
     s->low = s->high = INFINITY;
     s->list_count = 0;
     int room = array_reserve(&s->list, &s->list_capacity, 1, sizeof *s->list);
@@ -248,7 +248,7 @@ graze_status search_least(search *s) {
         return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for a distance");
     }
     s->list[s->list_count++] = 0;
-    graze_status status = explore_pieces(s, bound, count);
+    graze_status status = explore_arcs(s, bound, count);
     s->low = smaller(s->low, s->high);
     free(bound);
     return status;

@@ -7,14 +7,14 @@
 #include "distance/nearest.h"
 
 /** The distance that is sought lies in [low, high]; the bound that the sought kind of search can
- * show at a time is met at `time` of `piece`. */
+ * show at a time is met at `time` of the arc. */
 typedef struct search {
     graze_context *context;
     const ground *base;
     const double *point_low, *point_high;
     double tolerance;
     double low, high;
-    size_t piece;
+    size_t arc;
     double time;
     int met;                /* the greatest alone: there is such a time among doubles */
     size_t visits, counted; /* work so far, and what the context knows of it */

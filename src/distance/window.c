@@ -1,4 +1,4 @@
-/* Windows by blossoms of the whole piece's coefficients, so that errors do not grow with depth.
+/* Windows by blossoms of the whole arc's coefficients, so that errors do not grow with depth.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "distance/window.h"
@@ -36,15 +36,15 @@ static double largest_size(const double *c, int n) {
     return most;
 }
 
-graze_status path_make(path *out, graze_context *context, const ground *base, size_t piece,
+graze_status path_make(path *out, graze_context *context, const ground *base, size_t index,
                        const double *low, const double *high) {
-    const carrier *map = &base->tracing->piece[piece];
+    const carrier *map = ground_tracing(base, index);
     int d = map->dimension, n = map->degree;
     out->base = base;
-    out->piece = piece;
+    out->arc = index;
     out->dimension = d;
     out->degree = n;
-    out->rigid = base->piece[piece].rigid;
+    out->rigid = base->arc[index].rigid;
     out->error_x = out->size_x = out->point_error = 0;
     for (int j = 0; j < d; j++) {
         out->point[j] = low[j];
@@ -82,7 +82,7 @@ graze_status path_make(path *out, graze_context *context, const ground *base, si
 /* The linear part of the tracing map. */
 static void restrict_linear(window *w) {
     const path *p = w->of;
-    const carrier *map = &p->base->tracing->piece[p->piece];
+    const carrier *map = ground_tracing(p->base, p->arc);
     int d = p->dimension, n = map->degree;
     double most = 0;
     for (int i = 0; i < d; i++)
@@ -97,7 +97,7 @@ static void restrict_linear(window *w) {
 /* The placing map. */
 static void restrict_place(window *w) {
     const path *p = w->of;
-    const carrier *map = &p->base->piece[p->piece].placing;
+    const carrier *map = &p->base->arc[p->arc].placing;
     const corners *corners = &p->base->scene->solid->corners;
     int d = p->dimension, n = map->degree, entries = d * (d + 1);
     double point = 0, matrix = 0, shift = 0, off = corners->error + 8 * U * corners->reach;

@@ -1,4 +1,4 @@
-/* A point's trajectory on an interval of a piece, in Bernstein form with a bound of its errors.
+/* A point's trajectory on an interval of an arc, in Bernstein form with a bound of its errors.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_DISTANCE_WINDOW_H
@@ -9,11 +9,11 @@
 /** Coefficients of one polynomial, at most. */
 enum { WINDOW_ROOM = CARRIER_DEGREE + 1, WINDOW_MAPS = POINT_MAP_ENTRIES + 1 };
 
-/** A query point on one piece: the coefficients of X_0 ... X_(d-1), W on [0, 1], each of X within
+/** A query point on one arc: the coefficients of X_0 ... X_(d-1), W on [0, 1], each of X within
  * error_x of the exact one and at most size_x, and error_w, size_w for W. */
 typedef struct path {
     const ground *base;
-    size_t piece;
+    size_t arc;
     int dimension, degree, rigid;
     double point[3], point_error; /* the point in doubles, each coordinate within point_error */
     double x[4][WINDOW_ROOM];
@@ -40,7 +40,7 @@ typedef struct window {
 } window;
 
 /** Coordinates of the point; fails with GRAZE_ELIMIT past the range. */
-graze_status path_make(path *out, graze_context *context, const ground *base, size_t piece,
+graze_status path_make(path *out, graze_context *context, const ground *base, size_t index,
                        const double *low, const double *high);
 
 /** The window [from, to] of a path, 0 <= from <= to <= 1; 0 if W is not certainly positive. */

@@ -39,26 +39,22 @@ static double scale_coefficient(const fmpz_t c, slong exponent, int *fits) {
     return ldexp(m, (int)e);
 }
 
-static void convert_map(carrier *out, const point_map *map) {
+static void convert_map(carrier *out, const point_map *map, const dyadic_interval *part) {
     int entries = map->dimension * (map->dimension + 1);
     slong n = out->degree + 1, exponent;
     fmpz *c = _fmpz_vec_init(n);
-    dyadic_interval unit;
-    dyadic_interval_init(&unit);
-    dyadic_interval_set_si(&unit, 0, 1);
-    bernstein_from_poly(c, map->weight, out->degree, &unit);
+    bernstein_from_poly(c, map->weight, out->degree, part);
     exponent = weight_exponent(c, out->degree);
     for (int j = 0; j <= entries; j++) {
-        bernstein_from_poly(c, j < entries ? &map->entry[j] : map->weight, out->degree, &unit);
+        bernstein_from_poly(c, j < entries ? &map->entry[j] : map->weight, out->degree, part);
         for (slong k = 0; k < n; k++)
             out->entry[j * n + k] = scale_coefficient(c + k, exponent, &out->usable);
     }
     out->weight = out->entry + entries * n;
-    dyadic_interval_clear(&unit);
     _fmpz_vec_clear(c, n);
 }
 
-int carrier_make(carrier *out, const point_map *map) {
+int carrier_make_on(carrier *out, const point_map *map, const dyadic_interval *part) {
     slong degree = degree_of(map);
     *out = (carrier){.dimension = map->dimension};
     if (degree > CARRIER_DEGREE)
@@ -69,8 +65,17 @@ int carrier_make(carrier *out, const point_map *map) {
     out->entry = malloc((entries + 1) * (size_t)(degree + 1) * sizeof *out->entry);
     if (!out->entry)
         return 0;
-    convert_map(out, map);
+    convert_map(out, map, part);
     return 1;
+}
+
+int carrier_make(carrier *out, const point_map *map) {
+    dyadic_interval unit;
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    int made = carrier_make_on(out, map, &unit);
+    dyadic_interval_clear(&unit);
+    return made;
 }
 
 void carrier_clear(carrier *c) {

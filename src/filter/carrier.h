@@ -5,6 +5,7 @@
 #define GRAZE_FILTER_CARRIER_H
 
 #include "motion/motion.h"
+#include "number/dyadic.h"
 
 /** Polynomials of higher degree are left to the exact path. */
 enum { CARRIER_DEGREE = 32 };
@@ -29,6 +30,8 @@ typedef struct carrier {
 
 /** Convert a map; 0 without memory, else 1. */
 int carrier_make(carrier *out, const point_map *map);
+/** The same on a dyadic part of [0, 1], whose parameter runs from 0 to 1 again. */
+int carrier_make_on(carrier *out, const point_map *map, const dyadic_interval *part);
 void carrier_clear(carrier *c);
 
 #endif

@@ -19,7 +19,7 @@
 
 enum { ROUNDS = 400, PLACES = 12 };
 
-/* Rigid ones, with a weight and without; a shear, a scale; a weight that is small on one side. */
+/* Rigid ones, with a weight and without; a shear, a scale; weights that are small at some times. */
 static const char *const plane_motions[] = {
     "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"compose\": [{\"rotate\": "
     "{\"tan_half\": \"3*t-1\"}}, {\"translate\": [\"5*t\", \"t^2\"]}]}}]}",
@@ -29,6 +29,8 @@ static const char *const plane_motions[] = {
     "[[\"1+t\", \"t^2\", \"3*t\"], [\"t/3\", \"2-t\", \"-t\"]]}}]}",
     "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"matrix\": "
     "[[\"1/(1+99*t)\", 0, \"t\"], [0, \"1/(1+99*t)\", 0]]}}]}",
+    "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"rotate\": {\"tan_half\": "
+    "\"10^6*t-1000\"}}}]}",
 };
 static const char *const space_motions[] = {
     "{\"dimension\": 3, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"compose\": [{\"rotate\": "
@@ -246,6 +248,7 @@ static double check_at(const trial *t, const fmpq *map, double s) {
 /* Bounds and distances at places of a window; 1 if it is one where they must be narrow. */
 static int check_window(trial *t, const point_map *placing, double shift) {
     int d = t->p.dimension;
+    const arc *of = &t->base->arc[t->p.arc];
     fmpq *map = _fmpq_vec_init(d * (d + 1));
     fmpq_t u, length, part;
     double nearest = 0;
@@ -259,6 +262,10 @@ static int check_window(trial *t, const point_map *placing, double shift) {
         assert_int_equal(rational_from_double(part, NULL, s), GRAZE_OK);
         fmpq_sub(length, length, u);
         fmpq_addmul(u, length, part);
+        assert_int_equal(rational_from_double(length, NULL, of->length), GRAZE_OK);
+        assert_int_equal(rational_from_double(part, NULL, of->from), GRAZE_OK);
+        fmpq_mul(u, u, length);
+        fmpq_add(u, u, part);
         point_map_at(map, placing, u);
         nearest = check_at(t, map, s);
     }
@@ -283,7 +290,8 @@ static int check_windows(graze_context *context, const graze_scene *scene, doubl
         double point[3], length = ldexp(1, -(int)random_below(36));
         for (int i = 0; i < d; i++)
             point[i] = shift + 6 * random_fraction() + (round % 8 ? 0 : 1000);
-        assert_int_equal(path_make(&t.p, context, t.base, 0, point, point), GRAZE_OK);
+        size_t arc = (size_t)random_below((slong)t.base->arc_count);
+        assert_int_equal(path_make(&t.p, context, t.base, arc, point, point), GRAZE_OK);
         double from = (1 - length) * fabs(random_fraction()), to = fmin(from + length, 1);
         if (trial_make(&t, from, to, (size_t)random_below(d == 2 ? 3 : 4)))
             narrow += check_window(&t, placing, shift);
