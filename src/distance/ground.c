@@ -64,7 +64,7 @@ static int is_even(const carrier *c) {
     return least * MOST_VARIATION >= most;
 }
 
-static graze_status no_memory(graze_context *context) {
+static graze_status no_memory_for_maps(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for the maps of a motion");
 }
 
@@ -125,7 +125,7 @@ static graze_status make_arcs(ground *g, graze_context *context, size_t piece, i
     const carrier *tracing = whole ? &g->whole->piece[piece] : &a.tracing;
     int made = whole || carrier_make_on(&a.tracing, motion_tracing(of, operation), part);
     made = made && (rigid || carrier_make_on(&a.placing, motion_placing(of, operation), part));
-    graze_status status = made ? check_arc(context, &a, tracing) : no_memory(context);
+    graze_status status = made ? check_arc(context, &a, tracing) : no_memory_for_maps(context);
     int even = !status && is_even(tracing) && (rigid || is_even(&a.placing));
     if (even) {
         status = keep_arc(g, context, &a, part->exponent);
@@ -164,7 +164,7 @@ static graze_status make_ground(scene_memo *memo, graze_context *context,
     if (!made || !first) {
         free(made);
         free(first);
-        return no_memory(context);
+        return no_memory_for_maps(context);
     }
     made->scene = scene;
     made->whole = &scene->filter.course;
