@@ -26,6 +26,7 @@ from .errors import (CanceledError, GrazeError, IllegalError, InputError, Intern
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
 from .pictures import Picture, class_colours
+from .patches import CurvePart, Patch, PatchJoint
 from .results import (CLASS_NAMES, ENCLOSURE_DTYPE, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact,
                       Enclosure, Pmc, Sample, Topology, Trace, Verdict, class_names, columns,
                       definition_names, pmc_names, to_dataframe)
@@ -35,9 +36,10 @@ from .times import AlgebraicNumber, Time, decimal
 
 __all__ = [
     "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Comparison",
-    "Contact", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "IllegalError",
+    "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "IllegalError",
     "InputError", "InternalError",
-    "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Picture",
+    "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Patch",
+    "PatchJoint", "Picture",
     "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "columns", "compare",
     "decimal", "definition_names", "pmc_names", "slide", "to_dataframe", "turn", "version"]

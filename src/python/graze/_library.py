@@ -111,6 +111,28 @@ class CEnvelopeFacts(ctypes.Structure):
                 ("time", c_void_p)]
 
 
+class CCurvePart(ctypes.Structure):
+    """graze_curve_part."""
+
+    _fields_ = [("kind", c_int), ("cell", CCell), ("theta_a", c_int), ("theta_b", c_int),
+                ("orientation", c_int), ("trim", c_int), ("chain", c_size_t), ("form", c_int)]
+
+
+class CPatch(ctypes.Structure):
+    """graze_patch."""
+
+    _fields_ = [("kind", c_int), ("cell", CCell), ("start", c_void_p), ("end", c_void_p),
+                ("a", CCell), ("b", CCell), ("theta_a", c_int), ("theta_b", c_int),
+                ("orientation", c_int), ("trim", c_int)]
+
+
+class CPatchJoint(ctypes.Structure):
+    """graze_patch_joint."""
+
+    _fields_ = [("cell", CCell), ("start", c_void_p), ("end", c_void_p), ("form", c_int),
+                ("count", c_size_t), ("patch", POINTER(c_size_t))]
+
+
 class CJoint(ctypes.Structure):
     """graze_joint."""
 
@@ -245,6 +267,18 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_envelope_get": (CEnvelopeFacts, [c_void_p]),
     "graze_envelope_event_count": (c_size_t, [c_void_p]),
     "graze_envelope_event": (CEvent, [c_void_p, c_size_t]),
+    "graze_curve_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p]),
+    "graze_curve_destroy": (None, [c_void_p]),
+    "graze_curve_count": (c_size_t, [c_void_p]),
+    "graze_curve_at": (CCurvePart, [c_void_p, c_size_t]),
+    "graze_curve_ends": (None, [c_void_p, c_void_p, c_void_p, c_size_t]),
+    "graze_patches_create": (c_int, [_OUT, c_void_p, c_void_p]),
+    "graze_patches_destroy": (None, [c_void_p]),
+    "graze_patches_count": (c_size_t, [c_void_p]),
+    "graze_patches_at": (CPatch, [c_void_p, c_size_t]),
+    "graze_patches_sample": (None, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t]),
+    "graze_patches_joint_count": (c_size_t, [c_void_p]),
+    "graze_patches_joint": (CPatchJoint, [c_void_p, c_size_t]),
     "graze_site_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_site_create_at": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_site_snap": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p, CCell]),
@@ -262,6 +296,8 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_trim_name": (c_char_p, [c_int]),
     "graze_orientation_name": (c_char_p, [c_int]),
     "graze_event_kind_name": (c_char_p, [c_int]),
+    "graze_curve_kind_name": (c_char_p, [c_int]),
+    "graze_chain_form_name": (c_char_p, [c_int]),
     "graze_decomposable_name": (c_char_p, [c_int]),
     "graze_decomposable_reason_name": (c_char_p, [c_int]),
     "graze_topo_level_name": (c_char_p, [c_int]),

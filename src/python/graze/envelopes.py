@@ -1,17 +1,24 @@
 """Events of an envelope: when the contact of the moving solid with it changes.
 
+One thread uses an envelope at a time.
+
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass
-from typing import Dict, Optional, Tuple
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Dict, Optional, Tuple
 
-from ._library import library
+from ._library import Handle, library
+from ._numbers import Rationals
 from ._traces import cell_of, time_of
+from .patches import CurvePart, Patch, PatchJoint, read_curve, read_patches
 from .results import Cell
 from .times import Time
+
+if TYPE_CHECKING:
+    from .scene import Number, Scene
 
 _NO_SIGN = 2
 
@@ -51,11 +58,36 @@ class Envelope:
     edges: int
     vertices: int
     events: Tuple[Event, ...]
+    _scene: Scene = field(repr=False, compare=False)
+    _handle: Handle = field(repr=False, compare=False)
+
+    def curve(self, time: Number) -> Tuple[CurvePart, ...]:
+        """The contact points at a time within the motion that is no break: slices and whole
+        facets, runs, points.
+
+        Raises:
+            InputError: another time; UseError, LimitError, InternalError.
+        """
+        context, pointer, when = self._scene._context(), ctypes.c_void_p(), Rationals(1)
+        when.set(0, time, context)
+        context.run(library().graze_curve_create, ctypes.byref(pointer), context.pointer,
+                    self._handle.pointer, when.address)
+        with Handle(pointer, library().graze_curve_destroy) as curve:
+            return read_curve(curve, self._scene.dimension)
+
+    def patches(self) -> Tuple[Tuple[Patch, ...], Tuple[PatchJoint, ...]]:
+        """The cells over the intervals in which they carry contact, and which of them meet; joints
+        have the places of patches in the first of both. Raises LimitError, InternalError."""
+        context, pointer = self._scene._context(), ctypes.c_void_p()
+        context.run(library().graze_patches_create, ctypes.byref(pointer), context.pointer,
+                    self._handle.pointer)
+        with Handle(pointer, library().graze_patches_destroy) as patches:
+            return read_patches(patches, self._scene.dimension)
 
 
-def read_envelope(envelope: ctypes.c_void_p) -> Envelope:
-    """Everything that an envelope holds; the handle stays the caller's."""
-    call = library()
+def read_envelope(handle: Handle, scene: Scene) -> Envelope:
+    """Everything that an envelope holds, which keeps its handle."""
+    call, envelope = library(), handle.pointer
     facts = call.graze_envelope_get(envelope)
     times: Dict[int, Time] = {}
     events = []
@@ -71,4 +103,4 @@ def read_envelope(envelope: ctypes.c_void_p) -> Envelope:
                     call.graze_decomposable_reason_name(facts.reason).decode(),
                     cell_of(facts.facet), cell_of(facts.cell),
                     time_of(facts.time) if facts.time else None, facts.facets, facts.edges,
-                    facts.vertices, tuple(events))
+                    facts.vertices, tuple(events), scene, handle)

@@ -290,8 +290,7 @@ class Scene:
         context, pointer = self._context(), ctypes.c_void_p()
         context.run(library().graze_envelope_create, ctypes.byref(pointer), context.pointer,
                     self._handle.pointer)
-        with Handle(pointer, library().graze_envelope_destroy) as envelope:
-            return read_envelope(envelope)
+        return read_envelope(Handle(pointer, library().graze_envelope_destroy, self._handle), self)
 
     def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1,
              progress: Progress = False) -> List[str]:
