@@ -40,7 +40,8 @@ static const char classify_help[] =
     "  --receipt FILE       spare the validation of a solid that graze check --receipt has done\n"
     "  --quiet              no progress on the terminal\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10,\n"
-    "                       line 10^7, cells 10^8, bytes 4*10^9, bits 100000, work 10^8\n"
+    "                       line 10^7, cells 10^8, bytes 4*10^9, bits 100000, work 10^8,\n"
+    "                       curve 20\n"
     "\n"
     "Example: graze classify cube.off move.json points.csv > table.csv\n";
 

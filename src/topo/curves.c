@@ -12,6 +12,7 @@
 #include <string.h>
 #include "context/array.h"
 #include "number/isolate.h"
+#include "topo/pullback.h"
 
 void view_init(plane_view *view) {
     view->dimension = 2;
@@ -77,52 +78,6 @@ graze_status curves_append(curve_list *list, graze_context *context, const fmpz_
     return GRAZE_OK;
 }
 
-/* linear[0] x + linear[1] y + linear[2], whose coefficients are polynomials in time. */
-typedef struct pullback_form {
-    fmpz_poly_struct linear[3];
-} pullback_form;
-
-static void pullback_init(pullback_form *f) {
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_init(&f->linear[i]);
-}
-
-static void pullback_clear(pullback_form *f) {
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_clear(&f->linear[i]);
-}
-
-/* The form over the images of all points of E^d under a map, times an integer, as a function of the
- * view's coordinates. */
-static void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
-                             const plane_view *view) {
-    int d = map->dimension;
-    fmpz scale[4] = {0, 0, 0, 0}; /* the origin over a common denominator, scale[d] */
-    fmpz_t factor;
-    fmpz_poly_t column;
-    fmpz_init(factor);
-    fmpz_poly_init(column);
-    _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + d, view->origin, d);
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_zero(&f->linear[i]);
-    for (int j = 0; j <= d; j++) {
-        fmpz_poly_zero(column);
-        for (int row = 0; row < d; row++)
-            fmpz_poly_scalar_addmul_fmpz(column, &map->entry[row * (d + 1) + j], form + row);
-        if (j == d)
-            fmpz_poly_scalar_addmul_fmpz(column, map->weight, form + d);
-        fmpz_poly_scalar_addmul_fmpz(&f->linear[2], column, scale + j);
-        for (int i = 0; i < 2 && j < d; i++) {
-            fmpz_mul(factor, view->along[i] + j, scale + d);
-            fmpz_poly_scalar_addmul_fmpz(&f->linear[i], column, factor);
-        }
-    }
-    for (int i = 0; i < 4; i++)
-        fmpz_clear(scale + i);
-    fmpz_clear(factor);
-    fmpz_poly_clear(column);
-}
-
 /* Has a polynomial a root in [0, 1]? */
 static graze_status meets_piece(int *out, graze_context *context, const fmpz_poly_t p) {
     graze_status status = GRAZE_OK;
@@ -141,35 +96,6 @@ static graze_status meets_piece(int *out, graze_context *context, const fmpz_pol
     return status;
 }
 
-/* Divide by the common factor, which is handed over; returns the degree in time that remains. */
-static slong pullback_reduce(pullback_form *f, fmpz_poly_t common) {
-    slong degree = 0;
-    fmpz_poly_zero(common);
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_gcd(common, common, &f->linear[i]);
-    for (int i = 0; i < 3 && !fmpz_poly_is_zero(common); i++) {
-        fmpz_poly_div(&f->linear[i], &f->linear[i], common);
-        degree = FLINT_MAX(degree, fmpz_poly_degree(&f->linear[i]));
-    }
-    return degree;
-}
-
-static void polynomial_of_pullback(fmpz_mpoly_t out, const pullback_form *f,
-                                   const fmpz_mpoly_ctx_t ring) {
-    fmpz_mpoly_t part, variable;
-    fmpz_mpoly_init(part, ring);
-    fmpz_mpoly_init(variable, ring);
-    fmpz_mpoly_set_fmpz_poly(out, &f->linear[2], RING_T, ring);
-    for (int i = 0; i < 2; i++) {
-        fmpz_mpoly_set_fmpz_poly(part, &f->linear[i], RING_T, ring);
-        fmpz_mpoly_gen(variable, i, ring);
-        fmpz_mpoly_mul(part, part, variable, ring);
-        fmpz_mpoly_add(out, out, part, ring);
-    }
-    fmpz_mpoly_clear(part, ring);
-    fmpz_mpoly_clear(variable, ring);
-}
-
 /* What the walk over pieces, lines and vertices shares. */
 typedef struct curve_maker {
     curve_list *list;
@@ -179,50 +105,45 @@ typedef struct curve_maker {
     const plane_view *view;
 } curve_maker;
 
-static const char too_dear[] =
-    "the scene has more curves, or curves of a higher degree, than are looked at";
 static const char in_plane[] = "facets or edges come to lie in a plane through the point";
 
-static slong most_degree(const curve_maker *m) {
-    return m->view->dimension == 2 ? CURVE_DEGREE : SLICE_CURVE_DEGREE;
+/* Why a list is not whole: more curves, or a higher degree, than the limit. */
+static const char *too_many(const plane_view *view) {
+    return view->dimension == 2 ? "the scene has more than the 100000 curves that are looked at"
+                                : "the scene has more curves in a plane than are looked at";
+}
+
+static void refuse_degree(curve_maker *m, slong degree) {
+    int in_e2 = m->view->dimension == 2;
+    ulong most = in_e2 ? m->context->limits[GRAZE_LIMIT_CURVE] : SLICE_CURVE_DEGREE;
+    if (degree > 0 && (ulong)degree > most)
+        m->refused = in_e2 ? "a curve of the scene has a higher degree than the limit `curve` allows"
+                           : "a curve in a plane has a higher degree than is looked at";
 }
 
 /* The line at u = 0 or 1. */
 static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
-    pullback_form at;
     fmpz_mpoly_t curve;
-    fmpz_t value, when;
-    fmpz_init(value);
+    fmpz_t when;
     fmpz_init_set_si(when, u);
-    pullback_init(&at);
     fmpz_mpoly_init(curve, m->list->ring);
-    for (int i = 0; i < 3; i++) {
-        fmpz_poly_evaluate_fmpz(value, &f->linear[i], when);
-        fmpz_poly_set_fmpz(&at.linear[i], value);
-    }
-    polynomial_of_pullback(curve, &at, m->list->ring);
+    pullback_at(curve, f, when, m->list->ring);
     graze_status status = curves_append(m->list, m->context, curve);
     fmpz_mpoly_clear(curve, m->list->ring);
-    pullback_clear(&at);
-    fmpz_clear(value);
     fmpz_clear(when);
     return status;
 }
 
-/* Where the pullback, of degree at least 2 in time, has a double root, or vanishes. */
-static graze_status add_discriminant(curve_maker *m, const pullback_form *f) {
-    fmpz_mpoly_t whole, curve;
-    fmpz_mpoly_init(whole, m->list->ring);
+/* Where the pullback, of degree n >= 2 in time, has a double root, or vanishes. */
+static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slong n) {
+    fmpz_mpoly_t curve;
     fmpz_mpoly_init(curve, m->list->ring);
-    polynomial_of_pullback(whole, f, m->list->ring);
-    graze_status status = GRAZE_OK;
-    if (!fmpz_mpoly_discriminant(curve, whole, RING_T, m->list->ring) ||
-        fmpz_mpoly_is_zero(curve, m->list->ring))
+    graze_status status = pullback_discriminant(curve, m->context, f, n, m->list->ring);
+    if (!status && fmpz_mpoly_is_zero(curve, m->list->ring))
         status = context_fail(m->context, GRAZE_EINTERNAL,
                               "the discriminant of an irreducible pullback vanishes");
-    else
+    if (!status)
         status = curves_append(m->list, m->context, curve);
-    fmpz_mpoly_clear(whole, m->list->ring);
     fmpz_mpoly_clear(curve, m->list->ring);
     return status;
 }
@@ -239,8 +160,8 @@ static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *
     graze_status status = meets_piece(&meets, m->context, common);
     if (meets)
         m->refused = in_plane;
-    else if (*degree > most_degree(m))
-        m->refused = too_dear;
+    else
+        refuse_degree(m, *degree);
     fmpz_poly_clear(common);
     return status;
 }
@@ -256,7 +177,7 @@ static graze_status add_curves_of_plane(curve_maker *m, const motion_piece *piec
     if (!status && !m->refused && degree > 0)
         status = add_line_at(m, &f, 1);
     if (!status && !m->refused && degree > 1)
-        status = add_discriminant(m, &f);
+        status = add_discriminant(m, &f, degree);
     pullback_clear(&f);
     return status;
 }
@@ -265,26 +186,19 @@ static graze_status add_curves_of_plane(curve_maker *m, const motion_piece *piec
 static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, const slong *degree) {
     const fmpz_mpoly_ctx_struct *ring = m->list->ring;
     graze_status status = GRAZE_OK;
-    fmpz_mpoly_t side[2], curve;
-    fmpz_mpoly_init(curve, ring);
-    for (int k = 0; k < 2; k++) {
-        fmpz_mpoly_init(side[k], ring);
-        polynomial_of_pullback(side[k], f + k, ring);
-    }
+    fmpz_mpoly_t curve;
     if (degree[0] == 0 && degree[1] > 0)
-        status = curves_append(m->list, m->context, side[0]);
-    else if (degree[1] == 0 && degree[0] > 0)
-        status = curves_append(m->list, m->context, side[1]);
-    else if (degree[0] > 0) {
-        if (!fmpz_mpoly_resultant(curve, side[0], side[1], RING_T, ring))
-            status = context_fail(m->context, GRAZE_EINTERNAL, "a resultant is not found");
-        else if (fmpz_mpoly_is_zero(curve, ring))
-            m->refused = in_plane; /* one function twice, in E^3 alone */
-        else
-            status = curves_append(m->list, m->context, curve);
-    }
-    for (int k = 0; k < 2; k++)
-        fmpz_mpoly_clear(side[k], ring);
+        return add_line_at(m, f, 0);
+    if (degree[1] == 0 && degree[0] > 0)
+        return add_line_at(m, f + 1, 0);
+    if (degree[0] == 0)
+        return GRAZE_OK;
+    fmpz_mpoly_init(curve, ring);
+    status = pullback_resultant(curve, m->context, f, degree[0], f + 1, degree[1], ring);
+    if (!status && fmpz_mpoly_is_zero(curve, ring))
+        m->refused = in_plane; /* one function twice, in E^3 alone */
+    else if (!status)
+        status = curves_append(m->list, m->context, curve);
     fmpz_mpoly_clear(curve, ring);
     return status;
 }
@@ -304,8 +218,7 @@ static graze_status add_path(curve_maker *m, const motion_piece *piece, const fm
         for (int i = 0; i < 3; i++)
             fmpz_poly_scalar_submul_fmpz(&f[row].linear[2], &map->entry[row * 3 + i], scale + i);
         degree[row] = pullback_reduce(&f[row], common);
-        if (degree[row] > most_degree(m))
-            m->refused = too_dear;
+        refuse_degree(m, degree[row]);
     }
     graze_status status = m->refused ? GRAZE_OK : add_common_zeros(m, f, degree);
     for (int row = 0; row < 2; row++)
@@ -374,7 +287,7 @@ graze_status curves_of_scene(curve_list *list, const char **refused, graze_conte
     curve_maker m = {list, NULL, context, scene, view};
     size_t each = 3 * (planes->count + scene->solid->cut.count);
     size_t most = view->dimension == 2 ? CURVE_COUNT : SLICE_CURVE_COUNT;
-    m.refused = motion->piece_count > most / each ? too_dear : NULL;
+    m.refused = motion->piece_count > most / each ? too_many(view) : NULL;
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < motion->piece_count && !status && !m.refused; k++)
         status = add_piece(&m, &motion->piece[k], planes);

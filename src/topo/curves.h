@@ -8,15 +8,15 @@
 #include "scene/scene.h"
 #include "solid/planes.h"
 
-/** Largest degree in time of a pullback whose discriminant is taken, and most curves, in E^2, once
- * for a scene, and in a plane of E^3, for each point. A turn of degree 10 takes a second, of 12
- * four. */
-enum { CURVE_DEGREE = 10, CURVE_COUNT = 100000, SLICE_CURVE_DEGREE = 8, SLICE_CURVE_COUNT = 5000 };
+/** Most curves, in E^2, once for a scene, and in a plane of E^3, for each point; there also the
+ * largest degree in time of a pullback whose discriminant is taken. In E^2 that is the context's
+ * limit `curve`. */
+enum { CURVE_COUNT = 100000, SLICE_CURVE_COUNT = 5000, SLICE_CURVE_DEGREE = 8 };
 
 /** Variables of the ring. */
-enum { RING_X, RING_Y, RING_T, RING_VARIABLES };
+enum { RING_X, RING_Y, RING_VARIABLES };
 
-/** Polynomials in x and y, none of them constant; `ring` has t too. */
+/** Polynomials in x and y, none of them constant. */
 typedef struct curve_list {
     fmpz_mpoly_ctx_t ring;
     size_t count, capacity;

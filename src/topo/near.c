@@ -1,4 +1,4 @@
-/* Curves moved to a point, factored, and the radius below all that happens to them.
+/* Curves moved to a point, in parts, and the radius below all that happens to them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A polynomial g with g(0, 0) = c not 0 has no zero where the sum of its other terms stays below
@@ -7,9 +7,10 @@
  */
 #include "topo/near.h"
 
-#include <flint/fmpz_mpoly_factor.h>
-#include "number/bernstein.h"
+#include <flint/fmpz_vec.h>
+#include "topo/coprime.h"
 #include "topo/eliminate.h"
+#include "topo/shift.h"
 
 void near_init(near_curves *n) {
     curves_init(&n->through);
@@ -28,58 +29,11 @@ static void exponents_of(ulong *out, const fmpz_mpoly_t g, slong k, const fmpz_m
     out[1] = all[RING_Y];
 }
 
-/* The sum of a_(ij) 2^(places (total - i - j)) over the terms, absolute values but for i = j = 0,
- * which is taken off. */
-static int is_clear_of(const fmpz_mpoly_t g, ulong places, const fmpz_mpoly_ctx_t ring) {
-    slong total = fmpz_mpoly_total_degree_si(g, ring);
-    fmpz_t rest, constant, term;
-    fmpz_init(rest);
-    fmpz_init(constant);
-    fmpz_init(term);
-    for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
-        ulong e[2];
-        exponents_of(e, g, k, ring);
-        fmpz_mpoly_get_term_coeff_fmpz(term, g, k, ring);
-        fmpz_abs(term, term);
-        fmpz_mul_2exp(term, term, places * ((ulong)total - e[0] - e[1]));
-        if (e[0] + e[1] == 0)
-            fmpz_set(constant, term);
-        else
-            fmpz_add(rest, rest, term);
-    }
-    int is_clear = fmpz_cmp(constant, rest) > 0;
-    fmpz_clear(rest);
-    fmpz_clear(constant);
-    fmpz_clear(term);
-    return is_clear;
-}
-
+/* A constant is the last term. */
 static int passes_origin(const fmpz_mpoly_t g, const fmpz_mpoly_ctx_t ring) {
-    for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
-        ulong e[2];
-        exponents_of(e, g, k, ring);
-        if (e[0] + e[1] == 0)
-            return 0;
-    }
-    return 1;
-}
-
-/* 1 if p, with p(0) not 0, has no root in [-2^-places, 2^-places]: one sign of all Bernstein
- * coefficients (proofs/claims.md C23). */
-static int is_free_of_roots(const fmpz_poly_t p, ulong places) {
-    slong degree = fmpz_poly_degree(p);
-    int sign = fmpz_sgn(fmpz_poly_get_coeff_ptr(p, 0)), same = 1;
-    fmpz *b = _fmpz_vec_init(degree + 1);
-    dyadic_interval around;
-    dyadic_interval_init(&around);
-    dyadic_interval_set_si(&around, -1, 1);
-    around.exponent = places;
-    bernstein_from_poly(b, p, degree, &around);
-    for (slong k = 0; k <= degree; k++)
-        same = same && fmpz_sgn(b + k) == sign;
-    dyadic_interval_clear(&around);
-    _fmpz_vec_clear(b, degree + 1);
-    return same;
+    ulong e[2];
+    exponents_of(e, g, fmpz_mpoly_length(g, ring) - 1, ring);
+    return e[0] + e[1] > 0;
 }
 
 /* What the steps share. */
@@ -89,93 +43,51 @@ typedef struct near_maker {
     graze_context *context;
 } near_maker;
 
-/* Make the square smaller; 0 at the limit. */
-static int shrink(near_maker *m) {
-    m->n->places += 1 + m->n->places / 8;
+/* Make the square so small that a term of `bits` bits and of a degree is below 1 / `terms` of a
+ * constant of `constant` bits: it is so from (bits - constant + 1 + log2 terms) / degree places on.
+ */
+static void stay_below_term(near_maker *m, ulong constant, ulong bits, ulong degree, ulong terms) {
+    ulong needed = bits + 1 + FLINT_BIT_COUNT(terms);
+    if (needed > constant)
+        m->n->places = FLINT_MAX(m->n->places, (needed - constant + degree - 1) / degree);
     m->refused |= m->n->places > m->context->limits[GRAZE_LIMIT_BITS];
-    return !m->refused;
 }
 
-/* Make the square so small that p has no root in [-r, r] but 0. Destroys p; p not zero. */
-static void stay_below_roots(near_maker *m, fmpz_poly_t p) {
-    slong zeros = 0;
+/* Make the square so small that p has no root in [-r, r] but 0; p not zero. */
+static void stay_below_roots(near_maker *m, const fmpz_poly_t p) {
+    slong zeros = 0, length = fmpz_poly_length(p);
     while (fmpz_is_zero(fmpz_poly_get_coeff_ptr(p, zeros)))
         zeros++;
-    fmpz_poly_shift_right(p, p, zeros);
-    while (!is_free_of_roots(p, m->n->places) && shrink(m))
-        ;
+    ulong constant = fmpz_bits(fmpz_poly_get_coeff_ptr(p, zeros));
+    for (slong k = zeros + 1; k < length; k++)
+        if (!fmpz_is_zero(fmpz_poly_get_coeff_ptr(p, k)))
+            stay_below_term(m, constant, fmpz_bits(fmpz_poly_get_coeff_ptr(p, k)),
+                            (ulong)(k - zeros), (ulong)length);
 }
 
-/* Keep an irreducible curve, once, or stay clear of it. */
-static graze_status take_factor(near_maker *m, const fmpz_mpoly_t factor) {
-    curve_list *through = &m->n->through;
-    if (!passes_origin(factor, through->ring)) {
-        while (!is_clear_of(factor, m->n->places, through->ring) && shrink(m))
-            ;
-        return GRAZE_OK;
-    }
-    fmpz_mpoly_t opposite;
-    fmpz_mpoly_init(opposite, through->ring);
-    fmpz_mpoly_neg(opposite, factor, through->ring);
-    int known = 0;
-    for (size_t k = 0; k < through->count; k++)
-        known = known || fmpz_mpoly_equal(&through->item[k], factor, through->ring) ||
-                fmpz_mpoly_equal(&through->item[k], opposite, through->ring);
-    fmpz_mpoly_clear(opposite, through->ring);
-    return known ? GRAZE_OK : curves_append(through, m->context, factor);
-}
-
-/* A curve in coordinates about the point. */
-static graze_status take_curve(near_maker *m, const fmpz_mpoly_t curve) {
+/* Make the square so small that a curve that is not 0 at the origin misses it. */
+static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
     const fmpz_mpoly_ctx_struct *ring = m->n->through.ring;
-    if (!passes_origin(curve, ring))
-        return take_factor(m, curve);
-    fmpz_mpoly_factor_t factors;
-    fmpz_mpoly_factor_init(factors, ring);
-    graze_status status = GRAZE_OK;
-    if (!fmpz_mpoly_factor(factors, curve, ring))
-        status = context_fail(m->context, GRAZE_EINTERNAL, "a curve of a sweep is not factored");
-    for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring) && !status; k++)
-        status = take_factor(m, factors->poly + k);
-    fmpz_mpoly_factor_clear(factors, ring);
-    return status;
-}
-
-/* x + P_x, y + P_y and t, into which curves are carried. */
-typedef struct shift_to_point {
-    fmpq_mpoly_ctx_t ring;
-    fmpq_mpoly_t image[RING_VARIABLES], from, to;
-} shift_to_point;
-
-static void shift_init(shift_to_point *s, const fmpq *point) {
-    fmpq_mpoly_ctx_init(s->ring, RING_VARIABLES, ORD_LEX);
-    fmpq_mpoly_init(s->from, s->ring);
-    fmpq_mpoly_init(s->to, s->ring);
-    for (int v = 0; v < RING_VARIABLES; v++) {
-        fmpq_mpoly_init(s->image[v], s->ring);
-        fmpq_mpoly_gen(s->image[v], v, s->ring);
+    slong length = fmpz_mpoly_length(g, ring);
+    fmpz_t c;
+    fmpz_init(c);
+    fmpz_mpoly_get_term_coeff_fmpz(c, g, length - 1, ring); /* the constant is the last one */
+    ulong constant = fmpz_bits(c);
+    for (slong k = 0; k < length - 1; k++) {
+        ulong e[2];
+        exponents_of(e, g, k, ring);
+        fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
+        stay_below_term(m, constant, fmpz_bits(c), e[0] + e[1], (ulong)length);
     }
-    fmpq_mpoly_add_fmpq(s->image[RING_X], s->image[RING_X], point, s->ring);
-    fmpq_mpoly_add_fmpq(s->image[RING_Y], s->image[RING_Y], point + 1, s->ring);
+    fmpz_clear(c);
 }
 
-static void shift_clear(shift_to_point *s) {
-    for (int v = 0; v < RING_VARIABLES; v++)
-        fmpq_mpoly_clear(s->image[v], s->ring);
-    fmpq_mpoly_clear(s->from, s->ring);
-    fmpq_mpoly_clear(s->to, s->ring);
-    fmpq_mpoly_ctx_clear(s->ring);
-}
-
-/* The curve about the point in s->to->zpoly, primitive. */
-static graze_status shift_curve(shift_to_point *s, graze_context *context, const fmpz_mpoly_t curve,
-                                const fmpz_mpoly_ctx_t ring) {
-    fmpq_mpoly_struct *image[] = {s->image[RING_X], s->image[RING_Y], s->image[RING_T]};
-    fmpq_one(s->from->content);
-    fmpz_mpoly_set(s->from->zpoly, curve, ring);
-    fmpq_mpoly_reduce(s->from, s->ring);
-    if (!fmpq_mpoly_compose_fmpq_mpoly(s->to, s->from, image, s->ring, s->ring))
-        return context_fail(context, GRAZE_EINTERNAL, "a curve of a sweep is not moved");
+/* Keep a part, in coordinates about the point, or stay clear of it. */
+static graze_status take_part(near_maker *m, const fmpz_mpoly_t part) {
+    curve_list *through = &m->n->through;
+    if (passes_origin(part, through->ring))
+        return curves_append(through, m->context, part);
+    stay_clear_of(m, part);
     return GRAZE_OK;
 }
 
@@ -202,17 +114,30 @@ static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
     fmpz_clear(sum);
 }
 
-/* Stay clear of the events of curve a with itself, or with b. */
+/* Stay clear of the meetings of two curves. */
 static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const sliced_curve *b) {
     fmpz_poly_t event;
     fmpz_poly_init(event);
     graze_status status = eliminate(event, m->context, a, b);
     if (!status && fmpz_poly_is_zero(event))
         status = context_fail(m->context, GRAZE_EINTERNAL,
-                              "irreducible curves of a sweep have a factor in common");
+                              "parts of curves of a sweep have a factor in common");
     else if (!status)
         stay_below_roots(m, event);
     fmpz_poly_clear(event);
+    return status;
+}
+
+/* The events of a curve with itself: of its leading coefficient, which is all of it where it is free
+ * of the variable, and with its derivative. */
+static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
+    sliced_curve derivative;
+    stay_below_roots(m, a->coefficient + a->degree);
+    if (a->degree < 2 || m->refused)
+        return GRAZE_OK;
+    sliced_init_derivative(&derivative, a);
+    graze_status status = stay_below_event(m, a, &derivative);
+    sliced_clear(&derivative);
     return status;
 }
 
@@ -220,18 +145,14 @@ static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const
 static graze_status stay_below_meetings(near_maker *m, size_t k, int variable) {
     const curve_list *c = &m->n->through;
     sliced_curve a, b;
-    graze_status status = GRAZE_OK;
-    sliced_init(&a, &c->item[k], variable, c);
-    if (a.degree > 1)
-        status = stay_below_event(m, &a, NULL);
+    sliced_init(&a, &c->item[k], variable, c->ring);
+    graze_status status = stay_below_turns(m, &a);
     for (size_t j = 0; j < k && a.degree > 0 && !status && !m->refused; j++) {
-        sliced_init(&b, &c->item[j], variable, c);
+        sliced_init(&b, &c->item[j], variable, c->ring);
         if (b.degree > 0)
             status = stay_below_event(m, &a, &b);
         sliced_clear(&b);
     }
-    if (a.degree > 0)
-        stay_below_roots(m, a.coefficient + a.degree); /* the last use of it */
     sliced_clear(&a);
     return status;
 }
@@ -247,20 +168,37 @@ static void stay_below_corners(near_maker *m, size_t k) {
     fmpz_poly_clear(p);
 }
 
+/* Those through the point in parts, where they are; of all others the distance. */
+static graze_status take_curves(near_maker *m, curve_list *parts, const curve_list *all,
+                                const fmpq *point) {
+    graze_status status = GRAZE_OK;
+    fmpz_mpoly_t g;
+    fmpz_mpoly_init(g, all->ring);
+    for (size_t k = 0; k < all->count && !status && !m->refused; k++) {
+        status = shift_curve(g, m->context, &all->item[k], point, all->ring);
+        if (status)
+            break;
+        if (passes_origin(g, all->ring))
+            status = coprime_add(parts, &m->refused, m->context, &all->item[k]);
+        else
+            stay_clear_of(m, g);
+    }
+    for (size_t k = 0; k < parts->count && !status && !m->refused; k++) {
+        status = shift_curve(g, m->context, &parts->item[k], point, all->ring);
+        if (!status)
+            status = take_part(m, g);
+    }
+    fmpz_mpoly_clear(g, all->ring);
+    return status;
+}
+
 graze_status near_make(near_curves *n, int *refused, graze_context *context, const curve_list *all,
                        const fmpq *point) {
     near_maker m = {n, 0, context};
-    graze_status status = GRAZE_OK;
-    shift_to_point s;
-    shift_init(&s, point);
-    for (size_t k = 0; k < all->count && !status && !m.refused; k++) {
-        status = shift_curve(&s, context, &all->item[k], all->ring);
-        if (!status)
-            status = take_curve(&m, s.to->zpoly);
-        if (!status)
-            status = context_poll(context);
-    }
-    shift_clear(&s);
+    curve_list parts;
+    curves_init(&parts);
+    graze_status status = take_curves(&m, &parts, all, point);
+    curves_clear(&parts);
     for (size_t k = 0; k < n->through.count && !status && !m.refused; k++) {
         stay_below_corners(&m, k);
         for (int variable = 0; variable < 2 && !status && !m.refused; variable++)

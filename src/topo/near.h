@@ -1,4 +1,4 @@
-/* The curves near a point: those through it as distinct irreducible factors, and a square around it
+/* The curves near a point: those through it as parts without common factors, and a square around it
  * in which nothing else happens.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -10,7 +10,7 @@
 /**
  * Invariant (proofs/topology.md C48): with P at the origin and r = 2^-places, no curve of the list
  * that this was made of meets the square |x|, |y| <= r but in the zeros of `through`; these are
- * irreducible, pairwise coprime, vanish at the origin, and while 0 < |x| <= r the real roots in y
+ * squarefree, pairwise coprime, vanish at the origin, and while 0 < |x| <= r the real roots in y
  * of all of them are simple, distinct, of a number that does not depend on |x|, and none is x or -x
  * but where it is so for all x; and the same with x and y exchanged.
  */
@@ -25,7 +25,8 @@ void near_clear(near_curves *n);
 
 /**
  * Fill for the curves of a list and a point of 2 rationals.
- * @param[out] refused 1 where r would need more than `bits` places (the context's limit)
+ * @param[out] refused 1 where r would need more than `bits` places (the context's limit), or
+ *                     coprime_add refuses
  */
 graze_status near_make(near_curves *n, int *refused, graze_context *context, const curve_list *all,
                        const fmpq *point);

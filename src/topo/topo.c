@@ -12,6 +12,7 @@ typedef struct scene_shares {
     plane_list planes;
     int has_curves;
     const char *refused;
+    ulong limit; /* that they were refused at */
     curve_list curves;
 } scene_shares;
 
@@ -35,15 +36,17 @@ static graze_status make_shares(scene_memo *memo, graze_context *context,
     return GRAZE_OK;
 }
 
-/* Curves that could not be made are tried again by the next point. */
+/* Curves that could not be made are tried again by the next point, those beyond a limit where it is
+ * higher. */
 static graze_status make_curves(scene_shares *s, graze_context *context, const graze_scene *scene) {
     plane_view view;
     view_init(&view);
     graze_status status =
         curves_of_scene(&s->curves, &s->refused, context, scene, &s->planes, &view);
     view_clear(&view);
-    s->has_curves = !status;
-    if (status) {
+    s->has_curves = !status && !s->refused;
+    s->limit = context->limits[GRAZE_LIMIT_CURVE];
+    if (!s->has_curves) {
         curves_clear(&s->curves);
         curves_init(&s->curves);
     }
@@ -59,7 +62,8 @@ static graze_status shares_of(const scene_shares **out, graze_context *context,
     if (!memo->value)
         status = make_shares(memo, context, scene);
     scene_shares *s = memo->value;
-    if (!status && with_curves && !s->has_curves)
+    if (!status && with_curves && !s->has_curves &&
+        (!s->refused || s->limit < context->limits[GRAZE_LIMIT_CURVE]))
         status = make_curves(s, context, scene);
     *out = s;
     pthread_mutex_unlock(&memo->lock);
