@@ -17,7 +17,7 @@ enum { FACTORED = 100000 };
 /* The line on which common factors are looked for. */
 enum { LINE = 1000003 };
 
-static ulong bits_of(const fmpz_mpoly_t g) {
+static ulong largest_bits(const fmpz_mpoly_t g) {
     slong bits = fmpz_mpoly_max_bits(g);
     return (ulong)FLINT_ABS(bits);
 }
@@ -59,15 +59,15 @@ static int is_coprime(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const fmpz_mpo
 static int is_bounded(const graze_context *context, const fmpz_mpoly_t g,
                       const fmpz_mpoly_ctx_t ring) {
     ulong degree = (ulong)fmpz_mpoly_total_degree_si(g, ring);
-    return degree * bits_of(g) <= context->limits[GRAZE_LIMIT_BITS];
+    return degree * largest_bits(g) <= context->limits[GRAZE_LIMIT_BITS];
 }
 
 /* Squarefree parts of one curve, without common factors. */
-static graze_status split(curve_list *out, int *refused, graze_context *context,
-                          const fmpz_mpoly_t curve) {
+static graze_status split_curve(curve_list *out, int *refused, graze_context *context,
+                                const fmpz_mpoly_t curve) {
     const fmpz_mpoly_ctx_struct *ring = out->ring;
     ulong degree = (ulong)fmpz_mpoly_total_degree_si(curve, ring);
-    int small = degree * degree * bits_of(curve) <= FACTORED;
+    int small = degree * degree * largest_bits(curve) <= FACTORED;
     fmpz_mpoly_factor_t factors;
     graze_status status = GRAZE_OK;
     if (!small && is_coprime(curve, NULL, ring))
@@ -126,10 +126,10 @@ static graze_status refine(curve_list *parts, int *refused, graze_context *conte
 }
 
 graze_status coprime_add(curve_list *parts, int *refused, graze_context *context,
-                       const fmpz_mpoly_t curve) {
+                         const fmpz_mpoly_t curve) {
     curve_list own;
     curves_init(&own);
-    graze_status status = split(&own, refused, context, curve);
+    graze_status status = split_curve(&own, refused, context, curve);
     for (size_t k = 0; k < own.count && !status && !*refused; k++)
         status = refine(parts, refused, context, &own.item[k]);
     curves_clear(&own);

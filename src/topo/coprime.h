@@ -4,7 +4,7 @@
 #ifndef GRAZE_TOPO_COPRIME_H
 #define GRAZE_TOPO_COPRIME_H
 
-#include "topo/curves.h"
+#include "topo/plane.h"
 
 /**
  * Add a curve to a list of squarefree, pairwise coprime polynomials with the same zeros as all that
@@ -15,6 +15,6 @@
  *                     for (the context's limit `bits`); else as it was
  */
 graze_status coprime_add(curve_list *parts, int *refused, graze_context *context,
-                       const fmpz_mpoly_t curve);
+                         const fmpz_mpoly_t curve);
 
 #endif

@@ -8,75 +8,8 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include <stdlib.h>
-#include <string.h>
-#include "context/array.h"
 #include "number/isolate.h"
-#include "topo/pullback.h"
-
-void view_init(plane_view *view) {
-    view->dimension = 2;
-    for (int i = 0; i < 3; i++) {
-        fmpq_init(view->origin + i);
-        for (int k = 0; k < 2; k++)
-            fmpz_init_set_si(view->along[k] + i, i == k);
-    }
-}
-
-void view_init_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b) {
-    view_init(view);
-    view->dimension = 3;
-    for (int i = 0; i < 3; i++) {
-        fmpq_set(view->origin + i, point + i);
-        fmpz_set(view->along[0] + i, a + i);
-        fmpz_set(view->along[1] + i, b + i);
-    }
-}
-
-void view_clear(plane_view *view) {
-    for (int i = 0; i < 3; i++) {
-        fmpq_clear(view->origin + i);
-        for (int k = 0; k < 2; k++)
-            fmpz_clear(view->along[k] + i);
-    }
-}
-
-void view_point(fmpq *out, const plane_view *view, const fmpq *xy) {
-    fmpq_t way;
-    fmpq_init(way);
-    for (int i = 0; i < view->dimension; i++) {
-        fmpq_set(out + i, view->origin + i);
-        for (int k = 0; k < 2; k++) {
-            fmpq_mul_fmpz(way, xy + k, view->along[k] + i);
-            fmpq_add(out + i, out + i, way);
-        }
-    }
-    fmpq_clear(way);
-}
-
-void curves_init(curve_list *list) {
-    memset(list, 0, sizeof *list);
-    fmpz_mpoly_ctx_init(list->ring, RING_VARIABLES, ORD_LEX);
-}
-
-void curves_clear(curve_list *list) {
-    for (size_t k = 0; k < list->count; k++)
-        fmpz_mpoly_clear(&list->item[k], list->ring);
-    free(list->item);
-    fmpz_mpoly_ctx_clear(list->ring);
-}
-
-graze_status curves_append(curve_list *list, graze_context *context, const fmpz_mpoly_t curve) {
-    if (fmpz_mpoly_is_fmpz(curve, list->ring))
-        return GRAZE_OK;
-    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
-                                     sizeof *list->item, "the curves of a sweep");
-    if (status)
-        return status;
-    fmpz_mpoly_init(&list->item[list->count], list->ring);
-    fmpz_mpoly_set(&list->item[list->count++], curve, list->ring);
-    return GRAZE_OK;
-}
+#include "topo/grid.h"
 
 /* Has a polynomial a root in [0, 1]? */
 static graze_status meets_piece(int *out, graze_context *context, const fmpz_poly_t p) {
@@ -117,8 +50,9 @@ static void refuse_degree(curve_maker *m, slong degree) {
     int in_e2 = m->view->dimension == 2;
     ulong most = in_e2 ? m->context->limits[GRAZE_LIMIT_CURVE] : SLICE_CURVE_DEGREE;
     if (degree > 0 && (ulong)degree > most)
-        m->refused = in_e2 ? "a curve of the scene has a higher degree than the limit `curve` allows"
-                           : "a curve in a plane has a higher degree than is looked at";
+        m->refused = in_e2
+                         ? "a curve of the scene has a higher degree than the limit `curve` allows"
+                         : "a curve in a plane has a higher degree than is looked at";
 }
 
 /* The line at u = 0 or 1. */
@@ -138,7 +72,7 @@ static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u)
 static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slong n) {
     fmpz_mpoly_t curve;
     fmpz_mpoly_init(curve, m->list->ring);
-    graze_status status = pullback_discriminant(curve, m->context, f, n, m->list->ring);
+    graze_status status = grid_discriminant(curve, m->context, f, n, m->list->ring);
     if (!status && fmpz_mpoly_is_zero(curve, m->list->ring))
         status = context_fail(m->context, GRAZE_EINTERNAL,
                               "the discriminant of an irreducible pullback vanishes");
@@ -194,7 +128,7 @@ static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, con
     if (degree[0] == 0)
         return GRAZE_OK;
     fmpz_mpoly_init(curve, ring);
-    status = pullback_resultant(curve, m->context, f, degree[0], f + 1, degree[1], ring);
+    status = grid_resultant(curve, m->context, f, degree[0], f + 1, degree[1], ring);
     if (!status && fmpz_mpoly_is_zero(curve, ring))
         m->refused = in_plane; /* one function twice, in E^3 alone */
     else if (!status)

@@ -148,8 +148,9 @@ static ulong bits_of_sum(const sliced_curve *s) {
 static graze_status resultant_by_primes(fmpz_poly_t out, graze_context *context,
                                         const sliced_curve *a, const sliced_curve *b, slong n) {
     ulong bits = (ulong)b->degree * bits_of_sum(a) + (ulong)a->degree * bits_of_sum(b) + 2;
-    ulong prime = UINT64_C(1) << 61;
-    ulong work = (ulong)n * (ulong)((a->degree + 1) * (b->degree + 1) + a->total + b->total + n);
+    ulong prime = (ulong)1 << 61;
+    ulong steps = (ulong)(a->degree + b->degree + 2); /* each with an inverse, like 50 products */
+    ulong work = (ulong)n * (steps * steps + 50 * steps + (ulong)n);
     graze_status status = GRAZE_OK;
     fmpz_t modulus;
     fmpz_init_set_ui(modulus, 1);

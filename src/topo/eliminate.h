@@ -5,7 +5,7 @@
 #define GRAZE_TOPO_ELIMINATE_H
 
 #include <flint/fmpz_poly.h>
-#include "topo/curves.h"
+#include "topo/plane.h"
 
 /** A polynomial in x and y as one in x (or y), whose coefficients are polynomials in the other. */
 typedef struct sliced_curve {
@@ -14,7 +14,8 @@ typedef struct sliced_curve {
 } sliced_curve;
 
 /** @param variable RING_X or RING_Y; `g` is not 0 */
-void sliced_init(sliced_curve *out, const fmpz_mpoly_t g, int variable, const fmpz_mpoly_ctx_t ring);
+void sliced_init(sliced_curve *out, const fmpz_mpoly_t g, int variable,
+                 const fmpz_mpoly_ctx_t ring);
 /** The derivative by the variable of a curve of positive degree in it. */
 void sliced_init_derivative(sliced_curve *out, const sliced_curve *s);
 void sliced_clear(sliced_curve *s);

@@ -7,7 +7,7 @@
  * divided differences, first in y, then in x, are integers. Between two values the caller may
  * cancel.
  */
-#include "topo/pullback.h"
+#include "topo/grid.h"
 
 #include <flint/fmpz_vec.h>
 #include "topo/eliminate.h"
@@ -127,7 +127,7 @@ static void multiply_out(fmpz *v, slong count, slong step) {
 }
 
 /* In y at each x, then in x. A difference of order j in y has the degree `degree` - j in x. */
-static graze_status interpolate(const grid_maker *m) {
+static graze_status find_coefficients(const grid_maker *m) {
     slong width = m->degree + 1;
     graze_status status = GRAZE_OK;
     for (slong i = 0; i < width && !status; i++) {
@@ -146,7 +146,7 @@ static graze_status interpolate(const grid_maker *m) {
     return status;
 }
 
-static graze_status make(fmpz_mpoly_t out, grid_maker *m, const fmpz_mpoly_ctx_t ring) {
+static graze_status interpolate_grid(fmpz_mpoly_t out, grid_maker *m, const fmpz_mpoly_ctx_t ring) {
     slong width = m->degree + 1;
     graze_status status = GRAZE_OK;
     m->value = _fmpz_vec_init(width * width);
@@ -154,7 +154,7 @@ static graze_status make(fmpz_mpoly_t out, grid_maker *m, const fmpz_mpoly_ctx_t
         for (slong j = 0; i + j < width && !status; j++)
             status = value_at(m->value + i * width + j, m, node(i), node(j));
     if (!status)
-        status = interpolate(m);
+        status = find_coefficients(m);
     fmpz_mpoly_zero(out, ring);
     for (slong i = 0; i < width && !status; i++)
         for (slong j = 0; i + j < width; j++) {
@@ -165,15 +165,14 @@ static graze_status make(fmpz_mpoly_t out, grid_maker *m, const fmpz_mpoly_ctx_t
     return status;
 }
 
-graze_status pullback_discriminant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
-                                   slong n, const fmpz_mpoly_ctx_t ring) {
+graze_status grid_discriminant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
+                               slong n, const fmpz_mpoly_ctx_t ring) {
     grid_maker m = {.context = context, .f = f, .n = n, .degree = 2 * n - 2};
-    return make(out, &m, ring);
+    return interpolate_grid(out, &m, ring);
 }
 
-graze_status pullback_resultant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
-                                slong n, const pullback_form *g, slong m,
-                                const fmpz_mpoly_ctx_t ring) {
+graze_status grid_resultant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
+                            slong n, const pullback_form *g, slong m, const fmpz_mpoly_ctx_t ring) {
     grid_maker maker = {.context = context, .f = f, .g = g, .n = n, .m = m, .degree = n + m};
-    return make(out, &maker, ring);
+    return interpolate_grid(out, &maker, ring);
 }

@@ -128,8 +128,8 @@ static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const
     return status;
 }
 
-/* The events of a curve with itself: of its leading coefficient, which is all of it where it is free
- * of the variable, and with its derivative. */
+/* The events of a curve with itself: of its leading coefficient, which is all of it where it is
+ * free of the variable, and with its derivative. */
 static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
     sliced_curve derivative;
     stay_below_roots(m, a->coefficient + a->degree);

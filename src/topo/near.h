@@ -5,7 +5,7 @@
 #ifndef GRAZE_TOPO_NEAR_H
 #define GRAZE_TOPO_NEAR_H
 
-#include "topo/curves.h"
+#include "topo/plane.h"
 
 /**
  * Invariant (proofs/topology.md C48): with P at the origin and r = 2^-places, no curve of the list

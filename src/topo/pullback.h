@@ -4,7 +4,9 @@
 #ifndef GRAZE_TOPO_PULLBACK_H
 #define GRAZE_TOPO_PULLBACK_H
 
-#include "topo/curves.h"
+#include <flint/fmpz_poly.h>
+#include "motion/motion.h"
+#include "topo/plane.h"
 
 /** linear[0] x + linear[1] y + linear[2], whose coefficients are polynomials in time. */
 typedef struct pullback_form {
@@ -25,14 +27,5 @@ slong pullback_reduce(pullback_form *f, fmpz_poly_t common);
 /** At one time: a line, or a constant. */
 void pullback_at(fmpz_mpoly_t out, const pullback_form *f, const fmpz_t time,
                  const fmpz_mpoly_ctx_t ring);
-
-/** The discriminant in time of a function of degree n >= 2 there, as a polynomial in x and y. */
-graze_status pullback_discriminant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
-                                   slong n, const fmpz_mpoly_ctx_t ring);
-
-/** The resultant in time of two functions of degrees n, m >= 1 there. */
-graze_status pullback_resultant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
-                                slong n, const pullback_form *g, slong m,
-                                const fmpz_mpoly_ctx_t ring);
 
 #endif

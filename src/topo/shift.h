@@ -2,7 +2,7 @@
 #ifndef GRAZE_TOPO_SHIFT_H
 #define GRAZE_TOPO_SHIFT_H
 
-#include "topo/curves.h"
+#include "topo/plane.h"
 
 /** out = the curve at (x + P_x, y + P_y), primitive, for a point of 2 rationals; `curve` is not 0.
  */

@@ -112,7 +112,8 @@ graze_status square_decide(topo_finding *out, graze_context *context, const graz
     near_init(&m.near);
     graze_status status = near_make(&m.near, &refused, context, curves, point);
     if (!status && refused)
-        finding_undecided(out, "a curve passes nearer, or has more digits, than the limit `bits` allows");
+        finding_undecided(
+            out, "a curve passes nearer, or has more digits, than the limit `bits` allows");
     for (int side = 0; side < 4 && !status && !refused && !out->has_witness; side++) {
         m.axis = side / 2;
         m.negative = side % 2;
