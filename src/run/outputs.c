@@ -273,8 +273,9 @@ int outputs_close(outputs *out, int status) {
             status = closed != ended && status == ended ? closed : status;
         }
     if (!status && out->o->scene.scene.topo)
-        complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided",
-                 out->file[RESULT_TABLE].undecided, out->file[RESULT_TABLE].rows);
+        complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided%s",
+                 out->file[RESULT_TABLE].undecided, out->file[RESULT_TABLE].rows,
+                 out->file[RESULT_TABLE].undecided ? "; graze explain --topo says why" : "");
     if (!status && out->o->coordinates.digits)
         complain(EXIT_DONE,
                  "note: coordinates of more than %d digits are rounded; the answers are those of "

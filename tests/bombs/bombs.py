@@ -115,6 +115,14 @@ BOMBS = [
     Bomb("bits-of-close-roots", "bits", "classify --jobs 1 {cube.off} {close.json} {points.csv}",
          {"close.json": moved('{"translate": ["t^100-2*(10^900*t-1)^2", 0, 0]}'), "points.csv": "0,1,1\n"},
          "--limit bits=1000000000"),
+    # Two tips that touch (0, 0) with one tangent, one of them on a way of a high degree, turning: an answer all the same.
+    Bomb("curve-of-a-high-degree", "curve", "classify --jobs 1 --topo {tips.wkt} {tips.json} {points.csv}",
+         {"tips.wkt": "MULTIPOLYGON(((0 0,-1 -2,1 -2,0 0)),((0 6,1 8,-1 8,0 6)))", "points.csv": "x,y\n0,0\n",
+          "tips.json": '{"dimension": 2, "pieces": [{"t": [-1, 1], "transform": {"compose": [{"rotate": {"tan_half": '
+                       '"(1-t^2)*t^3/7"}}, {"translate": ["t+t^80/3", "-t^2+t^80/5"]}]}}, {"t": [1, 2], "transform": '
+                       '{"translate": ["(4/3)*(2-t)-(t-1)", "(-4/5)*(2-t)-7*(t-1)"]}}, {"t": [2, 4], "transform": '
+                       '{"translate": ["t-3", "-6-(t-3)^2"]}}]}'},
+         "--limit curve=1000000", 0, "the position of 1 of 1 rows is undecided"),
 ]
 
 checks = Checks()
