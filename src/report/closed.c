@@ -19,8 +19,8 @@ static const char *meaning_of(const topo_finding *topo) {
         return "the contacts cover every direction about P to first order, with the ways that pass "
                "between parts or along an edge";
     case GRAZE_LEVEL_L2:
-        return "contacts close on both sides of a plane through P and, to second order, overlap in "
-               "each of its directions";
+        return "contacts close on both sides of a plane through P and, by their leading terms, "
+               "overlap in each of its directions";
     case GRAZE_LEVEL_LR:
         return "near P nothing depends on one direction; every part into which curves cut a small "
                "square across it was looked at";

@@ -21,7 +21,7 @@ typedef struct topo_finding {
     int has_open;
     fmpz open[3];   /* a direction that no contact looked at covers to first order */
     int has_across; /* all such lie in one plane, across `across`; then `open` is one that is not
-                       covered to second order */
+                       covered by leading terms */
     fmpz across[3];
 } topo_finding;
 

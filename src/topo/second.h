@@ -7,9 +7,9 @@
 #include "topo/germ.h"
 
 /** Do the germs of a point of E^3 cover every direction of the plane across `normal`, with a
- * neighbourhood, by what they cover below and above it to second order (proofs/topology.md C55)? 0
- * says nothing.
- * @param[out] gap a direction of the plane at which there is a gap to second order, if one is seen
+ * neighbourhood, by the leading terms of what they cover below and above it (proofs/topology.md
+ * C55)? 0 says nothing.
+ * @param[out] gap a direction of the plane at which there is a gap by these terms, if one is seen
  */
 graze_status second_covers(int *out, fmpz *gap, germ_list *list, graze_context *context,
                            const fmpq *point, const fmpz *normal);
