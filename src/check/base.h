@@ -74,8 +74,6 @@ typedef struct lines {
 lines lines_open(const char *path);
 /** The next line without its end, valid until the next; 0 at the end of the file. */
 int lines_next(lines *l, word *out);
-/** A whole file's bytes, for free. */
-char *read_file(size_t *length, const char *path);
 
 /** A text being read: tokens. */
 typedef struct source {
@@ -89,8 +87,8 @@ typedef struct source {
 #define BLANKS " \t\r\n"
 
 _Noreturn void source_fail(const source *f, const char *what);
-/** Begin to read a file's text. */
-source source_open(const char *path, const char *text, size_t length, const char *marks);
+/** Begin to read a file; refutes it if its SHA-256 is another. */
+source source_open(const char *path, const char *sha256, const char *marks);
 /** The next token: a mark, a text in quotes with them if they are marks, or what stands before the
  * next mark; blanks and comments are passed over. Empty at the end. */
 word token(source *f);

@@ -113,6 +113,8 @@ static void begin_row(certificate *c, trace *r) {
     if (w.length > MOST_WORD)
         give_up("%s:%zu: a word of more than %d letters", c->l.path, c->l.line, MOST_WORD);
     trace_start(r, w);
+    if (strspn(r->word, "IBO") != w.length)
+        fail(c, "the word is not of the letters I, B and O");
     verdict v = verdict_of(r->word, &c->h);
     for (char *claim = strtok(v.claims, ","); claim; claim = strtok(NULL, ","))
         if (!word_is(want(c, "a claim about the word"), claim))
@@ -139,6 +141,15 @@ static void read_contact(certificate *c) {
     c->contact.length = 0;
 }
 
+/* O, I, B; one of O, I beside B; B between two of O, I, B. */
+static int is_kind(word w) {
+    for (size_t k = 0; k < w.length; k++)
+        if (w.at[k] != 'O' && w.at[k] != 'I' && w.at[k] != 'B')
+            return 0;
+    return w.length == 1 || (w.length == 2 && (w.at[0] == 'B') != (w.at[1] == 'B')) ||
+           (w.length == 3 && w.at[1] == 'B');
+}
+
 static void read_interval(certificate *c, trace *r, word kind) {
     mpq_t to;
     poly q = {0};
@@ -152,6 +163,9 @@ static void read_interval(certificate *c, trace *r, word kind) {
             fail(c, "a coefficient is not an integer");
     }
     int given = q.n > 0;
+    if (!is_kind(kind) || given != (kind.length == 3))
+        fail(c, "an interval is of a kind that does not exist, or its polynomial is missing or too "
+                "much");
     poly_trim(&q);
     poly_make_primitive(&q);
     r->line = c->l.line;

@@ -4,17 +4,8 @@
 #include "check.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-static char *read_hashed(const char *path, const char *expected, size_t *length) {
-    char sha[65], *text = read_file(length, path);
-    sha256_text(sha, text, *length);
-    if (strcmp(sha, expected) != 0)
-        refute("%s: its SHA-256 is not that of the certificate", path);
-    return text;
-}
 
 /* Follow the rows of one part; the number of all rows. */
 static size_t follow(const task *work, const solid *s, const motion *m, certificate *c,
@@ -62,13 +53,8 @@ static size_t follow_all(const task *work, const solid *s, const motion *m, cert
 
 size_t check_files(const task *work) {
     certificate c = certificate_open(work->path[2]);
-    size_t length;
-    char *text = read_hashed(work->path[0], c.h.solid, &length);
-    solid s = solid_read(work->path[0], text, length);
-    free(text);
-    text = read_hashed(work->path[1], c.h.motion, &length);
-    motion m = motion_read(work->path[1], text, length);
-    free(text);
+    solid s = solid_read(work->path[0], c.h.solid);
+    motion m = motion_read(work->path[1], c.h.motion);
     if (s.d != c.h.dimension || m.d != c.h.dimension)
         refute("%s: the dimension is not that of solid and motion", work->path[2]);
     motion_check_signs(&m, c.times, c.time_count);

@@ -14,19 +14,18 @@ void motion_check_size(const poly *p) {
 /* Divide a map by a factor common to its entries and its weight, and by the weight's sign at x. */
 static void shorten(poly *map, const mpq_t x) {
     poly g = {0};
-    mpz_t *sign = integers(1);
+    mpz_t sign;
     for (int k = 0; k < MAP; k++) {
         motion_check_size(&map[k]);
         poly_common(&g, &g, &map[k]);
     }
     for (int k = 0; k < MAP; k++)
         must(poly_divide(&map[k], &g), "motion: a divisor does not divide");
-    poly_values(sign, &map[WEIGHT], 1, x);
-    mpz_set_si(*sign, mpz_sgn(*sign) < 0 ? -1 : 1);
+    mpz_init_set_si(sign, poly_signs(&map[WEIGHT], x, x).first < 0 ? -1 : 1);
     for (int k = 0; k < MAP; k++)
-        poly_scale(&map[k], *sign);
+        poly_scale(&map[k], sign);
     poly_clear(&g);
-    integers_free(sign, 1);
+    mpz_clear(sign);
 }
 
 /* M = (A | b) / h has the inverse (adj(A) h | - adj(A) b) / det A. Cyclic indices bring the signs
@@ -53,17 +52,14 @@ static void make_inverse(piece *p) {
 
 /* Both maps are the same at x: the products with the other's weight are. */
 static int agree(const piece *p, const piece *q, const mpq_t x) {
-    mpz_t *a = integers(MAP), *b = integers(MAP);
     int same = 1;
-    poly_values(a, p->forward, MAP, x);
-    poly_values(b, q->forward, MAP, x);
     for (int k = 0; k < WEIGHT; k++) {
-        mpz_mul(a[k], a[k], b[WEIGHT]);
-        mpz_mul(b[k], b[k], a[WEIGHT]);
-        same = same && mpz_cmp(a[k], b[k]) == 0;
+        poly difference = {0};
+        poly_add_product(&difference, &p->forward[k], &q->forward[WEIGHT], 1);
+        poly_add_product(&difference, &q->forward[k], &p->forward[WEIGHT], -1);
+        same = same && (difference.n == 0 || poly_signs(&difference, x, x).first == 0);
+        poly_clear(&difference);
     }
-    integers_free(a, MAP);
-    integers_free(b, MAP);
     return same;
 }
 

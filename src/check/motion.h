@@ -23,9 +23,9 @@ typedef struct motion {
     piece *piece;
 } motion;
 
-/** Read a motion file of plain pieces. t0 < t1, order and continuity are tested; poles and det by
- * motion_check_signs. */
-motion motion_read(const char *path, const char *text, size_t length);
+/** Read a motion file of plain pieces, of this SHA-256. t0 < t1, order and continuity are tested;
+ * poles and det by motion_check_signs. */
+motion motion_read(const char *path, const char *sha256);
 
 /** Take in the next piece, of which lo, hi and `forward` are given, common factors and all. Refutes
  * one that does not go on from the piece before it. */

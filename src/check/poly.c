@@ -32,26 +32,12 @@ void poly_set(poly *out, const poly *p) {
     out->n = p->n;
 }
 
-void poly_set_si(poly *out, long value) {
-    poly_extend(out, 1);
-    mpz_set_si(out->c[0], value);
-    out->n = 1;
-    poly_trim(out);
-}
-
 void poly_add_product(poly *out, const poly *a, const poly *b, int sign) {
     poly_extend(out, a->n + b->n);
     for (size_t i = 0; i < a->n; i++)
         for (size_t j = 0; j < b->n; j++)
             (sign < 0 ? mpz_submul : mpz_addmul)(out->c[i + j], a->c[i], b->c[j]);
     poly_trim(out);
-}
-
-void poly_multiply(poly *p, const poly *q) {
-    poly product = {0};
-    poly_add_product(&product, p, q, 1);
-    poly_clear(p);
-    *p = product;
 }
 
 void poly_add_scaled(poly *out, const poly *a, const mpz_t z) {
@@ -115,8 +101,6 @@ void poly_common(poly *out, const poly *a, const poly *b) {
     content(common, b);
     poly_set(&x, a);
     poly_set(&y, b);
-    poly_make_primitive(&x);
-    poly_make_primitive(&y);
     while (y.n > 0) { /* x becomes a primitive multiple of its remainder by y; then both swap */
         while (x.n >= y.n) {
             mpz_set(lead, x.c[x.n - 1]);
@@ -128,6 +112,7 @@ void poly_common(poly *out, const poly *a, const poly *b) {
         x = y;
         y = keep;
     }
+    poly_make_primitive(&x);
     poly_scale(&x, common);
     poly_set(out, &x);
     poly_clear(&x);
@@ -160,18 +145,6 @@ void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b
     }
     integers_free(binomial, n + 1);
     integers_free(end, 5);
-}
-
-void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x) {
-    size_t n = 0;
-    for (size_t i = 0; i < count; i++)
-        n = p[i].n > n ? p[i].n : n;
-    mpz_t *b = integers(n + 1);
-    for (size_t i = 0; i < count; i++) {
-        bernstein(b, &p[i], n, x, x);
-        mpz_set(out[i], b[0]);
-    }
-    integers_free(b, n + 1);
 }
 
 signs signs_of(mpz_t *c, size_t count) {

@@ -17,11 +17,8 @@ void poly_clear(poly *p); /* a poly begins as {0} */
 void poly_extend(poly *p, size_t n);
 void poly_trim(poly *p);
 void poly_set(poly *out, const poly *p);
-void poly_set_si(poly *out, long value);
 /** out += a b, or out -= a b for a negative sign; out is neither a nor b. */
 void poly_add_product(poly *out, const poly *a, const poly *b, int sign);
-/** p *= q */
-void poly_multiply(poly *p, const poly *q);
 /** out += a z */
 void poly_add_scaled(poly *out, const poly *a, const mpz_t z);
 void poly_scale(poly *p, const mpz_t z);
@@ -32,8 +29,6 @@ void poly_make_primitive(poly *p);
 int poly_divide(poly *a, const poly *b);
 /** A common divisor. That it is the greatest matters to no proof: it shortens. */
 void poly_common(poly *out, const poly *a, const poly *b);
-/** out[i] = p[i](x), all times one positive integer. */
-void poly_values(mpz_t *out, const poly *p, size_t count, const mpq_t x);
 
 /**
  * Scaled Bernstein coefficients C(n, k) b_k of p on [a, b], to degree n, all times one positive

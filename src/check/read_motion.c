@@ -18,6 +18,20 @@ static void fraction_clear(fraction *f) {
     poly_clear(&f->den);
 }
 
+static void set_constant(poly *out, long value) {
+    poly_extend(out, 1);
+    mpz_set_si(out->c[0], value);
+    out->n = 1;
+    poly_trim(out);
+}
+
+static void multiply(poly *p, const poly *q) {
+    poly product = {0};
+    poly_add_product(&product, p, q, 1);
+    poly_clear(p);
+    *p = product;
+}
+
 /* What stands between quotes, or bare. */
 static word value(source *f) {
     word w = token(f);
@@ -76,8 +90,8 @@ static int read_poly(fraction *out, word *w) {
     mpq_t c;
     size_t power;
     mpq_init(c);
-    poly_set_si(&out->num, 0);
-    poly_set_si(&out->den, 1);
+    set_constant(&out->num, 0);
+    set_constant(&out->den, 1);
     int minus = take(w, "-"), good = 1, more = 1;
     while (good && more) {
         (void)take(w, "");
@@ -98,8 +112,8 @@ static void read_entry(fraction *out, source *f) {
     word w = value(f), rest = w;
     fraction top = {{0}, {0}}, bottom = {{0}, {0}};
     int quotient = take(&rest, "("), good = read_poly(&top, &rest);
-    poly_set_si(&bottom.num, 1);
-    poly_set_si(&bottom.den, 1);
+    set_constant(&bottom.num, 1);
+    set_constant(&bottom.den, 1);
     if (good && quotient)
         good = take(&rest, ")") && take(&rest, "/") && take(&rest, "(") &&
                read_poly(&bottom, &rest) && take(&rest, ")") && bottom.num.n > 0;
@@ -107,8 +121,8 @@ static void read_entry(fraction *out, source *f) {
     if (!good || rest.length > 0)
         give_up("%s:%zu: '%.*s' is neither A nor (A)/(B); expected what graze convert writes",
                 f->path, f->line, WORD(w));
-    poly_set_si(&out->num, 0);
-    poly_set_si(&out->den, 0);
+    set_constant(&out->num, 0);
+    set_constant(&out->den, 0);
     poly_add_product(&out->num, &top.num, &bottom.den, 1);
     poly_add_product(&out->den, &top.den, &bottom.num, 1);
     fraction_clear(&top);
@@ -118,12 +132,12 @@ static void read_entry(fraction *out, source *f) {
 /* The entries over the least common multiple of their denominators; they are cleared. */
 static void make_forward(piece *p, fraction *entry) {
     poly g = {0}, factor = {0}, *weight = &p->forward[WEIGHT];
-    poly_set_si(weight, 1);
+    set_constant(weight, 1);
     for (int k = 0; k < WEIGHT; k++) {
         poly_common(&g, weight, &entry[k].den);
         poly_set(&factor, &entry[k].den);
         must(poly_divide(&factor, &g), "motion: a divisor does not divide");
-        poly_multiply(weight, &factor);
+        multiply(weight, &factor);
         motion_check_size(weight);
     }
     for (int k = 0; k < WEIGHT; k++) {
@@ -139,8 +153,8 @@ static void make_forward(piece *p, fraction *entry) {
 /* d rows of d + 1, or their last column alone; what is not given is that of the identity. */
 static void read_transform(fraction *entry, source *f, int d) {
     for (int k = 0; k < WEIGHT; k++) {
-        poly_set_si(&entry[k].num, k / 4 == k % 4);
-        poly_set_si(&entry[k].den, 1);
+        set_constant(&entry[k].num, k / 4 == k % 4);
+        set_constant(&entry[k].den, 1);
     }
     token_want(f, "{");
     word kind = token(f);
@@ -175,8 +189,8 @@ static void read_piece(motion *m, source *f) {
     motion_add(m, &next);
 }
 
-motion motion_read(const char *path, const char *text, size_t length) {
-    source f = source_open(path, text, length, "{}[]:,\"" BLANKS);
+motion motion_read(const char *path, const char *sha256) {
+    source f = source_open(path, sha256, "{}[]:,\"" BLANKS);
     motion m = {.d = 2};
     token_want(&f, "{ \"dimension\" :");
     word d = token(&f);

@@ -170,9 +170,9 @@ static void check_fan(const solid *s, const simplex *before, const simplex *f) {
     mpz_clear(value);
 }
 
-solid solid_read(const char *path, const char *text, size_t length) {
+solid solid_read(const char *path, const char *sha256) {
     solid s = {.d = 0};
-    draft in = {.f = source_open(path, text, length, "()," BLANKS)};
+    draft in = {.f = source_open(path, sha256, "()," BLANKS)};
     const char *dot = strrchr(path, '.');
     if (dot && strcmp(dot, ".off") == 0) {
         s.d = 3;
@@ -185,9 +185,10 @@ solid solid_read(const char *path, const char *text, size_t length) {
     } else
         give_up("%s: a solid in .off or .wkt is expected", path);
     take_positions(&s, &in);
-    solid_finish(&s);
+    solid_make_forms(&s);
     for (size_t k = 1; k < s.count; k++)
         if (s.d == 3 && s.simplex[k].facet == s.simplex[k - 1].facet)
             check_fan(&s, &s.simplex[k - 1], &s.simplex[k]);
+    solid_make_tree(&s);
     return s;
 }

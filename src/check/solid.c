@@ -100,52 +100,45 @@ void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k) {
         mpz_submul(out[d], out[c], p[c]);
 }
 
-typedef struct keyed {
-    double key;
-    size_t simplex;
-} keyed;
-
-static int compare_keys(const void *a, const void *b) {
-    double x = ((const keyed *)a)->key, y = ((const keyed *)b)->key;
-    return (x > y) - (x < y);
-}
-
-/* Fill a node and those below it with n simplices; halves along the longest side. */
-static void build(solid *s, size_t at, keyed *k, size_t n) {
-    box all = box_empty;
-    int axis = 0;
-    for (size_t i = 0; i < n; i++)
-        box_add(&all, &s->simplex[k[i].simplex].box);
-    s->node[at] = (node){all, k[0].simplex};
-    if (n == 1)
-        return;
-    for (int i = 1; i < s->d; i++)
-        if (all.high[i] - all.low[i] > all.high[axis] - all.low[axis])
-            axis = i;
-    for (size_t i = 0; i < n; i++) {
-        const box *b = &s->simplex[k[i].simplex].box;
-        k[i].key = b->low[axis] / 2 + b->high[axis] / 2;
-    }
-    qsort(k, n, sizeof *k, compare_keys);
-    build(s, at + 1, k, n / 2);
-    build(s, at + n / 2 * 2, k + n / 2, n - n / 2);
-}
-
-void solid_finish(solid *s) {
+void solid_make_forms(solid *s) {
     if (s->count == 0)
         refute("solid: it has no facets");
-    keyed *k = grow(NULL, s->count, sizeof *k);
     for (size_t i = 0; i < s->count; i++) {
         simplex *f = &s->simplex[i];
         make_plane(f, s);
         f->box = box_empty;
         for (int v = 0; v < s->d; v++)
             box_take(&f->box, solid_vertex(s, f->v[v]), s->d);
-        k[i] = (keyed){0, i};
     }
+}
+
+static int compare_keys(const void *a, const void *b) {
+    double x = ((const simplex *)a)->key, y = ((const simplex *)b)->key;
+    return (x > y) - (x < y);
+}
+
+/* Fill a node and those below it with n simplices; halves along the longest side. */
+static void build(solid *s, size_t at, simplex *f, size_t n) {
+    box all = box_empty;
+    int axis = 0;
+    for (size_t i = 0; i < n; i++)
+        box_add(&all, &f[i].box);
+    s->node[at] = all;
+    if (n == 1)
+        return;
+    for (int i = 1; i < s->d; i++)
+        if (all.high[i] - all.low[i] > all.high[axis] - all.low[axis])
+            axis = i;
+    for (size_t i = 0; i < n; i++)
+        f[i].key = f[i].box.low[axis] / 2 + f[i].box.high[axis] / 2;
+    qsort(f, n, sizeof *f, compare_keys);
+    build(s, at + 1, f, n / 2);
+    build(s, at + n / 2 * 2, f + n / 2, n - n / 2);
+}
+
+void solid_make_tree(solid *s) {
     s->node = grow(NULL, 2 * s->count, sizeof *s->node);
-    build(s, 0, k, s->count);
-    free(k);
+    build(s, 0, s->simplex, s->count);
 }
 
 void list_add(list *l, size_t item) {
@@ -153,20 +146,21 @@ void list_add(list *l, size_t item) {
     l->item[l->count++] = item;
 }
 
-static void near_below(list *out, const solid *s, const box *b, size_t at, size_t n) {
-    if (!boxes_meet(&s->node[at].box, b))
+/* Of the n simplices from `first` on, which are those of node `at`. */
+static void near_below(list *out, const solid *s, const box *b, size_t at, size_t first, size_t n) {
+    if (!boxes_meet(&s->node[at], b))
         return;
     if (n == 1) {
-        list_add(out, s->node[at].simplex);
+        list_add(out, first);
         return;
     }
-    near_below(out, s, b, at + 1, n / 2);
-    near_below(out, s, b, at + n / 2 * 2, n - n / 2);
+    near_below(out, s, b, at + 1, first, n / 2);
+    near_below(out, s, b, at + n / 2 * 2, first + n / 2, n - n / 2);
 }
 
 void solid_near(list *out, const solid *s, const box *b) {
     out->count = 0;
-    near_below(out, s, b, 0, s->count);
+    near_below(out, s, b, 0, 0, s->count);
 }
 
 /* Is x, or if `displaced` the line through it along the axis, displaced by (e, e^2), on the inner

@@ -22,13 +22,8 @@ typedef struct simplex {
     mpz_t *plane;
     int axis;
     box box;
+    double key; /* scratch of solid_make_tree */
 } simplex;
-
-/** A node of n > 1 simplices has those of its first n / 2 simplices and of the others behind it. */
-typedef struct node {
-    box box;
-    size_t simplex; /* of a leaf */
-} node;
 
 typedef struct solid {
     int d;
@@ -38,7 +33,8 @@ typedef struct solid {
     size_t *twin; /* in the plane: the next vertex of the ring if it has the same position, or the
                      vertex itself */
     simplex *simplex;
-    node *node; /* 2 count - 1 */
+    box *node; /* of a tree, 2 count - 1: that of n > 1 simplices has those of the first n / 2 and
+                  of the others behind it */
 } solid;
 
 /** Numbers of simplices. */
@@ -48,12 +44,13 @@ typedef struct list {
 
 void list_add(list *l, size_t item);
 
-/** Read OFF or WKT by the path's extension. Gives up at what it does not read; refutes what no
- * solid has. */
-solid solid_read(const char *path, const char *text, size_t length);
-/** Forms, boxes, tree, of the simplices that the reader made; the pieces of a facet are held to one
- * plane and one turn. */
-void solid_finish(solid *s);
+/** Read OFF or WKT by the path's extension, of this SHA-256. Gives up at what it does not read;
+ * refutes what no solid has. */
+solid solid_read(const char *path, const char *sha256);
+/** Forms and boxes of the simplices that the reader made, of which there must be some. */
+void solid_make_forms(solid *s);
+/** Put the simplices in the order of a tree of their boxes. */
+void solid_make_tree(solid *s);
 
 /** The homogeneous coordinates of a vertex. */
 mpz_t *solid_vertex(const solid *s, size_t v);

@@ -35,18 +35,17 @@ int lines_next(lines *l, word *out) {
     return more;
 }
 
-char *read_file(size_t *length, const char *path) {
+source source_open(const char *path, const char *sha256, const char *marks) {
     lines l = lines_open(path);
+    char found[65];
     word all;
     read_up_to(&l, &all, EOF, SIZE_MAX);
     fclose(l.file);
-    *length = all.length;
-    return l.text;
-}
-
-source source_open(const char *path, const char *text, size_t length, const char *marks) {
-    size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
-    return (source){path, text + mark, text + length, 1, marks, 0, 0};
+    sha256_text(found, all.at, all.length);
+    if (strcmp(found, sha256) != 0)
+        refute("%s: its SHA-256 is not that of the certificate", path);
+    size_t mark = all.length >= 3 && memcmp(all.at, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    return (source){path, all.at + mark, all.at + all.length, 1, marks, 0, 0};
 }
 
 void source_fail(const source *f, const char *what) {

@@ -40,11 +40,6 @@ void trace_init(trace *r, const solid *s, const motion *m, int unsweep, int with
     memset(r->is_met, 0, s->count);
 }
 
-void trace_forget_cells(trace *r) {
-    while (r->met.count > 0)
-        r->is_met[r->met.item[--r->met.count] / 8] = 0;
-}
-
 static void keep_cell(trace *r, const simplex *f, unsigned zero) {
     size_t simplex = (size_t)(f - r->s->simplex);
     if (r->is_met[simplex] >> zero & 1)
@@ -74,8 +69,6 @@ void trace_start(trace *r, word claimed) {
     r->word = grow(r->word, claimed.length + 1, 1);
     memcpy(r->word, claimed.at, claimed.length);
     r->word[claimed.length] = '\0';
-    if (strspn(r->word, "IBO") != claimed.length)
-        fail(r, "the word is not of the letters I, B and O");
     integers_of(r->p, (mpq_srcptr[]){r->point[0], r->point[1], r->point[2]}, (size_t)r->m->d);
     r->length = 0;
     r->piece = 0;
@@ -163,8 +156,8 @@ static void meet(trace *r, claim *c, const simplex *f, const signs *all) {
     unsigned zero[PLACES] = {0, 0, 0};
     form_signs(sign, r, c, f->plane, all[r->s->d]);
     for (int p = 0; p < PLACES; p++) {
-        off[p] = sign[p] == 1 || sign[p] == -1;
         on[p] = sign[p] == 0;
+        off[p] = !on[p] && sign[p] != UNKNOWN;
     }
     for (int k = 0; k < r->s->d; k++) {
         form_signs(sign, r, c, side_form(r, f, k), all[k]);
@@ -234,15 +227,12 @@ static void root_at_end(poly *q, claim *c) {
     c->q_sign[RIGHT] = 1;
 }
 
-/* The state at a time of the interval at hand, off the boundary, by one ray (proofs/claims.md C6).
- */
-static void check_state(trace *r, char state, mpq_srcptr t) {
-    mpz_t *x = integers(4);
+/* The state where the trajectory is off the boundary, at an end of the interval at hand, by one ray
+ * (proofs/claims.md C6). The control points at both ends are on the trajectory. */
+static void check_state(const trace *r, char state, size_t control) {
     long sum;
-    poly_values(x, r->x, (size_t)r->m->d + 1, t);
-    if (!solid_ray(&sum, r->s, x, 0, NULL) || sum != (state == 'I'))
+    if (!solid_ray(&sum, r->s, control_point(r, control), 0, NULL) || sum != (state == 'I'))
         fail(r, "the state between two contacts is not what is claimed");
-    integers_free(x, 4);
 }
 
 /* The letter found last; 0 before the first. */
@@ -252,7 +242,7 @@ static char last_letter(const trace *r) {
 
 /* The letters of an interval go on with the word; the state of each stretch off the boundary is
  * found at the end that it has of the interval in which it begins. */
-static void add_letters(trace *r, const claim *c, word kind) {
+static void add_letters(trace *r, word kind) {
     for (size_t k = 0; k < kind.length; k++) {
         char letter = kind.at[k];
         if (last_letter(r) == letter)
@@ -260,35 +250,28 @@ static void add_letters(trace *r, const claim *c, word kind) {
         if (r->word[r->length++] != letter)
             fail(r, "the intervals' word is not the row's");
         if (letter != 'B')
-            check_state(r, letter, k == 0 ? c->a : c->b);
+            check_state(r, letter, k == 0 ? 0 : r->n);
     }
 }
 
-/* O, I, B; one of O, I beside B; B between two of O, I, B: the letters of the places. Without a
- * root they are none, or all B. Returns 0 if it is none of these. */
-static int read_kind(char *letter, word w) {
-    char first = w.at[0], last = w.at[w.length - 1];
-    for (size_t k = 0; k < w.length; k++)
-        if (w.at[k] != 'O' && w.at[k] != 'I' && w.at[k] != 'B')
-            return 0;
-    memset(letter, w.length > 1 || first == 'B' ? 'B' : 0, PLACES);
-    if (w.length == 1)
-        return 1;
-    letter[LEFT] = w.length == 3 || first != 'B' ? first : 0;
-    letter[RIGHT] = w.length == 3 || last != 'B' ? last : 0;
-    return w.length == 2 ? (first == 'B') != (last == 'B') : w.length == 3 && w.at[1] == 'B';
+/* Of the places of a kind; without a root they have none, or all B. */
+static void set_letters(char *letter, word kind) {
+    char first = kind.at[0], last = kind.at[kind.length - 1];
+    memset(letter, kind.length > 1 || first == 'B' ? 'B' : 0, PLACES);
+    if (kind.length > 1) {
+        letter[LEFT] = kind.length == 3 || first != 'B' ? first : 0;
+        letter[RIGHT] = kind.length == 3 || last != 'B' ? last : 0;
+    }
 }
 
 void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
     claim c = {.a = r->at, .b = to, .q = q};
     poly end = {0};
-    if (!read_kind(c.letter, kind) || (q != NULL) != (kind.length == 3))
-        fail(r, "an interval is of a kind that does not exist, or its polynomial is missing or too "
-                "much");
     if (mpq_cmp(c.a, c.b) >= 0)
         fail(r, "an interval does not end after its beginning");
     if (last_letter(r) && last_letter(r) != *kind.at)
         fail(r, "an interval begins with another state than the one before it ends with");
+    set_letters(c.letter, kind);
     enclose(r, &c);
     if (kind.length == 2)
         root_at_end(&end, &c);
@@ -296,7 +279,7 @@ void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
         isolate(r, &c);
     check_near(r, &c);
     check_held(r, &c);
-    add_letters(r, &c, kind);
+    add_letters(r, kind);
     mpq_set(r->from, r->at);
     mpq_set(r->at, to);
     poly_clear(&end);

@@ -39,13 +39,11 @@ typedef struct trace {
 
 /** @param with_cells cells that are met are kept, and others are to be known as not met */
 void trace_init(trace *r, const solid *s, const motion *m, int unsweep, int with_cells);
-/** Forget the cells met. */
-void trace_forget_cells(trace *r);
-/** Begin a row of this word; `point` has been set. */
+/** Begin a row of this word of the letters I, B and O; `point` has been set. */
 void trace_start(trace *r, word claimed);
 /**
- * The claim `kind` on [r->at, to], with the polynomial q of its root where the kind has one (else
- * NULL). Refutes it unless the tests of proofs/certificate.md prove it.
+ * The claim `kind` of the grammar on [r->at, to], with the polynomial q of its root if it has three
+ * letters, else NULL. Refutes it unless the tests of proofs/certificate.md prove it.
  */
 void trace_interval(trace *r, word kind, const mpq_t to, const poly *q);
 /** The row ends: it must have come to t1 and have spelled its word. */

@@ -17,15 +17,6 @@ static void count(unsigned long *i, unsigned long *t, const char *states) {
     }
 }
 
-static verdict of_unsweep(const char *states) {
-    verdict v = {"on", 0};
-    if (strcmp(states, "I") == 0)
-        strcpy(v.claims, "in");
-    else if (strchr(states, 'O'))
-        strcpy(v.claims, "out");
-    return v;
-}
-
 /* pmc, class and definition. */
 static const char *class_of(unsigned long k, unsigned long t, int combined) {
     if (k == 0)
@@ -39,10 +30,13 @@ static const char *class_of(unsigned long k, unsigned long t, int combined) {
 
 verdict verdict_of(const char *states, const head *h) {
     static const int cases[3][3] = {{1, 4, 7}, {2, 5, 8}, {3, 6, 9}}; /* [at t1][at t0] */
-    verdict v;
+    verdict v = {"", 0};
     unsigned long i = 0, t = 0;
-    if (h->unsweep)
-        return of_unsweep(states);
+    if (h->unsweep) {
+        const char *pmc = strcmp(states, "I") == 0 ? "in" : strchr(states, 'O') ? "out" : "on";
+        snprintf(v.claims, sizeof v.claims, "%s", pmc);
+        return v;
+    }
     char first = states[0], last = states[strlen(states) - 1];
     count(&i, &t, states);
     v.k = (i + (first == 'I') + (last == 'I')) / 2;
