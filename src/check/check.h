@@ -1,4 +1,5 @@
 /* A certificate and its rows; what a word says; the golden table beside it; all of them together.
+ * Section 7 of proofs/certificate.md names the files of the core, and those that read.
  * SPDX-License-Identifier: MIT
  */
 #ifndef CHECK_CHECK_H

@@ -70,31 +70,24 @@ static int compare_cells(const void *x, const void *y) {
     return order;
 }
 
-/* The cells met, some twice, which the trace then forgets; in the plane with all vertices of a ring
+/* The cells met, each once, which the trace then forgets; in the plane with all vertices of a ring
  * that follow one another at a position. */
-static cell *take_cells(size_t *count, trace *r) {
-    size_t room = 0;
+static void put_cells(contact *c, trace *r) {
+    static const char *const format[] = {" face %zu", " edge %zu-%zu", " vertex %zu"};
+    size_t count = 0, room = 0;
     cell *all = NULL;
-    *count = 0;
     for (size_t k = 0; k < r->met.count; k++) {
         cell next = cell_of(r->s, r->met.item[k] / 8, r->met.item[k] % 8);
         size_t before, twins = r->s->d == 2 && next.part[0] == VERTEX;
         r->is_met[r->met.item[k] / 8] = 0;
         do {
-            all = room_for(all, *count, &room, sizeof *all);
-            all[(*count)++] = next;
+            all = room_for(all, count, &room, sizeof *all);
+            all[count++] = next;
             before = next.part[1];
             next.part[1] = twins ? r->s->twin[before] : before;
         } while (next.part[1] != before);
     }
     r->met.count = 0;
-    return all;
-}
-
-static void put_cells(contact *c, trace *r) {
-    static const char *const format[] = {" face %zu", " edge %zu-%zu", " vertex %zu"};
-    size_t count;
-    cell *all = take_cells(&count, r);
     qsort(all, count, sizeof *all, compare_cells);
     for (size_t k = 0; k < count; k++)
         if (k == 0 || compare_cells(&all[k], &all[k - 1]) != 0)

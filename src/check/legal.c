@@ -118,8 +118,9 @@ static void check_near(work *w, const solid *s, size_t number, const list *near)
                    s->simplex[near->item[k]].facet);
         sides |= resting_sides(w);
     }
-    if (sum[0] != 0 || sum[1] != 0 || sum[2] != 0)
-        refute("solid: it is not closed at a side of facet %zu", f->facet);
+    for (int k = 0; k < s->d; k++)
+        if (sum[k] != 0)
+            refute("solid: it is not closed at a side of facet %zu", f->facet);
     if (sides == 3)
         give_up("solid: edges (vertices) rest inside facet %zu on both of its sides", f->facet);
 }

@@ -13,6 +13,7 @@ import scenes
 SIZES = {12: None, 500: (16, 16), 7000: (59, 60), 100000: (224, 224)}
 MOTION = '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["4*t^4 - t", "2*t^3", "t^2"]}}]}\n'
 MOST_BYTES, MOST_MAKING, MOST_CHECKING = 2000, 5, 10
+TEETH = 1000
 
 
 def rows_of(path):
@@ -53,8 +54,30 @@ def measured(table, graze, folder, faces, solid, motion, kind, count):
     checking = a_row(count, lambda n: [check, solid, motion, certificate(n), "--assume-legal"])
     name = f"{faces:,} faces, {kind}"
     table.row(f"bytes a row, median: {name}", statistics.median(rows_of(certificate(count))), most=MOST_BYTES, unit=" B")
+    subprocess.run([graze, "certify", solid, motion, points[count], "--times", "--quiet", "-o", certificate(0)], check=True)
+    table.row(f"  with times and cells of the contacts: {name}", statistics.median(rows_of(certificate(0))), unit=" B")
     table.row(f"making a row / classify --no-filter: {name}", making / exact, most=MOST_MAKING, graze=making, peer=exact)
     table.row(f"checking a row / classify --no-filter: {name}", checking / exact, most=MOST_CHECKING, graze=checking, peer=exact)
+
+
+def beside(table, graze, folder):
+    """One trajectory that runs beside many facets: along the tips of a saw, 1/1000 away, up a slope of 1/10."""
+    tips = [(x, x / 10 + (x % 2)) for x in range(2 * TEETH, -1, -1)]
+    files = {"saw.wkt": "POLYGON ((" + ", ".join(f"{x} {y}" for x, y in [(0, -1), (2 * TEETH, -1), *tips, (0, -1)]) + "))\n",
+             "along.json": '{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": '
+                           f'["-{2 * TEETH}*t", "-{TEETH / 5}*t"]}}}}]}}\n',
+             "tip.csv": "0,1.001\n"}
+    for name, text in files.items():
+        with open(os.path.join(folder, name), "w", encoding="ascii") as file:
+            file.write(text)
+    solid, motion, points, certificate = (os.path.join(folder, name) for name in [*files, "saw.certificate"])
+    making = measure.run_cpu([graze, "certify", solid, motion, points, "--jobs", "1", "-o", certificate])[0]
+    check = os.path.join(os.path.dirname(graze), "graze-check")
+    checking = measure.run_cpu([check, solid, motion, certificate])[0]
+    with open(certificate, encoding="ascii") as file:
+        intervals = sum(line.startswith("O ") for line in file)
+    table.row(f"bytes of one row beside {TEETH:,} teeth, its making with the solid's loading", rows_of(certificate)[0], unit=" B", graze=making)
+    table.row("  its intervals, its checking with the solid's", intervals, unit="", graze=checking)
 
 
 def run(table, graze, folder, count):
@@ -69,3 +92,4 @@ def run(table, graze, folder, count):
         scenes.write_off(solid, mesh)
         for kind in ("random", "degenerate"):
             measured(table, graze, folder, faces, solid, motion, kind, count)
+    beside(table, graze, folder)

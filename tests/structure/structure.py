@@ -42,6 +42,9 @@ PARTS["page"] = "draw"
 # What the checker of certificates may include.
 STANDARD = {"float.h", "gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",
             "unistd.h"}
+# Its core, in which each test of a certificate stands, the files that read, and how many lines both may have.
+CHECKER = {1230: {"base.c", "ends.c", "poly.c", "solid.c", "legal.c", "motion.c", "trace.c", "contact.c", "verdict.c", "check.c"},
+           1110: {"certificate.c", "table.c", "read_solid.c", "read_motion.c", "text.c", "number.c", "sha256.c", "main.c"}}
 failures = []
 checks = 0
 
@@ -65,6 +68,15 @@ def check_checker(path, text):
         check(os.path.exists(f"src/check/{name}") and "/" not in name, f"{path} includes {name}")
     check(set(re.findall(r"#include <([^>]+)>", text)) <= STANDARD,
           f"{path} includes more than the C library and GMP")
+
+
+def check_checker_size(everything):
+    lines = {path[len("src/check/"):]: len(text.splitlines()) for path, text in everything.items()
+             if path.startswith("src/check/") and path.endswith(".c")}
+    check(set(lines) == set.union(*CHECKER.values()), f"src/check: {sorted(lines)} are not the files of CHECKER")
+    for most, names in CHECKER.items():
+        reached = sum(lines.get(name, 0) for name in names)
+        check(reached <= most, f"src/check: {sorted(names)} have {reached} lines, expected at most {most}")
 
 
 def check_includes(path, text):
@@ -197,6 +209,7 @@ def main():
             check_file(path, text)
         else:
             check_checker(path, text)
+    check_checker_size(everything)
     objects = calls.read_objects(build, [path for path in files if path.endswith((".c", ".cpp"))])
     arrows = calls.calls(objects, lambda path: RANK.get(sources.room_of(path), 99))
     check(len(arrows) > 300, "the calls are found")
