@@ -75,7 +75,7 @@ static int compare_cells(const void *x, const void *y) {
 static void put_cells(contact *c, trace *r) {
     static const char *const format[] = {" face %zu", " edge %zu-%zu", " vertex %zu"};
     size_t count = 0, room = 0;
-    cell *all = NULL;
+    cell *all = room_for(NULL, 0, &room, sizeof *all);
     for (size_t k = 0; k < r->met.count; k++) {
         cell next = cell_of(r->s, r->met.item[k] / 8, r->met.item[k] % 8);
         size_t before, twins = r->s->d == 2 && next.part[0] == VERTEX;
