@@ -63,6 +63,9 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
     if (o.depth > BOUNDARY_DEPTH || o.coarse > o.depth)
         return api_misuse(context, "graze_boundary_create",
                           "the depth is at most 19, and the coarse level at most the depth");
+    if (o.middles && o.sharp)
+        return api_misuse(context, "graze_boundary_create",
+                          "middles and sharp must not both be given");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     return make(out, context, scene, &o);
 }
@@ -80,7 +83,7 @@ graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
         return out;
     out.points = b->points.count;
     out.cells = b->leaf_count;
-    out.vertices = b->vertices.count;
+    out.vertices = bisect_count(b);
     out.faces = b->face_count;
     out.in = b->known[GRAZE_IN];
     out.on = b->known[GRAZE_ON];
@@ -93,6 +96,7 @@ graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
     out.closed = b->closed;
     out.bisected = b->bisected;
     out.exact = b->exact;
+    out.features = b->feature_count;
     return out;
 }
 
@@ -131,7 +135,7 @@ graze_boundary_cell graze_boundary_cell_at(const graze_boundary *b, size_t index
 }
 
 void graze_boundary_vertex(mpq_t *point, const graze_boundary *b, size_t index) {
-    if (!point || !b || index >= b->vertices.count)
+    if (!point || !b || index >= bisect_count(b))
         return;
     fmpq *at = _fmpq_vec_init(b->dimension);
     bisect_vertex(at, b, index);
@@ -141,7 +145,7 @@ void graze_boundary_vertex(mpq_t *point, const graze_boundary *b, size_t index) 
 
 void graze_boundary_vertex_between(mpq_t *outside, mpq_t *inside, const graze_boundary *b,
                                    size_t index) {
-    if (!outside || !inside || !b || index >= b->vertices.count)
+    if (!outside || !inside || !b || index >= bisect_count(b))
         return;
     fmpq *at = _fmpq_vec_init(2 * b->dimension);
     bisect_between(at, at + b->dimension, b, index);

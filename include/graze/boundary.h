@@ -23,6 +23,8 @@ typedef struct graze_boundary_options {
                                     more than graze_scene_box */
     size_t size;               /**< sizeof(graze_boundary_options) or 0 */
     int middles;               /**< 1: vertices stay in the middles of the edges they are on */
+    int sharp;                 /**< 1: cells get a vertex at an edge or corner of the sweep inside
+                                    them, where one is found; not with `middles` */
 } graze_boundary_options;
 
 /** Counts of a sampling. */
@@ -38,6 +40,7 @@ typedef struct graze_boundary_summary {
     int closed;                /**< 0: the surface ends at the border of the box */
     unsigned long bisected;    /**< points classified to place the vertices, besides the budget */
     size_t exact;              /**< vertices that are `on` */
+    size_t features;           /**< vertices at edges and corners of the sweep; the last ones */
 } graze_boundary_summary;
 
 /** A cell that was not cut: a box whose corners are points of the sample. */
@@ -54,11 +57,13 @@ typedef struct graze_boundary_cell {
  * classified exactly. The surface separates the points that are `out` from the others at one level:
  * each of its vertices is on the boundary, or between two exactly classified points, one of them
  * `out` and the other not, that are at most 2^-20 of a cell apart. It is a manifold without
- * degenerate faces. Parts, holes and gaps without a point of the sample, and details smaller than a
- * cell, can be missed.
+ * degenerate faces. With `sharp` a cell whose vertices' tangent planes meet inside it has a vertex
+ * there, if that is such a point too; the tangent planes are guesses, most of them exact, of which
+ * only the place of that vertex depends. Parts, holes and gaps without a point of the sample, and
+ * details smaller than a cell, can be missed.
  * @param scene borrowed; it must outlive the boundary
- * @return GRAZE_EUSE a NULL, a depth out of range, an empty box, or a budget too small for the
- * coarse level; GRAZE_ECANCELED, GRAZE_ELIMIT, GRAZE_EINTERNAL
+ * @return GRAZE_EUSE a NULL, a depth out of range, an empty box, a budget too small for the
+ * coarse level, or `middles` with `sharp`; GRAZE_ECANCELED, GRAZE_ELIMIT, GRAZE_EINTERNAL
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_boundary_create(graze_boundary **out,
                                                            graze_context *context,

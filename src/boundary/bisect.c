@@ -17,9 +17,6 @@
 #include <stdlib.h>
 #include "verdict/classify.h"
 
-/* The longest edge is sqrt(3) cells, so both points are within 2^-20 of a cell's longest side. */
-enum { BISECT_BITS = 21 };
-
 /* An edge under bisection. */
 typedef struct bisection {
     struct graze_boundary *boundary;
@@ -183,15 +180,41 @@ graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
     return status;
 }
 
+size_t bisect_count(const struct graze_boundary *b) {
+    return b->vertices.count + b->feature_count;
+}
+
 void bisect_between(fmpq *outside, fmpq *inside, const struct graze_boundary *b, size_t index) {
     int64_t from[3], step[3];
+    if (index >= b->vertices.count) {
+        const feature *f = &b->features[index - b->vertices.count];
+        for (int k = 0; k < b->dimension; k++) {
+            fmpq_set(outside + k, f->outside + k);
+            fmpq_set(inside + k, f->inside + k);
+        }
+        return;
+    }
     edge_of(from, step, b, b->vertices.key[index]);
     point_at(outside, b, from, step, b->shares + 2 * index);
     point_at(inside, b, from, step, b->shares + 2 * index + 1);
 }
 
+static void feature_vertex(fmpq *out, const feature *f, int dimension) {
+    for (int k = 0; k < dimension; k++) {
+        fmpq_set(out + k, f->inside + k);
+        if (f->pmc == GRAZE_ON)
+            continue;
+        fmpq_add(out + k, out + k, f->outside + k);
+        fmpq_div_2exp(out + k, out + k, 1);
+    }
+}
+
 void bisect_vertex(fmpq *out, const struct graze_boundary *b, size_t index) {
     int64_t from[3], step[3];
+    if (index >= b->vertices.count) {
+        feature_vertex(out, &b->features[index - b->vertices.count], b->dimension);
+        return;
+    }
     fmpq_t share;
     fmpq_init(share);
     edge_of(from, step, b, b->vertices.key[index]);

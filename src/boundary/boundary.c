@@ -8,6 +8,7 @@
 #include "boundary/bisect.h"
 #include "boundary/contacts.h"
 #include "boundary/refine.h"
+#include "boundary/sharpen.h"
 #include "boundary/surface.h"
 #include "scene/box.h"
 #include "context/array.h"
@@ -58,6 +59,7 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
     b->depth = options->depth;
     b->budget = options->budget;
     b->middles = options->middles;
+    b->sharp = options->sharp;
     b->complete = 1;
     for (int k = 0; k < 3; k++) {
         fmpq_init(b->low + k);
@@ -75,6 +77,8 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
         status = boundary_surface(context, b);
     if (!status)
         status = boundary_bisect(context, b);
+    if (!status && b->sharp)
+        status = boundary_sharpen(context, b);
     return status ? status : list_leaves(b, context);
 }
 
@@ -87,6 +91,13 @@ void boundary_clear(struct graze_boundary *b) {
     for (size_t k = 0; k < 2 * b->vertices.count && b->shares; k++)
         fmpq_clear(b->shares + k);
     free(b->shares);
+    for (size_t k = 0; k < b->feature_count; k++)
+        for (int i = 0; i < 3; i++) {
+            fmpq_clear(b->features[k].outside + i);
+            fmpq_clear(b->features[k].inside + i);
+        }
+    free(b->features);
+    free(b->patches);
     table_clear(&b->points);
     table_clear(&b->vertices);
     free(b->cells);

@@ -17,11 +17,24 @@ typedef struct cell {
     size_t child; /* the first of 2^d; 0 for a leaf */
 } cell;
 
+/** The faces of a cell of the level reached, up to those of the next patch. */
+typedef struct patch {
+    size_t cell, first;
+} patch;
+
+/** A vertex within a cell: between a point that is out and one that is not, d rationals each, at
+ * most 2^-21 of the cell apart along each axis; the latter itself where it is on. */
+typedef struct feature {
+    fmpq outside[3], inside[3];
+    graze_pmc pmc; /* of the latter */
+} feature;
+
 struct graze_boundary {
     const graze_scene *scene; /* borrowed */
     int dimension;
     unsigned coarse, depth;
     int middles; /* vertices stay in the middles of their edges */
+    int sharp;   /* features are looked for (sharpen.h) */
     unsigned long budget;
     fmpq low[3], side[3];
     fmpq point[3];          /* the point at hand */
@@ -45,8 +58,15 @@ struct graze_boundary {
     size_t exact;           /* vertices that are on the boundary itself */
     size_t *corners;        /* of the surface's faces, d each */
     size_t face_count, corner_capacity;
+    patch *patches; /* where `sharp`, in the order of their faces */
+    size_t patch_count, patch_capacity;
+    feature *features; /* vertices behind those of the table */
+    size_t feature_count, feature_capacity;
 };
 
+/** out = a + b, out = a - b, d rationals each. */
+void lattice_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
+void lattice_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 /** The key of a lattice point. */
 uint64_t lattice_key(const uint32_t at[3]);
 /** Set the coordinates of a lattice point. */

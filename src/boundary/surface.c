@@ -135,6 +135,15 @@ static int ends_at_border(const struct graze_boundary *b, const cell *c) {
     return 0;
 }
 
+/* The faces that follow are those of a cell. */
+static graze_status begin_patch(graze_context *context, struct graze_boundary *b, size_t index) {
+    graze_status status = array_grow(context, &b->patches, &b->patch_capacity, b->patch_count + 1,
+                                     sizeof *b->patches, "the cells of a boundary");
+    if (!status)
+        b->patches[b->patch_count++] = (patch){index, b->face_count};
+    return status;
+}
+
 graze_status boundary_surface(graze_context *context, struct graze_boundary *b) {
     static const int orders[6][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1},
                                      {2, 0, 1}, {1, 2, 0}, {2, 1, 0}};
@@ -150,6 +159,8 @@ graze_status boundary_surface(graze_context *context, struct graze_boundary *b) 
             continue;
         }
         b->closed &= !ends_at_border(b, c);
+        if (b->sharp)
+            status = begin_patch(context, b, i);
         for (int k = 0; k < simplices && !status; k++)
             status = cut_simplex(context, b, c, orders[k]);
     }

@@ -30,6 +30,9 @@ static const char boundary_help[] =
     "  --seed K             their seed (1)\n"
     "  --box x0,y0[,z0],x1,y1[,z1]   the box (default: a little more than the sweep's)\n"
     "  --surface FILE       .ply, .vtk, in 3D .stl: triangles (segments)\n"
+    "  --sharp              a vertex in each cell that holds an edge or corner of the sweep, where "
+    "the\n"
+    "                       tangent planes about it meet; it is placed as exactly as the others\n"
     "  --middles            leave the vertices in the middles of cells' edges, which is faster\n"
     "  --cells FILE         .vtk: the cells that were not cut: level, pmc (0: mixed), contact\n"
     "  --points FILE        .csv, exact, or .vtk: the points and pmc (1 in, 2 on, 3 out)\n"
@@ -43,7 +46,7 @@ typedef struct boundary_given {
     const char *depth, *coarse, *budget, *contacts, *box;
     seed_value seed;
     const char *surface, *cells, *points; /* files to write */
-    int middles;
+    int middles, sharp;
 } boundary_given;
 
 static int read_most(unsigned long *to, const char *name, const char *value, unsigned long most) {
@@ -56,8 +59,12 @@ static int read_most(unsigned long *to, const char *name, const char *value, uns
 static int read_boundary_counts(graze_boundary_options *to, const boundary_given *o,
                                 int dimension) {
     unsigned long depth = 0, coarse = dimension == 2 ? 5 : 4;
-    *to = (graze_boundary_options){
-        .budget = 1000000, .contacts = 1000, .seed = 1, .middles = o->middles, .size = sizeof *to};
+    *to = (graze_boundary_options){.budget = 1000000,
+                                   .contacts = 1000,
+                                   .seed = 1,
+                                   .middles = o->middles,
+                                   .sharp = o->sharp,
+                                   .size = sizeof *to};
     int status = read_most(&depth, "depth", o->depth, 19);
     coarse = coarse > depth ? depth : coarse;
     if (!status)
@@ -81,12 +88,13 @@ static int summarize_boundary(const graze_boundary *b, int middles) {
              "contact points: %lu made, %lu on\n"
              "cells: %zu\n"
              "surface: level %u, %zu vertices, %zu faces, %s\n"
+             "vertices at edges and corners of the sweep: %zu\n"
              "vertices on the boundary: %zu, the others %s; %lu points classified for them\n"
              "budget: %s\n"
              "cells of that level with a contact point that is on, but without surface: %lu\n"
              "not seen: parts, holes and gaps that hold no point of the sample\n",
              s.points, s.in, s.on, s.out, s.contacts, s.contacts_on, s.cells, s.level, s.vertices,
-             s.faces, s.closed ? "closed" : "open at the border of the box", s.exact,
+             s.faces, s.closed ? "closed" : "open at the border of the box", s.features, s.exact,
              middles ? "in the middles of edges" : "within 2^-20 of a cell of it", s.bisected,
              s.complete ? "enough" : "spent before the depth was reached", s.missed);
     return output_text(NULL, text);
@@ -135,6 +143,7 @@ static const option_entry boundary_table[] = {
     OPTION("surface", boundary_given, surface, value_text),
     OPTION("cells", boundary_given, cells, value_text),
     OPTION("points", boundary_given, points, value_text),
+    FLAG("sharp", boundary_given, sharp, value_flag),
     FLAG("middles", boundary_given, middles, value_flag),
     OPTION("round", boundary_given, scene.context.rounding, value_rounding),
     FLAG("triangulate", boundary_given, scene.solid_flags, value_triangulate),

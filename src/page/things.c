@@ -125,7 +125,7 @@ static void put_surface(text *out, const struct graze_boundary *b) {
     text_format(out, "{\"level\":%u,\"closed\":%s,\"complete\":%s,\"vertices\":", b->reached,
                 b->closed ? "true" : "false", b->complete ? "true" : "false");
     encode_begin(&e, out);
-    for (size_t v = 0; v < b->vertices.count; v++) {
+    for (size_t v = 0; v < bisect_count(b); v++) {
         bisect_vertex(point, b, v);
         for (int k = 0; k < d; k++)
             encode_double(&e, fmpq_get_d(point + k));
@@ -153,7 +153,8 @@ graze_status page_surface(text *out, graze_context *context, const graze_scene *
                                             .depth = request->surface,
                                             .budget = BUDGET,
                                             .contacts = CONTACTS,
-                                            .seed = 1};
+                                            .seed = 1,
+                                            .sharp = 1};
     struct graze_boundary b;
     graze_status status = boundary_make(&b, context, scene, &options, request->low, request->high);
     if (!status)
