@@ -147,8 +147,7 @@ graze_status probe_normal(fmpq *out, int *found, graze_context *context, struct 
     axis_step(way, b, axis, WITHIN, fmpq_sgn(way + axis) < 0);
     *found = 1;
     for (int k = 1; k < d && *found && !status; k++)
-        status =
-            point_beside(beside + 3 * (k - 1), found, context, b, inside, way, (axis + k) % d);
+        status = point_beside(beside + 3 * (k - 1), found, context, b, inside, way, (axis + k) % d);
     for (int k = 0; k < d && *found && !status; k++) {
         int i = (k + 1) % d, j = (k + 2) % d;
         if (d == 2) {

@@ -20,8 +20,7 @@ graze_status probe_pmc(graze_pmc *out, graze_context *context, struct graze_boun
  * @param[out] pmc at `low`; GRAZE_PMC_NONE where the answers at the ends are not those
  */
 graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, graze_context *context,
-                        struct graze_boundary *b, const fmpq *base, const fmpq *way,
-                        unsigned bits);
+                        struct graze_boundary *b, const fmpq *base, const fmpq *way, unsigned bits);
 
 /**
  * Guess the normal at a point from boundary points 2^-7 of a cell beside it.

@@ -48,8 +48,7 @@ static size_t first_edge(const edge_list *l, int dimension) {
 
 int rim_find(rim *out, const struct graze_boundary *b, size_t index) {
     size_t d = (size_t)b->dimension, first = b->patches[index].first;
-    size_t end =
-        index + 1 < b->patch_count ? b->patches[index + 1].first : b->face_count;
+    size_t end = index + 1 < b->patch_count ? b->patches[index + 1].first : b->face_count;
     edge_list edges = {.count = 0};
     int several = 0;
     for (size_t face = first; face < end; face++)

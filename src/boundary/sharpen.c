@@ -34,12 +34,12 @@ typedef struct fan {
 typedef struct sharpening {
     struct graze_boundary *boundary;
     graze_context *context;
-    tangent *tangents; /* of the vertices, */
+    tangent *tangents;    /* of the vertices, */
     unsigned char *asked; /* where they were asked for */
     fan *fans;
     size_t fan_count, fan_capacity;
     size_t *rims, rim_count, rim_capacity;
-    table places; /* of the fans' cells, in their order */
+    table places;                                 /* of the fans' cells, in their order */
     size_t *corners, face_count, corner_capacity; /* the new faces */
 } sharpening;
 
@@ -55,8 +55,8 @@ static size_t apex(const sharpening *s, size_t fan_index) {
 static graze_status keep_fan(sharpening *s, size_t patch, const rim *r, const feature *f) {
     struct graze_boundary *b = s->boundary;
     static const char what[] = "the surface";
-    graze_status status = array_grow(s->context, &s->fans, &s->fan_capacity, s->fan_count + 1,
-                                     sizeof *s->fans, what);
+    graze_status status =
+        array_grow(s->context, &s->fans, &s->fan_capacity, s->fan_count + 1, sizeof *s->fans, what);
     if (!status)
         status = array_grow(s->context, &s->rims, &s->rim_capacity, s->rim_count + r->count,
                             sizeof *s->rims, what);
@@ -121,9 +121,8 @@ static graze_status try_patch(sharpening *s, size_t patch) {
 
 static graze_status add_face(sharpening *s, const size_t *corner) {
     size_t d = (size_t)s->boundary->dimension;
-    graze_status status =
-        array_grow(s->context, &s->corners, &s->corner_capacity, (s->face_count + 1) * d,
-                   sizeof *s->corners, "the surface");
+    graze_status status = array_grow(s->context, &s->corners, &s->corner_capacity,
+                                     (s->face_count + 1) * d, sizeof *s->corners, "the surface");
     if (!status)
         memcpy(s->corners + s->face_count++ * d, corner, d * sizeof *corner);
     return status;
@@ -160,8 +159,7 @@ static int is_joined(rim_run *run, size_t *other, const sharpening *s, const fan
     const size_t *vertex = s->rims + f->first;
     const cell *c = cell_of(s, f);
     *other = neighbour(s, c, axis, upper);
-    if (*other == s->fan_count ||
-        !rim_run_at(run, s->boundary, c, vertex, f->count, axis, upper))
+    if (*other == s->fan_count || !rim_run_at(run, s->boundary, c, vertex, f->count, axis, upper))
         return 0;
     return feature_between(&s->tangents[vertex[run->first]],
                            &s->tangents[vertex[(run->first + run->edges) % f->count]]);

@@ -75,7 +75,7 @@ static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *c
     fmpq *moves = _fmpq_vec_init(3), *along = _fmpq_vec_init(3);
     if (cell->kind == GRAZE_CELL_EDGE)
         lattice_sub(along, s->coordinates + cell->b * (size_t)d,
-                      s->coordinates + cell->a * (size_t)d, d);
+                    s->coordinates + cell->a * (size_t)d, d);
     if (cell->kind != GRAZE_CELL_FACE)
         velocity(moves, map, u, point);
     if (d == 2) {
@@ -165,8 +165,8 @@ static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
 static graze_status from_contacts(tangent *out, graze_context *context, struct graze_boundary *b,
                                   const fmpq *outside, const fmpq *point) {
     graze_trace trace;
-    graze_status status = trace_point(&trace, context, b->scene,
-                                      (query_point){.rational = point}, TRACE_CONTACTS);
+    graze_status status =
+        trace_point(&trace, context, b->scene, (query_point){.rational = point}, TRACE_CONTACTS);
     if (status)
         return status;
     b->bisected++;

@@ -80,21 +80,23 @@ static int read_boundary_counts(graze_boundary_options *to, const boundary_given
     return status;
 }
 
-static int summarize_boundary(const graze_boundary *b, int middles) {
+static int summarize_boundary(const graze_boundary *b, int middles, int sharp) {
     graze_boundary_summary s = graze_boundary_summarize(b);
-    char text[1024];
+    char text[1024], features[80] = "";
+    if (sharp)
+        snprintf(features, sizeof features, "vertices at edges and corners of the sweep: %zu\n",
+                 s.features);
     snprintf(text, sizeof text,
              "points: %zu, in %lu, on %lu, out %lu\n"
              "contact points: %lu made, %lu on\n"
              "cells: %zu\n"
              "surface: level %u, %zu vertices, %zu faces, %s\n"
-             "vertices at edges and corners of the sweep: %zu\n"
-             "vertices on the boundary: %zu, the others %s; %lu points classified for them\n"
+             "%svertices on the boundary: %zu, the others %s; %lu points classified for them\n"
              "budget: %s\n"
              "cells of that level with a contact point that is on, but without surface: %lu\n"
              "not seen: parts, holes and gaps that hold no point of the sample\n",
              s.points, s.in, s.on, s.out, s.contacts, s.contacts_on, s.cells, s.level, s.vertices,
-             s.faces, s.closed ? "closed" : "open at the border of the box", s.features, s.exact,
+             s.faces, s.closed ? "closed" : "open at the border of the box", features, s.exact,
              middles ? "in the middles of edges" : "within 2^-20 of a cell of it", s.bisected,
              s.complete ? "enough" : "spent before the depth was reached", s.missed);
     return output_text(NULL, text);
@@ -109,7 +111,7 @@ static int write_boundary(const graze_boundary *b, graze_context *context, const
         status = boundary_write_cells(o->cells, b, context, dimension);
     if (!status && o->points)
         status = boundary_write_points(o->points, b, context, dimension);
-    return status ? status : summarize_boundary(b, o->middles);
+    return status ? status : summarize_boundary(b, o->middles, o->sharp);
 }
 
 static int sample_boundary(const loaded *l, const boundary_given *o, mpq_t *box) {
@@ -158,6 +160,8 @@ static int run_boundary(void *options, const operands *given) {
     if (given->count != 2 || !o->depth)
         return complain(EXIT_USAGE, "boundary takes SOLID, MOTION and --depth N; see graze "
                                     "boundary --help");
+    if (o->sharp && o->middles)
+        return complain(EXIT_USAGE, "--sharp and --middles exclude each other");
     int status = boundary_check_names(o->surface, o->cells, o->points);
     if (status)
         return status;

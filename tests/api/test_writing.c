@@ -87,9 +87,10 @@ static graze_status solid_of(graze_solid **out, graze_context *context) {
     return graze_solid_from_doubles(out, context, 3, corner, 8, sizes, 6, cycles, 0);
 }
 
-/* Each vertex lies between its two points, of which graze_classify finds one out and one not. */
+/* Each vertex lies between its two points, of which graze_classify finds one out and one not. They
+ * are 2^-20 of a cell apart at most. */
 static void check_vertices(graze_context *context, const graze_scene *scene,
-                           const graze_boundary *b, size_t count) {
+                           const graze_boundary *b, size_t count, double cell) {
     mpq_t at[9];
     for (int k = 0; k < 9; k++)
         mpq_init(at[k]);
@@ -104,8 +105,7 @@ static void check_vertices(graze_context *context, const graze_scene *scene,
             int from = mpq_cmp(at[k], at[3 + k]), to = mpq_cmp(at[6 + k], at[k]);
             assert_true(from * to >= 0);
             mpq_sub(at[3 + k], at[3 + k], at[6 + k]);
-            /* The box is 27/4 long and cut into 8. */
-            assert_true(fabs(mpq_get_d(at[3 + k])) <= 0x1p-20 * 27 / 32);
+            assert_true(fabs(mpq_get_d(at[3 + k])) <= 0x1p-20 * cell);
         }
     }
     graze_boundary_vertex_between(at, at + 3, b, count);
@@ -150,7 +150,7 @@ static void test_boundary(void **state) {
     assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_OK);
     graze_boundary_summary s = graze_boundary_summarize(b);
     assert_true(s.complete && s.closed && s.level == 3 && s.faces > 0 && s.vertices > 0);
-    check_vertices(context, scene, b, s.vertices);
+    check_vertices(context, scene, b, s.vertices, 27. / 32); /* the box is 27/4 long, cut into 8 */
     assert_int_equal(s.in + s.on + s.out, s.points);
     assert_int_equal(graze_boundary_point(point, b, s.points), GRAZE_PMC_NONE);
     assert_int_not_equal(graze_boundary_point(point, b, s.points - 1), GRAZE_PMC_NONE);
@@ -168,8 +168,48 @@ static void test_boundary(void **state) {
     graze_thread_finish();
 }
 
+/* Vertices at edges and corners of sweeps, straight and turning ones, are between two such points
+ * too. */
+static void test_sharp(void **state) {
+    (void)state;
+    static const char turn[] = "{\"dimension\": 3, \"pieces\": [{\"t\": [\"0\", \"1\"], "
+                               "\"transform\": {\"compose\": [{\"rotate\": {\"axis\": [\"0\", "
+                               "\"0\", \"1\"], \"center\": [\"0\", \"0\", \"0\"], "
+                               "\"tan_half\": \"s\"}}, {\"translate\": [\"t\", \"0\", "
+                               "\"t/3\"]}]}}]}";
+    const char *const motions[] = {shift, turn};
+    graze_context *context;
+    graze_solid *solid;
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    assert_int_equal(solid_of(&solid, context), GRAZE_OK);
+    for (int k = 0; k < 2; k++) {
+        graze_motion *motion;
+        graze_scene *scene;
+        graze_boundary *b = NULL;
+        graze_boundary_options how = {
+            .coarse = 3, .depth = 3, .budget = 100000, .sharp = 1, .size = sizeof how};
+        assert_int_equal(graze_motion_from_json(&motion, context, motions[k], strlen(motions[k])),
+                         GRAZE_OK);
+        assert_int_equal(graze_scene_create(&scene, context, solid, motion, NULL), GRAZE_OK);
+        how.middles = 1;
+        assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_EUSE);
+        how.middles = 0;
+        assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_OK);
+        graze_boundary_summary s = graze_boundary_summarize(b);
+        assert_true(s.closed && s.features >= 8 && s.features < s.vertices);
+        check_vertices(context, scene, b, s.vertices, 27. / 32); /* no box is longer than 27/4 */
+        graze_boundary_destroy(b);
+        graze_scene_destroy(scene);
+        graze_motion_destroy(motion);
+    }
+    graze_solid_destroy(solid);
+    graze_context_destroy(context);
+    graze_thread_finish();
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_motions),
-                                       cmocka_unit_test(test_boundary)};
+                                       cmocka_unit_test(test_boundary),
+                                       cmocka_unit_test(test_sharp)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

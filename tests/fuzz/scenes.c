@@ -253,6 +253,8 @@ int fuzz_boundary(const uint8_t *data, size_t size) {
                                 .contacts = take(&b) % 16,
                                 .seed = take(&b)};
     int boxed = take(&b) & 1;
+    o.sharp = o.seed & 1;
+    o.size = sizeof o;
     mpq_t low[3], high[3];
     for (int k = 0; k < 3; k++) {
         mpq_inits(low[k], high[k], NULL);

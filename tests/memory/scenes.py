@@ -169,6 +169,8 @@ def make(graze, folder):
                                "--surface", "s.ply"], tables=("s.ply",))
     yield Scene("boundary-stl", ["boundary", cube, turn, "--depth", "1", "--coarse", "1", "--contacts", "1",
                                  "--surface", "s.stl"], tables=("s.stl",))
+    yield Scene("boundary-sharp", ["boundary", u, roll, "--depth", "4", "--coarse", "4", "--contacts", "0", "--sharp",
+                                   "--surface", "s.ply"], tables=("s.ply",))
     yield Scene("rotate", ["motion", "rotate", "--degrees", "37.5", "--axis", "0,0,1", "--center", "1,1,0", "--output",
                            "made", "--report", "report"])
     yield Scene("screw", ["motion", "screw", "--degrees", "100", "--axis", "0,0,1", "--pitch", "2", "--tolerance",

@@ -164,7 +164,7 @@ class CBoundaryOptions(ctypes.Structure):
 
     _fields_ = [("coarse", c_uint), ("depth", c_uint), ("budget", c_ulong), ("contacts", c_ulong),
                 ("seed", ctypes.c_ulonglong), ("low", c_void_p), ("high", c_void_p),
-                ("size", c_size_t), ("middles", c_int)]
+                ("size", c_size_t), ("middles", c_int), ("sharp", c_int)]
 
 
 class CBoundarySummary(ctypes.Structure):
@@ -174,7 +174,7 @@ class CBoundarySummary(ctypes.Structure):
                 ("faces", c_size_t), ("inside", c_ulong), ("on", c_ulong), ("out", c_ulong),
                 ("contacts", c_ulong), ("contacts_on", c_ulong), ("missed", c_ulong),
                 ("level", c_uint), ("complete", c_int), ("closed", c_int), ("bisected", c_ulong),
-                ("exact", c_size_t)]
+                ("exact", c_size_t), ("features", c_size_t)]
 
 
 class CCompareOptions(ctypes.Structure):

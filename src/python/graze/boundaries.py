@@ -37,13 +37,14 @@ class Boundary(NamedTuple):
 
 
 def boundary(context: Context, scene: Handle, dimension: int, depth: int, coarse: Optional[int],
-             budget: int, contacts: int, seed: int,
+             budget: int, contacts: int, seed: int, sharp: bool,
              box: Optional[Tuple[Rationals, Rationals]]) -> Boundary:
     """Sample the scene. Raises UseError, CanceledError, LimitError."""
     if coarse is None:
         coarse = min(depth, 5 if dimension == 2 else 4)
     chosen = CBoundaryOptions(coarse=coarse, depth=depth, budget=budget, contacts=contacts,
-                              seed=seed, size=ctypes.sizeof(CBoundaryOptions))
+                              seed=seed, sharp=sharp,
+                              size=ctypes.sizeof(CBoundaryOptions))
     if box:
         chosen.low, chosen.high = box[0].address, box[1].address
     pointer = ctypes.c_void_p()

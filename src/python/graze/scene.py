@@ -343,7 +343,8 @@ class Scene:
 
     def boundary(self, depth: int = DEPTH, coarse: Optional[int] = None, budget: int = BUDGET,
                  contacts: int = CONTACTS, seed: int = 1,
-                 box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None) -> Boundary:
+                 box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None,
+                 sharp: bool = False) -> Boundary:
         """The boundary of the sweep as a surface, by adaptive sampling (`graze boundary`): every
         vertex is on it or between two points that were classified exactly.
 
@@ -353,12 +354,13 @@ class Scene:
             budget: points that may be classified.
             contacts: points of contact that are made, so that thin parts are found; `seed` is theirs.
             box: the lowest and the highest corner; None is around the scene.
+            sharp: give cells a vertex at an edge or corner of the sweep, where one is found.
         Raises:
             UseError: a depth, a budget or a box that is none; LimitError, CanceledError.
         """
         corners = (self._point(box[0]), self._point(box[1])) if box else None
         return boundary(self._context(), self._handle, self.dimension, depth, coarse, budget,
-                        contacts, seed, corners)
+                        contacts, seed, sharp, corners)
 
     def draw(self, points: Any = None, *, names: Optional[Sequence[str]] = None, title: str = "",
              grid: int = 0, times: int = 0,
