@@ -3,7 +3,7 @@
 """Pages of `graze draw -o scene.html` and `graze compare --page`, by their data.
 
 Words, classes, counts, times and cells of a page are those of `graze classify --format jsonl`; the maps of its
-motion take points to the boundary of the solid at the times of contact; the surface is that of `graze boundary`.
+motion take points to the boundary of the solid at the times of contact; the surface is that of `graze boundary --sharp`.
 A page holds the licence of three.js and names no file or address. What the page shows is tested in a browser
 (browser.py).
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -145,9 +145,9 @@ def test_solid(data, path):
 
 
 def test_surface(graze, folder, data, level):
-    """The surface of `graze boundary` at this level."""
+    """The surface of `graze boundary --sharp` at this level."""
     motion, ply = os.path.join(folder, "slide.json"), os.path.join(folder, "s.ply")
-    run(graze, "boundary", CUBE, motion, "--depth", level, "--contacts", 300, "--surface", ply)
+    run(graze, "boundary", CUBE, motion, "--depth", level, "--contacts", 300, "--sharp", "--surface", ply)
     vertices, faces = read_ply(ply)
     check(data["surface"]["level"] == level, "level", data["surface"]["level"])
     check(numbers(data["surface"]["faces"], "I", 4) == tuple(k for face in faces for k in face), "faces of the surface")
