@@ -20,8 +20,10 @@ static const char *misused(const graze_draw_options *o, int d) {
         return "low and high must both be given or both be NULL";
     if (d == 3 && o->plane && (o->plane_axis < 0 || o->plane_axis > 2))
         return "plane_axis must be 0, 1 or 2";
-    if (d == 2 && o->plane)
+    if (d == 2 && (o->plane || o->normal))
         return "a plane belongs to scenes of dimension 3";
+    if (o->normal && !mpq_sgn(o->normal[0]) && !mpq_sgn(o->normal[1]) && !mpq_sgn(o->normal[2]))
+        return "normal must not be 0";
     if (o->point_count && (!o->points || !o->names))
         return "points and names must not be NULL";
     if (o->by != GRAZE_DRAW_BY_CLASS && o->by != GRAZE_DRAW_BY_DISTANCE)
@@ -38,7 +40,7 @@ static const char *misused(const graze_draw_options *o, int d) {
     return NULL;
 }
 
-/* The caller's rationals one after the other: low, high, plane, points. */
+/* The caller's rationals one after the other: low, high, plane, normal, points. */
 static graze_status take_numbers(fmpq *out, graze_context *context, const graze_draw_options *o,
                                  size_t d) {
     graze_status status = GRAZE_OK;
@@ -49,12 +51,30 @@ static graze_status take_numbers(fmpq *out, graze_context *context, const graze_
     }
     if (o->plane && !status)
         status = api_rational(out + 2 * d, context, *o->plane);
+    for (size_t k = 0; k < 3 && o->normal && !status; k++)
+        status = api_rational(out + 2 * d + 1 + k, context, o->normal[k]);
     for (size_t k = 0; k < o->point_count * d && !status; k++) {
-        status = api_rational(out + 2 * d + 1 + k, context, o->points[k]);
+        status = api_rational(out + 2 * d + 4 + k, context, o->points[k]);
         if (status)
             status = api_coordinate(context, status, "point", k / d, k % d);
     }
     return status;
+}
+
+/* A normal along an axis gives that axis' plane. */
+static void take_axis(draw_request *request, fmpq *plane) {
+    int axis = -1, others = 0;
+    for (int k = 0; k < 3; k++) {
+        if (fmpq_is_zero(request->normal + k))
+            continue;
+        others += axis >= 0;
+        axis = k;
+    }
+    if (others || axis < 0)
+        return;
+    fmpq_div(plane, plane, request->normal + axis);
+    request->plane_axis = axis;
+    request->normal = NULL;
 }
 
 unsigned graze_class_colour(graze_class class_) {
@@ -74,7 +94,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     if (status)
         return status;
     const graze_draw_options *o = &taken;
-    size_t d = (size_t)scene->motion->dimension, count = 2 * d + 1 + o->point_count * d;
+    size_t d = (size_t)scene->motion->dimension, count = 2 * d + 4 + o->point_count * d;
     const char *wrong = misused(o, (int)d);
     if (wrong)
         return api_misuse(context, "graze_draw", wrong);
@@ -82,7 +102,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     fmpq *numbers = _fmpq_vec_init((slong)count);
     status = take_numbers(numbers, context, o, d);
     int seen = o->view[0] != 0 || o->view[1] != 0 || o->view[2] != 0;
-    const draw_request request = {
+    draw_request request = {
         .title = o->title,
         .grid = o->grid,
         .times = o->times ? o->times : 5,
@@ -91,8 +111,9 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
         .high = o->low ? numbers + d : NULL,
         .plane_axis = o->plane ? o->plane_axis : 2,
         .plane = o->plane ? numbers + 2 * d : NULL,
+        .normal = o->normal ? numbers + 2 * d + 1 : NULL,
         .view = {seen ? o->view[0] : 2, seen ? o->view[1] : -3, seen ? o->view[2] : 2},
-        .points = numbers + 2 * d + 1,
+        .points = numbers + 2 * d + 4,
         .point_count = o->point_count,
         .names = o->names,
         .strata = o->strata,
@@ -102,6 +123,8 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
                    : d == 2       ? 8
                                   : 5,
     };
+    if (o->normal)
+        take_axis(&request, numbers + 2 * d);
     if (!status)
         status = (file_has_extension(file, "html") ? page_write : draw_picture)(context, scene,
                                                                                 file, &request);

@@ -36,6 +36,9 @@ typedef struct graze_draw_options {
                                      depth), 1 to 19; 0: 5, in E^2 8; -1: none */
     graze_draw_by by;           /**< .svg, .png: by distance 120 cells, or 180 for a wide box, where
                                      grid is 0 */
+    graze_rationals normal;     /**< E^3: three rationals, not all 0: the plane of the cells is
+                                     normal . x = *plane, or with plane NULL through the middle of
+                                     the box, and plane_axis has no effect; NULL: plane_axis */
 } graze_draw_options;
 
 /** The colour 0xRRGGBB of a class in every picture; 0 for GRAZE_CLASS_NONE. Never fails. */
@@ -43,22 +46,24 @@ GRAZE_API unsigned graze_class_colour(graze_class class_);
 /**
  * Draw a scene. Square cells have the colour of the class of their centres, which are rationals and
  * classified exactly; over them, outlines of S at some times of the motion. In E^3 the cells are in
- * a plane, and a view of the positions of S is beside it. Points are drawn with their inverted
- * trajectories through the standing S; contacts are marked by kind and cell. For an unsweep,
- * colours show pmc and positions are those of the inverse motion.
- * By distance, the side of each centre is exact, and so is the line between cells of different
- * answers; distances are within 1/64 of a cell's side, level lines interpolated between centres.
+ * a plane, and a view of the positions of S is beside it. In a plane that is not one of the axes'
+ * they are squares to within 2^-49, and centres are rational points of it. Points are drawn with
+ * their inverted trajectories through the standing S; contacts are marked by kind and cell. For an
+ * unsweep, colours show pmc and positions are those of the inverse motion. By distance, the side of
+ * each centre is exact, and so is the line between cells of different answers; distances are within
+ * 1/64 of a cell's side, level lines interpolated between centres.
  *
  * A page of HTML shows the same scene in a browser, without a network: S at a time that a slider
  * chooses, the surface of the sweep as graze_boundary_create samples it, the points by class, the
  * trajectory of the one that is clicked on, and the sentences of `graze explain` for it. It begins
- * with the first point that has an entry in `answers`. `grid`, `plane` and `view` have no effect.
+ * with the first point that has an entry in `answers`. `grid`, `plane`, `normal` and
+ * `view` have no effect.
  * @param file    the picture to write: .svg, .html, or .png, which needs libgraze-png
  * @param options may be NULL for the defaults
- * @return GRAZE_EUSE an option out of range, or another extension; GRAZE_ELIMIT more cells than the
- * limit `grid`, by distance also as in graze_distances; GRAZE_ESYSTEM the file cannot be written,
- * or no libgraze-png; GRAZE_ECANCELED; GRAZE_EINTERNAL. On failure no file is created or changed,
- * except by an error in writing it
+ * @return GRAZE_EUSE an option out of range, a normal's plane outside the box, or another
+ * extension; GRAZE_ELIMIT more cells than the limit `grid`, by distance also as in graze_distances;
+ * GRAZE_ESYSTEM the file cannot be written, or no libgraze-png; GRAZE_ECANCELED; GRAZE_EINTERNAL.
+ * On failure no file is created or changed, except by an error in writing it
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_draw(graze_context *context, const graze_scene *scene,
                                                 const char *file,

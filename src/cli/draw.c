@@ -6,6 +6,7 @@
 #include <string.h>
 #include "cli/commands.h"
 #include "cli/marks.h"
+#include "cli/plane.h"
 #include "cli/values.h"
 #include "run/grid.h"
 #include "run/load.h"
@@ -30,7 +31,10 @@ static const char draw_help[] =
     "levels\n"
     "  --times K             positions of S, from 2 to 64 (5)\n"
     "  --box x0,y0[,z0],x1,y1[,z1]   the part of space to show; default: around the sweep\n"
-    "  --plane z=1/2         3D: the plane of the cells, x=, y= or z= (the middle of the box)\n"
+    "  --plane z=1/2         3D: the plane of the cells, x=, y= or z= (the middle of the box), or\n"
+    "  --plane A,B,C,D       the plane A x + B y + C z = D; or 6 numbers, a point and a normal; "
+    "or\n"
+    "                        9, three points\n"
     "  --view X,Y,Z          3D: the direction to look from (2,-3,2)\n"
     "  --surface N           page: level of the sweep's surface, or none (5, in the plane 8)\n"
     "  --title TEXT          the line above the picture (the names of the files)\n"
@@ -49,7 +53,8 @@ typedef struct draw_given {
 
 /* Numbers of the options; initialised by the caller. */
 typedef struct frame {
-    mpq_t low[3], high[3], plane, view[3];
+    mpq_t low[3], high[3], view[3];
+    plane_numbers plane;
 } frame;
 
 static int read_frame(graze_draw_options *out, frame *f, const draw_given *o, int d,
@@ -63,14 +68,8 @@ static int read_frame(graze_draw_options *out, frame *f, const draw_given *o, in
         out->low = f->low;
         out->high = f->high;
     }
-    if (o->plane && !status) {
-        char axis = o->plane[0];
-        if (axis < 'x' || axis > 'z' || o->plane[1] != '=')
-            return complain(EXIT_USAGE, "--plane %s: expected x=, y= or z= and a number", o->plane);
-        out->plane_axis = axis - 'x';
-        out->plane = &f->plane;
-        status = numbers_read(&f->plane, context, "--plane", o->plane + 2, strlen(o->plane + 2), 1);
-    }
+    if (o->plane && !status)
+        status = plane_read(out, &f->plane, context, o->plane);
     if (o->view && !status) {
         status = numbers_read(f->view, context, "--view", o->view, strlen(o->view), 3);
         for (int k = 0; k < 3; k++)
@@ -171,16 +170,18 @@ static int run_draw(void *options, const operands *given) {
     o->points = given->item[2];
     loaded l;
     frame f;
-    mpq_inits(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.plane, f.view[0],
-              f.view[1], f.view[2], NULL);
+    mpq_inits(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.view[0], f.view[1],
+              f.view[2], NULL);
+    plane_init(&f.plane);
     int status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
     marks m = {.dimension = graze_scene_dimension(l.scene)};
     if (!status)
         status = draw_scene(&l, o, given, &m, &f);
     marks_clear(&m);
     loaded_clear(&l);
-    mpq_clears(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.plane, f.view[0],
-               f.view[1], f.view[2], NULL);
+    plane_clear(&f.plane);
+    mpq_clears(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.view[0], f.view[1],
+               f.view[2], NULL);
     return status;
 }
 

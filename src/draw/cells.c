@@ -98,29 +98,31 @@ static void set_centre(fmpq_t out, const cells *c, int k, size_t index) {
 }
 
 void cells_centre(fmpq *out, const cells *c, size_t i, size_t j) {
+    fmpq *at = c->section ? _fmpq_vec_init(2) : out;
     for (int k = 0; k < c->dimension; k++)
-        fmpq_set(out + k, c->low + k);
-    set_centre(out + c->axis[0], c, 0, i);
-    set_centre(out + c->axis[1], c, 1, j);
+        fmpq_set(at + k, c->low + k);
+    set_centre(at + c->axis[0], c, 0, i);
+    set_centre(at + c->axis[1], c, 1, j);
+    if (!c->section)
+        return;
+    section_point(out, c->section, at);
+    _fmpq_vec_clear(at, 2);
 }
 
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene) {
-    fmpq *point = _fmpq_vec_init(c->dimension);
+    fmpq *point = _fmpq_vec_init(3);
     graze_verdict verdict;
     graze_status status = GRAZE_OK;
-    for (int k = 0; k < c->dimension; k++)
-        fmpq_set(point + k, c->low + k);
     for (size_t j = 0; j < c->count[1] && !status; j++) {
         status = context_poll(context);
-        set_centre(point + c->axis[1], c, 1, j);
         for (size_t i = 0; i < c->count[0] && !status; i++) {
-            set_centre(point + c->axis[0], c, 0, i);
+            cells_centre(point, c, i, j);
             status = classify_verdict(&verdict, context, scene, (query_point){.rational = point});
             if (!status)
                 c->tone[j * c->count[0] + i] = (unsigned char)tone_of(&verdict);
         }
     }
-    _fmpq_vec_clear(point, c->dimension);
+    _fmpq_vec_clear(point, 3);
     return status;
 }
 
@@ -131,6 +133,17 @@ extent cells_extent(const cells *c) {
         e.high[k] = e.low[k] + fmpq_get_d(c->side) * (double)c->count[k];
     }
     return e;
+}
+
+void cells_corner(double out[3], const cells *c, double horizontal, double vertical) {
+    for (int k = 0; k < 3; k++) {
+        const section *s = c->section;
+        out[k] = s ? fmpq_get_d(s->origin + k) + horizontal * s->look.row[0][k] +
+                         vertical * s->look.row[1][k]
+                 : k == c->axis[0] ? horizontal
+                 : k == c->axis[1] ? vertical
+                                   : fmpq_get_d(c->low + k);
+    }
 }
 
 static void add_rectangle(path *out, const cells *c, const panel *p, size_t i, size_t j,
@@ -158,15 +171,22 @@ void cells_path(path *out, const cells *c, const panel *p, tone t) {
     }
 }
 
+const char *cells_axes(const cells *c) {
+    return c->section ? "uv" : "xyz";
+}
+
 void cells_attributes(text *out, const cells *c, const panel *p) {
-    static const char names[] = "xyz";
+    const char *names = cells_axes(c);
     text_format(out, "data-axes=\"%c %c\" data-count=\"%zu %zu\" data-low=\"", names[c->axis[0]],
                 names[c->axis[1]], c->count[0], c->count[1]);
     for (int k = 0; k < c->dimension; k++) {
         text_put(out, k ? " " : "");
         text_rational(out, c->low + k);
     }
-    text_put(out, "\" data-side=\"");
+    text_put(out, "\"");
+    if (c->section)
+        section_attributes(out, c->section);
+    text_put(out, " data-side=\"");
     text_rational(out, c->side);
     text_format(out, "\" data-frame=\"%ld %ld %ld %ld\"", (long)p->x, (long)p->y, (long)p->width,
                 (long)p->height);

@@ -8,6 +8,7 @@
 #define GRAZE_DRAW_CELLS_H
 
 #include "draw/panel.h"
+#include "draw/section.h"
 #include "scene/scene.h"
 
 /** A grid more than so many times as wide as high is drawn wide. */
@@ -39,8 +40,9 @@ tone tone_of(const graze_verdict *v);
 typedef struct cells {
     int axis[2]; /* the coordinates along which i and j run */
     size_t count[2];
-    fmpq *low; /* a corner of d coordinates; off the two axes, the plane's place */
-    int dimension;
+    fmpq *low;              /* a corner of d coordinates; off the two axes, the plane's place */
+    int dimension;          /* 2 with a section, whose u and v they are */
+    const section *section; /* borrowed; NULL: the plane of two axes */
     fmpq_t side;
     unsigned char *tone;           /* row by row, i running fastest */
     double *distance;              /* likewise, of the centres; NULL: not asked */
@@ -63,14 +65,18 @@ graze_status cells_layout(cells *out, graze_context *context, int dimension, con
                           unsigned long longer, int coarse);
 void cells_clear(cells *c);
 
-/** The centre of a cell, d rationals. */
+/** The centre of a cell, in room for three rationals. */
 void cells_centre(fmpq *out, const cells *c, size_t i, size_t j);
 
 /** Classify all centres. */
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene);
 
+/** Letters of the coordinates along which `axis` counts. */
+const char *cells_axes(const cells *c);
 /** The rectangle of the plane that the cells cover. */
 extent cells_extent(const cells *c);
+/** The point of space of two coordinates in the plane of the cells, in E^3. */
+void cells_corner(double out[3], const cells *c, double horizontal, double vertical);
 /** Add the cells of a tone as rectangles, one for each run of them along a row. */
 void cells_path(path *out, const cells *c, const panel *p, tone t);
 

@@ -35,20 +35,43 @@ static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
     return status;
 }
 
-/* Lay out and classify the cells. */
-static graze_status make_cells(picture *p, graze_context *context) {
+/* The cells of an oblique plane: u and v are their axes. */
+static graze_status lay_out_section(picture *p, graze_context *context, const fmpq *low,
+                                    const fmpq *high) {
+    static const int axis[2] = {0, 1};
     const draw_request *request = p->request;
-    int d = p->scene->motion->dimension, axis[2] = {0, 1};
-    fmpq *low = _fmpq_vec_init(d), *high = _fmpq_vec_init(d);
+    fmpq *least = _fmpq_vec_init(2), *most = _fmpq_vec_init(2), *middle = _fmpq_vec_init(3);
     fmpq_t place;
     fmpq_init(place);
-    graze_status status = GRAZE_OK;
-    if (!request->low)
-        status = roomy_box(low, high, context, p->scene);
-    for (int k = 0; k < d && request->low; k++) {
-        fmpq_set(low + k, request->low + k);
-        fmpq_set(high + k, request->high + k);
+    for (int k = 0; k < 3; k++) {
+        fmpq_add(middle + k, low + k, high + k);
+        fmpq_div_2exp(middle + k, middle + k, 1);
     }
+    _fmpq_vec_dot(place, request->normal, middle, 3);
+    if (request->plane)
+        fmpq_set(place, request->plane);
+    section_make(&p->section, request->normal, place);
+    graze_status status = GRAZE_OK;
+    if (!section_extent(least, most, &p->section, low, high))
+        status = context_fail(context, GRAZE_EUSE, "the plane does not pass through the box");
+    fmpq_zero(place);
+    if (!status)
+        status = cells_layout(&p->cells, context, 2, axis, least, most, place, request->grid,
+                              request->by_distance);
+    p->cells.section = &p->section;
+    fmpq_clear(place);
+    _fmpq_vec_clear(least, 2);
+    _fmpq_vec_clear(most, 2);
+    _fmpq_vec_clear(middle, 3);
+    return status;
+}
+
+static graze_status lay_out_cells(picture *p, graze_context *context, const fmpq *low,
+                                  const fmpq *high) {
+    const draw_request *request = p->request;
+    int d = p->scene->motion->dimension, axis[2] = {0, 1};
+    fmpq_t place;
+    fmpq_init(place);
     if (d == 3) {
         axis[0] = request->plane_axis == 0;
         axis[1] = request->plane_axis == 2 ? 1 : 2;
@@ -57,10 +80,26 @@ static graze_status make_cells(picture *p, graze_context *context) {
         if (request->plane)
             fmpq_set(place, request->plane);
     }
-    if (!status)
-        status = cells_layout(&p->cells, context, d, axis, low, high, place, request->grid,
-                              request->by_distance);
+    graze_status status = cells_layout(&p->cells, context, d, axis, low, high, place, request->grid,
+                                       request->by_distance);
     fmpq_clear(place);
+    return status;
+}
+
+/* Lay out and classify the cells. */
+static graze_status make_cells(picture *p, graze_context *context) {
+    const draw_request *request = p->request;
+    int d = p->scene->motion->dimension;
+    fmpq *low = _fmpq_vec_init(d), *high = _fmpq_vec_init(d);
+    graze_status status = GRAZE_OK;
+    if (!request->low)
+        status = roomy_box(low, high, context, p->scene);
+    for (int k = 0; k < d && request->low; k++) {
+        fmpq_set(low + k, request->low + k);
+        fmpq_set(high + k, request->high + k);
+    }
+    if (!status)
+        status = (request->normal ? lay_out_section : lay_out_cells)(p, context, low, high);
     _fmpq_vec_clear(low, d);
     _fmpq_vec_clear(high, d);
     if (status)
@@ -191,15 +230,22 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
     const char *title = p->request->title ? p->request->title : "";
     size_t outside = views_outside(p);
-    char missing[64] = "", remark[240];
+    char missing[64] = "", remark[480];
+    text plane;
+    text_init(&plane);
+    if (p->cells.section) {
+        text_put(&plane, " · ");
+        section_describe(&plane, p->cells.section);
+    }
     if (outside)
         snprintf(missing, sizeof missing, " · %zu of %zu points outside the picture", outside,
                  p->request->point_count);
     snprintf(
-        remark, sizeof remark, "%zu × %zu cells, each %s of its centre%s · graze " GRAZE_VERSION,
+        remark, sizeof remark, "%zu × %zu cells, each %s of its centre%s%s · graze " GRAZE_VERSION,
         p->cells.count[0], p->cells.count[1],
         p->request->by_distance ? "on the exact side and by the distance" : "in the exact class",
-        missing);
+        plane.failed || !p->cells.section ? "" : plane.data, missing);
+    text_clear(&plane);
     layout l = lay_out(p, title, remark);
     canvas *c;
     graze_status status = canvas_create(&c, context, file, l.width, l.height);
@@ -239,6 +285,7 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
     free(p.moved);
     free(p.trails);
     free(p.points);
+    section_clear(&p.section);
     cells_clear(&p.cells);
     return status;
 }

@@ -59,7 +59,7 @@ graze_status cells_measure(cells *c, graze_context *context, const graze_scene *
     c->distance = calloc(count, sizeof *c->distance);
     if (!c->distance)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
-    fmpq *point = _fmpq_vec_init(c->dimension);
+    fmpq *point = _fmpq_vec_init(3);
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < count && !status; k++) {
         cells_centre(point, c, k % c->count[0], k / c->count[0]);
@@ -67,7 +67,7 @@ graze_status cells_measure(cells *c, graze_context *context, const graze_scene *
         if (!status)
             status = context_poll(context);
     }
-    _fmpq_vec_clear(point, c->dimension);
+    _fmpq_vec_clear(point, 3);
     choose_step(c);
     for (size_t k = 0; k < count && !status; k++)
         c->tone[k] = (unsigned char)band_of(c, (tone)c->tone[k], c->distance[k]);

@@ -17,6 +17,7 @@ typedef struct draw_request {
     const fmpq *low, *high; /* d each, low < high; both NULL: around the scene */
     int plane_axis;         /* E^3 */
     const fmpq *plane;      /* NULL: the middle of the box */
+    const fmpq *normal;     /* three: the plane is normal . x = *plane; NULL: an axis' plane */
     double view[3];         /* not zero */
     const fmpq *points;     /* d each */
     size_t point_count;

@@ -102,39 +102,43 @@ void shape_rings(path *out, const shape *s, const panel *p) {
     }
 }
 
+static double height_over(const double normal[3], const double *a) {
+    return normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2];
+}
+
 /* The point in which the line through two vertices meets the plane, one being above it. */
-static void meet_plane(double out[3], const double *a, const double *b, int axis, double place) {
-    double share = (place - a[axis]) / (b[axis] - a[axis]);
+static void meet_plane(double out[3], const double *a, const double *b, const double normal[3],
+                       double place) {
+    double from = height_over(normal, a), share = (place - from) / (height_over(normal, b) - from);
     for (int k = 0; k < 3; k++)
         out[k] = a[k] + share * (b[k] - a[k]);
-    out[axis] = place;
 }
 
 /* The segment of one triangle; 0 if the plane does not pass between its vertices. */
 static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, const panel *p,
-                          int axis, double place) {
+                          const double normal[3], double place) {
     int ends = 0;
     for (int k = 0; k < 3; k++) {
         uint64_t from = f->vertex[k], to = f->vertex[(k + 1) % 3];
         const double *a = s->at + 3 * from, *b = s->at + 3 * to;
         double end[3];
-        if ((a[axis] >= place) == (b[axis] >= place))
+        if ((height_over(normal, a) >= place) == (height_over(normal, b) >= place))
             continue;
         /* Alike from both sides of the edge. */
-        meet_plane(end, from < to ? a : b, from < to ? b : a, axis, place);
+        meet_plane(end, from < to ? a : b, from < to ? b : a, normal, place);
         panel_map(&out->x[ends], &out->y[ends], p, end);
         out->key[ends++] = from < to ? from << 32 | to : to << 32 | from;
     }
     return ends == 2;
 }
 
-void shape_slice(path *out, const shape *s, const panel *p, int axis, double place) {
+void shape_slice(path *out, const shape *s, const panel *p, const double normal[3], double place) {
     const simplices *cut = &s->solid->cut;
     chain_segment *segments = calloc(cut->count + 1, sizeof *segments);
     size_t n = 0;
     out->failed |= !segments;
     for (size_t f = 0; f < cut->count && segments; f++)
-        n += (size_t)slice_triangle(&segments[n], s, &cut->item[f], p, axis, place);
+        n += (size_t)slice_triangle(&segments[n], s, &cut->item[f], p, normal, place);
     if (segments)
         chain_path(out, segments, n, nodes_apart(cut->count));
     free(segments);

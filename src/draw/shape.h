@@ -30,8 +30,8 @@ void shape_extent(extent *out, const shape *s, const projection *look);
 
 /** Add the boundary in E^2, ring by ring. */
 void shape_rings(path *out, const shape *s, const panel *p);
-/** Add the lines in which the boundary meets the plane where coordinate `axis` is `place` (E^3). */
-void shape_slice(path *out, const shape *s, const panel *p, int axis, double place);
+/** Add the lines in which the boundary meets the plane normal . x = place (E^3). */
+void shape_slice(path *out, const shape *s, const panel *p, const double normal[3], double place);
 
 /** Paint of the faces of a shape. */
 typedef struct finish {

@@ -26,7 +26,8 @@ static void fit_classes(picture *p) {
     double wanted = (double)count[0] > CELLS_WIDE * (double)count[1] ? 720 : 480;
     double cell = fmax(round(wanted / (double)longer), 1);
     panel *at = &p->classes;
-    at->look = projection_of_axes(p->cells.axis[0], p->cells.axis[1]);
+    at->look = p->cells.section ? p->cells.section->look
+                                : projection_of_axes(p->cells.axis[0], p->cells.axis[1]);
     at->window = cells_extent(&p->cells);
     at->width = cell * (double)count[0];
     at->height = cell * (double)count[1];
@@ -54,25 +55,42 @@ static void fit_trajectories(picture *p, const projection *look) {
                is_plane(p));
 }
 
-/* Title of the cells: a long ratio as a decimal, marked where that is not the number itself. */
-static void name_classes(picture *p) {
+/* The plane of the cells: a long ratio as a decimal, marked where that is not the number itself. */
+static void tell_axis_plane(char *out, size_t size, const picture *p) {
     enum { LONG = 13 }; /* 12 digits and the bar */
+    int axis = p->request->plane_axis, exact = 1;
+    char *ratio = fmpq_get_str(NULL, 10, p->cells.low + axis), *shorter = NULL;
+    if (strlen(ratio) > LONG)
+        shorter = decimal_of_rational(&exact, p->cells.low + axis, 10);
+    snprintf(out, size, " in the plane %c %s %s", "xyz"[axis], exact ? "=" : "≈",
+             shorter ? shorter : ratio);
+    flint_free(ratio);
+    free(shorter);
+}
+
+/* An equation that is long is left out of the title. */
+static void tell_section(char *out, size_t size, const picture *p) {
+    enum { LONG = 44 };
+    text equation;
+    text_init(&equation);
+    section_equation(&equation, p->cells.section);
+    if (equation.failed || strlen(equation.data) > LONG)
+        snprintf(out, size, " in an oblique plane");
+    else
+        snprintf(out, size, " in the plane %s", equation.data);
+    text_clear(&equation);
+}
+
+static void name_classes(picture *p) {
     const char *what = p->request->by_distance
                            ? is_unsweep(p) ? "Distance to the unsweep" : "Distance to the sweep"
                        : is_unsweep(p) ? "The unsweep"
                                        : "The sweep by class";
-    int axis = p->request->plane_axis, exact = 1;
     char title[sizeof p->classes.title];
-    snprintf(title, sizeof title, "%s", what);
-    if (!is_plane(p)) {
-        char *ratio = fmpq_get_str(NULL, 10, p->cells.low + axis), *shorter = NULL;
-        if (strlen(ratio) > LONG)
-            shorter = decimal_of_rational(&exact, p->cells.low + axis, 10);
-        snprintf(title, sizeof title, "%s in the plane %c %s %s", what, "xyz"[axis],
-                 exact ? "=" : "≈", shorter ? shorter : ratio);
-        flint_free(ratio);
-        free(shorter);
-    }
+    int length = snprintf(title, sizeof title, "%s", what);
+    if (!is_plane(p))
+        (p->cells.section ? tell_section : tell_axis_plane)(title + length,
+                                                            sizeof title - (size_t)length, p);
     panel_name(&p->classes, title, 1);
 }
 
@@ -105,10 +123,6 @@ size_t views_outside(const picture *p) {
                    place[1] < at->window.low[1] || place[1] > at->window.high[1];
     }
     return outside;
-}
-
-static double plane_place(const picture *p) {
-    return fmpq_get_d(p->cells.low + p->request->plane_axis);
 }
 
 static void draw_cells(canvas *c, const picture *p) {
@@ -148,18 +162,27 @@ static void draw_levels(canvas *c, const picture *p) {
 
 static void draw_outline(canvas *c, const picture *p, size_t k, const style *s) {
     path line = {NULL, 0, 0, 0};
+    const section *oblique = p->cells.section;
+    double normal[3] = {0, 0, 0};
+    int axis = p->request->plane_axis;
+    normal[axis] = 1;
     if (is_plane(p))
         shape_rings(&line, &p->moved[k], &p->classes);
+    else if (oblique)
+        shape_slice(&line, &p->moved[k], &p->classes, oblique->unit, oblique->unit_height);
     else
-        shape_slice(&line, &p->moved[k], &p->classes, p->request->plane_axis, plane_place(p));
+        shape_slice(&line, &p->moved[k], &p->classes, normal, fmpq_get_d(p->cells.low + axis));
     canvas_path(c, &line, s, NULL);
     path_clear(&line);
 }
 
 static int is_in_plane(const picture *p, size_t point) {
     int axis = p->request->plane_axis;
-    return is_plane(p) ||
-           fmpq_equal(p->request->points + point * 3 + (size_t)axis, p->cells.low + axis);
+    const fmpq *at = p->request->points + point * 3;
+    if (is_plane(p))
+        return 1;
+    return p->cells.section ? section_holds(p->cells.section, at)
+                            : fmpq_equal(at + axis, p->cells.low + axis);
 }
 
 static int is_in_window(const panel *p, double x, double y) {
@@ -188,7 +211,7 @@ static void draw_points(canvas *c, const picture *p, const panel *at, int plane_
 }
 
 graze_status view_classes(canvas *c, const picture *p) {
-    static const char axes[] = "xyz";
+    const char *axes = cells_axes(&p->cells);
     const panel *at = &p->classes;
     size_t last = p->request->times - 1;
     canvas_begin(c, "classes", NULL);
@@ -215,9 +238,8 @@ static void draw_plane(canvas *c, const picture *p) {
     path frame = {NULL, 0, 0, 0};
     for (int k = 0; k < 4; k++) {
         double corner[3], x, y;
-        corner[p->request->plane_axis] = plane_place(p);
-        corner[p->cells.axis[0]] = k == 1 || k == 2 ? e->high[0] : e->low[0];
-        corner[p->cells.axis[1]] = k >= 2 ? e->high[1] : e->low[1];
+        cells_corner(corner, &p->cells, k == 1 || k == 2 ? e->high[0] : e->low[0],
+                     k >= 2 ? e->high[1] : e->low[1]);
         panel_map(&x, &y, &p->positions, corner);
         path_to(&frame, k ? 'L' : 'M', x, y);
     }

@@ -14,7 +14,8 @@ typedef struct picture {
     const graze_scene *scene;
     const draw_request *request;
     cells cells;
-    shape *moved; /* at request->times times; for an unsweep under the inverse motion */
+    section section; /* where the request has a normal */
+    shape *moved;    /* at request->times times; for an unsweep under the inverse motion */
     shape standing;
     trail *trails;  /* one a point */
     double *points; /* three coordinates each */
