@@ -67,8 +67,7 @@ static void set_ways(section *s) {
             s->look.row[i][k] = fmpq_get_d(s->way[i] + k);
     for (int k = 0; k < 3; k++) {
         int i = (k + 1) % 3, j = (k + 2) % 3;
-        s->unit[k] =
-            s->look.row[0][i] * s->look.row[1][j] - s->look.row[0][j] * s->look.row[1][i];
+        s->unit[k] = s->look.row[0][i] * s->look.row[1][j] - s->look.row[0][j] * s->look.row[1][i];
     }
     _fmpq_vec_clear(normal, 3);
 }
@@ -167,7 +166,8 @@ static void meet(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
     fmpq_clear(share);
 }
 
-/* Let an interval end in multiples of a power of two of which it has 2^12 to 2^13: short numbers. */
+/* Let an interval end in multiples of a power of two of which it has 2^12 to 2^13: short numbers.
+ */
 static void round_outward(fmpq_t low, fmpq_t high) {
     enum { PARTS = 12 };
     fmpq_t length, unit;

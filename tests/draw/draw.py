@@ -71,7 +71,9 @@ class Cells:
 
     def __init__(self, root):
         g = group(root, "cells")
-        self.axes = ["xyz".index(a) for a in g.get("data-axes").split()]
+        self.section = [[F(n) for n in g.get(name).split()] for name in ("data-origin", "data-u", "data-v")
+                        if g.get(name)]
+        self.axes = [("uv" if self.section else "xyz").index(a) for a in g.get("data-axes").split()]
         self.count = [int(n) for n in g.get("data-count").split()]
         self.low = [F(n) for n in g.get("data-low").split()]
         self.side = F(g.get("data-side"))
@@ -85,6 +87,8 @@ class Cells:
         point = list(self.low)
         point[self.axes[0]] += (i + F(1, 2)) * self.side
         point[self.axes[1]] += (j + F(1, 2)) * self.side
+        if self.section:
+            return [o + point[0] * u + point[1] * v for o, u, v in zip(*self.section)]
         return point
 
     def pixel(self, i, j):

@@ -168,6 +168,40 @@ def test_compare(browser, graze, folder):
     check(browser.value("graze.chosen()") == 31, "the next wrong row", browser.value("graze.chosen()"))
 
 
+NOTEBOOK = """
+import sys
+import graze
+scene = graze.Scene(*sys.argv[1:3])
+page = scene.page([(5, 1, 1), (5, 3, 1)], names=["first", "second"], surface=3)
+with open(sys.argv[3], "w", encoding="utf-8") as file:
+    file.write("<!DOCTYPE html><meta charset=utf-8><body onload='document.documentElement.dataset.ready = \\"yes\\"'>")
+    file.write(page._repr_html_())
+"""
+
+
+def test_notebook(browser, graze, folder):
+    """The page of a scene in Python, in the frame that a notebook shows."""
+    cube, motion = os.path.join(ROOT, "tests", "refuse", "common", "cube.off"), os.path.join(folder, "move.json")
+    page = os.path.join(folder, "notebook.html")
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0", "0"]}}]}')
+    built = os.path.dirname(os.path.abspath(graze))
+    library = next(os.path.join(built, name) for name in sorted(os.listdir(built)) if name.startswith("libgraze.so"))
+    done = harness.run([sys.executable, "-c", NOTEBOOK, cube, motion, page], 300,
+                       env=dict(os.environ, PYTHONPATH=os.path.join(ROOT, "src", "python"), GRAZE_LIBRARY=library))
+    check(done.returncode == 0, "a page of Python", done.stderr)
+    check(browser.open(page), page, "is not ready")
+    ready = ("new Promise(done => { const until = Date.now() + 60000, look = () => frames[0].document.documentElement"
+             ".dataset.ready === 'yes' || Date.now() > until ? done(1) : setTimeout(look, 50); look(); })")
+    browser.value(ready)
+    check(not browser.faults(), page, browser.faults())
+    check(browser.value("frames[0].graze.errors.length") == 0, page, browser.value("frames[0].graze.errors"))
+    check(browser.value("frames[0].graze.points.map(p => p.word)") == ["OBIBO", "O"], "words in the frame")
+    browser.value("frames[0].graze.choose(0)")
+    says = browser.value("frames[0].document.getElementById('says').textContent")
+    check("Its word is OBIBO." in says and "first" in says, says)
+
+
 def test_size(browser, graze, folder):
     """100,000 points and 200,000 triangles."""
     cube = os.path.join(ROOT, "tests", "refuse", "common", "cube.off")
@@ -206,6 +240,8 @@ def main():
             shoot("filters")
             test_compare(browser, args.graze, folder)
             shoot("compare")
+            test_notebook(browser, args.graze, folder)
+            shoot("notebook")
             test_size(browser, args.graze, folder)
             shoot("size")
     finally:

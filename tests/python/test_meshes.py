@@ -123,7 +123,7 @@ class Boundaries(unittest.TestCase):
         sharp = graze.Scene(common.CUBE, RISE).boundary(depth=4, coarse=2, sharp=True)
         corners = {(x, y, z) for x in (0, 2) for y in (0, 2) for z in (0, 3)}
         self.assertLessEqual(corners, {tuple(map(float, v)) for v in sharp.vertices})
-        self.assertFalse(corners & {tuple(map(float, v)) for v in made.vertices})
+        self.assertFalse(corners <= {tuple(map(float, v)) for v in made.vertices})
         with self.assertRaises(graze.UseError):
             graze.Scene(common.CUBE, RISE).boundary(depth=99)
         cut = graze.Scene(common.CUBE, RISE).boundary(depth=3, box=((-1, -1, -1), (1, 1, 1)))

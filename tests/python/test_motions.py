@@ -2,6 +2,8 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
+import html.parser
 import json
 import os
 import subprocess
@@ -139,6 +141,48 @@ class Pictures(unittest.TestCase):
         self.assertEqual([colours[name] for name in seen], [painted[name] for name in seen])
         with self.assertRaises(graze.UseError):
             scene.draw([(0, 0)], names=["one", "two"])
+
+    def test_plane(self):
+        """A plane across an axis and one that is not, as `graze draw --plane` takes them."""
+        scene = common.cube_scene()
+        across = scene.draw(grid=8, title="T", plane=((0, 0, 2), "1")).svg
+        self.assertIn("in the plane z = 1/2", across)
+        self.assertEqual(across, scene.draw(grid=8, title="T", plane=([0, 0, -1], -0.5)).svg)
+        self.assertIn("in the plane x + 1/3*y = 2", scene.draw(grid=8, plane=((1, "1/3", 0), 2)).svg)
+        for wrong in (((0, 0, 0), 1), ((1, 1), 1), ((1, 1, 1), 999)):
+            with self.assertRaises(graze.UseError):
+                scene.draw(plane=wrong)
+
+    def test_page(self):
+        """The same bytes as `graze draw -o scene.html`, in a frame for a notebook."""
+        solid, motion, points, _ = common.case("figure4")
+        scene = graze.Scene(solid, motion)
+        with open(points, encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "scene.html")
+            table = os.path.join(folder, "points.csv")
+            with open(table, "w", encoding="utf-8") as file:
+                file.write("x,y,id,stratum\n" + "".join(f"{r['x']},{r['y']},n{k},s{k % 2}\n" for k, r in enumerate(rows)))
+            program("draw", solid, motion, table, "--title", "A <title>", "--surface", "4", "-o", path)
+            page = scene.page([(r["x"], r["y"]) for r in rows], names=[f"n{k}" for k in range(len(rows))],
+                              strata=[f"s{k % 2}" for k in range(len(rows))], title="A <title>", surface=4)
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(page.html, file.read())
+            page.save(path)
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(page.html, file.read())
+        frames = []
+        parser = html.parser.HTMLParser()
+        parser.handle_starttag = lambda tag, attributes: frames.append((tag, dict(attributes).get("srcdoc")))
+        parser.feed(page._repr_html_())
+        self.assertEqual(frames, [("iframe", page.html)])
+        self.assertEqual(repr(page), f"<graze.Page, {len(page.html)} characters of HTML>")
+        self.assertIn('"surface":null', scene.page(surface=None).html)
+        with self.assertRaises(graze.UseError):
+            scene.page([(0, 0)], names=["one"], strata=["a", "b"])
+        with self.assertRaises(graze.UseError):
+            scene.page(surface=99)
 
 
 class Comparisons(unittest.TestCase):

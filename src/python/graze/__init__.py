@@ -25,8 +25,8 @@ from .envelopes import Envelope, Event
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
-from .pictures import Picture, class_colours
 from .patches import CurvePart, Patch, PatchJoint
+from .pictures import Page, Picture, class_colours
 from .results import (CLASS_NAMES, ENCLOSURE_DTYPE, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact,
                       Enclosure, Pmc, Sample, Topology, Trace, Verdict, class_names, columns,
                       definition_names, pmc_names, to_dataframe)
@@ -38,7 +38,7 @@ __all__ = [
     "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Comparison",
     "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "IllegalError",
     "InputError", "InternalError",
-    "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Patch",
+    "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Page", "Patch",
     "PatchJoint", "Picture",
     "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "columns", "compare",

@@ -156,7 +156,8 @@ class CDrawOptions(ctypes.Structure):
                 ("high", c_void_p), ("plane_axis", c_int), ("plane", c_void_p),
                 ("view", c_double * 3), ("points", c_void_p), ("point_count", c_size_t),
                 ("names", c_void_p), ("size", c_size_t), ("strata", c_void_p),
-                ("answers", c_void_p), ("surface", c_int), ("by", c_int)]
+                ("answers", c_void_p), ("surface", c_int), ("by", c_int),
+                ("normal", c_void_p)]
 
 
 class CBoundaryOptions(ctypes.Structure):

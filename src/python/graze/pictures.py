@@ -1,10 +1,11 @@
-"""Pictures of scenes, as SVG (graze/draw.h).
+"""Pictures of scenes as SVG, and pages of HTML (graze/draw.h).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
 import ctypes
+import html
 import os
 import tempfile
 from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
@@ -37,6 +38,28 @@ class Picture(NamedTuple):
         return f"<graze.Picture, {len(self.svg)} characters of SVG>"
 
 
+class Page(NamedTuple):
+    """A page to turn and to ask, with all it needs; a notebook shows it in a frame.
+
+    Attributes:
+        html: its text.
+    """
+
+    html: str
+
+    def _repr_html_(self) -> str:
+        return (f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="640" '
+                'style="border: 0"></iframe>')
+
+    def save(self, path: Any) -> None:
+        """Write it into a file, whose name ends with .html; any browser opens it."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.html)
+
+    def __repr__(self) -> str:
+        return f"<graze.Page, {len(self.html)} characters of HTML>"
+
+
 def class_colours() -> Dict[str, str]:
     """The colour of each class in every picture of Graze, as `#rrggbb`."""
     return {class_.name.lower(): f"#{library().graze_class_colour(class_):06x}"
@@ -44,26 +67,52 @@ def class_colours() -> Dict[str, str]:
 
 
 def draw(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],
-         box: Optional[Tuple[Rationals, Rationals]], **options: Any) -> Picture:
-    """A picture of a scene; `options` are title, grid, times and by."""
-    keep: List[Any] = []
+         box: Optional[Tuple[Rationals, Rationals]], plane: Optional[Rationals],
+         **options: Any) -> Picture:
+    """A picture of a scene; `plane` is a normal and a number, `options` are title, grid, times, by."""
     chosen = CDrawOptions(size=ctypes.sizeof(CDrawOptions), grid=options["grid"],
                           times=options["times"], title=options["title"].encode(),
                           by=options["by"])
+    if plane:
+        chosen.normal, chosen.plane = plane.address, plane.at(3)
+    return Picture(_drawn("picture.svg", context, scene, chosen, points, names, None, box))
+
+
+def page(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],
+         strata: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]],
+         **options: Any) -> Page:
+    """A page of a scene; `options` are title, times and surface, -1 for none."""
+    chosen = CDrawOptions(size=ctypes.sizeof(CDrawOptions), times=options["times"],
+                          title=options["title"].encode(), surface=options["surface"])
+    return Page(_drawn("scene.html", context, scene, chosen, points, names, strata, box))
+
+
+def _texts(what: str, given: Sequence[str], count: int) -> Any:
+    """One text a point, as an array of C."""
+    if len(given) != count:
+        raise UseError(f"{len(given)} {what} for {count} points; expected as many")
+    return (ctypes.c_char_p * count)(*(str(text).encode() for text in given))
+
+
+def _drawn(name: str, context: Context, scene: Handle, chosen: CDrawOptions,
+           points: Optional[Points], names: Optional[Sequence[str]],
+           strata: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]]) -> str:
+    """The text of the file that graze_draw writes with these options."""
+    keep: List[Any] = []
     if box:
         chosen.low, chosen.high = box[0].address, box[1].address
     if points:
         exact, first = points.exact(0, points.count)
         labels = list(names) if names is not None else [str(k) for k in range(points.count)]
-        if len(labels) != points.count:
-            raise UseError(f"{len(labels)} names for {points.count} points; expected as many")
-        texts = (ctypes.c_char_p * points.count)(*(label.encode() for label in labels))
-        keep += [exact, texts]
+        keep += [exact, _texts("names", labels, points.count)]
         chosen.points, chosen.point_count = exact.at(first), points.count
-        chosen.names = ctypes.addressof(texts)
+        chosen.names = ctypes.addressof(keep[-1])
+        if strata is not None:
+            keep.append(_texts("strata", list(strata), points.count))
+            chosen.strata = ctypes.addressof(keep[-1])
     with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "picture.svg")
+        path = os.path.join(folder, name)
         context.run(library().graze_draw, context.pointer, scene.pointer, os.fsencode(path),
                     ctypes.byref(chosen))
         with open(path, encoding="utf-8") as file:
-            return Picture(file.read())
+            return file.read()

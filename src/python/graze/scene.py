@@ -21,7 +21,7 @@ from .boundaries import BUDGET, CONTACTS, DEPTH, Boundary, boundary
 from .envelopes import Envelope, read_envelope
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
-from .pictures import Picture, draw
+from .pictures import Page, Picture, draw, page
 from .results import (ENCLOSURE_DTYPE, VERDICT_DTYPE, Cell, Enclosure, Pmc, Sample, Topology,
                       Trace, Verdict)
 from .sites import Site, read_site
@@ -365,7 +365,8 @@ class Scene:
     def draw(self, points: Any = None, *, names: Optional[Sequence[str]] = None, title: str = "",
              grid: int = 0, times: int = 0,
              box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None,
-             by: str = "class") -> Picture:
+             by: str = "class",
+             plane: Optional[Tuple[Sequence[Number], Number]] = None) -> Picture:
         """A picture: the class of every cell, positions of the solid, and for points their inverted
         trajectories with contacts (`graze draw`). A notebook shows it.
 
@@ -376,17 +377,52 @@ class Scene:
             times: positions of the solid, 2 to 64; 0 is 5.
             box: the lowest and the highest corner; None is around the scene.
             by: colours of cells: `class`, or `distance`: bands of the signed distance and levels.
+            plane: in space, a normal and a number: the cells are where normal . x is the number;
+                None is across z, through the middle of the box.
         """
         corners = (self._point(box[0]), self._point(box[1])) if box else None
         given = None if points is None else self._points(points)
-        return draw(self._context(), self._handle, given, names, corners, title=title, grid=grid,
-                    times=times, by=choice("by", by, ("class", "distance")))
+        return draw(self._context(), self._handle, given, names, corners, self._plane(plane),
+                    title=title, grid=grid, times=times,
+                    by=choice("by", by, ("class", "distance")))
+
+    def page(self, points: Any = None, *, names: Optional[Sequence[str]] = None,
+             strata: Optional[Sequence[str]] = None, title: str = "",
+             surface: Optional[int] = 0, times: int = 0,
+             box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None) -> Page:
+        """A page of HTML to turn and to ask, as `graze draw -o scene.html` makes it: the solid at a
+        time, what it sweeps, the points by class with their trajectories, and for each the sentences
+        of `graze explain`. It needs no network. A notebook shows it.
+
+        Args:
+            points: as for `classify`; `names` are their labels, `strata` groups to filter by.
+            title: a line above the scene.
+            surface: level of the sweep's surface; 0 chooses, None leaves it out.
+            times: positions of the solid, 2 to 64; 0 is 5.
+            box: the lowest and the highest corner; None is around the scene.
+        """
+        corners = (self._point(box[0]), self._point(box[1])) if box else None
+        given = None if points is None else self._points(points)
+        return page(self._context(), self._handle, given, names, strata, corners, title=title,
+                    times=times, surface=-1 if surface is None else surface)
 
     def _context(self) -> Context:
         return self._contexts.mine()
 
     def _points(self, points: Any) -> Points:
         return read_points(points, self.dimension, self._context())
+
+    def _plane(self, plane: Optional[Tuple[Sequence[Number], Number]]) -> Optional[Rationals]:
+        """A normal and a number, one after the other."""
+        if plane is None:
+            return None
+        normal, place = plane
+        if len(normal) != 3:
+            raise UseError(f"plane has a normal of {len(normal)} numbers; expected 3")
+        out = Rationals(4)
+        for k, value in enumerate([*normal, place]):
+            out.set(k, value, self._context())
+        return out
 
     def _point(self, point: Sequence[Number]) -> Rationals:
         return self._points([point]).exact(0, 1)[0]
