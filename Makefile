@@ -36,7 +36,7 @@ PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema mypy
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
-PACKAGES_ALL   := $(PACKAGES_TEST) chromium clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
+PACKAGES_ALL   := $(PACKAGES_TEST) python3-shapely python3-meshio python3-pandas chromium clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 comma   := ,
 LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/run/% src/mpi/% src/png/% src/check/%,$(wildcard src/*/*.c))

@@ -13,6 +13,7 @@
 #include <math.h>
 #include "boundary/bisect.h"
 #include "boundary/probe.h"
+#include "number/vector.h"
 
 /* Normals that differ more have a smaller inner product; a third one is this far from the plane of
  * the two others. */
@@ -83,12 +84,7 @@ static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *referen
         put_row(a, right, row, s->plane[row]->form, value);
     }
     if (s->count < d) {
-        const fmpq *m = s->plane[0]->form, *n = s->plane[1]->form;
-        for (int k = 0; k < 3; k++) {
-            int i = (k + 1) % 3, j = (k + 2) % 3;
-            fmpq_mul(along + k, m + i, n + j);
-            fmpq_submul(along + k, m + j, n + i);
-        }
+        vector_cross(along, s->plane[0]->form, s->plane[1]->form);
         _fmpq_vec_dot(value, along, reference, d);
         put_row(a, right, 2, along, value);
     }
@@ -136,8 +132,8 @@ static void set_points(feature *out, int d, const fmpq *base, const fmpq *way, c
 
 /* A base that is on: a point that is out next to it, along the sum of the normals or one of them.
  * The distance is 2^-BISECT_BITS of a cell. */
-static graze_status look_beside(feature *out, graze_context *context, struct graze_boundary *b,
-                                const selection *s, const fmpq *base, fmpq *way) {
+static graze_status confirm_on(feature *out, graze_context *context, struct graze_boundary *b,
+                               const selection *s, const fmpq *base, fmpq *way) {
     graze_status status = GRAZE_OK;
     graze_pmc pmc = GRAZE_PMC_NONE;
     fmpq_t zero, gap;
@@ -158,8 +154,8 @@ static graze_status look_beside(feature *out, graze_context *context, struct gra
 }
 
 /* Bisection between the base and a point at most an eighth of a cell away, the nearest first. */
-static graze_status look_along(feature *out, graze_context *context, struct graze_boundary *b,
-                               graze_pmc pmc, const fmpq *base, const fmpq *way) {
+static graze_status bisect_from(feature *out, graze_context *context, struct graze_boundary *b,
+                                graze_pmc pmc, const fmpq *base, const fmpq *way) {
     static const unsigned reach[] = {13, 8, 3};
     graze_status status = GRAZE_OK;
     fmpq_t low, high;
@@ -191,9 +187,9 @@ static graze_status verify(feature *out, graze_context *context, struct graze_bo
     outward(way, b, sum);
     graze_status status = probe_pmc(&pmc, context, b, base);
     if (!status && pmc == GRAZE_ON)
-        status = look_beside(out, context, b, s, base, way);
+        status = confirm_on(out, context, b, s, base, way);
     else if (!status)
-        status = look_along(out, context, b, pmc, base, way);
+        status = bisect_from(out, context, b, pmc, base, way);
     _fmpq_vec_clear(way, b->dimension);
     return status;
 }

@@ -6,16 +6,6 @@
 #include <stdlib.h>
 #include "verdict/classify.h"
 
-void lattice_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
-    for (int k = 0; k < dimension; k++)
-        fmpq_add(out + k, a + k, b + k);
-}
-
-void lattice_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
-    for (int k = 0; k < dimension; k++)
-        fmpq_sub(out + k, a + k, b + k);
-}
-
 uint64_t lattice_key(const uint32_t at[3]) {
     return (uint64_t)at[0] | (uint64_t)at[1] << 21 | (uint64_t)at[2] << 42;
 }

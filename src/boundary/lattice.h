@@ -64,9 +64,6 @@ struct graze_boundary {
     size_t feature_count, feature_capacity;
 };
 
-/** out = a + b, out = a - b, d rationals each. */
-void lattice_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
-void lattice_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 /** The key of a lattice point. */
 uint64_t lattice_key(const uint32_t at[3]);
 /** Set the coordinates of a lattice point. */

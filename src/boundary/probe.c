@@ -8,6 +8,7 @@
 #include "boundary/probe.h"
 
 #include <flint/fmpq_vec.h>
+#include "number/vector.h"
 #include "verdict/classify.h"
 
 enum { BESIDE = 7, WITHIN = 5, PLACES = 21 };
@@ -114,9 +115,9 @@ static void axis_step(fmpq *way, const struct graze_boundary *b, int axis, unsig
 }
 
 /* The way from `inside` to a boundary point beside it along an axis; *found = 0 without one. */
-static graze_status point_beside(fmpq *out, int *found, graze_context *context,
-                                 struct graze_boundary *b, const fmpq *inside, const fmpq *way,
-                                 int axis) {
+static graze_status find_beside(fmpq *out, int *found, graze_context *context,
+                                struct graze_boundary *b, const fmpq *inside, const fmpq *way,
+                                int axis) {
     int d = b->dimension;
     fmpq *base = _fmpq_vec_init(d);
     fmpq_t low, high;
@@ -126,7 +127,7 @@ static graze_status point_beside(fmpq *out, int *found, graze_context *context,
     fmpq_set_si(low, -1, 1);
     fmpq_one(high);
     axis_step(out, b, axis, BESIDE, 0);
-    lattice_add(base, inside, out, d);
+    vector_add(base, inside, out, d);
     graze_status status = probe_line(low, high, &pmc, context, b, base, way, PLACES - WITHIN);
     for (int k = 0; k < d; k++)
         fmpq_addmul(out + k, way + k, low);
@@ -141,24 +142,19 @@ graze_status probe_normal(fmpq *out, int *found, graze_context *context, struct 
                           const fmpq *outside, const fmpq *inside) {
     int d = b->dimension;
     fmpq *room = _fmpq_vec_init(9), *way = room, *beside = room + 3;
-    lattice_sub(way, outside, inside, d);
+    vector_sub(way, outside, inside, d);
     int axis = main_axis(b, way);
     graze_status status = GRAZE_OK;
     axis_step(way, b, axis, WITHIN, fmpq_sgn(way + axis) < 0);
     *found = 1;
     for (int k = 1; k < d && *found && !status; k++)
-        status = point_beside(beside + 3 * (k - 1), found, context, b, inside, way, (axis + k) % d);
-    for (int k = 0; k < d && *found && !status; k++) {
-        int i = (k + 1) % d, j = (k + 2) % d;
-        if (d == 2) {
-            fmpq_set(out + k, beside + i);
-            continue;
-        }
-        fmpq_mul(out + k, beside + i, beside + 3 + j);
-        fmpq_submul(out + k, beside + j, beside + 3 + i);
+        status = find_beside(beside + 3 * (k - 1), found, context, b, inside, way, (axis + k) % d);
+    if (d == 3) {
+        vector_cross(out, beside, beside + 3);
+    } else {
+        fmpq_set(out, beside + 1);
+        fmpq_neg(out + 1, beside);
     }
-    if (d == 2)
-        fmpq_neg(out + 1, out + 1);
     _fmpq_vec_clear(room, 9);
     return status;
 }

@@ -25,6 +25,7 @@
 #include "boundary/feature.h"
 #include "boundary/rim.h"
 #include "context/array.h"
+#include "number/vector.h"
 
 /* A patch with a feature, whose number is the fan's. */
 typedef struct fan {
@@ -43,12 +44,12 @@ typedef struct sharpening {
     size_t *corners, face_count, corner_capacity; /* the new faces */
 } sharpening;
 
-static const cell *cell_of(const sharpening *s, const fan *f) {
+static const cell *fan_cell(const sharpening *s, const fan *f) {
     const struct graze_boundary *b = s->boundary;
     return &b->cells[b->patches[f->patch].cell];
 }
 
-static size_t apex(const sharpening *s, size_t fan_index) {
+static size_t apex_of(const sharpening *s, size_t fan_index) {
     return s->boundary->vertices.count + fan_index;
 }
 
@@ -88,7 +89,7 @@ static void rim_mean(fmpq *out, const struct graze_boundary *b, const rim *r) {
     fmpz_init_set_ui(count, r->count);
     for (size_t k = 0; k < r->count; k++) {
         bisect_vertex(at, b, r->vertex[k]);
-        lattice_add(out, out, at, b->dimension);
+        vector_add(out, out, at, b->dimension);
     }
     for (int k = 0; k < b->dimension; k++)
         fmpq_div_fmpz(out + k, out + k, count);
@@ -119,7 +120,7 @@ static graze_status try_patch(sharpening *s, size_t patch) {
     return found ? keep_fan(s, patch, &r, &f) : status;
 }
 
-static graze_status add_face(sharpening *s, const size_t *corner) {
+static graze_status keep_face(sharpening *s, const size_t *corner) {
     size_t d = (size_t)s->boundary->dimension;
     graze_status status = array_grow(s->context, &s->corners, &s->corner_capacity,
                                      (s->face_count + 1) * d, sizeof *s->corners, "the surface");
@@ -129,7 +130,7 @@ static graze_status add_face(sharpening *s, const size_t *corner) {
 }
 
 static graze_status add_triangle(sharpening *s, size_t a, size_t b, size_t c) {
-    return add_face(s, (size_t[]){a, b, c});
+    return keep_face(s, (size_t[]){a, b, c});
 }
 
 static graze_status keep_patch(sharpening *s, size_t patch) {
@@ -138,7 +139,7 @@ static graze_status keep_patch(sharpening *s, size_t patch) {
     size_t end = patch + 1 < b->patch_count ? b->patches[patch + 1].first : b->face_count;
     graze_status status = GRAZE_OK;
     for (size_t k = first; k < end && !status; k++)
-        status = add_face(s, b->corners + k * (size_t)b->dimension);
+        status = keep_face(s, b->corners + k * (size_t)b->dimension);
     return status;
 }
 
@@ -157,7 +158,7 @@ static size_t neighbour(const sharpening *s, const cell *c, int axis, int upper)
 static int is_joined(rim_run *run, size_t *other, const sharpening *s, const fan *f, int axis,
                      int upper) {
     const size_t *vertex = s->rims + f->first;
-    const cell *c = cell_of(s, f);
+    const cell *c = fan_cell(s, f);
     *other = neighbour(s, c, axis, upper);
     if (*other == s->fan_count || !rim_run_at(run, s->boundary, c, vertex, f->count, axis, upper))
         return 0;
@@ -166,14 +167,14 @@ static int is_joined(rim_run *run, size_t *other, const sharpening *s, const fan
 }
 
 /* Both faces along p q, made once for the two fans. */
-static graze_status join(sharpening *s, size_t index, size_t other, const rim_run *run) {
+static graze_status join_fans(sharpening *s, size_t index, size_t other, const rim_run *run) {
     const fan *f = &s->fans[index];
     const size_t *vertex = s->rims + f->first;
     size_t u = vertex[run->first], v = vertex[(run->first + run->edges) % f->count];
     if (other < index)
         return GRAZE_OK;
-    graze_status status = add_triangle(s, apex(s, index), u, apex(s, other));
-    return status ? status : add_triangle(s, apex(s, index), apex(s, other), v);
+    graze_status status = add_triangle(s, apex_of(s, index), u, apex_of(s, other));
+    return status ? status : add_triangle(s, apex_of(s, index), apex_of(s, other), v);
 }
 
 static graze_status spread_in_space(sharpening *s, size_t index) {
@@ -188,11 +189,11 @@ static graze_status spread_in_space(sharpening *s, size_t index) {
             continue;
         for (size_t k = 0; k < run.edges; k++)
             joined[(run.first + k) % f->count] = 1;
-        status = join(s, index, other, &run);
+        status = join_fans(s, index, other, &run);
     }
     for (size_t k = 0; k < f->count && !status; k++)
         if (!joined[k])
-            status = add_triangle(s, apex(s, index), vertex[k], vertex[(k + 1) % f->count]);
+            status = add_triangle(s, apex_of(s, index), vertex[k], vertex[(k + 1) % f->count]);
     return status;
 }
 
@@ -201,8 +202,8 @@ static graze_status spread(sharpening *s, size_t index) {
     const size_t *vertex = s->rims + f->first;
     if (s->boundary->dimension == 3)
         return spread_in_space(s, index);
-    graze_status status = add_face(s, (size_t[]){vertex[0], apex(s, index)});
-    return status ? status : add_face(s, (size_t[]){apex(s, index), vertex[f->count - 1]});
+    graze_status status = keep_face(s, (size_t[]){vertex[0], apex_of(s, index)});
+    return status ? status : keep_face(s, (size_t[]){apex_of(s, index), vertex[f->count - 1]});
 }
 
 /* Take away the vertices that no face has; the others keep their order. */

@@ -13,16 +13,9 @@
 #include "boundary/bisect.h"
 #include "boundary/probe.h"
 #include "distance/distance.h"
+#include "number/vector.h"
 #include "trace/point.h"
 #include "trace/trajectory.h"
-
-static void cross(fmpq *out, const fmpq *a, const fmpq *b) {
-    for (int k = 0; k < 3; k++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        fmpq_mul(out + k, a + i, b + j);
-        fmpq_submul(out + k, a + j, b + i);
-    }
-}
 
 /* The sum of the cross products of an outer cycle's neighbours: twice its area along the normal. */
 static void facet_normal(fmpq *out, const soup *s, size_t facet) {
@@ -31,9 +24,9 @@ static void facet_normal(fmpq *out, const soup *s, size_t facet) {
     fmpq *product = _fmpq_vec_init(3);
     for (size_t k = from; k < end; k++) {
         size_t next = k + 1 < end ? k + 1 : from;
-        cross(product, s->coordinates + 3 * (size_t)s->index[k],
-              s->coordinates + 3 * (size_t)s->index[next]);
-        lattice_add(out, out, product, 3);
+        vector_cross(product, s->coordinates + 3 * (size_t)s->index[k],
+                     s->coordinates + 3 * (size_t)s->index[next]);
+        vector_add(out, out, product, 3);
     }
     _fmpq_vec_clear(product, 3);
 }
@@ -74,8 +67,8 @@ static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *c
     int d = s->dimension;
     fmpq *moves = _fmpq_vec_init(3), *along = _fmpq_vec_init(3);
     if (cell->kind == GRAZE_CELL_EDGE)
-        lattice_sub(along, s->coordinates + cell->b * (size_t)d,
-                    s->coordinates + cell->a * (size_t)d, d);
+        vector_sub(along, s->coordinates + cell->b * (size_t)d,
+                   s->coordinates + cell->a * (size_t)d, d);
     if (cell->kind != GRAZE_CELL_FACE)
         velocity(moves, map, u, point);
     if (d == 2) {
@@ -85,7 +78,7 @@ static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *c
     } else if (cell->kind == GRAZE_CELL_FACE) {
         facet_normal(out, s, cell->a);
     } else {
-        cross(out, along, moves);
+        vector_cross(out, along, moves);
     }
     _fmpq_vec_clear(moves, 3);
     _fmpq_vec_clear(along, 3);
@@ -137,7 +130,7 @@ static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
     double squares = 0;
     fmpq_init(value);
     fmpq_init(most);
-    lattice_sub(way, outside, inside, d);
+    vector_sub(way, outside, inside, d);
     _fmpq_vec_dot(value, t->form, way, d);
     int side = fmpq_sgn(value);
     for (int k = 0; k < d && side < 0; k++)

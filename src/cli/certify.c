@@ -35,7 +35,7 @@ static const option_entry certify_table[] = {
     OPTION("shard", classify_options, shard, value_shard),
     OPTION("receipt", classify_options, receipt, value_text),
     FLAG("times", classify_options, times, value_flag),
-    FLAG("quiet", classify_options, quiet, value_flag),
+    FLAG("quiet", classify_options, quiet, value_quiet),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int run_certify(void *options, const operands *given) {

@@ -38,7 +38,7 @@ static const char classify_help[] =
     "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
     "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
     "  --receipt FILE       spare the validation of a solid that graze check --receipt has done\n"
-    "  --quiet              no progress on the terminal\n"
+    "  --quiet              no progress on the terminal, and no notes\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10,\n"
     "                       line 10^7, cells 10^8, bytes 4*10^9, bits 100000, work 10^8,\n"
     "                       curve 20\n"
@@ -89,7 +89,7 @@ static const option_entry classify_table[] = {
     OPTION("resume", classify_options, resume, value_text),
     OPTION("shard", classify_options, shard, value_shard),
     OPTION("receipt", classify_options, receipt, value_text),
-    FLAG("quiet", classify_options, quiet, value_flag),
+    FLAG("quiet", classify_options, quiet, value_quiet),
     OPTION("limit", classify_options, scene.context.limits, value_limit),
     {NULL, OPTION_FLAG, NULL, 0}};
 

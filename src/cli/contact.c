@@ -24,7 +24,7 @@ static const char contact_help[] =
     "  --output FILE        write there instead of to standard output\n"
     "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
     "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
-    "  --quiet              no progress on the terminal\n"
+    "  --quiet              no progress on the terminal, and no notes\n"
     "  --round, --triangulate, --overlap, --no-filter, --limit NAME=V   as in graze classify\n"
     "\n"
     "Example: graze contact block.wkt turn.json contacts.csv > table.csv\n";
@@ -50,7 +50,7 @@ static const option_entry contact_table[] = {
     OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
     FLAG("no-filter", classify_options, scene.context.exact_only, value_flag),
     OPTION("limit", classify_options, scene.context.limits, value_limit),
-    FLAG("quiet", classify_options, quiet, value_flag),
+    FLAG("quiet", classify_options, quiet, value_quiet),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int run_contact(void *options, const operands *given) {

@@ -56,7 +56,7 @@ static const option_entry generate_table[] = {
     OPTION("overlap", generate_given, run.scene.scene.overlap, value_overlap),
     OPTION("operation", generate_given, run.scene.scene.operation, value_operation),
     OPTION("limit", generate_given, run.scene.context.limits, value_limit),
-    FLAG("quiet", generate_given, run.quiet, value_flag),
+    FLAG("quiet", generate_given, run.quiet, value_quiet),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int run_generate(void *options, const operands *given) {

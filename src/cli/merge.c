@@ -23,7 +23,7 @@ static const char merge_help[] =
     "scene, options and points. The result is that of one run without shards.\n"
     "\n"
     "  --output FILE        write there instead of to standard output\n"
-    "  --quiet              no progress on the terminal\n"
+    "  --quiet              no progress on the terminal, and no notes\n"
     "\n"
     "A part is the table or the certificate that graze classify, contact or certify writes for "
     "one\n"
@@ -167,7 +167,7 @@ static int merge_parts(merger *m, const merge_options *o, const operands *given)
 
 static const option_entry merge_table[] = {OPTION("output", merge_options, output, value_text),
                                            OPTION("o", merge_options, output, value_text),
-                                           FLAG("quiet", merge_options, quiet, value_flag),
+                                           FLAG("quiet", merge_options, quiet, value_quiet),
                                            {NULL, OPTION_FLAG, NULL, 0}};
 
 static int run_merge(void *options, const operands *given) {

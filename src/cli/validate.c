@@ -311,7 +311,7 @@ static const option_entry validate_table[] = {
     FLAG("triangulate", validate_options, classify.scene.solid_flags, value_triangulate),
     OPTION("jobs", validate_options, classify.threads, value_jobs),
     OPTION("limit", validate_options, classify.scene.context.limits, value_limit),
-    FLAG("quiet", validate_options, classify.quiet, value_flag),
+    FLAG("quiet", validate_options, classify.quiet, value_quiet),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 /* Values are compared with enclosures, which the golden table has by default then. */

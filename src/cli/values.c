@@ -23,6 +23,11 @@ int value_flag(void *to, const char *name, const char *value) {
     return EXIT_DONE;
 }
 
+int value_quiet(void *to, const char *name, const char *value) {
+    complain_of_faults_alone();
+    return value_flag(to, name, value);
+}
+
 int value_triangulate(void *to, const char *name, const char *value) {
     (void)name;
     (void)value;

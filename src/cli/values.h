@@ -11,6 +11,7 @@
 
 option_read value_text;        /**< const char *: the value, borrowed */
 option_read value_flag;        /**< int: 1 */
+option_read value_quiet;       /**< int: 1, and no notes from then on */
 option_read value_rounding;    /**< graze_rounding */
 option_read value_limit;       /**< unsigned long[GRAZE_LIMIT_COUNT]: NAME=V */
 option_read value_triangulate; /**< unsigned: GRAZE_SOLID_TRIANGULATE is added */

@@ -6,15 +6,8 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "number/vector.h"
 #include "report/decimal.h"
-
-static void cross(fmpq *out, const fmpq *a, const fmpq *b) {
-    for (int k = 0; k < 3; k++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        fmpq_mul(out + k, a + i, b + j);
-        fmpq_submul(out + k, a + j, b + i);
-    }
-}
 
 /* Divide a vector by its largest entry, which has size 1 then. */
 static void divide_by_largest(fmpq *v) {
@@ -46,7 +39,7 @@ static void shorten(fmpq *v) {
     fmpq_clear(scale);
 }
 
-static void set_ways(section *s) {
+static void find_ways(section *s) {
     fmpq *normal = _fmpq_vec_init(3);
     for (int k = 0; k < 3; k++)
         fmpq_set(normal + k, s->normal + k);
@@ -58,7 +51,7 @@ static void set_ways(section *s) {
         fmpq_set(s->way[0] + 1, normal);
     }
     divide_by_largest(s->way[0]);
-    cross(s->way[1], normal, s->way[0]);
+    vector_cross(s->way[1], normal, s->way[0]);
     divide_by_largest(s->way[1]);
     shorten(s->way[0]);
     shorten(s->way[1]);
@@ -89,7 +82,7 @@ void section_make(section *out, const fmpq *normal, const fmpq_t place) {
     fmpq_div(square, place, square);
     for (int k = 0; k < 3; k++)
         fmpq_mul(out->origin + k, normal + k, square);
-    set_ways(out);
+    find_ways(out);
     for (int k = 0; k < 3; k++)
         out->unit_height += out->unit[k] * fmpq_get_d(out->origin + k);
     fmpq_clear(square);
@@ -129,7 +122,7 @@ int section_holds(const section *s, const fmpq *point) {
 }
 
 /* Let a rectangle hold a point of the plane. */
-static void hold(fmpq *low, fmpq *high, int first, const section *s, const fmpq *point) {
+static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const fmpq *point) {
     fmpq_t value, square;
     fmpq_init(value);
     fmpq_init(square);
@@ -147,7 +140,7 @@ static void hold(fmpq *low, fmpq *high, int first, const section *s, const fmpq 
 }
 
 /* The point in which the line from a to b meets the plane, which lies between them. */
-static void meet(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
+static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
     fmpq_t from, to, share;
     fmpq_init(from);
     fmpq_init(to);
@@ -168,7 +161,7 @@ static void meet(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
 
 /* Let an interval end in multiples of a power of two of which it has 2^12 to 2^13: short numbers.
  */
-static void round_outward(fmpq_t low, fmpq_t high) {
+static void round_extent(fmpq_t low, fmpq_t high) {
     enum { PARTS = 12 };
     fmpq_t length, unit;
     fmpz_t whole;
@@ -211,19 +204,19 @@ int section_extent(fmpq *low, fmpq *high, const section *s, const fmpq *box_low,
             int other = c | 1 << k;
             if (other == c || sign[c] * sign[other] >= 0)
                 continue;
-            meet(point, s, corner + 3 * c, corner + 3 * other);
-            hold(low, high, !found++, s, point);
+            meet_edge(point, s, corner + 3 * c, corner + 3 * other);
+            hold_point(low, high, !found++, s, point);
         }
     for (int c = 0; c < 8; c++)
         if (sign[c] == 0)
-            hold(low, high, !found++, s, corner + 3 * c);
+            hold_point(low, high, !found++, s, corner + 3 * c);
     fmpq_clear(height);
     _fmpq_vec_clear(corner, 24);
     _fmpq_vec_clear(point, 3);
     if (!found || fmpq_cmp(low, high) >= 0 || fmpq_cmp(low + 1, high + 1) >= 0)
         return 0;
     for (int i = 0; i < 2; i++)
-        round_outward(low + i, high + i);
+        round_extent(low + i, high + i);
     return 1;
 }
 
@@ -250,7 +243,7 @@ void section_equation(text *out, const section *s) {
 }
 
 /* Three numbers: decimals of four digits, or exact. */
-static void put_vector(text *out, const fmpq *v, int exact) {
+static void put_triple(text *out, const fmpq *v, int exact) {
     for (int k = 0; k < 3; k++) {
         text_put(out, k ? exact ? " " : ", " : "");
         if (exact) {
@@ -267,22 +260,22 @@ static void put_vector(text *out, const fmpq *v, int exact) {
 
 void section_describe(text *out, const section *s) {
     text_put(out, "u from (");
-    put_vector(out, s->origin, 0);
+    put_triple(out, s->origin, 0);
     text_put(out, ") along (");
-    put_vector(out, s->way[0], 0);
+    put_triple(out, s->way[0], 0);
     text_put(out, "), v along (");
-    put_vector(out, s->way[1], 0);
+    put_triple(out, s->way[1], 0);
     text_put(out, ")");
 }
 
 void section_attributes(text *out, const section *s) {
     static const char *const names[] = {" data-u=\"", " data-v=\""};
     text_put(out, " data-origin=\"");
-    put_vector(out, s->origin, 1);
+    put_triple(out, s->origin, 1);
     for (int i = 0; i < 2; i++) {
         text_put(out, "\"");
         text_put(out, names[i]);
-        put_vector(out, s->way[i], 1);
+        put_triple(out, s->way[i], 1);
     }
     text_put(out, "\"");
 }

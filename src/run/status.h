@@ -22,6 +22,9 @@ enum {
  * option that raises the limit stands behind the message. */
 int complain(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/** Write no more of what complain is called for with EXIT_DONE: notes. */
+void complain_of_faults_alone(void);
+
 /** Write the context's message; returns the exit status of its cause (EXIT_SIGNAL for a cancel). */
 int complain_of(graze_status status, const graze_context *context);
 

@@ -187,6 +187,20 @@ class Masked(unittest.TestCase):
                 CUBE.classify(points)
             self.assertIn("point 1, coordinate 2: the value is masked", str(raised.exception))
 
+    def test_beside_verdicts(self):
+        """Points that are read by name stand beside their verdicts by name, whatever their order."""
+        for make in FRAMES:
+            frame = make(columns("zyx", name=["a", "b"]))
+            verdicts = CUBE.classify(frame)
+            made = graze.columns(verdicts, frame)
+            self.assertEqual(list(made)[:4], ["x", "y", "z", "pmc"])
+            self.assertEqual([tuple(map(float, p)) for p in zip(made["x"], made["y"], made["z"])], POINTS, make)
+            self.assertEqual(made["pmc"], ["in", "out"])
+        for make in SERIES:
+            rows = [make({"z": p[2], "name": "n", "x": p[0], "y": p[1]}) for p in POINTS]
+            made = graze.columns(CUBE.classify(rows), rows)
+            self.assertEqual([tuple(p) for p in zip(made["x"], made["y"], made["z"])], POINTS, make)
+
     def test_rows_and_columns(self):
         row = np.ma.array([9.0, 1.0, 1.0], mask=[False, True, False])
         with self.assertRaises(TypeError) as raised:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
+from ._frames import by_name, column_names, coordinate_names, named_entries, read_columns
 from ._numbers import numpy
 from .errors import GrazeError
 from .times import Time
@@ -194,16 +195,31 @@ def definition_names(results: Any) -> List[str]:
             for definition, case in zip(_field(results, "definition"), _field(results, "case"))]
 
 
+def _coordinates(points: Any) -> Dict[str, Any]:
+    """x, y and in space z of points as `Scene.classify` takes them: named columns and entries by
+    their names, others by position."""
+    names = column_names(points)
+    if names is not None:
+        wanted = coordinate_names(names, 0, "point")
+        return dict(zip(wanted, read_columns(points, wanted, "point")))
+    if numpy is not None and hasattr(points, "__array__"):
+        array = numpy.asarray(points)
+        return {name: array[:, k] for k, name in enumerate("xyz"[:array.shape[1]])}
+    rows = []
+    for row in points:
+        entries = named_entries(row)
+        rows.append(row if entries is None
+                    else by_name(row, coordinate_names(entries, 0, "point")))
+    return {name: [row[k] for row in rows]
+            for k, name in enumerate("xyz"[:len(rows[0]) if rows else 0])}
+
+
 def columns(results: Any, points: Any = None) -> Dict[str, Any]:
     """The verdicts as columns in the words of the tables, after x, y, z of the points if given."""
-    out: Dict[str, Any] = {}
-    if points is not None:
-        is_array = numpy is not None and hasattr(points, "__array__")
-        rows: Any = numpy.asarray(points) if is_array else list(points)
-        if len(rows) != len(results):
-            raise ValueError(f"{len(rows)} points for {len(results)} verdicts")
-        for k, name in enumerate("xyz"[:len(rows[0]) if len(rows) else 0]):
-            out[name] = rows[:, k] if is_array else [row[k] for row in rows]
+    out: Dict[str, Any] = {} if points is None else _coordinates(points)
+    for name, column in out.items():
+        if len(column) != len(results):
+            raise ValueError(f"{len(column)} points for {len(results)} verdicts")
     out["pmc"] = pmc_names(results)
     out["class"] = class_names(results)
     out["definition"] = definition_names(results)

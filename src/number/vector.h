@@ -1,0 +1,15 @@
+/* Vectors of rationals.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_NUMBER_VECTOR_H
+#define GRAZE_NUMBER_VECTOR_H
+
+#include <flint/fmpq.h>
+
+/** out = a + b, out = a - b; `out` may be either. */
+void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
+void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
+/** out = a x b, in space; `out` is neither. */
+void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);
+
+#endif
