@@ -243,7 +243,7 @@ void section_equation(text *out, const section *s) {
 }
 
 /* Three numbers: decimals of four digits, or exact. */
-static void put_triple(text *out, const fmpq *v, int exact) {
+static void describe_vector(text *out, const fmpq *v, int exact) {
     for (int k = 0; k < 3; k++) {
         text_put(out, k ? exact ? " " : ", " : "");
         if (exact) {
@@ -260,22 +260,22 @@ static void put_triple(text *out, const fmpq *v, int exact) {
 
 void section_describe(text *out, const section *s) {
     text_put(out, "u from (");
-    put_triple(out, s->origin, 0);
+    describe_vector(out, s->origin, 0);
     text_put(out, ") along (");
-    put_triple(out, s->way[0], 0);
+    describe_vector(out, s->way[0], 0);
     text_put(out, "), v along (");
-    put_triple(out, s->way[1], 0);
+    describe_vector(out, s->way[1], 0);
     text_put(out, ")");
 }
 
 void section_attributes(text *out, const section *s) {
     static const char *const names[] = {" data-u=\"", " data-v=\""};
     text_put(out, " data-origin=\"");
-    put_triple(out, s->origin, 1);
+    describe_vector(out, s->origin, 1);
     for (int i = 0; i < 2; i++) {
         text_put(out, "\"");
         text_put(out, names[i]);
-        put_triple(out, s->way[i], 1);
+        describe_vector(out, s->way[i], 1);
     }
     text_put(out, "\"");
 }
