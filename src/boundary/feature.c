@@ -153,10 +153,10 @@ static graze_status confirm_on(feature *out, graze_context *context, struct graz
     return status;
 }
 
-/* Bisection between the base and a point at most an eighth of a cell away, the nearest first. */
+/* Bisection between the base and a point at most 2^-4 of a cell away, the nearest first. */
 static graze_status bisect_from(feature *out, graze_context *context, struct graze_boundary *b,
                                 graze_pmc pmc, const fmpq *base, const fmpq *way) {
-    static const unsigned reach[] = {13, 8, 3};
+    static const unsigned reach[] = {13, 8, 4};
     graze_status status = GRAZE_OK;
     fmpq_t low, high;
     fmpq_init(low);

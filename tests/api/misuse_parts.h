@@ -112,7 +112,7 @@ static void pictures(bench *b) {
         {.high = b->point},
         {.low = b->point, .high = b->point},
         {.plane = b->point},
-        {.normal = b->point},
+        {.normal = b->point, .size = sizeof(graze_draw_options)},
         {.point_count = 1, .points = b->point},
         {.point_count = 1, .points = b->point, .names = no_name},
         {.point_count = 1, .names = no_name},

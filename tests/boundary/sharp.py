@@ -47,7 +47,9 @@ class Run:
         check(done.returncode == 0, more, done.stderr)
         self.says = done.stdout
         self.vertices, self.faces = read_ply(path)
-        self.features = int(re.search(r"corners of the sweep: (\d+)", self.says)[1])
+        said = re.search(r"corners of the sweep: (\d+)", self.says)
+        self.features = int(said[1]) if said else 0
+        check(bool(said) == ("--sharp" in more), "features are counted with --sharp alone", self.says)
 
 
 def heights(planes, point):
@@ -112,6 +114,28 @@ def test_turned(graze, folder, depth, share, part):
     check(0 <= lost + 1e-4 and lost <= part * lost_before, "volume", lost, lost_before)
 
 
+def test_diagonal(graze, folder):
+    """The cube along (4, 2, 1): the sides are squares of its ends and parallelograms that its edges sweep, whose planes
+    are those of support along the axes and across an axis and the way. 8 + 4 (4 + 2 + 1) is the volume."""
+    way = (4, 2, 1)
+    points = [tuple(2 * x + s * w for x, w in zip(bits, way)) for bits in itertools.product((0, 1), repeat=3) for s in (0, 1)]
+    axes = [tuple(F(int(i == k)) for i in range(3)) for k in range(3)]
+    turn = [(F(0), way[2], -way[1]), (-way[2], F(0), way[0]), (way[1], -way[0], F(0))]
+    normals = [tuple(F(s * x) for x in n) for n in axes + turn for s in (1, -1)]
+    planes = [(n, max(sum(a * b for a, b in zip(n, p)) for p in points)) for n in normals]
+    run, plain = (Run(graze, folder, CUBE, 3, '{"translate": ["4*t", "2*t", "t"]}', "--depth", "4", "--contacts", "0", *more)
+                  for more in (["--sharp"], []))
+    test_manifold(run)
+    near = NEAR * 7 / 2**4  # the default box is 6 + 6/8 long, and a plane's normal at most 5
+    for v in run.vertices:
+        check(abs(max(heights(planes, v))) <= 5 * near, "a vertex is off the boundary", tuple(map(float, v)))
+    for v in run.vertices[-run.features:]:
+        check(sum(abs(h) <= 5 * near for h in heights(planes, v)) >= 2, "a feature is on no edge", tuple(map(float, v)))
+    lost, before = (36 - float(enclosed(r)) for r in (run, plain))
+    print(f"diagonal: {run.features} features, {lost:.5f} of the volume lost, {before:.5f} without --sharp")
+    check(run.features > 100 and -1e-4 <= lost <= .5 * before, "volume", lost, before)
+
+
 def test_plane(graze, folder):
     """E^2: the square along (4, 2) sweeps a hexagon, whose six corners are vertices."""
     run = Run(graze, folder, SQUARE, 2, '{"translate": ["4*t", "2*t"]}', "--sharp", "--depth", "6")
@@ -151,6 +175,7 @@ def main():
             test_box(graze, folder, depth)
         for depth in ("3", "4", "5")[:2 if given.scale == 1 else 3]:
             test_turned(graze, folder, depth, .9, .1)
+        test_diagonal(graze, folder)
         test_plane(graze, folder)
         test_scenes(graze, folder)
         test_refused(graze)
