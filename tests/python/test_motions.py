@@ -149,7 +149,7 @@ class Pictures(unittest.TestCase):
         self.assertIn("in the plane z = 1/2", across)
         self.assertEqual(across, scene.draw(grid=8, title="T", plane=([0, 0, -1], -0.5)).svg)
         self.assertIn("in the plane x + 1/3*y = 2", scene.draw(grid=8, plane=((1, "1/3", 0), 2)).svg)
-        for wrong in (((0, 0, 0), 1), ((1, 1), 1), ((1, 1, 1), 999)):
+        for wrong in (((0, 0, 0), 1), ((1, 1), 1), ((1, 1, 1), 999), "z=1", (1, 1, 0, 60)):
             with self.assertRaises(graze.UseError):
                 scene.draw(plane=wrong)
 

@@ -416,9 +416,9 @@ class Scene:
         """A normal and a number, one after the other."""
         if plane is None:
             return None
+        if isinstance(plane, str) or len(plane) != 2 or len(plane[0]) != 3:
+            raise UseError(f"plane is {plane!r}; expected a normal of 3 numbers, and a number")
         normal, place = plane
-        if len(normal) != 3:
-            raise UseError(f"plane has a normal of {len(normal)} numbers; expected 3")
         out = Rationals(4)
         for k, value in enumerate([*normal, place]):
             out.set(k, value, self._context())
