@@ -9,6 +9,7 @@
 #include "number/cluster.h"
 #include "number/modular.h"
 #include "number/refine.h"
+#include "number/simplest.h"
 
 static graze_status roots_inside(const root_search *s, bernstein_form *form,
                                  const dyadic_interval *interval);
@@ -128,31 +129,106 @@ static graze_status append_roots_of_quotient(algebraic_list *list, graze_context
     return status;
 }
 
-graze_status algebraic_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p,
-                             const dyadic_interval *interval) {
-    slong n = fmpz_poly_degree(p);
-    if (n == 1)
-        append_linear_root(list, p, interval);
-    if (n <= 1)
-        return GRAZE_OK;
-    bernstein_form form;
-    fmpz_poly_t derivative, g;
+/* Narrow a root's interval until it leaves another number out; *behind: it is greater. */
+static graze_status leave_out(int *behind, graze_context *context, algebraic *x, const fmpq_t r) {
     graze_status status = GRAZE_OK;
-    bernstein_form_init(&form, p, n, interval);
+    ulong gain = FIRST_GAIN;
+    for (int step = 0; status == GRAZE_OK && !algebraic_is_rational(x); step++) {
+        *behind = dyadic_compare(x->where.low, x->where.exponent, r) > 0;
+        if (*behind || dyadic_compare(x->where.high, x->where.exponent, r) < 0)
+            return GRAZE_OK;
+        status = algebraic_narrow(context, x, step, &gain);
+    }
+    *behind = fmpq_cmp(x->value, r) > 0;
+    return status;
+}
+
+/* One root more among those from number `first` on, whose intervals are to leave it out. */
+static graze_status insert_root(algebraic_list *list, graze_context *context, size_t first,
+                                const fmpq_t root) {
+    graze_status status = GRAZE_OK;
+    size_t place = list->count;
+    int behind;
+    for (size_t k = list->count; k > first && status == GRAZE_OK; k--) {
+        status = leave_out(&behind, context, &list->item[k - 1], root);
+        place -= (size_t)behind;
+    }
+    algebraic_set_rational(algebraic_list_append(list), root);
+    for (size_t k = list->count - 1; k > place; k--) {
+        algebraic swap = list->item[k];
+        list->item[k] = list->item[k - 1];
+        list->item[k - 1] = swap;
+    }
+    return status;
+}
+
+/* If a fraction in part of the interval is a root, append it and all others. */
+static graze_status roots_beside_fraction(int *done, algebraic_list *list, graze_context *context,
+                                          const fmpz_poly_t p, const dyadic_interval *interval,
+                                          const dyadic_interval *part) {
+    fmpq_t root;
+    fmpz_poly_t rest;
+    size_t first = list->count;
+    fmpq_init(root);
+    fmpz_poly_init(rest);
+    graze_status status = GRAZE_OK;
+    *done = divide_by_simplest(root, rest, p, part);
+    if (*done)
+        status = algebraic_roots(list, context, rest, interval);
+    if (*done && status == GRAZE_OK)
+        status = insert_root(list, context, first, root);
+    fmpq_clear(root);
+    fmpz_poly_clear(rest);
+    return status;
+}
+
+/* Roots of a polynomial that may have repeated factors: a repeated root is one of the derivative,
+ * and a fraction that is guessed there spares the common factor. */
+static graze_status repeated_roots(algebraic_list *list, graze_context *context,
+                                   const fmpz_poly_t p, const dyadic_interval *interval,
+                                   bernstein_form *form) {
+    fmpz_poly_t derivative, g;
+    dyadic_interval part;
+    int done = 0;
     fmpz_poly_init(derivative);
     fmpz_poly_init(g);
-    int repeated = 0;
-    if (bernstein_variations(&form) > 1) {
-        fmpz_poly_derivative(derivative, p);
-        status = common_factor_work(context, p, derivative);
-        repeated = status == GRAZE_OK && common_factor(g, p, derivative) > 0;
+    dyadic_interval_init(&part);
+    fmpz_poly_derivative(derivative, p);
+    graze_status status = common_factor_work(context, p, derivative);
+    int coprime = polynomials_certainly_coprime(p, derivative);
+    if (status == GRAZE_OK && !coprime && guess_interval(&part, derivative, interval))
+        status = roots_beside_fraction(&done, list, context, p, interval, &part);
+    if (status == GRAZE_OK && !done) {
+        if (!coprime && common_factor(g, p, derivative) > 0)
+            status = append_roots_of_quotient(list, context, p, g, interval);
+        else
+            status = append_roots(&(root_search){list, context, p, interval}, form);
     }
-    if (status == GRAZE_OK && repeated)
-        status = append_roots_of_quotient(list, context, p, g, interval);
-    else if (status == GRAZE_OK)
-        status = append_roots(&(root_search){list, context, p, interval}, &form);
-    bernstein_form_clear(&form);
     fmpz_poly_clear(derivative);
     fmpz_poly_clear(g);
+    dyadic_interval_clear(&part);
     return status;
+}
+
+/* Roots of a polynomial of degree two or more. */
+static graze_status isolate_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p,
+                                  const dyadic_interval *interval) {
+    bernstein_form form;
+    bernstein_form_init(&form, p, fmpz_poly_degree(p), interval);
+    graze_status status = bernstein_variations(&form) > 1
+                              ? repeated_roots(list, context, p, interval, &form)
+                              : append_roots(&(root_search){list, context, p, interval}, &form);
+    bernstein_form_clear(&form);
+    return status;
+}
+
+graze_status algebraic_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p,
+                             const dyadic_interval *interval) {
+    int done;
+    if (fmpz_poly_degree(p) == 1)
+        append_linear_root(list, p, interval);
+    if (fmpz_poly_degree(p) <= 1)
+        return GRAZE_OK;
+    graze_status status = roots_beside_fraction(&done, list, context, p, interval, interval);
+    return status == GRAZE_OK && !done ? isolate_roots(list, context, p, interval) : status;
 }

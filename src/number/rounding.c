@@ -100,6 +100,12 @@ void rational_bounds(double *low, double *high, const fmpq_t value) {
     if (fmpq_is_zero(value)) {
         return;
     }
+    slong places = (slong)fmpz_bits(fmpq_denref(value)) - 1;
+    if (fmpz_bits(fmpq_numref(value)) <= DBL_MANT_DIG && places <= DBL_MANT_DIG &&
+        (slong)fmpz_val2(fmpq_denref(value)) == places) {
+        *low = *high = ldexp(fmpz_get_d(fmpq_numref(value)), -(int)places);
+        return;
+    }
     mpfr_t x;
     mpfr_init2(x, DBL_MANT_DIG);
     int inexact = fmpq_get_mpfr(x, value, MPFR_RNDZ) != 0;

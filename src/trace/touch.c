@@ -12,6 +12,7 @@
 #include "number/rounding.h"
 #include "number/sign.h"
 #include "context/array.h"
+#include "solid/forms.h"
 #include "solid/planes.h"
 
 typedef struct finder {
@@ -23,6 +24,8 @@ typedef struct finder {
     uint32_t simplex;          /* whose sides are at hand: */
     unsigned known;            /* the pullbacks of those in the mask, */
     fmpz_poly_struct side[3];  /* made when first needed */
+    fmpq_t when;               /* a rational time, and the trajectory's place then; */
+    fmpz place[4];             /* zeros: none yet */
     graze_context *context;
     graze_status status; /* the first failure, which ends the search */
 } finder;
@@ -61,22 +64,48 @@ static size_t add_time(finder *f, const algebraic *time) {
     return f->out->time.count - 1;
 }
 
-/* The pullback of side k of a simplex in the plane at hand. */
-static const fmpz_poly_struct *side_pullback(finder *f, uint32_t simplex, int k) {
+static int knows_side(finder *f, uint32_t simplex, int k) {
     if (f->simplex != simplex)
         f->known = 0;
     f->simplex = simplex;
-    if (f->known >> k & 1)
+    return f->known >> k & 1;
+}
+
+/* The pullback of side k of a simplex in the plane at hand. */
+static const fmpz_poly_struct *side_pullback(finder *f, uint32_t simplex, int k) {
+    if (knows_side(f, simplex, k))
         return &f->side[k];
-    fmpz form[4];
-    for (int i = 0; i < 4; i++)
-        fmpz_init(form + i);
+    fmpz form[4] = {0, 0, 0, 0};
     solid_side(form, f->solid, simplex, f->plane, k);
     trajectory_pullback(&f->side[k], f->c, form);
     f->known |= 1u << k;
     for (int i = 0; i < 4; i++)
         fmpz_clear(form + i);
     return &f->side[k];
+}
+
+/* The sign of the same side at a rational time: that of its form at the place where the trajectory
+ * is then, which all sides share. */
+static int side_at_place(finder *f, uint32_t simplex, int k, const fmpq_t time) {
+    fmpz form[4] = {0, 0, 0, 0};
+    if (fmpz_is_zero(f->place + f->c->dimension) || !fmpq_equal(f->when, time)) {
+        fmpq_set(f->when, time);
+        trajectory_at(f->place, f->c, time);
+    }
+    solid_side(form, f->solid, simplex, f->plane, k);
+    int sign = form_sign(form, f->place, f->c->dimension);
+    for (int i = 0; i < 4; i++)
+        fmpz_clear(form + i);
+    return sign;
+}
+
+/* The sign of side k at a time. */
+static int side_sign(finder *f, uint32_t simplex, int k, algebraic *time) {
+    int sign = 0;
+    if (algebraic_is_rational(time) && !knows_side(f, simplex, k))
+        return side_at_place(f, simplex, k, time->value);
+    f->status = algebraic_sign_at(&sign, f->context, side_pullback(f, simplex, k), time);
+    return sign;
 }
 
 /* The sides that are certain in doubles: 0 if the trajectory is beyond one of them. */
@@ -110,10 +139,9 @@ static int inside_at(unsigned *zero, finder *f, uint32_t simplex, algebraic *tim
     if (!sides_at(&inside, f, simplex, time))
         return 0;
     for (int k = 0; k < f->c->dimension; k++) {
-        int sign;
         if (inside >> k & 1)
             continue;
-        f->status = algebraic_sign_at(&sign, f->context, side_pullback(f, simplex, k), time);
+        int sign = side_sign(f, simplex, k, time);
         if (finder_failed(f) || sign < 0)
             return 0;
         if (sign == 0)
@@ -130,20 +158,15 @@ static void set_window(dyadic_interval *window, uint32_t from, uint32_t to) {
 
 /* 0 if the time certainly lies outside the candidate's window. */
 static int may_meet(const candidate *c, const algebraic *time) {
-    int meets = 1;
-    fmpq_t low, high, from, to;
+    const fmpz from[] = {(fmpz)c->from}, to[] = {(fmpz)c->to};
+    fmpq_t low, high;
     fmpq_init(low);
     fmpq_init(high);
-    fmpq_init(from);
-    fmpq_init(to);
     algebraic_bounds(low, high, time);
-    fmpq_set_ui(from, c->from, UINT32_C(1) << WINDOW_LEVELS);
-    fmpq_set_ui(to, c->to, UINT32_C(1) << WINDOW_LEVELS);
-    meets = fmpq_cmp(high, from) >= 0 && fmpq_cmp(low, to) <= 0;
+    int meets = dyadic_compare(from, WINDOW_LEVELS, high) <= 0 &&
+                dyadic_compare(to, WINDOW_LEVELS, low) >= 0;
     fmpq_clear(low);
     fmpq_clear(high);
-    fmpq_clear(from);
-    fmpq_clear(to);
     return meets;
 }
 
@@ -292,6 +315,7 @@ graze_status touches_find(touches *t, graze_context *context, const graze_solid 
     if (list->count == 0)
         return GRAZE_OK;
     finder f = {.out = t, .solid = solid, .c = c, .quick = quick, .context = context};
+    fmpq_init(f.when);
     uint32_t *simplex = malloc(list->count * sizeof *simplex);
     candidate *sorted = malloc(list->count * sizeof *sorted);
     if (!simplex || !sorted)
@@ -302,6 +326,9 @@ graze_status touches_find(touches *t, graze_context *context, const graze_solid 
         touch_planes(&f, list, simplex, sorted);
     for (int k = 0; k < 3; k++)
         fmpz_poly_clear(&f.side[k]);
+    for (int k = 0; k < 4; k++)
+        fmpz_clear(f.place + k);
+    fmpq_clear(f.when);
     free(simplex);
     free(sorted);
     return f.status;

@@ -4,7 +4,9 @@
 #include "../lib/harness.h"
 #include "../lib/random.h"
 
+#include <math.h>
 #include "number/order.h"
+#include "number/simplest.h"
 #include "numbers.h"
 
 /* A root known in advance: p/q, or the positive root of n x^2 = m, that is sqrt(m/n). */
@@ -98,6 +100,114 @@ static void test_known_roots(void **unused) {
         fmpz_poly_clear(factor);
     }
     dyadic_interval_clear(&unit);
+}
+
+/* Whether a known number is in [low / 2^e, high / 2^e], by squares. */
+static int is_within(known k, slong low, slong high, int e) {
+    known from = {low, (slong)1 << e, 0}, to = {high, (slong)1 << e, 0};
+    return !known_less(k, from) && !known_less(to, k);
+}
+
+/* Windows around roots, wide and narrow, of products with random multiplicities: a fraction among
+ * the roots is divided out, and those in the window come out each once and in order. */
+static void test_windows(void **unused) {
+    (void)unused;
+    random_start(20261123);
+    dyadic_interval window;
+    dyadic_interval_init(&window);
+    for (int round = 0; round < 600; round++) {
+        known root[] = {random_known(), random_known()};
+        int e = (int)random_below(14), order = known_less(root[1], root[0]);
+        known first = root[order], second = root[1 - order];
+        int same = !known_less(first, second);
+        double at = (double)root[0].m / (double)root[0].n;
+        slong low = (slong)ldexp(root[0].irrational ? sqrt(at) : at, e);
+        slong below = (slong)random_below(3), to = low + 1 + (slong)random_below(3);
+        slong from = low > below ? low - below : 0;
+        fmpz_poly_t p, factor;
+        fmpz_poly_init(p);
+        fmpz_poly_init(factor);
+        fmpz_poly_one(p);
+        for (int k = 0; k < 2; k++) {
+            known_factor(factor, root[k]);
+            for (ulong times = random_below(3) + 1; times > 0; times--)
+                fmpz_poly_mul(p, p, factor);
+        }
+        dyadic_interval_set_si(&window, from, to);
+        window.exponent = (ulong)e;
+        algebraic_list list;
+        algebraic_list_init(&list);
+        append_roots(&list, p, &window);
+        known inside[2];
+        size_t expected = 0;
+        if (is_within(first, from, to, e))
+            inside[expected++] = first;
+        if (!same && is_within(second, from, to, e))
+            inside[expected++] = second;
+        if (list.count != expected) {
+            fmpz_poly_print_pretty(p, "x");
+            fail_msg(" in [%ld, %ld] / 2^%d: %zu roots instead of %zu", from, to, e, list.count,
+                     expected);
+        }
+        for (size_t k = 0; k < expected; k++) {
+            known_factor(factor, inside[k]);
+            assert_int_equal(sign_of(factor, &list.item[k]), 0);
+        }
+        algebraic_list_clear(&list);
+        fmpz_poly_clear(p);
+        fmpz_poly_clear(factor);
+    }
+    dyadic_interval_clear(&window);
+}
+
+/* The fraction of least denominator in a window, by trying all of them: it is divided out as often
+ * as it is a root, and no other one is. */
+static void test_simplest(void **unused) {
+    (void)unused;
+    random_start(20261124);
+    dyadic_interval window;
+    dyadic_interval_init(&window);
+    for (int round = 0; round < 600; round++) {
+        slong e = (slong)random_below(9), unit = (slong)1 << e;
+        slong low = (slong)random_below((ulong)(3 * unit)), high = low + 1 + (slong)random_below(4);
+        slong a = 0, b = 0;
+        for (int found = 0; !found;) {
+            b++;
+            a = (low * b + unit - 1) / unit;
+            found = a * unit <= high * b;
+        }
+        int times = (int)random_below(3), other = (int)random_below(2);
+        fmpz_poly_t p, factor, rest;
+        fmpq_t root;
+        fmpz_poly_init(p);
+        fmpz_poly_init(factor);
+        fmpz_poly_init(rest);
+        fmpq_init(root);
+        fmpz_poly_set_coeff_si(p, 2, other ? 7 : 1);
+        fmpz_poly_set_coeff_si(p, 0, -5);
+        fmpz_poly_set(rest, p);
+        fmpz_poly_set_coeff_si(factor, 1, b);
+        fmpz_poly_set_coeff_si(factor, 0, -a);
+        for (int k = 0; k < times; k++)
+            fmpz_poly_mul(p, p, factor);
+        fmpz_poly_swap(factor, rest);
+        dyadic_interval_set_si(&window, low, high);
+        window.exponent = (ulong)e;
+        assert_int_equal(divide_by_simplest(root, rest, p, &window), times > 0);
+        if (times > 0) {
+            assert_true(fmpz_poly_equal(rest, factor));
+            fmpq_t least;
+            fmpq_init(least);
+            fmpq_set_si(least, a, (ulong)b);
+            assert_true(fmpq_equal(root, least));
+            fmpq_clear(least);
+        }
+        fmpz_poly_clear(p);
+        fmpz_poly_clear(factor);
+        fmpz_poly_clear(rest);
+        fmpq_clear(root);
+    }
+    dyadic_interval_clear(&window);
 }
 
 /* The number of roots in (0, 1] by Sturm's theorem, as FLINT counts them over all of R after moving
@@ -258,7 +368,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_known_roots), cmocka_unit_test(test_counts_against_sturm),
         cmocka_unit_test(test_near_miss),   cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_between),
+        cmocka_unit_test(test_between),     cmocka_unit_test(test_windows),
+        cmocka_unit_test(test_simplest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
