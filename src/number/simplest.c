@@ -71,7 +71,7 @@ int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, const fmpz_poly_t p,
 
 /* Newton's method in doubles from the middle of [low, high], which is not left. */
 static double guess_root(const fmpz_poly_t p, double low, double high) {
-    double c[GUESS_DEGREE + 1], x = 0.5 * (low + high);
+    double c[GUESS_DEGREE + 1] = {0}, x = 0.5 * (low + high);
     slong n = fmpz_poly_degree(p), top = FLINT_ABS(fmpz_poly_max_bits(p));
     for (slong i = 0; i <= n; i++) {
         slong exponent;
