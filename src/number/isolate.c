@@ -130,7 +130,7 @@ static graze_status append_roots_of_quotient(algebraic_list *list, graze_context
 }
 
 /* Narrow a root's interval until it leaves another number out; *behind: it is greater. */
-static graze_status leave_out(int *behind, graze_context *context, algebraic *x, const fmpq_t r) {
+static graze_status exclude(int *behind, graze_context *context, algebraic *x, const fmpq_t r) {
     graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
     for (int step = 0; status == GRAZE_OK && !algebraic_is_rational(x); step++) {
@@ -150,7 +150,7 @@ static graze_status insert_root(algebraic_list *list, graze_context *context, si
     size_t place = list->count;
     int behind;
     for (size_t k = list->count; k > first && status == GRAZE_OK; k--) {
-        status = leave_out(&behind, context, &list->item[k - 1], root);
+        status = exclude(&behind, context, &list->item[k - 1], root);
         place -= (size_t)behind;
     }
     algebraic_set_rational(algebraic_list_append(list), root);

@@ -70,7 +70,7 @@ int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, const fmpz_poly_t p,
 }
 
 /* Newton's method in doubles from the middle of [low, high], which is not left. */
-static double guess_root(const fmpz_poly_t p, double low, double high) {
+static double near_root(const fmpz_poly_t p, double low, double high) {
     double c[GUESS_DEGREE + 1] = {0}, x = 0.5 * (low + high);
     slong n = fmpz_poly_degree(p), top = FLINT_ABS(fmpz_poly_max_bits(p));
     for (slong i = 0; i <= n; i++) {
@@ -98,7 +98,7 @@ int guess_interval(dyadic_interval *out, const fmpz_poly_t p, const dyadic_inter
         fmpz_bits(interval->low) >= LONGEST || fmpz_bits(interval->high) >= LONGEST)
         return 0;
     double unit = ldexp(1, -(int)interval->exponent);
-    double x = guess_root(p, fmpz_get_d(interval->low) * unit, fmpz_get_d(interval->high) * unit);
+    double x = near_root(p, fmpz_get_d(interval->low) * unit, fmpz_get_d(interval->high) * unit);
     fmpz_t end;
     fmpz_init(end);
     out->exponent = GUESS_PLACES;

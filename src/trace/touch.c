@@ -100,7 +100,7 @@ static int side_at_place(finder *f, uint32_t simplex, int k, const fmpq_t time) 
 }
 
 /* The sign of side k at a time. */
-static int side_sign(finder *f, uint32_t simplex, int k, algebraic *time) {
+static int sign_of_side(finder *f, uint32_t simplex, int k, algebraic *time) {
     int sign = 0;
     if (algebraic_is_rational(time) && !knows_side(f, simplex, k))
         return side_at_place(f, simplex, k, time->value);
@@ -141,7 +141,7 @@ static int inside_at(unsigned *zero, finder *f, uint32_t simplex, algebraic *tim
     for (int k = 0; k < f->c->dimension; k++) {
         if (inside >> k & 1)
             continue;
-        int sign = side_sign(f, simplex, k, time);
+        int sign = sign_of_side(f, simplex, k, time);
         if (finder_failed(f) || sign < 0)
             return 0;
         if (sign == 0)
