@@ -28,6 +28,7 @@ static void simplest_between(slong *p, slong *q, slong a, slong b, slong c, slon
  * of the quotient are integers. */
 static int divide_linear(fmpz_poly_t out, const fmpz_poly_t p, slong a, slong b) {
     slong n = fmpz_poly_degree(p);
+    const fmpz numerator[] = {a};
     fmpz_t rest;
     fmpz_init_set(rest, fmpz_poly_lead(p));
     fmpz_poly_fit_length(out, n);
@@ -37,7 +38,7 @@ static int divide_linear(fmpz_poly_t out, const fmpz_poly_t p, slong a, slong b)
         if (divides) {
             fmpz_divexact_si(out->coeffs + i, rest, b);
             fmpz_set(rest, p->coeffs + i);
-            fmpz_addmul_si(rest, out->coeffs + i, a);
+            fmpz_addmul(rest, out->coeffs + i, numerator);
         }
     }
     divides = divides && fmpz_is_zero(rest);

@@ -167,7 +167,7 @@ static void test_simplest(void **unused) {
     random_start(20261124);
     dyadic_interval window;
     dyadic_interval_init(&window);
-    for (int round = 0; round < 600; round++) {
+    for (int round = 0; round < 2000; round++) {
         slong e = (slong)random_below(9), unit = (slong)1 << e;
         slong low = (slong)random_below((ulong)(3 * unit)), high = low + 1 + (slong)random_below(4);
         slong a = 0, b = 0;
@@ -179,12 +179,17 @@ static void test_simplest(void **unused) {
         int times = (int)random_below(3), other = (int)random_below(2);
         fmpz_poly_t p, factor, rest;
         fmpq_t root;
+        fmpz_t large;
         fmpz_poly_init(p);
         fmpz_poly_init(factor);
         fmpz_poly_init(rest);
         fmpq_init(root);
+        fmpz_init(large);
         fmpz_poly_set_coeff_si(p, 2, other ? 7 : 1);
         fmpz_poly_set_coeff_si(p, 0, -5);
+        fmpz_set_ui(large, 3);
+        fmpz_pow_ui(large, large, (ulong)random_below(90));
+        fmpz_poly_scalar_mul_fmpz(p, p, large);
         fmpz_poly_set(rest, p);
         fmpz_poly_set_coeff_si(factor, 1, b);
         fmpz_poly_set_coeff_si(factor, 0, -a);
@@ -206,6 +211,7 @@ static void test_simplest(void **unused) {
         fmpz_poly_clear(factor);
         fmpz_poly_clear(rest);
         fmpq_clear(root);
+        fmpz_clear(large);
     }
     dyadic_interval_clear(&window);
 }
