@@ -37,19 +37,7 @@ static int bound_window(box *out, const curve *c, const span *piece, const meet_
     curve_at(place, off, c, piece, middle);
     for (int i = 0; i <= d; i++)
         off[i] = FILTER_SLACK * (off[i] + half * piece->degree * greatest_step(c, piece, i));
-    double least = place[d] - off[d], most = place[d] + off[d];
-    *out = (box){{0, 0, 0}, {0, 0, 0}};
-    if (!(least > 0.5 * place[d]))
-        return 0;
-    for (int i = 0; i < d; i++) {
-        double low = place[i] - off[i], high = place[i] + off[i];
-        out->low[i] = low / (low < 0 ? least : most);
-        out->high[i] = high / (high < 0 ? most : least);
-        double margin = 0x1p-48 * (fabs(out->low[i]) + fabs(out->high[i])) + FILTER_FLOOR;
-        out->low[i] -= margin;
-        out->high[i] += margin;
-    }
-    return 1;
+    return place_bound(out, place, off, d);
 }
 
 /* Whether the curve meets the simplex of a leaf at other times only, or never. */

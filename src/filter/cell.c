@@ -11,6 +11,9 @@
 /* Spans are cut down to these levels: for the sake of boxes, and of one simplex. */
 enum { CELL_BOX_LEVELS = 16, CELL_LEVELS = 8 };
 
+/* Times at which a cell is looked at together. */
+enum { CELL_TIMES = 16 };
+
 /* A span is cut for one simplex where it strays from its chord by more than this share of the
  * points' spread. */
 static const double LEAST_BEND = 0.25;
@@ -156,15 +159,50 @@ static int find_span(uint32_t *out, curve *c, const stay *part) {
     return 1;
 }
 
-int cell_is_clear(curve *memory, const filter *f, const cell *points, const stay *during) {
-    cell_search s = {memory, f, points, 0};
+static int set_to_centre(curve *memory, const filter *f, const cell *points) {
     filter_point centre;
-    uint32_t index = 0;
-    double spread[3];
     for (int i = 0; i < 3; i++)
         centre.at[i] = points->centre[i];
-    if (!f->solid->corners.at || !curve_set(memory, &f->course, &centre, &f->solid->corners) ||
-        (during && !find_span(&index, memory, during)) ||
+    return f->solid->corners.at && curve_set(memory, &f->course, &centre, &f->solid->corners);
+}
+
+/* Whether the cell is in that state at a time of a piece. */
+static int settles_at(curve *memory, const filter *f, const cell *points, size_t piece, double at) {
+    double place[4], off[4], spread[3] = {0, 0, 0};
+    box around;
+    const span *whole = curve_piece(memory, piece);
+    int d = f->solid->input.dimension;
+    if (!whole || whole->lost)
+        return 0;
+    curve_at(place, off, memory, whole, at);
+    if (!place_bound(&around, place, off, d) ||
+        !spread_over_piece(spread, &f->course.piece[piece], points->half))
+        return 0;
+    around = box_around(&around, spread);
+    return flip(FLIP_INTERIOR, interior_state(&f->bricks, &around) == f->proves);
+}
+
+int cell_is_settled(curve *memory, const filter *f, const cell *points, size_t *hint) {
+    size_t pieces = f->course.piece_count, each = pieces < CELL_TIMES ? CELL_TIMES / pieces : 1;
+    size_t step = pieces * each / CELL_TIMES + 1;
+    if (!f->bricks.state || !set_to_centre(memory, f, points))
+        return 0;
+    for (size_t k = 0; k < pieces * each; k += step) {
+        size_t time = (*hint + k) % (pieces * each);
+        if (settles_at(memory, f, points, time / each,
+                       ((double)(time % each) + 0.5) / (double)each)) {
+            *hint = time;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int cell_is_clear(curve *memory, const filter *f, const cell *points, const stay *during) {
+    cell_search s = {memory, f, points, 0};
+    uint32_t index = 0;
+    double spread[3];
+    if (!set_to_centre(memory, f, points) || (during && !find_span(&index, memory, during)) ||
         !spread_of(spread, &s, &memory->spans[index]))
         return 0;
     descend_cell(&s, 0, index, spread);

@@ -21,4 +21,12 @@ typedef struct cell {
  */
 int cell_is_clear(curve *memory, const filter *f, const cell *points, const stay *during);
 
+/**
+ * Whether all points of the cell are at one time together in the state that decides their
+ * membership (proofs/bricks.md C86).
+ * @param[in,out] hint which time is looked at first; 0 for the first cell
+ * @return 0 if that is not certain
+ */
+int cell_is_settled(curve *memory, const filter *f, const cell *points, size_t *hint);
+
 #endif

@@ -323,10 +323,44 @@ void curve_at(double *at, double *error, const curve *c, const span *piece, doub
     }
 }
 
+int place_bound(box *out, const double *place, const double *off, int dimension) {
+    double least = place[dimension] - off[dimension], most = place[dimension] + off[dimension];
+    *out = (box){{0, 0, 0}, {0, 0, 0}};
+    if (!(least > 0.5 * place[dimension]))
+        return 0;
+    for (int i = 0; i < dimension; i++) {
+        double low = place[i] - off[i], high = place[i] + off[i];
+        out->low[i] = low / (low < 0 ? least : most);
+        out->high[i] = high / (high < 0 ? most : least);
+        double margin = 0x1p-48 * (fabs(out->low[i]) + fabs(out->high[i])) + FILTER_FLOOR;
+        out->low[i] -= margin;
+        out->high[i] += margin;
+    }
+    return 1;
+}
+
+void span_of_box(span *out, const curve *shape, const box *b) {
+    *out = (span){.bounded = 1};
+    for (int i = 0; i < shape->dimension; i++) {
+        double middle = 0.5 * (b->low[i] + b->high[i]);
+        out->from[i] = middle;
+        out->thick[i] = SLACK * larger(b->high[i] - middle, middle - b->low[i]) + FLOOR;
+    }
+    bound_forms(out, shape);
+}
+
 int span_meets(const span *piece, const box *b) {
-    if (!piece->bounded)
-        return 1;
+    double first, last;
+    return span_window(&first, &last, piece, b);
+}
+
+int span_window(double *from, double *to, const span *piece, const box *b) {
     double first = 0, last = 1;
+    if (!piece->bounded) {
+        *from = 0;
+        *to = 1;
+        return 1;
+    }
     for (int i = 0; i < 3; i++) {
         double t0 = (b->low[i] - piece->thick[i] - piece->from[i]) * piece->inverse[i];
         double t1 = (b->high[i] + piece->thick[i] - piece->from[i]) * piece->inverse[i];
@@ -335,5 +369,7 @@ int span_meets(const span *piece, const box *b) {
         first = enter > first ? enter : first;
         last = leave < last ? leave : last;
     }
+    *from = first;
+    *to = last;
     return !(first > last);
 }

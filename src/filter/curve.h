@@ -94,11 +94,22 @@ int curve_cut(curve *c, uint32_t index);
  */
 void curve_at(double *at, double *error, const curve *c, const span *piece, double s);
 
+/** A box of all places whose homogeneous coordinates are each within `off` of those given; 0 if the
+ * weight's sign is not certain. */
+int place_bound(box *out, const double *place, const double *off, int dimension);
+
+/** A span that is a box: its chord is the middle.
+ * @param shape its dimension and corners are used alone */
+void span_of_box(span *out, const curve *shape, const box *b);
+
 /** The coefficients of coordinate i of a span. */
 const double *curve_coefficients(const curve *c, const span *piece, int i);
 
 /** 0 if the span certainly does not meet the box. */
 int span_meets(const span *piece, const box *b);
+
+/** The same; and the part of its chord that can be in the box. */
+int span_window(double *from, double *to, const span *piece, const box *b);
 
 /**
  * Whether a span is so thick that it meets many boxes which its curve misses: with the thickness

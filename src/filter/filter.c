@@ -11,6 +11,7 @@
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation) {
     *out = (filter){.solid = solid};
+    out->proves = operation == GRAZE_UNSWEEP ? GRAZE_STATE_O : GRAZE_STATE_I;
     return course_make(&out->course, motion, operation)
                ? GRAZE_OK
                : context_fail(context, GRAZE_ESYSTEM, "out of memory for the filter of %zu pieces",
@@ -19,6 +20,7 @@ graze_status filter_make(filter *out, graze_context *context, const graze_solid 
 
 void filter_clear(filter *f) {
     course_clear(&f->course);
+    interior_clear(&f->bricks);
     *f = (filter){.solid = NULL};
 }
 
@@ -165,11 +167,15 @@ int filter_set(filter_workspace *w, const filter *f, const filter_point *point) 
     return w->set;
 }
 
-int filter_search(filter_workspace *w, int *crosses, const filter *f, const filter_point *point) {
+int filter_search(filter_workspace *w, int *settled, const filter *f, const filter_point *point) {
     findings *found = &w->found;
-    if (!filter_set(w, f, point) || !search_curve(found, crosses, &w->curve, f->solid))
+    early_end early = {&f->bricks, f->proves, 0};
+    if (!filter_set(w, f, point) ||
+        !search_curve(found, settled ? &early : NULL, &w->curve, f->solid))
         return 0;
-    if (crosses && *crosses)
+    if (settled)
+        *settled = early.met;
+    if (early.met)
         return 1;
     drop_lost(found);
     if (found->crossing_count)

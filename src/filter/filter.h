@@ -9,15 +9,19 @@
 
 #include "filter/curve.h"
 #include "filter/findings.h"
+#include "filter/interior.h"
 #include "solid/solid.h"
 
 /** What a filter keeps of a scene; immutable, shared by threads. */
 typedef struct filter {
     const graze_solid *solid; /* borrowed */
     course course;
+    interior bricks;    /* where memberships alone are asked for */
+    graze_state proves; /* somewhere in this state: that alone decides the membership */
 } filter;
 
 /**
+ * Without bricks.
  * @param operation which of the motion's point maps carries the query points
  */
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
@@ -42,9 +46,10 @@ void filter_begin(filter_workspace *w);
 
 /**
  * Search all pieces. The findings stand in the workspace until the next search.
- * @param[out] crosses as of search_curve; where it is 1 there are no findings
+ * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
+ * membership: then there are no findings. Else 0
  * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search
  */
-int filter_search(filter_workspace *w, int *crosses, const filter *f, const filter_point *point);
+int filter_search(filter_workspace *w, int *settled, const filter *f, const filter_point *point);
 
 #endif

@@ -11,7 +11,7 @@
  * sides have errors of their own and ask), that a ray ends outside (no scene makes that doubtful).
  */
 typedef enum flip_site {
-    FLIP_BOX,          /* a span misses a box */
+    FLIP_BOX,          /* a span, or a block of bricks, misses a box */
     FLIP_CHORD_PLANE,  /* a thick chord is on one side of a simplex's plane */
     FLIP_CHORD_BESIDE, /* where it can be in the plane it is beside the simplex */
     FLIP_ONE_SIGN,     /* a plane's pullback has one sign on a span */
@@ -28,6 +28,7 @@ typedef enum flip_site {
     FLIP_GROUP,        /* so are those of several pieces */
     FLIP_ALONE,        /* a crossing is the only contact at its time */
     FLIP_CELL,         /* a box of points misses a box, or a simplex */
+    FLIP_INTERIOR,     /* a place is in bricks of one state */
     FLIP_SITE_COUNT
 } flip_site;
 

@@ -8,8 +8,8 @@
 #include "filter/search.h"
 
 /* Certainly outside the box of all corners. */
-static int is_far(const filter *f, const double *at, const double *error, int d) {
-    const box *all = &f->solid->boxes.node[0].box;
+static int is_far(const graze_solid *solid, const double *at, const double *error, int d) {
+    const box *all = &solid->boxes.node[0].box;
     double least = at[d] - 2 * error[d], most = at[d] + 2 * error[d];
     for (int i = 0; i < d; i++) {
         double low = at[i] - 2 * error[i], high = at[i] + 2 * error[i];
@@ -24,10 +24,10 @@ static int is_far(const filter *f, const double *at, const double *error, int d)
 
 /* The direction to the nearest side of the box, well beyond it, turned a little so that it is
  * parallel to no axis; `turn` chooses among several. */
-static void choose_direction(double *direction, const filter *f, const double *at, int d,
+static void choose_direction(double *direction, const graze_solid *solid, const double *at, int d,
                              int turn) {
     static const double tilt[3] = {0.0859375, -0.0561523, 0.0321045};
-    const box *all = &f->solid->boxes.node[0].box;
+    const box *all = &solid->boxes.node[0].box;
     double nearest = INFINITY, size = 0;
     int axis = 0, up = 1;
     for (int i = 0; i < d; i++) {
@@ -45,11 +45,11 @@ static void choose_direction(double *direction, const filter *f, const double *a
 }
 
 /* Whether the ray's far end is certainly outside. It is exact but for the weight. */
-static int ends_far(const curve *ray, const filter *f, const double *error, int d) {
+static int ends_far(const curve *ray, const graze_solid *solid, const double *error, int d) {
     double end[4] = {0};
     for (int i = 0; i <= d; i++)
         end[i] = ray->coefficients[2 * i + 1];
-    return is_far(f, end, error, d);
+    return is_far(solid, end, error, d);
 }
 
 /* Whether nothing else that was found can come before the end of the window of `first`, or, for
@@ -75,28 +75,54 @@ static graze_state read_ray(const findings *found) {
     return !first || first->enters ? GRAZE_STATE_O : GRAZE_STATE_I;
 }
 
-graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
-                          const filter_point *point, double u) {
-    double at[4], error[4], direction[3];
-    int d = f->solid->input.dimension;
-    const corners *corners = &f->solid->corners;
-    const span *whole = filter_set(w, f, point) ? curve_piece(&w->curve, piece) : NULL;
-    if (!whole || whole->lost)
-        return GRAZE_STATE_ABSENT;
-    curve_at(at, error, &w->curve, whole, u);
-    if (!(at[d] > 4 * error[d]))
-        return GRAZE_STATE_ABSENT;
-    if (flip(FLIP_FAR, is_far(f, at, error, d)))
+graze_state ray_locate(filter_workspace *w, const graze_solid *solid, const double *at,
+                       const double *error) {
+    double direction[3];
+    int d = solid->input.dimension;
+    if (flip(FLIP_FAR, is_far(solid, at, error, d)))
         return GRAZE_STATE_O;
     for (int turn = 0; turn < 2; turn++) {
-        choose_direction(direction, f, at, d, turn);
-        if (!curve_set_segment(&w->ray, d, at, error, direction, corners) ||
-            !ends_far(&w->ray, f, error, d) ||
-            !search_curve(&w->ray_found, NULL, &w->ray, f->solid) || w->ray_found.lost_count)
+        choose_direction(direction, solid, at, d, turn);
+        if (!curve_set_segment(&w->ray, d, at, error, direction, &solid->corners) ||
+            !ends_far(&w->ray, solid, error, d) ||
+            !search_curve(&w->ray_found, NULL, &w->ray, solid) || w->ray_found.lost_count)
             return GRAZE_STATE_ABSENT;
         graze_state state = read_ray(&w->ray_found);
         if (state != GRAZE_STATE_ABSENT)
             return state;
     }
     return GRAZE_STATE_ABSENT;
+}
+
+typedef struct standing {
+    filter_workspace *memory;
+    const graze_solid *solid;
+} standing;
+
+static graze_state locate_middle(void *data, const double middle[3]) {
+    const standing *s = data;
+    int d = s->solid->input.dimension;
+    double at[4] = {middle[0], middle[1], middle[2], 1}, error[4] = {0};
+    at[d] = 1;
+    return ray_locate(s->memory, s->solid, at, error);
+}
+
+graze_status filter_lay_bricks(filter *f, graze_context *context) {
+    standing s = {filter_workspace_of(context), f->solid};
+    if (s.memory && interior_make(&f->bricks, f->solid, locate_middle, &s))
+        return GRAZE_OK;
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for the bricks of a solid");
+}
+
+graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
+                          const filter_point *point, double u) {
+    double at[4], error[4];
+    int d = f->solid->input.dimension;
+    const span *whole = filter_set(w, f, point) ? curve_piece(&w->curve, piece) : NULL;
+    if (!whole || whole->lost)
+        return GRAZE_STATE_ABSENT;
+    curve_at(at, error, &w->curve, whole, u);
+    if (!(at[d] > 4 * error[d]))
+        return GRAZE_STATE_ABSENT;
+    return ray_locate(w, f->solid, at, error);
 }

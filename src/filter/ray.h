@@ -7,6 +7,16 @@
 #include "filter/filter.h"
 
 /**
+ * The state at a place.
+ * @param at, error d + 1 homogeneous coordinates, the last one positive, each within its error
+ */
+graze_state ray_locate(filter_workspace *w, const graze_solid *solid, const double *at,
+                       const double *error);
+
+/** Lay the bricks that spare searches for memberships alone. */
+graze_status filter_lay_bricks(filter *f, graze_context *context);
+
+/**
  * The state at u of a piece.
  * @return GRAZE_STATE_I or GRAZE_STATE_O, or GRAZE_STATE_ABSENT: ask the exact location
  */

@@ -18,8 +18,8 @@ typedef struct searcher {
     findings *out;
     curve *curve;
     const graze_solid *solid;
-    int *crosses; /* NULL: all is to be found */
-    int failed;   /* without memory, or too many spans */
+    early_end *early; /* NULL: all is to be found */
+    int failed;       /* without memory, or too many spans */
 } searcher;
 
 /* A window of a span's own parameter, outward, in units of 2^-WINDOW_LEVELS. */
@@ -54,7 +54,29 @@ static double distance_of(const searcher *s, const span *piece) {
 /* Which half is looked at first: where one crossing is enough, the one nearer to the solid. */
 static uint32_t first_half(const searcher *s, uint32_t child) {
     const span *half = &s->curve->spans[child];
-    return s->crosses && distance_of(s, half + 1) < distance_of(s, half);
+    return s->early && distance_of(s, half + 1) < distance_of(s, half);
+}
+
+/* Whether the curve is in the state that ends the search, at a time of a span. */
+static void sample(const searcher *s, const span *piece, double at) {
+    double place[4], off[4];
+    box around;
+    if (piece->lost)
+        return;
+    curve_at(place, off, s->curve, piece, at);
+    if (place_bound(&around, place, off, s->curve->dimension))
+        s->early->met |=
+            flip(FLIP_INTERIOR, interior_state(s->early->bricks, &around) == s->early->state);
+}
+
+/* Places along the part of a span that can be in the solid's box. */
+static void sample_along(const searcher *s, const span *piece) {
+    static const double share[] = {0.5, 0.25, 0.75};
+    double from, to;
+    if (!span_window(&from, &to, piece, &s->solid->boxes.node[0].box))
+        return;
+    for (int k = 0; k < 3 && !s->early->met; k++)
+        sample(s, piece, from + share[k] * (to - from));
 }
 
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index);
@@ -65,6 +87,8 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
         return 0;
     }
     uint32_t half = s->curve->spans[span_index].child, first = first_half(s, half);
+    if (s->early && s->curve->spans[half + 1].degree)
+        sample(s, &s->curve->spans[half + 1], 0);
     descend_curve(s, node, half + first);
     descend_curve(s, node, half + 1 - first);
     return 1;
@@ -72,9 +96,9 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
 
 /* A certain crossing is kept, or is enough. */
 static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const meet_window *at) {
-    if (s->crosses)
-        *s->crosses = crossing_is_alone(s->curve, piece, s->solid, simplex, at);
-    return (s->crosses && *s->crosses) ||
+    if (s->early)
+        s->early->met = crossing_is_alone(s->curve, piece, s->solid, simplex, at);
+    return (s->early && s->early->met) ||
            findings_add_crossing(s->out, whole_crossing(simplex, piece, at));
 }
 
@@ -104,12 +128,14 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
 }
 
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
+    if (s->early && !node && s->curve->spans[span_index].degree)
+        sample_along(s, &s->curve->spans[span_index]);
     for (;;) {
         const span *piece = &s->curve->spans[span_index];
         const tree_node *here = &s->solid->boxes.node[node];
         if (piece->lost)
             s->failed |= !findings_lose(s->out, piece->piece);
-        if (s->failed || (s->crosses && *s->crosses) || piece->lost ||
+        if (s->failed || (s->early && s->early->met) || piece->lost ||
             flip(FLIP_BOX, !span_meets(piece, &here->box)))
             return;
         /* A single simplex is left to its own tests. */
@@ -133,10 +159,10 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
     }
 }
 
-int search_curve(findings *out, int *crosses, curve *c, const graze_solid *solid) {
-    searcher s = {out, c, solid, crosses, 0};
-    if (crosses)
-        *crosses = 0;
+int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid) {
+    searcher s = {out, c, solid, early, 0};
+    if (early)
+        early->met = 0;
     out->crossing_count = out->asked.count = out->window_count = out->lost_count = 0;
     descend_curve(&s, 0, 0);
     return !s.failed;

@@ -6,14 +6,22 @@
 
 #include "filter/curve.h"
 #include "filter/findings.h"
+#include "filter/interior.h"
 #include "solid/solid.h"
+
+/** What ends a search: a time at which the curve is certainly in a state, or a crossing beside
+ * which it is in both (proofs/membership.md C56, proofs/bricks.md C86). */
+typedef struct early_end {
+    const interior *bricks;
+    graze_state state;
+    int met;
+} early_end;
 
 /**
  * Find all certain crossings and candidates of a curve; not sorted yet.
- * @param[out] crosses NULL; or 1 if a crossing was found beside which the curve is certainly inside
- * and outside (proofs/membership.md C56): the search ends there. Else 0, and all is found
+ * @param early NULL; or `met` is set if the search ends early. Else all is found
  * @return 0 without memory
  */
-int search_curve(findings *out, int *crosses, curve *c, const graze_solid *solid);
+int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid);
 
 #endif

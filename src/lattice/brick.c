@@ -22,6 +22,7 @@ typedef struct bricklayer {
     fmpq *exact[3]; /* coordinates of the brick's points along each axis, and bounds of them */
     double low[3][BRICK_SIDE_PLANE], high[3][BRICK_SIDE_PLANE];
     curve tube;
+    size_t time; /* at which the last cell was settled */
 } bricklayer;
 
 /* The cell that holds the points. */
@@ -72,6 +73,10 @@ static int stays_with_centre(bricklayer *b, const cell *points, const findings *
 /* The membership of all points of a cell; NONE if it is not known to be one (proofs/cells.md
  * C76). */
 static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points) {
+    if (cell_is_settled(&b->tube, &b->scene->filter, points, &b->time)) {
+        *out = b->scene->options.operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN;
+        return GRAZE_OK;
+    }
     const findings *found = search_centre(b, points);
     *out = GRAZE_PMC_NONE;
     if (!found)

@@ -15,6 +15,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "filter/ray.h"
 #include "scene/hash.h"
 #include "scene/meeting.h"
 #include "solid/locate.h"
@@ -168,9 +169,12 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
         status = make_memo(&out->ground, context);
     if (!status)
         status = filter_make(&out->filter, context, solid, motion, out->options.operation);
+    if (!status && out->options.columns == GRAZE_COLUMNS_PMC)
+        status = filter_lay_bricks(&out->filter, context);
     if (status) {
         free_memo(out->memo);
         free_memo(out->ground);
+        filter_clear(&out->filter);
     }
     return status;
 }

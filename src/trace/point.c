@@ -151,10 +151,10 @@ static graze_status trace_found(tracer *r, const findings *found) {
 
 static graze_status trace_pieces(tracer *r) {
     graze_status status = context_poll(r->context);
-    int *crosses = r->detail == TRACE_PMC ? &r->out->crosses : NULL;
+    int *settled = r->detail == TRACE_PMC ? &r->out->settled : NULL;
     if (status == GRAZE_OK && r->workspace &&
-        filter_search(r->workspace, crosses, &r->scene->filter, &r->near)) {
-        if (r->out->crosses)
+        filter_search(r->workspace, settled, &r->scene->filter, &r->near)) {
+        if (r->out->settled)
             return GRAZE_OK;
         status = trace_found(r, &r->workspace->found);
     } else {

@@ -21,7 +21,8 @@ struct graze_trace {
     size_t contact_count, contact_capacity;
     contact *contact;
     char *word;
-    int crosses; /* TRACE_PMC: somewhere inside and somewhere outside; nothing above is set */
+    int settled; /* TRACE_PMC: somewhere in the state that decides the membership; nothing above is
+                    set */
     graze_verdict verdict; /* filled by the verdict stage */
 };
 

@@ -96,7 +96,7 @@ int verdict_of_word(graze_verdict *out, const char *word, size_t length,
 
 void verdict_decide(graze_trace *trace, const graze_options *options) {
     unsigned long i = 0, t = 0;
-    if (trace->crosses) {
+    if (trace->settled) {
         trace->verdict =
             (graze_verdict){.pmc = options->operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN};
         return;
