@@ -200,8 +200,7 @@ static void check_held(const trace *r, const claim *c) {
     int implied = c->q && (left == 'B' || right == 'B' || (left && right && left != right));
     for (int p = 0; p < PLACES; p++)
         if (c->letter[p] == 'B' && !c->held[p] && !(p == MID && implied))
-            fail(r, p == MID ? "no facet holds the trajectory"
-                             : "no facet holds the trajectory beside the root");
+            fail(r, "no facet holds the trajectory where it is said to be on the boundary");
 }
 
 /* q has just one root in the open interval, a simple one, and none at its ends: one sign change
@@ -254,14 +253,16 @@ static void add_letters(trace *r, word kind) {
     }
 }
 
-/* Of the places of a kind; without a root they have none, or all B. */
+/* Of the places of a kind; without a root they keep none, or have all B. */
 static void set_letters(char *letter, word kind) {
     char first = kind.at[0], last = kind.at[kind.length - 1];
-    memset(letter, kind.length > 1 || first == 'B' ? 'B' : 0, PLACES);
-    if (kind.length > 1) {
-        letter[LEFT] = kind.length == 3 || first != 'B' ? first : 0;
-        letter[RIGHT] = kind.length == 3 || last != 'B' ? last : 0;
-    }
+    if (kind.length == 1 && first != 'B')
+        return;
+    letter[LEFT] = first;
+    letter[MID] = 'B';
+    letter[RIGHT] = last;
+    if (kind.length == 2)
+        letter[first == 'B' ? LEFT : RIGHT] = 0;
 }
 
 void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {

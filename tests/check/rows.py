@@ -39,6 +39,9 @@ ROWS = [
     # c_x = 1 - t + 2 t^2: on the right side at 0 and at 1/2, inside between.
     ("a root in the middle", SQUARE, along("t - 2*t^2"), 1, "0 1", "1 1/2", "BIBO", ["BI 1/4", "IBO 1 -1 2"], True),
     ("a root at the beginning, too", SQUARE, along("t - 2*t^2"), 1, "0 1", "1 1/2", "BO", ["BBO 1 0 -1 2"], False),
+    # c_x = 1 + t (2 t - 1)^2: on the right side at 0, touches it at 1/2.
+    ("a touch after the beginning", SQUARE, along("4*t^2 - t - 4*t^3"), 1, "0 1", "1 1/2", "BOBO", ["BO 1/4", "OBO 3/4 -1 2", "O 1"], True),
+    ("a touch after the beginning, left out", SQUARE, along("4*t^2 - t - 4*t^3"), 1, "0 1", "1 1/2", "BO", ["BO 1"], False),
     # c_x = 2 - 3 t + 2 t^2: on it at 1/2 and at 1, inside between.
     ("a root in the middle", SQUARE, along("3*t - 2*t^2"), 1, "0 1", "2 1/2", "OBIB", ["OBI 3/4 -1 2", "IB 1"], True),
     ("a root at the end, too", SQUARE, along("3*t - 2*t^2"), 1, "0 1", "2 1/2", "OB", ["OBB 1 1 -3 2"], False),
@@ -110,6 +113,7 @@ CONTACTS = [
     ("a diagonal of a facet", *TOP[:6], [*TOP[6:], "contact 1 face 1"], True),
     ("a diagonal as an edge", *TOP[:6], [*TOP[6:], "contact 1 edge 4-6"], False),
     ("an edge, then a facet across its diagonal", *FRONT[:6], [*FRONT[6:], "contact 1 to 3/2 face 2 edge 4-5"], True),
+    ("the edge that closes a facet", *DOWN, "0 1/2 2", "OB", ["O 3/4", "OBB 5/4 -1 1", "B 3/2", "contact 1 to 3/2 face 5 edge 4-7"], True),
     ("the diagonal as an edge", *FRONT[:6], [*FRONT[6:], "contact 1 to 3/2 face 2 edge 0-5 edge 4-5"], False),
     ("a run of vertices", RUN, along("-t"), 1, "0 1", "1 0", "BO", ["BO 1", "contact 0 vertex 1 vertex 2 vertex 3"], True),
     ("a run of vertices, but one", RUN, along("-t"), 1, "0 1", "1 0", "BO", ["BO 1", "contact 0 vertex 1 vertex 3"], False),
