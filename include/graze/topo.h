@@ -30,7 +30,7 @@ typedef enum graze_topo_level {
     GRAZE_LEVEL_EXACT = 4, /**< L1 with closed cones that are covered exactly (C46, C51) */
     GRAZE_LEVEL_TUBE = 5,  /**< these, with ways through pinches and along edges (C52) */
     GRAZE_LEVEL_LR = 6, /**< the section across a direction that contacts do not depend on (C54) */
-    GRAZE_LEVEL_L2 = 7  /**< second order, on both sides of a plane (C55) */
+    GRAZE_LEVEL_L2 = 7  /**< both sides of a plane, by leading terms (C55) */
 } graze_topo_level;
 
 /** Verdict on one point. */
