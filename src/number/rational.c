@@ -198,9 +198,12 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
     shape s;
     fmpq_zero(out);
     if (!token_shape(&s, text, length)) {
-        return context_fail(context, GRAZE_EINPUT,
-                            "'%.*s%s' is not a number; expected one such as -12, 0.1, 1.5e-3, 22/7",
-                            shown, text, more);
+        return context_fail(
+            context, GRAZE_EINPUT,
+            "'%.*s%s' is not a number; expected one such as -12, 0.1, 1.5e-3, "
+            "22/7%s",
+            shown, text, more,
+            memchr(text, ',', length) ? "; expected a decimal point in place of the comma" : "");
     }
     unsigned long limit = context->limits[GRAZE_LIMIT_DIGITS];
     if (written_out(&s) > limit || s.denominator_count > limit) {

@@ -295,11 +295,9 @@ static int keep_others(reader *r, const columns *c, size_t length) {
     return 1;
 }
 
-/* What a comma or semicolon in a number points to. */
-static const char *comma_hint(field token) {
-    return memchr(token.start, ',', token.length)
-               ? "; expected a decimal point in place of the comma"
-           : memchr(token.start, ';', token.length)
+/* What a semicolon in a number points to. */
+static const char *semicolon_hint(field token) {
+    return memchr(token.start, ';', token.length)
                ? "; expected decimal points where fields stand between semicolons"
                : "";
 }
@@ -323,7 +321,7 @@ static int refuse_number(fault *f, const columns *c, int index, field token, uns
                          c->name, number, FIELD_SHOWN(token));
     return fault_set(f, status, "%s:%lu: %s: %s%s", c->name, number,
                      c->sites.wanted ? site_number_name(&c->sites, index) : axis, why,
-                     comma_hint(token));
+                     semicolon_hint(token));
 }
 
 int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index) {
