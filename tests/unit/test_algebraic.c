@@ -370,12 +370,49 @@ static void test_between(void **unused) {
     dyadic_interval_clear(&unit);
 }
 
+/* Nothing is guessed of constants, of a high degree, or where ends are long; else the part lies in
+ * the interval. */
+static void test_guesses(void **state) {
+    (void)state;
+    dyadic_interval whole, part;
+    fmpz_poly_t p;
+    dyadic_interval_init(&whole);
+    dyadic_interval_init(&part);
+    fmpz_poly_init(p);
+    dyadic_interval_set_si(&whole, 0, 1);
+    fmpz_poly_one(p);
+    assert_int_equal(guess_interval(&part, p, &whole), 0);
+    fmpz_poly_set_coeff_si(p, 25, -2);
+    assert_int_equal(guess_interval(&part, p, &whole), 0);
+    fmpz_poly_zero(p);
+    fmpz_poly_set_coeff_si(p, 0, -1);
+    fmpz_poly_set_coeff_si(p, 1, 3);
+    assert_int_equal(guess_interval(&part, p, &whole), 1);
+    fmpz_t unit;
+    fmpz_init(unit);
+    fmpz_one_2exp(unit, part.exponent);
+    fmpz_mul_ui(part.low, part.low, 3);
+    fmpz_mul_ui(part.high, part.high, 3);
+    assert_true(fmpz_cmp(part.low, unit) < 0 && fmpz_cmp(unit, part.high) < 0); /* 1/3 */
+    fmpz_clear(unit);
+    fmpz_mul_2exp(whole.high, whole.high, 60);
+    assert_int_equal(guess_interval(&part, p, &whole), 0);
+    fmpz_neg(whole.low, whole.high);
+    assert_int_equal(guess_interval(&part, p, &whole), 0);
+    dyadic_interval_set_si(&whole, 0, 1);
+    whole.exponent = 46;
+    assert_int_equal(guess_interval(&part, p, &whole), 0);
+    fmpz_poly_clear(p);
+    dyadic_interval_clear(&part);
+    dyadic_interval_clear(&whole);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_known_roots), cmocka_unit_test(test_counts_against_sturm),
         cmocka_unit_test(test_near_miss),   cmocka_unit_test(test_ends),
         cmocka_unit_test(test_between),     cmocka_unit_test(test_windows),
-        cmocka_unit_test(test_simplest),
+        cmocka_unit_test(test_simplest),    cmocka_unit_test(test_guesses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
