@@ -14,6 +14,7 @@ SIZES = {12: None, 500: (16, 16), 7000: (59, 60), 100000: (224, 224)}
 MOTION = '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["4*t^4 - t", "2*t^3", "t^2"]}}]}\n'
 MOST_BYTES, MOST_MAKING, MOST_CHECKING = 2000, 5, 10
 TEETH = 1000
+REPEATS = 5
 
 
 def rows_of(path):
@@ -40,8 +41,9 @@ def write_points(graze, folder, solid, motion, kind, count):
 
 
 def a_row(count, command):
-    """CPU seconds a row: the time of `count` rows without that of one. `command` has a place for the number."""
-    one, all_ = (measure.run_cpu(command(n))[0] for n in (1, count))
+    """CPU seconds a row: the time of `count` rows without that of one, each the best of some runs, since a small solid's
+    rows take less than the start of a program varies by. `command` has a place for the number."""
+    one, all_ = (min(measure.run_cpu(command(n))[0] for _ in range(REPEATS)) for n in (1, count))
     return max(all_ - one, 1e-9) / (count - 1)
 
 
