@@ -73,7 +73,7 @@ def check_path(graze, folder, d, rigid, last, *flags):
     base = rows(graze, folder, d, even(d, rigid, last), *flags)
     for name, motion in (("plain", plain(d, rigid, last)), ("mirrored", mirrored(plain(d, rigid, last)))):
         if name == "mirrored" and last > 10 ** 13:
-            continue  # doubles end where the denominator is smallest, unless that is at the begin
+            continue  # doubles end where the denominator is smallest, unless that is at the beginning
         for one, (pmc, low, high) in zip(base, rows(graze, folder, d, motion, *flags)):
             where = (name, d, rigid, last, *flags, one, pmc, float(low), float(high))
             checks.holds(pmc == one[0] and low <= one[2] and one[1] <= high, *where)
