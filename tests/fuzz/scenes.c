@@ -171,7 +171,8 @@ static void check_contact(graze_context *context, const graze_scene *scene, graz
     mpq_clears(low, high, unused, NULL);
 }
 
-/* Weights, seed and flags of a generator. */
+/* Weights, seed and flags of a generator. Half of the weights are 0, those of levels nearly all:
+ * each is looked for in the scene, levels for longer than all the rest. */
 int fuzz_generate(const uint8_t *data, size_t size) {
     bytes b = {data, size};
     unsigned long weights[GRAZE_STRATUM_COUNT];
@@ -182,7 +183,11 @@ int fuzz_generate(const uint8_t *data, size_t size) {
     unsigned long long seed = take(&b), first = take(&b);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         weights[k] = take(&b);
-    int preset = take(&b) & 1, made;
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        weights[k] = weights[k] < 128 ? weights[k] : 0;
+    if (weights[GRAZE_STRATUM_LEVEL] % 16)
+        weights[GRAZE_STRATUM_LEVEL] = 0;
+    int preset = take(&b) % 16 == 1, made;
     graze_status status =
         graze_generator_create(&g, context, scene, seed, preset ? NULL : weights, flags);
     made = status == GRAZE_OK;
@@ -247,10 +252,11 @@ int fuzz_boundary(const uint8_t *data, size_t size) {
     graze_context *context = fuzz_context();
     graze_boundary *boundary = NULL;
     const graze_scene *scene = fuzz_still_scene(take_from(&b, 2, 3));
+    unsigned contacts = take(&b) % 64;
     graze_boundary_options o = {.coarse = (unsigned)take_from(&b, 0, 2),
                                 .depth = (unsigned)take_from(&b, 0, 3),
-                                .budget = take(&b) * 2,
-                                .contacts = take(&b) % 16,
+                                .budget = take(&b) / 2,
+                                .contacts = contacts < 16 ? contacts : 0,
                                 .seed = take(&b)};
     int boxed = take(&b) & 1;
     o.sharp = o.seed & 1;
