@@ -3,10 +3,11 @@
  *
  * MPFR rounds by integer arithmetic, so the host's floating-point environment has no influence.
  */
+#include <mpfr.h> /* before FLINT 3, which declares functions of both only behind it */
+
 #include <float.h>
 #include <flint/fmpq.h>
 #include <math.h>
-#include <mpfr.h>
 #include <stdint.h>
 #include <string.h>
 #include "number/rounding.h"
