@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_mat.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "number/refine.h"

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """# suite: the structure of the sources: includes and calls point down the pipeline only and make no circle, each
 source that others call has one header, a function's name stands once, the command line stands on the public
-header, table/ and two small tools alone, only validate/ touches CGAL, the top level holds nothing that is not named,
-the paths that comments and pages name are there, and so are the lines that tests/mutants.txt explains.
+header, table/ and two small tools alone, only validate/ touches CGAL, FLINT's functions are called behind their own
+headers, the top level holds nothing that is not named, the paths that comments and pages name are there, and so are
+the lines that tests/mutants.txt explains.
 
 A call through a pointer is an arrow from the file that names the function (calls.py), so a callback that a higher
 room hands to a lower one points down.
@@ -15,6 +16,7 @@ import subprocess
 import sys
 
 import calls
+import flint
 import paths
 import sources
 
@@ -140,6 +142,12 @@ def check_headers(files, objects, arrows):
                   f"found {' '.join(places) or 'none'}")
 
 
+def check_flint(files):
+    for path in files:
+        wrong = flint.lacking(path, files)
+        check(not wrong, f"{path} does not include {', '.join(wrong)}, of which it calls functions")
+
+
 def check_paths():
     """Every path that a comment or a page names is there."""
     wrong, seen = paths.missing()
@@ -217,6 +225,7 @@ def main():
     check_calls(files, arrows)
     check_headers(files, objects, arrows)
     check_names(files, objects)
+    check_flint(files)
     check_top()
     check_public(files)
     check_paths()

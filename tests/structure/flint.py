@@ -1,0 +1,37 @@
+"""Which of FLINT's headers a file needs. FLINT 2.9's include one another, those of FLINT 3 do so less, so what is
+built with one may not be with the other: each file includes the headers whose functions it names, or a header of the
+project that does. Those that FLINT declares only behind mpfr.h need it first."""
+import re
+
+import sources
+
+# From the longest name on: _fmpz_poly_add is of fmpz_poly, not of fmpz.
+MODULES = ("fmpz_poly_factor", "nmod_poly_factor", "fmpz_poly_mat", "fmpz_poly", "fmpq_poly", "nmod_poly", "fmpz_vec",
+           "fmpq_vec", "nmod_vec", "fmpz_mat", "fmpq_mat", "nmod_mat", "fmpz", "fmpq")
+ALWAYS = {"fmpz"}  # behind each of the others
+CALL = re.compile(r"\b_?(" + "|".join(MODULES) + r")_\w+\s*\(")
+BEHIND_MPFR = re.compile(r"\bfmp[qz]\w*_mpfr\s*\(")
+
+
+def reached(path, files):
+    """A file and the project's headers that it includes, themselves or through another."""
+    found, todo = set(), [path]
+    while todo:
+        at = todo.pop()
+        if at in files and at not in found:
+            found.add(at)
+            todo += [target for _, target in sources.included(at, files[at])]
+    return found
+
+
+def lacking(path, files):
+    """The headers that a file names functions of and does not include, in order."""
+    code = sources.bare(files[path])
+    there = set()
+    for other in reached(path, files):
+        there |= set(re.findall(r"#include <flint/(\w+)\.h>", files[other]))
+    needed = {call.group(1) for call in CALL.finditer(code)}
+    wrong = [f"flint/{name}.h" for name in sorted(needed - there - (ALWAYS if there else set()))]
+    if BEHIND_MPFR.search(code) and not re.search(r"#include <mpfr\.h>(?s:.*)#include <flint/", files[path]):
+        wrong.append("mpfr.h before FLINT's")
+    return wrong
