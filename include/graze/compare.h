@@ -76,15 +76,20 @@ typedef struct graze_comparison graze_comparison;
  * Compare a candidate's table with a golden one, row by row. Rows are matched by order; the check
  * is the column `id` if both tables have it, else the point, rounded as the context says. Missing
  * rows and extra rows are skipped and counted; hashes in the `#` lines of both tables must agree.
- * Both tables are streamed: at most 1000 rows of each are in memory, and with rounding at most 128
+ * Both tables are streamed: at most 1000 rows of each are in memory, and with rounding at most 160
  * MB of digests of golden points.
- * @param golden    file name of a whole table of graze classify (last line `# complete N`), or `-`
+ * Tables of graze contact are compared where both are such tables: the key of a row is its time and
+ * its point (bx, by, bz, else x, y, z), rows stand in any order, those of one key in theirs, and
+ * the candidate's are all in memory. Each column is judged that both have; options but show, solid,
+ * motion, transient are for classify alone.
+ * @param golden    file name of a whole table of graze classify or graze contact (last line `#
+ * complete N`), or `-`
  * @param candidate file name of a CSV table with a column line, or `-`; `#` lines are optional
  * @param options   may be NULL for the defaults
  * @return GRAZE_EUSE; GRAZE_ESYSTEM a file cannot be read; GRAZE_EINPUT a table is incomplete,
- * lacks columns, has another order or another scene, has an unknown answer, an option is no such
- * number, or rounding makes golden points with different answers equal; GRAZE_ELIMIT;
- * GRAZE_ECANCELED
+ * lacks columns, has another order, another scene or another kind of rows, has an unknown answer,
+ * an option is no such number, or rounding makes golden points with different answers equal;
+ * GRAZE_ELIMIT; GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_compare(graze_comparison **out, graze_context *context,
                                                    const char *golden, const char *candidate,
@@ -109,7 +114,8 @@ GRAZE_API graze_disagreement graze_comparison_disagreement(const graze_compariso
  * before each; "" for NULL. Borrowed. */
 GRAZE_API const char *graze_comparison_head(const graze_comparison *comparison);
 /** Report of a comparison: confusion matrices, errors by stratum, distance, class, definition and
- * case, and the disagreements kept. Text for graze_free.
+ * case (contact points: by column, stratum, distance, status and role), and the disagreements kept.
+ * Text for graze_free.
  * @return GRAZE_EUSE, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_comparison_report(char **out, graze_context *context,
                                                              const graze_comparison *comparison,

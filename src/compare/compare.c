@@ -9,6 +9,7 @@
 #include "compare/judge.h"
 #include "compare/match.h"
 #include "compare/rounding.h"
+#include "compare/sites.h"
 #include "context/array.h"
 
 /* Both tables and their matching during a comparison. */
@@ -20,7 +21,8 @@ typedef struct run {
 
 /* The golden column of each grouping. */
 static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K,          COLUMN_SDF_LOW,
-                                          COLUMN_CLASS,   COLUMN_DEFINITION, COLUMN_CASE};
+                                          COLUMN_CLASS,   COLUMN_DEFINITION, COLUMN_CASE,
+                                          COLUMN_STATUS,  COLUMN_ROLE};
 
 static graze_status comparison_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -59,6 +61,8 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
                                "name");
     for (int k = 0; k < JUDGED_SDF; k++) {
         column which = judged_column(k);
+        if (!judged_of(k, 0))
+            continue;
         int answered = candidate->where[which] >= 0;
         int open = c->options.question == GRAZE_QUESTION_OPEN && !c->options.motion_error;
         c->judged[k] = k == JUDGED_PMC ? answered || sdf : answered && open && !sdf;
@@ -102,49 +106,80 @@ static graze_status check_rounding(graze_comparison *c, run *r, const char *path
     for (int k = 0; k < JUDGED_SDF; k++)
         if (c->judged[k])
             columns[count++] = judged_column(k);
-    if (c->rounding == GRAZE_ROUND_NONE || r->match.by_id)
+    if (c->rounding == GRAZE_ROUND_NONE || c->key.by_id)
         return GRAZE_OK;
-    return match_rounding(r->context, &r->golden, path, columns, count);
+    return match_rounding(r->context, &r->golden, path, &c->key, columns, count);
+}
+
+/* Choose the columns to judge and those to match rows by. */
+static graze_status choose_comparison(graze_comparison *c, const table *golden,
+                                      const table *candidate) {
+    graze_status status = sites_known(&c->contacts, golden, candidate);
+    if (!status && !c->contacts)
+        status = check_golden(golden);
+    if (!status)
+        status = check_notes(golden, candidate);
+    if (!status)
+        status = (c->contacts ? sites_choose : choose_columns)(c, golden, candidate);
+    if (!status)
+        status = (c->contacts ? key_of_contacts : key_of_points)(&c->key, golden, candidate);
+    return status;
+}
+
+/* Does the golden table have the column of a grouping, and is it one of its kind? */
+static int is_grouped(const graze_comparison *c, const table *golden, int g) {
+    if (g == BY_SDF)
+        return c->enclosed;
+    int of_contacts = g == BY_STATUS || g == BY_ROLE, of_both = g == BY_STRATUM || g == BY_DISTANCE;
+    return golden->where[by[g]] >= 0 && (of_both || of_contacts == c->contacts);
 }
 
 static graze_status start(graze_comparison *c, run *r, const char *golden, const char *candidate) {
     graze_status status = table_open(&r->golden, r->context, golden);
     if (!status)
-        status = check_golden(&r->golden);
-    if (!status)
         status = table_open(&r->candidate, r->context, candidate);
     if (!status)
-        status = check_notes(&r->golden, &r->candidate);
-    if (!status)
-        status = choose_columns(c, &r->golden, &r->candidate);
+        status = choose_comparison(c, &r->golden, &r->candidate);
     if (!status)
         status = note_options(c, r->context, &r->golden);
-    if (!status)
-        status = match_start(&r->match, r->context, &r->golden, &r->candidate);
     if (!status && (!(c->golden_columns = strdup(r->golden.names)) ||
                     !(c->candidate_columns = strdup(r->candidate.names))))
         status = comparison_no_memory(r->context);
-    c->by_id = r->match.by_id;
+    if (status)
+        return status;
+    match_start(&r->match, r->context, &r->golden, &r->candidate, &c->key, c->contacts);
     for (int g = 0; g < GROUPING_COUNT; g++)
-        c->grouped[g] = r->golden.where[by[g]] >= 0 && (g != BY_SDF || c->enclosed);
-    return status ? status : check_rounding(c, r, golden);
+        c->grouped[g] = is_grouped(c, &r->golden, g);
+    return check_rounding(c, r, golden);
 }
 
-/* The answers of a row, as `pmc=on i=0`. */
+/* Is a column shown beside a disagreement of points? */
+static int is_shown(const graze_comparison *c, column col, int candidate) {
+    if (candidate && c->options.has == GRAZE_HAS_SDF)
+        return col == COLUMN_SDF;
+    int bound = col == COLUMN_SDF_LOW || col == COLUMN_SDF_HIGH;
+    return (col >= COLUMN_PMC && col <= COLUMN_TOPO) || (bound && c->enclosed && !candidate);
+}
+
+static void put_shown_answer(text *out, const table *t, const table_row *row, column which) {
+    field f = table_field(t, row, which);
+    if (t->where[which] < 0)
+        return;
+    text_format(out, "%s%s=", out->length ? " " : "", column_name(which));
+    text_bytes(out, f.start, f.length);
+}
+
+/* The answers of a row, as `pmc=on i=0`; of a contact point its time and what is judged. */
 static void put_answers(text *out, const graze_comparison *c, const table *t, const table_row *row,
                         int candidate) {
-    const char *blank = "";
-    for (int col = COLUMN_PMC; col < COLUMN_COUNT; col++) {
-        field f = table_field(t, row, (column)col);
-        int sdf = candidate && c->options.has == GRAZE_HAS_SDF;
-        int bound = c->enclosed && !candidate && col >= COLUMN_SDF_LOW;
-        int shown = sdf ? col == COLUMN_SDF : col <= COLUMN_TOPO || bound;
-        if (t->where[col] < 0 || !shown)
-            continue;
-        text_format(out, "%s%s=", blank, column_name((column)col));
-        text_bytes(out, f.start, f.length);
-        blank = " ";
-    }
+    for (int col = 0; col < COLUMN_COUNT && !c->contacts; col++)
+        if (is_shown(c, (column)col, candidate))
+            put_shown_answer(out, t, row, (column)col);
+    if (c->contacts)
+        put_shown_answer(out, t, row, COLUMN_TIME);
+    for (int k = 0; k < JUDGED_COUNT && c->contacts; k++)
+        if (c->judged[k])
+            put_shown_answer(out, t, row, judged_column(k));
 }
 
 /* A row's point (which = 0) or answers (1 golden, 2 candidate), malloc'ed. */
@@ -200,6 +235,32 @@ static graze_status count_groups(graze_comparison *c, const run *r, const table_
     return status;
 }
 
+/* Count a golden row: missing, wrong, apart or agreeing. */
+static graze_status count_row(graze_comparison *c, const run *r, const table_row *golden,
+                              const table_row *candidate, const judgement *j,
+                              const valuation *value) {
+    char what = !candidate ? 'm' : j->any_wrong ? 'w' : j->apart ? 'p' : 'a';
+    c->rows++;
+    c->missing += what == 'm';
+    c->wrong += what == 'w';
+    c->apart += what == 'p';
+    c->agree += what == 'a';
+    for (int k = 0; candidate && k < JUDGED_COUNT; k++)
+        c->column_wrong[k] += (unsigned long)j->wrong[k];
+    graze_status status = count_groups(c, r, golden, what, value);
+    return status || what == 'a' || what == 'p' ? status : show(c, r, golden, candidate);
+}
+
+static graze_status count_contacts(graze_comparison *c, run *r, const table_row *golden,
+                                   const table_row *candidate) {
+    judgement j = {{0}, 0, 0, 0};
+    valuation none = {.certain = 1};
+    graze_status status = sites_judge(j.wrong, c, &r->golden, golden, &r->candidate, candidate);
+    for (int k = 0; k < JUDGED_COUNT; k++)
+        j.any_wrong |= j.wrong[k];
+    return status ? status : count_row(c, r, golden, candidate, &j, &none);
+}
+
 static graze_status count_pair(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate) {
     answer right, given = {-1, -1, 0, 0, {"", 0}};
@@ -216,23 +277,14 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
     if (status)
         return status;
     judgement j = judge(c, &r->golden, golden, &right, &given, &value);
-    char what = !candidate ? 'm' : j.any_wrong ? 'w' : j.apart ? 'p' : 'a';
-    c->rows++;
-    c->missing += what == 'm';
-    c->wrong += what == 'w';
-    c->apart += what == 'p';
     c->uncertain += !value.certain;
-    c->agree += what == 'a';
-    for (int k = 0; candidate && k < JUDGED_COUNT; k++)
-        c->column_wrong[k] += (unsigned long)j.wrong[k];
     if (j.apart && candidate)
         c->apart_answers[given.pmc]++;
     else if (c->judged[JUDGED_PMC])
         c->confusion.pmc[j.truth][candidate ? given.pmc : 3]++;
     if (c->judged[JUDGED_CLASS])
         c->confusion.class_[right.class_][candidate ? given.class_ : 5]++;
-    status = count_groups(c, r, golden, what, &value);
-    return status || what == 'a' || what == 'p' ? status : show(c, r, golden, candidate);
+    return count_row(c, r, golden, candidate, &j, &value);
 }
 
 static graze_status count_all(graze_comparison *c, run *r) {
@@ -244,7 +296,7 @@ static graze_status count_all(graze_comparison *c, run *r) {
         if (status || (!golden && !candidate))
             return status;
         if (golden) {
-            status = count_pair(c, r, golden, candidate);
+            status = (c->contacts ? count_contacts : count_pair)(c, r, golden, candidate);
         } else {
             c->extra++;
             status = show(c, r, NULL, candidate);

@@ -3,9 +3,15 @@
 
 const char *const pmc_words[3] = {"in", "on", "out"};
 
+int judged_of(int judged, int contacts) {
+    if (judged == JUDGED_WORD)
+        return 1;
+    return (judged >= JUDGED_CELL && judged <= JUDGED_SHIFT) == contacts;
+}
+
 const char *grouping_name(grouping g) {
-    static const char *const names[GROUPING_COUNT] = {"stratum", "k",          "sdf",
-                                                      "class",   "definition", "case"};
+    static const char *const names[GROUPING_COUNT] = {"stratum",    "k",    "sdf",    "class",
+                                                      "definition", "case", "status", "role"};
     return names[g];
 }
 

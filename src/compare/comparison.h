@@ -4,12 +4,37 @@
 #ifndef GRAZE_COMPARE_COMPARISON_H
 #define GRAZE_COMPARE_COMPARISON_H
 
+#include "compare/key.h"
 #include "compare/tally.h"
 #include "graze/compare.h"
 #include "number/text.h"
 
-/** Answers that are judged, in the order of their columns. */
-enum { JUDGED_PMC, JUDGED_CLASS, JUDGED_I, JUDGED_T, JUDGED_WORD, JUDGED_SDF, JUDGED_COUNT };
+/** Answers that are judged, in the order of their columns; those of points and those of contact
+ * points have the word in common. */
+enum {
+    JUDGED_PMC,
+    JUDGED_CLASS,
+    JUDGED_I,
+    JUDGED_T,
+    JUDGED_CELL,
+    JUDGED_ROLE,
+    JUDGED_THETA,
+    JUDGED_CONTACT_ORDER,
+    JUDGED_ORIENTATION,
+    JUDGED_LEFT,
+    JUDGED_RIGHT,
+    JUDGED_TRIMMED,
+    JUDGED_STATUS,
+    JUDGED_NEAR,
+    JUDGED_NEAR_IN,
+    JUDGED_WORD,
+    JUDGED_SHIFT,
+    JUDGED_SDF,
+    JUDGED_COUNT
+};
+
+/** Is this an answer of a table of contact points (1), or of graze classify (0)? */
+int judged_of(int judged, int contacts);
 
 /** Groupings of errors. */
 typedef enum grouping {
@@ -19,6 +44,8 @@ typedef enum grouping {
     BY_CLASS,
     BY_DEFINITION,
     BY_CASE,
+    BY_STATUS, /* of contact points */
+    BY_ROLE,
     GROUPING_COUNT
 } grouping;
 
@@ -50,12 +77,15 @@ struct graze_comparison {
     graze_rounding rounding;
     char *golden, *candidate, *solid, *motion; /* names */
     char *golden_columns, *candidate_columns;  /* their column lines */
+    int contacts;                              /* 1: tables of contact points */
+    row_key key;                               /* by which rows are matched */
     int judged[JUDGED_COUNT];                  /* 1: the candidate answers this */
-    int valued;                                /* values are compared with the golden enclosures */
-    int enclosed;                              /* these are read */
-    fmpq_t tolerance, eta;                     /* of values, and of the motion */
-    int by_id;                                 /* rows are matched by the column id */
-    char *explain_options;                     /* of `graze explain`, with a blank before each */
+    int lacking[JUDGED_COUNT]; /* of contact points: 1 the candidate, 2 the golden table alone does
+                                  not have the column */
+    int valued;                /* values are compared with the golden enclosures */
+    int enclosed;              /* these are read */
+    fmpq_t tolerance, eta;     /* of values, and of the motion */
+    char *explain_options;     /* of `graze explain`, with a blank before each */
     unsigned long rows, agree, wrong, apart, missing, extra;
     unsigned long column_wrong[JUDGED_COUNT];
     unsigned long apart_answers[3]; /* the candidate's, for rows that are apart */

@@ -11,6 +11,7 @@
 #include <yajl/yajl_gen.h>
 #include "compare/judge.h"
 #include "compare/json_put.h"
+#include "compare/report_sites.h"
 #include "compare/report_values.h"
 #include "compare/text.h"
 #include "context/json_memory.h"
@@ -24,6 +25,7 @@ static void put_json_summary(yajl_gen g, const graze_comparison *c) {
         put_named(g, "candidate-columns", c->candidate_columns);
     }
     put_named(g, "hint", comparison_hint(c));
+    put_json_sites(g, c);
     put_named(g, "question", c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open");
     put_named(g, "on-as", on_as[c->options.on_as]);
     put_named(g, "candidate-has", c->options.has == GRAZE_HAS_SDF ? "sdf" : "columns");

@@ -9,8 +9,12 @@
 
 const char *const class_words[5] = {"regular", "fold", "fold_boundary", "boundary", "exterior"};
 
-static const column judged_columns[JUDGED_COUNT] = {COLUMN_PMC, COLUMN_CLASS, COLUMN_I,
-                                                    COLUMN_T,   COLUMN_WORD,  COLUMN_SDF};
+static const column judged_columns[JUDGED_COUNT] = {
+    COLUMN_PMC,         COLUMN_CLASS, COLUMN_I,       COLUMN_T,
+    COLUMN_CELL,        COLUMN_ROLE,  COLUMN_THETA,   COLUMN_CONTACT_ORDER,
+    COLUMN_ORIENTATION, COLUMN_LEFT,  COLUMN_RIGHT,   COLUMN_TRIMMED,
+    COLUMN_STATUS,      COLUMN_NEAR,  COLUMN_NEAR_IN, COLUMN_WORD,
+    COLUMN_SHIFT,       COLUMN_SDF};
 
 column judged_column(int judged) {
     return judged_columns[judged];
@@ -20,11 +24,11 @@ const char *judged_name(int judged) {
     return column_name(judged_columns[judged]);
 }
 
-static graze_status no_answer(const table *t, const table_row *row, column c, const char *right) {
+graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right) {
     field f = table_field(t, row, c);
     return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
-                           "%s: '%.*s' is no answer; expected %s", column_name(c),
-                           f.length > 40 ? 40 : (int)f.length, f.start, right);
+                           "%s: '%.*s' is no answer; expected %s", column_name(c), FIELD_SHOWN(f),
+                           right);
 }
 
 static int index_of(field f, const char *const *words, int count) {
@@ -64,9 +68,17 @@ static int zero_denominator(field f) {
 static graze_status read_distance(int *pmc, const table *t, const table_row *row) {
     field f = table_field(t, row, COLUMN_SDF);
     if (!rational_is_token(f.start, f.length) || zero_denominator(f))
-        return no_answer(t, row, COLUMN_SDF, "a number, negative inside");
+        return judged_no_answer(t, row, COLUMN_SDF, "a number, negative inside");
     int sign = answer_sign(f);
     *pmc = sign < 0 ? PMC_IN : sign > 0 ? PMC_OUT : PMC_ON;
+    return GRAZE_OK;
+}
+
+graze_status judged_word(const table *t, const table_row *row) {
+    field word = table_field(t, row, COLUMN_WORD);
+    for (size_t k = 0; k < word.length || k == 0; k++)
+        if (!word.length || !strchr("IBO", word.start[k]))
+            return judged_no_answer(t, row, COLUMN_WORD, "letters I, B, O");
     return GRAZE_OK;
 }
 
@@ -78,24 +90,20 @@ graze_status answer_read(answer *out, const table *t, const table_row *row, cons
     if (judged[JUDGED_PMC]) {
         out->pmc = index_of(table_field(t, row, COLUMN_PMC), pmc_words, 3);
         if (out->pmc < 0)
-            return no_answer(t, row, COLUMN_PMC, "in, on or out");
+            return judged_no_answer(t, row, COLUMN_PMC, "in, on or out");
     }
     if (judged[JUDGED_CLASS]) {
         out->class_ = index_of(table_field(t, row, COLUMN_CLASS), class_words, 5);
         if (out->class_ < 0)
-            return no_answer(t, row, COLUMN_CLASS,
-                             "regular, fold, fold_boundary, boundary or exterior");
+            return judged_no_answer(t, row, COLUMN_CLASS,
+                                    "regular, fold, fold_boundary, boundary or exterior");
     }
     if (judged[JUDGED_I] && !read_whole(&out->i, table_field(t, row, COLUMN_I)))
-        return no_answer(t, row, COLUMN_I, "a whole number");
+        return judged_no_answer(t, row, COLUMN_I, "a whole number");
     if (judged[JUDGED_T] && !read_whole(&out->t, table_field(t, row, COLUMN_T)))
-        return no_answer(t, row, COLUMN_T, "a whole number");
+        return judged_no_answer(t, row, COLUMN_T, "a whole number");
     out->word = table_field(t, row, COLUMN_WORD);
-    if (judged[JUDGED_WORD])
-        for (size_t k = 0; k < out->word.length || k == 0; k++)
-            if (!out->word.length || !strchr("IBO", out->word.start[k]))
-                return no_answer(t, row, COLUMN_WORD, "letters I, B, O");
-    return GRAZE_OK;
+    return judged[JUDGED_WORD] ? judged_word(t, row) : GRAZE_OK;
 }
 
 /* An `on` point is certainly on the boundary of the closed sweep if its one contact is an instant

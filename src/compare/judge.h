@@ -28,6 +28,11 @@ typedef struct judgement {
 /** The column with this index among those judged. */
 column judged_column(int judged);
 
+/** GRAZE_EINPUT: a field is no answer; `right` says what is expected. */
+graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right);
+/** Check that a word is one. GRAZE_EINPUT. */
+graze_status judged_word(const table *t, const table_row *row);
+
 /** Read the answers of a row: pmc always (or from the sign of `sdf`), the others where judged.
  * @return GRAZE_EINPUT a field that is no answer */
 graze_status answer_read(answer *out, const table *t, const table_row *row, const int *judged,

@@ -1,13 +1,15 @@
 /* Matches the rows of the candidate with those of the golden table.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Both tables have the same rows in the same order, but for rows that are missing or extra. Rows
- * ahead are read only where the next ones differ, and at most MATCH_AHEAD of them.
+ * Points: both tables have the same rows in the same order, but for rows that are missing or extra.
+ * Rows ahead are read only where the next ones differ, and at most MATCH_AHEAD of them.
+ * Contact points: rows stand in any order; those of the candidate are in memory.
  */
 #ifndef GRAZE_COMPARE_MATCH_H
 #define GRAZE_COMPARE_MATCH_H
 
-#include "compare/table.h"
+#include "compare/key.h"
+#include "compare/row_index.h"
 
 enum { MATCH_AHEAD = 1000 };
 
@@ -21,32 +23,30 @@ typedef struct window {
 
 typedef struct match {
     graze_context *context;
-    int by_id;     /* the id is the key of a row, else its point */
-    int dimension; /* of the points */
+    row_key key;
+    int any_order; /* 1: rows stand in any order, and those of the candidate are in `index` */
+    int indexed;   /* 1: they have been read */
+    row_index index;
     window golden, candidate;
     size_t skip_golden, skip_candidate; /* rows to hand out alone before the next pair */
     digest missing, extra;              /* sums of the keys of rows handed out alone */
     unsigned long pairs, missing_count, extra_count;
 } match;
 
-/** Choose the key of rows: `id` if both tables have it, else the point.
- * @return GRAZE_EINPUT the tables have neither in common */
-graze_status match_start(match *m, graze_context *context, table *golden, table *candidate);
+/** Start a matching by a key. */
+void match_start(match *m, graze_context *context, table *golden, table *candidate,
+                 const row_key *key, int any_order);
 void match_clear(match *m);
 
 /**
  * The next pair; either is NULL for a row without a counterpart, both at the end of both tables.
  * Borrowed until the next call.
- * @return GRAZE_EINPUT a coordinate is no number
+ * @return GRAZE_EINPUT a coordinate or a time is no number
  */
 graze_status match_next(match *m, const table_row **golden, const table_row **candidate);
 
 /** Check a matching at its end. GRAZE_EINPUT: no row has a counterpart, or the rows without one are
  * the same on both sides, in another order. */
 graze_status match_finish(const match *m);
-
-/** Make a row's key: the digest of its id, or of its point in lowest terms after rounding. */
-graze_status match_key(table_row *row, graze_context *context, const table *t, int by_id,
-                       int dimension);
 
 #endif

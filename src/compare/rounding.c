@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "context/context.h"
 #include "number/text.h"
 
 enum { MOST_ENTRIES = 1 << 21 };
@@ -15,7 +16,7 @@ enum { MOST_ENTRIES = 1 << 21 };
 /* A free place has line 0. */
 typedef struct entry {
     digest key;
-    uint64_t answers, line;
+    uint64_t answers, exact, line; /* exact: the key before rounding, of contact points */
 } entry;
 
 typedef struct share {
@@ -61,8 +62,24 @@ static graze_status answers_of(uint64_t *out, const table *t, const table_row *r
     return failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
 }
 
-static graze_status keep(share *s, const table *t, const table_row *row, const column *columns,
-                         size_t count) {
+/* Contact points that were moved to one place at one time may have other answers (`cell`, `shift`),
+ * rounded or not: the key before rounding tells. Of points it is 0. */
+static graze_status exact_of(uint64_t *out, const table *t, table_row *row, const row_key *key) {
+    graze_context *context = t->in.context;
+    graze_rounding asked = context->rounding;
+    *out = 0;
+    if (key->at[0] != COLUMN_TIME)
+        return GRAZE_OK;
+    context->rounding = GRAZE_ROUND_NONE;
+    graze_status status = key_make(row, key, t);
+    context->rounding = asked;
+    *out = row->key.high | 1;
+    row->keyed = 0;
+    return status;
+}
+
+static graze_status keep(share *s, const table *t, const table_row *row, uint64_t exact,
+                         const column *columns, size_t count) {
     uint64_t answers;
     graze_status status = answers_of(&answers, t, row, columns, count);
     if (status || row->key.high % s->passes != s->pass)
@@ -70,29 +87,32 @@ static graze_status keep(share *s, const table *t, const table_row *row, const c
     if (2 * (s->count + 1) > s->capacity && !grow_roundings(s))
         return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
     entry *e = rounding_place(s, row->key);
-    if (e->line && e->answers != answers)
+    if (e->line && e->answers != answers && (!exact || e->exact != exact))
         return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
                                "rounding makes this row equal to that of line %lu, whose "
                                "answer is another; expected points that stay apart",
                                (unsigned long)e->line);
     s->count += !e->line;
-    *e = (entry){row->key, answers, row->line};
+    *e = (entry){row->key, answers, exact, row->line};
     return GRAZE_OK;
 }
 
 /* One pass; it stops early, without fault, when its share of the keys is too large. */
-static graze_status pass(share *s, graze_context *context, const char *path, const column *columns,
-                         size_t count) {
+static graze_status pass(share *s, graze_context *context, const char *path, const row_key *key,
+                         const column *columns, size_t count) {
     table t;
     table_row row = {0};
     int more = 1;
     graze_status status = table_open(&t, context, path);
     while (!status && more && s->count < MOST_ENTRIES) {
         status = table_next(&t, &row, &more);
+        uint64_t exact = 0;
         if (!status && more)
-            status = match_key(&row, context, &t, 0, t.dimension);
+            status = exact_of(&exact, &t, &row, key);
         if (!status && more)
-            status = keep(s, &t, &row, columns, count);
+            status = key_make(&row, key, &t);
+        if (!status && more)
+            status = keep(s, &t, &row, exact, columns, count);
     }
     table_row_clear(&row);
     table_close(&t);
@@ -100,7 +120,7 @@ static graze_status pass(share *s, graze_context *context, const char *path, con
 }
 
 graze_status match_rounding(graze_context *context, const table *golden, const char *path,
-                            const column *columns, size_t count) {
+                            const row_key *key, const column *columns, size_t count) {
     if (!stream_repeatable(&golden->in))
         return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
                                "is read more than once, to check its points after rounding; "
@@ -111,7 +131,7 @@ graze_status match_rounding(graze_context *context, const table *golden, const c
         s.count = 0;
         if (s.capacity)
             memset(s.entries, 0, s.capacity * sizeof *s.entries);
-        status = pass(&s, context, path, columns, count);
+        status = pass(&s, context, path, key, columns, count);
         if (s.count < MOST_ENTRIES) {
             s.pass++;
         } else {

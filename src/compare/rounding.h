@@ -4,14 +4,15 @@
 #ifndef GRAZE_COMPARE_ROUNDING_H
 #define GRAZE_COMPARE_ROUNDING_H
 
-#include "compare/match.h"
+#include "compare/key.h"
 
 /**
  * Refuse two golden rows that rounding makes equal and whose answers in `columns` differ. The table
- * is read again, as often as it takes to keep at most 128 MB of digests.
+ * is read again, as often as it takes to keep at most 160 MB of digests.
+ * @param key     columns of numbers
  * @param columns count columns whose answers matter
  */
 graze_status match_rounding(graze_context *context, const table *golden, const char *path,
-                            const column *columns, size_t count);
+                            const row_key *key, const column *columns, size_t count);
 
 #endif

@@ -9,8 +9,11 @@
 #include "context/file.h"
 
 static const char *const column_names[COLUMN_COUNT] = {
-    "x",    "y",    "z",       "id",    "pmc",  "class", "definition", "case",    "i",       "t",
-    "word", "topo", "stratum", "order", "cell", "k",     "sdf",        "sdf_low", "sdf_high"};
+    "x",     "y",       "z",      "id",      "pmc",           "class",       "definition",
+    "case",  "i",       "t",      "word",    "topo",          "stratum",     "order",
+    "cell",  "k",       "sdf",    "sdf_low", "sdf_high",      "time",        "bx",
+    "by",    "bz",      "role",   "theta",   "contact_order", "orientation", "left",
+    "right", "trimmed", "status", "near",    "near_in",       "shift"};
 
 static const char *const note_names[NOTE_COUNT] = {
     "graze", "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "operation",
@@ -118,17 +121,24 @@ char *table_row_text(const table_row *row) {
     return strndup(row->bytes, (size_t)(last.start + last.length - row->bytes));
 }
 
+graze_status table_named_twice(const table *t, column c) {
+    return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->head,
+                           "the column line names %s twice; expected once", column_names[c]);
+}
+
 /* Find the columns. The first one of a name counts in a table of Graze, where further columns come
  * last and may have any name. */
 static graze_status fix_columns(table *t, const table_row *row) {
+    t->head = row->line;
     for (size_t k = 0; k < row->cut.count; k++)
         for (int c = 0; c < COLUMN_COUNT; c++) {
             if (!field_is(field_content(row->cut.item[k]), column_names[c]) || is_carried(t, c))
                 continue;
-            if (t->where[c] >= 0 && !t->notes[NOTE_GRAZE])
-                return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
-                                       "the column line names %s twice; expected once",
-                                       column_names[c]);
+            int twice = t->where[c] >= 0 && !t->notes[NOTE_GRAZE];
+            if (twice && c < COLUMN_TIME)
+                return table_named_twice(t, (column)c);
+            if (twice && t->doubled < 0)
+                t->doubled = c;
             if (t->where[c] < 0)
                 t->where[c] = (long)k;
         }
@@ -147,6 +157,7 @@ graze_status table_open(table *out, graze_context *context, const char *path) {
     memset(out, 0, sizeof *out);
     for (int c = 0; c < COLUMN_COUNT; c++)
         out->where[c] = -1;
+    out->doubled = -1;
     graze_status status = stream_open(&out->in, context, path);
     if (!status)
         status = next_table_line(out, &row, &more);

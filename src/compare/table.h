@@ -12,7 +12,8 @@
 #include "table/field.h"
 #include "table/stream.h"
 
-/** Columns that a comparison uses; others are skipped. */
+/** Columns that a comparison uses; others are skipped. Those from COLUMN_TIME on are of tables of
+ * contact points. */
 typedef enum column {
     COLUMN_X,
     COLUMN_Y,
@@ -33,6 +34,21 @@ typedef enum column {
     COLUMN_SDF,
     COLUMN_SDF_LOW,
     COLUMN_SDF_HIGH,
+    COLUMN_TIME,
+    COLUMN_BX,
+    COLUMN_BY,
+    COLUMN_BZ,
+    COLUMN_ROLE,
+    COLUMN_THETA,
+    COLUMN_CONTACT_ORDER,
+    COLUMN_ORIENTATION,
+    COLUMN_LEFT,
+    COLUMN_RIGHT,
+    COLUMN_TRIMMED,
+    COLUMN_STATUS,
+    COLUMN_NEAR,
+    COLUMN_NEAR_IN,
+    COLUMN_SHIFT,
     COLUMN_COUNT
 } column;
 
@@ -64,7 +80,7 @@ typedef struct table_row {
     size_t capacity;
     fields cut;
     int keyed;  /* 1 once `key` is known */
-    digest key; /* of the row's id or point */
+    digest key; /* of the row's id, or of its point and, for contact points, time */
 } table_row;
 
 typedef struct table {
@@ -73,6 +89,8 @@ typedef struct table {
     int dimension;            /* of the points; 0 without columns x and y */
     long where[COLUMN_COUNT]; /* -1 where there is no such column */
     size_t columns;
+    unsigned long head; /* the line of the column line */
+    int doubled;        /* the first column of contact points whose name stands twice, or -1 */
     char *names;        /* the column line */
     unsigned long rows; /* handed out */
     int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
@@ -92,6 +110,9 @@ void table_close(table *t);
  * after it; also those of stream_next */
 graze_status table_next(table *t, table_row *row, int *more);
 void table_row_clear(table_row *row);
+
+/** GRAZE_EINPUT: the column line names a column twice. */
+graze_status table_named_twice(const table *t, column c);
 
 /** A row as it stands in the file, malloc'ed; NULL when out of memory. */
 char *table_row_text(const table_row *row);

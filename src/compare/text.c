@@ -5,6 +5,7 @@
 
 #include <string.h>
 #include "compare/judge.h"
+#include "compare/report_sites.h"
 #include "compare/report_values.h"
 
 /* A word for the shell; quoted where it holds more than plain characters. */
@@ -43,7 +44,7 @@ static void put_share(text *out, unsigned long part, unsigned long whole) {
 const char *comparison_hint(const graze_comparison *c) {
     unsigned long fewer = c->missing < c->extra ? c->missing : c->extra;
     int many = 20 * fewer >= c->rows && 2 * fewer >= c->missing && 2 * fewer >= c->extra;
-    if (!fewer || !many || c->by_id)
+    if (!fewer || !many || c->key.by_id)
         return NULL;
     return c->rounding == GRAZE_ROUND_NONE
                ? "many rows are missing and as many extra: the candidate's coordinates look "
@@ -64,9 +65,13 @@ static void put_summary(text *out, const graze_comparison *c) {
                                         "out"};
     text_format(out, "golden: %s\ncandidate: %s\n", table_shown(c, c->golden),
                 table_shown(c, c->candidate));
-    text_format(out, "question: %s sweep; `on` counts as %s; rounding: %s\njudged:",
-                c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open",
-                on_as[c->options.on_as], graze_rounding_name(c->rounding));
+    if (c->contacts)
+        put_sites(out, c);
+    else
+        text_format(out, "question: %s sweep; `on` counts as %s; rounding: %s\n",
+                    c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open",
+                    on_as[c->options.on_as], graze_rounding_name(c->rounding));
+    text_put(out, "judged:");
     for (int k = 0; k < JUDGED_COUNT; k++)
         if (c->judged[k])
             text_format(out, " %s", judged_name(k));
@@ -91,6 +96,7 @@ static void put_summary(text *out, const graze_comparison *c) {
                     "point; answered in %lu, on %lu, out %lu\n",
                     c->apart_answers[0], c->apart_answers[1], c->apart_answers[2]);
     put_values(out, c);
+    put_sites_by_column(out, c);
 }
 
 static void put_matrix(text *out, const char *name, const char *const *words, int count,

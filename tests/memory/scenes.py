@@ -54,6 +54,9 @@ POSES = ("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n0.5,4,0,0.25,0.92387953251128674
          "1,8,0,0,0.70710678118654757,0,0,0.70710678118654757\n")
 MATRICES = ("m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n1,0,0,0,0,1,0,0,0,0,1,0\n"
             "0,-1,0,2,1,0,0,0,0,0,1,1\n")
+GOLDEN_SITES = ("time,bx,by,x,y,role,trimmed,near\n1/3,1,0,2,0,contact,no,\nroot(-1 0 2;0;1),1,0,3,0,egress,yes,2/3\n"
+                "1/2,0,1,4,1,hidden,yes,1/3\n# complete 3\n")
+ANSWERED_SITES = "by,bx,time,role,near\n1,0,1/2,contact,1/3\n0,1,root(-1 0 2;0;1),egress,2/3\n5,5,0,hidden,\n"
 ANSWERS = "id,x,y,pmc,class\na,3,1,in,regular\nb,9,2,out,exterior\nc,7,4,out,exterior\nd,-1,0,in,fold\n"
 
 
@@ -86,7 +89,8 @@ def put(folder):
     """Write the files that are only read; {name: path}."""
     texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
              "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES,
-             "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3}
+             "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3,
+             "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
     place = folder / "input"
     place.mkdir()
     for name, text in texts.items():
@@ -155,6 +159,8 @@ def make(graze, folder):
                 tables=("points",))
     yield Scene("generate-2", ["generate", u, roll, "-n", "14", "--seed", "5", "--representable", "binary64"])
     yield Scene("compare", ["compare", golden_at, at["answers.csv"], "--round", "binary64"], 1)
+    yield Scene("compare-contacts", ["compare", at["golden-sites.csv"], at["answered-sites.csv"], "--round", "binary64"], 1)
+    yield Scene("compare-contacts-json", ["compare", at["golden-sites.csv"], at["answered-sites.csv"], "--format", "json"], 1)
     yield Scene("compare-json", ["compare", golden_at, at["answers.csv"], "--format", "json", "--output", "report"], 1)
     yield Scene("validate", ["validate", *one, u, roll, "--points", two, *candidate, "--output", "report"])
     yield Scene("draw-svg", ["draw", u, roll, two, "--grid", "6", "-p", "9,2", "-p", "1,1", "-o", "made.svg"])

@@ -7,6 +7,7 @@ import tempfile
 import unittest
 from fractions import Fraction as F
 
+import common
 import graze
 
 # (x, y, pmc, s, a value): [0, 1]^2 sweeps [0, 9] x [0, 1]; the deepest place is at 1/2.
@@ -57,3 +58,28 @@ class Values(unittest.TestCase):
         with self.assertRaises(ValueError):
             self.compare(truth="inside")
 
+
+class Contacts(unittest.TestCase):
+    """The front of [0, 1]^2 moving by 8 along x: its points are egress, uncovered later; those of the top slide."""
+
+    def test_contacts(self):
+        scene = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
+        sites = [(F(1, 2), (1, F(1, 3))), (F(1, 2), (F(1, 3), 1))]
+        with tempfile.TemporaryDirectory() as folder:
+            golden, mine = (os.path.join(folder, name) for name in ("golden.csv", "mine.csv"))
+            with open(golden, "w", encoding="utf-8") as f:
+                f.write("time,bx,by,role,trimmed,status\n")
+                for t, y in sites:
+                    s = scene.site(t, y)
+                    f.write(f"{t},{y[0]},{y[1]},{s.role},{'yes' if s.trimmed else 'no'},{s.status}\n")
+                f.write("# complete 2\n")
+            with open(mine, "w", encoding="utf-8") as f:  # in double, the other way round
+                f.write("time,bx,by,role,status\n0.5,0.3333333333333333,1,contact,simple\n"
+                        "0.5,1,0.3333333333333333,egress,trimmed_near\n")
+            with self.assertRaisesRegex(graze.InputError, "no row is one of"):
+                graze.compare(golden, mine)
+            report = graze.compare(golden, mine, round="binary64").report
+        self.assertEqual((report["agree"], report["wrong"], report["extra"]), (1, 1, 0))
+        self.assertEqual(report["wrong-by-column"], {"role": 0, "status": 1})
+        self.assertEqual(report["not-in-candidate"], ["trimmed"])
+        self.assertEqual([g["value"] for g in report["by"]["status"] if g["wrong"]], ["slides"])

@@ -172,6 +172,32 @@ static void ids_match(void **state) {
     expect(NULL, 2, 0, 0, 1, 0);
 }
 
+#define SITES "time,bx,by,role,theta,near\n"
+
+/* Contact points go by time and point, in any order; an empty answer is right where the golden one
+ * is empty, and rows of one key go by their order. */
+static void contact_points(void **state) {
+    (void)state;
+    write_file(golden_path, SITES "1/2,1,0,contact,+,\n1/2,2,0,egress,,1/3\n"
+                                  "root(-1 0 2;0;1),1,0,hidden,,root(-1 0 3;0;1)\n# complete 3\n");
+    write_file(candidate_path, SITES "root(-1 0 2;0;1),1,0,hidden,,root(-1 0 3;0;1)\n"
+                                     "0.5,4/2,0,egress,,2/6\n2/4,1.0,0,contact,+,\n");
+    expect(NULL, 3, 0, 0, 0, 0);
+    write_file(candidate_path, "y,x,time,role\n0,1,1/2,contact\n");
+    graze_comparison *c = NULL;
+    assert_int_equal(graze_compare(&c, context, golden_path, candidate_path, NULL), GRAZE_EINPUT);
+    write_file(candidate_path, "theta,by,bx,time\n,0,1,1/2\n,0,2,1/2\n,0,3,1/2\n");
+    expect(NULL, 1, 1, 0, 1, 1);
+    write_file(candidate_path, SITES "1/2,2,0,egress,,1/3\n1/2,2,0,egress,,1/3\n");
+    expect(NULL, 1, 0, 0, 2, 1);
+    write_file(golden_path, "time,bx,by,near\n0,0,0,1\n0,0,0,2\n0,0,0,3\n# complete 3\n");
+    write_file(candidate_path, "time,bx,by,near\n0,0,0,1\n0,0,0,3\n");
+    expect(NULL, 1, 1, 0, 1, 0);
+    write_file(golden_path, "time,bx,by,near,id\n0,0,0,1,a\n0,0,0,2,b\n# complete 2\n");
+    write_file(candidate_path, "id,near\nb,2\na,1\n");
+    expect(NULL, 2, 0, 0, 0, 0);
+}
+
 /* 1/3 and its double are one point under rounding only. */
 static void rounding_matches(void **state) {
     (void)state;
@@ -376,6 +402,7 @@ int main(void) {
         cmocka_unit_test(closed_question_in_space),
         cmocka_unit_test(rows_missing_and_extra),
         cmocka_unit_test(ids_match),
+        cmocka_unit_test(contact_points),
         cmocka_unit_test(rounding_matches),
         cmocka_unit_test(random_tables),
         cmocka_unit_test(reports),

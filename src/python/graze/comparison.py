@@ -60,6 +60,9 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
             round: str = "none", limits: "Mapping[str, int] | None" = None) -> Comparison:
     """Compare a candidate's table with a golden one, row by row.
 
+    Two tables of `graze contact` are compared too: rows of one time and one point belong together,
+    in any order, and each column is judged that both have.
+
     Args:
         golden, candidate: paths of CSV files (`graze compare --help` says what they must have).
         question: `open`, or `closed`: pmc refers to the closed sweep.
@@ -71,7 +74,7 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
         motion_error: a number: rows whose answer a motion within it may change are apart.
         show: how many disagreements are kept.
         solid, motion: names of files for the commands that explain them.
-        round: `none`, `binary64` or `binary32`: round the points of both tables first.
+        round: `none`, `binary64` or `binary32`: round points and times of both tables first.
     Raises:
         MachineError, InputError, LimitError: a table cannot be read or compared.
     """
