@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "compare/choose.h"
 #include "compare/judge.h"
 #include "compare/match.h"
 #include "compare/rounding.h"
@@ -19,85 +20,8 @@ typedef struct run {
     match match;
 } run;
 
-/* The golden column of each grouping. */
-static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K,          COLUMN_SDF_LOW,
-                                          COLUMN_CLASS,   COLUMN_DEFINITION, COLUMN_CASE,
-                                          COLUMN_STATUS,  COLUMN_ROLE};
-
 static graze_status comparison_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-}
-
-static graze_status check_golden(const table *t) {
-    if (t->where[COLUMN_PMC] < 0 || !t->dimension)
-        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, 0,
-                               "has no column %s; expected a table that graze classify wrote",
-                               t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y");
-    return GRAZE_OK;
-}
-
-/* Check that both tables are of one scene and one set of options. */
-static graze_status check_notes(const table *golden, const table *candidate) {
-    static const note same[] = {NOTE_SOLID,     NOTE_MOTION, NOTE_SCENE,
-                                NOTE_OPERATION, NOTE_FOLDS,  NOTE_DIMENSION};
-    for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
-        const char *g = golden->notes[same[k]], *c = candidate->notes[same[k]];
-        if (g && c && strcmp(g, "none") != 0 && strcmp(c, "none") != 0 && strcmp(g, c) != 0)
-            return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                                   "%s is %.64s, that of %s is %.64s; expected tables of one "
-                                   "scene and one set of options",
-                                   note_name(same[k]), c, golden->in.name, g);
-    }
-    return GRAZE_OK;
-}
-
-/* Choose the columns to judge: those that the candidate has and the golden table can judge. */
-static graze_status choose_columns(graze_comparison *c, const table *golden,
-                                   const table *candidate) {
-    int sdf = c->options.has == GRAZE_HAS_SDF, any = 0;
-    if (sdf && candidate->where[COLUMN_SDF] < 0)
-        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has no column sdf; expected a signed distance in a column of that "
-                               "name");
-    for (int k = 0; k < JUDGED_SDF; k++) {
-        column which = judged_column(k);
-        if (!judged_of(k, 0))
-            continue;
-        int answered = candidate->where[which] >= 0;
-        int open = c->options.question == GRAZE_QUESTION_OPEN && !c->options.motion_error;
-        c->judged[k] = k == JUDGED_PMC ? answered || sdf : answered && open && !sdf;
-        if (c->judged[k] && golden->where[which] < 0)
-            return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
-                                   "has no column %s; expected one to judge that of %s by",
-                                   column_name(which), candidate->in.name);
-        any |= c->judged[k];
-    }
-    if (!any)
-        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has no column that can be judged; expected one of %s",
-                               c->options.question == GRAZE_QUESTION_OPEN &&
-                                       !c->options.motion_error
-                                   ? "pmc, class, i, t, word"
-                                   : "pmc (or sdf)");
-    return values_choose(c, golden);
-}
-
-/* Take over from the golden table the options of `graze explain`. */
-static graze_status note_options(graze_comparison *c, graze_context *context, const table *t) {
-    text options;
-    const char *round = t->notes[NOTE_ROUND], *folds = t->notes[NOTE_FOLDS];
-    const char *operation = t->notes[NOTE_OPERATION], *cut = t->notes[NOTE_TRIANGULATE];
-    text_init(&options);
-    if (round && (strcmp(round, graze_rounding_name(GRAZE_ROUND_BINARY64)) == 0 ||
-                  strcmp(round, graze_rounding_name(GRAZE_ROUND_BINARY32)) == 0))
-        text_format(&options, " --round %s", round);
-    if (folds && strcmp(folds, "combined") == 0)
-        text_put(&options, " --folds combined");
-    if (operation && strcmp(operation, "unsweep") == 0)
-        text_put(&options, " --operation unsweep");
-    if (cut && strcmp(cut, "yes") == 0)
-        text_put(&options, " --triangulate");
-    return text_finish(&c->explain_options, context, &options);
 }
 
 static graze_status check_rounding(graze_comparison *c, run *r, const char *path) {
@@ -111,37 +35,12 @@ static graze_status check_rounding(graze_comparison *c, run *r, const char *path
     return match_rounding(r->context, &r->golden, path, &c->key, columns, count);
 }
 
-/* Choose the columns to judge and those to match rows by. */
-static graze_status choose_comparison(graze_comparison *c, const table *golden,
-                                      const table *candidate) {
-    graze_status status = sites_known(&c->contacts, golden, candidate);
-    if (!status && !c->contacts)
-        status = check_golden(golden);
-    if (!status)
-        status = check_notes(golden, candidate);
-    if (!status)
-        status = (c->contacts ? sites_choose : choose_columns)(c, golden, candidate);
-    if (!status)
-        status = (c->contacts ? key_of_contacts : key_of_points)(&c->key, golden, candidate);
-    return status;
-}
-
-/* Does the golden table have the column of a grouping, and is it one of its kind? */
-static int is_grouped(const graze_comparison *c, const table *golden, int g) {
-    if (g == BY_SDF)
-        return c->enclosed;
-    int of_contacts = g == BY_STATUS || g == BY_ROLE, of_both = g == BY_STRATUM || g == BY_DISTANCE;
-    return golden->where[by[g]] >= 0 && (of_both || of_contacts == c->contacts);
-}
-
 static graze_status start(graze_comparison *c, run *r, const char *golden, const char *candidate) {
     graze_status status = table_open(&r->golden, r->context, golden);
     if (!status)
         status = table_open(&r->candidate, r->context, candidate);
     if (!status)
-        status = choose_comparison(c, &r->golden, &r->candidate);
-    if (!status)
-        status = note_options(c, r->context, &r->golden);
+        status = comparison_choose(c, &r->golden, &r->candidate);
     if (!status && (!(c->golden_columns = strdup(r->golden.names)) ||
                     !(c->candidate_columns = strdup(r->candidate.names))))
         status = comparison_no_memory(r->context);
@@ -149,7 +48,7 @@ static graze_status start(graze_comparison *c, run *r, const char *golden, const
         return status;
     match_start(&r->match, r->context, &r->golden, &r->candidate, &c->key, c->contacts);
     for (int g = 0; g < GROUPING_COUNT; g++)
-        c->grouped[g] = is_grouped(c, &r->golden, g);
+        c->grouped[g] = grouping_is_of(c, &r->golden, (grouping)g);
     return check_rounding(c, r, golden);
 }
 
@@ -228,7 +127,7 @@ static graze_status count_groups(graze_comparison *c, const run *r, const table_
         status = comparison_no_memory(r->context);
     for (int g = 0; g < GROUPING_COUNT && !status; g++) {
         field name = g == BY_SDF ? (field){value->decade, strlen(value->decade)}
-                                 : table_field(&r->golden, row, by[g]);
+                                 : table_field(&r->golden, row, grouping_column((grouping)g));
         if (c->grouped[g] && (name.length || g != BY_DISTANCE))
             status = tally_add(&c->tallies[g], r->context, name, what, error);
     }

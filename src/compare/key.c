@@ -83,7 +83,7 @@ graze_status key_check(const row_key *key, const table *t, const table_row *row)
 
 /* A number in lowest terms after rounding; a root as it is written. */
 static graze_status put_key_number(text *out, fmpq_t value, const table *t, const table_row *row,
-                               column which) {
+                                   column which) {
     graze_context *context = t->in.context;
     field f = table_field(t, row, which);
     if (which == COLUMN_TIME && moment_is_root(f)) {

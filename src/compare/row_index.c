@@ -7,8 +7,7 @@
 #include "context/context.h"
 
 static int digest_order(digest a, digest b) {
-    return a.high != b.high ? (a.high < b.high ? -1 : 1)
-                            : (a.low > b.low) - (a.low < b.low);
+    return a.high != b.high ? (a.high < b.high ? -1 : 1) : (a.low > b.low) - (a.low < b.low);
 }
 
 static int by_number(const void *a, const void *b) {
@@ -58,8 +57,7 @@ static graze_status give(row_index *x, const table_row **out, const kept_row *ke
     table_row *row = &x->at;
     size_t length = strlen(kept->text);
     graze_context *context = x->table->in.context;
-    graze_status status =
-        array_grow(context, &row->bytes, &row->capacity, length + 1, 1, "a row");
+    graze_status status = array_grow(context, &row->bytes, &row->capacity, length + 1, 1, "a row");
     if (status)
         return status;
     memcpy(row->bytes, kept->text, length + 1);

@@ -31,7 +31,7 @@ static graze_status named_once(const table *t) {
 }
 
 graze_status sites_known(int *contacts, const table *golden, const table *candidate) {
-    table_kind right = table_kind_of(golden), given = kind_of(candidate);
+    table_kind right = table_kind_of(golden), given = table_kind_of(candidate);
     *contacts = right == KIND_CONTACTS;
     if (*contacts ? given == KIND_POINTS : given == KIND_CONTACTS)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
@@ -105,9 +105,8 @@ static int is_cell(field f) {
     unsigned long index;
     if (field_behind(&number, f, "face ") || field_behind(&number, f, "vertex "))
         return field_count(&index, number, ~0ul);
-    const char *dash = field_behind(&number, f, "edge ")
-                           ? memchr(number.start, '-', number.length)
-                           : NULL;
+    const char *dash =
+        field_behind(&number, f, "edge ") ? memchr(number.start, '-', number.length) : NULL;
     if (!dash)
         return 0;
     second = (field){dash + 1, (size_t)(number.start + number.length - dash - 1)};
@@ -122,8 +121,7 @@ static const char *site_answer_fault(field f, column c) {
     case COLUMN_CELL:
         return is_cell(f) ? NULL : "`face 3`, `edge 1-2` or `vertex 5`";
     case COLUMN_CONTACT_ORDER:
-        return field_is(f, "inf") || field_count(&order, f, ~0ul) ? NULL
-                                                                   : "a whole number or inf";
+        return field_is(f, "inf") || field_count(&order, f, ~0ul) ? NULL : "a whole number or inf";
     case COLUMN_NEAR:
     case COLUMN_NEAR_IN:
         return moment_is_token(f) ? NULL : "a time such as " MOMENT_FORMS;
