@@ -89,8 +89,7 @@ static graze_status note_options(graze_comparison *c, graze_context *context, co
     return text_finish(&c->explain_options, context, &options);
 }
 
-graze_status comparison_choose(graze_comparison *c, const table *golden,
-                                      const table *candidate) {
+graze_status comparison_choose(graze_comparison *c, const table *golden, const table *candidate) {
     graze_status status = sites_known(&c->contacts, golden, candidate);
     if (!status && !c->contacts)
         status = check_golden(golden);

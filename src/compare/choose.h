@@ -6,7 +6,8 @@
 
 #include "compare/comparison.h"
 
-/** Choose the columns to judge and those to match rows by, and take over the golden table's options.
+/** Choose the columns to judge and those to match rows by, and take over the golden table's
+ * options.
  * @return GRAZE_EINPUT the tables do not go together, or lack columns; GRAZE_ESYSTEM */
 graze_status comparison_choose(graze_comparison *c, const table *golden, const table *candidate);
 
