@@ -74,18 +74,33 @@ static void integers_out(mpq_t *out, const fmpz *v, int count) {
     fmpz_clear(&value.num);
 }
 
+static int has_witness_of(const graze_topology *topology, topo_witness kind) {
+    return topology && topology->inner.has_witness && finding_witness(&topology->inner) == kind;
+}
+
 int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_topology *topology) {
-    if (!direction || !epsilon || !topology || !topology->inner.has_witness ||
-        topology->inner.level != GRAZE_LEVEL_L1)
+    if (!direction || !epsilon || !has_witness_of(topology, WITNESS_RAY))
         return 0;
     integers_out(direction, topology->inner.direction, topology->dimension);
     api_rational_out(epsilon, &topology->inner.reach);
     return 1;
 }
 
+int graze_topology_path(mpq_t *direction, mpq_t *normal, mpq_t z, size_t *order, mpq_t epsilon,
+                        const graze_topology *topology) {
+    if (!direction || !normal || !z || !order || !epsilon ||
+        !has_witness_of(topology, WITNESS_PATH))
+        return 0;
+    integers_out(direction, topology->inner.open, topology->dimension);
+    integers_out(normal, topology->inner.across, topology->dimension);
+    api_rational_out(z, &topology->inner.lift);
+    *order = (size_t)topology->inner.order;
+    api_rational_out(epsilon, &topology->inner.reach);
+    return 1;
+}
+
 int graze_topology_square(mpq_t *along, mpq_t rho, const graze_topology *topology) {
-    if (!along || !rho || !topology || !topology->inner.has_witness ||
-        topology->inner.level == GRAZE_LEVEL_L1)
+    if (!along || !rho || !has_witness_of(topology, WITNESS_SQUARE))
         return 0;
     for (int k = 0; k < 2; k++)
         integers_out(along + k * topology->dimension, topology->inner.along[k],

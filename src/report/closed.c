@@ -19,8 +19,11 @@ static const char *meaning_of(const topo_finding *topo) {
         return "the contacts cover every direction about P to first order, with the ways that pass "
                "between parts or along an edge";
     case GRAZE_LEVEL_L2:
-        return "contacts close on both sides of a plane through P and, by their leading terms, "
-               "overlap in each of its directions";
+        return interior
+                   ? "contacts close on both sides of a plane through P and, by their leading "
+                     "terms, overlap in each of its directions"
+                   : "contacts close on both sides of a plane through P, but leave a gap in it "
+                     "that is thinner than every cone";
     case GRAZE_LEVEL_LR:
         return "near P nothing depends on one direction; every part into which curves cut a small "
                "square across it was looked at";
@@ -50,27 +53,52 @@ static void put_direction(text *t, const fmpz *v, int dimension) {
     text_put(t, ")");
 }
 
+/* Up to what number of a path's or square's places something holds. */
+static void put_reach(text *t, const char *before, const topo_finding *topo) {
+    text_put(t, before);
+    text_rational(t, &topo->reach);
+    text_put(t, ".\n");
+}
+
+static void put_path(text *t, const topo_finding *topo) {
+    text_format(t, "). So are all points P + s^%ld ", (long)topo->order);
+    put_direction(t, topo->open, 3);
+    text_format(t, " + s^%ld (", (long)topo->order + 1);
+    text_rational(t, &topo->lift);
+    text_put(t, ") ");
+    put_direction(t, topo->across, 3);
+    put_reach(t, " with 0 < s <= ", topo);
+}
+
+static void put_square(text *t, const topo_finding *topo, int dimension) {
+    text_put(t, "). Every smaller square than its own, P + x ");
+    put_direction(t, topo->along[0], dimension);
+    text_put(t, " + y ");
+    put_direction(t, topo->along[1], dimension);
+    put_reach(t,
+              " with the larger of |x|, |y|\nbelow its value there, has such a point too; that "
+              "value is ",
+              topo);
+}
+
 /* The witness, and what is known of the points between. */
 static void put_witness(text *t, const topo_finding *topo, int dimension) {
     for (int k = 0; k < dimension; k++) {
         text_put(t, k ? ", " : "A point that is out: (");
         text_rational(t, topo->witness + k);
     }
-    if (topo->level == GRAZE_LEVEL_L1) {
+    switch (finding_witness(topo)) {
+    case WITNESS_PATH:
+        put_path(t, topo);
+        break;
+    case WITNESS_SQUARE:
+        put_square(t, topo, dimension);
+        break;
+    default:
         text_put(t, "). So are all points P + s ");
         put_direction(t, topo->direction, dimension);
-        text_put(t, " with 0 < s <= ");
-    } else {
-        text_put(t, "). Every smaller square than its own, P + x ");
-        put_direction(t, topo->along[0], dimension);
-        text_put(t, " + y ");
-        put_direction(t, topo->along[1], dimension);
-        text_put(t,
-                 " with the larger of |x|, |y|\nbelow its value there, has such a point too; that "
-                 "value is ");
+        put_reach(t, " with 0 < s <= ", topo);
     }
-    text_rational(t, &topo->reach);
-    text_put(t, ".\n");
 }
 
 void closed_explain(text *t, const topo_finding *topo, int dimension) {

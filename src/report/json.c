@@ -51,11 +51,28 @@ static void json_integers(json_writer *w, const fmpz *v, int count) {
     json_check(w, yajl_gen_array_close(w->gen));
 }
 
-/* The witness, and the ray or the square on which it lies. */
+static void json_rational(json_writer *w, const char *key, const fmpq_t value) {
+    json_string(w, key);
+    json_owned(w, rational_text(value));
+}
+
+/* The path P + s^order along + s^(order + 1) lift across on which a witness lies. */
+static void json_path(json_writer *w, const topo_finding *topo) {
+    json_string(w, "topo_direction");
+    json_integers(w, topo->open, 3);
+    json_string(w, "topo_normal");
+    json_integers(w, topo->across, 3);
+    json_count(w, "topo_order", (unsigned long)topo->order);
+    json_rational(w, "topo_z", &topo->lift);
+}
+
+/* The witness, and the ray, the path or the square on which it lies. */
 static void json_witness(json_writer *w, const topo_finding *topo, int dimension) {
-    int on_ray = topo->level == GRAZE_LEVEL_L1;
+    topo_witness kind = finding_witness(topo);
     json_point(w, "topo_witness", topo->witness, dimension);
-    if (on_ray) {
+    if (kind == WITNESS_PATH) {
+        json_path(w, topo);
+    } else if (kind == WITNESS_RAY) {
         json_string(w, "topo_direction");
         json_integers(w, topo->direction, dimension);
     } else if (dimension == 3) {
@@ -65,8 +82,7 @@ static void json_witness(json_writer *w, const topo_finding *topo, int dimension
             json_integers(w, topo->along[k], dimension);
         json_check(w, yajl_gen_array_close(w->gen));
     }
-    json_string(w, on_ray ? "topo_epsilon" : "topo_rho");
-    json_owned(w, rational_text(&topo->reach));
+    json_rational(w, kind == WITNESS_SQUARE ? "topo_rho" : "topo_epsilon", &topo->reach);
 }
 
 static void json_topo(json_writer *w, const topo_finding *topo, int dimension) {

@@ -16,7 +16,9 @@ void finding_init(topo_finding *f) {
     f->level = GRAZE_LEVEL_NONE;
     f->reason = "";
     f->has_witness = f->has_open = f->has_across = 0;
+    f->order = 0;
     fmpq_init(&f->reach);
+    fmpq_init(&f->lift);
     for (int k = 0; k < 3; k++) {
         fmpq_init(f->witness + k);
         fmpz_init(f->direction + k);
@@ -29,6 +31,7 @@ void finding_init(topo_finding *f) {
 
 void finding_clear(topo_finding *f) {
     fmpq_clear(&f->reach);
+    fmpq_clear(&f->lift);
     for (int k = 0; k < 3; k++) {
         fmpq_clear(f->witness + k);
         fmpz_clear(f->direction + k);
@@ -37,6 +40,12 @@ void finding_clear(topo_finding *f) {
         fmpz_clear(f->open + k);
         fmpz_clear(f->across + k);
     }
+}
+
+topo_witness finding_witness(const topo_finding *f) {
+    return f->level == GRAZE_LEVEL_L1   ? WITNESS_RAY
+           : f->level == GRAZE_LEVEL_L2 ? WITNESS_PATH
+                                        : WITNESS_SQUARE;
 }
 
 void finding_set(topo_finding *f, graze_topo position, graze_topo_level level) {

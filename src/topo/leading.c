@@ -172,19 +172,22 @@ static graze_status look_around(leading_maker *m, size_t r) {
 }
 
 /* On both sides of the plane of the directions that are left. If they do not cover it, that plane
- * is kept, and the direction of a gap. */
+ * is kept, and a gap. */
 static graze_status look_at_second_order(int *covers, leading_maker *m) {
     topo_finding *out = m->out;
-    fmpz *gap = _fmpz_vec_init(3);
-    graze_status status = second_covers(covers, gap, &m->germs, m->context, m->point, m->open + 6);
+    plane_gap gap;
+    gap_init(&gap);
+    direction_reduce(m->open + 6, 3);
+    graze_status status = second_covers(covers, &gap, &m->germs, m->context, m->point, m->open + 6);
     if (!status && !*covers && !out->has_open) {
         _fmpz_vec_set(out->across, m->open + 6, 3);
-        direction_reduce(out->across, 3);
         out->has_across = 1;
-        if (!_fmpz_vec_is_zero(gap, 3))
-            keep_open_direction(out, gap, 3);
+        out->order = gap.order;
+        fmpq_set(&out->lift, &gap.lift);
+        if (gap.order)
+            keep_open_direction(out, gap.along, 3);
     }
-    _fmpz_vec_clear(gap, 3);
+    gap_clear(&gap);
     return status;
 }
 

@@ -10,6 +10,7 @@
 #include <flint/fmpz_vec.h>
 #include "topo/coprime.h"
 #include "topo/eliminate.h"
+#include "topo/places.h"
 #include "topo/shift.h"
 
 void near_init(near_curves *n) {
@@ -43,26 +44,15 @@ typedef struct near_maker {
     graze_context *context;
 } near_maker;
 
-/* Make the square so small that a term of `bits` bits and of a degree is below 1 / `terms` of a
- * constant of `constant` bits: it is so from (bits - constant + 1 + log2 terms) / degree places on.
- */
-static void stay_below_term(near_maker *m, ulong constant, ulong bits, ulong degree, ulong terms) {
-    ulong needed = bits + 1 + FLINT_BIT_COUNT(terms);
-    if (needed > constant)
-        m->n->places = FLINT_MAX(m->n->places, (needed - constant + degree - 1) / degree);
+/* Is the square smaller than the limit allows? */
+static void look_at_limit(near_maker *m) {
     m->refused |= m->n->places > m->context->limits[GRAZE_LIMIT_BITS];
 }
 
 /* Make the square so small that p has no root in [-r, r] but 0; p not zero. */
 static void stay_below_roots(near_maker *m, const fmpz_poly_t p) {
-    slong zeros = 0, length = fmpz_poly_length(p);
-    while (fmpz_is_zero(fmpz_poly_get_coeff_ptr(p, zeros)))
-        zeros++;
-    ulong constant = fmpz_bits(fmpz_poly_get_coeff_ptr(p, zeros));
-    for (slong k = zeros + 1; k < length; k++)
-        if (!fmpz_is_zero(fmpz_poly_get_coeff_ptr(p, k)))
-            stay_below_term(m, constant, fmpz_bits(fmpz_poly_get_coeff_ptr(p, k)),
-                            (ulong)(k - zeros), (ulong)length);
+    places_below_roots(&m->n->places, p);
+    look_at_limit(m);
 }
 
 /* Make the square so small that a curve that is not 0 at the origin misses it. */
@@ -77,8 +67,9 @@ static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
         ulong e[2];
         exponents_of(e, g, k, ring);
         fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
-        stay_below_term(m, constant, fmpz_bits(c), e[0] + e[1], (ulong)length);
+        places_for_term(&m->n->places, constant, fmpz_bits(c), e[0] + e[1], (ulong)length);
     }
+    look_at_limit(m);
     fmpz_clear(c);
 }
 

@@ -20,7 +20,7 @@
 typedef struct second_maker {
     graze_context *context;
     open_plane plane;
-    fmpz *gap;
+    plane_gap *gap;
     size_t count, capacity;
     half_germ *item;
 } second_maker;
@@ -77,57 +77,82 @@ static graze_status largest_sign_at(int *out, const second_maker *m, int swapped
     return status;
 }
 
-/* The direction h + s k, or s h + k. */
-static void set_gap(const second_maker *m, int swapped, const fmpq_t s) {
-    _fmpz_vec_scalar_mul_fmpz(m->gap, m->plane.basis[swapped], 3, fmpq_denref(s));
-    _fmpz_vec_scalar_addmul_fmpz(m->gap, m->plane.basis[!swapped], 3, fmpq_numref(s));
+/* Look at one number. */
+static graze_status look_at_slope(int *out, int *sign, const second_maker *m, int swapped,
+                                  algebraic *at) {
+    graze_status status = largest_sign_at(sign, m, swapped, at);
+    *out = *out && *sign > 0;
+    return status;
 }
 
-/* Look at one number; between two roots a gap is kept. */
-static graze_status look_at_slope(int *out, const second_maker *m, int swapped, algebraic *at,
-                                  int between) {
+/* Keep a gap at a number between two, that is not a simple one: planes along it seldom hold facets
+ * or edges. */
+static graze_status keep_gap(const second_maker *m, int swapped, const fmpq_t low,
+                             algebraic *high) {
+    algebraic first;
+    fmpq_t b;
+    fmpq_init(b);
+    algebraic_init(&first);
+    algebraic_set_rational(&first, low);
+    graze_status status = algebraic_between(b, m->context, &first, high);
+    fmpq_sub(b, b, low);
+    fmpq_div_fmpz(b, b, &(fmpz){3});
+    fmpq_add(b, b, low);
+    if (!status)
+        gap_set(m->gap, &m->plane, m->item, m->count, swapped, b);
+    algebraic_clear(&first);
+    fmpq_clear(b);
+    return status;
+}
+
+/* Look between two numbers, and at the second one. */
+static graze_status look_from_to(int *out, const second_maker *m, int swapped, algebraic *from,
+                                 algebraic *to) {
+    algebraic middle;
     int sign = 0;
-    graze_status status = largest_sign_at(&sign, m, swapped, at);
-    if (!status && sign < 0 && between)
-        set_gap(m, swapped, at->value);
-    *out = *out && sign > 0;
+    fmpq_t between;
+    fmpq_init(between);
+    algebraic_init(&middle);
+    graze_status status = algebraic_between(between, m->context, from, to);
+    algebraic_set_rational(&middle, between);
+    if (!status)
+        status = look_at_slope(out, &sign, m, swapped, &middle);
+    if (!status && sign < 0)
+        status = keep_gap(m, swapped, between, to);
+    if (!status)
+        status = look_at_slope(out, &sign, m, swapped, to);
+    algebraic_clear(&middle);
+    fmpq_clear(between);
     return status;
 }
 
 /* At the roots of all excesses in [-1, 1], at both ends, and between all of these. */
 static graze_status look_at_slopes(int *out, const second_maker *m, int swapped,
                                    algebraic_list *roots) {
-    algebraic last, next, middle;
-    fmpq_t between;
-    fmpq_init(between);
+    algebraic last, next;
+    int order = 0;
+    fmpq_t end;
+    fmpq_init(end);
     algebraic_init(&last);
     algebraic_init(&next);
-    algebraic_init(&middle);
-    fmpq_set_si(between, -1, 1);
-    algebraic_set_rational(&last, between);
-    graze_status status = look_at_slope(out, m, swapped, &last, 0);
+    fmpq_set_si(end, -1, 1);
+    algebraic_set_rational(&last, end);
+    graze_status status = look_at_slope(out, &order, m, swapped, &last);
+    fmpq_one(end);
     for (size_t k = 0; k <= roots->count && !status; k++) {
-        int order = 0;
-        fmpq_one(between);
         if (k < roots->count)
             algebraic_set(&next, &roots->item[k]);
         else
-            algebraic_set_rational(&next, between);
+            algebraic_set_rational(&next, end);
         status = algebraic_compare(&order, m->context, &last, &next);
         if (status || order == 0)
             continue;
-        status = algebraic_between(between, m->context, &last, &next);
-        algebraic_set_rational(&middle, between);
-        if (!status)
-            status = look_at_slope(out, m, swapped, &middle, 1);
-        if (!status)
-            status = look_at_slope(out, m, swapped, &next, 0);
+        status = look_from_to(out, m, swapped, &last, &next);
         algebraic_set(&last, &next);
     }
     algebraic_clear(&last);
     algebraic_clear(&next);
-    algebraic_clear(&middle);
-    fmpq_clear(between);
+    fmpq_clear(end);
     return status;
 }
 
@@ -175,7 +200,7 @@ static void set_basis(second_maker *m) {
     _fmpz_vec_clear(axis, 3);
 }
 
-graze_status second_covers(int *out, fmpz *gap, germ_list *list, graze_context *context,
+graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_context *context,
                            const fmpq *point, const fmpz *normal) {
     second_maker m = {.context = context, .plane = {.point = point, .normal = normal}, .gap = gap};
     graze_status status = GRAZE_OK;

@@ -11,6 +11,7 @@
 #include "topo/directions.h"
 #include "topo/germs.h"
 #include "topo/invariant.h"
+#include "topo/path.h"
 #include "topo/square.h"
 
 enum { SLICES = 3 };
@@ -18,10 +19,12 @@ enum { SLICES = 3 };
 static const slong askew[SLICES][2][3] = {
     {{3, 1, 2}, {-1, 4, 1}}, {{2, -5, 1}, {1, 1, 4}}, {{1, 2, -7}, {5, -2, 3}}};
 
-/* Look at the plane through the point along two directions, 6 integers. */
+/* Look at the plane through the point along two directions, 6 integers; first along the finding's
+ * path, if that lies in it. */
 static graze_status look_in_plane(topo_finding *out, graze_context *context,
                                   const graze_scene *scene, const plane_list *planes,
-                                  const fmpq *point, const fmpz *along, graze_topo_level level) {
+                                  const fmpq *point, const fmpz *along, graze_topo_level level,
+                                  int has_path) {
     plane_view view;
     curve_list curves;
     const char *refused = NULL;
@@ -29,7 +32,9 @@ static graze_status look_in_plane(topo_finding *out, graze_context *context,
     view_init_through(&view, point, along, along + 3);
     curves_init(&curves);
     graze_status status = curves_of_scene(&curves, &refused, context, scene, planes, &view);
-    if (!status && !refused)
+    if (!status && !refused && has_path)
+        status = path_decide(out, context, scene, &curves, &view);
+    if (!status && !refused && !out->has_witness)
         status = square_decide(out, context, scene, &curves, &view, origin, level);
     curves_clear(&curves);
     view_clear(&view);
@@ -70,7 +75,7 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
     const char *reason = out->reason;
     fmpz *along = _fmpz_vec_init(9), *invariant = along + 6;
     graze_status status = find_invariant(invariant, context, scene, planes, point);
-    int has_gap = out->has_across && out->has_open;
+    int has_gap = out->order > 0;
     for (int k = has_gap ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
         for (int i = 0; i < 6; i++)
             fmpz_set_si(along + i, askew[FLINT_MAX(k, 0)][i / 3][i % 3]);
@@ -81,7 +86,7 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
         if (directions_parallel(along, along + 3))
             continue;
         status = look_in_plane(out, context, scene, planes, point, along,
-                               crosses(along, invariant) ? GRAZE_LEVEL_LR : GRAZE_LEVEL_L3);
+                               crosses(along, invariant) ? GRAZE_LEVEL_LR : GRAZE_LEVEL_L3, k < 0);
     }
     if (!status && !is_decided(out))
         finding_undecided(out, reason);

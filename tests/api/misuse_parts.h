@@ -389,6 +389,7 @@ static void positions(bench *b) {
     HARMLESS(graze_topology_reason, !*graze_topology_reason(NULL));
     HARMLESS(graze_topology_witness, !graze_topology_witness(NULL, NULL));
     HARMLESS(graze_topology_ray, !graze_topology_ray(NULL, NULL, NULL));
+    HARMLESS(graze_topology_path, !graze_topology_path(NULL, NULL, NULL, NULL, NULL, NULL));
     HARMLESS(graze_topology_square, !graze_topology_square(NULL, NULL, NULL));
 }
 

@@ -21,6 +21,19 @@ static const char thin_gap[] =
 static const char turn_about[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": "
                                  "{\"turn\": {\"quarters\": 1}}}]}";
 
+/* Two roofs, and their way: the lower ridge, along y, draws z = x^2 about the origin, the upper
+ * one, along x, z = y^2. About (0, y) what is between them is covered by neither. */
+static const double roofs[] = {0,  -3, 0,  -1, -3, -2, 1,  -3, -2, 0, 3, 0,  -1, 3, -2, 1, 3,  -2,
+                               -3, 0,  10, -3, 1,  12, -3, -1, 12, 3, 0, 10, 3,  1, 12, 3, -1, 12};
+static const size_t roof_sizes[] = {3, 3, 4, 4, 4, 3, 3, 4, 4, 4};
+static const size_t roof_facets[] = {0, 1, 2, 5, 4,  3,  4, 1, 0,  3, 5, 2, 1,  4,  3, 5, 0, 2, 3,
+                                     8, 7, 6, 9, 10, 11, 6, 7, 10, 9, 7, 8, 11, 10, 8, 6, 9, 11};
+static const char crossing[] =
+    "{\"dimension\": 3, \"pieces\": [{\"t\": [-1, 1], \"transform\": {\"translate\": [\"t\", 0, "
+    "\"t^2\"]}}, {\"t\": [1, 2], \"transform\": {\"translate\": [\"1-s\", \"-s\", \"1-10*s\"]}},"
+    "{\"t\": [2, 4], \"transform\": {\"translate\": [0, \"t-3\", \"-10+(t-3)^2\"]}},"
+    "{\"t\": [4, 5], \"transform\": {\"translate\": [0, \"1+10*s\", -9]}}]}";
+
 typedef struct answer {
     graze_topo position;
     graze_topo_level level;
@@ -110,6 +123,60 @@ static void unsweep(void **state) {
     scene_close(&s);
 }
 
+/* The witness lies on a path in the plane z = 0 with a bend, at epsilon. */
+static void path(void **state) {
+    (void)state;
+    graze_solid *solid = NULL;
+    graze_motion *motion = NULL;
+    graze_scene *made = NULL;
+    graze_context *context = NULL;
+    graze_trace *trace = NULL;
+    graze_topology *topology = NULL;
+    graze_verdict verdict;
+    size_t order = 9;
+    mpq_t p[3], x[3], n[3], witness[3], z, epsilon;
+    for (int k = 0; k < 3; k++)
+        mpq_inits(p[k], x[k], n[k], witness[k], NULL);
+    mpq_inits(z, epsilon, NULL);
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    assert_int_equal(
+        graze_solid_from_doubles(&solid, context, 3, roofs, 12, roof_sizes, 10, roof_facets, 0),
+        GRAZE_OK);
+    assert_int_equal(graze_motion_from_json(&motion, context, crossing, strlen(crossing)),
+                     GRAZE_OK);
+    assert_int_equal(graze_scene_create(&made, context, solid, motion, NULL), GRAZE_OK);
+    assert_int_equal(graze_trace_create(&trace, context, made, p), GRAZE_OK);
+    assert_int_equal(graze_trace_topo(&topology, context, made, p, trace), GRAZE_OK);
+    assert_int_equal(graze_topology_position(topology), GRAZE_TOPO_BOUNDARY);
+    assert_int_equal(graze_topology_level(topology), GRAZE_LEVEL_L2);
+    assert_true(graze_topology_witness(witness, topology));
+    assert_false(graze_topology_ray(x, epsilon, topology));
+    assert_false(graze_topology_square(x, epsilon, topology));
+    assert_false(graze_topology_path(x, n, z, NULL, epsilon, topology));
+    assert_true(graze_topology_path(x, n, z, &order, epsilon, topology));
+    assert_true(order == 1 && mpq_sgn(epsilon) > 0);
+    assert_true(mpq_sgn(x[2]) == 0 && mpq_sgn(n[0]) == 0 && mpq_sgn(n[1]) == 0 && mpq_sgn(n[2]));
+    mpq_mul(z, z, epsilon);
+    for (int k = 0; k < 3; k++) { /* s x + s^2 z N = s (x + s z N) */
+        mpq_mul(n[k], n[k], z);
+        mpq_add(x[k], x[k], n[k]);
+        mpq_mul(x[k], x[k], epsilon);
+        assert_true(mpq_equal(x[k], witness[k]));
+    }
+    assert_int_equal(graze_classify(&verdict, context, made, witness, 1), GRAZE_OK);
+    assert_int_equal(verdict.pmc, GRAZE_OUT);
+    for (int k = 0; k < 3; k++)
+        mpq_clears(p[k], x[k], n[k], witness[k], NULL);
+    mpq_clears(z, epsilon, NULL);
+    graze_topology_destroy(topology);
+    graze_trace_destroy(trace);
+    graze_scene_destroy(made);
+    graze_motion_destroy(motion);
+    graze_solid_destroy(solid);
+    graze_context_destroy(context);
+    graze_thread_finish();
+}
+
 static char *row(scene *s, long x, long y, graze_format format) {
     char *text = NULL;
     mpq_t p[2];
@@ -159,6 +226,7 @@ static void names(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(positions), cmocka_unit_test(unsweep),
-                                       cmocka_unit_test(rows), cmocka_unit_test(names)};
+                                       cmocka_unit_test(path), cmocka_unit_test(rows),
+                                       cmocka_unit_test(names)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,7 +43,7 @@ class Answers(unittest.TestCase):
     def test_positions(self):
         """The top face at z = 2 slides along (5, 1, 2): what is above is out."""
         scene = common.cube_scene()
-        self.assertEqual(scene.topology((5, 1, 1)), ("interior", "word", "", None, None, None, None, None))
+        self.assertEqual(scene.topology((5, 1, 1)), ("interior", "word", "") + 8 * (None,))
         self.assertEqual(scene.topology((5, 3, 1)).position, "exterior")
         found = scene.topology((5, 1, 2))
         self.assertEqual((found.position, found.level, found.reason), ("boundary", "L1", ""))
@@ -51,12 +51,25 @@ class Answers(unittest.TestCase):
         self.assertGreater(found.witness[2], 2)
         self.assertEqual(found.witness, tuple(p + found.epsilon * u for p, u in zip((5, 1, 2), found.direction)))
         self.assertEqual((found.plane, found.rho), (None, None))
+        self.assertEqual((found.normal, found.z, found.order), (None, None, None))
         rows = graze.Scene(scene.solid, scene.motion, topo=True)
         self.assertEqual(rows.rows([(5, 1, 2)]), ["5,1,2,on,boundary,8,1,0,1,OBO,boundary"])
         lines = rows.table([(5, 1, 2)]).splitlines()
         self.assertEqual(lines[-2:], ["# undecided 0", "# complete 1"])
         self.assertTrue(lines[-4].endswith(",topo"))
         self.assertFalse(scene.rows([(5, 1, 2)])[0].endswith(",boundary"))
+
+    def test_path(self):
+        """Between two ridges that draw z = x^2 and z = y^2 is a gap, in which the witness lies."""
+        solid, motion = common.case("closed-roofs-open")[:2]
+        scene = graze.Scene(solid, motion)
+        found = scene.topology((0, 0, 0))
+        self.assertEqual((found.position, found.level, found.order, found.plane, found.rho), ("boundary", "L2", 1, None, None))
+        for k in (0, 1, 60):
+            s = found.epsilon / 2 ** k
+            place = tuple(s * u + s ** 2 * found.z * n for u, n in zip(found.direction, found.normal))
+            self.assertEqual(scene.trace(place).verdict.pmc, Pmc.OUT)
+            self.assertTrue(k or place == found.witness)
 
     def test_pmc_alone(self):
         """The same answers as `CUBE_ANSWERS`, and no others; not with what needs all of them."""

@@ -28,6 +28,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from prisms import BACK, MAP, Text, mapped  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from solids import Mesh, block, inside_out, joined, prism, ring  # noqa: E402
+from witnesses import check_witness  # noqa: E402
 
 TINY = F(1, 2 ** 100)
 SCENES = 14
@@ -172,6 +173,7 @@ def main():
     checks = Checks()
     graze = Graze(args, checks)
     seen = Counter()
+    by_path = 0
     wants = {1: "interior", -1: "boundary"}
     for number, (parts, order, low, high, m) in enumerate(chosen(args.random)):
         solid, motion = scene(parts)
@@ -186,6 +188,9 @@ def main():
             checks.equal(record["topo"], want, *where, record.get("topo_reason"))
         elif want:
             checks.holds(record["topo"] in (want, "undecided"), *where, record["topo"])
+        if record["topo"] == "boundary":
+            check_witness(checks, graze, f"orders {number}", (solid, motion), mapped((F(0), F(0), F(0))), record)
+            by_path += record["topo_level"] == "L2" and record["topo_order"] > 1
         if want == "interior" and low:
             places = [p for s in SCALES for p in probes(low, high, m, F(1, 2 ** s))]
             found = graze.classify(f"probes {number}", solid, motion, places) or []
@@ -194,6 +199,7 @@ def main():
         print(*key, count)
     by_terms = sum(n for key, n in seen.items() if key[0] > 1 and key[2:] == ("interior", "L2"))
     checks.holds(by_terms > 10, f"{by_terms} are interior by terms of higher orders")
+    checks.holds(by_path > 10, f"{by_path} are boundary with a path of a higher order")
     checks.finish()
 
 

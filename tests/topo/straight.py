@@ -19,6 +19,7 @@ from points import degenerate  # noqa: E402
 from program import Checks, Graze, options, run  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import Polygon, block, box_ring, extruded, joined, meshes, polygons, prism, ring  # noqa: E402
+from witnesses import check_witness  # noqa: E402
 
 POINTS = 150
 # The least share of seams and of decided points among those that are `on`, of all scenes.
@@ -46,6 +47,10 @@ def unit_steps(rng, dimension, steps):
         step[rng.randrange(dimension)] = rng.choice([-1, 1])
         path.append(tuple(a + b for a, b in zip(path[-1], step)))
     return path
+
+
+# Boundary points of a scene whose witness is looked at.
+WITNESSES = 2
 
 
 def lattice(rng, solid, path, count):
@@ -112,6 +117,9 @@ def check_scene(checks, graze, tool, rng, seen, name, solid, path):
             checks.holds(space, *where, "undecided in the plane")
         else:
             checks.equal(record["topo"], position, *where)
+    witnessed = [(record, p) for record, p in on if record["topo"] == "boundary"][:WITNESSES]
+    for record, p in witnessed:
+        check_witness(checks, graze, name, (solid, motion), p, record)
 
 
 def check_shares(checks, seen):

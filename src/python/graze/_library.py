@@ -261,6 +261,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_topology_reason": (c_char_p, [c_void_p]),
     "graze_topology_witness": (c_int, [c_void_p, c_void_p]),
     "graze_topology_ray": (c_int, [c_void_p, c_void_p, c_void_p]),
+    "graze_topology_path": (c_int, [c_void_p, c_void_p, c_void_p, POINTER(c_size_t), c_void_p, c_void_p]),
     "graze_topology_square": (c_int, [c_void_p, c_void_p, c_void_p]),
     "graze_topo_name": (c_char_p, [c_int]),
     "graze_envelope_create": (c_int, [_OUT, c_void_p, c_void_p]),

@@ -64,6 +64,10 @@ def read_topology(topology: ctypes.c_void_p, dimension: int) -> Topology:
                     tuple(witness[k] for k in range(dimension)) if found else None)
     if call.graze_topology_ray(along.address, far.address, topology):
         return made._replace(direction=_integers(along, 0, dimension), epsilon=far[0])
+    normal, z, order = Rationals(dimension), Rationals(1), ctypes.c_size_t()
+    if call.graze_topology_path(along.address, normal.address, z.address, ctypes.byref(order), far.address, topology):
+        return made._replace(direction=_integers(along, 0, dimension), normal=_integers(normal, 0, dimension), z=z[0],
+                             order=order.value, epsilon=far[0])
     if call.graze_topology_square(along.address, far.address, topology):
         return made._replace(plane=(_integers(along, 0, dimension), _integers(along, dimension, dimension)), rho=far[0])
     return made

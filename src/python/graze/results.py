@@ -72,7 +72,8 @@ class Topology(NamedTuple):
     `L1`, `exact`, `tube`, `L2`, `LR`, `L3`,
     else `none`), `reason` why it is undecided, else "". `witness` is a point that is
     `out`, for an `on` point that is `boundary`. By L1 it is point + epsilon * direction, and all
-    nearer ones are `out` too. Else it is point + x a + y b with (a, b) = `plane` and x or y of size
+    nearer ones are `out` too. By L2 it is point + s**order * direction + s**(order + 1) * z * normal with
+    s = `epsilon`, and all with 0 < s < epsilon are `out` too. Else it is point + x a + y b with (a, b) = `plane` and x or y of size
     `rho`, none larger, and every smaller square has such a point too.
     """
 
@@ -84,6 +85,9 @@ class Topology(NamedTuple):
     epsilon: Optional[Fraction] = None
     plane: Optional[Tuple[Tuple[int, ...], Tuple[int, ...]]] = None
     rho: Optional[Fraction] = None
+    normal: Optional[Tuple[int, ...]] = None
+    z: Optional[Fraction] = None
+    order: Optional[int] = None
 
 
 PMC_NAMES: Tuple[str, ...] = tuple(pmc.name.lower() for pmc in Pmc)

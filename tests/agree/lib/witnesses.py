@@ -1,0 +1,74 @@
+"""What a witness of the boundary of the closed sweep must be, recomputed from its direction, path or square.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Places are exact rationals, and each is classified again: on a ray or a path all are `out` from epsilon down.
+"""
+from fractions import Fraction as F
+
+# Halvings of epsilon, down to 2^-400 of it.
+HALVINGS = [*range(48), *range(48, 401, 8)]
+KEYS = {"L1": {"topo_direction", "topo_epsilon"},
+        "L2": {"topo_direction", "topo_normal", "topo_order", "topo_z", "topo_epsilon"},
+        "L3": {"topo_rho"}, "LR": {"topo_rho"}}
+
+
+def integers(values):
+    return [int(x) for x in values]
+
+
+def ray(point, record):
+    """s -> the point + s direction."""
+    direction = integers(record["topo_direction"])
+    return lambda s: tuple(p + s * u for p, u in zip(point, direction))
+
+
+def path(point, record):
+    """s -> the point + s^m x + s^(m + 1) z N."""
+    x, normal, z = integers(record["topo_direction"]), integers(record["topo_normal"]), F(record["topo_z"])
+    m = record["topo_order"]
+    return lambda s: tuple(p + s ** m * u + s ** (m + 1) * z * n for p, u, n in zip(point, x, normal))
+
+
+def check_out(checks, graze, name, files, places, record):
+    found = graze.classify(name + " witness", *files, places) or []
+    checks.equal({answer.record["pmc"] for answer in found}, {"out"}, name, "places of the witness", record)
+
+
+def check_square(checks, name, point, record):
+    """It lies on its square: point + x a + y b, the larger of |x|, |y| equal to rho."""
+    rho, witness = F(record["topo_rho"]), [F(x) for x in record["topo_witness"]]
+    (a, b), d = [integers(v) for v in record["topo_plane"]] if len(point) == 3 else [[1, 0], [0, 1]], len(point)
+    way = [q - p for p, q in zip(point, witness)]
+    # x and y with way = x a + y b, by a minor of (a, b) that is not 0
+    i, j = next((i, j) for i in range(d) for j in range(i) if a[i] * b[j] != a[j] * b[i])
+    det = a[i] * b[j] - a[j] * b[i]
+    x, y = (way[i] * b[j] - way[j] * b[i]) / F(det), (a[i] * way[j] - a[j] * way[i]) / F(det)
+    checks.equal([x * p + y * q for p, q in zip(a, b)], way, name, "the witness in its plane")
+    checks.equal(max(abs(x), abs(y)), rho, name, "the witness on its square")
+
+
+def check_witness(checks, graze, name, files, point, record):
+    """Of an `on` point that is `boundary`; returns the distance from it at which its witness is, by the largest
+    coordinate, or None where that is on a square."""
+    level, point = record["topo_level"], [F(x) for x in point]
+    keys = {key for key in record if key.startswith("topo_")} - {"topo_level", "topo_witness"}
+    plane = {"topo_plane"} if level in ("L3", "LR") and len(point) == 3 else set()
+    checks.equal(keys, KEYS.get(level, set()) | plane, name, level)
+    if keys != KEYS.get(level, set()) | plane:
+        return None
+    witness = tuple(F(x) for x in record["topo_witness"])
+    if level in ("L3", "LR"):
+        check_square(checks, name, point, record)
+        check_out(checks, graze, name, files, [witness], record)
+        return None
+    place, epsilon = (ray if level == "L1" else path)(point, record), F(record["topo_epsilon"])
+    checks.holds(epsilon > 0, name, "epsilon")
+    checks.equal(place(epsilon), witness, name, "the witness at epsilon")
+    if level == "L2":
+        x, normal = integers(record["topo_direction"]), integers(record["topo_normal"])
+        checks.equal(sum(p * q for p, q in zip(x, normal)), 0, name, "x across N")
+        checks.holds(any(x) and any(normal) and record["topo_order"] > 0, name, "x, N and m are not 0")
+    ways = [epsilon / 2 ** k for k in HALVINGS] + [epsilon * F(k, 37) for k in range(1, 37)]
+    check_out(checks, graze, name, files, [place(s) for s in ways], record)
+    return max(abs(q - p) for p, q in zip(point, witness))
