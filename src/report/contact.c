@@ -126,11 +126,6 @@ void report_contact_csv(text *out, const graze_site *site, const char *rest) {
     text_put(out, "\n");
 }
 
-static void json_rational(json_writer *w, const char *key, const fmpq_t value) {
-    json_string(w, key);
-    json_owned(w, rational_text(value));
-}
-
 static void json_null(json_writer *w, const char *key) {
     json_string(w, key);
     json_check(w, yajl_gen_null(w->gen));

@@ -51,11 +51,6 @@ static void json_integers(json_writer *w, const fmpz *v, int count) {
     json_check(w, yajl_gen_array_close(w->gen));
 }
 
-static void json_rational(json_writer *w, const char *key, const fmpq_t value) {
-    json_string(w, key);
-    json_owned(w, rational_text(value));
-}
-
 /* The path P + s^order along + s^(order + 1) lift across on which a witness lies. */
 static void json_path(json_writer *w, const topo_finding *topo) {
     json_string(w, "topo_direction");
@@ -112,8 +107,7 @@ static void json_distance(json_writer *w, const graze_scene *scene, const distan
     fmpq_t time;
     fmpq_init(time);
     distance_time(time, found, scene->motion);
-    json_string(w, "sdf_t");
-    json_owned(w, rational_text(time));
+    json_rational(w, "sdf_t", time);
     fmpq_clear(time);
 }
 

@@ -63,6 +63,11 @@ static void put_root(json_writer *w, const graze_time *time) {
     json_check(w, yajl_gen_map_close(w->gen));
 }
 
+void json_rational(json_writer *w, const char *key, const fmpq_t value) {
+    json_string(w, key);
+    json_owned(w, rational_text(value));
+}
+
 void json_time(json_writer *w, const char *key, const graze_time *time) {
     json_string(w, key);
     if (time_is_rational(time))

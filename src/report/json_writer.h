@@ -31,6 +31,7 @@ void json_cell(json_writer *w, const graze_cell *cell);
 /* A key and its value. */
 void json_count(json_writer *w, const char *key, unsigned long value);
 void json_text(json_writer *w, const char *key, const char *value);
+void json_rational(json_writer *w, const char *key, const fmpq_t value);
 /** "I", "B", "O", or null beyond an end of the motion. */
 void json_state(json_writer *w, const char *key, graze_state state);
 /** A time (src/cli/formats.md, TIME); makes it canonical. */

@@ -1,7 +1,7 @@
 /* Heights between leading terms. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * At x the heights are Q(x)^(1/m) |x|^(1 + 1/m), so those of a larger m are the larger ones. Between
- * 0 and them there may be room, or both sides are of smaller orders.
+ * At x the heights are Q(x)^(1/m) |x|^(1 + 1/m), so those of a larger m are the larger ones.
+ * Between 0 and them there may be room, or both sides are of smaller orders.
  */
 #include "topo/gap.h"
 
@@ -21,7 +21,7 @@ void gap_clear(plane_gap *gap) {
 }
 
 /* A form of degree m + 1 at den h + num k, for b = num / den, or at num h + den k. */
-static void form_at(fmpq_t out, const half_germ *g, int swapped, const fmpq_t b) {
+static void height_at(fmpq_t out, const half_germ *g, int swapped, const fmpq_t b) {
     fmpq_poly_t form;
     fmpq_t scale;
     fmpq_init(scale);
@@ -62,7 +62,7 @@ static void find_range(height_range *r, slong order, const half_germ *item, size
             continue;
         fmpq_zero(height);
         if (item[k].order == order)
-            form_at(height, &item[k], swapped, b);
+            height_at(height, &item[k], swapped, b);
         take_height(r, item[k].above, height);
     }
     fmpq_clear(height);

@@ -37,8 +37,8 @@ static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_
 }
 
 /* The place of the path at 2^-places is the witness if it is out. */
-static graze_status try_place(topo_finding *out, graze_context *context, const graze_scene *scene,
-                              const plane_view *view, ulong places) {
+static graze_status try_path(topo_finding *out, graze_context *context, const graze_scene *scene,
+                             const plane_view *view, ulong places) {
     graze_verdict verdict;
     fmpq xy[2] = {{1, 1}, {0, 1}};
     fmpq_div_2exp(xy, xy, places * (ulong)out->order);
@@ -73,5 +73,5 @@ graze_status path_decide(topo_finding *out, graze_context *context, const graze_
         status = context_poll(context);
     }
     fmpz_poly_clear(p);
-    return clear && !status ? try_place(out, context, scene, view, places) : status;
+    return clear && !status ? try_path(out, context, scene, view, places) : status;
 }
