@@ -1,5 +1,5 @@
-/* Binary places: how near to 0 a polynomial has no other root. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* Binary places: how near to 0 a polynomial has no other root.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * With r = 2^-places a sum of terms stays below a constant in absolute value on [-r, r].
  */
