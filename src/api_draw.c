@@ -5,10 +5,12 @@
 #include <math.h>
 #include "api.h"
 #include "context/environment.h"
+#include "draw/cones.h"
 #include "draw/draw.h"
 #include "draw/file.h"
 #include "draw/marks.h"
 #include "page/page.h"
+#include "topo/topo.h"
 
 /* Fault of the options, or NULL. */
 static const char *misused(const graze_draw_options *o, int d) {
@@ -129,5 +131,38 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
         status = (file_has_extension(file, "html") ? page_write : draw_picture)(context, scene,
                                                                                 file, &request);
     _fmpq_vec_clear(numbers, (slong)count);
+    return status;
+}
+
+/* Fault of the call, or NULL. */
+static const char *misused_cones(const graze_scene *scene, const graze_trace *trace) {
+    if (scene->motion->dimension != 2)
+        return "cones are drawn in scenes of dimension 2";
+    if (scene->options.operation != GRAZE_SWEEP)
+        return "cones are drawn of a sweep";
+    if (trace->verdict.pmc != GRAZE_ON)
+        return "cones are drawn about a point that is `on`";
+    return NULL;
+}
+
+graze_status graze_draw_cones(graze_context *context, const graze_scene *scene, const char *file,
+                              graze_rationals point, const graze_trace *trace) {
+    if (!context || !scene || !file || !point || !trace)
+        return api_misuse(context, "graze_draw_cones",
+                          "context, scene, file, point and trace must not be NULL");
+    const char *wrong = misused_cones(scene, trace);
+    if (wrong)
+        return api_misuse(context, "graze_draw_cones", wrong);
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    topo_finding found;
+    finding_init(&found);
+    graze_status status = api_point(p, context, scene, point);
+    if (!status)
+        status = topo_decide(&found, context, scene, p, trace);
+    if (!status)
+        status = draw_cones(context, scene, file, p, &found);
+    finding_clear(&found);
+    _fmpq_vec_clear(p, scene->motion->dimension);
     return status;
 }

@@ -69,6 +69,23 @@ GRAZE_API GRAZE_CHECKED graze_status graze_draw(graze_context *context, const gr
                                                 const char *file,
                                                 const graze_draw_options *options);
 
+/**
+ * Draw what the contacts of an `on` point of a sweep of E^2 cover of the directions about it to
+ * first order (proofs/topology.md C46): a ring of sectors for each contact at rest and for each of
+ * its sides, one for what all leave open, and the direction of the witness. Sectors of a solid that
+ * turns about the point end at a border of another contact or at one of 128 more directions.
+ * @param file  the picture to write: .svg, or .png, which needs libgraze-png
+ * @param point d canonical rationals
+ * @param trace trace of the point
+ * @return GRAZE_EUSE a NULL, a scene of E^3, a point that is not `on` a sweep, or another
+ * extension; else what graze_trace_topo and graze_draw return. On failure no file is created or
+ * changed, except by an error in writing it
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_draw_cones(graze_context *context,
+                                                      const graze_scene *scene, const char *file,
+                                                      graze_rationals point,
+                                                      const graze_trace *trace);
+
 #ifdef __cplusplus
 }
 #endif

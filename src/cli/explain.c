@@ -19,18 +19,50 @@ static const char explain_help[] =
     "  --folds combined     Definitions 10 and 11 in their place\n"
     "  --sdf TOL            the signed distance too, as in graze classify\n"
     "  --topo               the position relative to the closed sweep too\n"
+    "  --svg FILE           2D, a point that is on a sweep: draw, as .svg or .png, which "
+    "directions\n"
+    "                       about it each contact covers, which are left, and a\n"
+    "                       witness's direction\n"
     "  --operation sweep    the set swept by the solid (default)\n"
     "  --operation unsweep  the points that stay in the solid\n"
     "\n"
     "Example: graze explain cube.off move.json 1/2 -1 0.25\n";
 
-static int explain_point(const loaded *l, graze_rationals point) {
+typedef struct explain_given {
+    scene_options scene;
+    const char *picture; /* a file, or NULL */
+} explain_given;
+
+/* Why a point has no picture, or nothing. */
+static int refuse_picture(const loaded *l, const graze_trace *trace) {
+    if (graze_scene_dimension(l->scene) != 2)
+        return complain(EXIT_USAGE, "--svg goes with a solid of dimension 2");
+    graze_pmc pmc = graze_trace_verdict(trace).pmc;
+    if (pmc != GRAZE_ON)
+        return complain(EXIT_USAGE, "--svg: the point is %s; expected one that is on",
+                        graze_pmc_name(pmc));
+    return EXIT_DONE;
+}
+
+static int draw_point(const loaded *l, const char *file, graze_rationals point,
+                      const graze_trace *trace) {
+    int code = refuse_picture(l, trace);
+    graze_status status =
+        code ? GRAZE_OK : graze_draw_cones(l->context, l->scene, file, point, trace);
+    return status ? complain(exit_for(status, EXIT_USAGE), "--svg: %s",
+                             graze_context_message(l->context))
+                  : code;
+}
+
+static int explain_point(const loaded *l, graze_rationals point, const char *picture) {
     graze_trace *trace = NULL;
     char *text = NULL;
     graze_status status = graze_trace_create(&trace, l->context, l->scene, point);
     if (!status)
         status = graze_report_explain(&text, l->context, l->scene, point, trace);
     int code = complain_of(status, l->context);
+    if (!code && picture)
+        code = draw_point(l, picture, point, trace);
     if (!code)
         code = output_text(NULL, text);
     graze_free(text);
@@ -56,19 +88,21 @@ static int read_coordinates(mpq_t *point, const loaded *l, const operands *given
 }
 
 static const option_entry explain_table[] = {
-    FLAG("triangulate", scene_options, solid_flags, value_triangulate),
-    OPTION("round", scene_options, context.rounding, value_rounding),
-    OPTION("overlap", scene_options, scene.overlap, value_overlap),
-    OPTION("limit", scene_options, context.limits, value_limit),
-    FLAG("no-filter", scene_options, context.exact_only, value_flag),
-    OPTION("folds", scene_options, scene.folds, value_folds),
-    OPTION("operation", scene_options, scene.operation, value_operation),
-    OPTION("sdf", scene_options, scene, value_sdf),
-    FLAG("topo", scene_options, scene.topo, value_flag),
+    FLAG("triangulate", explain_given, scene.solid_flags, value_triangulate),
+    OPTION("round", explain_given, scene.context.rounding, value_rounding),
+    OPTION("overlap", explain_given, scene.scene.overlap, value_overlap),
+    OPTION("limit", explain_given, scene.context.limits, value_limit),
+    FLAG("no-filter", explain_given, scene.context.exact_only, value_flag),
+    OPTION("folds", explain_given, scene.scene.folds, value_folds),
+    OPTION("operation", explain_given, scene.scene.operation, value_operation),
+    OPTION("sdf", explain_given, scene.scene, value_sdf),
+    FLAG("topo", explain_given, scene.scene.topo, value_flag),
+    OPTION("svg", explain_given, picture, value_text),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int run_explain(void *options, const operands *given) {
-    scene_options *o = options;
+    explain_given *all = options;
+    scene_options *o = &all->scene;
     loaded l;
     mpq_t point[3];
     if (given->count < 4 || given->count > 5)
@@ -84,7 +118,7 @@ static int run_explain(void *options, const operands *given) {
     if (!status)
         status = read_coordinates(point, &l, given);
     if (!status)
-        status = explain_point(&l, point);
+        status = explain_point(&l, point, all->picture);
     mpq_clears(point[0], point[1], point[2], NULL);
     loaded_clear(&l);
     return status;
@@ -92,6 +126,6 @@ static int run_explain(void *options, const operands *given) {
 
 const command command_explain = {.name = "explain",
                                  .options = explain_table,
-                                 .size = sizeof(scene_options),
+                                 .size = sizeof(explain_given),
                                  .help = explain_help,
                                  .run = run_explain};

@@ -37,6 +37,11 @@ const char *tone_name(tone t) {
     return tones[t].name;
 }
 
+unsigned mark_colour(size_t k) {
+    static const unsigned colours[] = {0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7, 0x56b4e9};
+    return colours[k % (sizeof colours / sizeof *colours)];
+}
+
 void mark_point(canvas *c, double x, double y, double radius, tone t) {
     const style disk = {.fill = PAINT(tone_colour(t)), .stroke = PAINT(INK), .width = 1.4};
     canvas_circle(c, x, y, radius, &disk);

@@ -13,6 +13,10 @@
 unsigned tone_colour(tone t);
 const char *tone_name(tone t);
 
+/** The colour 0xRRGGBB of thing k among several, from the same palette without that of `on`; they
+ * begin again after some. */
+unsigned mark_colour(size_t k);
+
 /** A query point: a disk in its colour. A larger one stays to be seen under a contact. */
 void mark_point(canvas *c, double x, double y, double radius, tone t);
 enum { MARK_RADIUS = 5, MARK_LARGE = 8 };

@@ -7,13 +7,12 @@
 #include "report/closings.h"
 
 #include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "report/formula.h"
-#include "topo/borders.h"
 #include "topo/cover.h"
 #include "topo/directions.h"
 #include "topo/germs.h"
 #include "topo/hint.h"
+#include "topo/sectors.h"
 #include "topo/topo.h"
 
 typedef struct closings_maker {
@@ -39,33 +38,31 @@ void closings_form(text *t, const fmpz *normal, int dimension) {
     }
 }
 
-/* The time of a germ, and the cell. */
-static void put_place(const closings_maker *m, const germ *g) {
+void closings_place(text *t, const graze_scene *scene, const germ *g) {
     static const char *const cells[2][3] = {{"corner", "edge", ""}, {"vertex", "edge", "facet"}};
-    const graze_motion *motion = m->scene->motion;
+    const graze_motion *motion = scene->motion;
     size_t k = 0;
-    fmpq_t t;
-    fmpq_init(t);
-    while (motion_tracing(&motion->piece[k], m->scene->options.operation) != g->map)
+    fmpq_t time;
+    fmpq_init(time);
+    while (motion_tracing(&motion->piece[k], scene->options.operation) != g->map)
         k++;
-    text_put(m->t, "  at ");
     if (g->has_time) {
-        fmpq_sub(t, motion->piece[k].hi, motion->piece[k].lo);
-        fmpq_mul(t, t, &g->time);
-        fmpq_add(t, t, motion->piece[k].lo);
-        text_put(m->t, "t = ");
-        formula_rational(m->t, t);
-        text_put(m->t, fmpq_is_zero(&g->time)  ? " and after"
-                       : fmpq_is_one(&g->time) ? " and before"
-                                               : "");
+        fmpq_sub(time, motion->piece[k].hi, motion->piece[k].lo);
+        fmpq_mul(time, time, &g->time);
+        fmpq_add(time, time, motion->piece[k].lo);
+        text_put(t, "t = ");
+        formula_rational(t, time);
+        text_put(t, fmpq_is_zero(&g->time)  ? " and after"
+                    : fmpq_is_one(&g->time) ? " and before"
+                                            : "");
     } else {
-        text_put(m->t, "an irrational t between ");
-        formula_rational(m->t, motion->piece[k].lo);
-        text_put(m->t, " and ");
-        formula_rational(m->t, motion->piece[k].hi);
+        text_put(t, "an irrational t between ");
+        formula_rational(t, motion->piece[k].lo);
+        text_put(t, " and ");
+        formula_rational(t, motion->piece[k].hi);
     }
-    text_format(m->t, ", %s: ", cells[m->dimension - 2][cone_cell_dimension(&g->cone)]);
-    fmpq_clear(t);
+    text_format(t, ", %s", cells[motion->dimension - 2][cone_cell_dimension(&g->cone)]);
+    fmpq_clear(time);
 }
 
 static void put_ray(text *t, const fmpz *v, int dimension) {
@@ -101,70 +98,19 @@ static graze_status put_half_space(const closings_maker *m, germ *g) {
     return status;
 }
 
-/* 0 to 3, counter-clockwise from the ray to the right, as the half-open quarters. */
-static int quarter_of(const fmpz *v) {
-    int x = fmpz_sgn(v), y = fmpz_sgn(v + 1);
-    return x > 0 && y >= 0 ? 0 : x <= 0 && y > 0 ? 1 : x < 0 ? 2 : 3;
-}
-
-static int compare_angles(const void *a, const void *b) {
-    const fmpz *v = a, *w = b;
-    int order = quarter_of(v) - quarter_of(w);
-    fmpz_t left, right;
-    if (order)
-        return order;
-    fmpz_init(left);
-    fmpz_init(right);
-    fmpz_mul(left, v + 1, w);
-    fmpz_mul(right, v, w + 1);
-    order = fmpz_cmp(left, right);
-    fmpz_clear(left);
-    fmpz_clear(right);
-    return order;
-}
-
-/* The sectors that a germ of E^2 covers; rays[k] and the next one are less than half a turn apart.
- */
-static graze_status put_sectors(const closings_maker *m, germ *g, fmpz *ray, size_t count) {
-    graze_status status = GRAZE_OK;
-    int *covered = calloc(count, sizeof *covered), some = 0, all = 1;
-    if (!covered)
-        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory");
-    fmpz *middle = _fmpz_vec_init(2);
-    for (size_t k = 0; k < count && !status; k++) {
-        _fmpz_vec_add(middle, ray + 2 * k, ray + 2 * ((k + 1) % count), 2);
-        status = covers(&covered[k], m, g, middle);
-        all = all && covered[k];
-    }
-    for (size_t k = 0; k < count && !status && !all; k++) {
-        size_t end = k;
-        if (!covered[k] || covered[(k + count - 1) % count])
-            continue;
-        while (covered[end % count])
-            end++;
-        text_put(m->t, some ? ", and from " : "counter-clockwise from ");
-        put_ray(m->t, ray + 2 * k, 2);
-        text_put(m->t, " to ");
-        put_ray(m->t, ray + 2 * (end % count), 2);
-        some = 1;
-    }
-    text_put(m->t, all ? "all directions" : some ? "" : "no sector");
-    free(covered);
-    _fmpz_vec_clear(middle, 2);
-    return status;
-}
-
+/* The sectors that a germ of E^2 covers. */
 static graze_status put_in_plane(const closings_maker *m, germ *g) {
-    germ_list alone = {.count = 1, .capacity = 1, .item = g, .bounded = 1};
-    borders b;
-    int refused = 0;
-    borders_init(&b, 2);
-    graze_status status = borders_find(&b, &refused, m->context, &alone);
-    if (!status && !refused) {
-        qsort(b.ray, b.ray_count, 2 * sizeof *b.ray, compare_angles);
-        status = put_sectors(m, g, b.ray, b.ray_count);
+    sector_list found = {0, 0, NULL};
+    sector_question asked = {.germ = g, .part = GERM_WHOLE};
+    graze_status status = sectors_find(&found, m->context, &asked);
+    for (size_t k = 0; k < found.count && !status; k++) {
+        text_put(m->t, k ? ", and from " : "counter-clockwise from ");
+        put_ray(m->t, found.ray + 4 * k, 2);
+        text_put(m->t, " to ");
+        put_ray(m->t, found.ray + 4 * k + 2, 2);
     }
-    borders_clear(&b);
+    text_put(m->t, found.all ? "all directions" : found.count ? "" : "no sector");
+    sectors_clear(&found);
     return status;
 }
 
@@ -195,7 +141,9 @@ static graze_status put_sides(const closings_maker *m, germ *g) {
 
 static graze_status put_germ(const closings_maker *m, germ *g) {
     graze_status status = GRAZE_OK;
-    put_place(m, g);
+    text_put(m->t, "  at ");
+    closings_place(m->t, m->scene, g);
+    text_put(m->t, ": ");
     if (cone_cell_dimension(&g->cone) == m->dimension - 1)
         status = put_half_space(m, g);
     else if (m->dimension == 2)

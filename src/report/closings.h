@@ -7,9 +7,13 @@
 #include "number/text.h"
 #include "scene/scene.h"
 #include "topo/finding.h"
+#include "topo/germ.h"
 
 /** Append a linear form of a direction, such as `dx + -2 dy`. */
 void closings_form(text *t, const fmpz *normal, int dimension);
+
+/** Append the time of a contact, and the cell in which it is. */
+void closings_place(text *t, const graze_scene *scene, const germ *g);
 
 /** Append a line for each contact of an `on` point of a sweep; and where the position is undecided,
  * the nearest point found that is out. */

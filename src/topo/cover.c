@@ -56,13 +56,20 @@ static graze_status cover_by_side(germ_cover *out, germ *g, const germ_side *sid
     return status;
 }
 
-graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, const fmpz *u,
-                             int keeping_edge) {
-    static const fmpz none[3] = {0, 0, 0};
+/* Add what the solid covers at the time. */
+static graze_status cover_at_rest(germ_cover *out, germ *g, graze_context *context, const fmpz *u) {
     graze_state state = GRAZE_STATE_O;
     graze_status status = cone_state(&state, &g->cone, context, u);
     out->open |= state == GRAZE_STATE_I;
     out->exact |= state != GRAZE_STATE_O;
+    out->covered |= out->exact;
+    return status;
+}
+
+graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, const fmpz *u,
+                             int keeping_edge) {
+    static const fmpz none[3] = {0, 0, 0};
+    graze_status status = cover_at_rest(out, g, context, u);
     for (int s = 0; s < g->side_count && !status; s++)
         if (!keeping_edge || g->side[s].keeps_edge)
             status = cover_by_side(out, g, &g->side[s], context, u);
@@ -71,16 +78,19 @@ graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, c
     return status;
 }
 
-/* Add what one germ covers of a direction about the point. */
-static graze_status cover_by_germ(germ_cover *out, germ *g, graze_context *context,
-                                  const fmpz *direction) {
+graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
+                             const fmpz *direction, int part) {
     slong d = g->cone.dimension;
     if (g->root)
-        return out->covered ? GRAZE_OK : signs_cover_at_root(&out->covered, g, context, direction);
+        return out->covered ? GRAZE_OK
+                            : signs_cover_at_root(&out->covered, g, context, direction, part);
     fmpz *u = _fmpz_vec_init(d);
     for (int i = 0; i < d; i++)
         _fmpz_vec_dot(u + i, g->to_body + i * d, direction, d);
-    graze_status status = germ_cover_body(out, g, context, u, 0);
+    graze_status status = part == GERM_WHOLE ? germ_cover_body(out, g, context, u, 0)
+                                             : cover_at_rest(out, g, context, u);
+    if (!status && part >= 0)
+        status = cover_by_side(out, g, &g->side[part], context, u);
     _fmpz_vec_clear(u, d);
     return status;
 }
@@ -90,7 +100,7 @@ graze_status germs_cover(germ_cover *out, germ_list *list, graze_context *contex
     graze_status status = GRAZE_OK;
     *out = (germ_cover){0, 0, 0, 0};
     for (size_t k = 0; k < list->count && !status && !(out->open && out->exact); k++)
-        status = cover_by_germ(out, &list->item[k], context, direction);
+        status = germ_cover_part(out, &list->item[k], context, direction, GERM_WHOLE);
     for (size_t k = 0; k < list->turn_count && !status && !out->covered; k++)
         status = signs_cover_in_turn(&out->covered, &list->turn[k], &list->item[list->turn[k].germ],
                                      context, direction);

@@ -19,6 +19,10 @@ typedef struct germ_cover {
 graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, const fmpz *u,
                              int keeping_edge);
 
+/** Add what a part of a germ covers of a direction about the point. */
+graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
+                             const fmpz *direction, int part);
+
 /** What all germs cover of a direction about the point. */
 graze_status germs_cover(germ_cover *out, germ_list *list, graze_context *context,
                          const fmpz *direction);

@@ -11,6 +11,7 @@
 /** A side of a time of contact on which the trajectory leaves the cell it is in
  * (proofs/topology.md C46, C51, C52). */
 typedef struct germ_side {
+    int sign;  /* 1 after the time, -1 before it */
     fmpz e[3]; /* its leading direction modulo the directions of the cell */
     slong order;
     int exact;     /* what it covers is exactly the closed cone that is swept along e */
@@ -41,6 +42,10 @@ typedef struct germ {
     germ_side side[2];
     int covers_edge; /* d = 3: both directions of the cell, an edge, are covered near them */
 } germ;
+
+/** Parts of a germ: what the solid covers at its time, with what it sweeps on both sides, or, with
+ * the number of a side, on that one. */
+enum { GERM_WHOLE = -2, GERM_REST = -1 };
 
 /** A stretch during which the solid turns while the trajectory stays in one cell. */
 typedef struct turning_stretch {

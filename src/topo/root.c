@@ -208,6 +208,8 @@ static void set_sides(germ *g, slong order) {
     int d = g->cone.dimension;
     g->side_count = 2;
     g->side[0].order = g->side[1].order = order;
+    g->side[0].sign = 1;
+    g->side[1].sign = -1;
     if (order % 2 == 1)
         _fmpz_vec_neg(g->side[1].e, g->side[0].e, d);
     else

@@ -165,6 +165,7 @@ graze_status sides_add(germ *g, graze_context *context, const point_map *map, fm
     if (!side->order)
         return GRAZE_OK;
     g->side_count++;
+    side->sign = sign;
     if (sign < 0 && side->order % 2 == 1)
         _fmpz_vec_neg(side->e, side->e, d);
     side->exact = same_way;

@@ -183,7 +183,7 @@ static graze_status look_at_side(int *covered, root_sweep *s, int side) {
 }
 
 graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
-                                 const fmpz *direction) {
+                                 const fmpz *direction, int part) {
     root_sweep s;
     graze_state state = GRAZE_STATE_O;
     *covered = 0;
@@ -192,7 +192,8 @@ graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
         status = signs_state(&state, &g->cone, context, s.at_sign);
     *covered = state != GRAZE_STATE_O;
     for (int k = 0; k < g->side_count && !status && !*covered; k++)
-        status = look_at_side(covered, &s, k > 0 && g->side[k].order % 2 == 1 ? -1 : 1);
+        if (part == GERM_WHOLE || part == k)
+            status = look_at_side(covered, &s, k > 0 && g->side[k].order % 2 == 1 ? -1 : 1);
     sweep_clear(&s);
     return status;
 }

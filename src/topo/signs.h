@@ -16,10 +16,10 @@ void signs_pull_back(fmpz_poly_t out, const point_map *map, const fmpz *normal,
 graze_status signs_state(graze_state *out, local_cone *cone, graze_context *context,
                          const signed char *signs);
 
-/** 1 in *covered if a germ with a root may cover a direction about the point (proofs/topology.md
- * C53). */
+/** 1 in *covered if a part of a germ with a root may cover a direction about the point
+ * (proofs/topology.md C53). */
 graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
-                                 const fmpz *direction);
+                                 const fmpz *direction, int part);
 
 /** 1 in *covered if the solid lies in the direction at some time strictly inside a turning stretch,
  * of which g is the germ. */

@@ -26,7 +26,7 @@ static const char turn_about[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1]
 static const double roofs[] = {0,  -3, 0,  -1, -3, -2, 1,  -3, -2, 0, 3, 0,  -1, 3, -2, 1, 3,  -2,
                                -3, 0,  10, -3, 1,  12, -3, -1, 12, 3, 0, 10, 3,  1, 12, 3, -1, 12};
 static const size_t roof_sizes[] = {3, 3, 4, 4, 4, 3, 3, 4, 4, 4};
-static const size_t roof_facets[] = {0, 1, 2, 5, 4,  3,  4, 1, 0,  3, 5, 2, 1,  4,  3, 5, 0, 2, 3,
+static const size_t roof_facets[] = {0, 1, 2, 5, 4,  3,  3, 4, 1,  0, 4, 5, 2,  1,  5, 3, 0, 2,
                                      8, 7, 6, 9, 10, 11, 6, 7, 10, 9, 7, 8, 11, 10, 8, 6, 9, 11};
 static const char crossing[] =
     "{\"dimension\": 3, \"pieces\": [{\"t\": [-1, 1], \"transform\": {\"translate\": [\"t\", 0, "
