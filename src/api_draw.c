@@ -135,7 +135,10 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
 }
 
 /* Fault of the call, or NULL. */
-static const char *misused_cones(const graze_scene *scene, const graze_trace *trace) {
+static const char *misused_cones(const graze_scene *scene, const char *file,
+                                 const graze_trace *trace) {
+    if (!file_has_extension(file, "svg") && !file_has_extension(file, "png"))
+        return "the extension is that of no picture; expected .svg or .png";
     if (scene->motion->dimension != 2)
         return "cones are drawn in scenes of dimension 2";
     if (scene->options.operation != GRAZE_SWEEP)
@@ -150,7 +153,7 @@ graze_status graze_draw_cones(graze_context *context, const graze_scene *scene, 
     if (!context || !scene || !file || !point || !trace)
         return api_misuse(context, "graze_draw_cones",
                           "context, scene, file, point and trace must not be NULL");
-    const char *wrong = misused_cones(scene, trace);
+    const char *wrong = misused_cones(scene, file, trace);
     if (wrong)
         return api_misuse(context, "graze_draw_cones", wrong);
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();

@@ -33,25 +33,12 @@ typedef struct explain_given {
     const char *picture; /* a file, or NULL */
 } explain_given;
 
-/* Why a point has no picture, or nothing. */
-static int refuse_picture(const loaded *l, const graze_trace *trace) {
-    if (graze_scene_dimension(l->scene) != 2)
-        return complain(EXIT_USAGE, "--svg goes with a solid of dimension 2");
-    graze_pmc pmc = graze_trace_verdict(trace).pmc;
-    if (pmc != GRAZE_ON)
-        return complain(EXIT_USAGE, "--svg: the point is %s; expected one that is on",
-                        graze_pmc_name(pmc));
-    return EXIT_DONE;
-}
-
 static int draw_point(const loaded *l, const char *file, graze_rationals point,
                       const graze_trace *trace) {
-    int code = refuse_picture(l, trace);
-    graze_status status =
-        code ? GRAZE_OK : graze_draw_cones(l->context, l->scene, file, point, trace);
+    graze_status status = graze_draw_cones(l->context, l->scene, file, point, trace);
     return status ? complain(exit_for(status, EXIT_USAGE), "--svg: %s",
                              graze_context_message(l->context))
-                  : code;
+                  : EXIT_DONE;
 }
 
 static int explain_point(const loaded *l, graze_rationals point, const char *picture) {

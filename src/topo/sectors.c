@@ -122,8 +122,7 @@ graze_status sectors_find(sector_list *out, graze_context *context, const sector
     borders b;
     int refused = 0;
     borders_init(&b, 2);
-    graze_status status =
-        borders_find(&b, &refused, context, asked->germ ? &alone : asked->list);
+    graze_status status = borders_find(&b, &refused, context, asked->germ ? &alone : asked->list);
     if (!status && !refused) {
         size_t count = b.ray_count + more;
         fmpz *ray = _fmpz_vec_init((slong)(2 * count));

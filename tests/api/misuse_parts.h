@@ -125,6 +125,12 @@ static void pictures(bench *b) {
     WRONG(graze_draw(c, NULL, file, NULL));
     WRONG(graze_draw(c, b->s.scene, NULL, NULL));
     WRONG(graze_draw(c, b->s.scene, "/nonexistent/a.txt", NULL));
+    WRONG(graze_draw_cones(NULL, b->s.scene, file, b->point, b->trace));
+    WRONG(graze_draw_cones(c, NULL, file, b->point, b->trace));
+    WRONG(graze_draw_cones(c, b->s.scene, NULL, b->point, b->trace));
+    WRONG(graze_draw_cones(c, b->s.scene, file, NULL, b->trace));
+    WRONG(graze_draw_cones(c, b->s.scene, file, b->point, NULL));
+    WRONG(graze_draw_cones(c, b->s.scene, "/nonexistent/a.html", b->point, b->trace));
     for (size_t k = 0; k < sizeof odd / sizeof *odd; k++)
         WRONG(graze_draw(c, b->s.scene, file, &odd[k]));
 }

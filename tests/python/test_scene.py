@@ -59,6 +59,14 @@ class Answers(unittest.TestCase):
         self.assertTrue(lines[-4].endswith(",topo"))
         self.assertFalse(scene.rows([(5, 1, 2)])[0].endswith(",boundary"))
 
+    def test_cones(self):
+        """The top of the square slides along (5, 1): what is above is left, in the colour of `on`."""
+        scene = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
+        picture = scene.cones((5, 1))
+        self.assertIn('data-side="open"', str(picture))
+        self.assertRaises(graze.UseError, scene.cones, (5, 2))
+        self.assertRaises(graze.UseError, common.cube_scene().cones, (5, 1, 2))
+
     def test_path(self):
         """Between two ridges that draw z = x^2 and z = y^2 is a gap, in which the witness lies."""
         solid, motion = common.case("closed-roofs-open")[:2]

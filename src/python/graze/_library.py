@@ -317,6 +317,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_boundary_vertex": (None, [c_void_p, c_void_p, c_size_t]),
     "graze_boundary_face": (POINTER(c_size_t), [c_void_p, c_size_t]),
     "graze_draw": (c_int, [c_void_p, c_void_p, c_char_p, POINTER(CDrawOptions)]),
+    "graze_draw_cones": (c_int, [c_void_p, c_void_p, c_char_p, c_void_p, c_void_p]),
     "graze_compare": (c_int, [_OUT, c_void_p, c_char_p, c_char_p, POINTER(CCompareOptions)]),
     "graze_comparison_destroy": (None, [c_void_p]),
     "graze_comparison_report": (c_int, [_OUT, c_void_p, c_void_p, c_int]),

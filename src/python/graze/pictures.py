@@ -78,6 +78,16 @@ def draw(context: Context, scene: Handle, points: Optional[Points], names: Optio
     return Picture(_drawn("picture.svg", context, scene, chosen, points, names, None, box))
 
 
+def cones(context: Context, scene: Handle, point: Rationals, trace: Any) -> Picture:
+    """A picture of the directions that the contacts of a point cover."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "cones.svg")
+        context.run(library().graze_draw_cones, context.pointer, scene.pointer, os.fsencode(path),
+                    point.address, trace)
+        with open(path, encoding="utf-8") as file:
+            return Picture(file.read())
+
+
 def page(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],
          strata: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]],
          **options: Any) -> Page:

@@ -21,7 +21,7 @@ from .boundaries import BUDGET, CONTACTS, DEPTH, Boundary, boundary
 from .envelopes import Envelope, read_envelope
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
-from .pictures import Page, Picture, draw, page
+from .pictures import Page, Picture, cones, draw, page
 from .results import (ENCLOSURE_DTYPE, VERDICT_DTYPE, Cell, Enclosure, Pmc, Sample, Topology,
                       Trace, Verdict)
 from .sites import Site, read_site
@@ -241,6 +241,13 @@ class Scene:
                         self._handle.pointer, rationals.address, trace)
         with Handle(pointer, library().graze_topology_destroy) as topology:
             return read_topology(topology, self.dimension)
+
+    def cones(self, point: Sequence[Number]) -> Picture:
+        """A picture of the directions about a point that its contacts cover to first order (`graze
+        explain --svg`): in the plane, of a point that is `on` a sweep. Raises as `trace`."""
+        rationals, context = self._point(point), self._context()
+        with self._trace(rationals) as trace:
+            return cones(context, self._handle, rationals, trace)
 
     def site(self, time: Number, body: Optional[Sequence[Number]] = None, *,
              point: Optional[Sequence[Number]] = None) -> Site:
