@@ -38,7 +38,7 @@ typedef struct cones_maker {
     double width; /* of a ring */
 } cones_maker;
 
-static graze_status add_ring(cones_maker *m, size_t contact, sector_question asked) {
+static graze_status add_cone_ring(cones_maker *m, size_t contact, sector_question asked) {
     graze_status status = array_grow(m->context, &m->ring, &m->capacity, m->count + 1,
                                      sizeof *m->ring, "the rings of a picture");
     if (!status)
@@ -52,26 +52,26 @@ static graze_status list_rings(cones_maker *m) {
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < all->count && !status; k++)
         for (int part = GERM_REST; part < all->item[k].side_count && !status; part++)
-            status = add_ring(m, k + 1, (sector_question){all, &all->item[k], part, NULL, 0});
+            status = add_cone_ring(m, k + 1, (sector_question){all, &all->item[k], part, NULL, 0});
     for (size_t k = 0; k < all->turn_count && !status; k++)
-        status = add_ring(m, all->turn[k].germ + 1,
-                          (sector_question){all, NULL, GERM_WHOLE, &all->turn[k], 0});
+        status = add_cone_ring(m, all->turn[k].germ + 1,
+                               (sector_question){all, NULL, GERM_WHOLE, &all->turn[k], 0});
     if (!status && all->bounded)
-        status = add_ring(m, 0, (sector_question){all, NULL, GERM_WHOLE, NULL, 1});
+        status = add_cone_ring(m, 0, (sector_question){all, NULL, GERM_WHOLE, NULL, 1});
     return status;
 }
 
 /* -1, 1: before and after the time of the contact; 0: at it. */
-static int sign_of(const ring *r) {
+static int sign_of_side(const ring *r) {
     return r->asked.germ && r->asked.part >= 0 ? r->asked.germ->side[r->asked.part].sign : 0;
 }
 
-static const char *side_of(const ring *r) {
+static const char *name_of_side(const ring *r) {
     if (!r->contact)
         return "open";
     if (r->asked.turn)
         return "turning";
-    return sign_of(r) > 0 ? "after" : sign_of(r) < 0 ? "before" : "at";
+    return sign_of_side(r) > 0 ? "after" : sign_of_side(r) < 0 ? "before" : "at";
 }
 
 /* Of a ray of large integers too. */
@@ -110,16 +110,16 @@ static void draw_sector(cones_maker *m, const style *s, double from, double to, 
 
 static style style_of(const ring *r) {
     unsigned colour = r->contact ? mark_colour(r->contact - 1) : tone_colour(TONE_ON);
-    return (style){.fill = PAINT(colour), .faintness = sign_of(r) || r->asked.turn ? .45 : 0};
+    return (style){.fill = PAINT(colour), .faintness = sign_of_side(r) || r->asked.turn ? .45 : 0};
 }
 
 /* The number of a contact, and the sign of its side. */
 static void name_ring(char *out, size_t room, const ring *r) {
     snprintf(out, room, "%zu%s", r->contact,
-             r->asked.turn    ? "~"
-             : sign_of(r) > 0 ? "+"
-             : sign_of(r) < 0 ? "-"
-                              : "");
+             r->asked.turn         ? "~"
+             : sign_of_side(r) > 0 ? "+"
+             : sign_of_side(r) < 0 ? "-"
+                                   : "");
 }
 
 static void draw_name(cones_maker *m, const ring *r, double angle, double radius) {
@@ -141,7 +141,7 @@ static graze_status draw_ring(cones_maker *m, size_t k) {
     char attributes[96];
     style s = style_of(r);
     snprintf(attributes, sizeof attributes, "data-contact=\"%zu\" data-side=\"%s\"", r->contact,
-             side_of(r));
+             name_of_side(r));
     canvas_begin(m->canvas, "ring", attributes);
     if (found.all)
         draw_sector(m, &s, 0, full_turn, radius);
@@ -162,7 +162,7 @@ static graze_status draw_ring(cones_maker *m, size_t k) {
 }
 
 /* What a ring's line in the legend says. */
-static void put_line(text *t, const cones_maker *m, const ring *r) {
+static void put_legend_words(text *t, const cones_maker *m, const ring *r) {
     char name[32];
     name_ring(name, sizeof name, r);
     if (!r->contact) {
@@ -172,8 +172,8 @@ static void put_line(text *t, const cones_maker *m, const ring *r) {
     text_format(t, "%s   ", name);
     if (r->asked.turn)
         text_put(t, "while the solid turns about it");
-    else if (sign_of(r))
-        text_put(t, sign_of(r) > 0 ? "swept after it" : "swept before it");
+    else if (sign_of_side(r))
+        text_put(t, sign_of_side(r) > 0 ? "swept after it" : "swept before it");
     else
         closings_place(t, m->scene, &m->germs.item[r->contact - 1]);
 }
@@ -188,7 +188,7 @@ static void draw_legend(cones_maker *m) {
         path box = {NULL, 0, 0, 0};
         text line;
         text_init(&line);
-        put_line(&line, m, &m->ring[k]);
+        put_legend_words(&line, m, &m->ring[k]);
         path_to(&box, 'M', LEGEND_X, y - 10);
         path_to(&box, 'L', LEGEND_X + 22, y - 10);
         path_to(&box, 'L', LEGEND_X + 22, y + 1);
@@ -251,7 +251,7 @@ static void draw_heading(cones_maker *m, const fmpq *point) {
     text_clear(&t);
 }
 
-static graze_status draw_all(cones_maker *m, const char *file, const fmpq *point) {
+static graze_status draw_rings(cones_maker *m, const char *file, const fmpq *point) {
     double height = fmax(LEAST_HEIGHT, FIRST_LINE + LINE * (double)(m->count + 2));
     graze_status status = canvas_create(&m->canvas, m->context, file, WIDTH, height);
     if (status)
@@ -281,7 +281,7 @@ graze_status draw_cones(graze_context *context, const graze_scene *scene, const 
     if (!status)
         status = list_rings(&m);
     if (!status)
-        status = draw_all(&m, file, point);
+        status = draw_rings(&m, file, point);
     free(m.ring);
     germs_clear(&m.germs);
     return status;

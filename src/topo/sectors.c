@@ -39,8 +39,8 @@ static int compare_angles(const void *a, const void *b) {
     return order;
 }
 
-static graze_status ask(int *covered, graze_context *context, const sector_question *asked,
-                        const fmpz *direction) {
+static graze_status ask_about(int *covered, graze_context *context, const sector_question *asked,
+                              const fmpz *direction) {
     germ_cover cover = {0, 0, 0, 0};
     graze_status status = GRAZE_OK;
     if (asked->turn)
@@ -81,7 +81,7 @@ static graze_status find_between(sector_list *out, graze_context *context,
     out->all = 1;
     for (size_t k = 0; k < count && !status; k++) {
         _fmpz_vec_add(middle, ray + 2 * k, ray + 2 * ((k + 1) % count), 2);
-        status = ask(&covered[k], context, asked, middle);
+        status = ask_about(&covered[k], context, asked, middle);
         out->all = out->all && covered[k];
     }
     if (!status && !out->all)
@@ -105,7 +105,7 @@ static void add_turn_rays(fmpz *ray) {
 }
 
 /* Keep one ray of each direction; returns the number. */
-static size_t drop_repeated(fmpz *ray, size_t count) {
+static size_t drop_equal_rays(fmpz *ray, size_t count) {
     size_t kept = 0;
     for (size_t k = 0; k < count; k++) {
         if (kept && compare_angles(ray + 2 * (kept - 1), ray + 2 * k) == 0)
@@ -130,7 +130,7 @@ graze_status sectors_find(sector_list *out, graze_context *context, const sector
         if (more)
             add_turn_rays(ray + 2 * b.ray_count);
         qsort(ray, count, 2 * sizeof *ray, compare_angles);
-        status = find_between(out, context, asked, ray, drop_repeated(ray, count));
+        status = find_between(out, context, asked, ray, drop_equal_rays(ray, count));
         _fmpz_vec_clear(ray, (slong)(2 * count));
     }
     borders_clear(&b);

@@ -62,8 +62,8 @@ class Answers(unittest.TestCase):
     def test_cones(self):
         """The top of the square slides along (5, 1): what is above is left, in the colour of `on`."""
         scene = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
-        picture = scene.cones((5, 1))
-        self.assertIn('data-side="open"', str(picture))
+        picture = scene.cones((5, 1)).svg
+        self.assertIn('data-side="open"', picture)
         self.assertRaises(graze.UseError, scene.cones, (5, 2))
         self.assertRaises(graze.UseError, common.cube_scene().cones, (5, 1, 2))
 
