@@ -62,7 +62,7 @@ static graze_status list_rings(cones_maker *m) {
 }
 
 /* -1, 1: before and after the time of the contact; 0: at it. */
-static int sign_of_side(const ring *r) {
+static int sign_of_ring(const ring *r) {
     return r->asked.germ && r->asked.part >= 0 ? r->asked.germ->side[r->asked.part].sign : 0;
 }
 
@@ -71,7 +71,7 @@ static const char *name_of_side(const ring *r) {
         return "open";
     if (r->asked.turn)
         return "turning";
-    return sign_of_side(r) > 0 ? "after" : sign_of_side(r) < 0 ? "before" : "at";
+    return sign_of_ring(r) > 0 ? "after" : sign_of_ring(r) < 0 ? "before" : "at";
 }
 
 /* Of a ray of large integers too. */
@@ -110,15 +110,15 @@ static void draw_sector(cones_maker *m, const style *s, double from, double to, 
 
 static style style_of(const ring *r) {
     unsigned colour = r->contact ? mark_colour(r->contact - 1) : tone_colour(TONE_ON);
-    return (style){.fill = PAINT(colour), .faintness = sign_of_side(r) || r->asked.turn ? .45 : 0};
+    return (style){.fill = PAINT(colour), .faintness = sign_of_ring(r) || r->asked.turn ? .45 : 0};
 }
 
 /* The number of a contact, and the sign of its side. */
 static void name_ring(char *out, size_t room, const ring *r) {
     snprintf(out, room, "%zu%s", r->contact,
              r->asked.turn         ? "~"
-             : sign_of_side(r) > 0 ? "+"
-             : sign_of_side(r) < 0 ? "-"
+             : sign_of_ring(r) > 0 ? "+"
+             : sign_of_ring(r) < 0 ? "-"
                                    : "");
 }
 
@@ -172,8 +172,8 @@ static void put_legend_words(text *t, const cones_maker *m, const ring *r) {
     text_format(t, "%s   ", name);
     if (r->asked.turn)
         text_put(t, "while the solid turns about it");
-    else if (sign_of_side(r))
-        text_put(t, sign_of_side(r) > 0 ? "swept after it" : "swept before it");
+    else if (sign_of_ring(r))
+        text_put(t, sign_of_ring(r) > 0 ? "swept after it" : "swept before it");
     else
         closings_place(t, m->scene, &m->germs.item[r->contact - 1]);
 }
