@@ -147,19 +147,41 @@ static void interiors_beside(graze_time **before, graze_time **after, const graz
             *after = trace->contact[j].to;
 }
 
+/* The facts, and the contact that holds t; *is_instant: t is all of it. */
+static graze_status find_trim(graze_site *s, graze_context *context, size_t *k, int *is_instant) {
+    const graze_trace *trace = &s->trace;
+    int begins = 0, ends = 0;
+    graze_status status = find_contact(k, &begins, &ends, context, s);
+    if (status)
+        return status;
+    graze_site_facts *f = &s->facts;
+    f->left = begins ? trace->contact[*k].left : GRAZE_STATE_B;
+    f->right = ends ? trace->contact[*k].right : GRAZE_STATE_B;
+    *is_instant = begins && ends;
+    if (trace->verdict.pmc == GRAZE_IN)
+        f->trim = f->left == GRAZE_STATE_I || f->right == GRAZE_STATE_I ? GRAZE_TRIM_NEAR
+                                                                        : GRAZE_TRIM_FAR;
+    else
+        f->trim = !*is_instant                ? GRAZE_TRIM_SLIDES
+                  : trace->contact_count == 1 ? GRAZE_TRIM_SIMPLE
+                                              : GRAZE_TRIM_MEETS;
+    return GRAZE_OK;
+}
+
+graze_status nearest_trim(graze_site *s, graze_context *context) {
+    size_t k = 0;
+    int is_instant = 0;
+    return find_trim(s, context, &k, &is_instant);
+}
+
 graze_status nearest_find(graze_site *s, graze_context *context) {
     const graze_trace *trace = &s->trace;
     size_t k = 0;
-    int begins = 0, ends = 0;
-    graze_status status = find_contact(&k, &begins, &ends, context, s);
+    int is_instant = 0;
+    graze_status status = find_trim(s, context, &k, &is_instant);
     if (status)
         return status;
-    const contact *c = &trace->contact[k];
-    graze_site_facts *f = &s->facts;
-    f->left = begins ? c->left : GRAZE_STATE_B;
-    f->right = ends ? c->right : GRAZE_STATE_B;
-    int inside_near = f->left == GRAZE_STATE_I || f->right == GRAZE_STATE_I;
-    int is_instant = begins && ends;
+    int inside_near = s->facts.left == GRAZE_STATE_I || s->facts.right == GRAZE_STATE_I;
     if (inside_near || !is_instant)
         status = own_time(&s->near, context, s);
     else
@@ -171,11 +193,5 @@ graze_status nearest_find(graze_site *s, graze_context *context) {
         status = own_time(&s->near_in, context, s);
     else if (!status)
         status = nearer(&s->near_in, context, s, before, after);
-    if (trace->verdict.pmc == GRAZE_IN)
-        f->trim = inside_near ? GRAZE_TRIM_NEAR : GRAZE_TRIM_FAR;
-    else
-        f->trim = !is_instant                 ? GRAZE_TRIM_SLIDES
-                  : trace->contact_count == 1 ? GRAZE_TRIM_SIMPLE
-                                              : GRAZE_TRIM_MEETS;
     return status;
 }

@@ -13,4 +13,7 @@
  */
 graze_status nearest_find(graze_site *site, graze_context *context);
 
+/** The facts alone, without the times. */
+graze_status nearest_trim(graze_site *site, graze_context *context);
+
 #endif

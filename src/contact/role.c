@@ -4,9 +4,9 @@
 #include "contact/role.h"
 
 #include <flint/fmpz_vec.h>
+#include "contact/around.h"
 #include "topo/borders.h"
 #include "topo/germs.h"
-#include "topo/topo.h"
 
 /* The signs of g on one side of t. */
 typedef struct g_signs {
@@ -121,13 +121,10 @@ static graze_status look_everywhere(int *found, graze_context *context, germ_lis
 }
 
 /* Do the germs beside t leave a direction open? */
-static graze_status is_open_at(int *out, graze_context *context, const graze_site *s) {
-    const plane_list *planes;
+static graze_status look_at_germs(int *out, graze_context *context, const graze_site *s,
+                                  const plane_list *planes) {
     germ_list germs;
-    graze_status status = topo_planes(&planes, context, s->scene);
-    *out = 0;
-    if (status)
-        return status;
+    graze_status status = GRAZE_OK;
     germs_init(&germs);
     int both = s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
     for (int k = both; k < 2 && !status; k++)
@@ -142,6 +139,17 @@ static graze_status is_open_at(int *out, graze_context *context, const graze_sit
     if (!status && !inside && !*out)
         status = look_everywhere(out, context, &germs);
     germs_clear(&germs);
+    return status;
+}
+
+static graze_status is_open_at(int *out, graze_context *context, const graze_site *s) {
+    plane_list planes;
+    *out = 0;
+    graze_status status = around_planes(&planes, context, s->scene->solid, s->y);
+    if (status)
+        return status;
+    status = look_at_germs(out, context, s, &planes);
+    planes_clear(&planes);
     return status;
 }
 

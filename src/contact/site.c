@@ -199,7 +199,8 @@ static graze_status check_states(const graze_site *s, graze_context *context) {
                         "the facets at a point and its trace disagree on the states beside a time");
 }
 
-static graze_status fill_site(graze_site *s, graze_context *context) {
+/* Sides, place, point in the world and germs. */
+static graze_status begin_facts(graze_site *s, graze_context *context) {
     graze_status status = sides_find(s->side, context, s->scene->motion, s->t);
     if (!status)
         status = place_locate(&s->place, context, s->scene->solid, s->y);
@@ -212,28 +213,37 @@ static graze_status fill_site(graze_site *s, graze_context *context) {
     s->is_break = sides_break(s->side, s->scene->motion);
     find_world(s);
     s->facts.cell = s->place.cell;
-    status = find_germs(s, context);
-    if (!status)
+    return find_germs(s, context);
+}
+
+static graze_status fill_site(graze_site *s, graze_context *context, site_question asked) {
+    graze_status status = begin_facts(s, context);
+    if (!status && asked != SITE_ROLE)
         status = classify_point(&s->trace, context, s->scene, (query_point){.rational = s->world},
                                 TRACE_CONTACTS);
-    if (!status)
-        status = nearest_find(s, context);
-    if (!status)
+    if (!status && asked != SITE_ROLE)
+        status = (asked == SITE_ALL ? nearest_find : nearest_trim)(s, context);
+    if (!status && asked != SITE_ROLE)
         status = check_states(s, context);
-    if (!status)
+    if (!status && asked != SITE_TRIM)
         status = role_decide(&s->facts.role, context, s);
     if (!status)
         find_slice(s);
     return status;
 }
 
-graze_status site_make(graze_site *out, graze_context *context, const graze_scene *scene,
-                       const fmpq_t t, const fmpq *y) {
+graze_status site_make_for(graze_site *out, graze_context *context, const graze_scene *scene,
+                           const fmpq_t t, const fmpq *y, site_question asked) {
     begin_site(out, scene, t, y);
-    graze_status status = fill_site(out, context);
+    graze_status status = fill_site(out, context, asked);
     if (status)
         site_clear(out);
     return status;
+}
+
+graze_status site_make(graze_site *out, graze_context *context, const graze_scene *scene,
+                       const fmpq_t t, const fmpq *y) {
+    return site_make_for(out, context, scene, t, y, SITE_ALL);
 }
 
 /* Where the cell has no contact: the point as it was. */

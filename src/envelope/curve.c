@@ -33,7 +33,7 @@ static graze_status look_at_middle(curve_part *part, graze_context *context, con
         fmpq_add(middle + i, part->a + i, part->b + i);
         fmpq_div_2exp(middle + i, middle + i, 1);
     }
-    graze_status status = site_make(&site, context, s->e->scene, s->t, middle);
+    graze_status status = site_make_for(&site, context, s->e->scene, s->t, middle, SITE_TRIM);
     if (!status) {
         part->facts.trim = site.facts.trim;
         part->facts.orientation =

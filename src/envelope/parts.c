@@ -242,7 +242,7 @@ static graze_status is_contact_point(int *out, graze_context *context, const sna
     int low = 1, high = -1;
     if (kind == PLACE_OTHER) {
         graze_site site;
-        graze_status status = site_make(&site, context, s->e->scene, s->t, at);
+        graze_status status = site_make_for(&site, context, s->e->scene, s->t, at, SITE_ROLE);
         *out = !status && site.facts.role == GRAZE_ROLE_CONTACT;
         if (!status)
             site_clear(&site);

@@ -37,7 +37,7 @@ static graze_status look_at_sample(patch *made, graze_context *context, const gr
         fmpq_add(made->body + i, part->a + i, part->b + i);
         fmpq_div_2exp(made->body + i, made->body + i, 1);
     }
-    graze_status status = site_make(&site, context, e->scene, made->t, made->body);
+    graze_status status = site_make_for(&site, context, e->scene, made->t, made->body, SITE_TRIM);
     if (status)
         return status;
     made->facts.trim = site.facts.trim;

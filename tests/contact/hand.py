@@ -19,6 +19,10 @@ BLOCK = "POLYGON ((2 -1, 4 -1, 4 1, 2 1, 2 -1))\n"
 SQUARE = "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n"
 DART = "POLYGON ((0 3, -2 -3, 0 -1, 2 -3, 0 3))\n"
 PINCH = "MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2, 0 0)), ((0 0, -2 0, -2 -2, 0 -2, 0 0)))\n"
+# The same with squares in the other quadrants that stop 2^-200 short of the origin.
+SHORT = f"1/{2 ** 200}"
+CROWDED = PINCH.strip()[:-1] + (f", ((-{SHORT} {SHORT}, -{SHORT} 1, -1 1, -1 {SHORT}, -{SHORT} {SHORT}))"
+                                f", (({SHORT} -{SHORT}, {SHORT} -1, 1 -1, 1 -{SHORT}, {SHORT} -{SHORT})))\n")
 PAIR = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))\n"
 
 
@@ -124,6 +128,10 @@ CASES = [
     # At the ends a quadrant is left open.
     (PINCH, RIGHT, ("0", "0", "0"), dict(role="contact"), None),
     (PINCH, RIGHT, ("1", "0", "0"), dict(role="contact"), None),
+    # Squares there that do not reach the point change nothing, however near they are.
+    (CROWDED, RIGHT, ("0", "0", "0"), dict(role="contact"), None),
+    (CROWDED, RIGHT, ("1", "0", "0"), dict(role="contact"), None),
+    (CROWDED, RIGHT, ("1/2", "0", "0"), dict(role="hidden"), None),
     # A pinched edge along z, c = (t^2, -t^2, t): the velocity is along the edge, (1, -1) leads on both sides and
     # sweeps one of the two open quadrants. With t^3 it leads one way before and the other way after t = 0. g_t = n b'' with
     # b'' = (-2, 2, 0), theta its opposite; normals in the order of the faces: -y, -x, +y, +x.
