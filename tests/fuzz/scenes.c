@@ -171,8 +171,8 @@ static void check_contact(graze_context *context, const graze_scene *scene, graz
     mpq_clears(low, high, unused, NULL);
 }
 
-/* Weights, seed and flags of a generator. Half of the weights are 0, those of levels nearly all:
- * each is looked for in the scene, levels for longer than all the rest. */
+/* Weights, seed and flags of a generator. Half of the weights are 0, those of levels nearly all,
+ * in space all: each is looked for in the scene, levels for longer than all the rest. */
 int fuzz_generate(const uint8_t *data, size_t size) {
     bytes b = {data, size};
     unsigned long weights[GRAZE_STRATUM_COUNT];
@@ -185,9 +185,9 @@ int fuzz_generate(const uint8_t *data, size_t size) {
         weights[k] = take(&b);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         weights[k] = weights[k] < 128 ? weights[k] : 0;
-    if (weights[GRAZE_STRATUM_LEVEL] % 16)
+    if (graze_scene_dimension(scene) == 3 || weights[GRAZE_STRATUM_LEVEL] % 16)
         weights[GRAZE_STRATUM_LEVEL] = 0;
-    int preset = take(&b) % 16 == 1, made;
+    int preset = take(&b) % 64 == 1, made;
     graze_status status =
         graze_generator_create(&g, context, scene, seed, preset ? NULL : weights, flags);
     made = status == GRAZE_OK;
@@ -253,7 +253,7 @@ int fuzz_boundary(const uint8_t *data, size_t size) {
     graze_boundary *boundary = NULL;
     const graze_scene *scene = fuzz_still_scene(take_from(&b, 2, 3));
     unsigned contacts = take(&b) % 64;
-    graze_boundary_options o = {.coarse = (unsigned)take_from(&b, 0, 2),
+    graze_boundary_options o = {.coarse = (unsigned)take_from(&b, 0, 8) / 4,
                                 .depth = (unsigned)take_from(&b, 0, 3),
                                 .budget = take(&b) / 2,
                                 .contacts = contacts < 16 ? contacts : 0,
