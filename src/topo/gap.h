@@ -18,11 +18,12 @@ void gap_init(plane_gap *gap);
 void gap_clear(plane_gap *gap);
 
 /**
- * Set the order and the lift of a gap along h + b k or, `swapped`, b h + k, times the denominator
- * of b; `along` is set to that.
- * @param item germs of which none above has its leading term there below that of one below
+ * Set the order and the lift of a gap in a direction of a quarter, which is taken as b's numerator
+ * and denominator say.
+ * @param item germs of which, as far as they say something there, none above has its leading term
+ *             below that of one below
  */
-void gap_set(plane_gap *gap, const open_plane *h, const half_germ *item, size_t count, int swapped,
-             const fmpq_t b);
+graze_status gap_set(plane_gap *gap, const open_plane *h, graze_context *context,
+                     const half_germ *item, size_t count, half_quarter quarter, const fmpq_t b);
 
 #endif

@@ -104,33 +104,47 @@ static void linear_on_plane(fmpq_poly_t out, const open_plane *h, const fmpq *no
     fmpq_clear(value);
 }
 
-/* out = (a / b)^n, b not 0. */
-static void power_of_ratio(fmpq_t out, const fmpq_t a, const fmpq_t b, slong n) {
-    fmpq_div(out, a, b);
-    fmpq_pow_si(out, out, n);
+/* out = v |v|^(n - 1). */
+static void signed_power(fmpq_t out, const fmpq_t v, slong n) {
+    int sign = fmpq_sgn(v);
+    fmpq_pow_si(out, v, n);
+    if (sign < 0 && n % 2 == 0)
+        fmpq_neg(out, out);
 }
 
-/* A facet along the plane, touched by an inner contact of the even order n = m + 1: ((m / n) / (r0
- * N))^m (r1 x)^n / (n g). */
-static void form_of_facet(fmpq_poly_t form, const open_plane *h, const germ *g) {
-    slong n = g->side[0].order;
+/* A facet along the plane, met on a side with order n = m + 1 at least 2. With o the sign of f on
+ * the side, s that of its time and L = -o s r1 x: o (m / n)^m L^n / (n |g| (r0 N) |r0 N|^(m - 1)),
+ * where L is not negative. */
+static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
+                         const germ_side *side) {
+    slong n = side->order;
     plane_ways w;
     fmpq_t factor, scale;
+    if (n < 2)
+        return 0;
     ways_init(&w, g, 0, n, h->point);
+    int f_sign = fmpq_sgn(w.value) * (n % 2 == 1 ? side->sign : 1);
     fmpq_init(factor);
     fmpq_init(scale);
+    linear_on_plane(out->turn, h, w.normal[1]);
+    if (f_sign * side->sign > 0)
+        fmpq_poly_neg(out->turn, out->turn);
+    out->has_turn = 1;
+    out->order = n - 1;
     value_on(scale, w.normal[0], h->normal);
-    fmpq_mul_si(scale, scale, n);
-    fmpq_set_si(factor, n - 1, 1);
-    power_of_ratio(factor, factor, scale, n - 1);
-    fmpq_mul_si(scale, w.value, n);
+    signed_power(scale, scale, n - 1);
+    fmpq_abs(factor, w.value);
+    fmpq_mul(scale, scale, factor);
+    fmpq_mul_si(scale, scale, f_sign * n);
+    fmpq_set_si(factor, n - 1, (ulong)n);
+    fmpq_pow_si(factor, factor, n - 1);
     fmpq_div(factor, factor, scale);
-    linear_on_plane(form, h, w.normal[1]);
-    fmpq_poly_pow(form, form, (ulong)n);
-    fmpq_poly_scalar_mul_fmpq(form, form, factor);
+    fmpq_poly_pow(out->form, out->turn, (ulong)n);
+    fmpq_poly_scalar_mul_fmpq(out->form, out->form, factor);
     fmpq_clear(factor);
     fmpq_clear(scale);
     ways_clear(&w);
+    return 1;
 }
 
 /* out = a p + b q, n of each. */
@@ -146,33 +160,34 @@ static void combine_ways(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t 
     fmpq_clear(part);
 }
 
-/* -X (g X + r1 x)^m / (r0 N)^m with X = -p x / b. */
-static void form_of_ways(fmpq_poly_t form, const open_plane *h, const plane_ways *both,
+/* With X = -p x / b and L = g X + r1 x, -X L^m / ((r0 N) |r0 N|^(m - 1)); X and L are handed over.
+ */
+static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *both,
                          const plane_ways *p, slong order) {
     fmpq_t factor;
-    fmpq_poly_t sum, part;
+    fmpq_poly_t part;
     fmpq_init(factor);
-    fmpq_poly_init(sum);
     fmpq_poly_init(part);
-    linear_on_plane(form, h, p->normal[0]);
-    fmpq_poly_scalar_div_fmpq(form, form, p->value);
-    fmpq_poly_scalar_mul_fmpq(part, form, both->value + 1); /* -g X */
-    linear_on_plane(sum, h, both->normal[1]);
-    fmpq_poly_sub(sum, sum, part);
-    fmpq_poly_pow(sum, sum, (ulong)order);
-    fmpq_poly_mul(form, form, sum);
+    linear_on_plane(out->reach, h, p->normal[0]);
+    fmpq_poly_scalar_div_fmpq(out->reach, out->reach, p->value);
+    fmpq_poly_neg(out->reach, out->reach);
+    fmpq_poly_scalar_mul_fmpq(part, out->reach, both->value + 1);
+    linear_on_plane(out->turn, h, both->normal[1]);
+    fmpq_poly_add(out->turn, out->turn, part);
+    fmpq_poly_pow(out->form, out->turn, (ulong)order);
+    fmpq_poly_mul(out->form, out->form, out->reach);
     value_on(factor, both->normal[0], h->normal);
-    fmpq_pow_si(factor, factor, order);
-    fmpq_poly_scalar_div_fmpq(form, form, factor);
+    signed_power(factor, factor, order);
+    fmpq_neg(factor, factor);
+    fmpq_poly_scalar_div_fmpq(out->form, out->form, factor);
     fmpq_clear(factor);
-    fmpq_poly_clear(sum);
     fmpq_poly_clear(part);
 }
 
-/* An edge met with an odd order: the combination of two of its planes from which the time drops out
- * to that order. 0 if its tangent plane is another one. */
-static int form_of_edge(fmpq_poly_t form, const open_plane *h, const germ *g, size_t other) {
-    slong order = g->side[0].order;
+/* An edge met with an order on a side: the combination of two of its planes from which the time
+ * drops out to that order. 0 if its tangent plane is another one. */
+static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size_t other,
+                        slong order) {
     plane_ways w[2], both;
     fmpq_t a;
     fmpz *across = _fmpz_vec_init(3);
@@ -187,13 +202,32 @@ static int form_of_edge(fmpq_poly_t form, const open_plane *h, const germ *g, si
     direction_of_rationals(across, both.normal[0], 3);
     int lies = directions_parallel(across, h->normal);
     if (lies)
-        form_of_ways(form, h, &both, fmpq_is_zero(w[0].value) ? &w[1] : &w[0], order);
+        form_of_ways(out, h, &both, fmpq_is_zero(w[0].value) ? &w[1] : &w[0], order);
+    out->order = order;
     fmpq_clear(a);
     _fmpz_vec_clear(across, 3);
     ways_clear(&w[0]);
     ways_clear(&w[1]);
     ways_clear(&both);
     return lies;
+}
+
+/* One side of an edge: where s^m X is positive, s the sign of its time; with m even in two parts,
+ * L not negative, or `turned` not positive, and the form times s, or -s. */
+static int form_of_edge_side(half_germ *out, const open_plane *h, const germ *g, size_t other,
+                             const germ_side *side, int turned) {
+    int odd = side->order % 2 == 1, flips = (side->sign < 0) != turned;
+    if ((odd && turned) || !form_of_edge(out, h, g, other, side->order))
+        return 0;
+    out->has_reach = 1;
+    out->has_turn = !odd;
+    if (odd && side->sign < 0)
+        fmpq_poly_neg(out->reach, out->reach);
+    if (!odd && turned)
+        fmpq_poly_neg(out->turn, out->turn);
+    if (!odd && flips)
+        fmpq_poly_neg(out->form, out->form);
+    return 1;
 }
 
 /* Does a facet that holds the trajectory's place lie along the plane? */
@@ -207,33 +241,27 @@ static int is_along_plane(const open_plane *h, const germ *g) {
     return along;
 }
 
-/* Its two sides are of one order, or there is one of them. */
-static int is_inner_of_order(const germ *g, int odd) {
-    return g->side_count == 2 && g->side[0].order % 2 == odd;
+/* Its two sides are inside one piece and of an odd order. */
+static int is_inner_of_odd_order(const germ *g) {
+    return g->side_count == 2 && g->side[0].order % 2 == 1;
 }
 
-/* The order and the form of a germ if it has one; of a facet, where `bent`, that of its contact,
- * else 0: what it covers without turning. */
-static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int bent) {
+/* The order and the form of a germ in one way, if it has one. */
+static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int way) {
     int cell = g->root || !g->has_time ? 0 : cone_cell_dimension(&g->cone);
+    int s = (way - 1) / 2, turned = way > 0 && way % 2 == 0;
     size_t other = 1;
+    if (way > 0 && s >= g->side_count)
+        return 0;
     out->order = 1;
-    fmpq_poly_zero(out->form);
-    if (cell == 2 && is_along_plane(h, g)) {
-        if (!bent)
-            return 1;
-        if (!is_inner_of_order(g, 0))
-            return 0;
-        out->order = g->side[0].order - 1;
-        form_of_facet(out->form, h, g);
-        return 1;
-    }
-    if (cell != 1 || bent || !is_inner_of_order(g, 1))
+    if (cell == 2 && is_along_plane(h, g))
+        return way == 0 || (!turned && form_of_facet(out, h, g, &g->side[s]));
+    if (cell != 1 || (way == 0) != is_inner_of_odd_order(g))
         return 0;
     while (directions_parallel(g->cone.normal, g->cone.normal + 3 * other))
         other++;
-    out->order = g->side[0].order;
-    return form_of_edge(out->form, h, g, other);
+    return way == 0 ? form_of_edge(out, h, g, other, g->side[0].order)
+                    : form_of_edge_side(out, h, g, other, &g->side[s], turned);
 }
 
 /* Is some direction on a side of the plane in the interior of a germ's cone? At an edge the leading
@@ -258,11 +286,11 @@ static graze_status closes_side(int *out, const open_plane *h, graze_context *co
 }
 
 graze_status half_of_germ(int *found, half_germ *out, const open_plane *h, graze_context *context,
-                          germ *g, int sign, int bent) {
+                          germ *g, int sign, int way) {
     graze_status status = GRAZE_OK;
     *found = 0;
     out->above = sign > 0;
-    if (form_of_germ(out, h, g, bent))
+    if (form_of_germ(out, h, g, way))
         status = closes_side(found, h, context, g, sign);
     return status;
 }

@@ -4,8 +4,8 @@
 #ifndef GRAZE_TOPO_HALF_H
 #define GRAZE_TOPO_HALF_H
 
-#include <flint/fmpq_poly.h>
 #include "topo/germ.h"
+#include "topo/quarter.h"
 
 /** The plane across a normal through a point, with a basis h, k. */
 typedef struct open_plane {
@@ -14,23 +14,16 @@ typedef struct open_plane {
     fmpz basis[2][3];
 } open_plane;
 
-/** About the point a place is x + z N, x in the plane. To its leading term, up to smaller ones,
- * what is covered is z < Q(x)^(1/m), or with `above` z > Q(x)^(1/m), with m odd and a form Q of
- * degree m + 1 (proofs/topology.md C55). */
-typedef struct half_germ {
-    int above;
-    slong order;      /* m */
-    fmpq_poly_t form; /* Q(h + b k) as a polynomial in b */
-} half_germ;
+/** Ways in which a germ may cover: as it is at its time, or an edge by both its sides; else the
+ * side (way - 1) / 2, of an edge of even order in two parts. */
+enum { HALF_WAYS = 5 };
 
 /**
- * What a germ covers below the plane (sign -1) or above it (1).
+ * What a germ covers below the plane (sign -1) or above it (1) in one of these ways.
  * @param[out] found 0 if nothing is known of it
- * @param[out] out   `form` is initialised
- * @param bent       of a facet what it covers by its contact of higher order, else without turning;
- *                   for an edge 0
+ * @param[out] out   initialised
  */
 graze_status half_of_germ(int *found, half_germ *out, const open_plane *h, graze_context *context,
-                          germ *g, int sign, int bent);
+                          germ *g, int sign, int way);
 
 #endif

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+# suite
+"""Contacts that cover one side of an edge or a flat top alone: turns of even order, and ways that end or break off; derived.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Parts of orders.py pass the origin. Four of them decide:
+
+  A, B: a roof with its ridge along y that comes to x = 0 along (-s^m, 0, k s^(m + 1)) from x < 0, and its mirror image from
+     x > 0; m even and s from -1 to 1, or any m and s from -1 to 0, whence it drops straight down. Its ridge draws
+     z = k |x|^(1 + 1/m) on its side, with a tilt w about x z = |x|^(1/m) (k |x| + w y) there; what it covers is below.
+     With w = 0 it covers nothing above z = 0 where x = 0.
+  or A, B: a flat top that moves by (0, 0, -a |s|^n), s from -1 to 0, with tilts w and -w, and drops: it covers what is
+     below w s y - a |s|^n for all s, so below 0 and more where w y < 0, and for the other one where w y > 0.
+  C, D: a roof below, its ridge along x (for the flat tops along y), draws z = l y^2 (l x^2); one above, of the same kind,
+     draws z = u y^2 (u x^2), covering what is above.
+
+With roofs the origin is interior if l > u, k > 0 on both sides (or k != 0 and m even, for one of the ridge's two passes is
+above 0 then): C and D close where y is not 0, A or B with D where y = 0. It is on the boundary if u > max(l, 0) and w = 0: at
+x = 0 all between max(l, 0) y^2 and u y^2 is open. The flat tops are the same with x and y exchanged.
+"""
+import os
+import sys
+from collections import Counter
+from fractions import Fraction as F
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+
+import orders  # noqa: E402
+from orders import Part, flat, mapped, roof  # noqa: E402
+from prisms import BACK, MAP, Text  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
+from solids import Mesh, joined  # noqa: E402
+from witnesses import check_witness  # noqa: E402
+
+TINY = F(1, 2 ** 60)
+SCALES = (30, 60, 110)
+SCENES = 10
+
+
+def on_side(m, k, w, side):
+    """The roof of A (side -1) or B (1): its x is side |s|^m, its z k |s|^(m + 1) on s < 0, and for m even k s^(m + 1) on all."""
+    part = roof("y", m, k, w)
+    sign = 1 if m % 2 == 0 else -1
+    part.path = [(side * sign, m), (0, 0), (k if m % 2 else -k, m + 1)]
+    return part
+
+
+def scene(parts):
+    """As in orders.py, but a part whose `ends` is set leaves straight down at s = 0."""
+    mesh = joined(*(Mesh([(x, y, z + orders.APART * j) for x, y, z in part.mesh.vertices], part.mesh.facets)
+                    for j, part in enumerate(parts)))
+    mesh = Mesh([mapped(v) for v in mesh.vertices], mesh.facets)
+    rows = {"matrix": [[*row, 0] for row in BACK]}, {"matrix": [[*row, 0] for row in MAP]}
+    pieces, t, at = [], 0, [F(30), F(30), F(0)]
+
+    def piece(part, home, half, path, length):
+        nonlocal t
+        pieces.append({"t": [t, t + length], "transform": {"compose": [
+            rows[0], {"translate": [0, 0, -home]}, {"rotate": {"tan_half": half, "axis": part.axis}},
+            {"translate": path}, rows[1]]}})
+        t += length
+
+    def leg(part, home, half, to):
+        nonlocal at
+        piece(part, home, f"({half})", [f"({p})+({q - p})*(t-({t}))" for p, q in zip(at, to)], 1)
+        at = list(to)
+
+    for j, part in enumerate(parts):
+        home, half = orders.APART * j, F(part.tilt) / 2
+        side, stop = (-10 if part.below else 10), (0 if part.ends else 1)
+        leg(part, home, F(0), [F(30), F(30), F(side)])
+        piece(part, home, f"({-half})*(t-({t}))", [str(x) for x in at], 1)
+        first, last = orders.value(part.path, -1), orders.value(part.path, stop)
+        leg(part, home, -half, [first[0], first[1], F(side)])
+        leg(part, home, -half, first)
+        piece(part, home, f"({half})*(t-({t + 1}))", orders.written(part.path, f"t-({t + 1})"), 1 + stop)
+        at, here = last, half * stop
+        leg(part, home, here, [last[0], last[1], F(side)])
+        leg(part, home, here, [F(30), F(30), F(side)])
+        piece(part, home, f"({here})*({t + 1}-t)", [str(x) for x in at], 1)
+        at[2] += orders.APART
+    return mesh, Text({"dimension": 3, "pieces": pieces})
+
+
+def crossing(along, l, u):
+    """C and D: their ridges along x or y."""
+    return [roof(along, 1, l, F(0)), roof(along, 1, u, F(0), False)]
+
+
+def truth(l, u, sides_close, level):
+    return "interior" if l > u and sides_close else "boundary" if u > max(l, 0) and level else None
+
+
+def chosen(rng):
+    """(name, parts, position or None, order of the sides)."""
+    def scenes(name, sides, along, closing, level, m):
+        for l, u in ((F(1, 32), F(1, 64)), (F(1, 64) + TINY, F(1, 64)), (F(1, 64) - TINY, F(1, 64)), (-F(1, 64), F(1, 64)),
+                     (F(rng.randint(-3, 3), 64), F(rng.randint(-3, 3), 64))):
+            yield name, [*sides, *crossing(along, l, u)], truth(l, u, closing, level), m
+    for m, ends in ((2, False), (4, False), (1, True), (2, True), (3, True)):
+        for k, k2, w in ((F(1, 16), F(1, 8), F(0)), (F(1, 16), -F(1, 8), F(0)), (F(1, 16), F(1, 16), F(1, 16)),
+                         (F(1, 16), F(0), F(0))):
+            sides = [on_side(m, k, w, -1), on_side(m, k2, w, 1)]
+            for part in sides:
+                part.ends = ends
+            closing = k and k2 if not ends else k > 0 and k2 > 0
+            yield from scenes(f"edges {m} {ends} {k} {k2} {w}", sides, "x", closing, w == 0, m)
+    for n in (2, 3, 4, 5):
+        for w in (F(1, 4), -F(1, 8)):
+            sides = []
+            for tilt in (w, -w):
+                part = flat(n, F(3, 4), tilt)
+                part.path, part.ends = [(0, 0), (0, 0), (F(-3, 4) if n % 2 == 0 else F(3, 4), n)], True
+                sides.append(part)
+            yield from scenes(f"tops {n} {w}", sides, "y", True, True, n - 1)
+
+
+def probes(point_of, e):
+    for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1), (2, 1), (-1, 2), (8, 1), (-1, 8)):
+        for z in (F(0), F(1, 64), -F(1, 64), F(1, 128), -F(1, 128), F(1, 40), F(3, 128)):
+            yield mapped((x * e, y * e, z * e * e))
+
+
+def main():
+    args = options(__doc__.splitlines()[0])
+    checks = Checks()
+    graze = Graze(args, checks)
+    Part.ends = False
+    seen = Counter()
+    origin = mapped((F(0), F(0), F(0)))
+    for number, (name, parts, want, m) in enumerate(chosen(args.random)):
+        solid, motion = scene(parts)
+        answers = graze.classify(f"sides {number}", solid, motion, [origin], "--topo")
+        if not answers:
+            continue
+        record = answers[0].record
+        where = (name, [(str(p.path), str(p.tilt)) for p in parts], record["word"], record.get("topo_level"))
+        checks.equal(record["pmc"], "on", *where)
+        seen[name.split()[0], m, want, record["topo"], record.get("topo_level")] += 1
+        if want:
+            checks.equal(record["topo"], want, *where, record.get("topo_reason"))
+        if record["topo"] == "boundary":
+            check_witness(checks, graze, f"sides {number}", (solid, motion), origin, record)
+        places = [p for s in SCALES for p in probes(None, F(1, 2 ** s))]
+        found = graze.classify(f"probes {number}", solid, motion, places) or []
+        out = {a.record["pmc"] for a in found} - {"in", "on"}
+        if record["topo"] == "interior":
+            checks.equal(out, set(), *where, "probes that are out")
+    for key, count in sorted(seen.items(), key=str):
+        print(*key, count)
+    by_sides = sum(n for key, n in seen.items() if key[3:] == ("interior", "L2"))
+    checks.holds(by_sides >= 30, f"{by_sides} are interior by the sides")
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
