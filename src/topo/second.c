@@ -88,10 +88,20 @@ static graze_status largest_sign_at(int *out, const second_maker *m, algebraic *
     return status;
 }
 
-/* Look at one number. */
+/* Look at one number; `*sign` is the largest of the excesses. */
 static graze_status look_at_slope(int *out, int *sign, const second_maker *m, algebraic *at) {
     graze_status status = largest_sign_at(sign, m, at);
     *out = *out && *sign > 0;
+    return status;
+}
+
+/* Look at a number that ends a range: if it is rational, a gap may be there alone, also one that
+ * first terms do not show. */
+static graze_status look_at_end(int *out, const second_maker *m, algebraic *at) {
+    int sign = 0;
+    graze_status status = look_at_slope(out, &sign, m, at);
+    if (!status && sign <= 0 && !m->gap->order && algebraic_is_rational(at))
+        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->quarter, at->value);
     return status;
 }
 
@@ -125,10 +135,10 @@ static graze_status look_from_to(int *out, const second_maker *m, algebraic *fro
     algebraic_set_rational(&middle, between);
     if (!status)
         status = look_at_slope(out, &sign, m, &middle);
-    if (!status && sign < 0)
+    if (!status && (sign < 0 || (sign == 0 && !m->gap->order)))
         status = keep_gap(m, between, to);
     if (!status)
-        status = look_at_slope(out, &sign, m, to);
+        status = look_at_end(out, m, to);
     algebraic_clear(&middle);
     fmpq_clear(between);
     return status;
@@ -144,7 +154,7 @@ static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_li
     algebraic_init(&next);
     fmpq_set_si(end, -1, 1);
     algebraic_set_rational(&last, end);
-    graze_status status = look_at_slope(out, &order, m, &last);
+    graze_status status = look_at_end(out, m, &last);
     fmpq_one(end);
     for (size_t k = 0; k <= roots->count && !status; k++) {
         if (k < roots->count)
