@@ -37,11 +37,20 @@ TINY = F(1, 2 ** 60)
 SCALES = (30, 60, 110)
 
 
-def on_side(m, k, w, side):
-    """The roof of A (side -1) or B (1): its x is side |s|^m, its z k |s|^(m + 1) on s < 0, and for m even k s^(m + 1) on all."""
-    part = roof("y", m, k, w)
-    sign = 1 if m % 2 == 0 else -1
-    part.path = [(side * sign, m), (0, 0), (k if m % 2 else -k, m + 1)]
+def on_side(m, k, w, side, ends, along="y"):
+    """The roof of A (side -1) or B (1), with its ridge along y: its x is side |s|^m, its z k |s|^(m + 1) on s < 0, and for m even
+    -k s^(m + 1) on all; or along x."""
+    part = roof(along, m, k, w)
+    way = (side * (1 if m % 2 == 0 else -1), m)
+    part.path = [*([way, (0, 0)] if along == "y" else [(0, 0), way]), (k if m % 2 else -k, m + 1)]
+    part.ends = ends
+    return part
+
+
+def top(n, w):
+    """A flat top that ends; its height is more than 0 where w y < 0."""
+    part = flat(n, F(3, 4), w)
+    part.path, part.ends = [(0, 0), (0, 0), (F(-3, 4) if n % 2 == 0 else F(3, 4), n)], True
     return part
 
 
@@ -102,18 +111,24 @@ def chosen(rng, longer):
     for m, ends in ((2, False), (1, True), (3, True), *([(4, False), (2, True)] if longer else [])):
         for k, k2, w in ((F(1, 16), F(1, 8), F(0)), (F(1, 16), -F(1, 8), F(0)), (F(1, 16), F(1, 16), F(1, 16)),
                          *([(F(1, 16), F(0), F(0))] if longer else [])):
-            sides = [on_side(m, k, w, -1), on_side(m, k2, w, 1)]
-            for part in sides:
-                part.ends = ends
+            sides = [on_side(m, k, w, -1, ends), on_side(m, k2, w, 1, ends)]
             closing = k and k2 if not ends else k > 0 and k2 > 0
             yield from scenes(rng, f"edges {m} {ends} {k} {k2} {w}", sides, "x", closing, w == 0, m)
+    # a way that ends on one side alone, and one of even order on the other
+    for m, side in ((1, -1), (1, 1), (3, 1)):
+        sides = [on_side(m, F(1, 16), F(0), side, True), on_side(2, F(1, 8), F(0), -side, False)]
+        yield from scenes(rng, f"edges {m} and 2, {side}", sides, "x", True, True, m)
+    # a roof above with its ridge along y, u x^2: one side alone leaves what is between 0 and u x^2 on the other
+    for m, ends in ((1, True), (2, False)):
+        both = [on_side(m, F(1, 8), F(0), side, ends) for side in (-1, 1)]
+        others = [roof("x", 1, F(1, 64), F(0)), roof("y", 1, F(1, 64), F(0), False)]
+        yield f"edges {m} on both sides", [*both, *others], "interior", m
+        for side in both:
+            yield f"edges {m} on one side", [side, *others], "boundary", m
     for n, w in ((2, F(1, 4)), (3, -F(1, 8)), *([(4, F(1, 4)), (5, F(1, 8))] if longer else [])):
-        sides = []
-        for tilt in (w, -w):
-            part = flat(n, F(3, 4), tilt)
-            part.path, part.ends = [(0, 0), (0, 0), (F(-3, 4) if n % 2 == 0 else F(3, 4), n)], True
-            sides.append(part)
-        yield from scenes(rng, f"tops {n} {w}", sides, "y", True, True, n - 1)
+        yield from scenes(rng, f"tops {n} {w}", [top(n, w), top(n, -w)], "y", True, True, n - 1)
+        sides = [top(n, w), on_side(2, F(1, 8), F(0), 1 if w > 0 else -1, False, "x")]
+        yield from scenes(rng, f"tops {n} {w} and an edge", sides, "y", True, True, n - 1)
 
 
 def check_words(checks, graze, name, files):
