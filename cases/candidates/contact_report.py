@@ -3,11 +3,12 @@
 
     python3 cases/candidates/contact_report.py --graze build/graze [--count N]
 
-Points of `graze generate` are moved to contacts of their cells by `graze contact --snap`, whose table is the truth.
+Points of `graze generate` are moved to contacts of their cells by `graze contact --snap`, whose table is the truth, with a
+band in place of its column `stratum`; `graze compare` judges each column of the answers by status and band.
 SPDX-License-Identifier: CC0-1.0
 """
 import argparse
-import csv
+import json
 import os
 import subprocess
 import sys
@@ -19,15 +20,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 SCENES = [("ell.off", "arch.json"), ("ell.off", "turn.json"), ("plate.wkt", "shear.json")]
 SAMPLES = ("100", "1000")
 EPS = "1e-9"
+COLUMNS = ("role", "trimmed", "status")
 STATUSES = ["simple", "meets", "slides", "trimmed_near", "trimmed_far"]
 # Between t and the nearest time in the interior, of points trimmed far: from the first to before the second.
 BANDS = [(Fraction(0), Fraction(1, 256)), (Fraction(1, 256), Fraction(1, 32)), (Fraction(1, 32), Fraction(1, 4)),
          (Fraction(1, 4), Fraction(100))]
-
-
-def rows_of(path):
-    with open(path, encoding="ascii") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def run(command, path):
@@ -36,18 +33,26 @@ def run(command, path):
 
 
 def truth(options, folder, solid, motion):
-    """A table of contact points alone."""
+    """A table of contact points alone; the stratum of a point trimmed far is its band."""
     made, moved, golden = (os.path.join(folder, n) for n in ("made.csv", "moved.csv", "golden.csv"))
     run([options.graze, "generate", solid, motion, "-n", str(options.count), "--seed", "2", "--representable", "binary64",
          "--strata", "face=2,edge=2,vertex=1,start=1,end=1,break=1,slide=1", "--quiet"], made)
     run([options.graze, "contact", solid, motion, made, "--snap", "--quiet"], moved)
     with open(moved, encoding="ascii") as file, open(golden, "w", encoding="ascii") as out:
-        names = None
+        names, count = None, 0
         for line in file:
-            if not line.startswith("#") and names is None:
-                names = line.rstrip("\n").split(",")
-            elif not line.startswith("#") and not line.split(",")[names.index("role")]:
-                continue
+            cells = line.rstrip("\n").split(",")
+            if line.startswith("# complete"):
+                line = f"# complete {count}\n"
+            elif not line.startswith("#") and names is None:
+                names = cells
+            elif not line.startswith("#"):
+                row = dict(zip(names, cells))
+                if not row["role"]:
+                    continue
+                row["stratum"] = band(row)
+                line = ",".join(row[n] for n in names) + "\n"
+                count += 1
             out.write(line)
     return golden
 
@@ -59,12 +64,31 @@ def middle(time):
     return Fraction(time)
 
 
-def keys_of(row):
-    yield "all"
-    yield row["status"]
-    if row["status"] == "trimmed_far":
-        apart = abs(middle(row["near_in"]) - Fraction(row["time"]))
-        yield next(b for b in BANDS if b[0] <= apart < b[1])
+def band(row):
+    if row["status"] != "trimmed_far":
+        return "no band"
+    apart = abs(middle(row["near_in"]) - Fraction(row["time"]))
+    return next(name_of(b) for b in BANDS if b[0] <= apart < b[1])
+
+
+def name_of(b):
+    return f"near_in - t from {b[0]} to {b[1]}"
+
+
+def judged(options, folder, golden, answers, column):
+    """(rows, wrong) in a column of the answers: of all, by status and by band."""
+    alone = os.path.join(folder, "alone.csv")
+    with open(answers, encoding="ascii") as file, open(alone, "w", encoding="ascii") as out:
+        names = file.readline().rstrip("\n").split(",")
+        kept = [k for k, name in enumerate(names) if name == column or name not in COLUMNS]
+        for line in [",".join(names) + "\n", *file]:
+            out.write(",".join(line.rstrip("\n").split(",")[k] for k in kept) + "\n")
+    told = json.loads(subprocess.run([options.graze, "compare", golden, alone, "--format", "json"], stdout=subprocess.PIPE,
+                                     check=False).stdout)
+    found = {"all": (told["rows"], told["wrong"] + told["missing"])}
+    for group in told["by"]["status"] + told["by"]["stratum"]:
+        found[group["value"]] = group["rows"], group["wrong"] + group["missing"]
+    return found
 
 
 def main():
@@ -80,17 +104,15 @@ def main():
             for n in SAMPLES:
                 answers = os.path.join(folder, "answers.csv")
                 run([sys.executable, os.path.join(HERE, "contact_sampled.py"), *paths, golden, n, EPS], answers)
-                for row, given in zip(rows_of(golden), rows_of(answers)):
-                    for key in keys_of(row):
-                        counts[n, key] += 1
-                        for column in ("role", "trimmed", "status"):
-                            wrong[n, key, column] += row[column] != given[column]
-    head = [f"{column}, {n}" for n in SAMPLES for column in ("role", "trimmed", "status")]
+                for column in COLUMNS:
+                    for key, (rows, bad) in judged(options, folder, golden, answers, column).items():
+                        counts[n, column, key] += rows
+                        wrong[n, column, key] += bad
+    head = [f"{column}, {n}" for n in SAMPLES for column in COLUMNS]
     print("| | rows | " + " | ".join(head) + " |\n|---|--:|" + "--:|" * len(head))
-    names = {b: f"near_in − t from {b[0]} to {b[1]}" for b in BANDS}
-    for key in ["all", *STATUSES, *BANDS]:
-        cells = [str(wrong[n, key, column]) for n in SAMPLES for column in ("role", "trimmed", "status")]
-        print(f"| {names.get(key, key)} | {counts[SAMPLES[0], key]} | " + " | ".join(cells) + " |")
+    for key in ["all", *STATUSES, *map(name_of, BANDS)]:
+        cells = [str(wrong[n, column, key]) for n in SAMPLES for column in COLUMNS]
+        print(f"| {key} | {counts[SAMPLES[0], COLUMNS[0], key]} | " + " | ".join(cells) + " |")
 
 
 if __name__ == "__main__":

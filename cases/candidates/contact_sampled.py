@@ -3,7 +3,8 @@
 
     python3 cases/candidates/contact_sampled.py SOLID MOTION GOLDEN N EPS > answers.csv
 
-Reads time and body point of each row of a table of `graze contact` and answers role, trimmed and status. The role is by
+Reads time and body point of each row of a table of `graze contact` and answers role, trimmed and status beside them, for
+`graze compare`. The role is by
 the signs of n V, V by a central difference; the solid covers P at one of N + 1 evenly spread times if all points at EPS
 from the trajectory there, along the axes, are in the solid by ray parity.
 SPDX-License-Identifier: CC0-1.0
@@ -151,14 +152,15 @@ def main():
     times = np.linspace(motion.start, motion.end, int(n) + 1)
     inverse = np.array([np.linalg.inv(motion.at(t)) for t in times])
     out = csv.writer(sys.stdout, lineterminator="\n")
-    out.writerow(["role", "trimmed", "status"])
+    names = ["time", "bx", "by", "bz"][:motion.d + 1]
+    out.writerow(names + ["role", "trimmed", "status"])
     with open(golden, encoding="ascii") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             t = float(Fraction(row["time"]))
-            y = np.array([float(Fraction(row[k])) for k in ("bx", "by", "bz")[:motion.d]])
+            y = np.array([float(Fraction(row[k])) for k in names[1:]])
             there = (inverse @ (motion.at(t) @ np.append(y, 1.0)))[:, :-1]
             told = status(states(loops, there, eps), times, t)
-            out.writerow([role(loops, motion, t, y, eps), "yes" if told.startswith("trimmed") else "no", told])
+            out.writerow([row[k] for k in names] + [role(loops, motion, t, y, eps), "yes" if told.startswith("trimmed") else "no", told])
 
 
 if __name__ == "__main__":

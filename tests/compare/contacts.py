@@ -156,6 +156,23 @@ def other_forms(runs, golden):
     check(status == 0 and told["matched-by"] == world and list(told["wrong-by-column"]) == ["role", "trimmed"], "world", told)
 
 
+def columns_of_one(runs, golden, folder):
+    """Columns that one table lacks are named, in both reports, and not judged."""
+    other = os.path.join(folder, "lacking.csv")
+    kept = [n for n in golden.names if n not in ("shift", "near", "left")]
+    with open(other, "w", encoding="utf-8") as file:
+        file.write("\n".join([",".join(kept), *(",".join(r[n] for n in kept) for r in golden.rows), f"# complete {len(golden.rows)}"])
+                   + "\n")
+    lacking = Table(other)
+    runs.write([n for n in golden.names if n not in ("theta", "word", "left")], copies(golden.rows))
+    status, told = runs.report(lacking)
+    check(status == 0 and (told["not-in-candidate"], told["not-in-golden"]) == (["theta", "word"], ["near", "shift"]), told)
+    text = harness.run([runs.graze, "compare", other, runs.candidate], 60).stdout
+    for line in ("not judged, since the candidate has no such column: theta word\n",
+                 "not judged, since the golden table has no such column: near shift\n", f"| role | {len(golden.rows)} | 0 |\n"):
+        check(line in text, line, text)
+
+
 def missing_and_extra(runs, golden):
     rows = copies(golden.rows)
     runs.write(golden.names, rows[:4] + rows[5:])
@@ -293,6 +310,7 @@ def main():
             check(len(golden.rows) > 50 and len(golden.judged) == 13, scene, golden.judged)
             each_column(runs, golden, args.random)
             other_forms(runs, golden)
+            columns_of_one(runs, golden, folder)
             missing_and_extra(runs, golden)
             rounded(runs, golden, folder)
             kinds(runs, args.graze, folder, golden, scene)

@@ -29,6 +29,7 @@ INNER_STEPS, FAR, OUTER_STEPS = (8, 30, 100, 400), 2, (30, 60, 200, 400)
 AROUND = {2: [(a, b) for a in range(-2, 3) for b in range(-2, 3) if a or b],
           3: [(a, b, c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in (-1, 0, 1) if a or b or c]}
 PROBES = 40000  # of one run
+BITS = "bits=10000000"  # a double root at 2^-400 may ask for more than the usual 100,000
 
 
 def probed(solid, sides, y, row):
@@ -62,7 +63,8 @@ def check_scene(runs, tally, name, solid, motion, chosen):
         while asked and count < PROBES:
             few.append(asked.pop())
             count += sum(map(len, few[-1][2]))
-        answers = runs.graze.classify(f"{name} probe", solid, motion, [p for _, _, rings in few for r in rings for p in r])
+        answers = runs.graze.classify(f"{name} probe", solid, motion, [p for _, _, rings in few for r in rings for p in r],
+                                      "--limit", BITS)
         if answers is None:
             return
         out = iter(a.record["pmc"] == "out" for a in answers)
