@@ -242,7 +242,7 @@ def to_dataframe(results: Any, points: Any = None) -> Any:
         GrazeError: pandas is not installed.
     """
     try:
-        import pandas  # type: ignore[import]
+        import pandas  # type: ignore
     except ImportError:
         raise GrazeError("to_dataframe needs pandas; `columns` gives the same as a dict") from None
     out = columns(results, points)
