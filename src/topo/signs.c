@@ -92,7 +92,7 @@ static graze_status sweep_init(root_sweep *s, germ *g, graze_context *context,
     graze_status status = GRAZE_OK;
     *s = (root_sweep){.g = g, .context = context, .count = n, .way = g->root->way};
     s->at = malloc((n + 1) * sizeof *s->at);
-    s->at_sign = malloc(3 * n + 1);
+    s->at_sign = calloc(3 * n + 1, 1);
     s->cut = malloc((n + 1) * sizeof *s->cut);
     s->rank = malloc((n + 1) * sizeof *s->rank);
     for (size_t j = 0; s->at && j < n; j++)
