@@ -1,6 +1,7 @@
 /* Rows of grid points. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "lattice/rows.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "graze/core.h"
@@ -43,14 +44,6 @@ static void make_texts(axis_texts *a, const lattice *l) {
     }
 }
 
-static void put_first(text *out, const axis_texts *a, const lattice *l, size_t i) {
-    size_t start = a->end && i ? a->end[i - 1] : 0;
-    if (a->end)
-        text_bytes(out, a->all.data + start, a->end[i] - start);
-    else
-        put_coordinate(out, l, 0, i);
-}
-
 /* The coordinates behind the first, and commas around them. */
 static void set_others(text *others, const lattice *l, const size_t place[3]) {
     others->length = 0;
@@ -61,26 +54,72 @@ static void set_others(text *others, const lattice *l, const size_t place[3]) {
     }
 }
 
+/* What rows end with, for each graze_pmc. */
+typedef struct row_ends {
+    char text[4][16];
+    size_t length[4];
+} row_ends;
+
+static void set_ends(row_ends *e) {
+    for (int p = 0; p < 4; p++)
+        e->length[p] = (size_t)snprintf(e->text[p], sizeof e->text[p], "%s\n",
+                                        graze_pmc_name((graze_pmc)p));
+}
+
+static char *put_piece(char *at, const char *bytes, size_t length) {
+    if (length)
+        memcpy(at, bytes, length);
+    return at + length;
+}
+
+/* One row, whose first coordinate has number `i`. */
+static void put_row(text *out, const axis_texts *a, const lattice *l, size_t i, const text *others,
+                    const row_ends *ends, unsigned char pmc) {
+    size_t start = a->end && i ? a->end[i - 1] : 0, length = a->end ? a->end[i] - start : 0;
+    if (!a->end)
+        put_coordinate(out, l, 0, i);
+    if (!text_reserve(out, length + others->length + ends->length[pmc]))
+        return;
+    char *at = out->data + out->length;
+    at = put_piece(at, a->all.data + start, length);
+    at = put_piece(at, others->data, others->length);
+    at = put_piece(at, ends->text[pmc], ends->length[pmc]);
+    *at = '\0';
+    out->length = (size_t)(at - out->data);
+}
+
+/* The place so many points further on; 1 if more than the first coordinate is another. */
+static int move_on(size_t place[3], const lattice *l, const size_t by[3]) {
+    size_t carried = 0;
+    int others = 0;
+    for (int k = 0; k < 3; k++) {
+        size_t at = place[k] + by[k] + carried;
+        carried = at >= l->size[k];
+        at -= carried ? l->size[k] : 0;
+        others |= k > 0 && at != place[k];
+        place[k] = at;
+    }
+    return others;
+}
+
 void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *pmc, size_t first,
               size_t step, size_t count) {
     text others;
-    size_t last[3] = {0, 0, 0};
+    row_ends ends;
+    size_t place[3], by[3];
     text_init(&others);
+    set_ends(&ends);
     pthread_mutex_lock(&a->lock);
     if (!a->made)
         make_texts(a, l);
     pthread_mutex_unlock(&a->lock);
+    lattice_place(place, l, first);
+    lattice_place(by, l, step);
     for (size_t p = 0; p < count; p++) {
-        size_t place[3];
-        lattice_place(place, l, first + p * step);
-        if (p == 0 || place[1] != last[1] || place[2] != last[2])
+        if ((p > 0 && move_on(place, l, by)) || p == 0)
             set_others(&others, l, place);
-        memcpy(last, place, sizeof last);
-        put_first(out, a, l, place[0]);
-        text_bytes(out, others.data, others.length);
-        text_put(out, graze_pmc_name((graze_pmc)pmc[p]));
-        text_put(out, "\n");
         out->failed |= others.failed;
+        put_row(out, a, l, place[0], &others, &ends, pmc[p]);
     }
     text_clear(&others);
 }

@@ -94,7 +94,7 @@ void jobs_submit(jobs *j, block *b) {
 static int send_run(jobs *j, int k) {
     errands *of = &j->sent[k];
     errand *e = &of->item[(of->oldest + of->count) % AHEAD];
-    e->first = queue_take(&j->queue, &e->block, j->ranks);
+    e->first = queue_take(&j->queue, &e->block, j->ranks, RUN_ROWS);
     if (!message_put_run(&e->message, e->block, e->first, j->columns)) {
         fault_set(&e->block->runs[e->first].fault, EXIT_IO, "out of memory");
         e->block->busy--;
@@ -190,7 +190,7 @@ void jobs_wait(jobs *j, const block *b) {
                 (void)take_rank_answer(j);
         } else {
             block *mine;
-            size_t first = queue_take(&j->queue, &mine, 1);
+            size_t first = queue_take(&j->queue, &mine, 1, RUN_ROWS);
             fault_clear(&mine->runs[first].fault);
             answer(&j->alone, &mine->runs[first], mine, first);
             mine->busy--;

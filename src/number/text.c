@@ -18,15 +18,14 @@ void text_clear(text *t) {
     text_init(t);
 }
 
-/* Room for `length` more bytes and a NUL; 0 where there is none. */
-static int reserve(text *t, size_t length) {
+int text_reserve(text *t, size_t length) {
     if (!t->failed)
         t->failed = !array_reserve(&t->data, &t->capacity, t->length + length + 1, 1);
     return !t->failed;
 }
 
 void text_bytes(text *t, const char *bytes, size_t length) {
-    if (!reserve(t, length))
+    if (!text_reserve(t, length))
         return;
     if (length)
         memcpy(t->data + t->length, bytes, length);
@@ -46,7 +45,7 @@ void text_format(text *t, const char *format, ...) {
     int length = vsnprintf(room ? t->data + t->length : NULL, room, format, arguments);
     if (length < 0)
         t->failed = 1;
-    else if (reserve(t, (size_t)length)) {
+    else if (text_reserve(t, (size_t)length)) {
         if ((size_t)length >= room)
             vsnprintf(t->data + t->length, (size_t)length + 1, format, again);
         t->length += (size_t)length;
@@ -73,7 +72,7 @@ void text_count(text *t, unsigned long value) {
 }
 
 void text_rational(text *t, const fmpq_t value) {
-    if (reserve(t, rational_room(value)))
+    if (text_reserve(t, rational_room(value)))
         t->length += rational_write(t->data + t->length, value);
 }
 

@@ -15,6 +15,8 @@ typedef struct text {
 
 void text_init(text *t);
 void text_clear(text *t);
+/** Room for `length` more bytes and a NUL, which the caller writes; 0 without memory. */
+int text_reserve(text *t, size_t length);
 void text_bytes(text *t, const char *bytes, size_t length);
 void text_put(text *t, const char *string);
 void text_format(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -118,9 +118,17 @@ static void put_written_points(answerer *a, row_run *r) {
     fault_set(&r->fault, EXIT_IO, "out of memory");
 }
 
+static int asks_for_members(const answer_task *task) {
+    return task->source.grid && task->pmc_alone && !task->certifier &&
+           task->source.coordinates.form == COORDINATES_EXACT;
+}
+
+size_t answer_most(const answer_task *task) {
+    return asks_for_members(task) ? BLOCK_ROWS : RUN_ROWS;
+}
+
 void answer(answerer *a, row_run *r, const block *b, size_t first) {
-    int members = a->task.source.grid && a->task.pmc_alone && !a->task.certifier &&
-                  a->task.source.coordinates.form == COORDINATES_EXACT;
+    int members = asks_for_members(&a->task);
     text_clear(&a->written);
     size_t n = members ? 0 : make_run_points(a, r, b, first);
     graze_status status = members ? write_members(a, r, b->before + first) : write_answers(a, r, n);

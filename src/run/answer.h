@@ -52,6 +52,8 @@ int row_source_put_point(text *out, fault *f, const row_source *from, reader *r,
 /** Make an answerer; answerer_clear frees it in either case. On failure says why. */
 int answerer_init(answerer *a, const answer_task *task);
 void answerer_clear(answerer *a);
+/** Most rows that a run may have. */
+size_t answer_most(const answer_task *task);
 /** Answer the run that begins at row `first` of a block, into a run whose `taken` is set and that
  * is zeroed otherwise. */
 void answer(answerer *a, row_run *r, const block *b, size_t first);

@@ -45,7 +45,7 @@ static void *serve_thread(void *data) {
         if (j->stop)
             break;
         block *b;
-        size_t first = queue_take(&j->queue, &b, j->count);
+        size_t first = queue_take(&j->queue, &b, j->count, answer_most(&w->answerer.task));
         j->at_work++;
         row_run mine = {.taken = b->runs[first].taken};
         pthread_mutex_unlock(&j->lock);

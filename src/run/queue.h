@@ -16,11 +16,11 @@ typedef struct queue {
 void queue_add(queue *q, block *b);
 
 /**
- * Take the next rows, of one block: up to RUN_ROWS, and fewer towards the end, so that all
+ * Take the next rows, of one block: up to `most`, and fewer towards the end, so that all
  * `workers` finish at about the same time. The queue is not empty.
  * @param[out] of the block; its run at the row returned has `taken` set and the fault EXIT_SIGNAL
  * @return the first of the rows
  */
-size_t queue_take(queue *q, block **of, int workers);
+size_t queue_take(queue *q, block **of, int workers, size_t most);
 
 #endif
