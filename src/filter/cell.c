@@ -5,11 +5,15 @@
 
 #include <math.h>
 #include "filter/chord.h"
+#include "filter/empty.h"
 #include "filter/flip.h"
 #include "filter/normal.h"
 
 /* Spans are cut down to these levels: for the sake of boxes, and of one simplex. */
 enum { CELL_BOX_LEVELS = 16, CELL_LEVELS = 8 };
+
+/* Simplices that are looked at between a cell and an anchor. */
+enum { JOIN_TESTS = 64 };
 
 /* Times at which a cell is looked at together. */
 enum { CELL_TIMES = 16 };
@@ -144,21 +148,6 @@ static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const do
     }
 }
 
-/* The span that is that part of its piece; 0 if there is none. */
-static int find_span(uint32_t *out, curve *c, const stay *part) {
-    const span *whole = curve_piece(c, part->piece);
-    if (!whole || whole->lost)
-        return 0;
-    uint32_t at = (uint32_t)(whole - c->spans);
-    for (int level = 1; level <= part->level; level++) {
-        if (!curve_cut(c, at))
-            return 0;
-        at = c->spans[at].child + (part->start >> (WINDOW_LEVELS - level) & 1);
-    }
-    *out = at;
-    return 1;
-}
-
 static int set_to_centre(curve *memory, const filter *f, const cell *points) {
     filter_point centre;
     for (int i = 0; i < 3; i++)
@@ -166,20 +155,19 @@ static int set_to_centre(curve *memory, const filter *f, const cell *points) {
     return f->solid->corners.at && curve_set(memory, &f->course, &centre, &f->solid->corners);
 }
 
-/* Whether the cell is in that state at a time of a piece. */
-static int settles_at(curve *memory, const filter *f, const cell *points, size_t piece, double at) {
+/* A box of the places of the cell's points at a time, or of the centre's alone. */
+static int bound_places(box *out, curve *memory, const filter *f, const stay *when,
+                        const double *half) {
     double place[4], off[4], spread[3] = {0, 0, 0};
-    box around;
-    const span *whole = curve_piece(memory, piece);
-    int d = f->solid->input.dimension;
+    const span *whole = curve_piece(memory, when->piece);
     if (!whole || whole->lost)
         return 0;
-    curve_at(place, off, memory, whole, at);
-    if (!place_bound(&around, place, off, d) ||
-        !spread_over_piece(spread, &f->course.piece[piece], points->half))
+    curve_at(place, off, memory, whole, when->at);
+    if (!place_bound(out, place, off, f->solid->input.dimension) ||
+        (half && !spread_over_piece(spread, &f->course.piece[when->piece], half)))
         return 0;
-    around = box_around(&around, spread);
-    return flip(FLIP_INTERIOR, interior_state(&f->bricks, &around) == f->proves);
+    *out = box_around(out, spread);
+    return 1;
 }
 
 int cell_is_settled(curve *memory, const filter *f, const cell *points, size_t *hint) {
@@ -189,8 +177,10 @@ int cell_is_settled(curve *memory, const filter *f, const cell *points, size_t *
         return 0;
     for (size_t k = 0; k < pieces * each; k += step) {
         size_t time = (*hint + k) % (pieces * each);
-        if (settles_at(memory, f, points, time / each,
-                       ((double)(time % each) + 0.5) / (double)each)) {
+        stay when = {(uint32_t)(time / each), ((double)(time % each) + 0.5) / (double)each};
+        box around;
+        if (bound_places(&around, memory, f, &when, points->half) &&
+            flip(FLIP_INTERIOR, interior_state(&f->bricks, &around) == f->proves)) {
             *hint = time;
             return 1;
         }
@@ -198,13 +188,29 @@ int cell_is_settled(curve *memory, const filter *f, const cell *points, size_t *
     return 0;
 }
 
-int cell_is_clear(curve *memory, const filter *f, const cell *points, const stay *during) {
-    cell_search s = {memory, f, points, 0};
-    uint32_t index = 0;
-    double spread[3];
-    if (!set_to_centre(memory, f, points) || (during && !find_span(&index, memory, during)) ||
-        !spread_of(spread, &s, &memory->spans[index]))
+int cell_anchor(anchor *out, curve *memory, const filter *f, const cell *points, const stay *when) {
+    out->when = *when;
+    return set_to_centre(memory, f, points) && bound_places(&out->around, memory, f, when, NULL);
+}
+
+int cell_joins(curve *memory, const filter *f, const cell *points, const anchor *to) {
+    size_t tests = JOIN_TESTS;
+    box all;
+    if (!set_to_centre(memory, f, points) ||
+        !bound_places(&all, memory, f, &to->when, points->half))
         return 0;
-    descend_cell(&s, 0, index, spread);
+    for (int i = 0; i < 3; i++) {
+        all.low[i] = smaller(all.low[i], to->around.low[i]);
+        all.high[i] = larger(all.high[i], to->around.high[i]);
+    }
+    return flip(FLIP_JOIN, box_is_empty(f->solid, &all, &tests));
+}
+
+int cell_is_clear(curve *memory, const filter *f, const cell *points) {
+    cell_search s = {memory, f, points, 0};
+    double spread[3];
+    if (!set_to_centre(memory, f, points) || !spread_of(spread, &s, &memory->spans[0]))
+        return 0;
+    descend_cell(&s, 0, 0, spread);
     return !s.meets && !memory->out_of_memory;
 }

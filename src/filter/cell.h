@@ -13,13 +13,32 @@ typedef struct cell {
     double half[3];
 } cell;
 
+/** At that time, some place of the box is in the state that decides a membership. */
+typedef struct anchor {
+    stay when;
+    box around;
+} anchor;
+
 /**
- * Whether certainly no point of the cell meets the boundary, at any time of the motion or, with
- * `during`, of that part of it (proofs/cells.md C76).
+ * Whether certainly no point of the cell meets the boundary, at any time of the motion
+ * (proofs/cells.md C76).
  * @param memory of one thread
  * @return 0 if that is not certain
  */
-int cell_is_clear(curve *memory, const filter *f, const cell *points, const stay *during);
+int cell_is_clear(curve *memory, const filter *f, const cell *points);
+
+/**
+ * An anchor where the cell's centre is at a time at which it is in that state.
+ * @return 0 if there is no bound
+ */
+int cell_anchor(anchor *out, curve *memory, const filter *f, const cell *points, const stay *when);
+
+/**
+ * Whether at the time of the anchor nothing of the boundary can be between it and any point of the
+ * cell, which are then in its state too (proofs/cells.md C76).
+ * @return 0 if that is not certain
+ */
+int cell_joins(curve *memory, const filter *f, const cell *points, const anchor *to);
 
 /**
  * Whether all points of the cell are at one time together in the state that decides their

@@ -167,9 +167,10 @@ int filter_set(filter_workspace *w, const filter *f, const filter_point *point) 
     return w->set;
 }
 
-int filter_search(filter_workspace *w, int *settled, const filter *f, const filter_point *point) {
+int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
+                  const filter_point *point) {
     findings *found = &w->found;
-    early_end early = {&f->bricks, f->proves, 0};
+    early_end early = {bricks, f->proves, 0};
     if (!filter_set(w, f, point) ||
         !search_curve(found, settled ? &early : NULL, &w->curve, f->solid))
         return 0;

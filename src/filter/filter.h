@@ -48,8 +48,10 @@ void filter_begin(filter_workspace *w);
  * Search all pieces. The findings stand in the workspace until the next search.
  * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
  * membership: then there are no findings. Else 0
+ * @param bricks  with `settled`: those that are asked; NULL: crossings alone settle it
  * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search
  */
-int filter_search(filter_workspace *w, int *settled, const filter *f, const filter_point *point);
+int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
+                  const filter_point *point);
 
 #endif

@@ -31,6 +31,7 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_GROUP] = "group",
     [FLIP_ALONE] = "alone",
     [FLIP_CELL] = "cell",
+    [FLIP_JOIN] = "join",
     [FLIP_INTERIOR] = "interior",
 };
 

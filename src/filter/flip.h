@@ -28,6 +28,7 @@ typedef enum flip_site {
     FLIP_GROUP,        /* so are those of several pieces */
     FLIP_ALONE,        /* a crossing is the only contact at its time */
     FLIP_CELL,         /* a box of points misses a box, or a simplex */
+    FLIP_JOIN,         /* nothing of the boundary is between a box of points and a place */
     FLIP_INTERIOR,     /* a place is in bricks of one state */
     FLIP_SITE_COUNT
 } flip_site;

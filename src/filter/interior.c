@@ -5,9 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include "filter/chord.h"
-#include "filter/flip.h"
-#include "filter/normal.h"
+#include "filter/empty.h"
 
 /* Bricks: a number for each simplex, within limits; and tests of simplices for each of either. */
 enum { BRICKS_A_SIMPLEX = 8, LEAST_BRICKS = 1 << 14, MOST_BRICKS = 1 << 19, TESTS_EACH = 8 };
@@ -19,7 +17,6 @@ typedef struct block {
 typedef struct layer {
     interior *out;
     const graze_solid *solid;
-    curve shape; /* dimension and corners alone */
     locate_function *locate;
     void *data;
     size_t tests;
@@ -41,26 +38,6 @@ static box block_box(const interior *m, const block *b) {
 
 static unsigned char *state_at(const interior *m, const size_t at[3]) {
     return m->state + (at[2] * m->count[1] + at[1]) * m->count[0] + at[0];
-}
-
-static int simplex_misses(const layer *l, const span *all, uint32_t simplex) {
-    const corners *corners = &l->solid->corners;
-    size_t d = (size_t)l->solid->input.dimension;
-    return chord_meets(&l->shape, all, corners->at + simplex * d * d, corners->error) ==
-           CHORD_MISSES;
-}
-
-/* Whether certainly no simplex below a node meets the box, of which `all` is the span. */
-static int is_empty(layer *l, const box *b, const span *all, uint32_t index) {
-    const tree_node *node = &l->solid->boxes.node[index];
-    if (flip(FLIP_BOX, !box_meets(&node->box, b)))
-        return 1;
-    if (node->child)
-        return is_empty(l, b, all, node->child) && is_empty(l, b, all, node->child + 1);
-    if (l->tests == 0)
-        return 0;
-    l->tests--;
-    return simplex_misses(l, all, node->simplex);
 }
 
 /* The state of a brick that has a side in common with the first or last brick of an empty block. */
@@ -98,13 +75,11 @@ static void take_empty(const layer *l, const block *b, const box *space) {
 /* Halve the longest side, counted in bricks, until nothing is in a block. */
 static void lay_block(layer *l, const block *b) {
     int axis = 0;
-    span all;
     for (int k = 1; k < 3; k++)
         if (b->end[k] - b->first[k] > b->end[axis] - b->first[axis])
             axis = k;
     box space = block_box(l->out, b);
-    span_of_box(&all, &l->shape, &space);
-    if (is_empty(l, &space, &all, 0)) {
+    if (box_is_empty(l->solid, &space, &l->tests)) {
         take_empty(l, b, &space);
         return;
     }
@@ -148,8 +123,7 @@ int interior_make(interior *out, const graze_solid *solid, locate_function *loca
     out->state = calloc(out->count[0] * out->count[1] * out->count[2], 1);
     if (!out->state)
         return 0;
-    layer l = {out,    solid, {.dimension = out->dimension, .corners = &solid->corners},
-               locate, data,  TESTS_EACH * (simplices + wanted)};
+    layer l = {out, solid, locate, data, TESTS_EACH * (simplices + wanted)};
     lay_block(&l, &(block){{0, 0, 0}, {out->count[0], out->count[1], out->count[2]}});
     return 1;
 }

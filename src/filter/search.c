@@ -79,6 +79,11 @@ static void sample_along(const searcher *s, const span *piece) {
         sample(s, piece, from + share[k] * (to - from));
 }
 
+/* Whether bricks are asked along a span. */
+static int samples(const searcher *s, uint32_t span_index) {
+    return s->early && s->early->bricks && s->curve->spans[span_index].degree;
+}
+
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index);
 
 static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
@@ -87,7 +92,7 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
         return 0;
     }
     uint32_t half = s->curve->spans[span_index].child, first = first_half(s, half);
-    if (s->early && s->curve->spans[half + 1].degree)
+    if (samples(s, half + 1))
         sample(s, &s->curve->spans[half + 1], 0);
     descend_curve(s, node, half + first);
     descend_curve(s, node, half + 1 - first);
@@ -128,7 +133,7 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
 }
 
 static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
-    if (s->early && !node && s->curve->spans[span_index].degree)
+    if (!node && samples(s, span_index))
         sample_along(s, &s->curve->spans[span_index]);
     for (;;) {
         const span *piece = &s->curve->spans[span_index];

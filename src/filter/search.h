@@ -12,7 +12,7 @@
 /** What ends a search: a time at which the curve is certainly in a state, or a crossing beside
  * which it is in both (proofs/membership.md C56, proofs/bricks.md C86). */
 typedef struct early_end {
-    const interior *bricks;
+    const interior *bricks; /* NULL: crossings alone */
     graze_state state;
     int met;
 } early_end;

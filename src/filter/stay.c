@@ -3,33 +3,16 @@
  */
 #include "filter/stay.h"
 
-#include <math.h>
-#include "filter/curve.h"
-
-/* A part is at most this share of the stretch it is the middle of, and no shorter than units of
- * 2^-STAY_LEVELS. */
-enum { STAY_SHARE = 8, STAY_LEVELS = 20 };
-
 typedef struct stretches {
     stay *best;
     double length[STAYS_MOST];
     int count;
 } stretches;
 
-/* The middle of the times from `low` to `high` of a piece. */
-static int middle_part(stay *out, uint32_t piece, double low, double high) {
-    int level = 0;
-    while (level < STAY_LEVELS && ldexp(STAY_SHARE, -level) > high - low)
-        level++;
-    double start = floor(ldexp(0.5 * (low + high), level));
-    *out = (stay){piece, (uint32_t)ldexp(start, WINDOW_LEVELS - level), level};
-    return ldexp(start, -level) > low && ldexp(start + 1, -level) < high;
-}
-
 static void take_stretch(stretches *s, uint32_t piece, double low, double high) {
-    stay part;
+    stay middle = {piece, 0.5 * (low + high)};
     int at = s->count;
-    if (!middle_part(&part, piece, low, high))
+    if (!(middle.at > low && middle.at < high))
         return;
     while (at > 0 && s->length[at - 1] < high - low)
         at--;
@@ -40,7 +23,7 @@ static void take_stretch(stretches *s, uint32_t piece, double low, double high) 
         s->best[k] = s->best[k - 1];
         s->length[k] = s->length[k - 1];
     }
-    s->best[at] = part;
+    s->best[at] = middle;
     s->length[at] = high - low;
 }
 

@@ -6,18 +6,18 @@
 
 #include "filter/findings.h"
 
-/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, in 2^-WINDOW_LEVELS. */
+/** A time of a piece, in [0, 1]. */
 typedef struct stay {
-    uint32_t piece, start;
-    int level;
+    uint32_t piece;
+    double at;
 } stay;
 
 /** As many as are looked for. */
 enum { STAYS_MOST = 2 };
 
 /**
- * Find parts of the longest stretches of time in which the point of a search is certainly inside,
- * or with `outside` certainly outside (proofs/cells.md C76).
+ * Find times in the longest stretches in which the point of a search is certainly inside, or with
+ * `outside` certainly outside (proofs/cells.md C76).
  * @param found of filter_search
  * @return how many there are; 0 also where some finding is not certain, or there is no crossing
  */

@@ -41,7 +41,7 @@ static void make_cell(cell *out, const bricklayer *b, const brick *points) {
 static graze_status decide_centre(graze_pmc *out, const bricklayer *b, const cell *points) {
     graze_trace trace;
     graze_status status = classify_point(&trace, b->context, b->scene,
-                                         (query_point){.value = points->centre}, TRACE_PMC);
+                                         (query_point){.value = points->centre}, TRACE_PMC_BESIDE);
     if (status)
         return status;
     *out = trace.verdict.pmc;
@@ -56,38 +56,55 @@ static const findings *search_centre(const bricklayer *b, const cell *points) {
     memcpy(centre.at, points->centre, sizeof centre.at);
     if (w)
         filter_begin(w);
-    return w && filter_search(w, NULL, &b->scene->filter, &centre) ? &w->found : NULL;
+    return w && filter_search(w, NULL, NULL, &b->scene->filter, &centre) ? &w->found : NULL;
 }
 
-/* Whether the cell stays with its centre for some time where one time decides. */
-static int stays_with_centre(bricklayer *b, const cell *points, const findings *found) {
-    stay part[STAYS_MOST];
-    int count = stays_find(part, found, b->scene->motion->piece_count,
-                           b->scene->options.operation == GRAZE_UNSWEEP);
+/* Places that the points of a part are perhaps joined with. */
+typedef struct anchors {
+    anchor item[STAYS_MOST];
+    int count;
+} anchors;
+
+/* Those of the centre of a cell that have crossings; else nothing is changed. */
+static void find_anchors(anchors *out, bricklayer *b, const cell *points) {
+    stay when[STAYS_MOST];
+    const findings *found = search_centre(b, points);
+    int count = found ? stays_find(when, found, b->scene->motion->piece_count,
+                                   b->scene->options.operation == GRAZE_UNSWEEP)
+                      : 0;
+    if (count)
+        out->count = 0;
     for (int k = 0; k < count; k++)
-        if (cell_is_clear(&b->tube, &b->scene->filter, points, &part[k]))
+        out->count += cell_anchor(&out->item[out->count], &b->tube, &b->scene->filter, points,
+                                  &when[k]);
+}
+
+static int joins_anchors(bricklayer *b, const cell *points, const anchors *near) {
+    for (int k = 0; k < near->count; k++)
+        if (cell_joins(&b->tube, &b->scene->filter, points, &near->item[k]))
             return 1;
     return 0;
 }
 
+/* What a time in the state that decides makes of a point. */
+static graze_pmc membership_proved(const bricklayer *b) {
+    return b->scene->options.operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN;
+}
+
 /* The membership of all points of a cell; NONE if it is not known to be one (proofs/cells.md
- * C76). */
-static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points) {
-    if (cell_is_settled(&b->tube, &b->scene->filter, points, &b->time)) {
-        *out = b->scene->options.operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN;
+ * C76).
+ * @param[in,out] near those of a cell around it; its own where it has some */
+static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points, anchors *near) {
+    *out = membership_proved(b);
+    if (cell_is_settled(&b->tube, &b->scene->filter, points, &b->time) ||
+        joins_anchors(b, points, near))
+        return GRAZE_OK;
+    if (!cell_is_clear(&b->tube, &b->scene->filter, points)) {
+        find_anchors(near, b, points);
+        if (!joins_anchors(b, points, near))
+            *out = GRAZE_PMC_NONE;
         return GRAZE_OK;
     }
-    const findings *found = search_centre(b, points);
-    *out = GRAZE_PMC_NONE;
-    if (!found)
-        return GRAZE_OK;
-    if (found->crossing_count) {
-        if (stays_with_centre(b, points, found))
-            *out = b->scene->options.operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN;
-        return GRAZE_OK;
-    }
-    if (found->window_count || !cell_is_clear(&b->tube, &b->scene->filter, points, NULL))
-        return GRAZE_OK;
     graze_status status = decide_centre(out, b, points);
     return status || *out != GRAZE_ON ? status
                                       : context_fail(b->context, GRAZE_EINTERNAL,
@@ -120,7 +137,7 @@ static graze_status ask_point(bricklayer *b, const size_t at[3]) {
     for (int k = 0; k < b->dimension; k++)
         point[k] = b->exact[k][at[k] - b->whole->first[k]];
     graze_status status =
-        classify_point(&trace, b->context, b->scene, (query_point){.rational = point}, TRACE_PMC);
+        classify_point(&trace, b->context, b->scene, (query_point){.rational = point}, TRACE_PMC_BESIDE);
     if (status)
         return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
     *byte_of(b, at) = (unsigned char)trace.verdict.pmc;
@@ -128,12 +145,25 @@ static graze_status ask_point(bricklayer *b, const size_t at[3]) {
     return GRAZE_OK;
 }
 
-static graze_status ask_points(bricklayer *b, const brick *part) {
+/* Whether a point is joined with an anchor. */
+static int point_joins(bricklayer *b, const size_t at[3], const anchors *near) {
+    brick alone = {{at[0], at[1], at[2]}, {at[0] + 1, at[1] + 1, at[2] + 1}};
+    cell point;
+    if (!near->count)
+        return 0;
+    make_cell(&point, b, &alone);
+    return joins_anchors(b, &point, near);
+}
+
+static graze_status ask_points(bricklayer *b, const brick *part, const anchors *near) {
     size_t at[3];
     graze_status status = GRAZE_OK;
     memcpy(at, part->first, sizeof at);
     do
-        status = ask_point(b, at);
+        if (point_joins(b, at, near))
+            *byte_of(b, at) = (unsigned char)membership_proved(b);
+        else
+            status = ask_point(b, at);
     while (!status && next_place(at, part));
     return status;
 }
@@ -161,16 +191,17 @@ static int take_half(brick *out, const brick *part, int half) {
     return 1;
 }
 
-static graze_status decide_part(bricklayer *b, const brick *part) {
+static graze_status decide_part(bricklayer *b, const brick *part, const anchors *around) {
     size_t most = 0;
+    anchors near = *around;
     graze_pmc pmc;
     cell points;
     for (int k = 0; k < 3; k++)
         most = part->end[k] - part->first[k] > most ? part->end[k] - part->first[k] : most;
     if (most < LEAST_SIDE)
-        return ask_points(b, part);
+        return ask_points(b, part, &near);
     make_cell(&points, b, part);
-    graze_status status = decide_cell(&pmc, b, &points);
+    graze_status status = decide_cell(&pmc, b, &points, &near);
     if (status)
         return status;
     if (pmc != GRAZE_PMC_NONE) {
@@ -178,11 +209,11 @@ static graze_status decide_part(bricklayer *b, const brick *part) {
         return GRAZE_OK;
     }
     if (most <= LEAST_SIDE)
-        return ask_points(b, part);
+        return ask_points(b, part, &near);
     for (int half = 0; half < 8 && !status; half++) {
         brick child;
         if (take_half(&child, part, half))
-            status = decide_part(b, &child);
+            status = decide_part(b, &child, &near);
     }
     return status;
 }
@@ -206,7 +237,9 @@ graze_status brick_decide(unsigned char pmc[BRICK_POINTS], graze_context *contex
     memset(pmc, 0, BRICK_POINTS);
     curve_init(&b.tube);
     set_coordinates(&b, l);
-    graze_status status = context->exact_only ? ask_points(&b, points) : decide_part(&b, points);
+    anchors none = {.count = 0};
+    graze_status status =
+        context->exact_only ? ask_points(&b, points, &none) : decide_part(&b, points, &none);
     for (int k = 0; k < l->dimension; k++)
         _fmpq_vec_clear(b.exact[k], (slong)(points->end[k] - points->first[k]));
     curve_clear(&b.tube);

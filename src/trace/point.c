@@ -151,9 +151,11 @@ static graze_status trace_found(tracer *r, const findings *found) {
 
 static graze_status trace_pieces(tracer *r) {
     graze_status status = context_poll(r->context);
-    int *settled = r->detail == TRACE_PMC ? &r->out->settled : NULL;
+    const filter *f = &r->scene->filter;
+    int *settled = r->detail >= TRACE_PMC ? &r->out->settled : NULL;
     if (status == GRAZE_OK && r->workspace &&
-        filter_search(r->workspace, settled, &r->scene->filter, &r->near)) {
+        filter_search(r->workspace, settled, r->detail == TRACE_PMC ? &f->bricks : NULL, f,
+                      &r->near)) {
         if (r->out->settled)
             return GRAZE_OK;
         status = trace_found(r, &r->workspace->found);

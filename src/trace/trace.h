@@ -21,8 +21,8 @@ struct graze_trace {
     size_t contact_count, contact_capacity;
     contact *contact;
     char *word;
-    int settled; /* TRACE_PMC: somewhere in the state that decides the membership; nothing above is
-                    set */
+    int settled; /* TRACE_PMC, TRACE_PMC_BESIDE: somewhere in the state that decides the membership;
+                    nothing above is set */
     graze_verdict verdict; /* filled by the verdict stage */
 };
 
@@ -33,8 +33,14 @@ typedef struct query_point {
 } query_point;
 
 /** Wanted part of a trace: contacts with times and cells; or states and the word alone; or, where a
- * certain crossing is met, that there is one, else as TRACE_WORD. */
-typedef enum trace_detail { TRACE_CONTACTS, TRACE_WORD, TRACE_PMC } trace_detail;
+ * certain crossing or a brick is met, that there is one, else as TRACE_WORD; the same for points next
+ * to the sweep's boundary, which asks bricks of none. */
+typedef enum trace_detail {
+    TRACE_CONTACTS,
+    TRACE_WORD,
+    TRACE_PMC,
+    TRACE_PMC_BESIDE
+} trace_detail;
 
 void trace_clear(graze_trace *trace);
 
