@@ -43,8 +43,8 @@ static int reserve_halves(curve *c) {
     return !c->out_of_memory;
 }
 
-/* shift_error, shift_size, speed from the coefficients and their errors. */
-static void bound_shift(span *piece, const curve *c) {
+/* From the coefficients and their errors. */
+shift_bound curve_shift(const curve *c, const span *piece) {
     int d = c->dimension, n = piece->degree;
     double error = 0, size = 0, steepest = 0;
     for (int i = 0; i <= d; i++) {
@@ -63,9 +63,8 @@ static void bound_shift(span *piece, const curve *c) {
             steepest += c->corners->reach * (step + 2 * piece->error[d]);
         }
     }
-    piece->shift_error = SLACK * error;
-    piece->shift_size = SLACK * (size + error);
-    piece->speed = SLACK * n * (steepest + 2 * U * size);
+    return (shift_bound){SLACK * error, SLACK * (size + error),
+                         SLACK * n * (steepest + 2 * U * size)};
 }
 
 /* What forms at the chord's places need (proofs/filter.md C35 (f)). */
@@ -85,19 +84,24 @@ static void bound_forms(span *piece, const curve *c) {
 static void bound_space(span *piece, const curve *c) {
     int d = c->dimension, n = piece->degree;
     const double *w = curve_coefficients(c, piece, d);
-    double least = w[0];
-    for (int k = 1; k <= n; k++)
+    double least = w[0], each = 1.0 / (n ? n : 1), share[CARRIER_DEGREE + 1];
+    double inverse[CARRIER_DEGREE + 1];
+    for (int k = 0; k <= n; k++) {
         least = smaller(least, w[k]);
+        inverse[k] = 1 / w[k];
+        share[k] = k * each;
+    }
     piece->bounded = flip(FLIP_WEIGHT, least > 2 * piece->error[d]);
     piece->bend = 0;
     for (int i = 0; i < 3; i++)
         piece->from[i] = piece->along[i] = piece->thick[i] = piece->inverse[i] = 0;
     for (int i = 0; i < d && piece->bounded; i++) {
         const double *x = curve_coefficients(c, piece, i);
-        double from = x[0] / w[0], along = x[n] / w[n] - from, off = 0, most = fabs(from);
+        double from = x[0] * inverse[0], along = x[n] * inverse[n] - from, off = 0;
+        double most = fabs(from);
         for (int k = 1; k <= n; k++) {
-            double at = x[k] / w[k];
-            off = larger(off, fabs(at - (from + along * k / n)));
+            double at = x[k] * inverse[k];
+            off = larger(off, fabs(at - (from + along * share[k])));
             most = larger(most, fabs(at));
         }
         piece->from[i] = from;
@@ -120,7 +124,6 @@ static void finish_span(curve *c, size_t index, const double *error) {
     piece->child = 0;
     for (int i = 0; i <= c->dimension; i++)
         piece->error[i] = error[i];
-    bound_shift(piece, c);
     bound_space(piece, c);
 }
 

@@ -40,11 +40,14 @@ typedef struct span {
                         cutting     would not make it thinner */
     double size[4];  /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole piece */
     double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
-    /* With D = X - v W for any corner v, coefficient by coordinate (proofs/filter.md C35): */
-    double shift_error; /* of a computed D */
-    double shift_size;  /* |D| is at most this */
-    double speed;       /* |dD/ds| is at most this */
 } span;
+
+/** On a span, of D = X - v W for any corner v, coefficient by coordinate (proofs/filter.md C35). */
+typedef struct shift_bound {
+    double error; /* of a computed D */
+    double size;  /* |D| is at most this */
+    double speed; /* |dD/ds| is at most this */
+} shift_bound;
 
 /** A query point in doubles, each within 2^-50 of itself of the exact coordinate. */
 typedef struct filter_point {
@@ -101,6 +104,8 @@ int place_bound(box *out, const double *place, const double *off, int dimension)
 /** A span that is a box: its chord is the middle.
  * @param shape its dimension and corners are used alone */
 void span_of_box(span *out, const curve *shape, const box *b);
+
+shift_bound curve_shift(const curve *c, const span *piece);
 
 /** The coefficients of coordinate i of a span. */
 const double *curve_coefficients(const curve *c, const span *piece, int i);

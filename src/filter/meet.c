@@ -27,6 +27,7 @@ typedef struct meeter {
     const double *corner;
     double corner_error;
     normal normal;
+    shift_bound shift;
     pullback plane;
 } meeter;
 
@@ -43,10 +44,10 @@ static void make_plane(meeter *m) {
         for (int k = 0; k <= n; k++)
             p->at[k] = (i ? p->at[k] : 0) + a * (x[k] - v * w[k]);
     }
-    const span *s = m->piece;
-    p->error = SLACK * (norm * (s->shift_error + 4 * U * s->shift_size) +
-                        3 * m->normal.error * (s->shift_size + s->shift_error)) +
-               FLOOR;
+    const shift_bound *s = &m->shift;
+    p->error =
+        SLACK * (norm * (s->error + 4 * U * s->size) + 3 * m->normal.error * (s->size + s->error)) +
+        FLOOR;
     p->size = 0;
     for (int k = 0; k <= n; k++)
         p->size = larger(p->size, fabs(p->at[k]));
@@ -102,7 +103,7 @@ static int is_beside(const meeter *m, int drop) {
         const double *v = m->corner + d * side;
         int beyond = 1;
         for (int k = 0; k <= n && beyond; k++) {
-            shifted at = {xi[k] - v[i] * w[k], xj[k] - v[j] * w[k], m->piece->shift_error};
+            shifted at = {xi[k] - v[i] * w[k], xj[k] - v[j] * w[k], m->shift.error};
             beyond = side_sign(m, side, drop, &at) < 0;
         }
         if (beyond)
@@ -173,11 +174,10 @@ static int judge_sides(unsigned *inside, const meeter *m, const meet_window *w) 
     if (drop < 0)
         return 1;
     double at[4], error[4], middle = 0.5 * (w->low + w->high);
-    double away = (larger(w->high - middle, middle - w->low)) * m->piece->speed;
+    double away = (larger(w->high - middle, middle - w->low)) * m->shift.speed;
     curve_at(at, error, m->c, m->piece, middle);
     int i = first_axis(m, drop), j = second_axis(m, drop);
-    double e =
-        SLACK * (m->piece->shift_error + 5 * m->piece->degree * U * m->piece->shift_size + away);
+    double e = SLACK * (m->shift.error + 5 * m->piece->degree * U * m->shift.size + away);
     for (int side = 0; side < d; side++) {
         const double *v = m->corner + d * side;
         shifted place = {at[i] - v[i] * at[d], at[j] - v[j] * at[d], e};
@@ -226,6 +226,7 @@ static signs read_signs(const meeter *m) {
 static meeter begin_meeter(const curve *c, const span *piece, const double *corner,
                            double corner_error) {
     meeter m = {.c = c, .piece = piece, .corner = corner, .corner_error = corner_error};
+    m.shift = curve_shift(c, piece);
     if (c->dimension == 2)
         normal_plane(&m.normal, corner, corner_error);
     else

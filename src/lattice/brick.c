@@ -75,8 +75,8 @@ static void find_anchors(anchors *out, bricklayer *b, const cell *points) {
     if (count)
         out->count = 0;
     for (int k = 0; k < count; k++)
-        out->count += cell_anchor(&out->item[out->count], &b->tube, &b->scene->filter, points,
-                                  &when[k]);
+        out->count +=
+            cell_anchor(&out->item[out->count], &b->tube, &b->scene->filter, points, &when[k]);
 }
 
 static int joins_anchors(bricklayer *b, const cell *points, const anchors *near) {
@@ -136,8 +136,8 @@ static graze_status ask_point(bricklayer *b, const size_t at[3]) {
     graze_trace trace;
     for (int k = 0; k < b->dimension; k++)
         point[k] = b->exact[k][at[k] - b->whole->first[k]];
-    graze_status status =
-        classify_point(&trace, b->context, b->scene, (query_point){.rational = point}, TRACE_PMC_BESIDE);
+    graze_status status = classify_point(&trace, b->context, b->scene,
+                                         (query_point){.rational = point}, TRACE_PMC_BESIDE);
     if (status)
         return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
     *byte_of(b, at) = (unsigned char)trace.verdict.pmc;

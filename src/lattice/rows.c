@@ -62,8 +62,8 @@ typedef struct row_ends {
 
 static void set_ends(row_ends *e) {
     for (int p = 0; p < 4; p++)
-        e->length[p] = (size_t)snprintf(e->text[p], sizeof e->text[p], "%s\n",
-                                        graze_pmc_name((graze_pmc)p));
+        e->length[p] =
+            (size_t)snprintf(e->text[p], sizeof e->text[p], "%s\n", graze_pmc_name((graze_pmc)p));
 }
 
 static char *put_piece(char *at, const char *bytes, size_t length) {

@@ -56,7 +56,9 @@ int block_add(block *b, field text, unsigned long number) {
 }
 
 void block_reset(block *b, unsigned long before) {
-    for (size_t r = 0; r < b->count; r++) {
+    size_t taken;
+    for (size_t r = 0; r < b->count; r += taken ? taken : 1) {
+        taken = b->runs[r].taken;
         for (int kind = 0; kind < RESULT_KINDS; kind++)
             graze_free(b->runs[r].out[kind].text);
         fault_clear(&b->runs[r].fault);

@@ -33,14 +33,9 @@ typedef struct query_point {
 } query_point;
 
 /** Wanted part of a trace: contacts with times and cells; or states and the word alone; or, where a
- * certain crossing or a brick is met, that there is one, else as TRACE_WORD; the same for points next
- * to the sweep's boundary, which asks bricks of none. */
-typedef enum trace_detail {
-    TRACE_CONTACTS,
-    TRACE_WORD,
-    TRACE_PMC,
-    TRACE_PMC_BESIDE
-} trace_detail;
+ * certain crossing or a brick is met, that there is one, else as TRACE_WORD; the same for points
+ * next to the sweep's boundary, which asks bricks of none. */
+typedef enum trace_detail { TRACE_CONTACTS, TRACE_WORD, TRACE_PMC, TRACE_PMC_BESIDE } trace_detail;
 
 void trace_clear(graze_trace *trace);
 
