@@ -93,16 +93,22 @@ static graze_pmc membership_proved(const bricklayer *b) {
 
 /* The membership of all points of a cell; NONE if it is not known to be one (proofs/cells.md
  * C76).
- * @param[in,out] near those of a cell around it; its own where it has some */
-static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points, anchors *near) {
+ * @param[in,out] near those of a cell around it; its own where it has some
+ * @param smallest its points are next: then those around it will do, since a search costs as much
+ * as some points */
+static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points, anchors *near,
+                                int smallest) {
     *out = membership_proved(b);
     if (cell_is_settled(&b->tube, &b->scene->filter, points, &b->time) ||
         joins_anchors(b, points, near))
         return GRAZE_OK;
     if (!cell_is_clear(&b->tube, &b->scene->filter, points)) {
+        *out = GRAZE_PMC_NONE;
+        if (smallest && near->count)
+            return GRAZE_OK;
         find_anchors(near, b, points);
-        if (!joins_anchors(b, points, near))
-            *out = GRAZE_PMC_NONE;
+        if (joins_anchors(b, points, near))
+            *out = membership_proved(b);
         return GRAZE_OK;
     }
     graze_status status = decide_centre(out, b, points);
@@ -201,7 +207,7 @@ static graze_status decide_part(bricklayer *b, const brick *part, const anchors 
     if (most < LEAST_SIDE)
         return ask_points(b, part, &near);
     make_cell(&points, b, part);
-    graze_status status = decide_cell(&pmc, b, &points, &near);
+    graze_status status = decide_cell(&pmc, b, &points, &near, most <= LEAST_SIDE);
     if (status)
         return status;
     if (pmc != GRAZE_PMC_NONE) {

@@ -122,10 +122,10 @@ def through_tips(graze, rng, count):
     return query
 
 
-def grid(graze, name, scene):
+def grid(graze, name, scene, sizes):
     """Points decided by cells, of all sizes beside the boundary."""
     paths = [graze.write(name + suffix, text) for suffix, text in zip((scene.solid.suffix, ".json"), scene.texts())]
-    return Query(f"grid, {name}", [*paths, "--grid", "330,290", "--columns", "pmc"])
+    return Query(f"grid, {name}", [*paths, "--grid", sizes, "--columns", "pmc"])
 
 
 def over_the_break(graze, rng, count):
@@ -145,7 +145,7 @@ def over_the_break(graze, rng, count):
 
 
 def queries(graze, rng, scale):
-    """The files of FILES and the six made for one site, written, and a grid."""
+    """The files of FILES and the six made for one site, written, and two grids."""
     plane = plane_solids(), plane_adversaries()
     space = dict(space_solids(), ridges=terrain(20, random.Random(5))), space_adversaries()
     for k, (solid, motion, place, form, *counts) in enumerate(FILES):
@@ -166,7 +166,8 @@ def queries(graze, rng, scale):
     yield weights(graze, rng, 12000 * scale)
     yield weights(graze, rng, 12000 * scale, 2)
     yield through_tips(graze, rng, 12000 * scale)
-    yield grid(graze, "comb", Scene("comb", plane[0]["comb"], plane[1]["across"], places(2)[""]))
+    yield grid(graze, "comb", Scene("comb", plane[0]["comb"], plane[1]["across"], places(2)[""]), "330,290")
+    yield grid(graze, "torus", Scene("torus", space[0]["torus"], space[1]["slide"], places(3)[""]), "60,50,50")
     yield from over_the_break(graze, rng, 24000 * scale)
 
 

@@ -41,18 +41,19 @@ static void check_shifts(const scene *s, const span *piece, forms f) {
     fmpq_init(exact);
     fmpq_init(before);
     const double *w = curve_coefficients(&s->curve, piece, s->d);
+    shift_bound bound = curve_shift(&s->curve, piece);
     for (int c = 0; c < s->d; c++)
         for (int i = 0; i < s->d; i++)
             for (int k = 0; k <= s->n; k++) {
                 double x = curve_coefficients(&s->curve, piece, i)[k];
                 exact_shift(exact, s, f, c, i, k);
                 check_within(s, "shifted coefficient", x - s->near[c * s->d + i] * w[k], exact,
-                             piece->shift_error);
-                check_within(s, "size", 0, exact, piece->shift_size);
+                             bound.error);
+                check_within(s, "size", 0, exact, bound.size);
                 if (k > 0) {
                     fmpq_sub(before, exact, before);
                     fmpq_mul_si(before, before, s->n);
-                    check_within(s, "speed", 0, before, piece->speed);
+                    check_within(s, "speed", 0, before, bound.speed);
                 }
                 fmpq_set(before, exact);
             }
@@ -228,9 +229,10 @@ static void check_meeting(const scene *s, const span *piece, forms f, tally *cou
 /* About the error that meet_simplex allows the plane's pullback, so that it can be aimed at. */
 static double aim(const scene *s, const span *piece, const double *normal) {
     double norm = 0;
+    shift_bound bound = curve_shift(&s->curve, piece);
     for (int i = 0; i < s->d; i++)
         norm += fabs(normal[i]);
-    return norm * (piece->shift_error + 4 * UNIT_ROUNDING * piece->shift_size);
+    return norm * (bound.error + 4 * UNIT_ROUNDING * bound.size);
 }
 
 /* Move control point k along the normal so that the pullback's coefficient becomes `value`. */
