@@ -84,9 +84,10 @@ static void bound_forms(span *piece, const curve *c) {
 static void bound_space(span *piece, const curve *c) {
     int d = c->dimension, n = piece->degree;
     const double *w = curve_coefficients(c, piece, d);
-    double least = w[0], each = 1.0 / (n ? n : 1), share[CARRIER_DEGREE + 1];
+    double least = w[0], each = 1.0 / n, share[CARRIER_DEGREE + 1];
     double inverse[CARRIER_DEGREE + 1];
-    for (int k = 0; k <= n; k++) {
+    inverse[0] = 1 / w[0];
+    for (int k = 1; k <= n; k++) {
         least = smaller(least, w[k]);
         inverse[k] = 1 / w[k];
         share[k] = k * each;
