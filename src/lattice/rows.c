@@ -66,24 +66,24 @@ static void set_ends(row_ends *e) {
             (size_t)snprintf(e->text[p], sizeof e->text[p], "%s\n", graze_pmc_name((graze_pmc)p));
 }
 
-static char *put_piece(char *at, const char *bytes, size_t length) {
+static char *append_bytes(char *at, const char *bytes, size_t length) {
     if (length)
         memcpy(at, bytes, length);
     return at + length;
 }
 
 /* One row, whose first coordinate has number `i`. */
-static void put_row(text *out, const axis_texts *a, const lattice *l, size_t i, const text *others,
-                    const row_ends *ends, unsigned char pmc) {
+static void put_grid_row(text *out, const axis_texts *a, const lattice *l, size_t i,
+                         const text *others, const row_ends *ends, unsigned char pmc) {
     size_t start = a->end && i ? a->end[i - 1] : 0, length = a->end ? a->end[i] - start : 0;
     if (!a->end)
         put_coordinate(out, l, 0, i);
     if (!text_reserve(out, length + others->length + ends->length[pmc]))
         return;
     char *at = out->data + out->length;
-    at = put_piece(at, a->all.data + start, length);
-    at = put_piece(at, others->data, others->length);
-    at = put_piece(at, ends->text[pmc], ends->length[pmc]);
+    at = append_bytes(at, a->all.data + start, length);
+    at = append_bytes(at, others->data, others->length);
+    at = append_bytes(at, ends->text[pmc], ends->length[pmc]);
     *at = '\0';
     out->length = (size_t)(at - out->data);
 }
@@ -119,7 +119,7 @@ void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *p
         if ((p > 0 && move_on(place, l, by)) || p == 0)
             set_others(&others, l, place);
         out->failed |= others.failed;
-        put_row(out, a, l, place[0], &others, &ends, pmc[p]);
+        put_grid_row(out, a, l, place[0], &others, &ends, pmc[p]);
     }
     text_clear(&others);
 }
