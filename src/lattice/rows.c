@@ -66,7 +66,7 @@ static void set_ends(row_ends *e) {
             (size_t)snprintf(e->text[p], sizeof e->text[p], "%s\n", graze_pmc_name((graze_pmc)p));
 }
 
-static char *append_bytes(char *at, const char *bytes, size_t length) {
+static char *glue_bytes(char *at, const char *bytes, size_t length) {
     if (length)
         memcpy(at, bytes, length);
     return at + length;
@@ -81,9 +81,9 @@ static void put_grid_row(text *out, const axis_texts *a, const lattice *l, size_
     if (!text_reserve(out, length + others->length + ends->length[pmc]))
         return;
     char *at = out->data + out->length;
-    at = append_bytes(at, a->all.data + start, length);
-    at = append_bytes(at, others->data, others->length);
-    at = append_bytes(at, ends->text[pmc], ends->length[pmc]);
+    at = glue_bytes(at, a->all.data + start, length);
+    at = glue_bytes(at, others->data, others->length);
+    at = glue_bytes(at, ends->text[pmc], ends->length[pmc]);
     *at = '\0';
     out->length = (size_t)(at - out->data);
 }
