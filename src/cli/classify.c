@@ -29,7 +29,7 @@ static const char classify_help[] =
     "  --format vtk|npy     the table as a legacy VTK file or a structured numpy array\n"
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
     "  --triangulate        fan facets that are not planar from their first vertex\n"
-    "  --jobs N             threads (default: all cores); the output is the same for any N\n"
+    "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
     "  --no-filter          the exact path alone: the same answers, slower\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --certify FILE       a certificate beside the table, as graze certify writes it; continued\n"

@@ -20,7 +20,7 @@ static const char contact_help[] =
     "                       vertex 5) that is in contact then; column shift: squared distance\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with the values of each facet\n"
-    "  --jobs N             threads (default: all cores); the output is the same for any N\n"
+    "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
     "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"

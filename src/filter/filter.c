@@ -30,6 +30,7 @@ static void workspace_free(void *memory) {
     curve_clear(&w->ray);
     findings_clear(&w->found);
     findings_clear(&w->ray_found);
+    form_memory_clear(&w->forms);
     free(w);
 }
 

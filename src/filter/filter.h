@@ -10,6 +10,7 @@
 #include "filter/curve.h"
 #include "filter/findings.h"
 #include "filter/interior.h"
+#include "solid/known.h"
 #include "solid/solid.h"
 
 /** What a filter keeps of a scene; immutable, shared by threads. */
@@ -33,6 +34,7 @@ typedef struct filter_workspace {
     int set; /* `curve` is that of the point */
     curve curve, ray;
     findings found, ray_found;
+    form_memory forms; /* of the solid that was asked last */
 } filter_workspace;
 
 /** Set the workspace's curve, unless it is; 0 if the filter cannot be used for it. */

@@ -104,8 +104,10 @@ static int start_thread(worker *w) {
 }
 
 int jobs_width(int threads) {
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    return threads ? threads : cores > 0 ? (int)cores : 1;
+    long online = sysconf(_SC_NPROCESSORS_ONLN);
+    int cores = online > 0 ? (int)online : 1;
+    /* More than that would take turns, and the one that writes the table with them. */
+    return threads && threads < cores ? threads : cores;
 }
 
 int jobs_start(jobs **out, int threads, const answer_task *task) {

@@ -12,7 +12,8 @@ typedef struct jobs jobs;
  * answered. */
 enum { LAST_LOOKS = 10, LOOK_MILLISECONDS = 20 };
 
-/** How many rows are answered at one time, if `threads` are asked for; 0: one for each core. */
+/** How many rows are answered at one time, if `threads` are asked for: no more than there are
+ * cores; 0: one for each core. */
 int jobs_width(int threads);
 /** Start the threads, each with a context of its own. On failure says why; `*out` is for jobs_stop
  * in either case. */

@@ -3,6 +3,7 @@
  */
 #include "solid/create.h"
 
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "number/rounding.h"
@@ -63,6 +64,11 @@ static void make_note(graze_solid *solid) {
              flat->to, others);
 }
 
+static unsigned long next_number(void) {
+    static atomic_ulong made;
+    return atomic_fetch_add(&made, 1) + 1;
+}
+
 graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags) {
     *out = NULL;
     graze_solid *solid = calloc(1, sizeof *solid);
@@ -70,6 +76,7 @@ graze_status solid_create(graze_solid **out, graze_context *context, soup *input
         soup_clear(input);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a solid");
     }
+    solid->number = next_number();
     solid->input = *input;
     graze_status status = validate_soup(&solid->cut, context, &solid->input, flags);
     if (status == GRAZE_OK)

@@ -21,7 +21,8 @@ static int compare_entries(const void *left, const void *right, void *list) {
     return order ? order : a < b ? -1 : a > b;
 }
 
-static void compute_forms(plane_list *list, const graze_solid *solid, const uint32_t *simplex) {
+static void compute_forms(plane_list *list, form_memory *forms, const graze_solid *solid,
+                          const uint32_t *simplex) {
     slong width = list->dimension + 1;
     list->form = _fmpz_vec_init((slong)list->simplex_count * width);
     for (size_t k = 0; k < list->simplex_count; k++) {
@@ -29,7 +30,7 @@ static void compute_forms(plane_list *list, const graze_solid *solid, const uint
         if (simplex && k > 0 && simplex[k] == simplex[k - 1])
             _fmpz_vec_set(form, form - width, width);
         else
-            solid_plane(form, solid, simplex ? simplex[k] : k);
+            known_plane(form, forms, solid, simplex ? simplex[k] : (uint32_t)k);
     }
 }
 
@@ -49,7 +50,8 @@ static void share(plane_list *list) {
     list->form = kept;
 }
 
-int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count) {
+int planes_find_known(plane_list *out, form_memory *forms, const graze_solid *solid,
+                      const uint32_t *simplex, size_t count) {
     *out = (plane_list){.simplex_count = count, .dimension = solid->input.dimension};
     out->order = malloc((count + 1) * sizeof *out->order);
     out->start = malloc((count + 1) * sizeof *out->start);
@@ -59,10 +61,14 @@ int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simpl
     }
     for (size_t k = 0; k < count; k++)
         out->order[k] = (uint32_t)k;
-    compute_forms(out, solid, simplex);
+    compute_forms(out, forms, solid, simplex);
     qsort_r(out->order, count, sizeof *out->order, compare_entries, out);
     share(out);
     return 0;
+}
+
+int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count) {
+    return planes_find_known(out, NULL, solid, simplex, count);
 }
 
 void planes_clear(plane_list *list) {

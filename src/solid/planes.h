@@ -4,7 +4,7 @@
 #ifndef GRAZE_SOLID_PLANES_H
 #define GRAZE_SOLID_PLANES_H
 
-#include "solid/solid.h"
+#include "solid/known.h"
 
 /**
  * The planes of a list of simplices. Plane p is the form at form + p * (d + 1); the entries of the
@@ -25,6 +25,10 @@ typedef struct plane_list {
  * @return 0, or -1 without memory; then there is nothing to clear
  */
 int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count);
+
+/** The same with the forms that a memory has, or with none for NULL. */
+int planes_find_known(plane_list *out, form_memory *forms, const graze_solid *solid,
+                      const uint32_t *simplex, size_t count);
 void planes_clear(plane_list *list);
 
 #endif

@@ -3,7 +3,7 @@
  *
  * The boundary is cut into simplices (validate.h). Each lies in a plane (E^2: a line) and is cut
  * out of it by its d side forms (forms.h). Large boundaries are asked about few of their simplices,
- * so forms are made when asked for and not kept.
+ * so forms are made when asked for and not kept here (known.h keeps a few for a thread).
  */
 #ifndef GRAZE_SOLID_SOLID_H
 #define GRAZE_SOLID_SOLID_H
@@ -14,6 +14,7 @@
 #include "validate/simplices.h"
 
 struct graze_solid {
+    unsigned long number; /* no other solid of the process has had it; not 0 */
     soup input;
     simplices cut;
     /* vertex_count * d bounds of the coordinates: low[i] <= coordinates[i] <= high[i]. They are

@@ -19,8 +19,11 @@ static graze_status trace_window(tracer *r, size_t piece, candidates *list, int 
     if (!c)
         return GRAZE_ESYSTEM;
     touches_init(&t);
-    touch_filter quick = {NULL, tracer_quick(r, piece)};
-    quick.curve = quick.piece ? &r->workspace->curve : NULL;
+    touch_filter quick = {.piece = tracer_quick(r, piece)};
+    if (quick.piece) {
+        quick.curve = &r->workspace->curve;
+        quick.forms = &r->workspace->forms;
+    }
     graze_status status =
         touches_find(&t, r->context, r->scene->solid, c, quick.piece ? &quick : NULL, list);
     if (status == GRAZE_OK)

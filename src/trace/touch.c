@@ -71,13 +71,21 @@ static int knows_side(finder *f, uint32_t simplex, int k) {
     return f->known >> k & 1;
 }
 
+static form_memory *known_to(const finder *f) {
+    return f->quick ? f->quick->forms : NULL;
+}
+
+/* Side k of a simplex in the plane at hand, perhaps in `room`. */
+static const fmpz *side_form(fmpz *room, const finder *f, uint32_t simplex, int k) {
+    return known_side(room, known_to(f), f->solid, simplex, f->plane, k);
+}
+
 /* The pullback of side k of a simplex in the plane at hand. */
 static const fmpz_poly_struct *side_pullback(finder *f, uint32_t simplex, int k) {
     if (knows_side(f, simplex, k))
         return &f->side[k];
     fmpz form[4] = {0, 0, 0, 0};
-    solid_side(form, f->solid, simplex, f->plane, k);
-    trajectory_pullback(&f->side[k], f->c, form);
+    trajectory_pullback(&f->side[k], f->c, side_form(form, f, simplex, k));
     f->known |= 1u << k;
     for (int i = 0; i < 4; i++)
         fmpz_clear(form + i);
@@ -92,8 +100,7 @@ static int side_at_place(finder *f, uint32_t simplex, int k, const fmpq_t time) 
         fmpq_set(f->when, time);
         trajectory_at(f->place, f->c, time);
     }
-    solid_side(form, f->solid, simplex, f->plane, k);
-    int sign = form_sign(form, f->place, f->c->dimension);
+    int sign = form_sign(side_form(form, f, simplex, k), f->place, f->c->dimension);
     for (int i = 0; i < 4; i++)
         fmpz_clear(form + i);
     return sign;
@@ -297,7 +304,7 @@ static void touch_planes(finder *f, const candidates *list, uint32_t *simplex, c
     plane_list planes;
     for (size_t k = 0; k < list->count; k++)
         simplex[k] = list->item[k].simplex;
-    if (planes_find(&planes, f->solid, simplex, list->count)) {
+    if (planes_find_known(&planes, known_to(f), f->solid, simplex, list->count)) {
         run_out_of_memory(f);
         return;
     }

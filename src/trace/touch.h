@@ -6,6 +6,7 @@
 
 #include "filter/curve.h"
 #include "number/algebraic.h"
+#include "solid/known.h"
 #include "trace/candidates.h"
 
 /**
@@ -29,10 +30,12 @@ typedef struct touches {
     touch *item;
 } touches;
 
-/** The curve of the trajectory in doubles, and the span that is its whole piece. */
+/** The curve of the trajectory in doubles, and the span that is its whole piece; and forms of the
+ * solid that are known. */
 typedef struct touch_filter {
     const curve *curve;
     const span *piece;
+    form_memory *forms;
 } touch_filter;
 
 void touches_init(touches *t);
@@ -42,7 +45,8 @@ void touches_clear(touches *t);
  * Find every touch of the candidates (proofs/claims.md C9: the events of a
  * simplex). The union of the closed intervals [from, to] is exactly the set of times at which the
  * trajectory is on the boundary.
- * @param quick the trajectory in doubles, which spares the sides that are certain; or NULL
+ * @param quick the trajectory in doubles, which spares the sides that are certain, and a memory of
+ * forms; or NULL
  */
 graze_status touches_find(touches *t, graze_context *context, const graze_solid *solid,
                           const trajectory *c, const touch_filter *quick, const candidates *list);

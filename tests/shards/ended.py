@@ -38,6 +38,22 @@ def check_lock(bench):
     bench.check(first.wait(SECONDS) == 0 and words[-1].read_bytes().endswith(b"\n# complete 1\n"), "the first one ends")
 
 
+def check_threads(bench):
+    """More threads than cores would take turns: there are none, and the table is the same."""
+    path = bench.folder / "threads.csv"
+    words = ["classify", COMMON / "square.wkt", COMMON / "move2.json", "-", "--jobs", "64", "--output", path]
+    run = subprocess.Popen([bench.graze, *map(str, words)], stdin=subprocess.PIPE)
+    run.stdin.write(b"1,1\n")
+    run.stdin.flush()
+    end = time.monotonic() + SECONDS
+    while not (path.exists() and b"\n1,1," in path.read_bytes()) and time.monotonic() < end:
+        time.sleep(0.01)
+    threads = len(os.listdir(f"/proc/{run.pid}/task"))
+    bench.check(1 < threads <= os.cpu_count() + 1, "threads of --jobs 64, and the one that reads", threads)
+    run.stdin.close()
+    bench.check(run.wait(SECONDS) == 0, "the run ends")
+
+
 def check_signals(bench):
     """A run that is ended in its middle leaves whole rows, and is continued."""
     words = ["classify", COMMON / "cube.off", COMMON / "move3.json", "--grid", "60,50,40", "--jobs", 2]
@@ -163,4 +179,4 @@ def check_progress(bench):
 
 
 if __name__ == "__main__":
-    run_checks(__doc__, [check_lock, check_signals, check_ignored, check_full, check_progress])
+    run_checks(__doc__, [check_lock, check_threads, check_signals, check_ignored, check_full, check_progress])

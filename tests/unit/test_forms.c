@@ -252,6 +252,36 @@ static void planes_in_common(void **state) {
     }
 }
 
+/* What a memory says of simplices of two solids, one with more than it has places for, asked for in
+ * any order: the same as without it. */
+static void forms_remembered(void **state) {
+    (void)state;
+    graze_solid *solid[] = {box_of_squares(4, 1), box_of_squares(14, 0)};
+    form_memory memory = {0, NULL};
+    fmpz *told = _fmpz_vec_init(4), *plane = _fmpz_vec_init(4), *side = _fmpz_vec_init(4);
+    for (int round = 0; round < 20000; round++) {
+        /* Some rounds with one solid, then some with the other. */
+        const graze_solid *of = solid[round / 2000 % 2];
+        uint32_t simplex = (uint32_t)random_below(of->cut.count);
+        int k = (int)random_below(3);
+        solid_plane(plane, of, simplex);
+        if (random_below(2)) {
+            known_plane(told, &memory, of, simplex);
+            assert_int_equal(form_compare(told, plane, 3), 0);
+        } else {
+            solid_side(side, of, simplex, plane, k);
+            const fmpz *form = known_side(told, &memory, of, simplex, plane, k);
+            assert_int_equal(form_compare(form, side, 3), 0);
+        }
+    }
+    form_memory_clear(&memory);
+    _fmpz_vec_clear(told, 4);
+    _fmpz_vec_clear(plane, 4);
+    _fmpz_vec_clear(side, 4);
+    for (int k = 0; k < 2; k++)
+        graze_solid_destroy(solid[k]);
+}
+
 /* Every point of a lattice that holds the corners, the edges and the diagonals of the squares, and
  * points a little beside it: inside, outside and on the boundary are told by the coordinates. */
 static void location_in_box(void **state) {
@@ -315,9 +345,8 @@ static void cross_by_definition(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cross_by_definition),
-        cmocka_unit_test(forms_by_definition),
-        cmocka_unit_test(planes_in_common),
+        cmocka_unit_test(cross_by_definition), cmocka_unit_test(forms_by_definition),
+        cmocka_unit_test(planes_in_common),    cmocka_unit_test(forms_remembered),
         cmocka_unit_test(location_in_box),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
