@@ -1,6 +1,8 @@
 /* Places by bits of coefficients. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "topo/places.h"
 
+#include <flint/fmpz.h>
+
 void places_for_term(ulong *places, ulong constant, ulong bits, ulong degree, ulong terms) {
     ulong needed = bits + 1 + FLINT_BIT_COUNT(terms);
     if (needed > constant)

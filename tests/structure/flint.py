@@ -8,7 +8,7 @@ import sources
 # From the longest name on: _fmpz_poly_add is of fmpz_poly, not of fmpz.
 MODULES = ("fmpz_poly_factor", "nmod_poly_factor", "fmpz_poly_mat", "fmpz_poly", "fmpq_poly", "nmod_poly", "fmpz_vec",
            "fmpq_vec", "nmod_vec", "fmpz_mat", "fmpq_mat", "nmod_mat", "fmpz", "fmpq")
-ALWAYS = {"fmpz"}  # behind each of the others
+BROUGHT = {"fmpq": {"fmpz"}}  # by FLINT 3's too
 CALL = re.compile(r"\b_?(" + "|".join(MODULES) + r")_\w+\s*\(")
 BEHIND_MPFR = re.compile(r"\bfmp[qz]\w*_mpfr\s*\(")
 
@@ -31,7 +31,7 @@ def lacking(path, files):
     for other in reached(path, files):
         there |= set(re.findall(r"#include <flint/(\w+)\.h>", files[other]))
     needed = {call.group(1) for call in CALL.finditer(code)}
-    wrong = [f"flint/{name}.h" for name in sorted(needed - there - (ALWAYS if there else set()))]
+    wrong = [f"flint/{name}.h" for name in sorted(needed - there.union(*(BROUGHT.get(name, set()) for name in there)))]
     if BEHIND_MPFR.search(code) and not re.search(r"#include <mpfr\.h>(?s:.*)#include <flint/", files[path]):
         wrong.append("mpfr.h before FLINT's")
     return wrong
