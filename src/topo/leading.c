@@ -64,8 +64,27 @@ static void round_direction(fmpz *out, const fmpz *direction, slong d, slong bit
     direction_reduce(out, d);
 }
 
+/* A direction beside another one, askew, so that facets seldom lie along it. */
+static void tilt_direction(fmpz *direction, slong d) {
+    static const slong askew[3] = {3, -5, 7}, many = 32;
+    for (slong k = 0; k < d; k++) {
+        fmpz_mul_si(direction + k, direction + k, many);
+        fmpz_add_si(direction + k, direction + k, askew[k]);
+    }
+    direction_reduce(direction, d);
+}
+
+/* Is a direction that nothing covers that of a witness? */
+static graze_status try_direction(leading_maker *m, const fmpz *direction) {
+    germ_cover cover = {0, 0, 0, 1};
+    graze_status status = GRAZE_OK;
+    if (!_fmpz_vec_is_zero(direction, m->borders.dimension))
+        status = germs_cover(&cover, &m->germs, m->context, direction);
+    return status || cover.covered ? status : try_witness(m, direction);
+}
+
 /* Nothing covers the direction: near enough all points are out. One of small numbers that nothing
- * covers either is the witness, if there is one. */
+ * covers either is the witness, if there is one, or one beside it. */
 static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     static const slong bits[] = {2, 4, 8, 16, 64, WORD_MAX};
     slong d = m->borders.dimension;
@@ -73,12 +92,12 @@ static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     graze_status status = GRAZE_OK;
     fmpz *simple = _fmpz_vec_init(d);
     for (size_t k = 0; k < sizeof bits / sizeof *bits && !status && !out->has_witness; k++) {
-        germ_cover cover = {0, 0, 0, 1};
         round_direction(simple, direction, d, bits[k]);
-        if (!_fmpz_vec_is_zero(simple, d))
-            status = germs_cover(&cover, &m->germs, m->context, simple);
-        if (!status && !cover.covered)
-            status = try_witness(m, simple);
+        status = try_direction(m, simple);
+        if (status || out->has_witness)
+            break;
+        tilt_direction(simple, d);
+        status = try_direction(m, simple);
     }
     _fmpz_vec_clear(simple, d);
     if (!status && out->has_witness)
