@@ -28,7 +28,7 @@ MAP = [[1, 0, 1], [-1, 1, 1], [0, 1, 3]]
 BACK = [[2, 1, -1], [3, 3, -2], [-1, -1, 1]]
 # Levels that the examples were chosen for: a direction left open or covered with its neighbourhood, closed cones, a way
 # through a pinch and along its edge, a section where contacts are at irrational times or of second order.
-LEVELS = {"5": "L1", "34": "L1", "42": "L1", "17": "exact", "35": "exact", "20": "tube", "28": "LR", "29": "LR",
+LEVELS = {"5": "L1", "34": "L1", "42": "L1", "17": "exact", "35": "exact", "20": "tube", "28": "L2", "29": "LR",
           "30": "LR", "31": "LR"}
 
 
