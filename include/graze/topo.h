@@ -30,7 +30,7 @@ typedef enum graze_topo_level {
     GRAZE_LEVEL_EXACT = 4, /**< L1 with closed cones that are covered exactly (C46, C51) */
     GRAZE_LEVEL_TUBE = 5,  /**< these, with ways through pinches and along edges (C52) */
     GRAZE_LEVEL_LR = 6, /**< the section across a direction that contacts do not depend on (C54) */
-    GRAZE_LEVEL_L2 = 7  /**< both sides of a plane, by leading terms (C55, gaps.md C87) */
+    GRAZE_LEVEL_L2 = 7  /**< both sides of a plane, by leading terms (C55, gaps.md C88) */
 } graze_topo_level;
 
 /** Verdict on one point. */
@@ -78,7 +78,7 @@ GRAZE_API int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_to
 /**
  * The path on which the witness lies, where L2 decides, in space: the points P + s^m direction +
  * s^(m + 1) z normal with 0 < s <= epsilon are all `out`, and the witness is that at epsilon
- * (gaps.md C87).
+ * (gaps.md C88).
  * @param[out] direction d initialised rationals, integers; `normal` is orthogonal to it
  * @param[out] normal    the same
  * @param[out] z         initialised

@@ -10,7 +10,7 @@
 
 /**
  * Prove that an `on` point of E^3 is on the boundary where the path of its finding is `out` from
- * some place on down to the point (proofs/gaps.md C87); else the finding stays as it is.
+ * some place on down to the point (proofs/gaps.md C88); else the finding stays as it is.
  * @param curves of the scene in the view
  * @param view   the plane through the point along the finding's `open` and `across`
  */

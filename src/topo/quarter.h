@@ -14,7 +14,7 @@ typedef struct half_quarter {
 
 /** About the point a place is x + z N, x in the plane. To its leading term, up to smaller ones,
  * what is covered is z < Q(x)^(1/m), or with `above` z > Q(x)^(1/m), with the root that has the
- * sign of Q, a form of degree m + 1 (proofs/topology.md C55, proofs/gaps.md C88), at all x, or
+ * sign of Q, a form of degree m + 1 (proofs/topology.md C55, proofs/gaps.md C89), at all x, or
  * where `reach`, a linear form, is positive, and where `turn` is not negative. */
 typedef struct half_germ {
     int above;
