@@ -28,7 +28,7 @@ INNER_STEPS, FAR, OUTER_STEPS = (8, 30, 100, 400), 2, (30, 60, 200, 400)
 # Directions that are probed, in the plane and in space.
 AROUND = {2: [(a, b) for a in range(-2, 3) for b in range(-2, 3) if a or b],
           3: [(a, b, c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in (-1, 0, 1) if a or b or c]}
-PROBES = 40000  # of one run
+PROBES = 10000  # of one run
 BITS = "bits=10000000"  # a double root at 2^-400 may ask for more than the usual 100,000
 
 
