@@ -42,9 +42,14 @@ def write_points(graze, folder, solid, motion, kind, count):
 
 def a_row(count, command):
     """CPU seconds a row: the time of `count` rows without that of one, each the best of some runs, since a small solid's
-    rows take less than the start of a program varies by. `command` has a place for the number."""
+    rows take less than the start of a program varies by; None where they still do. `command` has a place for the
+    number."""
     one, all_ = (min(measure.run_cpu(command(n))[0] for _ in range(REPEATS)) for n in (1, count))
-    return max(all_ - one, 1e-9) / (count - 1)
+    return (all_ - one) / (count - 1) if all_ > one else None
+
+
+def as_multiple(spent, of):
+    return spent / of if spent and of else None
 
 
 def measured(table, graze, folder, faces, solid, motion, kind, count):
@@ -58,8 +63,8 @@ def measured(table, graze, folder, faces, solid, motion, kind, count):
     table.row(f"bytes a row, median: {name}", statistics.median(rows_of(certificate(count))), most=MOST_BYTES, unit=" B")
     subprocess.run([graze, "certify", solid, motion, points[count], "--times", "--quiet", "-o", certificate(0)], check=True)
     table.row(f"  with times and cells of the contacts: {name}", statistics.median(rows_of(certificate(0))), unit=" B")
-    table.row(f"making a row / classify --no-filter: {name}", making / exact, most=MOST_MAKING, graze=making, peer=exact)
-    table.row(f"checking a row / classify --no-filter: {name}", checking / exact, most=MOST_CHECKING, graze=checking, peer=exact)
+    table.row(f"making a row / classify --no-filter: {name}", as_multiple(making, exact), most=MOST_MAKING, graze=making, peer=exact)
+    table.row(f"checking a row / classify --no-filter: {name}", as_multiple(checking, exact), most=MOST_CHECKING, graze=checking, peer=exact)
 
 
 def beside(table, graze, folder):

@@ -45,5 +45,5 @@ def run(table, graze, folder, count):
                 write_sites(path(n), mesh, n, flags)
             spent = certificates.a_row(
                 count, lambda n: [graze, "contact", solid, motion, path(n), "--jobs", "1", "--quiet", *flags])
-            table.row(f"graze contact {' '.join(flags)}, {name} ({count:,} rows)".replace(" ,", ","), 1 / spent, least=LEAST,
-                      unit=" rows/s", graze=spent)
+            table.row(f"graze contact {' '.join(flags)}, {name} ({count:,} rows)".replace(" ,", ","), certificates.as_multiple(1, spent),
+                      least=LEAST, unit=" rows/s", graze=spent)
