@@ -231,7 +231,8 @@ int fuzz_joints(const uint8_t *data, size_t size) {
         mpq_t tolerance;
         mpq_init(tolerance);
         mpq_set_ui(tolerance, 1, 1024);
-        check_written(context, text, said, tolerance);
+        if (text[0] != '#') /* --examples: several motions behind lines of words */
+            check_written(context, text, said, tolerance);
         mpq_clear(tolerance);
         graze_context_destroy(context);
         free(text);
