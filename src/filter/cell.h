@@ -13,7 +13,8 @@ typedef struct cell {
     double half[3];
 } cell;
 
-/** At that time, some place of the box is in the state that decides a membership. */
+/** At that time, some place of the box is in the state that decides a membership
+ * (proofs/bricks.md C87). */
 typedef struct anchor {
     stay when;
     box around;
@@ -35,7 +36,7 @@ int cell_anchor(anchor *out, curve *memory, const filter *f, const cell *points,
 
 /**
  * Whether at the time of the anchor nothing of the boundary can be between it and any point of the
- * cell, which are then in its state too (proofs/cells.md C76).
+ * cell, which are then in its state too (proofs/bricks.md C87).
  * @return 0 if that is not certain
  */
 int cell_joins(curve *memory, const filter *f, const cell *points, const anchor *to);

@@ -8,7 +8,7 @@
 
 /**
  * @param[in,out] tests how many simplices may be looked at, and how many of those are left
- * @return 0 if some simplex may meet the box, or `tests` do not suffice (proofs/bricks.md C86)
+ * @return 0 if some simplex may meet the box, or `tests` do not suffice (proofs/bricks.md C87)
  */
 int box_is_empty(const graze_solid *solid, const box *b, size_t *tests);
 

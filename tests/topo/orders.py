@@ -43,13 +43,15 @@ def ridge_along_y():
 
 
 class Part:
-    """A part at the origin with its way: the powers and factors of its path, and its tilt."""
+    """A part at the origin with its way: the powers and factors of its path, and its tilt. One that `ends` goes straight
+    down or up from the origin."""
 
     def __init__(self, mesh, axis, path, tilt, below):
         self.mesh = mesh if below else inside_out(Mesh([(x, y, -z) for x, y, z in mesh.vertices], mesh.facets))
         self.axis, self.below = axis, below
         self.path = path  # [(factor, power)] of s for x, y, z
         self.tilt = tilt if below else -tilt
+        self.ends = False
 
 
 def roof(along, m, k, w, below=True):
@@ -96,17 +98,17 @@ def scene(parts):
 
     for j, part in enumerate(parts):
         home, half = APART * j, F(part.tilt) / 2
-        side = -10 if part.below else 10
+        side, stop = (-10 if part.below else 10), (0 if part.ends else 1)
         leg(part, home, F(0), [F(30), F(30), F(side)])
         piece(part, home, f"({-half})*(t-({t}))", [str(x) for x in at], 1)
-        first, last = value(part.path, -1), value(part.path, 1)
+        first, last = value(part.path, -1), value(part.path, stop)
         leg(part, home, -half, [first[0], first[1], F(side)])
         leg(part, home, -half, first)
-        piece(part, home, f"({half})*(t-({t + 1}))", written(part.path, f"t-({t + 1})"), 2)
-        at = last
-        leg(part, home, half, [last[0], last[1], F(side)])
-        leg(part, home, half, [F(30), F(30), F(side)])
-        piece(part, home, f"({half})*({t + 1}-t)", [str(x) for x in at], 1)
+        piece(part, home, f"({half})*(t-({t + 1}))", written(part.path, f"t-({t + 1})"), 1 + stop)
+        at, here = last, half * stop
+        leg(part, home, here, [last[0], last[1], F(side)])
+        leg(part, home, here, [F(30), F(30), F(side)])
+        piece(part, home, f"({here})*({t + 1}-t)", [str(x) for x in at], 1)
         at[2] += APART  # seen from the next part's home
     return mesh, Text({"dimension": 3, "pieces": pieces})
 

@@ -27,10 +27,8 @@ from fractions import Fraction as F
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
 
 import orders  # noqa: E402
-from orders import Part, flat, mapped, roof  # noqa: E402
-from prisms import BACK, MAP, Text  # noqa: E402
+from orders import flat, mapped, roof  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
-from solids import Mesh, joined  # noqa: E402
 from witnesses import check_witness  # noqa: E402
 
 TINY = F(1, 2 ** 60)
@@ -52,43 +50,6 @@ def top(n, w):
     part = flat(n, F(3, 4), w)
     part.path, part.ends = [(0, 0), (0, 0), (F(-3, 4) if n % 2 == 0 else F(3, 4), n)], True
     return part
-
-
-def scene(parts):
-    """As in orders.py, but a part whose `ends` is set leaves straight down at s = 0."""
-    mesh = joined(*(Mesh([(x, y, z + orders.APART * j) for x, y, z in part.mesh.vertices], part.mesh.facets)
-                    for j, part in enumerate(parts)))
-    mesh = Mesh([mapped(v) for v in mesh.vertices], mesh.facets)
-    rows = {"matrix": [[*row, 0] for row in BACK]}, {"matrix": [[*row, 0] for row in MAP]}
-    pieces, t, at = [], 0, [F(30), F(30), F(0)]
-
-    def piece(part, home, half, path, length):
-        nonlocal t
-        pieces.append({"t": [t, t + length], "transform": {"compose": [
-            rows[0], {"translate": [0, 0, -home]}, {"rotate": {"tan_half": half, "axis": part.axis}},
-            {"translate": path}, rows[1]]}})
-        t += length
-
-    def leg(part, home, half, to):
-        nonlocal at
-        piece(part, home, f"({half})", [f"({p})+({q - p})*(t-({t}))" for p, q in zip(at, to)], 1)
-        at = list(to)
-
-    for j, part in enumerate(parts):
-        home, half = orders.APART * j, F(part.tilt) / 2
-        side, stop = (-10 if part.below else 10), (0 if part.ends else 1)
-        leg(part, home, F(0), [F(30), F(30), F(side)])
-        piece(part, home, f"({-half})*(t-({t}))", [str(x) for x in at], 1)
-        first, last = orders.value(part.path, -1), orders.value(part.path, stop)
-        leg(part, home, -half, [first[0], first[1], F(side)])
-        leg(part, home, -half, first)
-        piece(part, home, f"({half})*(t-({t + 1}))", orders.written(part.path, f"t-({t + 1})"), 1 + stop)
-        at, here = last, half * stop
-        leg(part, home, here, [last[0], last[1], F(side)])
-        leg(part, home, here, [F(30), F(30), F(side)])
-        piece(part, home, f"({here})*({t + 1}-t)", [str(x) for x in at], 1)
-        at[2] += orders.APART
-    return mesh, Text({"dimension": 3, "pieces": pieces})
 
 
 def crossing(along, l, u):
@@ -153,11 +114,10 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
-    Part.ends = False
     seen = Counter()
     origin = mapped((F(0), F(0), F(0)))
     for number, (name, parts, want, m) in enumerate(chosen(args.random, args.scale > 1)):
-        solid, motion = scene(parts)
+        solid, motion = orders.scene(parts)
         answers = graze.classify(f"sides {number}", solid, motion, [origin], "--topo")
         if not answers:
             continue
