@@ -188,32 +188,3 @@ void affine_at_time(affine *out, const affine *a, const fmpq_t u) {
     }
     fmpq_clear(value);
 }
-
-/* The weight has one sign on [0, 1], that of its value at 0. */
-static void make_weight(calculation *c, fmpz_poly_q_t weight, const affine *a) {
-    fmpz_poly_struct *h = fmpz_poly_q_numref(weight);
-    fmpz_poly_q_one(weight);
-    for (int k = 0; k < a->dimension * (a->dimension + 1) && c->status == GRAZE_OK; k++) {
-        quotient_widen(h, a->entry[k]);
-        quotient_check(c, weight);
-    }
-    if (fmpz_sgn(fmpz_poly_get_coeff_ptr(h, 0)) < 0) {
-        fmpz_poly_neg(h, h);
-    }
-}
-
-void point_map_from_affine(calculation *c, point_map *out, const affine *a) {
-    fmpz_poly_q_t weight, entry;
-    fmpz_poly_q_init(weight);
-    fmpz_poly_q_init(entry);
-    make_weight(c, weight, a);
-    fmpz_poly_q_one(entry);
-    for (int k = 0; k < a->dimension * (a->dimension + 1) && c->status == GRAZE_OK; k++) {
-        quotient_over(fmpz_poly_q_numref(entry), a->entry[k], fmpz_poly_q_numref(weight));
-        quotient_check(c, entry);
-        fmpz_poly_set(&out->entry[k], fmpz_poly_q_numref(entry));
-    }
-    fmpz_poly_set(out->weight, fmpz_poly_q_numref(weight));
-    fmpz_poly_q_clear(entry);
-    fmpz_poly_q_clear(weight);
-}

@@ -36,12 +36,4 @@ void affine_substitute(calculation *c, affine *out, const affine *a, const fmpq_
 /** The constant map that a is at u, where it has no pole. */
 void affine_at_time(affine *out, const affine *a, const fmpq_t u);
 
-/**
- * The point map of a, which has no pole on [0, 1]. Entries times the least common multiple of the
- * denominators: as each entry was in lowest terms, no factor is common to all of them and the
- * multiple.
- * @param[out] out initialised
- */
-void point_map_from_affine(calculation *c, point_map *out, const affine *a);
-
 #endif

@@ -41,62 +41,9 @@ void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
     fmpz_poly_q_clear(product);
 }
 
-/* The least common multiple of the denominators of the linear part; 0 if its degree is past the
- * limit. */
-static int linear_denominator(calculation *c, fmpz_poly_t out, const affine *a) {
-    fmpz_poly_one(out);
-    for (int k = 0; k < a->dimension * a->dimension; k++) {
-        quotient_widen(out, affine_get(a, k / a->dimension, k % a->dimension));
-        if (fmpz_poly_degree(out) > (slong)c->context->limits[GRAZE_LIMIT_DEGREE]) {
-            return 0;
-        }
-    }
-    calculation_spend(c, polynomial_work(out));
-    return c->status == GRAZE_OK;
-}
-
-/* Is the linear part orthogonal? With N = w A it is where N^T N = w^2. */
-static int is_orthogonal(calculation *c, const affine *a) {
-    int d = a->dimension;
-    fmpz_poly_t w, factor, sum, n[9];
-    fmpz_poly_init(w);
-    fmpz_poly_init(factor);
-    fmpz_poly_init(sum);
-    for (int k = 0; k < d * d; k++) {
-        fmpz_poly_init(n[k]);
-    }
-    int holds = linear_denominator(c, w, a);
-    for (int k = 0; k < d * d && holds; k++) {
-        const fmpz_poly_q_struct *entry = affine_get(a, k / d, k % d);
-        quotient_over(n[k], entry, w);
-        calculation_spend(c, polynomial_work(n[k]));
-    }
-    for (int i = 0; i < d && holds; i++) {
-        for (int j = 0; j <= i && holds; j++) {
-            fmpz_poly_zero(sum);
-            for (int k = 0; k < d; k++) {
-                fmpz_poly_mul(factor, n[k * d + i], n[k * d + j]);
-                fmpz_poly_add(sum, sum, factor);
-            }
-            fmpz_poly_zero(factor);
-            if (i == j) {
-                fmpz_poly_sqr(factor, w);
-            }
-            holds = fmpz_poly_equal(sum, factor);
-        }
-    }
-    for (int k = 0; k < d * d; k++) {
-        fmpz_poly_clear(n[k]);
-    }
-    fmpz_poly_clear(sum);
-    fmpz_poly_clear(factor);
-    fmpz_poly_clear(w);
-    return holds;
-}
-
 /* The inverse of the linear part: the transpose of an orthogonal one, as of every rigid motion. */
-static void invert_linear(calculation *c, affine *out, const affine *a) {
-    int d = a->dimension, orthogonal = is_orthogonal(c, a);
+static void invert_linear(calculation *c, affine *out, const affine *a, int orthogonal) {
+    int d = a->dimension;
     fmpz_poly_q_t determinant;
     fmpz_poly_q_init(determinant);
     if (!orthogonal) {
@@ -127,8 +74,8 @@ static void shift_back(calculation *c, affine *out, const affine *a, int i) {
     fmpz_poly_one(row);
     fmpz_poly_one(column);
     for (int j = 0; j < d; j++) {
-        quotient_widen(row, affine_get(out, i, j));
-        quotient_widen(column, affine_get(a, j, d));
+        polynomial_widen(row, fmpz_poly_q_denref(affine_get(out, i, j)));
+        polynomial_widen(column, fmpz_poly_q_denref(affine_get(a, j, d)));
     }
     fmpz_poly_q_zero(shift);
     for (int j = 0; j < d; j++) {
@@ -146,9 +93,9 @@ static void shift_back(calculation *c, affine *out, const affine *a, int i) {
     fmpz_poly_clear(row);
 }
 
-void affine_inverse(calculation *c, affine *out, const affine *a) {
+void affine_inverse(calculation *c, affine *out, const affine *a, int orthogonal) {
     out->dimension = a->dimension;
-    invert_linear(c, out, a);
+    invert_linear(c, out, a, orthogonal);
     for (int i = 0; i < a->dimension && c->status == GRAZE_OK; i++) {
         shift_back(c, out, a, i);
     }

@@ -6,45 +6,77 @@
 
 #include <stdlib.h>
 #include "motion/affine_inverse.h"
+#include "motion/common_map.h"
 
 void draft_init(draft *d, int dimension) {
     *d = (draft){.dimension = dimension};
 }
 
+static void clear_map(draft_piece *piece) {
+    if (piece->rigid) {
+        common_map_clear(&piece->frame);
+    } else {
+        affine_clear(&piece->map);
+    }
+}
+
 void draft_clear(draft *d) {
-    for (size_t k = 0; k < d->capacity; k++) {
+    for (size_t k = 0; k < d->count; k++) {
         fmpq_clear(d->piece[k].lo);
         fmpq_clear(d->piece[k].hi);
-        affine_clear(&d->piece[k].map);
+        clear_map(&d->piece[k]);
     }
     free(d->piece);
     *d = (draft){.dimension = d->dimension};
 }
 
-static graze_status grow_draft(graze_context *context, draft *d) {
-    size_t first = d->capacity;
-    graze_status status = array_grow(context, &d->piece, &d->capacity, d->count + 1,
-                                     sizeof *d->piece, "the pieces of a motion");
-    for (size_t k = first; k < d->capacity; k++) {
-        fmpq_init(d->piece[k].lo);
-        fmpq_init(d->piece[k].hi);
-        affine_init(&d->piece[k].map, d->dimension);
-    }
-    return status;
-}
-
-graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
+static graze_status append_piece(draft_piece **out, graze_context *context, draft *d, int rigid) {
     if (d->count >= context->limits[GRAZE_LIMIT_PIECES]) {
         return context_limit(context, GRAZE_LIMIT_PIECES, "pieces of a motion");
     }
     graze_status status = context_poll(context);
     if (status == GRAZE_OK) {
-        status = grow_draft(context, d);
+        status = array_grow(context, &d->piece, &d->capacity, d->count + 1, sizeof *d->piece,
+                            "the pieces of a motion");
     }
-    if (status == GRAZE_OK) {
-        *out = &d->piece[d->count++];
+    if (status != GRAZE_OK) {
+        return status;
     }
-    return status;
+    draft_piece *piece = *out = &d->piece[d->count++];
+    fmpq_init(piece->lo);
+    fmpq_init(piece->hi);
+    piece->rigid = rigid;
+    if (rigid) {
+        common_map_init(&piece->frame);
+        piece->frame.dimension = d->dimension;
+    } else {
+        affine_init(&piece->map, d->dimension);
+    }
+    return GRAZE_OK;
+}
+
+graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
+    return append_piece(out, context, d, 0);
+}
+
+graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft *d) {
+    return append_piece(out, context, d, 1);
+}
+
+graze_status draft_spread(draft *d, graze_context *context) {
+    calculation c = {context, GRAZE_OK};
+    for (size_t k = 0; k < d->count && c.status == GRAZE_OK; k++) {
+        draft_piece *piece = &d->piece[k];
+        if (piece->rigid) {
+            affine map;
+            affine_init(&map, d->dimension);
+            common_map_to_affine(&c, &map, &piece->frame);
+            common_map_clear(&piece->frame);
+            piece->map = map;
+            piece->rigid = 0;
+        }
+    }
+    return c.status;
 }
 
 /* The part of a piece's map over [lo, hi], in a parameter of its own. */
@@ -79,18 +111,22 @@ static graze_status relative_piece(draft *out, graze_context *context, const dra
     }
     calculation c = {context, GRAZE_OK};
     affine part, inverse;
+    common_map common;
+    common_map_init(&common);
     affine_init(&part, out->dimension);
     affine_init(&inverse, out->dimension);
     fmpq_set(piece->lo, lo);
     fmpq_set(piece->hi, hi);
     cut_map(&c, &part, frame, lo, hi);
     if (c.status == GRAZE_OK) {
-        affine_inverse(&c, &inverse, &part);
+        common_map_from_affine(&c, &common, &part);
+        affine_inverse(&c, &inverse, &part, common_map_is_orthogonal(&c, &common));
         cut_map(&c, &part, moving, lo, hi);
         affine_multiply(&c, &piece->map, &inverse, &part);
     }
     affine_clear(&inverse);
     affine_clear(&part);
+    common_map_clear(&common);
     return c.status;
 }
 
@@ -147,19 +183,43 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
     return c.status;
 }
 
+/* The point map of the inverse of a, by its entries as quotients. */
+static void invert_quotients(calculation *c, point_map *out, const affine *a) {
+    affine inverse;
+    common_map common;
+    affine_init(&inverse, a->dimension);
+    common_map_init(&common);
+    affine_inverse(c, &inverse, a, 0);
+    common_map_from_affine(c, &common, &inverse);
+    common_map_forward(c, out, &common);
+    common_map_clear(&common);
+    affine_clear(&inverse);
+}
+
+static void finish_map(calculation *c, motion_piece *out, const affine *map) {
+    common_map common;
+    common_map_init(&common);
+    common_map_from_affine(c, &common, map);
+    common_map_forward(c, &out->forward, &common);
+    if (common_map_is_orthogonal(c, &common)) {
+        common_map_backward(c, &out->inverse, &common);
+    } else if (c->status == GRAZE_OK) {
+        invert_quotients(c, &out->inverse, map);
+    }
+    common_map_clear(&common);
+}
+
 static graze_status finish_piece(motion_piece *out, graze_context *context,
                                  const draft_piece *piece) {
     calculation c = {context, GRAZE_OK};
-    affine inverse;
-    affine_init(&inverse, piece->map.dimension);
     fmpq_set(out->lo, piece->lo);
     fmpq_set(out->hi, piece->hi);
-    affine_inverse(&c, &inverse, &piece->map);
-    if (c.status == GRAZE_OK) {
-        point_map_from_affine(&c, &out->forward, &piece->map);
-        point_map_from_affine(&c, &out->inverse, &inverse);
+    if (piece->rigid) {
+        common_map_forward(&c, &out->forward, &piece->frame);
+        common_map_backward(&c, &out->inverse, &piece->frame);
+    } else {
+        finish_map(&c, out, &piece->map);
     }
-    affine_clear(&inverse);
     return c.status;
 }
 

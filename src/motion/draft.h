@@ -4,18 +4,22 @@
 #ifndef GRAZE_MOTION_DRAFT_H
 #define GRAZE_MOTION_DRAFT_H
 
-#include "motion/affine.h"
+#include "motion/common_map.h"
 
 /** M(t) for t = lo + (hi - lo) u, u in [0, 1]. */
 typedef struct draft_piece {
     fmpq_t lo, hi;
-    affine map;
+    int rigid; /* between key frames: a rotation with its shift, which is to become point maps */
+    union {
+        affine map;       /* unless rigid */
+        common_map frame; /* if rigid */
+    };
 } draft_piece;
 
 /** Pieces in order, each following the one before it. */
 typedef struct draft {
     int dimension;
-    size_t count, capacity; /* pieces up to `capacity` are initialised */
+    size_t count, capacity;
     draft_piece *piece;
 } draft;
 
@@ -26,6 +30,10 @@ void draft_clear(draft *d);
  * @return GRAZE_ELIMIT more than the limit `pieces`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 graze_status draft_append(draft_piece **out, graze_context *context, draft *d);
+/** The same for a rigid piece. */
+graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft *d);
+/** Give every rigid piece its map: what follows takes drafts of which none is rigid. */
+graze_status draft_spread(draft *d, graze_context *context);
 
 /**
  * frame^-1 moving ([IS] eq. 7), cut at the breaks of both. The two have one dimension and one
@@ -43,7 +51,7 @@ graze_status draft_relative(draft *out, graze_context *context, const draft *mov
 graze_status draft_follow(draft *out, graze_context *context, const draft *next, slong from,
                           affine *end);
 
-/** The motion of a legal draft; `out` is NULL on failure. */
+/** The motion of a legal draft, rigid or not; `out` is NULL on failure. */
 graze_status draft_finish(graze_motion **out, graze_context *context, const draft *d);
 
 #endif

@@ -31,6 +31,17 @@ static graze_status read_motion_dimension(int *out, graze_context *context, cons
     return status;
 }
 
+/* A motion inside another one, every piece with its map. */
+static graze_status read_inner(draft *out, graze_context *context, const json *value,
+                               int dimension) {
+    graze_status status = motion_read_draft(out, context, value, dimension);
+    if (status == GRAZE_OK) {
+        status = draft_spread(out, context);
+        json_at_last(context, status, value);
+    }
+    return status;
+}
+
 static int same_interval(const draft *a, const draft *b) {
     return fmpq_equal(a->piece[0].lo, b->piece[0].lo) &&
            fmpq_equal(a->piece[a->count - 1].hi, b->piece[b->count - 1].hi);
@@ -50,9 +61,9 @@ static graze_status read_relative(draft *out, graze_context *context, const json
     }
     draft moving, frame;
     draft_init(&frame, out->dimension);
-    status = motion_read_draft(&moving, context, member[0], out->dimension);
+    status = read_inner(&moving, context, member[0], out->dimension);
     if (status == GRAZE_OK) {
-        status = motion_read_draft(&frame, context, member[1], out->dimension);
+        status = read_inner(&frame, context, member[1], out->dimension);
     }
     if (status == GRAZE_OK && !same_interval(&moving, &frame)) {
         status =
@@ -92,7 +103,7 @@ static graze_status read_sequence(draft *out, graze_context *context, const json
     affine_init(&end, out->dimension);
     for (const json *item = value->first; item != NULL && status == GRAZE_OK; item = item->next) {
         draft next;
-        status = motion_read_draft(&next, context, item, out->dimension);
+        status = read_inner(&next, context, item, out->dimension);
         if (status == GRAZE_OK && item->index > 0 && !starts_at_identity(&next)) {
             status = json_fail(context, GRAZE_EILLEGAL, item,
                                "the motion jumps at t = %zu: expected every motion of a sequence "

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include "motion/entry.h"
 #include "motion/affine_inverse.h"
-#include "motion/rotation.h"
+#include "motion/quaternion.h"
 #include "motion/transform.h"
 #include "number/rational.h"
 
@@ -251,31 +251,59 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
     return status;
 }
 
-/* No pole, no zero determinant and no jump can occur here: rotation_of checks the rotation, and the
- * rest is linear between the frames. */
+/* The lines through `count` pairs of numbers, over their least common denominator. */
+static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *from,
+                      const fmpq_t *to, int count) {
+    fmpz_t start, end, factor;
+    fmpz_init(start);
+    fmpz_init(end);
+    fmpz_init(factor);
+    fmpz_one(denominator);
+    for (int k = 0; k < count; k++) {
+        fmpz_lcm(denominator, denominator, fmpq_denref(from[k]));
+        fmpz_lcm(denominator, denominator, fmpq_denref(to[k]));
+    }
+    for (int k = 0; k < count; k++) {
+        fmpz_divexact(factor, denominator, fmpq_denref(from[k]));
+        fmpz_mul(start, factor, fmpq_numref(from[k]));
+        fmpz_divexact(factor, denominator, fmpq_denref(to[k]));
+        fmpz_mul(end, factor, fmpq_numref(to[k]));
+        fmpz_sub(end, end, start);
+        fmpz_poly_zero(&out[k]);
+        fmpz_poly_set_coeff_fmpz(&out[k], 1, end);
+        fmpz_poly_set_coeff_fmpz(&out[k], 0, start);
+    }
+    fmpz_clear(factor);
+    fmpz_clear(end);
+    fmpz_clear(start);
+}
+
+/* No pole, no zero determinant and no jump can occur here: quaternion_rotation checks the rotation,
+ * and the rest is linear between the frames. */
 static graze_status append_between(draft *out, graze_context *context, const json *where,
                                    const keyframe *from, const keyframe *to) {
     draft_piece *piece;
-    graze_status status = draft_append(&piece, context, out);
+    graze_status status = draft_append_rigid(&piece, context, out);
     if (status != GRAZE_OK) {
         return json_at(context, status, where);
     }
     fmpq_set(piece->lo, from->time);
     fmpq_set(piece->hi, to->time);
-    fmpz_poly_q_t q[4];
+    fmpz_poly_struct q[4];
+    fmpz_t denominator;
+    fmpz_init(denominator);
     for (int k = 0; k < 4; k++) {
-        fmpz_poly_q_init(q[k]);
-        quotient_set_line(q[k], from->rotation[k], to->rotation[k]);
+        fmpz_poly_init(&q[k]);
     }
-    status = rotation_of(&piece->map, context, where, q, from->time, to->time);
+    set_lines(q, denominator, from->rotation, to->rotation, 4);
+    status = quaternion_rotation(&piece->frame, context, where, q, from->time, to->time);
     json_at_last(context, status, where);
     for (int k = 0; k < 4; k++) {
-        fmpz_poly_q_clear(q[k]);
+        fmpz_poly_clear(&q[k]);
     }
-    for (int i = 0; i < out->dimension; i++) {
-        quotient_set_line(affine_at(&piece->map, i, out->dimension), from->position[i],
-                          to->position[i]);
-    }
+    set_lines(piece->frame.shift, denominator, from->position, to->position, out->dimension);
+    fmpz_poly_set_fmpz(piece->frame.v, denominator);
+    fmpz_clear(denominator);
     return status;
 }
 

@@ -29,35 +29,43 @@ static unsigned long longest_bits(const fmpz_poly_t p) {
     return (unsigned long)labs(fmpz_poly_max_bits(p));
 }
 
-unsigned long polynomial_work(const fmpz_poly_t p) {
-    unsigned long words = longest_bits(p) / FLINT_BITS + 1;
+static unsigned long work_of(const fmpz_poly_t p, unsigned long bits) {
+    unsigned long words = bits / FLINT_BITS + 1;
     return (unsigned long)fmpz_poly_length(p) * (words + words * words / LONG_WORDS);
 }
 
-static void check_polynomial(calculation *c, const fmpz_poly_t p) {
+unsigned long polynomial_work(const fmpz_poly_t p) {
+    return work_of(p, longest_bits(p));
+}
+
+static void check(calculation *c, const fmpz_poly_t p) {
     const unsigned long *limits = c->context->limits;
+    if (c->status != GRAZE_OK) {
+        return;
+    }
     if (fmpz_poly_degree(p) > (slong)limits[GRAZE_LIMIT_DEGREE]) {
         c->status =
             context_limit(c->context, GRAZE_LIMIT_DEGREE, "the degree of a rational function");
         return;
     }
     /* 3.322 > log2(10), so a number of `digits` digits always passes. */
-    unsigned long bits = limits[GRAZE_LIMIT_DIGITS] * 3322 / 1000 + 1;
-    if (longest_bits(p) > bits) {
+    unsigned long bits = longest_bits(p);
+    if (bits > limits[GRAZE_LIMIT_DIGITS] * 3322 / 1000 + 1) {
         c->status =
             context_limit(c->context, GRAZE_LIMIT_DIGITS, "a coefficient of a rational function");
     }
+    calculation_spend(c, work_of(p, bits));
+}
+
+void polynomial_check(calculation *c, const fmpz_poly_t p) {
+    check(c, p);
+    calculation_spend(c, OPERATION_WORK);
 }
 
 void quotient_check(calculation *c, const fmpz_poly_q_t a) {
-    if (c->status == GRAZE_OK) {
-        check_polynomial(c, fmpz_poly_q_numref(a));
-    }
-    if (c->status == GRAZE_OK) {
-        check_polynomial(c, fmpz_poly_q_denref(a));
-    }
-    calculation_spend(c, OPERATION_WORK + polynomial_work(fmpz_poly_q_numref(a)) +
-                             polynomial_work(fmpz_poly_q_denref(a)));
+    check(c, fmpz_poly_q_numref(a));
+    check(c, fmpz_poly_q_denref(a));
+    calculation_spend(c, OPERATION_WORK);
 }
 
 void quotient_add(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b) {
@@ -143,8 +151,7 @@ static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
 
 /* Denominators of one motion are often multiples of one polynomial by numbers, or numbers: then no
  * divisor of polynomials is sought. */
-void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a) {
-    const fmpz_poly_struct *other = fmpz_poly_q_denref(a);
+void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other) {
     if (is_plain_multiple(common, other)) {
         return;
     }
@@ -174,23 +181,47 @@ void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a) {
     fmpz_poly_clear(left);
 }
 
-void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t common) {
-    const fmpz_poly_struct *own = fmpz_poly_q_denref(a);
-    if (fmpz_poly_equal(common, own)) {
-        fmpz_poly_set(out, fmpz_poly_q_numref(a));
-    } else if (fmpz_poly_degree(common) == fmpz_poly_degree(own)) {
+void polynomial_narrow(fmpz_poly_t g, const fmpz_poly_t p) {
+    if (fmpz_poly_is_zero(p)) {
+        return;
+    }
+    if (fmpz_poly_is_zero(g)) {
+        fmpz_poly_set(g, p);
+        return;
+    }
+    if (fmpz_poly_degree(g) > 0 && !polynomials_certainly_coprime(g, p)) {
+        fmpz_poly_gcd(g, g, p);
+        return;
+    }
+    fmpz_t content;
+    fmpz_init(content);
+    fmpz_poly_content(content, g);
+    for (slong k = fmpz_poly_length(p); k-- > 0 && !fmpz_is_one(content);) {
+        fmpz_gcd(content, content, p->coeffs + k);
+    }
+    fmpz_poly_set_fmpz(g, content);
+    fmpz_clear(content);
+}
+
+void polynomial_divide(fmpz_poly_t out, const fmpz_poly_t p, const fmpz_poly_t divisor) {
+    if (fmpz_poly_is_one(divisor)) {
+        fmpz_poly_set(out, p);
+    } else if (fmpz_poly_degree(divisor) == 0) {
+        fmpz_poly_scalar_divexact_fmpz(out, p, fmpz_poly_lead(divisor));
+    } else if (fmpz_poly_degree(divisor) == fmpz_poly_degree(p)) {
         fmpz_t factor;
         fmpz_init(factor);
-        fmpz_divexact(factor, fmpz_poly_lead(common), fmpz_poly_lead(own));
-        fmpz_poly_scalar_mul_fmpz(out, fmpz_poly_q_numref(a), factor);
+        fmpz_divexact(factor, fmpz_poly_lead(p), fmpz_poly_lead(divisor));
+        fmpz_poly_set_fmpz(out, factor);
         fmpz_clear(factor);
-    } else if (fmpz_poly_degree(own) == 0) {
-        fmpz_poly_scalar_divexact_fmpz(out, common, fmpz_poly_lead(own));
-        fmpz_poly_mul(out, out, fmpz_poly_q_numref(a));
     } else {
-        fmpz_poly_div(out, common, fmpz_poly_q_denref(a));
-        fmpz_poly_mul(out, out, fmpz_poly_q_numref(a));
+        fmpz_poly_div(out, p, divisor);
     }
+}
+
+void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t common) {
+    polynomial_divide(out, common, fmpz_poly_q_denref(a));
+    fmpz_poly_mul(out, out, fmpz_poly_q_numref(a));
 }
 
 /* From the exponent's highest bit down, so that no power above the wanted one is ever made and

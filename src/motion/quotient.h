@@ -36,8 +36,12 @@ void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, co
 /** Bring a quotient of polynomials into lowest terms, the denominator's leading coefficient
  * positive; most are seen to be coprime modulo a prime (proofs/claims.md C29). */
 void quotient_reduce(fmpz_poly_q_t a);
-/** common = lcm(common, denominator of a); the leading coefficients are positive. */
-void quotient_widen(fmpz_poly_t common, const fmpz_poly_q_t a);
+/** common = lcm(common, other), but for the sign; neither is zero. */
+void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other);
+/** g = gcd(g, p) in Z[u], but for the sign. */
+void polynomial_narrow(fmpz_poly_t g, const fmpz_poly_t p);
+/** out = p / divisor, which divides p, not zero. */
+void polynomial_divide(fmpz_poly_t out, const fmpz_poly_t p, const fmpz_poly_t divisor);
 /** The numerator of a over a common denominator, a multiple of its own. */
 void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t common);
 
@@ -55,6 +59,9 @@ int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
 /** GRAZE_ELIMIT in the calculation if degree or digits of a are past the limits, or the work done
  * for the motion, of which making a was a part. */
 void quotient_check(calculation *c, const fmpz_poly_q_t a);
+
+/** The same for a polynomial. */
+void polynomial_check(calculation *c, const fmpz_poly_t p);
 
 /** Count work; GRAZE_ELIMIT past the limit `work`. */
 void calculation_spend(calculation *c, unsigned long work);

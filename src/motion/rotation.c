@@ -5,6 +5,7 @@
  * the half angle of the complex number (q + ip)^n = a + ib, so its quaternion is (a |v|, b v).
  */
 #include "motion/rotation.h"
+#include "motion/quaternion.h"
 
 static void init4(fmpz_poly_q_t q[4]) {
     for (int k = 0; k < 4; k++) {
@@ -18,53 +19,6 @@ static void clear4(fmpz_poly_q_t q[4]) {
     }
 }
 
-/* Clear the denominators of the four. What is left in common is where they vanish together. */
-static graze_status clear_denominators(calculation *c, const json *where, fmpz_poly_q_t q[4],
-                                       const fmpq_t lo, const fmpq_t hi) {
-    fmpz_poly_q_t common;
-    fmpz_poly_t zeros;
-    fmpz_poly_q_init(common);
-    fmpz_poly_init(zeros);
-    fmpz_poly_q_one(common);
-    for (int k = 0; k < 4 && c->status == GRAZE_OK; k++) {
-        fmpz_poly_lcm(fmpz_poly_q_numref(common), fmpz_poly_q_numref(common),
-                      fmpz_poly_q_denref(q[k]));
-        quotient_check(c, common);
-    }
-    for (int k = 0; k < 4 && c->status == GRAZE_OK; k++) {
-        quotient_mul(c, q[k], q[k], common);
-        fmpz_poly_gcd(zeros, zeros, fmpz_poly_q_numref(q[k]));
-    }
-    if (c->status == GRAZE_OK) {
-        c->status = entry_no_root(c->context, where, zeros, lo, hi,
-                                  "the quaternion (complex number) of the rotation is zero");
-    }
-    fmpz_poly_clear(zeros);
-    fmpz_poly_q_clear(common);
-    return c->status;
-}
-
-/* out = (start + twice (a b + sign p q)) / norm, all of them polynomials; reduced once. */
-static void sum_over(calculation *c, fmpz_poly_q_t out, const fmpz_poly_t start, slong twice,
-                     const fmpz_poly_q_t a, const fmpz_poly_q_t b, int sign, const fmpz_poly_q_t p,
-                     const fmpz_poly_q_t q, const fmpz_poly_q_t norm) {
-    fmpz_poly_struct *sum = fmpz_poly_q_numref(out);
-    fmpz_poly_t second;
-    if (c->status != GRAZE_OK) {
-        return;
-    }
-    fmpz_poly_init(second);
-    fmpz_poly_mul(sum, fmpz_poly_q_numref(a), fmpz_poly_q_numref(b));
-    fmpz_poly_mul(second, fmpz_poly_q_numref(p), fmpz_poly_q_numref(q));
-    (sign > 0 ? fmpz_poly_add : fmpz_poly_sub)(sum, sum, second);
-    fmpz_poly_scalar_mul_si(sum, sum, twice);
-    fmpz_poly_add(sum, sum, start);
-    fmpz_poly_set(fmpz_poly_q_denref(out), fmpz_poly_q_numref(norm));
-    quotient_reduce(out);
-    quotient_check(c, out);
-    fmpz_poly_clear(second);
-}
-
 static void norm_of(calculation *c, fmpz_poly_q_t out, fmpz_poly_q_t *v, int count) {
     fmpz_poly_q_t square;
     fmpz_poly_q_init(square);
@@ -76,33 +30,42 @@ static void norm_of(calculation *c, fmpz_poly_q_t out, fmpz_poly_q_t *v, int cou
     fmpz_poly_q_clear(square);
 }
 
+/* The four times the least common multiple of their denominators. */
+static void clear_denominators(calculation *c, fmpz_poly_struct out[4], fmpz_poly_q_t q[4]) {
+    fmpz_poly_t common;
+    fmpz_poly_init(common);
+    fmpz_poly_one(common);
+    for (int k = 0; k < 4 && c->status == GRAZE_OK; k++) {
+        polynomial_widen(common, fmpz_poly_q_denref(q[k]));
+        polynomial_check(c, common);
+    }
+    for (int k = 0; k < 4 && c->status == GRAZE_OK; k++) {
+        quotient_over(&out[k], q[k], common);
+        polynomial_check(c, &out[k]);
+    }
+    fmpz_poly_clear(common);
+}
+
 graze_status rotation_of(affine *out, graze_context *context, const json *where, fmpz_poly_q_t q[4],
                          const fmpq_t lo, const fmpq_t hi) {
     calculation c = {context, GRAZE_OK};
-    if (clear_denominators(&c, where, q, lo, hi) != GRAZE_OK) {
-        return c.status;
+    fmpz_poly_struct cleared[4];
+    common_map turned;
+    common_map_init(&turned);
+    turned.dimension = out->dimension;
+    fmpz_poly_one(turned.v);
+    for (int k = 0; k < 4; k++) {
+        fmpz_poly_init(&cleared[k]);
     }
-    fmpz_poly_q_t norm;
-    fmpz_poly_t zero;
-    fmpz_poly_q_init(norm);
-    fmpz_poly_init(zero);
-    norm_of(&c, norm, q, 4);
-    affine_identity(out);
-    for (int i = 0; i < out->dimension; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        sum_over(&c, affine_at(out, i, i), fmpz_poly_q_numref(norm), -2, q[1 + j], q[1 + j], 1,
-                 q[1 + k], q[1 + k], norm);
-        if (j < out->dimension) {
-            sum_over(&c, affine_at(out, i, j), zero, 2, q[1 + i], q[1 + j], -1, q[0], q[1 + k],
-                     norm);
-        }
-        if (k < out->dimension) {
-            sum_over(&c, affine_at(out, i, k), zero, 2, q[1 + i], q[1 + k], 1, q[0], q[1 + j],
-                     norm);
-        }
+    clear_denominators(&c, cleared, q);
+    if (c.status == GRAZE_OK) {
+        c.status = quaternion_rotation(&turned, context, where, cleared, lo, hi);
     }
-    fmpz_poly_clear(zero);
-    fmpz_poly_q_clear(norm);
+    common_map_to_affine(&c, out, &turned);
+    for (int k = 0; k < 4; k++) {
+        fmpz_poly_clear(&cleared[k]);
+    }
+    common_map_clear(&turned);
     return c.status;
 }
 

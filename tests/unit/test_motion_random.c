@@ -6,6 +6,8 @@
 
 enum { STEPS = 7 };
 
+static const char IDENTITY_2[] = "1 0 0 | 0 1 0", IDENTITY_3[] = "1 0 0 0 | 0 1 0 0 | 0 0 1 0";
+
 /* Signs of the weight and common factors, as motion.h promises them. */
 static void check_map(const point_map *map, const char *text) {
     fmpz_poly_t common;
@@ -93,7 +95,6 @@ static void random_motions(void **state) {
     fmpq_init(t);
     for (int round = 0; round < 150; round++) {
         int d = 2 + round % 2;
-        const char *identity = d == 2 ? "1 0 0 | 0 1 0" : "1 0 0 0 | 0 1 0 0 | 0 0 1 0";
         int last = (int)random_below(STEPS);
         size_t used = (size_t)snprintf(all, sizeof all, "{\"compose\": [");
         for (int k = 0; k <= last; k++) {
@@ -126,7 +127,7 @@ static void random_motions(void **state) {
         }
         graze_motion_destroy(motion);
         multiply(inverse, forward, d);
-        if (!equal_to_text(inverse, d, identity, shown)) {
+        if (!equal_to_text(inverse, d, d == 2 ? IDENTITY_2 : IDENTITY_3, shown)) {
             fail_msg("inverse after forward is %s: %s", shown, all);
         }
     }
@@ -137,7 +138,126 @@ static void random_motions(void **state) {
     clear_matrix(forward);
 }
 
+/* Two key frames: the numbers of a quaternion over 2 and of a position over 6. */
+typedef struct frames {
+    long quaternion[2][4], position[2][3];
+} frames;
+
+/* Often even, or the second a multiple of the first; never zero between the two. */
+static void random_frames(frames *f, int d) {
+    long factor = 1 + random_below(3), multiple = random_below(3) == 0;
+    for (int n = 0; n < 2; n++) {
+        for (int k = 0; k < 4; k++) {
+            long other = (random_below(9) - 4) * factor;
+            f->quaternion[n][k] = d == 2 && (k == 1 || k == 2) ? 0 : other;
+            if (n == 1 && multiple) {
+                f->quaternion[1][k] = 3 * f->quaternion[0][k];
+            }
+        }
+        f->quaternion[n][0] = labs(f->quaternion[n][0]) + factor;
+        for (int k = 0; k < 3; k++) {
+            f->position[n][k] = random_below(25) - 12;
+        }
+    }
+}
+
+static void frames_text(char *out, size_t size, const frames *f, int d) {
+    size_t used = (size_t)snprintf(out, size, "{\"dimension\": %d, \"keyframes\": [", d);
+    for (int n = 0; n < 2; n++) {
+        const long *q = f->quaternion[n], *p = f->position[n];
+        char position[100], rotation[100];
+        snprintf(position, sizeof position,
+                 d == 3 ? "\"%ld/6\", \"%ld/6\", \"%ld/6\"" : "\"%ld/6\", \"%ld/6\"", p[0], p[1],
+                 p[2]);
+        snprintf(rotation, sizeof rotation,
+                 d == 3 ? "\"quaternion\": [\"%ld/2\", \"%ld/2\", \"%ld/2\", \"%ld/2\"]"
+                        : "\"complex\": [\"%ld/2\", \"%ld/2\"]",
+                 q[0], d == 3 ? q[1] : q[3], q[2], q[3]);
+        used += (size_t)snprintf(out + used, size - used, "%s{\"t\": %d, \"position\": [%s], %s}",
+                                 n ? ", " : "", n, position, rotation);
+    }
+    snprintf(out + used, size - used, "]}");
+}
+
+static void multiply_quaternions(long out[4], const long a[4], const long b[4]) {
+    out[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
+    for (int i = 1, j = 2, k = 3; i <= 3; i++, j = j % 3 + 1, k = k % 3 + 1) {
+        out[i] = a[0] * b[i] + a[i] * b[0] + a[j] * b[k] - a[k] * b[j];
+    }
+}
+
+/* The map at t = n/7: column j is q e_j q* over the norm of q. */
+static void expected_map(fmpq *out, const frames *f, int d, long n) {
+    long q[4], back[4], norm = 0;
+    for (int k = 0; k < 4; k++) {
+        q[k] = (7 - n) * f->quaternion[0][k] + n * f->quaternion[1][k];
+        back[k] = k == 0 ? q[k] : -q[k];
+        norm += q[k] * q[k];
+    }
+    for (int j = 0; j < d; j++) {
+        long axis[4] = {0}, turned[4], image[4];
+        axis[1 + j] = 1;
+        multiply_quaternions(turned, q, axis);
+        multiply_quaternions(image, turned, back);
+        for (int i = 0; i < d; i++) {
+            fmpq_set_si(&out[i * (d + 1) + j], image[1 + i], (ulong)norm);
+        }
+    }
+    for (int i = 0; i < d; i++) {
+        fmpq_set_si(&out[i * (d + 1) + d], (7 - n) * f->position[0][i] + n * f->position[1][i], 42);
+    }
+}
+
+/* The motion of `text` between two frames, forward and back. */
+static void check_frames(const frames *f, int d, const char *text) {
+    fmpq map[ENTRIES], expected[ENTRIES];
+    fmpq_t t;
+    char shown[TEXT];
+    init_matrix(map);
+    init_matrix(expected);
+    fmpq_init(t);
+    graze_motion *motion = make(text);
+    check_map(&motion->piece[0].forward, text);
+    check_map(&motion->piece[0].inverse, text);
+    for (long n = 0; n <= 7; n++) {
+        fmpq_set_si(t, n, 7);
+        map_at(map, motion, t, 0);
+        expected_map(expected, f, d, n);
+        for (int k = 0; k < d * (d + 1); k++) {
+            if (!fmpq_equal(&map[k], &expected[k])) {
+                fail_msg("entry %d at t = %ld/7: %s", k, n, text);
+            }
+        }
+        map_at(map, motion, t, 1);
+        multiply(map, expected, d);
+        if (!equal_to_text(map, d, d == 2 ? IDENTITY_2 : IDENTITY_3, shown)) {
+            fail_msg("inverse after forward is %s: %s", shown, text);
+        }
+    }
+    graze_motion_destroy(motion);
+    fmpq_clear(t);
+    clear_matrix(expected);
+    clear_matrix(map);
+}
+
+/* Key frames, also inside a sequence. */
+static void random_key_frames(void **state) {
+    (void)state;
+    random_start(4);
+    for (int round = 0; round < 400; round++) {
+        int d = 2 + round % 2;
+        char text[TEXT], sequence[TEXT + 100];
+        frames f;
+        random_frames(&f, d);
+        frames_text(text, sizeof text, &f, d);
+        check_frames(&f, d, text);
+        snprintf(sequence, sizeof sequence, "{\"dimension\": %d, \"sequence\": [%s]}", d, text);
+        check_frames(&f, d, sequence);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(random_motions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(random_motions),
+                                       cmocka_unit_test(random_key_frames)};
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
