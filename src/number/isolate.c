@@ -169,11 +169,12 @@ static graze_status roots_beside_fraction(int *done, algebraic_list *list, graze
     fmpq_t root;
     fmpz_poly_t rest;
     size_t first = list->count;
+    int empty;
     fmpq_init(root);
     fmpz_poly_init(rest);
     graze_status status = GRAZE_OK;
-    *done = divide_by_simplest(root, rest, p, part);
-    if (*done)
+    *done = divide_by_simplest(root, rest, &empty, p, part);
+    if (*done && !(empty && part == interval))
         status = algebraic_roots(list, context, rest, interval);
     if (*done && status == GRAZE_OK)
         status = insert_root(list, context, first, root);

@@ -6,9 +6,12 @@
 #include "number/bernstein.h"
 #include "number/modular.h"
 #include "number/refine.h"
+#include "number/simplest.h"
 
 /* Digits of an interval's ends up to which Bernstein coefficients are cheap. */
 enum { COARSE = 63 };
+/* Binary places that a secant through a guess's interval can be asked for. */
+enum { GUESS_GAIN = 32 };
 
 /* Sign of q on the interval if its value at the lower end is more than q can change by on the way
  * to the upper one, else 0 (proofs/claims.md C31). The value is known to two binary places more
@@ -66,6 +69,21 @@ static int vanishes_at(const fmpz_poly_t q, algebraic *x) {
     return low_sign != 0;
 }
 
+/* Take a short interval around a guess of the irrational x, if x's polynomial changes its sign
+ * there and the limit on places allows it. */
+static int narrow_by_guess(graze_context *context, algebraic *x) {
+    dyadic_interval part;
+    dyadic_interval_init(&part);
+    int changes = guess_interval(&part, x->poly, &x->where) &&
+                  (!context || part.exponent < context->limits[GRAZE_LIMIT_BITS]) &&
+                  dyadic_sign(x->poly, part.low, part.exponent) == x->low_sign &&
+                  dyadic_sign(x->poly, part.high, part.exponent) == -x->low_sign;
+    if (changes)
+        dyadic_interval_swap(&x->where, &part);
+    dyadic_interval_clear(&part);
+    return changes;
+}
+
 graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly_t q,
                                algebraic *x) {
     slong degree = fmpz_poly_degree(q);
@@ -74,17 +92,22 @@ graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly
         return GRAZE_OK;
     ulong gain = FIRST_GAIN;
     graze_status status = GRAZE_OK;
-    for (int halvings = 0; !algebraic_is_rational(x) && status == GRAZE_OK; halvings++) {
+    int step = 0;
+    while (!algebraic_is_rational(x) && status == GRAZE_OK) {
         *out = sign_on_interval(q, x);
         if (*out != 0)
             return GRAZE_OK;
-        if (halvings == CHEAP_HALVINGS) {
+        if (step == CHEAP_HALVINGS) {
             status = common_factor_work(context, q, x->poly);
             if (status == GRAZE_OK && vanishes_at(q, x))
                 return GRAZE_OK;
         }
-        if (status == GRAZE_OK)
-            status = algebraic_narrow(context, x, halvings, &gain);
+        if (step == 0 && narrow_by_guess(context, x)) {
+            step = CHEAP_HALVINGS;
+            gain = GUESS_GAIN;
+        } else if (status == GRAZE_OK) {
+            status = algebraic_narrow(context, x, step++, &gain);
+        }
     }
     if (status == GRAZE_OK)
         *out = rational_sign(q, x->value);

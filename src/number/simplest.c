@@ -3,6 +3,7 @@
  * none. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "number/simplest.h"
+#include "number/rootless.h"
 
 #include <math.h>
 
@@ -47,9 +48,10 @@ static int divide_linear(fmpz_poly_t out, const fmpz_poly_t p, slong a, slong b)
     return divides;
 }
 
-int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, const fmpz_poly_t p,
+int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_poly_t p,
                        const dyadic_interval *interval) {
     slong a, b;
+    *empty = 0;
     if (interval->exponent >= LONGEST || fmpz_sgn(interval->low) < 0 ||
         fmpz_bits(interval->high) >= LONGEST)
         return 0;
@@ -61,7 +63,8 @@ int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, const fmpz_poly_t p,
     while (divide_linear(next, divided ? rest : p, a, b)) {
         fmpz_poly_swap(rest, next);
         divided = 1;
-        if (fmpz_poly_degree(rest) < 1)
+        *empty = certainly_rootless(rest, interval);
+        if (*empty)
             break;
     }
     fmpz_poly_clear(next);

@@ -11,10 +11,11 @@
  * often as it is there. Intervals below 0, or with long ends, are not looked at.
  * @param[out] root the fraction
  * @param[out] rest the quotient, of which it is no root
+ * @param[out] empty the quotient certainly has no root in the interval
  * @param p         of degree 1 or more
  * @return 1; or 0, and neither is set
  */
-int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, const fmpz_poly_t p,
+int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_poly_t p,
                        const dyadic_interval *interval);
 
 /** A short part of an interval in which a root may be, by a guess in doubles; 0 if there is none.

@@ -19,19 +19,42 @@ void trajectory_clear(trajectory *c) {
         fmpz_poly_clear(&c->x[i]);
 }
 
+/* sum += a b; a sum that is long once is kept so, to be demoted at the end. */
+static void add_product(fmpz *sum, const fmpz *a, const fmpz *b) {
+    if (COEFF_IS_MPZ(*sum) && COEFF_IS_MPZ(*a) && COEFF_IS_MPZ(*b))
+        mpz_addmul(COEFF_TO_PTR(*sum), COEFF_TO_PTR(*a), COEFF_TO_PTR(*b));
+    else if (fmpz_is_zero(sum))
+        fmpz_mul(sum, a, b);
+    else
+        fmpz_addmul(sum, a, b);
+}
+
+/* sums = the polynomials times their factors, added. */
+static void sum_products(fmpz_poly_t sums, const fmpz_poly_struct *p, const fmpz *factor,
+                         int count) {
+    slong length = 0;
+    for (int i = 0; i < count; i++)
+        length = FLINT_MAX(length, fmpz_poly_length(&p[i]));
+    fmpz_poly_fit_length(sums, length);
+    _fmpz_vec_zero(sums->coeffs, length);
+    for (int i = 0; i < count; i++)
+        for (slong k = 0; k < fmpz_poly_length(&p[i]) && !fmpz_is_zero(factor + i); k++)
+            add_product(sums->coeffs + k, p[i].coeffs + k, factor + i);
+    for (slong k = 0; k < length; k++)
+        if (COEFF_IS_MPZ(sums->coeffs[k]))
+            _fmpz_demote_val(sums->coeffs + k);
+    _fmpz_poly_set_length(sums, length);
+    _fmpz_poly_normalise(sums);
+}
+
 /* With P = p / q: X_i = sum_j N_ij p_j + N_id q, over q W. */
 void trajectory_carry(trajectory *c, const point_map *map, const fmpz *p) {
     int d = c->dimension;
-    c->degree = 0;
-    for (int i = 0; i <= d; i++) {
-        fmpz_poly_zero(&c->x[i]);
-        if (i == d)
-            fmpz_poly_scalar_mul_fmpz(&c->x[d], map->weight, p + d);
-        else
-            for (int j = 0; j <= d; j++)
-                fmpz_poly_scalar_addmul_fmpz(&c->x[i], &map->entry[i * (d + 1) + j], p + j);
-        if (fmpz_poly_degree(&c->x[i]) > c->degree)
-            c->degree = fmpz_poly_degree(&c->x[i]);
+    fmpz_poly_scalar_mul_fmpz(&c->x[d], map->weight, p + d);
+    c->degree = fmpz_poly_degree(&c->x[d]);
+    for (int i = 0; i < d; i++) {
+        sum_products(&c->x[i], &map->entry[i * (d + 1)], p, d + 1);
+        c->degree = FLINT_MAX(c->degree, fmpz_poly_degree(&c->x[i]));
     }
 }
 
@@ -44,10 +67,7 @@ void trajectory_set(trajectory *c, const point_map *map, const fmpq *point) {
 }
 
 void trajectory_pullback(fmpz_poly_t out, const trajectory *c, const fmpz *form) {
-    fmpz_poly_zero(out);
-    for (int i = 0; i <= c->dimension; i++)
-        if (!fmpz_is_zero(form + i))
-            fmpz_poly_scalar_addmul_fmpz(out, &c->x[i], form + i);
+    sum_products(out, c->x, form, c->dimension + 1);
 }
 
 /* All polynomials are made homogeneous to one degree, so that the common factor drops out. */
