@@ -12,7 +12,7 @@
 
 /* Spans are cut down to these levels: for the sake of boxes, of one simplex before its Bernstein
  * forms, and after them. */
-enum { BOX_LEVELS = 20, CHORD_LEVELS = 4, SIMPLEX_LEVELS = 14 };
+enum { BOX_LEVELS = 20, CHORD_LEVELS = 4, SIMPLEX_LEVELS = 8 };
 
 typedef struct searcher {
     findings *out;
