@@ -124,12 +124,24 @@ static box box_around(const box *b, const double *spread) {
     return out;
 }
 
+/* Whether a node's slab misses the span as thick as the spread makes it. */
+static int cell_misses_slab(const cell_search *s, const span *piece, const tree_node *node,
+                            const double *spread) {
+    double wide[3];
+    if (!node->child || !piece->bounded)
+        return 0;
+    for (int i = 0; i < 3; i++)
+        wide[i] = piece->wide[i] + spread[i];
+    return !chord_meets_slab(piece, wide, slab_below(&s->filter->solid->slabs, node));
+}
+
 static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
     while (!s->meets) {
         const span *piece = &s->curve->spans[index];
         const tree_node *here = &s->filter->solid->boxes.node[node];
         box around = box_around(&here->box, spread);
-        if (flip(FLIP_CELL, !span_meets(piece, &around)))
+        if (flip(FLIP_CELL, !span_meets(piece, &around)) ||
+            cell_misses_slab(s, piece, here, spread))
             return;
         int thick = here->child && span_is_thick(s->curve, piece, &around);
         if ((thick || !piece->bounded) && piece->level < CELL_BOX_LEVELS) {
@@ -148,7 +160,7 @@ static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const do
     }
 }
 
-static int set_to_centre(curve *memory, const filter *f, const cell *points) {
+int cell_begin(curve *memory, const filter *f, const cell *points) {
     filter_point centre;
     for (int i = 0; i < 3; i++)
         centre.at[i] = points->centre[i];
@@ -173,7 +185,7 @@ static int bound_places(box *out, curve *memory, const filter *f, const stay *wh
 int cell_is_settled(curve *memory, const filter *f, const cell *points, size_t *hint) {
     size_t pieces = f->course.piece_count, each = pieces < CELL_TIMES ? CELL_TIMES / pieces : 1;
     size_t step = pieces * each / CELL_TIMES + 1;
-    if (!f->bricks.state || !set_to_centre(memory, f, points))
+    if (!f->bricks.state)
         return 0;
     for (size_t k = 0; k < pieces * each; k += step) {
         size_t time = (*hint + k) % (pieces * each);
@@ -188,16 +200,15 @@ int cell_is_settled(curve *memory, const filter *f, const cell *points, size_t *
     return 0;
 }
 
-int cell_anchor(anchor *out, curve *memory, const filter *f, const cell *points, const stay *when) {
+int cell_anchor(anchor *out, curve *memory, const filter *f, const stay *when) {
     out->when = *when;
-    return set_to_centre(memory, f, points) && bound_places(&out->around, memory, f, when, NULL);
+    return bound_places(&out->around, memory, f, when, NULL);
 }
 
 int cell_joins(curve *memory, const filter *f, const cell *points, const anchor *to) {
     size_t tests = JOIN_TESTS;
     box all;
-    if (!set_to_centre(memory, f, points) ||
-        !bound_places(&all, memory, f, &to->when, points->half))
+    if (!bound_places(&all, memory, f, &to->when, points->half))
         return 0;
     for (int i = 0; i < 3; i++) {
         all.low[i] = smaller(all.low[i], to->around.low[i]);
@@ -209,7 +220,7 @@ int cell_joins(curve *memory, const filter *f, const cell *points, const anchor 
 int cell_is_clear(curve *memory, const filter *f, const cell *points) {
     cell_search s = {memory, f, points, 0};
     double spread[3];
-    if (!set_to_centre(memory, f, points) || !spread_of(spread, &s, &memory->spans[0]))
+    if (!spread_of(spread, &s, &memory->spans[0]))
         return 0;
     descend_cell(&s, 0, 0, spread);
     return !s.meets && !memory->out_of_memory;

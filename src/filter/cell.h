@@ -21,9 +21,15 @@ typedef struct anchor {
 } anchor;
 
 /**
+ * Set the memory of one thread to a cell's centre, which all below ask for: `memory` is that of the
+ * same cell.
+ * @return 0 if the filter cannot be used for it, or without memory
+ */
+int cell_begin(curve *memory, const filter *f, const cell *points);
+
+/**
  * Whether certainly no point of the cell meets the boundary, at any time of the motion
  * (proofs/cells.md C76).
- * @param memory of one thread
  * @return 0 if that is not certain
  */
 int cell_is_clear(curve *memory, const filter *f, const cell *points);
@@ -32,7 +38,7 @@ int cell_is_clear(curve *memory, const filter *f, const cell *points);
  * An anchor where the cell's centre is at a time at which it is in that state.
  * @return 0 if there is no bound
  */
-int cell_anchor(anchor *out, curve *memory, const filter *f, const cell *points, const stay *when);
+int cell_anchor(anchor *out, curve *memory, const filter *f, const stay *when);
 
 /**
  * Whether at the time of the anchor nothing of the boundary can be between it and any point of the

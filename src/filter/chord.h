@@ -4,7 +4,11 @@
 #ifndef GRAZE_FILTER_CHORD_H
 #define GRAZE_FILTER_CHORD_H
 
+#include <math.h>
 #include "filter/curve.h"
+#include "filter/flip.h"
+#include "filter/normal.h"
+#include "solid/slabs.h"
 
 /** Only CHORD_MISSES is a statement; the others say what is worth trying next. */
 typedef enum chord_meeting {
@@ -19,5 +23,21 @@ typedef enum chord_meeting {
  */
 chord_meeting chord_meets(const curve *c, const span *piece, const double *corner,
                           double corner_error);
+
+/**
+ * 0 if certainly no time of a bounded span is on a simplex of the slab (proofs/slabs.md C93).
+ * @param wide the span's, or more, as for all curves that are so much further from its chord
+ */
+static inline int chord_meets_slab(const span *piece, const double wide[3], const slab *s) {
+    double first = 0, last = 0, bound = 0;
+    for (int i = 0; i < 3; i++) {
+        first += s->normal[i] * piece->from[i];
+        last += s->normal[i] * piece->end[i];
+        bound += fabs(s->normal[i]) * wide[i];
+    }
+    bound = FILTER_SLACK * bound + FILTER_FLOOR;
+    return !flip(FLIP_SLAB, (first - bound > s->high && last - bound > s->high) ||
+                                (first + bound < s->low && last + bound < s->low));
+}
 
 #endif

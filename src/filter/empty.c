@@ -26,6 +26,8 @@ static int is_empty(const emptiness *e, uint32_t index) {
     const tree_node *node = &e->solid->boxes.node[index];
     if (flip(FLIP_BOX, !box_meets(&node->box, e->space)))
         return 1;
+    if (node->child && !chord_meets_slab(&e->all, e->all.wide, slab_below(&e->solid->slabs, node)))
+        return 1;
     if (node->child)
         return is_empty(e, node->child) && is_empty(e, node->child + 1);
     if (*e->tests == 0)

@@ -33,6 +33,7 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_CELL] = "cell",
     [FLIP_JOIN] = "join",
     [FLIP_INTERIOR] = "interior",
+    [FLIP_SLAB] = "slab",
 };
 
 static atomic_ulong calls;

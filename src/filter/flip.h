@@ -30,6 +30,7 @@ typedef enum flip_site {
     FLIP_CELL,         /* a box of points misses a box, or a simplex */
     FLIP_JOIN,         /* nothing of the boundary is between a box of points and a place */
     FLIP_INTERIOR,     /* a place is in bricks of one state */
+    FLIP_SLAB,         /* a span, or a box, misses a slab */
     FLIP_SITE_COUNT
 } flip_site;
 

@@ -79,6 +79,12 @@ static void sample_along(const searcher *s, const span *piece) {
         sample(s, piece, from + share[k] * (to - from));
 }
 
+/* Whether the slab of a node misses a span; one without bound is cut first. */
+static int span_misses_slab(const searcher *s, const span *piece, const tree_node *node) {
+    return node->child && piece->bounded &&
+           !chord_meets_slab(piece, piece->wide, slab_below(&s->solid->slabs, node));
+}
+
 /* Whether bricks are asked along a span. */
 static int samples(const searcher *s, uint32_t span_index) {
     return s->early && s->early->bricks && s->curve->spans[span_index].degree;
@@ -141,7 +147,7 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
         if (piece->lost)
             s->failed |= !findings_lose(s->out, piece->piece);
         if (s->failed || (s->early && s->early->met) || piece->lost ||
-            flip(FLIP_BOX, !span_meets(piece, &here->box)))
+            flip(FLIP_BOX, !span_meets(piece, &here->box)) || span_misses_slab(s, piece, here))
             return;
         /* A single simplex is left to its own tests. */
         if (!piece->bounded || (here->child && span_is_thick(s->curve, piece, &here->box))) {

@@ -7,6 +7,7 @@
 #include <string.h>
 #include "filter/cell.h"
 #include "filter/normal.h"
+#include "filter/ray.h"
 #include "number/rounding.h"
 #include "verdict/classify.h"
 
@@ -37,9 +38,29 @@ static void make_cell(cell *out, const bricklayer *b, const brick *points) {
     }
 }
 
-/* Of the cell's centre. */
+static filter_point centre_of(const cell *points) {
+    filter_point centre;
+    memcpy(centre.at, points->centre, sizeof centre.at);
+    return centre;
+}
+
+/* The state of a cell's centre at the beginning of the motion, if that is certain. */
+static graze_state state_at_first(const bricklayer *b, const cell *points) {
+    filter_workspace *w = filter_workspace_of(b->context);
+    filter_point centre = centre_of(points);
+    if (!w)
+        return GRAZE_STATE_ABSENT;
+    filter_begin(w);
+    return filter_locate(w, &b->scene->filter, 0, &centre, 0);
+}
+
+/* Of the centre of a cell that is clear: its word has one letter. */
 static graze_status decide_centre(graze_pmc *out, const bricklayer *b, const cell *points) {
     graze_trace trace;
+    graze_state state = state_at_first(b, points);
+    *out = state == GRAZE_STATE_I ? GRAZE_IN : GRAZE_OUT;
+    if (state != GRAZE_STATE_ABSENT)
+        return GRAZE_OK;
     graze_status status = classify_point(&trace, b->context, b->scene,
                                          (query_point){.value = points->centre}, TRACE_PMC_BESIDE);
     if (status)
@@ -52,8 +73,7 @@ static graze_status decide_centre(graze_pmc *out, const bricklayer *b, const cel
 /* All contacts of the centre; NULL if the filter cannot be used for it. */
 static const findings *search_centre(const bricklayer *b, const cell *points) {
     filter_workspace *w = filter_workspace_of(b->context);
-    filter_point centre;
-    memcpy(centre.at, points->centre, sizeof centre.at);
+    filter_point centre = centre_of(points);
     if (w)
         filter_begin(w);
     return w && filter_search(w, NULL, NULL, &b->scene->filter, &centre) ? &w->found : NULL;
@@ -75,8 +95,7 @@ static void find_anchors(anchors *out, bricklayer *b, const cell *points) {
     if (count)
         out->count = 0;
     for (int k = 0; k < count; k++)
-        out->count +=
-            cell_anchor(&out->item[out->count], &b->tube, &b->scene->filter, points, &when[k]);
+        out->count += cell_anchor(&out->item[out->count], &b->tube, &b->scene->filter, &when[k]);
 }
 
 static int joins_anchors(bricklayer *b, const cell *points, const anchors *near) {
@@ -98,11 +117,15 @@ static graze_pmc membership_proved(const bricklayer *b) {
  * as some points */
 static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points, anchors *near,
                                 int smallest) {
-    *out = membership_proved(b);
-    if (cell_is_settled(&b->tube, &b->scene->filter, points, &b->time) ||
-        joins_anchors(b, points, near))
+    const filter *f = &b->scene->filter;
+    *out = GRAZE_PMC_NONE;
+    if (!cell_begin(&b->tube, f, points))
         return GRAZE_OK;
-    if (!cell_is_clear(&b->tube, &b->scene->filter, points)) {
+    *out = membership_proved(b);
+    if (near->count ? joins_anchors(b, points, near)
+                    : cell_is_settled(&b->tube, f, points, &b->time))
+        return GRAZE_OK;
+    if (!cell_is_clear(&b->tube, f, points)) {
         *out = GRAZE_PMC_NONE;
         if (smallest && near->count)
             return GRAZE_OK;
@@ -158,7 +181,7 @@ static int point_joins(bricklayer *b, const size_t at[3], const anchors *near) {
     if (!near->count)
         return 0;
     make_cell(&point, b, &alone);
-    return joins_anchors(b, &point, near);
+    return cell_begin(&b->tube, &b->scene->filter, &point) && joins_anchors(b, &point, near);
 }
 
 static graze_status ask_points(bricklayer *b, const brick *part, const anchors *near) {

@@ -49,6 +49,13 @@ static graze_status make_tree(graze_solid *solid, graze_context *context) {
                   : GRAZE_OK;
 }
 
+static graze_status make_slabs(graze_solid *solid, graze_context *context) {
+    return slabs_make(&solid->slabs, &solid->boxes, &solid->corners, solid->input.dimension)
+               ? GRAZE_OK
+               : context_fail(context, GRAZE_ESYSTEM, "out of memory for slabs of %zu simplices",
+                              solid->cut.count);
+}
+
 static void make_note(graze_solid *solid) {
     const flat_sides *flat = &solid->cut.flat;
     char ring[64] = "", others[64] = "a side without length is no edge";
@@ -87,6 +94,8 @@ graze_status solid_create(graze_solid **out, graze_context *context, soup *input
         status = corners_make(&solid->corners, context, &solid->input, &solid->cut, solid->low,
                               solid->high);
     if (status == GRAZE_OK)
+        status = make_slabs(solid, context);
+    if (status == GRAZE_OK)
         status = solid_check_sides(solid, context);
     if (status == GRAZE_OK) {
         make_note(solid);
@@ -104,6 +113,7 @@ void graze_solid_destroy(graze_solid *solid) {
     free(solid->high);
     tree_clear(&solid->boxes);
     corners_clear(&solid->corners);
+    slabs_clear(&solid->slabs);
     simplices_clear(&solid->cut);
     soup_clear(&solid->input);
     free(solid);

@@ -9,6 +9,7 @@
 #define GRAZE_SOLID_SOLID_H
 
 #include "solid/corners.h"
+#include "solid/slabs.h"
 #include "soup/soup.h"
 #include "solid/tree.h"
 #include "validate/simplices.h"
@@ -23,6 +24,7 @@ struct graze_solid {
     double *low, *high;
     tree boxes; /* of the simplices */
     corners corners;
+    slabs slabs;
     char note[256]; /* note on an unusual input; "" if none */
 };
 
