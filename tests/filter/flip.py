@@ -166,7 +166,7 @@ def queries(graze, rng, scale):
     yield weights(graze, rng, 12000 * scale)
     yield weights(graze, rng, 12000 * scale, 2)
     yield through_tips(graze, rng, 12000 * scale)
-    yield grid(graze, "comb", Scene("comb", plane[0]["comb"], plane[1]["across"], places(2)[""]), "330,290")
+    yield grid(graze, "comb", Scene("comb", plane[0]["comb"], plane[1]["parabola"], places(2)[""]), "330,290")
     yield grid(graze, "torus", Scene("torus", space[0]["torus"], space[1]["slide"], places(3)[""]), "60,50,50")
     yield from over_the_break(graze, rng, 24000 * scale)
 
