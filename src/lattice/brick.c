@@ -113,7 +113,7 @@ static graze_pmc membership_proved(const bricklayer *b) {
 /* The membership of all points of a cell; NONE if it is not known to be one (proofs/cells.md
  * C76).
  * @param[in,out] near those of a cell around it; its own where it has some
- * @param smallest its points are next: then those around it will do, since a search costs as much
+ * @param smallest its points are next: then those around it must do, since a search costs as much
  * as some points */
 static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points, anchors *near,
                                 int smallest) {
@@ -127,7 +127,7 @@ static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *point
         return GRAZE_OK;
     if (!cell_is_clear(&b->tube, f, points)) {
         *out = GRAZE_PMC_NONE;
-        if (smallest && near->count)
+        if (smallest)
             return GRAZE_OK;
         find_anchors(near, b, points);
         if (joins_anchors(b, points, near))

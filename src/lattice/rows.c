@@ -1,7 +1,6 @@
 /* Rows of grid points. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "lattice/rows.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "graze/core.h"
@@ -44,48 +43,44 @@ static void make_texts(axis_texts *a, const lattice *l) {
     }
 }
 
-/* The coordinates behind the first, and commas around them. */
-static void set_others(text *others, const lattice *l, const size_t place[3]) {
+/* What stands behind the first coordinate of points that differ in it alone, for each graze_pmc. */
+typedef struct row_tails {
+    text item[4];
+} row_tails;
+
+static void set_tails(row_tails *tails, const lattice *l, const size_t place[3]) {
+    text *others = &tails->item[0];
     others->length = 0;
     text_put(others, ",");
     for (int k = 1; k < l->dimension; k++) {
         put_coordinate(others, l, k, place[k]);
         text_put(others, ",");
     }
-}
-
-/* What rows end with, for each graze_pmc. */
-typedef struct row_ends {
-    char text[4][16];
-    size_t length[4];
-} row_ends;
-
-static void set_ends(row_ends *e) {
-    for (int p = 0; p < 4; p++)
-        e->length[p] =
-            (size_t)snprintf(e->text[p], sizeof e->text[p], "%s\n", graze_pmc_name((graze_pmc)p));
-}
-
-static char *glue_bytes(char *at, const char *bytes, size_t length) {
-    if (length)
-        memcpy(at, bytes, length);
-    return at + length;
+    for (int p = 1; p < 4; p++) {
+        text *tail = &tails->item[p];
+        tail->length = 0;
+        tail->failed |= others->failed;
+        text_bytes(tail, others->data, others->length);
+        text_put(tail, graze_pmc_name((graze_pmc)p));
+        text_put(tail, "\n");
+    }
 }
 
 /* One row, whose first coordinate has number `i`. */
 static void put_grid_row(text *out, const axis_texts *a, const lattice *l, size_t i,
-                         const text *others, const row_ends *ends, unsigned char pmc) {
+                         const text *tail) {
     size_t start = a->end && i ? a->end[i - 1] : 0, length = a->end ? a->end[i] - start : 0;
     if (!a->end)
         put_coordinate(out, l, 0, i);
-    if (!text_reserve(out, length + others->length + ends->length[pmc]))
+    out->failed |= tail->failed;
+    if (!text_reserve(out, length + tail->length))
         return;
     char *at = out->data + out->length;
-    at = glue_bytes(at, a->all.data + start, length);
-    at = glue_bytes(at, others->data, others->length);
-    at = glue_bytes(at, ends->text[pmc], ends->length[pmc]);
-    *at = '\0';
-    out->length = (size_t)(at - out->data);
+    if (length)
+        memcpy(at, a->all.data + start, length);
+    memcpy(at + length, tail->data, tail->length);
+    out->length += length + tail->length;
+    out->data[out->length] = '\0';
 }
 
 /* The place so many points further on; 1 if more than the first coordinate is another. */
@@ -104,11 +99,10 @@ static int move_on(size_t place[3], const lattice *l, const size_t by[3]) {
 
 void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *pmc, size_t first,
               size_t step, size_t count) {
-    text others;
-    row_ends ends;
+    row_tails tails;
     size_t place[3], by[3];
-    text_init(&others);
-    set_ends(&ends);
+    for (int p = 0; p < 4; p++)
+        text_init(&tails.item[p]);
     pthread_mutex_lock(&a->lock);
     if (!a->made)
         make_texts(a, l);
@@ -117,9 +111,9 @@ void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *p
     lattice_place(by, l, step);
     for (size_t p = 0; p < count; p++) {
         if ((p > 0 && move_on(place, l, by)) || p == 0)
-            set_others(&others, l, place);
-        out->failed |= others.failed;
-        put_grid_row(out, a, l, place[0], &others, &ends, pmc[p]);
+            set_tails(&tails, l, place);
+        put_grid_row(out, a, l, place[0], &tails.item[pmc[p]]);
     }
-    text_clear(&others);
+    for (int p = 0; p < 4; p++)
+        text_clear(&tails.item[p]);
 }
