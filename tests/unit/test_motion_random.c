@@ -37,6 +37,7 @@ static void check_map(const point_map *map, const char *text) {
 /* A random transform that is legal for t in [0, 1]. */
 static void random_transform(char *out, size_t size, int d) {
     int a = (int)random_below(9) - 4, b = (int)random_below(5) + 1;
+    int c = random_below(2) ? b : -1 - b; /* t + c and t^2 + c are not 0 on [0, 1] */
     const char *axes[] = {"[0, 0, 1]", "[2, -1, 2]", "[\"1-t^2\", 0, \"2*t\"]"};
     const char *axis = axes[random_below(3)];
     char more[80] = "";
@@ -46,7 +47,7 @@ static void random_transform(char *out, size_t size, int d) {
     const char *third = d == 3 ? ", \"t^2-t\"" : "";
     switch (random_below(6)) {
     case 0:
-        snprintf(out, size, "{\"translate\": [\"%d*t\", \"1/(t+%d)\"%s]}", a, b, third);
+        snprintf(out, size, "{\"translate\": [\"%d*t\", \"1/(t%+d)\"%s]}", a, c, third);
         break;
     case 1:
         snprintf(out, size, "{\"rotate\": {\"tan_half\": \"%d*s-1/%d\", \"times\": %d%s}}", a, b,
@@ -57,7 +58,7 @@ static void random_transform(char *out, size_t size, int d) {
                  third, more);
         break;
     case 3:
-        snprintf(out, size, "{\"scale\": \"-(t+%d)/(t^2+%d)\", \"center\": [%d, 1%s]}", b, b, a,
+        snprintf(out, size, "{\"scale\": \"-(t+%d)/(t^2%+d)\", \"center\": [%d, 1%s]}", b, c, a,
                  third);
         break;
     case 4:
