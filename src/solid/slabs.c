@@ -7,14 +7,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A node of more simplices is seldom flat, and has a slab without bounds. */
-enum { SLAB_MOST = 512 };
+/* A node of more simplices is seldom flat; below one of fewer their own tests are as near, and half
+ * of all nodes are such. */
+enum { SLAB_LEAST = 4, SLAB_MOST = 512 };
 
 typedef struct slab_maker {
     slabs *out;
-    const tree *boxes;
+    tree *boxes;
     const corners *corners;
     int dimension;
+    uint32_t made;
 } slab_maker;
 
 static const double *slab_corners(const slab_maker *m, uint32_t simplex) {
@@ -55,6 +57,7 @@ static void hold_below(slab *s, const slab_maker *m, uint32_t index) {
 
 static void make_slab(slab *s, const slab_maker *m, uint32_t index, const double *sum) {
     double most = fmax(fabs(sum[0]), fmax(fabs(sum[1]), fabs(sum[2]))), margin = 0x1p-780;
+    *s = m->out->item[0];
     if (!(most > 0))
         return;
     *s = (slab){{0, 0, 0}, INFINITY, -INFINITY};
@@ -67,18 +70,30 @@ static void make_slab(slab *s, const slab_maker *m, uint32_t index, const double
     s->high += margin;
 }
 
+static int has_slab(size_t count) {
+    return count >= SLAB_LEAST && count <= SLAB_MOST;
+}
+
+/* How many simplices are below a node; `slabs` grows by how many slabs there are. */
+static size_t count_below(uint32_t *slabs, const tree *boxes, uint32_t index) {
+    uint32_t child = boxes->node[index].child;
+    size_t count =
+        child ? count_below(slabs, boxes, child) + count_below(slabs, boxes, child + 1) : 1;
+    *slabs += has_slab(count);
+    return count;
+}
+
 /* Slabs of all inner nodes from one downwards; adds the normals of its simplices.
  * @return how many those are */
-static size_t make_below(double *sum, const slab_maker *m, uint32_t index) {
-    const tree_node *node = &m->boxes->node[index];
+static size_t make_below(double *sum, slab_maker *m, uint32_t index) {
+    tree_node *node = &m->boxes->node[index];
     double own[3] = {0, 0, 0};
     size_t count = 1;
     if (node->child) {
-        slab *s = &m->out->item[node->child / 2];
-        *s = (slab){{0, 0, 0}, -INFINITY, INFINITY};
         count = make_below(own, m, node->child) + make_below(own, m, node->child + 1);
-        if (count <= SLAB_MOST)
-            make_slab(s, m, index, own);
+        node->slab = has_slab(count) ? m->made++ : 0;
+        if (node->slab)
+            make_slab(&m->out->item[node->slab], m, index, own);
     } else {
         add_normal(own, m, node->simplex);
     }
@@ -87,15 +102,18 @@ static size_t make_below(double *sum, const slab_maker *m, uint32_t index) {
     return count;
 }
 
-int slabs_make(slabs *out, const tree *boxes, const corners *corners, int dimension) {
-    slab_maker m = {out, boxes, corners, dimension};
+int slabs_make(slabs *out, tree *boxes, const corners *corners, int dimension) {
+    slab_maker m = {out, boxes, corners, dimension, 1};
     double sum[3] = {0, 0, 0};
+    uint32_t most = 1;
     out->item = NULL;
     if (!corners->at)
         return 1;
-    out->item = malloc((boxes->node_count / 2 + 1) * sizeof *out->item);
+    (void)count_below(&most, boxes, 0);
+    out->item = malloc(most * sizeof *out->item);
     if (!out->item)
         return 0;
+    out->item[0] = (slab){{0, 0, 0}, -INFINITY, INFINITY};
     (void)make_below(sum, &m, 0);
     return 1;
 }

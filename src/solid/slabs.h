@@ -14,18 +14,19 @@ typedef struct slab {
     double normal[3], low, high;
 } slab;
 
-/** One for each inner node; `item` is NULL where corners.at is. */
+/** Number 0 has no bounds, and is that of nodes with very few or with many simplices. `item` is
+ * NULL where corners.at is. */
 typedef struct slabs {
     slab *item;
 } slabs;
 
 /** The slab of an inner node. */
 static inline const slab *slab_below(const slabs *s, const tree_node *node) {
-    return &s->item[node->child / 2];
+    return &s->item[node->slab];
 }
 
-/** Make those of a tree over simplices with these corners; 0 without memory. */
-int slabs_make(slabs *out, const tree *boxes, const corners *corners, int dimension);
+/** Make and number those of a tree over simplices with these corners; 0 without memory. */
+int slabs_make(slabs *out, tree *boxes, const corners *corners, int dimension);
 void slabs_clear(slabs *s);
 
 #endif

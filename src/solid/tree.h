@@ -13,12 +13,15 @@ typedef struct box {
     double low[3], high[3];
 } box;
 
-/** Inner nodes have their children at `child` and `child` + 1. A leaf has child 0 and one simplex.
- */
+/** Inner nodes have their children at `child` and `child` + 1, and the number of a slab
+ * (solid/slabs.h). A leaf has child 0 and one simplex. */
 typedef struct tree_node {
     box box;
     uint32_t child;
-    uint32_t simplex;
+    union {
+        uint32_t simplex;
+        uint32_t slab;
+    };
 } tree_node;
 
 /** Node 0 is the root; 2 * simplices - 1 nodes. */

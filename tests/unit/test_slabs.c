@@ -79,7 +79,7 @@ static void corners_inside(void **state) {
                 assert_true(fabs(s->normal[i]) <= 1);
             check_below(solid, n, s);
         }
-        /* Those of two simplices at the least. */
+        /* Of n simplices, halved again and again, at least n / 4 nodes have four or more. */
         assert_true(bounded >= solid->cut.count / 4);
         graze_solid_destroy(solid);
     }
