@@ -64,7 +64,8 @@ def fuzz(target, options):
     for folder in (corpus, build + "/logs", build + "/found", f"{SEEDS}/{target}"):
         os.makedirs(folder, exist_ok=True)
     command = ["nice", "-n", "15", build + "/tests/fuzz/fuzz", f"-max_len={LONGEST.get(target, 1200)}", "-timeout=30",
-               "-rss_limit_mb=2500", "-close_fd_mask=3", "-print_final_stats=1", "-use_value_profile=0",
+               # Weighing seeds by the rarity of what they reach takes a third of the time where an execution is short.
+               "-rss_limit_mb=2500", "-close_fd_mask=3", "-print_final_stats=1", "-use_value_profile=0", "-entropic=0",
                f"-artifact_prefix={build}/found/{target}-", f"-max_total_time={options.seconds}"]
     if options.runs:
         command.append(f"-runs={options.runs}")

@@ -171,8 +171,9 @@ static void check_contact(graze_context *context, const graze_scene *scene, graz
     mpq_clears(low, high, unused, NULL);
 }
 
-/* Weights, seed and flags of a generator. Half of the weights are 0, those of levels nearly all,
- * in space all: each is looked for in the scene, levels for longer than all the rest. */
+/* Weights, seed and flags of a generator. Seven in eight weights are 0, those of levels nearly all,
+ * in space all: each is looked for in the scene, one that it has not with thousands of tries, and
+ * levels for longer than all the rest. */
 int fuzz_generate(const uint8_t *data, size_t size) {
     bytes b = {data, size};
     unsigned long weights[GRAZE_STRATUM_COUNT];
@@ -184,7 +185,7 @@ int fuzz_generate(const uint8_t *data, size_t size) {
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         weights[k] = take(&b);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
-        weights[k] = weights[k] < 128 ? weights[k] : 0;
+        weights[k] = weights[k] < 32 ? weights[k] : 0;
     if (graze_scene_dimension(scene) == 3 || weights[GRAZE_STRATUM_LEVEL] % 16)
         weights[GRAZE_STRATUM_LEVEL] = 0;
     int preset = take(&b) % 64 == 1, made;

@@ -175,8 +175,8 @@ static int answer(bytes *b, graze_context *context, const graze_scene *scene) {
     mpq_t point[3];
     int answered = 0;
     mpq_inits(point[0], point[1], point[2], NULL);
-    /* A generator takes as long as a hundred points. */
-    if (take(b) % 32 == 0 && graze_generator_create(&g, context, scene, 1, NULL, 0) != GRAZE_OK)
+    /* A generator takes as long as a hundred points: rarely, and not where bytes are missing. */
+    if (take(b) % 128 == 1 && graze_generator_create(&g, context, scene, 1, NULL, 0) != GRAZE_OK)
         g = NULL;
     for (int k = 0; k < 3; k++) {
         take_point(point, b, context, g);
