@@ -170,14 +170,22 @@ static void take_point(mpq_t *point, bytes *b, graze_context *context, const gra
     mpq_clear(time);
 }
 
-static int answer(bytes *b, graze_context *context, const graze_scene *scene) {
+/* A generator of one stratum: each with a weight is looked for in the scene, which takes as long as
+ * many points. */
+static graze_generator *take_generator(bytes *b, graze_context *context, const graze_scene *scene) {
     graze_generator *g = NULL;
+    unsigned long weights[GRAZE_STRATUM_COUNT] = {0};
+    weights[take(b) % GRAZE_STRATUM_LEVEL] = 1;
+    graze_status status = graze_generator_create(&g, context, scene, 1, weights, 0);
+    EXPECT((status == GRAZE_OK) == (g != NULL));
+    return g;
+}
+
+static int answer(bytes *b, graze_context *context, const graze_scene *scene) {
     mpq_t point[3];
     int answered = 0;
     mpq_inits(point[0], point[1], point[2], NULL);
-    /* A generator takes as long as a hundred points: rarely, and not where bytes are missing. */
-    if (take(b) % 128 == 1 && graze_generator_create(&g, context, scene, 1, NULL, 0) != GRAZE_OK)
-        g = NULL;
+    graze_generator *g = take(b) % 64 == 1 ? take_generator(b, context, scene) : NULL;
     for (int k = 0; k < 3; k++) {
         take_point(point, b, context, g);
         answered += fuzz_point(context, scene, point);
