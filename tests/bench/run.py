@@ -246,7 +246,7 @@ class Bench:
 
     def grid_together(self, size, solid):
         """pmc of a whole grid around the sweep, against points of it from a file; without loading and start."""
-        side, part = (128, 23) if self.options.quick else (256, 83)
+        side, part = (128, 5) if self.options.quick else (256, 19)
         words = [self.graze, "classify", "--jobs", "1", "--quiet", "--columns", "pmc", self.path(solid), self.path("rotation.json")]
         grid = [*words, "--grid", f"{side},{side},{side}"]
         run_cpu([*grid, "--shard", f"1/{part}", "--output", self.path("part.csv")])

@@ -81,12 +81,28 @@ static void piece_text(char *out, size_t size, int d, const char *transform) {
              transform);
 }
 
+/* The map of a motion is the expected one, and its inverse after it is the identity. inverse is
+ * spent. */
+static void check_pair(const fmpq *forward, fmpq *inverse, const fmpq *expected, int d,
+                       const char *text) {
+    char shown[TEXT];
+    for (int k = 0; k < d * (d + 1); k++) {
+        if (!fmpq_equal(&forward[k], &expected[k])) {
+            fail_msg("entry %d is not as expected: %s", k, text);
+        }
+    }
+    multiply(inverse, forward, d);
+    if (!equal_to_text(inverse, d, d == 2 ? IDENTITY_2 : IDENTITY_3, shown)) {
+        fail_msg("inverse after forward is %s: %s", shown, text);
+    }
+}
+
 /* Forward after inverse is the identity; and the matrix of a compose is the product of those of its
  * steps, each read as a motion of its own and multiplied as rational matrices. */
 static void random_motions(void **state) {
     (void)state;
     random_start(3);
-    char step[STEPS][400], all[STEPS * 400 + 100], text[TEXT], shown[TEXT];
+    char step[STEPS][400], all[STEPS * 400 + 100], text[TEXT];
     fmpq forward[ENTRIES], inverse[ENTRIES], product[ENTRIES], factor[ENTRIES];
     fmpq_t t;
     init_matrix(forward);
@@ -121,16 +137,8 @@ static void random_motions(void **state) {
             }
             graze_motion_destroy(alone);
         }
-        for (int k = 0; k < d * (d + 1); k++) {
-            if (!fmpq_equal(&product[k], &forward[k])) {
-                fail_msg("entry %d is not that of the product: %s", k, all);
-            }
-        }
         graze_motion_destroy(motion);
-        multiply(inverse, forward, d);
-        if (!equal_to_text(inverse, d, d == 2 ? IDENTITY_2 : IDENTITY_3, shown)) {
-            fail_msg("inverse after forward is %s: %s", shown, all);
-        }
+        check_pair(forward, inverse, product, d, all);
     }
     fmpq_clear(t);
     clear_matrix(factor);
@@ -211,10 +219,10 @@ static void expected_map(fmpq *out, const frames *f, int d, long n) {
 
 /* The motion of `text` between two frames, forward and back. */
 static void check_frames(const frames *f, int d, const char *text) {
-    fmpq map[ENTRIES], expected[ENTRIES];
+    fmpq forward[ENTRIES], inverse[ENTRIES], expected[ENTRIES];
     fmpq_t t;
-    char shown[TEXT];
-    init_matrix(map);
+    init_matrix(forward);
+    init_matrix(inverse);
     init_matrix(expected);
     fmpq_init(t);
     graze_motion *motion = make(text);
@@ -222,23 +230,16 @@ static void check_frames(const frames *f, int d, const char *text) {
     check_map(&motion->piece[0].inverse, text);
     for (long n = 0; n <= 7; n++) {
         fmpq_set_si(t, n, 7);
-        map_at(map, motion, t, 0);
+        map_at(forward, motion, t, 0);
+        map_at(inverse, motion, t, 1);
         expected_map(expected, f, d, n);
-        for (int k = 0; k < d * (d + 1); k++) {
-            if (!fmpq_equal(&map[k], &expected[k])) {
-                fail_msg("entry %d at t = %ld/7: %s", k, n, text);
-            }
-        }
-        map_at(map, motion, t, 1);
-        multiply(map, expected, d);
-        if (!equal_to_text(map, d, d == 2 ? IDENTITY_2 : IDENTITY_3, shown)) {
-            fail_msg("inverse after forward is %s: %s", shown, text);
-        }
+        check_pair(forward, inverse, expected, d, text);
     }
     graze_motion_destroy(motion);
     fmpq_clear(t);
     clear_matrix(expected);
-    clear_matrix(map);
+    clear_matrix(inverse);
+    clear_matrix(forward);
 }
 
 /* Key frames, also inside a sequence. */

@@ -10,6 +10,12 @@
 
 enum { ROUNDS = 20000 };
 
+/* What each test starts with: the zero polynomial and [0, 0]. */
+typedef struct question {
+    fmpz_poly_t p;
+    dyadic_interval interval;
+} question;
+
 static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
 
 /* 1 of certainly_rootless in some rounding mode, or in all if `all`. */
@@ -54,110 +60,109 @@ static void around(dyadic_interval *interval, slong a, slong b, ulong places) {
     fmpz_clear(one);
 }
 
+static int set_up(void **state) {
+    static question asked;
+    fmpz_poly_init(asked.p);
+    dyadic_interval_init(&asked.interval);
+    *state = &asked;
+    return 0;
+}
+
+static int tear_down(void **state) {
+    question *asked = *state;
+    dyadic_interval_clear(&asked->interval);
+    fmpz_poly_clear(asked->p);
+    return 0;
+}
+
 /* With a root in the interval nothing is ever said. */
-static void test_roots_are_never_lost(void **unused) {
-    (void)unused;
-    fmpz_poly_t p;
-    dyadic_interval interval;
-    fmpz_poly_init(p);
-    dyadic_interval_init(&interval);
+static void test_roots_are_never_lost(void **state) {
+    question *asked = *state;
+    fmpz_poly_struct *p = asked->p;
+    dyadic_interval *interval = &asked->interval;
     random_start(7);
     for (int k = 0; k < ROUNDS; k++) {
         slong b = 1 + random_below(1 << random_below(20)), a = random_below(b + 1);
         with_root(p, a, b);
-        around(&interval, a, b, (ulong)random_below(51));
-        if (says_rootless(p, &interval, 0))
+        around(interval, a, b, (ulong)random_below(51));
+        if (says_rootless(p, interval, 0))
             fail_msg("round %d: a root was lost", k);
     }
-    dyadic_interval_clear(&interval);
-    fmpz_poly_clear(p);
 }
 
 /* (2 x - 1) (x + 1) 2^k = (2 x^2 + x - 1) 2^k: on [0, 1/4] the value at 1/8 is -27/32, and it
  * changes by at most 5/8, 1/8 times 4 + 1, up to the ends. On [0, 3/8] the value at 3/16 is
  * -95/128, less in size than 15/16, 3/16 times 5: nothing is said. */
-static void test_by_hand(void **unused) {
-    (void)unused;
-    fmpz_poly_t p;
-    dyadic_interval interval;
-    fmpz_poly_init(p);
-    dyadic_interval_init(&interval);
+static void test_by_hand(void **state) {
+    question *asked = *state;
+    fmpz_poly_struct *p = asked->p;
+    dyadic_interval *interval = &asked->interval;
     for (ulong k = 0; k <= 3000; k += 1000) {
         fmpz_poly_zero(p);
         fmpz_poly_set_coeff_si(p, 2, 2);
         fmpz_poly_set_coeff_si(p, 1, 1);
         fmpz_poly_set_coeff_si(p, 0, -1);
         fmpz_poly_scalar_mul_2exp(p, p, k);
-        interval.exponent = 3;
-        fmpz_set_ui(interval.low, 0);
-        fmpz_set_ui(interval.high, 2);
-        assert_true(says_rootless(p, &interval, 1));
-        fmpz_set_ui(interval.high, 3);
-        assert_false(says_rootless(p, &interval, 0));
+        interval->exponent = 3;
+        fmpz_set_ui(interval->low, 0);
+        fmpz_set_ui(interval->high, 2);
+        assert_true(says_rootless(p, interval, 1));
+        fmpz_set_ui(interval->high, 3);
+        assert_false(says_rootless(p, interval, 0));
     }
-    dyadic_interval_clear(&interval);
-    fmpz_poly_clear(p);
 }
 
 /* x - 2 has no root in any of these, but outside [0, 1] or past 50 places nothing is said, nor of
  * degrees past 16. */
-static void test_what_is_not_looked_at(void **unused) {
-    (void)unused;
-    fmpz_poly_t p;
-    dyadic_interval interval;
-    fmpz_poly_init(p);
-    dyadic_interval_init(&interval);
+static void test_what_is_not_looked_at(void **state) {
+    question *asked = *state;
+    fmpz_poly_struct *p = asked->p;
+    dyadic_interval *interval = &asked->interval;
     fmpz_poly_set_coeff_si(p, 1, 1);
     fmpz_poly_set_coeff_si(p, 0, -2);
-    dyadic_interval_set_si(&interval, 0, 1);
-    assert_true(says_rootless(p, &interval, 1));
-    dyadic_interval_set_si(&interval, -1, 0);
-    assert_false(says_rootless(p, &interval, 0));
-    dyadic_interval_set_si(&interval, 1, 2);
-    assert_false(says_rootless(p, &interval, 0));
-    dyadic_interval_set_si(&interval, 0, 1);
-    interval.exponent = 51;
-    assert_false(says_rootless(p, &interval, 0));
-    interval.exponent = 50;
-    assert_true(says_rootless(p, &interval, 1));
+    dyadic_interval_set_si(interval, 0, 1);
+    assert_true(says_rootless(p, interval, 1));
+    dyadic_interval_set_si(interval, -1, 0);
+    assert_false(says_rootless(p, interval, 0));
+    dyadic_interval_set_si(interval, 1, 2);
+    assert_false(says_rootless(p, interval, 0));
+    dyadic_interval_set_si(interval, 0, 1);
+    interval->exponent = 51;
+    assert_false(says_rootless(p, interval, 0));
+    interval->exponent = 50;
+    assert_true(says_rootless(p, interval, 1));
     fmpz_poly_set_coeff_si(p, 16, 1);
-    assert_true(says_rootless(p, &interval, 1));
+    assert_true(says_rootless(p, interval, 1));
     fmpz_poly_set_coeff_si(p, 17, 1);
-    assert_false(says_rootless(p, &interval, 0));
-    dyadic_interval_clear(&interval);
-    fmpz_poly_clear(p);
+    assert_false(says_rootless(p, interval, 0));
 }
 
 /* 2^3000 x + 1: the lower coefficient is past the range of doubles beside the other. */
-static void test_small_coefficients(void **unused) {
-    (void)unused;
-    fmpz_poly_t p;
+static void test_small_coefficients(void **state) {
+    question *asked = *state;
+    fmpz_poly_struct *p = asked->p;
+    dyadic_interval *interval = &asked->interval;
     fmpz_t big;
-    dyadic_interval interval;
-    fmpz_poly_init(p);
     fmpz_init(big);
-    dyadic_interval_init(&interval);
     fmpz_one_2exp(big, 3000);
     fmpz_poly_set_coeff_fmpz(p, 1, big);
     fmpz_poly_set_coeff_si(p, 0, 1);
-    interval.exponent = 3;
-    fmpz_set_ui(interval.low, 0);
-    fmpz_set_ui(interval.high, 1);
-    assert_false(says_rootless(p, &interval, 0));
-    fmpz_set_ui(interval.low, 4);
-    fmpz_set_ui(interval.high, 5);
-    assert_true(says_rootless(p, &interval, 1));
-    dyadic_interval_clear(&interval);
+    interval->exponent = 3;
+    fmpz_set_ui(interval->low, 0);
+    fmpz_set_ui(interval->high, 1);
+    assert_false(says_rootless(p, interval, 0));
+    fmpz_set_ui(interval->low, 4);
+    fmpz_set_ui(interval->high, 5);
+    assert_true(says_rootless(p, interval, 1));
     fmpz_clear(big);
-    fmpz_poly_clear(p);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_roots_are_never_lost),
-        cmocka_unit_test(test_by_hand),
-        cmocka_unit_test(test_what_is_not_looked_at),
-        cmocka_unit_test(test_small_coefficients),
+        cmocka_unit_test_setup_teardown(test_roots_are_never_lost, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_by_hand, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_what_is_not_looked_at, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_small_coefficients, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
