@@ -44,30 +44,16 @@ static filter_point centre_of(const cell *points) {
     return centre;
 }
 
-/* The state of a cell's centre at the beginning of the motion, if that is certain. */
-static graze_state state_at_first(const bricklayer *b, const cell *points) {
+/* Of all points of a cell that is clear: their words have one letter, that of the centre at the
+ * beginning of the motion. NONE if that is not certain. */
+static graze_pmc membership_of_clear(const bricklayer *b, const cell *points) {
     filter_workspace *w = filter_workspace_of(b->context);
     filter_point centre = centre_of(points);
     if (!w)
-        return GRAZE_STATE_ABSENT;
+        return GRAZE_PMC_NONE;
     filter_begin(w);
-    return filter_locate(w, &b->scene->filter, 0, &centre, 0);
-}
-
-/* Of the centre of a cell that is clear: its word has one letter. */
-static graze_status decide_centre(graze_pmc *out, const bricklayer *b, const cell *points) {
-    graze_trace trace;
-    graze_state state = state_at_first(b, points);
-    *out = state == GRAZE_STATE_I ? GRAZE_IN : GRAZE_OUT;
-    if (state != GRAZE_STATE_ABSENT)
-        return GRAZE_OK;
-    graze_status status = classify_point(&trace, b->context, b->scene,
-                                         (query_point){.value = points->centre}, TRACE_PMC_BESIDE);
-    if (status)
-        return status;
-    *out = trace.verdict.pmc;
-    trace_clear(&trace);
-    return GRAZE_OK;
+    graze_state state = filter_locate(w, &b->scene->filter, 0, &centre, 0);
+    return state == GRAZE_STATE_I ? GRAZE_IN : state == GRAZE_STATE_O ? GRAZE_OUT : GRAZE_PMC_NONE;
 }
 
 /* All contacts of the centre; NULL if the filter cannot be used for it. */
@@ -115,30 +101,19 @@ static graze_pmc membership_proved(const bricklayer *b) {
  * @param[in,out] near those of a cell around it; its own where it has some
  * @param smallest its points are next: then those around it must do, since a search costs as much
  * as some points */
-static graze_status decide_cell(graze_pmc *out, bricklayer *b, const cell *points, anchors *near,
-                                int smallest) {
+static graze_pmc decide_cell(bricklayer *b, const cell *points, anchors *near, int smallest) {
     const filter *f = &b->scene->filter;
-    *out = GRAZE_PMC_NONE;
     if (!cell_begin(&b->tube, f, points))
-        return GRAZE_OK;
-    *out = membership_proved(b);
+        return GRAZE_PMC_NONE;
     if (near->count ? joins_anchors(b, points, near)
                     : cell_is_settled(&b->tube, f, points, &b->time))
-        return GRAZE_OK;
-    if (!cell_is_clear(&b->tube, f, points)) {
-        *out = GRAZE_PMC_NONE;
-        if (smallest)
-            return GRAZE_OK;
-        find_anchors(near, b, points);
-        if (joins_anchors(b, points, near))
-            *out = membership_proved(b);
-        return GRAZE_OK;
-    }
-    graze_status status = decide_centre(out, b, points);
-    return status || *out != GRAZE_ON ? status
-                                      : context_fail(b->context, GRAZE_EINTERNAL,
-                                                     "a point is on the boundary, and its cell "
-                                                     "is not");
+        return membership_proved(b);
+    if (cell_is_clear(&b->tube, f, points))
+        return membership_of_clear(b, points);
+    if (smallest)
+        return GRAZE_PMC_NONE;
+    find_anchors(near, b, points);
+    return joins_anchors(b, points, near) ? membership_proved(b) : GRAZE_PMC_NONE;
 }
 
 /* The byte of a point of the brick. */
@@ -223,22 +198,20 @@ static int take_half(brick *out, const brick *part, int half) {
 static graze_status decide_part(bricklayer *b, const brick *part, const anchors *around) {
     size_t most = 0;
     anchors near = *around;
-    graze_pmc pmc;
     cell points;
     for (int k = 0; k < 3; k++)
         most = part->end[k] - part->first[k] > most ? part->end[k] - part->first[k] : most;
     if (most < LEAST_SIDE)
         return ask_points(b, part, &near);
     make_cell(&points, b, part);
-    graze_status status = decide_cell(&pmc, b, &points, &near, most <= LEAST_SIDE);
-    if (status)
-        return status;
+    graze_pmc pmc = decide_cell(b, &points, &near, most <= LEAST_SIDE);
     if (pmc != GRAZE_PMC_NONE) {
         fill_part(b, part, pmc);
         return GRAZE_OK;
     }
     if (most <= LEAST_SIDE)
         return ask_points(b, part, &near);
+    graze_status status = GRAZE_OK;
     for (int half = 0; half < 8 && !status; half++) {
         brick child;
         if (take_half(&child, part, half))
