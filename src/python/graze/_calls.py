@@ -19,6 +19,9 @@ from .errors import CanceledError
 _ENDLESS = 2**31 - 1  # questions of a call; the main thread ends it by setting 0
 _BRIEF = 8  # questions: one for each point, and one for some milliseconds of exact arithmetic
 _CANCELED = CanceledError.status
+# Seconds after which a wait of the main thread lets handlers run: one that is due in the instant before a wait
+# begins would else run at its end.
+TURN = 0.1
 
 
 class Countdown:
@@ -99,7 +102,8 @@ def call(countdown: Countdown, function: Callable[..., int], *arguments: Any, br
     task = _Task(function, arguments)
     try:
         _tasks.put(task)
-        task.running.acquire()
+        while not task.running.acquire(timeout=TURN):
+            pass
     except BaseException:
         _end_all(countdown.left)
         raise

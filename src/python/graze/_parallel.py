@@ -9,6 +9,7 @@ import os
 import threading
 from typing import Callable, List, Optional
 
+from ._calls import TURN
 from ._context import Context, Contexts
 from ._progress import Progress, told
 from .errors import UseError
@@ -75,7 +76,8 @@ def _run_threads(jobs: int, count: int, contexts: Contexts,
             thread.start()
         # An interrupted join may take its thread for ended (Python before 3.13); an event does not.
         for end in ends:
-            end.wait()
+            while not end.wait(TURN):
+                pass
     finally:
         end_calls()
         for thread, end in zip(threads, ends):
