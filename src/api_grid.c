@@ -153,15 +153,19 @@ graze_status graze_grid_pmc(unsigned char *out, graze_context *context, const gr
         return api_misuse(context, "graze_grid_pmc", "expected points of the grid");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_status status = GRAZE_OK;
+    size_t done = 0;
     if (count)
         memset(out, 0, count);
-    for (size_t p = 0, n; p < count && !status; p += n) {
-        status = bricks_row(out + p, &n, context, &grid->memory->bricks, first + p * step,
-                            step == 1 ? count - p : 1);
-        for (size_t k = 0; k < n && !status; k++)
-            if (!out[p + k])
-                status = ask_alone(out + p + k, context, grid, first + (p + k) * step);
+    while (done < count && !status) {
+        size_t n = 0;
+        status = bricks_row(out + done, &n, context, &grid->memory->bricks, first + done * step,
+                            step == 1 ? count - done : 1);
+        for (size_t end = done + n; done < end && !status; done += !status)
+            if (!out[done])
+                status = ask_alone(out + done, context, grid, first + done * step);
     }
+    if (status)
+        memset(out + done, 0, count - done);
     return status;
 }
 

@@ -25,6 +25,9 @@ static const double LEAST_BEND = 0.25;
 /* Weights below it leave a piece without bound. */
 static const double CELL_LEAST_WEIGHT = 0x1p-40;
 
+/* Entries of a carrier below it have become 0. */
+static const double LOST_ENTRY = 0x1p-1000;
+
 typedef struct cell_search {
     curve *curve;
     const filter *filter;
@@ -41,7 +44,7 @@ static int spread_over_piece(double spread[3], const carrier *map, const double 
         for (int k = 0; k <= n; k++) {
             double sum = 0;
             for (int j = 0; j < d; j++)
-                sum += fabs(map->entry[(i * (d + 1) + j) * (n + 1) + k]) * half[j];
+                sum += (fabs(map->entry[(i * (d + 1) + j) * (n + 1) + k]) + LOST_ENTRY) * half[j];
             if (!(map->weight[k] > CELL_LEAST_WEIGHT))
                 return 0;
             most = larger(most, sum / map->weight[k]);
@@ -162,8 +165,11 @@ static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const do
 
 int cell_begin(curve *memory, const filter *f, const cell *points) {
     filter_point centre;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
+        if (!(points->half[i] <= CARRIER_REACH))
+            return 0;
         centre.at[i] = points->centre[i];
+    }
     return f->solid->corners.at && curve_set(memory, &f->course, &centre, &f->solid->corners);
 }
 

@@ -237,11 +237,13 @@ graze_status brick_decide(unsigned char pmc[BRICK_POINTS], graze_context *contex
     bricklayer b = {
         .pmc = pmc, .context = context, .scene = scene, .whole = points, .dimension = l->dimension};
     memset(pmc, 0, BRICK_POINTS);
+    graze_status status = context_poll(context);
+    if (status)
+        return status;
     curve_init(&b.tube);
     set_coordinates(&b, l);
     anchors none = {.count = 0};
-    graze_status status =
-        context->exact_only ? ask_points(&b, points, &none) : decide_part(&b, points, &none);
+    status = context->exact_only ? ask_points(&b, points, &none) : decide_part(&b, points, &none);
     for (int k = 0; k < l->dimension; k++)
         _fmpq_vec_clear(b.exact[k], (slong)(points->end[k] - points->first[k]));
     curve_clear(&b.tube);

@@ -19,16 +19,6 @@ void trajectory_clear(trajectory *c) {
         fmpz_poly_clear(&c->x[i]);
 }
 
-/* sum += a b; a sum that is long once is kept so, to be demoted at the end. */
-static void add_product(fmpz *sum, const fmpz *a, const fmpz *b) {
-    if (COEFF_IS_MPZ(*sum) && COEFF_IS_MPZ(*a) && COEFF_IS_MPZ(*b))
-        mpz_addmul(COEFF_TO_PTR(*sum), COEFF_TO_PTR(*a), COEFF_TO_PTR(*b));
-    else if (fmpz_is_zero(sum))
-        fmpz_mul(sum, a, b);
-    else
-        fmpz_addmul(sum, a, b);
-}
-
 /* sums = the polynomials times their factors, added. */
 static void sum_products(fmpz_poly_t sums, const fmpz_poly_struct *p, const fmpz *factor,
                          int count) {
@@ -39,10 +29,7 @@ static void sum_products(fmpz_poly_t sums, const fmpz_poly_struct *p, const fmpz
     _fmpz_vec_zero(sums->coeffs, length);
     for (int i = 0; i < count; i++)
         for (slong k = 0; k < fmpz_poly_length(&p[i]) && !fmpz_is_zero(factor + i); k++)
-            add_product(sums->coeffs + k, p[i].coeffs + k, factor + i);
-    for (slong k = 0; k < length; k++)
-        if (COEFF_IS_MPZ(sums->coeffs[k]))
-            _fmpz_demote_val(sums->coeffs + k);
+            fmpz_addmul(sums->coeffs + k, p[i].coeffs + k, factor + i);
     _fmpz_poly_set_length(sums, length);
     _fmpz_poly_normalise(sums);
 }
