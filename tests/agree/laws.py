@@ -3,7 +3,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
-Time reversed, world moved ([IS] eqs 32, 33), motion cut, boundary cut otherwise, its corners
+Time reversed, world moved ([IS] eqs 32, 33) or in other coordinates, motion cut, boundary cut otherwise, its corners
 repeated, parameter changed, mesh against Nef polyhedron, union against its parts, sweep against
 unsweep of the complement ([IS] eqs 19, 36), sequence against its parts, plane scene against its
 prism. No law trusts the program: all compare one run of it with another one along a different path.
@@ -124,6 +124,23 @@ def law_world(law):
         solid = s.solid.mapped(f, name == "mirrored") if s.space else s.solid.mapped(f)
         motion = conjugated(s.motion, m, affine_inverse(m))
         law.same(name, law.ask(name, solid, motion, [f(p) for p in s.points]), cells=unchanged)
+
+
+LONG = F(10) ** 10
+
+
+def law_frame(law):
+    """The world alone in other coordinates: long ones, of which the first two products of the way back cancel
+    at some point, so that a short one is left."""
+    s, d = law.scene, law.scene.motion.dimension
+    for p in law.rng.sample(s.points, 3):
+        back = [[LONG, -LONG, p[0]], [0, 1 / LONG, p[1] - LONG]]
+        if d == 3:
+            back = [[LONG, -LONG, 0, p[0]], [0, 1 / LONG, 0, p[1] - LONG], [0, LONG, -LONG, p[2]]]
+        m = affine_inverse(back)
+        f = affine_map(m)
+        motion = Motion([Piece(x.lo, x.hi, *product(constant(m, d), (x.a, x.b, x.w))) for x in s.motion.pieces])
+        law.same("frame", law.ask("frame", s.solid, motion, [f(q) for q in s.points]), cells=unchanged)
 
 
 def law_cut(law):
@@ -331,8 +348,8 @@ def law_prism(law):
             law.checks.equal(a.cells(), want, s.name, name, ",".join(str(x) for x in p), "cells")
 
 
-LAWS = [law_reversed, law_world, law_cut, law_boundary, law_repeated, law_parameter, law_nef, law_union, law_dual,
-        law_sequence, law_prism]
+LAWS = [law_reversed, law_world, law_frame, law_cut, law_boundary, law_repeated, law_parameter, law_nef, law_union,
+        law_dual, law_sequence, law_prism]
 
 
 def repeated_in_fans(graze, checks, args):
