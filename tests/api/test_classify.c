@@ -70,6 +70,31 @@ static void worked_examples(void **state) {
     scene_close(&alone);
 }
 
+/* The way back is (10 x - 10 y + 1, y / (4 * 10^18)): at x = y = 6 * 10^18 the products of 10 x and
+ * 10 y are longer than a word and cancel, what is added to them is not, and (1, 3/2) is in the
+ * square. */
+static void long_products_cancel(void **state) {
+    (void)state;
+    static const char shear[] =
+        "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {"
+        "\"matrix\": [[\"1/10\", \"4e18\", \"-1/10\"], [0, \"4e18\", 0]]}}]}";
+    scene s;
+    scene_open(&s, shear, NULL);
+    mpq_t p[2];
+    mpq_inits(p[0], p[1], NULL);
+    mpq_set_str(p[0], "6000000000000000000", 10);
+    mpq_set(p[1], p[0]);
+    for (int filter = 0; filter < 2; filter++) {
+        graze_trace *trace;
+        graze_context_set_filter(s.context, filter);
+        assert_int_equal(graze_trace_create(&trace, s.context, s.scene, p), GRAZE_OK);
+        assert_string_equal(graze_trace_word(trace), "I");
+        graze_trace_destroy(trace);
+    }
+    mpq_clears(p[0], p[1], NULL);
+    scene_close(&s);
+}
+
 /* The block [2,4]x[-1,1] turning by 2 atan t meets (0,3) at t = sqrt(2)/2
  * (tests/examples/examples.txt, 40).
  */
@@ -354,15 +379,11 @@ static void ends_that_meet(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(worked_examples),
-        cmocka_unit_test(irrational_time),
-        cmocka_unit_test(doubles_are_exact),
-        cmocka_unit_test(points_must_be_canonical),
-        cmocka_unit_test(cancel_keeps_what_is_done),
-        cmocka_unit_test(cancel_countdown),
-        cmocka_unit_test(threads_share_a_scene),
-        cmocka_unit_test(box_holds_the_sweep),
-        cmocka_unit_test(ends_that_meet),
+        cmocka_unit_test(worked_examples),          cmocka_unit_test(long_products_cancel),
+        cmocka_unit_test(irrational_time),          cmocka_unit_test(doubles_are_exact),
+        cmocka_unit_test(points_must_be_canonical), cmocka_unit_test(cancel_keeps_what_is_done),
+        cmocka_unit_test(cancel_countdown),         cmocka_unit_test(threads_share_a_scene),
+        cmocka_unit_test(box_holds_the_sweep),      cmocka_unit_test(ends_that_meet),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,9 +20,9 @@ typedef struct plane_grid {
     mpq_t low[2], high[2];
 } plane_grid;
 
-/* From (-1, -1) to (11, 3): its lines are multiples of 1/8 and of 2/41. */
-static void grid_open(plane_grid *g, const char *motion, graze_operation operation) {
-    const int box[] = {-1, -1, 11, 3};
+/* A grid of the sizes above over a box: low x, low y, high x, high y. */
+static void grid_over(plane_grid *g, const char *motion, graze_operation operation,
+                      const int box[4]) {
     graze_options options = {.size = sizeof options, .operation = operation};
     scene_open(&g->s, motion, &options);
     for (int k = 0; k < 2; k++) {
@@ -32,6 +32,11 @@ static void grid_open(plane_grid *g, const char *motion, graze_operation operati
     }
     assert_int_equal(graze_grid_create(&g->grid, g->s.context, g->s.scene, sizes, g->low, g->high),
                      GRAZE_OK);
+}
+
+/* From (-1, -1) to (11, 3): its lines are multiples of 1/8 and of 2/41. */
+static void grid_open(plane_grid *g, const char *motion, graze_operation operation) {
+    grid_over(g, motion, operation, (const int[]){-1, -1, 11, 3});
 }
 
 static void grid_close(plane_grid *g) {
@@ -158,6 +163,43 @@ static void threads(void **state) {
     grid_close(&g);
 }
 
+static int stop(void *data) {
+    ++*(int *)data;
+    return 1;
+}
+
+/* Where all points go one way, and are decided together, it is asked too. */
+static void cancel(void **state) {
+    (void)state;
+    plane_grid g;
+    unsigned char pmc[ALL];
+    int asked = 0;
+    grid_over(&g, slide, GRAZE_SWEEP, (const int[]){20, 20, 30, 30});
+    graze_context_set_cancel(g.s.context, stop, &asked);
+    assert_int_equal(graze_grid_pmc(pmc, g.s.context, g.grid, 0, 1, ALL), GRAZE_ECANCELED);
+    assert_int_equal(asked, 1);
+    for (size_t p = 0; p < ALL; p++)
+        assert_int_equal(pmc[p], 0);
+    grid_close(&g);
+}
+
+/* (x, 0), 0 <= x <= 2, touches at t = (3 +- sqrt(2)) / 32 alone, which more than one bit tells
+ * apart: what stands behind the first such point is 0. */
+static void limits(void **state) {
+    (void)state;
+    static const char twice[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {"
+                                "\"translate\": [0, \"((32*t-3)^2-2)^2/500000\"]}}]}";
+    plane_grid g;
+    unsigned char pmc[ALL];
+    size_t failed = 41 * WIDE + 8;
+    grid_over(&g, twice, GRAZE_SWEEP, (const int[]){-1, -41, 11, 41});
+    assert_int_equal(graze_context_set_limit(g.s.context, GRAZE_LIMIT_BITS, 1), GRAZE_OK);
+    assert_int_equal(graze_grid_pmc(pmc, g.s.context, g.grid, 0, 1, ALL), GRAZE_ELIMIT);
+    for (size_t p = 0; p < ALL; p++)
+        assert_int_equal(pmc[p] != 0, p < failed);
+    grid_close(&g);
+}
+
 static void refusals(void **state) {
     (void)state;
     plane_grid g;
@@ -188,6 +230,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_grids),     cmocka_unit_test(any_order),
         cmocka_unit_test(points_and_rows), cmocka_unit_test(threads),
+        cmocka_unit_test(cancel),          cmocka_unit_test(limits),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

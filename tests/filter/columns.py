@@ -116,6 +116,16 @@ class Columns:
             self.checks.equal(file.read() == whole, True, "a continued grid")
         self.same("bracket", *scene, "--grid", "9,10,11")
 
+    def vast(self):
+        """A square that grows to [-2e305, 2e305]^2, far beyond a double's reach: of the grid's points, multiples of
+        5e305, the centre alone is inside. Of those of a grid over the sweep itself, 7 x 7 are: all but the outermost."""
+        solid = self.graze.write("vast.wkt", "POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))\n")
+        motion = self.graze.write("vast.json", '{"dimension": 2, "pieces": [{"t": [0, 1], "transform": '
+                                  '{"scale": "(1+t)*1e305"}}]}')
+        for box, inside in (("2e306", 1), ("2e305", 49)):
+            table = self.same("vast", solid, motion, "--grid", "9,9", f"--box=-{box},-{box},{box},{box}")
+            self.checks.equal(table.count(",in\n"), inside, "vast", box)
+
     def tip_of_a_hole(self):
         """From outside through the tip of a hole, which rests on the outer edge, into the hole: never inside."""
         solid = self.graze.write("hole.wkt", "POLYGON((0 0, 8 0, 8 8, 0 8, 0 0), (4 0, 6 4, 4 6, 2 4, 4 0))\n")
@@ -213,6 +223,7 @@ def main():
     columns.cases()
     columns.scenes()
     columns.grids()
+    columns.vast()
     columns.tip_of_a_hole()
     columns.shallow_tip()
     columns.tables()
