@@ -69,13 +69,14 @@ static int has_area(const mesh *m, const facets *f) {
     return 0;
 }
 
-/* Copy a facet without corners that repeat the one before them. */
+/* Copy a facet with one corner of each run: the last, as a reader does, so that a fan begins at the
+ * same corner. */
 static graze_status copy_facet(facets *to, const mesh *m, size_t facet, int *repeated) {
     const facets *f = &m->now;
     graze_status status = facets_begin(to, m->context, f->origin[facet]);
     for (size_t k = f->start[facet]; k < f->start[facet + 1] && !status; k++) {
-        size_t before = k > f->start[facet] ? k - 1 : f->start[facet + 1] - 1;
-        if (f->corner[k] != f->corner[before])
+        size_t next = k + 1 < f->start[facet + 1] ? k + 1 : f->start[facet];
+        if (f->corner[k] != f->corner[next])
             status = facets_corner(to, m->context, f->corner[k]);
         else
             *repeated = 1;

@@ -100,11 +100,11 @@ def answers(graze, folder, solid):
     return [line for line in done.stdout.splitlines() if not line.startswith("#")]
 
 
-def mend(graze, folder, mesh, status=0):
+def mend(graze, folder, mesh, *flags, status=0):
     path, out = folder / "damaged.off", folder / "mended.off"
     write(path, mesh)
     out.unlink(missing_ok=True)
-    done = run([graze, "mend", str(path), "-o", str(out)], 120)
+    done = run([graze, "mend", *flags, str(path), "-o", str(out)], 120)
     check(done.returncode == status and out.exists() == (status == 0), status, done.returncode, done.stdout, done.stderr,
           path.read_text()[:2000])
     return out, done.stdout, done.stderr
@@ -130,6 +130,17 @@ def same_points(graze, folder, random, scale):
                 damaged = apart(damaged)
             out, said, _ = mend(graze, folder, damaged)
             check(answers(graze, folder, out) == want, name, "answers", said)
+
+
+def same_fan(graze, folder):
+    """A facet that ends with its first corner, as some programs write it, and is not planar: the fan begins there."""
+    vertices, facets = moved(CUBE, (0, 0, 0), 3)
+    vertices = vertices[:4] + [(0, 3, 6)] + vertices[5:]
+    write(folder / "good.off", (vertices, facets))
+    want = answers(graze, folder, folder / "good.off")
+    out, said, _ = mend(graze, folder, (vertices, facets[:4] + [(0, 1, 5, 4, 0)] + facets[6:]), "--triangulate")
+    check(said == "took repeated corners out of 1 facets: 4\n", said)
+    check(answers(graze, folder, out) == want, "answers of a fan")
 
 
 def said_by_hand(graze, folder):
@@ -166,6 +177,7 @@ def main():
     given = options(__doc__)
     with tempfile.TemporaryDirectory(prefix="graze-mend-") as name:
         folder = pathlib.Path(name)
+        same_fan(given.graze, folder)
         said_by_hand(given.graze, folder)
         not_mended(given.graze, folder)
         same_points(given.graze, folder, given.random, given.scale)
