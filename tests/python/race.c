@@ -6,14 +6,22 @@
 
 __attribute__((visibility("default"))) void bump(void);
 
-static int arrived;
+static int calls, counted;
 static long count;
 
-/* Each waits for the other: a call that had ended before the next began would come before it by the
- * interpreter's lock. A relaxed counter orders nothing. */
-void bump(void) {
-    __atomic_add_fetch(&arrived, 1, __ATOMIC_RELAXED);
-    while (__atomic_load_n(&arrived, __ATOMIC_RELAXED) < 2)
+static void wait_for(int number) {
+    while (__atomic_load_n(&counted, __ATOMIC_RELAXED) < number)
         sched_yield();
+}
+
+/* One counts after the other: of two counts in one instant the sanitizer may see neither. Both are
+ * within the call then: one that had ended would come before the other by the interpreter's lock.
+ * Relaxed counters order nothing. */
+void bump(void) {
+    int before = __atomic_fetch_add(&calls, 1, __ATOMIC_RELAXED);
+
+    wait_for(before);
     count++;
+    __atomic_add_fetch(&counted, 1, __ATOMIC_RELAXED);
+    wait_for(2);
 }
