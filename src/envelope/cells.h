@@ -52,6 +52,7 @@ typedef struct cell_complex {
     cell_lists vertex_facets,
         edge_facets;                      /* the facets that contain a vertex, an edge; ascending */
     cell_lists facet_edges, vertex_edges; /* the edges in a facet, at a vertex; ascending */
+    cell_lists lone_vertices; /* of other facets' in a facet, ends of no edge in it; ascending */
 } cell_complex;
 
 #endif

@@ -259,6 +259,42 @@ static graze_status invert_edges(cell_lists *out, graze_context *context, const 
     return GRAZE_OK;
 }
 
+/* Vertices that rest within a facet: those in it that end no edge in it. `seen` of a facet: 1 + the
+ * last vertex that ends one. */
+static void list_lone_vertices(cell_lists *out, const cell_complex *c, size_t *seen, int count) {
+    for (size_t v = 0; v < c->vertex_count; v++) {
+        for (size_t i = c->vertex_edges.start[v]; i < c->vertex_edges.start[v + 1]; i++) {
+            size_t e = c->vertex_edges.item[i];
+            for (size_t j = c->edge_facets.start[e]; j < c->edge_facets.start[e + 1]; j++)
+                seen[c->edge_facets.item[j]] = v + 1;
+        }
+        for (size_t j = c->vertex_facets.start[v]; j < c->vertex_facets.start[v + 1]; j++) {
+            size_t facet = c->vertex_facets.item[j];
+            if (seen[facet] != v + 1 && count)
+                out->start[facet + 2]++;
+            else if (seen[facet] != v + 1)
+                out->item[out->start[facet + 1]++] = v;
+        }
+    }
+}
+
+static graze_status find_lone_vertices(cell_lists *out, graze_context *context,
+                                       const cell_complex *c) {
+    size_t *seen = calloc(c->facet_count, sizeof *seen);
+    out->start = calloc(c->facet_count + 2, sizeof(size_t));
+    out->item = malloc((c->vertex_facets.start[c->vertex_count] + 1) * sizeof(size_t));
+    if (!seen || !out->start || !out->item) {
+        free(seen);
+        return no_room_for_cells(context);
+    }
+    list_lone_vertices(out, c, seen, 1);
+    for (size_t k = 2; k < c->facet_count + 2; k++)
+        out->start[k] += out->start[k - 1];
+    list_lone_vertices(out, c, seen, 0);
+    free(seen);
+    return GRAZE_OK;
+}
+
 graze_status complex_make(cell_complex *out, graze_context *context, const graze_solid *solid) {
     memset(out, 0, sizeof *out);
     out->solid = solid;
@@ -276,6 +312,8 @@ graze_status complex_make(cell_complex *out, graze_context *context, const graze
         status = invert_edges(&out->facet_edges, context, out, out->facet_count, 0);
     if (!status)
         status = invert_edges(&out->vertex_edges, context, out, out->vertex_count, 1);
+    if (!status)
+        status = find_lone_vertices(&out->lone_vertices, context, out);
     return status;
 }
 
@@ -301,4 +339,5 @@ void complex_clear(cell_complex *c) {
     clear_lists(&c->edge_facets);
     clear_lists(&c->facet_edges);
     clear_lists(&c->vertex_edges);
+    clear_lists(&c->lone_vertices);
 }

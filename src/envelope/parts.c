@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include "contact/site.h"
 #include "context/array.h"
+#include "envelope/within.h"
 #include "solid/forms.h"
 
 /* A point in which a slice or run may end. */
@@ -90,6 +91,19 @@ static void clear_points(slice_points *list) {
     free(list->item);
 }
 
+/* The vertices that rest within the facet and lie on its slice. */
+static graze_status meet_lone_vertices(slice_points *list, graze_context *context,
+                                       const snapshot *s, size_t facet) {
+    const cell_lists *lone = &s->e->cells.lone_vertices;
+    graze_status status = GRAZE_OK;
+    for (size_t j = lone->start[facet]; j < lone->start[facet + 1] && !status; j++) {
+        size_t v = lone->item[j];
+        if (snapshot_g_sign(s, facet, vertex_at(s, v)) == 0)
+            status = add_point(list, context, vertex_at(s, v), end_at(v), s->dimension);
+    }
+    return status;
+}
+
 /* The points in which the slice meets the edges of its facet; *off: some g is not 0. */
 static graze_status meet_edges(slice_points *list, int *off, graze_context *context,
                                const snapshot *s, size_t facet) {
@@ -115,7 +129,7 @@ static graze_status meet_edges(slice_points *list, int *off, graze_context *cont
         }
     }
     _fmpq_vec_clear(zero, d + 2);
-    return status;
+    return status ? status : meet_lone_vertices(list, context, s, facet);
 }
 
 static int compare_slice_points(const void *left, const void *right) {
@@ -176,25 +190,17 @@ static graze_status add_slice(graze_curve *c, graze_context *context, const snap
     return GRAZE_OK;
 }
 
-/* A point within the facet: the middle of its first simplex. */
 static graze_status add_whole(graze_curve *c, graze_context *context, const snapshot *s,
                               size_t facet) {
-    const cell_complex *cells = &s->e->cells;
-    int d = s->dimension;
-    const size_t *corner = cells->corner + cells->order[cells->facet[facet].first] * (size_t)d;
-    slice_point middle = {.end = end_at(SIZE_MAX)};
+    slice_point within = {.end = end_at(SIZE_MAX)};
     for (int i = 0; i < 3; i++)
-        fmpq_init(middle.at + i);
-    for (int i = 0; i < d; i++) {
-        for (int k = 0; k < d; k++)
-            fmpq_add(middle.at + i, middle.at + i, vertex_at(s, corner[k]) + i);
-        fmpz_mul_si(fmpq_denref(middle.at + i), fmpq_denref(middle.at + i), d);
-        fmpq_canonicalise(middle.at + i);
-    }
-    graze_status status = add_curve_part(c, context, GRAZE_CURVE_WHOLE, &cells->facet[facet].name,
-                                         facet, &middle, &middle);
+        fmpq_init(within.at + i);
+    graze_status status = within_facet(within.at, context, &s->e->cells, facet);
+    if (!status)
+        status = add_curve_part(c, context, GRAZE_CURVE_WHOLE, &s->e->cells.facet[facet].name,
+                                facet, &within, &within);
     for (int i = 0; i < 3; i++)
-        fmpq_clear(middle.at + i);
+        fmpq_clear(within.at + i);
     return status;
 }
 

@@ -21,7 +21,7 @@ from hand import moves, prism_of, shift  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from reading import named, sign, table  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
-from solids import Polygon, cross, minus  # noqa: E402
+from solids import Mesh, Polygon, block, cross, joined, minus  # noqa: E402
 
 TIMES, POINTS = 2, 24
 SIGNS = {"+": 1, "-": -1, "0": 0}
@@ -153,11 +153,51 @@ def two_runs(checks, graze):
         checks.equal(runs, [[at, at, "0", at, at, "1/3"], [at, at, "2/3", at, at, "1"]], edge)
 
 
+def tips(*corners, base=3):
+    """Tetrahedra above z = 1, each on one corner."""
+    vertices, faces = [], []
+    for x, y in corners:
+        n = len(vertices)
+        vertices += [(x, y, 1), (x - F(1, 4), y - F(1, 4), base), (x + F(1, 4), y - F(1, 4), base), (x, y + F(1, 4), base)]
+        faces += [[n, n + 2, n + 1], [n, n + 3, n + 2], [n, n + 1, n + 3], [n + 1, n + 2, n + 3]]
+    return Mesh(vertices, faces)
+
+
+# A square on whose top, y = 1, the corner of a triangle rests, in its middle.
+RESTING = "MULTIPOLYGON (((0 0, 2 0, 2 1, 0 1, 0 0)), ((1 1, 2 2, 0 2, 1 1)))\n"
+
+
+def resting(checks, graze):
+    """Corners of other parts rest within facets: no contact point is given there, and a slice ends there."""
+    middles = [(x, y) for x in (1, 2) for y in (1, 2)]  # of the halves of the top, however it is cut
+    block4, block3 = block(0, 0, 0, 4, 4, 1), block(0, 0, 0, 3, 3, 1)
+    turn = {"rotate": {"tan_half": "t", "axis": ["0", "1", "0"], "center": ["2", "2", "1"]}}
+    for number, (text, suffix, motion) in enumerate((
+            (RESTING, ".wkt", moves(2, (0, 1, shift("t", "0")))),
+            (joined(block3, tips(*middles)).text(), ".off", moves(3, (0, 1, shift("t", "0", "0")))),
+            # The top's g is 0 on x = 2 all the time, and the corner (2, 2) is there.
+            (joined(block4, tips((2, 2))).text(), ".off", moves(3, (0, 1, turn))))):
+        files = graze.write(f"resting{number}{suffix}", text), graze.write(f"resting{number}.json", motion)
+        points, curve = graze.write("points.csv", ""), graze.write("curve.csv", "")
+        done = graze.call("envelope", *files, "-n", "60", "--points", points, "--at", "1/3", "--curve", curve)
+        if not checks.equal(done.returncode, 0, "resting", number, done.stderr):
+            continue
+        checks.equal(Counter(row["role"] for row in table(points)), {"contact": 60}, "resting", number)
+        rows = [row for row in table(curve) if row.get("az") == row.get("bz") == "1"]
+        if number == 1:
+            found = [(F(row["ax"]), F(row["ay"])) for row in rows if row["kind"] == "whole"]
+            checks.holds(len(found) == 1 and found[0] not in middles, "of the whole top", found)
+        if number == 2:
+            ends = [(row["ax"], row["ay"], row["bx"], row["by"]) for row in rows if row["kind"] == "slice"]
+            checks.equal(ends, [("2", "0", "2", "2"), ("2", "2", "2", "4")], "slices of the top")
+
+
 def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Counter()
     graze = Graze(args, checks)
     two_runs(checks, graze)
+    resting(checks, graze)
     for name, solid, motion in plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale):
         run_scene(checks, tally, graze, args.random, name, solid, motion)
     for key, number in sorted(tally.items(), key=str):

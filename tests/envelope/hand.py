@@ -30,6 +30,16 @@ def sheared(*last_row):
     return {"matrix": [["1", "0", "0", "0"], ["0", "1", "0", "0"], list(last_row)]}
 
 
+BOTTOM, FRONT = "face 0", "face 2"
+BOX = prism_of([[(0, 0), (4, 0), (4, 5), (0, 5)]], 0, 2)
+LEAVES = {("1/2", "singular", FRONT, FRONT, "", ""), ("4/5", "singular", BOTTOM, BOTTOM, "", "")}
+
+
+def grown_and_turned(t):
+    return {"compose": [{"scale": f"1-{t}/2", "center": ["1", "0", "0"]},
+                        {"quaternion": ["1", "0", t, f"-{t}/2"], "center": ["1", "1", "1"]}]}
+
+
 MIRRORED_BLOCK = "POLYGON ((-2 -1, -4 -1, -4 1, -2 1, -2 -1))\n"
 # g of y = 1 is (2x - 4t)/(1+t^2), of y = -1 its opposite; of x = 2 it is 2 (y + t^2 - 1)/(1+t^2), of x = 4 its opposite. So
 # g is 0 at the corners (2, 1), (4, 1) at t = 0 and, of y = 1 and y = -1, at the left corners at t = 1. Where g = 0, y = 1 -
@@ -93,6 +103,15 @@ CASES = [
     # The whole top has order 4 at t = 0; theta = -12 t^2 is not negative there. y = 0, 2 slide.
     (CUBE, moves(3, (-1, 1, shift("t", "0", "t^4"))), "borderline", ZERO,
      {("0", "singular", "face 0", "face 0", "", ""), ("0", "singular", "face 1", "face 1", "", "")}),
+    # Moved up by t, then turned about the x axis: c of (x, 0, 0) is (x, -t, 0), all of it in the bottom. That line leaves the bottom
+    # at its lowest corner, (4, -1/2); at t = 1/3 and 3/7 it passes others.
+    (prism_of([[(0, 0), (2, "-1/3"), (4, "-1/2"), (6, "-3/7"), (7, 1), (3, 3)]], 0, 1),
+     moves(3, (0, 1, {"compose": [shift("0", "t", "0"), {"rotate": {"tan_half": "t", "axis": ["1", "0", "0"]}}]})), None, None,
+     {("1/2", "singular", BOTTOM, BOTTOM, "", "")}),
+    # Grown by k = 1 - t/2 about (1, 0, 0), then turned about (1, 1 + 2l, 1 - l), which stays: c of it is (1, (1 + 2l)/k, (1 - l)/k).
+    # For l = -1/2 that is in y = 0, up to z = 2 at 1/2, for l = 1 in z = 0, up to y = 5 at 4/5. A cut there changes nothing.
+    (BOX, moves(3, (0, 1, grown_and_turned("t"))), None, None, LEAVES),
+    (BOX, moves(3, (0, "4/5", grown_and_turned("t")), ("4/5", 1, grown_and_turned("t"))), None, None, LEAVES),
     # Of lower order it is none. theta = -2 < 0 on the top, and 2 > 0 on the bottom.
     (CUBE, moves(3, (-1, 1, shift("t", "0", "t^2"))), "no", THETA, set()),
     # A block that turns by omega and grows by k, k/omega from 1/4 to 1/2: the slice y = 2 k/omega of x = 2 is the only one: of x = 4
