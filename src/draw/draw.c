@@ -273,10 +273,10 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
         status = make_trails(&p, context);
     if (!status)
         status = make_legend(&p, context);
-    if (!status) {
-        views_fit(&p);
+    if (!status)
+        status = views_fit(&p, context);
+    if (!status)
         status = draw_all(&p, context, file);
-    }
     for (size_t k = 0; k < request->times && p.moved; k++)
         shape_clear(&p.moved[k]);
     shape_clear(&p.standing);

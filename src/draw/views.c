@@ -9,6 +9,7 @@
 #include <string.h>
 #include "draw/labels.h"
 #include "draw/levels.h"
+#include "draw/range.h"
 #include "report/decimal.h"
 
 static int is_plane(const picture *p) {
@@ -39,7 +40,7 @@ static double longer_side(const extent *e) {
 }
 
 /* Around the standing solid; trajectories may come from far and go far. */
-static void fit_trajectories(picture *p, const projection *look) {
+static graze_status fit_trajectories(picture *p, graze_context *context, const projection *look) {
     extent solid = extent_empty(), all, near;
     shape_extent(&solid, &p->standing, look);
     double size = longer_side(&solid);
@@ -49,10 +50,14 @@ static void fit_trajectories(picture *p, const projection *look) {
         trail_extent(&all, &p->trails[k], look, &near);
     extent_grow(&all, .1 * size);
     p->trajectories = panel_fit(look, &all, 480);
-    panel_name(&p->trajectories,
-               is_unsweep(p) ? "Trajectories M(t)P through S"
-                             : "Inverted trajectories M(t)⁻¹P through S",
-               is_plane(p));
+    graze_status status =
+        range_check(context, p->trajectories.window.low, p->trajectories.window.high, 2);
+    if (!status)
+        panel_name(&p->trajectories,
+                   is_unsweep(p) ? "Trajectories M(t)P through S"
+                                 : "Inverted trajectories M(t)⁻¹P through S",
+                   is_plane(p));
+    return status;
 }
 
 /* The plane of the cells: a long ratio as a decimal, marked where that is not the number itself. */
@@ -94,22 +99,33 @@ static void name_classes(picture *p) {
     panel_name(&p->classes, title, 1);
 }
 
-void views_fit(picture *p) {
+static graze_status fit_positions(picture *p, graze_context *context, const projection *look) {
+    extent all = extent_empty();
+    for (size_t k = 0; k < p->request->times; k++)
+        shape_extent(&all, &p->moved[k], look);
+    extent_grow(&all, .06 * longer_side(&all));
+    p->positions = panel_fit(look, &all, 480);
+    graze_status status =
+        range_check(context, p->positions.window.low, p->positions.window.high, 2);
+    if (!status)
+        panel_name(&p->positions, "S at the start (yellow) to the end (pink)", 0);
+    return status;
+}
+
+graze_status views_fit(picture *p, graze_context *context) {
     projection look = is_plane(p) ? projection_of_axes(0, 1) : projection_from(p->request->view);
     fit_classes(p);
+    graze_status status = range_check(context, p->classes.window.low, p->classes.window.high, 2);
+    if (status)
+        return status;
     name_classes(p);
     p->has_positions = !is_plane(p);
-    if (p->has_positions) {
-        extent all = extent_empty();
-        for (size_t k = 0; k < p->request->times; k++)
-            shape_extent(&all, &p->moved[k], &look);
-        extent_grow(&all, .06 * longer_side(&all));
-        p->positions = panel_fit(&look, &all, 480);
-        panel_name(&p->positions, "S at the start (yellow) to the end (pink)", 0);
-    }
+    if (p->has_positions)
+        status = fit_positions(p, context, &look);
     p->has_trajectories = p->request->point_count > 0;
-    if (p->has_trajectories)
-        fit_trajectories(p, &look);
+    if (!status && p->has_trajectories)
+        status = fit_trajectories(p, context, &look);
+    return status;
 }
 
 size_t views_outside(const picture *p) {

@@ -24,8 +24,9 @@ typedef struct picture {
     int has_positions, has_trajectories;
 } picture;
 
-/** Choose the windows and sizes of the panels, not yet their places. */
-void views_fit(picture *p);
+/** Choose the windows and sizes of the panels, not yet their places.
+ * @return GRAZE_ELIMIT a window beyond what doubles can draw (range.h) */
+graze_status views_fit(picture *p, graze_context *context);
 /** How many points lie outside the panel that shows points where they are; after views_fit. */
 size_t views_outside(const picture *p);
 /** The classes of the cells, with the positions of S and the points in their plane. */

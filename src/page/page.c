@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "draw/marks.h"
+#include "draw/range.h"
 #include "draw/save.h"
 #include "page/assets.h"
 #include "page/encode.h"
@@ -23,23 +24,27 @@ static void put_tones(text *out) {
     text_put(out, "]");
 }
 
-static void put_box(text *out, const fmpq *low, const fmpq *high, int d) {
+static graze_status put_box(text *out, graze_context *context, const fmpq *low, const fmpq *high,
+                            int d) {
+    double box[6];
     for (int k = 0; k < 2 * d; k++) {
+        box[k] = fmpq_get_d(k < d ? low + k : high + k - d);
         text_put(out, k ? "," : "[");
-        encode_number(out, fmpq_get_d(k < d ? low + k : high + k - d));
+        encode_number(out, box[k]);
     }
     text_put(out, "]");
+    return range_check(context, box, box + d, d);
 }
 
 static graze_status put_scene_box(text *out, graze_context *context, const graze_scene *scene,
                                   const draw_request *request) {
     int d = scene->motion->dimension;
     fmpq *box = _fmpq_vec_init(2 * d);
-    graze_status status = GRAZE_OK;
-    if (request->low)
-        put_box(out, request->low, request->high, d);
-    else if (!(status = scene_box(box, box + d, context, scene)))
-        put_box(out, box, box + d, d);
+    graze_status status = request->low ? GRAZE_OK : scene_box(box, box + d, context, scene);
+    if (!status && request->low)
+        status = put_box(out, context, request->low, request->high, d);
+    else if (!status)
+        status = put_box(out, context, box, box + d, d);
     _fmpq_vec_clear(box, 2 * d);
     return status;
 }
