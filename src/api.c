@@ -166,8 +166,9 @@ static graze_status set_tolerance(graze_scene *scene, graze_context *context) {
     int rounded = scene->options.sdf_relative && isfinite(width);
     scene->tolerance = rounded ? nextafter(width, 0) : width;
     if (!status && !(scene->tolerance > 0 && isfinite(scene->tolerance)))
-        status = api_misuse(context, "graze_scene_create",
-                            "sdf times the diagonal must be in the range of doubles");
+        status = context_fail(
+            context, GRAZE_ELIMIT,
+            "sdf times the diagonal is beyond doubles; expected a width between 1e-307 and 1e307");
     return status;
 }
 

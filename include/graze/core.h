@@ -257,7 +257,8 @@ typedef struct graze_options {
  * the scene.
  * @param options may be NULL for the defaults
  * @return GRAZE_EUSE a NULL handle, an unknown option, topo with pmc alone; GRAZE_EILLEGAL the
- * dimensions differ, or S^0 and S^1 meet and `overlap` rejects it (sweep only); GRAZE_ECANCELED
+ * dimensions differ, or S^0 and S^1 meet and `overlap` rejects it (sweep only); GRAZE_ELIMIT a
+ * relative sdf beyond doubles; GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_create(graze_scene **out, graze_context *context,
                                                         const graze_solid *solid,

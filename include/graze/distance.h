@@ -50,7 +50,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_distances_doubles(graze_enclosure *ou
 GRAZE_API double graze_scene_sdf(const graze_scene *scene);
 /**
  * The diagonal of the box of S^0's corners, rounded down: what relative tolerances are relative to.
- * @return GRAZE_EUSE; GRAZE_ECANCELED
+ * @return GRAZE_EUSE; GRAZE_ELIMIT if it is not between 2^-300 and 2^300; GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_diagonal(double *out, graze_context *context,
                                                           const graze_scene *scene);

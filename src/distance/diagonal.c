@@ -4,6 +4,9 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 
+/* Squares of sizes between these, and of what is much smaller, are doubles. */
+static const double LEAST_DIAGONAL = 0x1p-300, MOST_DIAGONAL = 0x1p300;
+
 /* sqrt of a sum of squares, rounded down. */
 static double length_down(const fmpq *low, const fmpq *high, int d) {
     fmpq_t sum, side;
@@ -73,5 +76,9 @@ graze_status distance_diagonal(double *out, graze_context *context, const graze_
     _fmpq_vec_clear(map, d * (d + 1));
     _fmpq_vec_clear(low, d);
     _fmpq_vec_clear(high, d);
+    if (!status && !(*out >= LEAST_DIAGONAL && *out <= MOST_DIAGONAL))
+        status = context_fail(context, GRAZE_ELIMIT,
+                              "the diagonal of the solid's box at the start is beyond what "
+                              "distances are computed for; expected between 2^-300 and 2^300");
     return status;
 }

@@ -6,7 +6,8 @@
 
 #include "scene/scene.h"
 
-/** The diagonal of the box of S^0's corners, rounded down. */
+/** The diagonal of the box of S^0's corners, rounded down.
+ * @return GRAZE_ELIMIT beyond 2^-300 to 2^300, GRAZE_ECANCELED */
 graze_status distance_diagonal(double *out, graze_context *context, const graze_scene *scene);
 
 #endif

@@ -244,6 +244,10 @@ static void refusals(void **state) {
     assert_int_equal(graze_scene_diagonal(NULL, s.context, s.scene), GRAZE_EUSE);
     e[0] = ask(&s, 5, 3, 1e-300); /* less than doubles resolve */
     assert_true(e[0].wide && e[0].low <= 1 && e[0].high >= 1 && e[0].high - e[0].low < 1e-12);
+    graze_options wide = {.sdf = 1e308, .sdf_relative = 1, .size = sizeof wide};
+    graze_scene *none = s.scene;
+    assert_int_equal(graze_scene_create(&none, s.context, s.solid, s.motion, &wide), GRAZE_ELIMIT);
+    assert_null(none);
     scene_close(&s);
 }
 
