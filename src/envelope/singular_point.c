@@ -43,12 +43,9 @@ static const size_t *corners_at(const singular_view *v, size_t j) {
 
 void singular_view_make(singular_view *out, const graze_envelope *e, graze_context *context,
                         size_t facet, size_t piece) {
-    fmpz_poly_struct *p = out->p, *minor = out->p + SINGULAR_ROWS;
     fmpz_poly_t term;
-    out->e = e;
-    out->context = context;
-    out->facet = facet;
-    out->piece = piece;
+    *out = (singular_view){.e = e, .context = context, .facet = facet, .piece = piece};
+    fmpz_poly_struct *p = out->p, *minor = out->p + SINGULAR_ROWS;
     out->corner = corners_at(out, 0);
     for (int k = 0; k < SINGULAR_SIGNS; k++)
         fmpz_poly_init(p + k);
