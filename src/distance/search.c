@@ -31,9 +31,13 @@ graze_status search_poll(search *s) {
     return context_work(s->context, (unsigned long)(VISIT_WORK * more));
 }
 
+/* Bounds that come from squares are no closer than the root of FILTER_FLOOR. */
+static const double LEAST_TOLERANCE = 0x1p-386;
+
 double search_tolerance(const search *s, const window *w) {
     double error = w->stray / w->least;
     if (!w->of->rigid)
         error = larger(error, w->place_stray / w->place_least);
-    return larger(s->tolerance * (1 - 0x1p-20) - error, 8 * error);
+    double least = larger(8 * error, LEAST_TOLERANCE);
+    return larger(s->tolerance * (1 - 0x1p-20) - error, least);
 }

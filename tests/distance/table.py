@@ -310,6 +310,25 @@ def check_refused(checks, graze, points, scene):
     checks.holds("lies in [0, 0]" in out.stdout and "met at t = 3/8" in out.stdout, out.stdout)
 
 
+def check_minute(checks, graze):
+    """[0, 2u]^2 slides by 8u, u = 2^-400, whose square is below the floor of the bounds: they are true, and the search ends
+    where they do, not at its limit, which took a second a row."""
+    u = F(1, 2 ** 400)
+    square = ", ".join(f"{x * u} {y * u}" for x, y in ((0, 0), (2, 0), (2, 2), (0, 2), (0, 0)))
+    files = (graze.write("minute.wkt", f"POLYGON (({square}))\n"),
+             graze.write("minute.json", json.dumps({"dimension": 2, "pieces": [{"t": [0, 1], "transform": {
+                 "translate": [f"{8 * u}*t", 0]}}]})))
+    points = [(F(3 * k % 61, 4) - 3, F(9, 4) + F(k % 5, 2)) for k in range(100)]
+    where = graze.write("minute.csv", "".join(f"{x * u},{y * u}\n" for x, y in points))
+    done = graze.call("classify", *files, where, "--sdf", "1e-126")
+    checks.equal(done.returncode, 0, "minute", done.stderr)
+    for (x, y), row in zip(points, rows_of(done.stdout)):
+        truth = (max(-x, 0, x - 10) ** 2 + (y - 2) ** 2) * u * u
+        low, high = F(row["sdf_low"]), F(row["sdf_high"])
+        checks.holds(low >= 0 and low * low <= truth <= high * high, "minute", x, y, row)
+        checks.holds(high < 2 ** 10 * F(1, 2 ** 390), "minute", "width", row)
+
+
 def main():
     args = options(__doc__)
     checks = Checks()
@@ -323,6 +342,7 @@ def main():
     check_heads(checks, graze, points, scene)
     check_certain(checks, graze, points, scene)
     check_grid(checks, graze, scene)
+    check_minute(checks, graze)
     check_samples(checks, graze, "screw", SCREW, screw, "1e-7")
     check_samples(checks, graze, "shear", SHEAR, shear, "1e-7")
     checks.finish()
