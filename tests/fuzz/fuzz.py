@@ -7,21 +7,22 @@ FOLDER/logs/TARGET; executions and edges are counted over the whole log. The exi
 something was broken.
 
     fuzz.py [--build FOLDER] [--seconds S] [--runs N] [TARGET ...]
-    fuzz.py --keep [TARGET ...]     put the smallest inputs that reach all edges known into tests/fuzz/corpus
+    fuzz.py --keep [TARGET ...]     make the seeds of tests/fuzz/corpus anew: inputs that together reach all edges known
+    fuzz.py --pack [TARGET ...]     move files that are too many into the archives; needs no build
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
+import hashlib
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 
-SEEDS = "tests/fuzz/corpus"
+import seeds
+
 LONGEST = {"nef3": 6000, "scene": 1500, "merge": 3000, "compare": 2500, "sweep": 160, "check": 3000}  # bytes; others 1200
-MOST_KEPT = {"nef3": 110000, "scene": 110000, "compare": 80000}  # bytes of all seeds of a target; others 60000
 
 
 def targets(build):
@@ -57,11 +58,10 @@ def told(log):
     return before + runs, edges, last
 
 
-def fuzz(target, options):
+def fuzz(target, build, options):
     """True unless the target was broken."""
-    build = options.build
     corpus, log = f"{build}/corpus/{target}", f"{build}/logs/{target}"
-    for folder in (corpus, build + "/logs", build + "/found", f"{SEEDS}/{target}"):
+    for folder in (corpus, build + "/logs", build + "/found"):
         os.makedirs(folder, exist_ok=True)
     command = ["nice", "-n", "15", build + "/tests/fuzz/fuzz", f"-max_len={LONGEST.get(target, 1200)}", "-timeout=30",
                # Weighing seeds by the rarity of what they reach takes a third of the time where an execution is short.
@@ -73,7 +73,8 @@ def fuzz(target, options):
     if os.path.exists(words):
         command.append("-dict=" + words)
     with scratch() as folder, open(log, "a", encoding="utf-8") as out:
-        done = subprocess.run(command + [corpus, f"{SEEDS}/{target}"], stdout=out, stderr=out,
+        seeds.lay_out(target, folder + "/seeds")
+        done = subprocess.run(command + [corpus, folder + "/seeds"], stdout=out, stderr=out,
                               env=environment(target, folder))
     runs, edges, last = told(log)
     quiet = 100 * (runs - last) // max(runs, 1)
@@ -82,47 +83,82 @@ def fuzz(target, options):
     return done.returncode == 0
 
 
-def keep(target, build):
-    """The seeds of a target made anew: small inputs first, as many as there is room for."""
-    seeds, corpus = f"{SEEDS}/{target}", f"{build}/corpus/{target}"
-    os.makedirs(seeds, exist_ok=True)
+def edges_of(target, build, folder, inputs):
+    """Path -> edges that the file reaches, by libFuzzer's own record of a merge; not of a file that breaks the target."""
+    control = folder + "/control"
+    os.makedirs(folder + "/merged")
+    subprocess.run([build + "/tests/fuzz/fuzz", "-set_cover_merge=1", "-use_counters=0", "-close_fd_mask=3", "-timeout=30",
+                    "-rss_limit_mb=2500", "-merge_control_file=" + control, folder + "/merged", *inputs],
+                   env=environment(target, folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+    with open(control, encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    paths = lines[2:2 + int(lines[0])]
+    reached = [line.split() for line in lines[2 + len(paths):] if line.startswith("FT ")]
+    return {paths[int(words[1])]: {(build, word) for word in words[2:]} for words in reached}
+
+
+def cover(edges, first, size):
+    """Paths that together reach all edges: the first ones, then always that which reaches most that are not reached yet."""
+    out, left = list(first), {path: set(reached) for path, reached in edges.items()}
+    new = set().union(*(edges.get(path, ()) for path in first))
+    while True:
+        left = {path: reached - new for path, reached in left.items() if not reached <= new}
+        if not left:
+            return out
+        out.append(min(left, key=lambda path: (-len(left[path]), size[path], path)))
+        new = left[out[-1]]
+
+
+def keep(target, builds):
+    """The seeds of a target made anew. Those with names of their own stay and come first."""
     with scratch() as folder:
-        merged = os.path.join(folder, "merged")
-        os.makedirs(merged)
-        subprocess.run([build + "/tests/fuzz/fuzz", "-set_cover_merge=1", "-close_fd_mask=3", "-timeout=30", "-rss_limit_mb=2500", merged, seeds, corpus],
-                       env=environment(target, folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
-        files = sorted((os.path.getsize(e.path), e.name, e.path) for e in os.scandir(merged))
-        named = [e.name for e in os.scandir(seeds) if not re.fullmatch("[0-9a-f]{12}", e.name)]
-        for entry in list(os.scandir(seeds)):
-            if entry.name not in named:
-                os.remove(entry.path)
-        room = MOST_KEPT.get(target, 60000)
-        for size, name, path in files:
-            room -= size
-            if room < 0:
-                break
-            shutil.copyfile(path, f"{seeds}/{name[:12]}")
-    print(f"{target}: {len(os.listdir(seeds))} seeds")
+        known, edges = seeds.lay_out(target, folder + "/seeds"), {}
+        learned = [path for path in (f"{build}/corpus/{target}" for build in builds) if os.path.isdir(path)]
+        for build in builds:
+            for path, reached in edges_of(target, build, f"{folder}/{build}", [folder + "/seeds", *learned]).items():
+                edges.setdefault(path, set()).update(reached)
+        own = [path for path in known if seeds.is_own(os.path.basename(path))]
+        kept = {}
+        for path in cover(edges, own, {path: os.path.getsize(path) for path in edges}):
+            with open(path, "rb") as file:
+                content = file.read()
+            kept[os.path.basename(path) if path in own else hashlib.sha1(content).hexdigest()[:12]] = content
+        seeds.store(target, kept)
+    print(f"{target}: {len(kept)} seeds reach {len(set().union(*edges.values()))} edges", flush=True)
+
+
+def pack(target):
+    """Files beyond the number allowed go into the archive: of those without a name of their own the last."""
+    every, files = seeds.load(target), seeds.plain(target)
+    order = sorted(files, key=lambda name: (not seeds.is_own(name), name)) + sorted(set(every) - set(files))
+    seeds.store(target, {name: every[name] for name in order})
+    print(f"{target}: {len(every)} seeds, {len(seeds.plain(target))} of them files")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", default="build-fuzz")
+    parser.add_argument("--build", action="append", help="build-fuzz; of several all edges are kept, the first one fuzzes")
     parser.add_argument("--seconds", type=int, default=60, help="for each target")
     parser.add_argument("--runs", type=int, default=0, help="executions at most of each target")
     parser.add_argument("--keep", action="store_true")
+    parser.add_argument("--pack", action="store_true")
     parser.add_argument("target", nargs="*")
     options = parser.parse_args()
-    known = targets(options.build)
+    builds = options.build or ["build-fuzz"]
+    if options.pack:
+        for target in options.target or sorted(entry.name for entry in os.scandir(seeds.CORPUS) if entry.is_dir()):
+            pack(target)
+        return
+    known = targets(builds[0])
     for target in options.target:
         if target not in known:
             sys.exit(f"{target}: is no target; expected one of {', '.join(known)}")
     chosen = options.target or known
     if options.keep:
         for target in chosen:
-            keep(target, options.build)
+            keep(target, builds)
         return
-    broken = [target for target in chosen if not fuzz(target, options)]
+    broken = [target for target in chosen if not fuzz(target, builds[0], options)]
     print(f"{len(chosen) - len(broken)} passed, {len(broken)} failed")
     sys.exit(1 if broken else 0)
 

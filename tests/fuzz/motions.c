@@ -5,10 +5,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/commands.h"
-#include "run/status.h"
+#include "program/cli/commands.h"
+#include "program/run/status.h"
 #include "fuzz.h"
-#include "motion/expression.h"
+#include "input/motion/expression.h"
 
 /* Decimals have a second reader: strtod and strtof round correctly, to nearest and even. */
 static int is_decimal(const char *text) {

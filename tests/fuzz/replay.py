@@ -14,6 +14,7 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
+import seeds  # noqa: E402
 from harness import Checks, options  # noqa: E402
 
 HERE = "tests/fuzz"
@@ -32,13 +33,12 @@ def run(program, words, folder):
     return done.returncode, done.stdout
 
 
-def replay(program, target, seeds, folder):
+def replay(program, target, paths, folder):
     """The outcome of each seed, as far as the program came."""
     said = {}
-    for first in range(0, len(seeds), BATCH):
-        batch = seeds[first:first + BATCH]
-        status, output = run(program, [target, *batch], folder)
-        said.update(re.findall(r"^(tests/fuzz/corpus/\S+): (taken|refused)$", output, re.M))
+    for first in range(0, len(paths), BATCH):
+        status, output = run(program, [target, *paths[first:first + BATCH]], folder)
+        said.update(re.findall(r"^(.+): (taken|refused)$", output, re.M))
         if status != 0:
             print(f"{target}: ended with {status}\n{output[-3000:]}")
     return said
@@ -50,14 +50,19 @@ def targets_held(program, folder):
     check(status == 0 and len(targets) > 20, "the list of targets")
     size = 0
     for target in targets:
-        seeds = sorted(glob.glob(f"{HERE}/corpus/{target}/*"))
-        size += sum(os.path.getsize(seed) for seed in seeds)
-        said = replay(program, target, seeds, folder)
-        for seed in seeds:
-            check(seed in said, f"{seed}: broke the target, or was not reached behind one that did")
+        files, packed = seeds.plain(target), seeds.archived(target)
+        check(len(files) <= seeds.PLAIN,
+              f"{seeds.CORPUS}/{target} has {len(files)} files, expected {seeds.PLAIN} at most: {HERE}/fuzz.py --pack {target}")
+        check(not packed or len(files) >= seeds.PLAIN, f"{seeds.archive(target)} has seeds, though there are {len(files)} files only")
+        check(not set(files) & set(packed), f"{sorted(set(files) & set(packed))}: seeds of {target} as files and in the archive")
+        paths = seeds.lay_out(target, os.path.join(folder, "seeds", target))
+        size += sum(os.path.getsize(path) for path in paths)
+        said = replay(program, target, paths, folder)
+        for path in paths:
+            check(path in said, f"{target}, seed {os.path.basename(path)}: broke the target, or was not reached behind one that did")
         check("taken" in said.values(), f"{target}: no seed is taken")
     check(size < MOST_BYTES, f"the seeds have {size} bytes, expected less than {MOST_BYTES}")
-    known = {os.path.basename(path) for path in glob.glob(f"{HERE}/corpus/*") + glob.glob(f"{HERE}/words/*")}
+    known = {os.path.basename(path).split(".")[0] for path in glob.glob(f"{seeds.CORPUS}/*") + glob.glob(f"{HERE}/words/*")}
     check(known <= set(targets), f"{sorted(known - set(targets))}: seeds or words of no target")
     return targets
 
@@ -73,13 +78,13 @@ def public_functions():
 def bodies():
     """Bodies of the functions of targets and runs, by name; a command is all of its file."""
     found = {}
-    for path in glob.glob(f"{HERE}/*.c") + glob.glob("src/run/*.c"):
+    for path in glob.glob(f"{HERE}/*.c") + glob.glob("src/program/run/*.c"):
         with open(path, encoding="utf-8") as file:
             text = re.sub(r"/\*.*?\*/", "", file.read(), flags=re.S)
         for head, body in re.findall(r"^(\w[^;={}]*\))\s*\{\n(.*?)^\}", text, re.M | re.S):
             name = re.search(r"(\w+)\(", head)[1]
             found.setdefault(name, []).append((path, body))
-    for path in glob.glob("src/cli/*.c"):
+    for path in glob.glob("src/program/cli/*.c"):
         with open(path, encoding="utf-8") as file:
             found["command_" + os.path.basename(path)[:-2]] = [(path, file.read())]
     return found

@@ -3,9 +3,9 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "cli/commands.h"
-#include "run/answer.h"
-#include "run/csv.h"
+#include "program/cli/commands.h"
+#include "program/run/answer.h"
+#include "program/run/csv.h"
 #include "fuzz.h"
 
 /* The limits as the options hold them. */

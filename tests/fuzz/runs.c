@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "cli/classify.h"
-#include "run/receipt.h"
+#include "program/cli/classify.h"
+#include "program/run/receipt.h"
 #include "fuzz.h"
 
 static const char cube_text[] =

@@ -3,8 +3,8 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "cli/commands.h"
-#include "run/status.h"
+#include "program/cli/commands.h"
+#include "program/run/status.h"
 #include "fuzz.h"
 
 /* What a comparison says of itself fits together, in both forms. */
