@@ -39,18 +39,18 @@ PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev pytho
 PACKAGES_ALL   := $(PACKAGES_TEST) python3-shapely python3-meshio python3-pandas chromium clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 comma   := ,
-LIB_C   := $(wildcard src/*.c) $(filter-out src/cli/% src/run/% src/mpi/% src/png/% src/check/%,$(wildcard src/*/*.c))
-LIB_CXX := $(wildcard src/*/*.cpp)
+LIB_C   := $(wildcard src/api/*.c) $(filter-out src/program/% src/output/png/%,$(wildcard src/*/*/*.c))
+LIB_CXX := $(wildcard src/*/*/*.cpp)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
-CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/cli/*.c src/run/*.c))
+CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/program/cli/*.c src/program/run/*.c))
 # graze-mpi is graze classify with ranks that answer rows, built where Open MPI is.
 MPI     := $(if $(shell command -v mpicc),$B/graze-mpi)
-MPI_O   := $(filter-out %/main.o %/run/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/mpi/*.c))
+MPI_O   := $(filter-out %/main.o %/run/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/program/mpi/*.c))
 # PNG pictures need cairo, which nothing else does: a shared object loaded at need, built where cairo is.
 PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION).so)
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances
-FLIP_O  := $(patsubst src/filter/%.c,$B/tests/flip/%.o,$(wildcard src/filter/*.c))
+FLIP_O  := $(patsubst src/decide/filter/%.c,$B/tests/flip/%.o,$(wildcard src/decide/filter/*.c))
 BENCH   := $B/tests/bench/inside $B/tests/bench/peers
 # The targets of the fuzzer and the command line they fuzz, without a main.
 FUZZ_O  := $(patsubst %.c,$B/%.o,$(filter-out %/entry.c %/replay.c,$(wildcard tests/fuzz/*.c))) $(filter-out %/main.o,$(CLI_O)) $B/tests/fuzz/checker.o
@@ -121,8 +121,8 @@ $B/%.o: %.cpp | $B/.packages-build
 	@echo "  CXX  $<"
 	@$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
 # The library holds the files of a page.
-$B/src/page/assets.o: $(wildcard src/page/*.html src/page/*.js src/page/three/*)
-$B/src/mpi/%.o: src/mpi/%.c | $B/.packages-build
+$B/src/output/page/assets.o: $(wildcard src/output/page/*.html src/output/page/*.js src/output/page/three/*)
+$B/src/program/mpi/%.o: src/program/mpi/%.c | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CC   $<"
 	@OMPI_CC="$(CC)" mpicc $(ALL_CFLAGS) -c -o $@ $<
@@ -134,7 +134,7 @@ $B/libgraze.so: $(LIB_O) src/install/graze.map
 	@echo "  LINK $@"
 	@$(CXX) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=src/install/graze.map -Wl,-rpath,'$$ORIGIN' $(OPT) $(LDFLAGS) -o $@ $(LIB_O) $(LIBS)
 	@ln -sf $(@F) $B/$(SONAME)
-$B/libgraze-png-$(VERSION).so: $B/src/png/png.o
+$B/libgraze-png-$(VERSION).so: $B/src/output/png/png.o
 	@echo "  LINK $@"
 	@$(CC) -shared $(OPT) $(LDFLAGS) -o $@ $^ -lcairo
 $B/graze: $(CLI_O) $B/libgraze.a
@@ -173,12 +173,12 @@ $B/tests/bench/inside: $B/tests/bench/inside.o $B/libgraze.a
 $B/tests/proofs/table: $B/tests/proofs/table.o $B/libgraze.a
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -Wl,--wrap=tracer_locate -o $@ $^ $(LIBS)
-# The program with a filter whose decisions can be falsified (src/filter/flip.h).
-$B/tests/flip/%.o: src/filter/%.c | $B/.packages-build
+# The program with a filter whose decisions can be falsified (src/decide/filter/flip.h).
+$B/tests/flip/%.o: src/decide/filter/%.c | $B/.packages-build
 	@mkdir -p $(@D)
 	@echo "  CC   $< (flips)"
 	@$(CC) $(ALL_CFLAGS) -DGRAZE_FLIP_SITES -c -o $@ $<
-$B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/filter/%,$(LIB_O))
+$B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/decide/filter/%,$(LIB_O))
 	@echo "  LINK $@"
 	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The program whose own allocations fail (tests/memory/fail.c), for sanitizers, who bring a malloc.
@@ -241,7 +241,7 @@ $B/install/libgraze.a: $(LIB_O)
 	@objcopy --strip-debug --wildcard --keep-global-symbol='graze_*' $B/install/graze.o
 	@ar rcs $@ $B/install/graze.o
 # The pages say what --help and the headers say.
-$(PAGES): src/cli/formats.md $B/graze $B/graze-check include/graze.h $(wildcard include/graze/*.h) $(wildcard src/install/*.awk)
+$(PAGES): src/program/cli/formats.md $B/graze $B/graze-check include/graze.h $(wildcard include/graze/*.h) $(wildcard src/install/*.awk)
 	@echo "  MAN  $@"
 	@src/install/pages.sh $@.new $B/graze $(VERSION)
 	@rm -rf $@ && mv $@.new $@
@@ -281,11 +281,11 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 $(PAGES)/*.1 $(DESTDIR)$(MANDIR)/man1
 	@install -m 644 $(PAGES)/*.3 $(DESTDIR)$(MANDIR)/man3
 	@install -m 644 $(PAGES)/*.5 $(DESTDIR)$(MANDIR)/man5
-	@install -m 644 src/page/three/LICENSE $(DESTDIR)$(DOCDIR)/LICENSE.three
-	@install -m 644 src/cli/motion.schema.json $(DESTDIR)$(DATADIR)/graze
+	@install -m 644 src/output/page/three/LICENSE $(DESTDIR)$(DOCDIR)/LICENSE.three
+	@install -m 644 src/program/cli/motion.schema.json $(DESTDIR)$(DATADIR)/graze
 	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
 	@install -m 644 src/python/graze/*.py src/python/graze/py.typed $(DESTDIR)$(PYTHONDIR)/graze
-	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE src/cli/formats.md proofs/semantics.md $(DESTDIR)$(DOCDIR)
+	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE src/program/cli/formats.md proofs/semantics.md proofs/glossary.md $(DESTDIR)$(DOCDIR)
 	@rm -rf $(DESTDIR)$(DATADIR)/graze/cases
 	@cp -R cases $(DESTDIR)$(DATADIR)/graze
 	@find $(DESTDIR)$(DATADIR)/graze -name __pycache__ -prune -exec rm -r {} +

@@ -4,7 +4,7 @@
  * A solid S moves by M(t), t in [t0, t1]. The inverted trajectory c(t) = M(t)^-1 P of a query point
  * P runs through the standing solid ([EI] Erdim & Ilies 2008, eqs 4-6). The contacts of c with the
  * boundary of S, crossings and tangencies, decide the class of P (Definitions 3-11). Nothing is
- * rounded. proofs/semantics.md defines the answers, src/cli/formats.md the files; both are
+ * rounded. proofs/semantics.md defines the answers, src/program/cli/formats.md the files; both are
  * installed with the documentation.
  *
  * Example

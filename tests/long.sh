@@ -71,7 +71,7 @@ stage "the checker weakened" python3 tests/check/weakened.py --graze build/graze
 stage "falsified decisions" flips
 stage "packages of Python" python3 tests/python/packages.py --graze build/graze
 stage "pages in a browser" python3 tests/page/browser.py --graze build/graze
-stage "mutants of the rules" python3 tests/mutate.py --only src/verdict
+stage "mutants of the rules" python3 tests/mutate.py --only src/decide/verdict
 echo "$passed passed, $failed failed"
 # Named once more at the end: of a long log often the end alone is read.
 for name in "${broken[@]}"; do echo "== $name FAILED, see above"; done

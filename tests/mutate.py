@@ -3,7 +3,7 @@
 
 Every comparison, logical connective and sign in the files below is changed, one at a time. Each mutant is put to the tables
 of the cases, the unit tests and the suites below until one notices it. The exact path is asked (--no-filter), and for
-src/trace also what lies between it and the filter. A mutant that no suite notices is an error unless tests/mutants.txt lists
+src/decide/trace also what lies between it and the filter. A mutant that no suite notices is an error unless tests/mutants.txt lists
 it with the reason why it is equivalent. A sample of the filter, comparison, reports, conversion
 and tables is asked, as mutation/glue.py defines it. `--sample K/N` takes every N-th mutant from K on. Wants a finished `make test`.
 
@@ -32,13 +32,13 @@ from changes import known_equivalents, mutants  # noqa: E402
 from corpus import Suite  # noqa: E402
 
 FILES = [
-    "src/verdict/verdict.c", "src/trace/point.c", "src/trace/trace.c", "src/trace/tracer.c", "src/trace/crosscheck.c",
-    "src/trace/word.c", "src/trace/contact.c", "src/trace/touch.c", "src/trace/time.c",
-    "src/trace/trajectory.c", "src/trace/candidates.c", "src/solid/locate.c",
-    "src/solid/create.c", "src/solid/solid.c", "src/solid/forms.c", "src/solid/planes.c", "src/solid/tree.c",
-    "src/number/algebraic.c", "src/number/isolate.c", "src/number/bernstein.c",
-    "src/number/order.c", "src/number/dyadic.c", "src/number/modular.c", "src/number/refine.c",
-    "src/number/wide.c", "src/number/sign.c", "src/number/cross.c",
+    "src/decide/verdict/verdict.c", "src/decide/trace/point.c", "src/decide/trace/trace.c", "src/decide/trace/tracer.c", "src/decide/trace/crosscheck.c",
+    "src/decide/trace/word.c", "src/decide/trace/contact.c", "src/decide/trace/touch.c", "src/decide/trace/time.c",
+    "src/decide/trace/trajectory.c", "src/decide/trace/candidates.c", "src/input/solid/locate.c",
+    "src/input/solid/create.c", "src/input/solid/solid.c", "src/input/solid/forms.c", "src/input/solid/planes.c", "src/input/solid/tree.c",
+    "src/base/number/algebraic.c", "src/base/number/isolate.c", "src/base/number/bernstein.c",
+    "src/base/number/order.c", "src/base/number/dyadic.c", "src/base/number/modular.c", "src/base/number/refine.c",
+    "src/base/number/wide.c", "src/base/number/sign.c", "src/base/number/cross.c",
 ]
 EXACT = "--no-filter"
 SUITES = [Suite(f"tests/{name}.py", EXACT) for name in (
@@ -103,10 +103,10 @@ class Parts:
         self.archive = os.path.join(folder, "libgraze.a")
         subprocess.run(["strip", "-g", "-o", self.archive, f"{build}/libgraze.a"], check=True)
         main, replay = os.path.join(folder, "main.o"), os.path.join(folder, "replay.o")
-        compile_c(main, "src/cli/main.c", "-Dmain=graze_main")
+        compile_c(main, "src/program/cli/main.c", "-Dmain=graze_main")
         compile_c(replay, "tests/mutation/replay.c")
-        sources = sorted(glob.glob("src/cli/*.c") + glob.glob("src/run/*.c"))
-        self.program = [main, replay] + [f"{build}/{name[:-2]}.o" for name in sources if name != "src/cli/main.c"]
+        sources = sorted(glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c"))
+        self.program = [main, replay] + [f"{build}/{name[:-2]}.o" for name in sources if name != "src/program/cli/main.c"]
         self.build, self.folder = build, folder
         self.sound = set()  # those asked that are green without any mutant
 
@@ -179,7 +179,7 @@ class Worker:
             return self.glue_killer(path)
         if corpus.replay(self.graze, self.cases):
             return "tests/cases/cases.py"
-        for name in UNITS if not path.startswith("src/trace") else []:
+        for name in UNITS if not path.startswith("src/decide/trace") else []:
             if self.unit(name):
                 return name
         for suite in self.suites:
@@ -247,7 +247,7 @@ def prepare(parts, folder, suites, kernel):
 def run(parts, folder, options, chosen):
     """(mutant, its fate) for each mutant, in the order of their ends."""
     kernel = any(not glue.askers(m.path) for m in chosen)
-    suites = SUITES + (FILTERED if any("src/trace" in m.path for m in chosen) else []) if kernel else []
+    suites = SUITES + (FILTERED if any("src/decide/trace" in m.path for m in chosen) else []) if kernel else []
     cases = prepare(parts, folder, suites, kernel)
     if cases is None:
         return

@@ -274,9 +274,10 @@ GRAZE_API int graze_scene_ends_meet(const graze_scene *scene);
 GRAZE_API void graze_scene_options(graze_options *out, const graze_scene *scene);
 /**
  * A box with dyadic corners that contains the sweep (or unsweep): the images of the coordinate box
- * of the solid, enlarged by at most about 2^-11 of its longest side.
+ * of the solid, enlarged by at most about 2^-11 of its longest side; by more where the limit `work`
+ * ends the search.
  * @param[out] low, high d initialised rationals each
- * @return GRAZE_EUSE, GRAZE_ECANCELED
+ * @return GRAZE_EUSE, GRAZE_ECANCELED; GRAZE_ELIMIT a common denominator is too near 0
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_box(mpq_t *low, mpq_t *high,
                                                      graze_context *context,

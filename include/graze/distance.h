@@ -27,7 +27,8 @@ typedef struct graze_enclosure {
 } graze_enclosure;
 
 /**
- * Enclose the signed distances of points.
+ * Enclose the signed distances of points. The enclosure for a smaller tolerance lies in that for a
+ * larger one.
  * @param[out] out  n enclosures in the order of the points; on failure those from the one that
  * failed on are zero
  * @param points    n*d canonical rationals, point after point; may be NULL if n is 0

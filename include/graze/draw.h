@@ -18,7 +18,7 @@ typedef enum graze_draw_by {
 
 /** Options of a picture (rule 6). All pointers are borrowed. */
 typedef struct graze_draw_options {
-    const char *title;          /**< a line above the picture, UTF-8, or NULL */
+    const char *title;          /**< a line above the picture, UTF-8, at most 512 bytes, or NULL */
     unsigned long grid;         /**< cells along the longer side; 0: 240, or 360 for a wide box */
     unsigned long times;        /**< number of positions of S, 2 to 64, evenly spaced; 0: 5 */
     graze_rationals low, high;  /**< corners of the box, d rationals each; NULL: around the scene */

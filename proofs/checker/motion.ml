@@ -48,6 +48,7 @@ let transform d = function
 
 let plain_piece d = function
   | Object [ ("t", times); ("transform", x) ] ->
+      work_allow piece_work;
       let time k = number (content (List.nth (exactly 2 times) k)) in
       if Q.geq (time 0) (time 1) then raise (Refuted "motion: a piece does not have lo < hi");
       { lo = time 0; hi = time 1; map = transform d x }
@@ -67,15 +68,16 @@ let over_one_denominator m =
   let numerator f = trim (mul f.num (fst (divide den f.den))) in
   let rows = List.map (List.map numerator) m in
   let numbers = List.concat (den :: List.concat rows) in
-  let multiple = List.fold_left (fun z q -> Z.lcm z (Q.den q)) Z.one numbers in
-  let integers p = List.map (fun q -> Q.num (Q.mul (Q.of_bigint multiple) q)) p in
-  let content = List.fold_left (fun g q -> Z.gcd g (Q.num (Q.mul (Q.of_bigint multiple) q))) Z.zero numbers in
+  let multiple = List.fold_left (fun z q -> work_on (Q.of_bigint z) q; Z.lcm z (Q.den q)) Z.one numbers in
+  let integers p = List.map Q.num (scale (Q.of_bigint multiple) p) in
+  let content = List.fold_left Z.gcd Z.zero (integers numbers) in
   let reduce p = List.map (fun z -> Z.divexact z content) (integers p) in
   (List.map (List.map reduce) rows, reduce (trim den))
 
 let time q = (Q.num q, Q.den q)
 
 let piece p : Checker.piece =
+  work_allow piece_work;
   let forward, forward_weight = over_one_denominator p.map in
   let backward, backward_weight = over_one_denominator (inverse p.map) in
   { begins = time p.lo; finishes = time p.hi; forward; forward_weight; backward; backward_weight }

@@ -1,9 +1,28 @@
-/* Arrays, and integers in them.
+/* Arrays, integers in them, and the work that these take.
  * SPDX-License-Identifier: MIT
  */
 #include "base.h"
 
 #include <stdlib.h>
+
+static size_t work_left;
+
+void work_begin(void) {
+    work_left = MOST_WORK;
+}
+
+void work_allow(size_t more) {
+    work_left = more < MOST_WORK - work_left ? work_left + more : MOST_WORK;
+}
+
+void work_on(const mpz_t a, const mpz_t b) {
+    size_t work = (mpz_size(a) + 1) * (mpz_size(b) + 1) + 64; /* the call itself */
+    if (work > work_left)
+        give_up("numbers of %zu and %zu words are too much work here; see section K14 of "
+                "proofs/certificate.md",
+                mpz_size(a), mpz_size(b));
+    work_left -= work;
+}
 
 void *room_for(void *items, size_t count, size_t *room, size_t size) {
     if (count < *room)

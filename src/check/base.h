@@ -19,7 +19,12 @@ enum {
     MOST_DEGREE = 300,   /* of a polynomial */
     MOST_BITS = 1 << 20, /* of a coefficient of the motion, of the solid's common denominator */
     MOST_LINE = 1 << 24, /* bytes of a line of a certificate or a table */
-    MOST_WORD = 100000   /* letters of a word */
+    MOST_WORD = 100000,  /* letters of a word */
+    MOST_WORK = 1 << 30, /* in products of two words; work_on counts them */
+    /* More of it for a step of a motion or a row, for one of a solid's facets, for a coordinate. */
+    STEP_WORK = 1 << 23,
+    SOLID_WORK = 1 << 20,
+    NUMBER_WORK = 1 << 12
 };
 
 /** Write `graze-check: refuted: MESSAGE`, or `not checked`, and end with this status. */
@@ -28,6 +33,13 @@ _Noreturn void end_with(int status, const char *format, ...) __attribute__((form
 #define give_up(...) end_with(NOT_CHECKED, __VA_ARGS__)
 /** Where only the system, or this program, can be at fault. */
 #define must(holds, ...) ((holds) ? (void)0 : give_up(__VA_ARGS__))
+
+/** Begin to count work: MOST_WORK is left. */
+void work_begin(void);
+/** A step of proofs/certificate.md K14 follows: so much more is left, MOST_WORK at most. */
+void work_allow(size_t more);
+/** A product, a quotient or a common divisor of a and b follows; gives up if too little is left. */
+void work_on(const mpz_t a, const mpz_t b);
 
 /** As realloc, for count items; gives up without memory. */
 void *grow(void *old, size_t count, size_t size);

@@ -18,7 +18,7 @@ static size_t follow(const task *work, const solid *s, const motion *m, certific
         *c = own;
     }
     if (work->path[3])
-        t = table_open(work->path[3], &c->h);
+        t = table_open(work->path[3], &c->h, part == 0);
     trace_init(&r, s, m, c->h.unsweep, c->h.contacts);
     certificate_follow(c, &r, work->path[3] ? &t : NULL, part, work->jobs);
     if (work->path[3])
@@ -52,6 +52,7 @@ static size_t follow_all(const task *work, const solid *s, const motion *m, cert
 }
 
 size_t check_files(const task *work) {
+    work_begin();
     certificate c = certificate_open(work->path[2]);
     solid s = solid_read(work->path[0], c.h.solid);
     motion m = motion_read(work->path[1], c.h.motion);

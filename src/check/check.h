@@ -22,14 +22,16 @@ typedef struct verdict {
 /** Of a word of the letters I, B and O, one or more. */
 verdict verdict_of(const char *states, const head *h);
 
-/** A golden table, its head held to that of the certificate. */
+/** A golden table, its head held to that of the certificate: in it is certified what a certificate
+ * claims, which the first columns say, and nothing else. */
 typedef struct table {
     lines l;
     const head *h;
     size_t rows;
 } table;
 
-table table_open(const char *path, const head *h);
+/** @param tells a note names the other columns on standard error */
+table table_open(const char *path, const head *h, int tells);
 /** The next row of the table must say what was found of the point of r, if that is given. */
 void table_row(table *t, const trace *r);
 /** The table must end with `# complete N`. */

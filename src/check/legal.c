@@ -111,6 +111,7 @@ static void check_near(work *w, const solid *s, size_t number, const list *near)
     int sides = 0;
     load(&w->b, s, f);
     for (size_t k = 0; k < near->count; k++) {
+        work_allow(SOLID_WORK);
         load(&w->a, s, &s->simplex[near->item[k]]);
         add_sides(sum, w);
         if (near->item[k] > number && !disjoint(w))

@@ -89,6 +89,7 @@ void motion_check_signs(const motion *m, mpq_t *times, size_t count) {
     /* So each lo is before t1, and no piece is asked for past the last. */
     for (size_t k = 0; k + 1 < count; k++) {
         mpq_srcptr lo = times[k], hi = times[k + 1];
+        work_allow(STEP_WORK);
         piece += mpq_cmp(lo, m->piece[piece].hi) >= 0;
         if (mpq_cmp(hi, m->piece[piece].hi) > 0)
             refute("motion: the times of signs do not follow the pieces");

@@ -35,43 +35,55 @@ void poly_set(poly *out, const poly *p) {
 void poly_add_product(poly *out, const poly *a, const poly *b, int sign) {
     poly_extend(out, a->n + b->n);
     for (size_t i = 0; i < a->n; i++)
-        for (size_t j = 0; j < b->n; j++)
+        for (size_t j = 0; j < b->n; j++) {
+            work_on(a->c[i], b->c[j]);
             (sign < 0 ? mpz_submul : mpz_addmul)(out->c[i + j], a->c[i], b->c[j]);
+        }
     poly_trim(out);
 }
 
 void poly_add_scaled(poly *out, const poly *a, const mpz_t z) {
     poly_extend(out, a->n);
-    for (size_t k = 0; k < a->n; k++)
+    for (size_t k = 0; k < a->n; k++) {
+        work_on(a->c[k], z);
         mpz_addmul(out->c[k], a->c[k], z);
+    }
     poly_trim(out);
 }
 
 void poly_scale(poly *p, const mpz_t z) {
-    for (size_t k = 0; k < p->n; k++)
+    for (size_t k = 0; k < p->n; k++) {
+        work_on(p->c[k], z);
         mpz_mul(p->c[k], p->c[k], z);
+    }
     poly_trim(p);
 }
 
 static void content(mpz_t out, const poly *p) {
-    for (size_t k = 0; k < p->n; k++)
+    for (size_t k = 0; k < p->n; k++) {
+        work_on(out, p->c[k]);
         mpz_gcd(out, out, p->c[k]);
+    }
 }
 
 void poly_make_primitive(poly *p) {
     mpz_t g;
     mpz_init(g);
     content(g, p);
-    for (size_t k = 0; k < p->n; k++)
+    for (size_t k = 0; k < p->n; k++) {
+        work_on(p->c[k], g);
         mpz_divexact(p->c[k], p->c[k], g);
+    }
     mpz_clear(g);
 }
 
 /* a -= z t^(a->n - b->n) b, where that ends a's leading coefficient. */
 static void cancel_lead(poly *a, const poly *b, const mpz_t z) {
     size_t at = a->n - b->n;
-    for (size_t k = 0; k < b->n; k++)
+    for (size_t k = 0; k < b->n; k++) {
+        work_on(z, b->c[k]);
         mpz_submul(a->c[at + k], z, b->c[k]);
+    }
     poly_trim(a);
 }
 
@@ -81,6 +93,7 @@ int poly_divide(poly *a, const poly *b) {
     poly_extend(&quotient, a->n);
     while (rest.n >= b->n && mpz_divisible_p(rest.c[rest.n - 1], b->c[b->n - 1])) {
         mpz_t *q = &quotient.c[rest.n - b->n];
+        work_on(rest.c[rest.n - 1], b->c[b->n - 1]);
         mpz_divexact(*q, rest.c[rest.n - 1], b->c[b->n - 1]);
         cancel_lead(&rest, b, *q);
     }
@@ -132,15 +145,22 @@ void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b
         size_t i = n - step;
         mpz_set_ui(out[step], 0);
         for (size_t k = step; k > 0; k--) {
+            work_on(out[k], end[0]);
+            work_on(out[k - 1], end[1]);
             mpz_mul(out[k], out[k], end[0]);
             mpz_addmul(out[k], out[k - 1], end[1]);
             mpz_add(binomial[k], binomial[k], binomial[k - 1]);
         }
+        work_on(end[3], end[2]);
         mpz_mul(out[0], out[0], end[0]);
-        if (i < p->n)
+        if (i < p->n) {
+            work_on(end[3], p->c[i]);
             mpz_mul(end[4], end[3], p->c[i]);
-        for (size_t k = 0; i < p->n && k <= step; k++)
+        }
+        for (size_t k = 0; i < p->n && k <= step; k++) {
+            work_on(binomial[k], end[4]);
             mpz_addmul(out[k], binomial[k], end[4]);
+        }
         mpz_mul(end[3], end[3], end[2]);
     }
     integers_free(binomial, n + 1);

@@ -178,6 +178,7 @@ static void read_piece(motion *m, source *f) {
     fraction entry[WEIGHT] = {{{0}, {0}}};
     piece next = {.det = {0}};
     mpq_inits(next.lo, next.hi, NULL);
+    work_allow(STEP_WORK);
     token_want(f, "{ \"t\" : [");
     read_number(next.lo, f);
     token_want(f, ",");

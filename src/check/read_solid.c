@@ -5,12 +5,22 @@
 #include <string.h>
 #include "solid.h"
 
+static const size_t MOST_SCALED = (size_t)1 << 33; /* bits of all coordinates as integers, 1 GB */
+
 /* The positions that a file gives. */
 typedef struct draft {
     source f;
     size_t count, room; /* of coordinates */
     mpq_t *x;
 } draft;
+
+/* A sum or a product of a and b follows. */
+static void work_on_fractions(mpq_srcptr a, mpq_srcptr b) {
+    work_on(mpq_numref(a), mpq_numref(b));
+    work_on(mpq_numref(a), mpq_denref(b));
+    work_on(mpq_denref(a), mpq_numref(b));
+    work_on(mpq_denref(a), mpq_denref(b));
+}
 
 static void add_number(draft *in, word w) {
     in->x = room_for(in->x, in->count, &in->room, sizeof *in->x);
@@ -29,14 +39,20 @@ static void take_positions(solid *s, draft *in) {
     size_t d = (size_t)s->d;
     mpz_init_set_ui(s->scale, 1);
     for (size_t k = 0; k < in->count; k++) {
+        work_allow(NUMBER_WORK);
+        work_on(s->scale, mpq_denref(in->x[k]));
         mpz_lcm(s->scale, s->scale, mpq_denref(in->x[k]));
-        if (mpz_sizeinbase(s->scale, 2) > MOST_BITS)
-            give_up("the coordinates' common denominator is past %d bits", MOST_BITS);
+        size_t bits = mpz_sizeinbase(s->scale, 2);
+        if (bits > MOST_BITS || in->count > MOST_SCALED / bits)
+            give_up("%zu coordinates with a common denominator of %zu bits", in->count, bits);
     }
     s->x = integers(in->count / d * (d + 1));
     for (size_t k = 0; k < in->count; k++) {
         mpz_t *x = solid_vertex(s, k / d);
+        work_allow(NUMBER_WORK);
+        work_on(s->scale, mpq_denref(in->x[k]));
         mpz_divexact(x[k % d], s->scale, mpq_denref(in->x[k]));
+        work_on(x[k % d], mpq_numref(in->x[k]));
         mpz_mul(x[k % d], x[k % d], mpq_numref(in->x[k]));
         mpz_set_ui(x[d], 1);
         mpq_clear(in->x[k]);
@@ -84,18 +100,29 @@ static void read_off(solid *s, draft *in) {
         source_fail(&in->f, "text follows the last facet");
 }
 
+/* sum += or -= a b, as `add` is mpq_add or mpq_sub. */
+static void add_product(mpq_t sum, mpq_srcptr a, mpq_srcptr b,
+                        void (*add)(mpq_ptr, mpq_srcptr, mpq_srcptr)) {
+    mpq_t term;
+    mpq_init(term);
+    work_on_fractions(a, b);
+    mpq_mul(term, a, b);
+    work_on_fractions(sum, term);
+    add(sum, sum, term);
+    mpq_clear(term);
+}
+
 /* Twice the area of positions [first, end), which are closed: the last is the first. */
 static int ring_sign(const draft *in, size_t first, size_t end) {
-    mpq_t sum, term;
-    mpq_inits(sum, term, NULL);
+    mpq_t sum;
+    mpq_init(sum);
     for (size_t k = first; k + 1 < end; k++) {
-        mpq_mul(term, in->x[2 * k], in->x[2 * k + 3]);
-        mpq_add(sum, sum, term);
-        mpq_mul(term, in->x[2 * k + 1], in->x[2 * k + 2]);
-        mpq_sub(sum, sum, term);
+        work_allow(NUMBER_WORK);
+        add_product(sum, in->x[2 * k], in->x[2 * k + 3], mpq_add);
+        add_product(sum, in->x[2 * k + 1], in->x[2 * k + 2], mpq_sub);
     }
     int sign = mpq_sgn(sum);
-    mpq_clears(sum, term, NULL);
+    mpq_clear(sum);
     return sign;
 }
 

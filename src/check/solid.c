@@ -48,15 +48,19 @@ mpz_t *solid_vertex(const solid *s, size_t v) {
 void cross(mpz_t *out, mpz_t *a, mpz_t *b) {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
+        work_on(a[j], b[k]);
+        work_on(a[k], b[j]);
         mpz_mul(out[i], a[j], b[k]);
         mpz_submul(out[i], a[k], b[j]);
     }
 }
 
 int form_value(mpz_t out, mpz_t *form, mpz_t *x, int n) {
-    mpz_mul(out, form[0], x[0]);
-    for (int i = 1; i < n; i++)
+    mpz_set_ui(out, 0);
+    for (int i = 0; i < n; i++) {
+        work_on(form[i], x[i]);
         mpz_addmul(out, form[i], x[i]);
+    }
     return mpz_sgn(out);
 }
 
@@ -95,6 +99,7 @@ void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k) {
     mpz_set_ui(out[d], 0);
     mpz_sub(out[b], p[c], q[c]);
     mpz_sub(out[c], q[b], p[b]);
+    work_on(out[b], p[b]);
     mpz_submul(out[d], out[b], p[b]);
     if (d == 3)
         mpz_submul(out[d], out[c], p[c]);
@@ -105,6 +110,7 @@ void solid_make_forms(solid *s) {
         refute("solid: it has no facets");
     for (size_t i = 0; i < s->count; i++) {
         simplex *f = &s->simplex[i];
+        work_allow(SOLID_WORK);
         make_plane(f, s);
         f->box = box_empty;
         for (int v = 0; v < s->d; v++)
@@ -191,6 +197,7 @@ int solid_ray(long *sum, const solid *s, mpz_t *x, int axis, const simplex *skip
         const simplex *f = &s->simplex[found.item[k]];
         if (f == skip || !off)
             continue;
+        work_allow(SOLID_WORK);
         int sign = form_value(side[d + 1], f->plane, x, d + 1), way = mpz_sgn(f->plane[axis]);
         if (sign == 0)
             off = !is_within(s, f, x, f->axis, 0, side);

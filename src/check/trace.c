@@ -73,6 +73,7 @@ void trace_start(trace *r, word claimed) {
     r->length = 0;
     r->piece = 0;
     mpq_set(r->at, r->m->piece[0].lo);
+    work_allow(STEP_WORK);
     make_trajectory(r);
 }
 
@@ -185,6 +186,7 @@ static void check_near(trace *r, claim *c) {
     for (size_t k = 0; k < r->near.count; k++) {
         const simplex *f = &r->s->simplex[r->near.item[k]];
         signs all[4];
+        work_allow(STEP_WORK);
         if (cleared(r, f, all))
             continue;
         if (!c->letter[MID])
@@ -273,6 +275,7 @@ void trace_interval(trace *r, word kind, const mpq_t to, const poly *q) {
     if (last_letter(r) && last_letter(r) != *kind.at)
         fail(r, "an interval begins with another state than the one before it ends with");
     set_letters(c.letter, kind);
+    work_allow(STEP_WORK);
     enclose(r, &c);
     if (kind.length == 2)
         root_at_end(&end, &c);

@@ -121,4 +121,5 @@ END {
         if (names[k] != command)
             print ".BR graze\\-" names[k] " (1),"
     print ".BR graze (3)"
+    print ".PP\nThe terms are defined in glossary.md, which is installed beside README.md."
 }

@@ -150,5 +150,5 @@ state == "declaration" {
     }
 }
 END {
-    print ".SH SEE ALSO\n.BR graze (1)"
+    print ".SH SEE ALSO\n.BR graze (1)\n.PP\nThe terms are defined in glossary.md, which is installed beside README.md."
 }

@@ -17,7 +17,7 @@ include=$here/../../include
 parts=$(sed -n "s|^#include <\(graze/.*\)>.*|$include/\1|p" "$include/graze.h")
 page graze.3 -f "$here/header.awk" "$include/graze.h" $parts
 page graze-motion.5 -v name=graze-motion -v title="motion files and lists of poses" -v sections="|Numbers|Motions|Lists of poses|" \
-    -f "$here/format.awk" "$here/../cli/formats.md"
+    -f "$here/format.awk" "$here/../program/cli/formats.md"
 sed -n 's/^  graze \([a-z-]*\) .*/\1/p' "$folder/overview" | grep -v '^-' >"$folder/commands"
 while read -r command; do
     "$program" "$command" --help >"$folder/help"

@@ -149,11 +149,54 @@ def corners(graze, checks):
                 checks.equal(answer.word, word, name, d, shift)
 
 
+def stretched(q, e):
+    """q(2^e t)"""
+    return [F(c) * 2 ** (e * k) for k, c in enumerate(q)]
+
+
+def uneven(graze, checks):
+    """Two edges met nearly at one time, one of them by a polynomial on which secants are of no use
+    for e halvings. With a = 2^k, u = 2^e t and k > e, slow = u^4 - 1 - 1/a changes its sign once in
+    [0, 1], at u < 1 + 1/(4 a), quick = u - 1 - u^2/a once, at u = 1 + u^2/a > 1 + 1/a. The trajectory
+    (x, -y) is in the quarter plane from the root of x to that of y, if that is the later one; in
+    space it crosses a block, or slides on its bottom."""
+    for k, e in ((60, 20), (199, 50), (1000, 20), (1000, 100)):
+        slow = stretched([-1 - F(1, 2 ** k), 0, 0, 0, 1], e)
+        quick = stretched([-1, 1, -F(1, 2 ** k)], e)
+        far = 2 ** (4 * e + 1)
+        square, box = Polygon([[box_ring(0, 0, far, far)]]), block(0, 0, 0, far, far, 2)
+        for x, y, met in ((slow, quick, True), (quick, slow, False)):
+            for solid, lift, word in ((square, [], "OBIBO"), (box, [[F(1)]], "OBIBO"), (box, [[F(0)]], "OBO")):
+                path = [x, [-c for c in y]] + lift
+                axis = {"axis": [0, 0, 1], "length": 1} if lift else {}
+                there, back = (translate([[s * c for c in p] for p in path]) for s in (1, -1))
+                turn = rotation([0, F(1, 3)], **axis)
+                # The point 0 is taken to the path; a turn about it does not move it.
+                for motion, flags in ((back, []), (there, ["--operation", "unsweep"]),
+                                      (compose(back, turn), []), (compose(turn, there), ["--operation", "unsweep"])):
+                    for tier in ([], ["--no-filter"]):
+                        run_uneven(graze, checks, solid, build([(0, 1, motion)]), flags + tier,
+                                   word if met else "O", (x, y), (k, e, len(lift), met))
+
+
+def run_uneven(graze, checks, solid, motion, flags, word, edges, where):
+    """One run: the word, and that the contacts begin and end where the edges are met."""
+    origin = [(F(0),) * motion.dimension]
+    answers = graze.classify("uneven", solid, motion, origin, *flags)
+    for answer in answers or []:
+        checks.equal(answer.word, word, *where, flags)
+        ends = [contact[end] for contact in answer.contacts for end in ("from", "to")]
+        for time, q in zip((ends[0], ends[-1]) if ends else (), edges):
+            (root,) = roots(integral(q), F(0), F(1))
+            checks.holds(time_is(time, root), *where, flags, time)
+
+
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
     corners(graze, checks)
+    uneven(graze, checks)
     for k in range(3 * args.scale):
         for d in (2, 3):
             facets(graze, checks, args.random, d, True)

@@ -8,10 +8,15 @@ The square [0, 2]^2 is moved by f(t) along x, so the point (0, 1) meets an edge 
 polsturm, and says of every time told whether its polynomial is irreducible and divides f (f + 2),
 has one root between the ends told, and, unless these are j and j + 1, more than one between those of
 the interval twice as wide. The families are known to be hard for the
-isolation of roots. Without gp this is one skip.
+isolation of roots. Without gp that is one skip.
+
+Moved by Chebyshev's polynomial of degree n, an odd number, the square [0, 1]^2 goes n times over a
+point, and every pass is monotone: words and times are told by cosines.
 """
 import json
+import math
 import os
+import resource
 import shutil
 import sys
 import tempfile
@@ -51,19 +56,24 @@ def clusters():
     yield "two clusters", "(t^16-2*(10^6*t-1)^2)*(t^16-3*((10^6+1)*t-1)^2)"
 
 
+def chebyshev(n):
+    """T_n(2 t - 1)"""
+    a, b = [1], [-1, 2]
+    for _ in range(n - 1):
+        c = [0] * (len(b) + 1)
+        for k, x in enumerate(b):
+            c[k] -= 2 * x
+            c[k + 1] += 4 * x
+        for k, x in enumerate(a):
+            c[k] -= x
+        a, b = b, c
+    return "+".join(f"({x})*t^{k}" for k, x in enumerate(b))
+
+
 def spread(rng):
     """Chebyshev's and Wilkinson's polynomials, and random ones near 1/2."""
     for n in (15, 30):
-        a, b = [F(1)], [F(-1), F(2)]
-        for _ in range(n - 1):
-            c = [F(0)] * (len(b) + 1)
-            for k, x in enumerate(b):
-                c[k] -= 2 * x
-                c[k + 1] += 4 * x
-            for k, x in enumerate(a):
-                c[k] -= x
-            a, b = b, c
-        yield f"Chebyshev {n}", "+".join(f"({x})*t^{k}" for k, x in enumerate(b))
+        yield f"Chebyshev {n}", chebyshev(n)
     product = "*".join(f"(20*t-{k})" for k in range(1, 21))
     yield "Wilkinson", product
     yield "Wilkinson perturbed", f"{product}+1/2^100"
@@ -72,18 +82,23 @@ def spread(rng):
         yield f"random {k}", "*".join(f"(2^41*t-2^40-{r})" for r in roots) + f"-1/{rng.randrange(2, 1 << 60)}"
 
 
-def times_of(graze, f, memory):
-    """The times of the contacts, as gp reads them; or None and what went wrong."""
+def classify(graze, f, memory, wkt="POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))", point="0,1"):
+    """The run with the one point."""
     with tempfile.TemporaryDirectory(prefix="graze-roots-") as folder:
         def path(name, text):
             with open(os.path.join(folder, name), "w", encoding="ascii") as file:
                 file.write(text)
             return file.name
-        done = run(
-            [graze, "classify", "--format", "jsonl", path("s.wkt", "POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))"),
+        return run(
+            [graze, "classify", "--format", "jsonl", path("s.wkt", wkt),
              path("m.json", json.dumps({"dimension": 2, "pieces": [
-                 {"t": [0, 1], "transform": {"translate": [f, 0]}}]})), path("p.csv", "0,1\n")],
+                 {"t": [0, 1], "transform": {"translate": [f, 0]}}]})), path("p.csv", point + "\n")],
             SECONDS, memory)
+
+
+def times_of(graze, f, memory):
+    """The times of the contacts, as gp reads them; or None and what went wrong."""
+    done = classify(graze, f, memory)
     if done.returncode:
         return None, done.stderr
     times = []
@@ -96,9 +111,42 @@ def times_of(graze, f, memory):
     return "[" + ",".join(times) + "]", ""
 
 
+def passes(checks, args, n, x, word, edges):
+    """The point (x, 1/2) and the square moved by T = T_n(cos a), t = (1 + cos a) / 2: it is in the
+    square while x - 1 < T < x. Contacts are at T = cos b for each b of edges, so at n a = 2 pi j + b
+    and 2 pi j - b. Degree 199 takes 2 s of CPU; sought for each contact anew, its times took 40 s."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    done = classify(args.graze, chebyshev(n), args.memory, "POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))", f"{x},1/2")
+    used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    if not checks.equal(done.returncode, 0, "passes", n, x, done.stderr):
+        return
+    row = json.loads(done.stdout)
+    checks.equal(row["word"], word, "passes", n, x)
+    checks.holds(args.sanitizers or used < 15, "passes", n, x, used)
+    angles = {round((2 * math.pi * j + s * b) / n, 12) for b in edges for j in range(n) for s in (1, -1)}
+    times = sorted((1 + math.cos(a)) / 2 for a in angles if 0 <= a <= math.pi + 1e-9)
+    if not checks.equal(len(row["contacts"]), len(times), "passes", n, x):
+        return
+    for contact, t in zip(row["contacts"], times):
+        at = contact["from"]
+        low, high = (F(at), F(at)) if isinstance(at, str) else (F(at["lo"]), F(at["hi"]))
+        checks.holds(contact["to"] == at and low - F(1, 10 ** 9) < t < high + F(1, 10 ** 9), "passes", n, x, t, at)
+
+
+def all_passes(checks, args):
+    """T begins at -1 and ends at 1. Beside the plain case: the square stays at one side of the point
+    and touches it with the left edge at each T = 1; the point is in the square at each T = -1."""
+    for n in (31, 199):
+        half = n // 2
+        passes(checks, args, n, F(1, 2), "O" + "BIBO" * n, (math.pi / 3, 2 * math.pi / 3))
+    passes(checks, args, n, F(1), "O" + "BIBIBO" * half + "BIB", (0, math.pi / 2))
+    passes(checks, args, n, F(-1, 2), "I" + "BOBI" * half + "BO", (2 * math.pi / 3,))
+
+
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
+    all_passes(checks, args)
     if not shutil.which("gp"):
         checks.skip("gp", "PARI's gp is not installed (Debian package pari-gp)")
         checks.finish()

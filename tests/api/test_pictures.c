@@ -20,10 +20,13 @@ static void pictures_refused(void **state) {
     mpq_inits(low[0], low[1], high[0], high[1], NULL);
     mpq_set_si(high[0], 1, 1);
     graze_rationals from = low, to = high;
+    char long_title[514] = "";
+    memset(long_title, 't', 513);
     const struct {
         graze_draw_options options;
         const char *says;
     } wrong[] = {
+        {{.title = long_title}, "title must have at most 512 bytes"},
         {{.times = 1}, "times must be from 2 to 64"},
         {{.times = 65}, "times must be from 2 to 64"},
         {{.low = from}, "both be NULL"},

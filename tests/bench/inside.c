@@ -24,8 +24,8 @@
 #include <time.h>
 #include <unistd.h>
 #include "graze.h"
-#include "read/read.h"
-#include "validate/validate.h"
+#include "input/read/read.h"
+#include "input/validate/validate.h"
 
 /* Absent from graze.h until the filter counts what it hands on; then `exact=-1` turns into a
  * number by itself, and this declaration can go. */

@@ -3,7 +3,8 @@
 
 Every bomb runs under 2,000,000 kB of address space and 60 s of wall time. It must end with status 6 and a
 message that names its limit, or with the answer where `ends` says so. A limit that some --help names and no
-bomb has is a failure, and so is a bomb of a limit that no --help names.
+bomb has is a failure, and so is a bomb of a limit that no --help names. README.md says what bounds each input of
+each command: what it leaves out is a failure, and its options are tried.
 
     bombs.py --graze GRAZE [--without] [--sanitizers] [NAME ...]
 
@@ -12,6 +13,7 @@ it runs out of memory. To add a bomb, add a row to BOMBS.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
+import random
 import re
 import subprocess
 import sys
@@ -47,8 +49,38 @@ CUBE = """OFF
 MOVE = '{"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"translate": ["8*t", 0, 0]}}]}'
 
 
+SIGNED = "# graze 0.1.0\n# contract 1\n# dimension 2\nx,y,pmc,sdf\n1,1,in,-1\n# complete 1\n"
+
+
 def moved(transform):
     return '{"dimension": 3, "pieces": [{"t": [0, 1], "transform": ' + transform + "}]}"
+
+
+def slid(*entries):
+    return moved('{"translate": ["' + '", "'.join(entries) + '"]}')
+
+
+def uneven(terms, power):
+    """Coefficients 1 and 10^power in turn: no factor is common, and a zero is 10^-power from the next."""
+    return "+".join(f"{1 + 7 * k % 9}{'e%d' % power if k % 2 else ''}*t^{k}" for k in range(terms))
+
+
+def spread(terms, seed):
+    """Coefficients of all sizes down to 10^-4990."""
+    rng = random.Random(seed)
+    return "+".join(f"{rng.randint(1, 99)}e-{rng.randint(1, 4990)}*t^{k}" for k in range(terms))
+
+
+def quotient(terms, power):
+    return f"({uneven(terms, power)})/({uneven(terms + 1, power)})"
+
+
+def many(kind, item, count):
+    return '{"dimension": 3, "' + kind + '": [' + ",".join(item.format(k, k + 1) for k in range(count)) + "]}"
+
+
+def composed(item, count):
+    return moved('{"compose": [' + ",".join(item.replace("K", str(k + 1)) for k in range(count)) + "]}")
 
 
 class Sparse(int):
@@ -111,6 +143,43 @@ BOMBS = [
     Bomb("work-of-pieces-and-degree", "work", CHECK,
          {"move.json": moved('{"compose": [{"turn": {"quarters": 10000, "axis": [0, 0, 1]}}, '
                              '{"translate": ["t^190", "t^189", "t^188"]}]}')}, "--limit work=1000000000000000"),
+    Bomb("digits-of-a-power-of-a-power", "digits", CHECK, {"move.json": slid("((2)^33000)^30000", "0", "0")},
+         None),  # the largest value that --limit takes ends it too
+    Bomb("digits-of-an-interval", "digits", CHECK,
+         {"move.json": slid("t^200", "0", "0").replace("[0, 1]", f'["1/{"7" * 9999}", "{"8" * 9999}"]')},
+         "--limit digits=10000000 --limit work=1000000000000000"),
+    Bomb("digits-of-a-quaternion", "digits", CHECK,
+         {"move.json": moved('{"quaternion": ["1' + '", "1'.join(str(k) * 9999 for k in (3, 5, 7, 8)) + '"]}')}, None),
+    Bomb("digits-of-a-composition", "digits", CHECK,
+         {"move.json": composed('{"rotate": {"tan_half": "1/3", "axis": [1, 2, 2]}}', 50000)}, None),
+    Bomb("digits-of-common-denominators", "digits", CHECK, {"move.json": slid(*(quotient(k, 9990) for k in (8, 9, 10)))}, None),
+    Bomb("degree-of-a-power-of-a-power", "degree", CHECK, {"move.json": slid("((1+t)^200)^200", "0", "0")},
+         "--limit degree=1000000 --limit digits=100000000 --limit work=1000000000000000"),
+    Bomb("degree-of-factors", "degree", CHECK,
+         {"move.json": slid("*".join(f"(t+{k})" for k in range(1, 9000)), "0", "0")}, None),
+    Bomb("degree-of-common-denominators", "degree", CHECK,
+         {"move.json": composed('{"translate": ["1/(t+K)", "1/(2*t+K)", "0"]}', 3000)}, None),
+    Bomb("pieces-of-a-file", "pieces", CHECK,
+         {"move.json": many("pieces", '{{"t": [{}, {}], "transform": {{"translate": ["t", 0, 0]}}}}', 30000)}, None),
+    Bomb("pieces-of-key-frames", "pieces", CHECK,
+         {"move.json": many("keyframes", '{{"t": {}, "position": [{}, 0, 0]}}', 200000)}, None),
+    Bomb("pieces-of-turns", "pieces", CHECK,
+         {"move.json": composed('{"turn": {"quarters": 900K, "axis": [0, 0, 1]}}', 60)}, None),
+    Bomb("pieces-of-poses", "pieces", "motion poses {poses.csv}",
+         {"poses.csv": "t,x,y,z,qw,qx,qy,qz\n" + "".join(f"{k},{k % 9},0,0,1,0,0,0\n" for k in range(100000))}, None),
+    Bomb("work-of-quotients", "work", CHECK,
+         {"move.json": slid("+0*".join(30 * [quotient(20, 9990)]), "0", "0")}, None),
+    Bomb("work-of-a-matrix", "work", CHECK,
+         {"move.json": moved('{"matrix": [' + ", ".join('["' + '", "'.join(
+             uneven(50 + k * k % 11, 2500) for k in range(i, i + 4)) + '"]' for i in (1, 5, 9)) + "]}")}, None),
+    Bomb("work-of-key-frames", "work", CHECK,
+         {"move.json": many("keyframes", '{{"t": {0}, "quaternion": [1, "{1}e2000", 3, "{0}1e2000"]}}', 9000)}, None),
+    # A weight that is nearly 0 at t = 1/3, and only there: its halves would be looked at down to 2^-16000.
+    Bomb("work-of-a-box", "work", CHECK, {"move.json": slid("1/((3*t-1)^2+1e-9990)", "0", "0")},
+         None),  # nor may they be more than the stack holds
+    # A path that turns at times of all sizes; the box may be larger: an answer.
+    Bomb("work-of-a-draft-of-a-box", "work", CHECK, {"move.json": slid(f"({spread(200, 1)})/({spread(200, 2)})", "0", "0")},
+         None, 0, "legal"),
     # Two roots that are no 2^-300000 apart; (x, y, z) = (0, 1, 1) meets the cube's face at both.
     Bomb("bits-of-close-roots", "bits", "classify --jobs 1 {cube.off} {close.json} {points.csv}",
          {"close.json": moved('{"translate": ["t^100-2*(10^900*t-1)^2", 0, 0]}'), "points.csv": "0,1,1\n"},
@@ -196,11 +265,67 @@ def limits_of_help(graze):
     return names
 
 
+def tables():
+    """The rows of README.md: section -> lists of cells."""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "README.md"), encoding="utf-8") as file:
+        sections = re.split(r"^## ", file.read(), flags=re.M)[1:]
+    return {section.splitlines()[0]: [[cell.strip(" `") for cell in line[1:-1].split("|")]
+                                      for line in section.splitlines() if line.startswith("|")][2:] for section in sections}
+
+
+OPERANDS = {"SOLID": "solid", "MOTION": "motion", "POINTS": "points", "X": "points", "GOLDEN": "tables", "CANDIDATE": "tables",
+            "PART...": "parts", "CONTACTS": "points", "KIND": "poses", "{solid}": "solid", "{motion}": "motion"}
+NO_NUMBER = {"FILE", "FILE,", "DIR", "CMD", "NAME", "NAME=V", "NAME=V,", "NAME=W,...", "TEXT", "FOLDER", "FILE.off", "SOLID"}
+
+
+def numeric_options(text):
+    """The options of a --help that take a number: their value stands in capitals, or begins a list or an equation."""
+    fields = [f for line in text.splitlines() for f in re.split(r"\s{2,}", line.strip()) if re.match("([a-z]+ )?-", f)]
+    given = [pair for f in fields for pair in re.findall(r"(?<![^\s[])(--?[a-z][a-z-]*) ([^\s]+)", f)]
+    return {name for name, value in given if value not in NO_NUMBER and re.match(r"[A-Z]|x0|z=|i/n|[.]{3}", value)}
+
+
+def check_tables(graze):
+    rows, overview = tables(), harness.run([graze, "--help"]).stdout
+    commands = re.findall(r"^  graze ([a-z]+) ", overview, re.M)
+    reads = {name: set(kinds.split(", ")) for name, kinds in rows["Commands"]}
+    check(sorted(reads) == sorted(commands), f"README.md: the commands; expected {sorted(commands)}")
+    listed, inputs = set(), {row[0] for row in rows["Inputs"]} | {"nothing"}
+    for name in commands:
+        text = harness.run([graze, name, "--help"]).stdout
+        usage = re.match(r"graze [a-z]+([^:]*)", text)[1].replace("[", " ").replace("]", " ").split()
+        for word in usage:
+            check(word not in OPERANDS or OPERANDS[word] in reads[name], f"README.md: {name} reads {word}; expected its row to say so")
+        check(reads[name] <= inputs, f"README.md: {name} reads {reads[name] - inputs}; expected rows of inputs")
+        listed |= numeric_options(text)
+    have = {row[0] for row in rows["Options"]}
+    check(listed == have, f"README.md: options {sorted(listed ^ have)}; expected a row for each that takes a number, and no other")
+    limits = {(bomb, row[2]) for row in rows["Inputs"] for bomb in row[3].split(", ") if bomb}
+    bombs = {(bomb.name, bomb.limit) for bomb in BOMBS}
+    check(limits == bombs, f"README.md: bombs {sorted(limits ^ bombs)}; expected a row with its limit for each, and no other")
+
+
+def check_options(graze):
+    files = {"cube.off": CUBE, "move.json": MOVE, "poses.csv": "t,x,y,z\n0,0,0,0\n1,1,0,0\n", "g.csv": SIGNED}
+    with tempfile.TemporaryDirectory(prefix="graze-bombs-") as folder:
+        for name, content in files.items():
+            put(os.path.join(folder, name), content, None)
+        for option, bound, command in tables()["Options"]:
+            words = [re.sub(r"^\{(.+)\}$", lambda at: os.path.join(folder, at[1]), word)
+                     for word in command.replace("VALUE", "1e99999999").split()]
+            done = harness.run([graze, *words], SECONDS)
+            want = LIMIT_MET if bound == "digits" else 2
+            check(option in words and done.returncode == want and (want == 2 or "digits=" in done.stderr),
+                  f"{command}: status {done.returncode}, expected {want}; {done.stderr[:200]}")
+
+
 def main():
     args = options(__doc__, ("--without", {"action": "store_true"}), ("name", {"nargs": "*"}))
     memory = 0 if args.sanitizers else MEMORY
     chosen = [bomb for bomb in BOMBS if not args.name or bomb.name in args.name]
     if not args.name:
+        check_tables(args.graze)
+        check_options(args.graze)
         listed, have = limits_of_help(args.graze), {bomb.limit for bomb in BOMBS}
         check(len(listed) >= 8, f"--help lists the limits: {sorted(listed)}")
         for limit in sorted(listed | have):

@@ -19,25 +19,25 @@ from harness import ONLY, Checks, options
 LIBS = "-lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread".split()
 LEAST = 10  # forged rows of each decision; cases verified with none turned round
 CAREFUL = [
-    ("certify/row.c", "enum { DEEPEST = 2000 };", "enum { DEEPEST = 10 };"),
-    ("certify/row.c", "return too_deep(r);", "break;"),
-    ("certify/row.c", "if (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at)) {",
+    ("questions/certify/row.c", "enum { DEEPEST = 2000 };", "enum { DEEPEST = 10 };"),
+    ("questions/certify/row.c", "return too_deep(r);", "break;"),
+    ("questions/certify/row.c", "if (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at)) {",
      "if (depth > DEEPEST || (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at))) {"),
     ("api_certify.c", "    graze_trace trace;\n", "    graze_trace trace;\n    context->exact_only = 1;\n"),
 ]
 DECISIONS = [
     ("nothing", None, "", ""),
-    ("inside is outside", "solid/locate.c", "return r.winding == 1 ? GRAZE_STATE_I : r.winding == 0 ? GRAZE_STATE_O",
+    ("inside is outside", "input/solid/locate.c", "return r.winding == 1 ? GRAZE_STATE_I : r.winding == 0 ? GRAZE_STATE_O",
      "return r.winding == 1 ? GRAZE_STATE_O : r.winding == 0 ? GRAZE_STATE_I"),
-    ("all is outside", "solid/locate.c", "return r.winding == 1 ? GRAZE_STATE_I", "return r.winding == 1 ? GRAZE_STATE_O"),
-    ("all is inside", "solid/locate.c", "r.winding == 0 ? GRAZE_STATE_O", "r.winding == 0 ? GRAZE_STATE_I"),
-    ("edges are on no facet", "trace/touch.c", "if (finder_failed(f) || sign < 0)", "if (finder_failed(f) || sign <= 0)"),
-    ("a plane is a facet", "trace/touch.c", "if (finder_failed(f) || sign < 0)", "if (finder_failed(f))"),
-    ("every second touch is lost", "trace/touch.c", "if (!may_meet(&first[k], root) ||", "if (k % 2 == 0 || !may_meet(&first[k], root) ||"),
-    ("what touches crosses", "verdict/verdict.c", "    return left != right ? GRAZE_INTERSECTION : GRAZE_TANGENCY;",
+    ("all is outside", "input/solid/locate.c", "return r.winding == 1 ? GRAZE_STATE_I", "return r.winding == 1 ? GRAZE_STATE_O"),
+    ("all is inside", "input/solid/locate.c", "r.winding == 0 ? GRAZE_STATE_O", "r.winding == 0 ? GRAZE_STATE_I"),
+    ("edges are on no facet", "decide/trace/touch.c", "if (finder_failed(f) || sign < 0)", "if (finder_failed(f) || sign <= 0)"),
+    ("a plane is a facet", "decide/trace/touch.c", "if (finder_failed(f) || sign < 0)", "if (finder_failed(f))"),
+    ("every second touch is lost", "decide/trace/touch.c", "if (!may_meet(&first[k], root) ||", "if (k % 2 == 0 || !may_meet(&first[k], root) ||"),
+    ("what touches crosses", "decide/verdict/verdict.c", "    return left != right ? GRAZE_INTERSECTION : GRAZE_TANGENCY;",
      "    return left == right ? GRAZE_INTERSECTION : GRAZE_TANGENCY;"),
-    ("a fold is regular", "verdict/verdict.c", "if (k >= 2 && (t == 0", "if (k >= 3 && (t == 0"),
-    ("the motion for its inverse", "motion/motion.c", "operation == GRAZE_UNSWEEP", "operation != GRAZE_UNSWEEP"),
+    ("a fold is regular", "decide/verdict/verdict.c", "if (k >= 2 && (t == 0", "if (k >= 3 && (t == 0"),
+    ("the motion for its inverse", "input/motion/motion.c", "operation == GRAZE_UNSWEEP", "operation != GRAZE_UNSWEEP"),
 ]
 
 
@@ -67,7 +67,7 @@ def build(tally, folder, build_folder, decision):
         if not tally.equal(done.returncode, 0, "compiles", name, path):
             return None
     program = os.path.join(folder, "graze")
-    commands = [f"{build_folder}/{path[:-2]}.o" for path in glob.glob("src/cli/*.c") + glob.glob("src/run/*.c")]
+    commands = [f"{build_folder}/{path[:-2]}.o" for path in glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c")]
     done = subprocess.run(["c++", "-o", program, *commands, *objects, build_folder + "/libgraze.a", *LIBS])
     return program if tally.equal(done.returncode, 0, "links", name) else None
 

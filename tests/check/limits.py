@@ -50,8 +50,8 @@ class Bench:
         solid, motion = solid or self.solid[d], motion or self.motion[d]
         text = self.certificate(d, solid, motion).text()
         path = self.file("certificate", change(text) if change else text)
-        status, out, error = self.programs.check(solid, motion, path)
-        self.tally.equal((status in wanted, bool(out)), (True, status == VERIFIED), what, status, error)
+        status, out, self.error = self.programs.check(solid, motion, path)
+        self.tally.equal((status in wanted, bool(out)), (True, status == VERIFIED), what, status, self.error)
 
 
 def check_numbers(b):
@@ -167,15 +167,48 @@ def check_sizes(b):
     b.tally.equal(status, 0, "and it is legal", error)
 
 
+NOTE = "graze-check: note: columns that are not certified: "
+CERTIFIED = ["x", "y", "z", "pmc", "class", "definition", "case", "i", "t", "word"]  # what a certificate claims of a row
+
+
+def head_of(table):
+    return next(line for line in table.splitlines() if not line.startswith("#")).split(",")
+
+
+def check_notes(b):
+    """Of the columns that graze writes those that a certificate claims are verified, and the note names each other one."""
+    with open(os.path.join(harness.ROOT, "src", "output", "report", "table_text.c"), encoding="utf-8") as file:
+        writer = file.read().split("report_header(")[1].split("\n}\n")[0]
+    known = {name for names in re.findall(r'"([a-z_,]+)"', writer) for name in names.split(",") if name}
+    seen = set()
+    for d, words in ((2, []), (3, []), (2, ["--operation", "unsweep"]), (3, ["--operation", "unsweep"])):
+        points = b.file("points.csv", ",".join("xyz"[:d]) + ',"user, own"\n' + "1000," * d + "7\n")
+        more = ["--sdf", "1/1000", "--motion-error", "1/100"] + (["--topo"] if d == 2 else [])
+        table = b.programs.table(b.solid[d], b.motion[d], points, words + more)
+        certificate = b.file("certificate", b.programs.certify(b.solid[d], b.motion[d], points, words))
+        other = [name for name in head_of(table) if name not in CERTIFIED]
+        seen |= set(head_of(table)) - {'"user', ' own"'}
+        b.tally.holds({"sdf_low", "sdf_high", "sdf_t", "certain"} <= set(other), "not certified", d, words, other)
+        row = table.splitlines()[-2 if d == 3 else -3].split(",")
+        for k, name in enumerate(head_of(table)):
+            forged = table.replace(",".join(row), ",".join(row[:k] + ["17"] + row[k + 1:]))
+            status, out, error = b.programs.check(b.solid[d], b.motion[d], certificate, b.file("table.csv", forged), "--jobs", "3")
+            b.tally.equal((status == VERIFIED, bool(out)), (name in other,) * 2, d, words, name, "forged", error)
+            b.tally.equal(error.count(NOTE + ",".join(other) + "\n"), 1, d, words, "the note, once", error)
+        bare = b.file("table.csv", b.programs.table(b.solid[d], b.motion[d], b.file("bare.csv", "1000," * (d - 1) + "1000\n"), words))
+        status, _, error = b.programs.check(b.solid[d], b.motion[d], certificate, bare)
+        b.tally.equal((status, error), (VERIFIED, ""), d, words, "nothing to note")
+    b.tally.equal(seen, known, "columns that the writer has")
+
+
 def check_tables(b):
     points = b.file("points.csv", 'x,y,z,topo,note\n1000,1000,1000,a,"x, y"\n')
     table = b.programs.table(b.solid[3], b.motion[3], points)
     certificate = b.file("certificate", b.programs.certify(b.solid[3], b.motion[3], points))
     status, _, error = b.programs.check(b.solid[3], b.motion[3], certificate, b.file("table.csv", table))
-    b.tally.equal((status, "column topo is not certified" in error), (VERIFIED, True), "a column that is not certified", error)
+    b.tally.equal((status, error), (VERIFIED, NOTE + "topo,note\n"), "columns of the points")
     row = table.splitlines()[-2]
-    for what, text, wanted in (("distances", table.replace("topo", "sdf"), VERIFIED),
-                               ("an empty line in the head", "\n" + table, REFUTED),
+    for what, text, wanted in (("an empty line in the head", "\n" + table, REFUTED),
                                ("a point that is none", table.replace(row, "x" + row), REFUTED),
                                ("no end", table[:table.index(row)], REFUTED),
                                ("an empty line for a row", table.replace(row, ""), REFUTED),
@@ -226,7 +259,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         b = Bench(Programs(chosen.graze), tally, folder)
         b.sanitizers = chosen.sanitizers  # they map more than the limit
-        for check in (check_numbers, check_files, check_tokens, check_caps, check_sizes, check_tables, check_jobs):
+        for check in (check_numbers, check_files, check_tokens, check_caps, check_sizes, check_notes, check_tables, check_jobs):
             if chosen.only in check.__name__:
                 check(b)
     tally.finish()

@@ -23,8 +23,8 @@ checks = Checks()
 check = checks.holds
 
 
-def run(*command):
-    done = harness.run([str(word) for word in command], 300)
+def run(*command, **more):
+    done = harness.run([str(word) for word in command], 60, **more)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -112,8 +112,11 @@ def gone(graze, folder):
     """Without --keep the report has the rows; with it, files and lines, which are there."""
     motion = write(folder, "move.json", translation(["8*t", "0", "0"]))
     wrong = candidate_of(graze, "-e", "s/,on,/,in,/")
-    status, out, _ = run(graze, "validate", CUBE, motion, "-n", 50, "--show", 5, "--candidate", wrong)
-    check(status == 1 and "graze-" not in out and "golden.csv" not in out and "line " not in out, out[-1500:])
+    temporary = os.path.join(folder, "temporary")
+    os.mkdir(temporary)
+    status, out, _ = run(graze, "validate", CUBE, motion, "-n", 50, "--show", 5, "--candidate", wrong,
+                         env={**os.environ, "TMPDIR": temporary})
+    check(status == 1 and temporary not in out and "golden.csv" not in out and "line " not in out, out[-1500:])
     blocks = out.split("Rows of the golden table:\n\n")[1].split("\nRows of the candidate:\n\n")
     golden, mine = ([line.strip().split(",") for line in block.strip().splitlines()] for block in blocks)
     check(golden[0][:4] == ["x", "y", "z", "pmc"] and golden[0] == mine[0] and len(golden) == len(mine) == 6, golden, mine)
@@ -134,12 +137,36 @@ def gone(graze, folder):
     check(lines[cited - 1].split(",") == golden[1] and kept in out and "Rows of" not in out, cited, golden[1])
 
 
+def left(graze, folder):
+    """What is no file at {out} is refused at once, and nothing stays of what a candidate leaves."""
+    motion = write(folder, "move.json", translation(["8*t", "0", "0"]))
+    own, temporary = os.path.join(folder, "own"), os.path.join(folder, "temporary")
+    os.mkdir(own)
+    write(own, "file", "x")
+    right = f'{shlex.quote(graze)} classify "$1" "$2" "$3"'
+    unix = f'{shlex.quote(sys.executable)} -c "import socket, sys; socket.socket(socket.AF_UNIX).bind(sys.argv[1])" "$4"'
+    no_table = "has written no table to {out}"
+    for script, want, says in (('mkfifo "$4"', 3, "has left a FIFO at {out}; expected a file"),
+                               ('mkdir -p "$4/a/b"; echo x >"$4/a/c"', 3, "has left a folder at {out}"),
+                               (f'ln -s {shlex.quote(own)} "$4"', 3, "has left a folder at {out}"),
+                               ('ln -s /dev/zero "$4"', 3, "has left a device at {out}"), (unix, 3, "has left a socket at {out}"),
+                               ('ln -s "$4.none" "$4"', 3, no_table), ('ln -s "$4" "$4"', 3, no_table),
+                               ('mkdir "$4"; sleep 60', 3, "took more than 1 s"),
+                               (f'{right} >"$4.more" && ln -s "$4.more" "$4"; mkdir "$4.parts" && mkfifo "$4.parts/pipe"', 0, "")):
+        status, _, said = run(graze, "validate", CUBE, motion, "-n", 20, "--quiet", "--timeout", 1 if "sleep" in script else 60,
+                              "--candidate", shlex.join(["sh", "-c", script, "sh"]) + " {solid} {motion} {points} {out}",
+                              env={**os.environ, "TMPDIR": temporary})
+        check(status == want and says in said and said.count("\n") == (want != 0), script, status, said)
+        check(os.listdir(temporary) == [] and os.listdir(own) == ["file"], script, os.listdir(temporary))
+
+
 def main():
     graze = options(__doc__).graze
     with tempfile.TemporaryDirectory() as folder:
         rounded(graze, folder)
         strata(graze, folder)
         gone(graze, folder)
+        left(graze, folder)
     checks.finish()
 
 

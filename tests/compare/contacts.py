@@ -9,6 +9,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import json
 import os
 import random
+import shlex
 import sys
 import tempfile
 from fractions import Fraction
@@ -296,7 +297,7 @@ def kinds(runs, graze, folder, golden, scene):
     page = os.path.join(folder, "page.html")
     done = harness.run([graze, "compare", golden.path, runs.candidate, "--solid", solid, "--motion", motion, "--page", page], 120)
     place = " ".join(rows[2][n] for n in names)
-    check(done.returncode == 1 and f"`graze explain {solid} {motion} {place}`" in done.stdout, "explained", done.stderr)
+    check(done.returncode == 1 and f"`graze explain {shlex.quote(solid)} {shlex.quote(motion)} {place}`" in done.stdout, "explained", done.stderr)
     judged = {n: 1 for n in golden.judged if f"| {n} | {len(rows) - (n == 'trimmed')} | {int(n == 'trimmed')} |" in done.stdout}
     check(len(judged) == len(golden.judged) and os.path.getsize(page) > 1000, "columns", judged)
 

@@ -23,6 +23,7 @@ PINCH = "MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2, 0 0)), ((0 0, -2 0, -2 -2, 0 -2, 0 
 SHORT = f"1/{2 ** 200}"
 CROWDED = PINCH.strip()[:-1] + (f", ((-{SHORT} {SHORT}, -{SHORT} 1, -1 1, -1 {SHORT}, -{SHORT} {SHORT}))"
                                 f", (({SHORT} -{SHORT}, {SHORT} -1, 1 -1, 1 -{SHORT}, {SHORT} -{SHORT})))\n")
+SMALL = "MULTIPOLYGON (((8 8, 129/16 8, 129/16 129/16, 8 129/16, 8 8)), ((8 8, 127/16 8, 127/16 127/16, 8 127/16, 8 8)))\n"
 PAIR = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))\n"
 
 
@@ -132,6 +133,10 @@ CASES = [
     (CROWDED, RIGHT, ("0", "0", "0"), dict(role="contact"), None),
     (CROWDED, RIGHT, ("1", "0", "0"), dict(role="contact"), None),
     (CROWDED, RIGHT, ("1/2", "0", "0"), dict(role="hidden"), None),
+    # A pinch at (8, 8) of squares far smaller than 1: what is next to it is looked for within them.
+    (SMALL, moves(2, (-1, 1, shift("t", "-t"))), ("0", "8", "8"), dict(role="hidden", left="O", right="O", word="OBO"), None),
+    (SMALL, moves(2, (-1, 1, shift("t", "0"))), ("0", "8", "8"), dict(role="hidden"), None),
+    (SMALL, moves(2, (0, 1, shift("t", "0"))), ("0", "8", "8"), dict(role="contact"), None),
     # A pinched edge along z, c = (t^2, -t^2, t): the velocity is along the edge, (1, -1) leads on both sides and
     # sweeps one of the two open quadrants. With t^3 it leads one way before and the other way after t = 0. g_t = n b'' with
     # b'' = (-2, 2, 0), theta its opposite; normals in the order of the faces: -y, -x, +y, +x.

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # suite
 """Laws that enclosures of the distance obey (C66, C67): neighbours on lines, rigid maps, powers of two, motions cut,
-turned around and at another speed, solids of two parts.
+turned around and at another speed, solids of two parts, smaller tolerances.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
 Solids and motions are those of the agreement tests. Two enclosures of one number must meet. Where all coordinates are
 multiplied by a power of two, so are the bounds of a least distance over the motion (their decimals are rounded
-outward, so the last bit may differ), and the time is the same.
+outward, so the last bit may differ), and the time is the same. A smaller tolerance only continues the search: each
+enclosure lies in that of the tolerance before, also in worlds of any size, in slabs thinner than tolerances, and where
+doubles or the work for a point end it.
 """
 import csv
 import os
@@ -19,11 +21,11 @@ for folder in ("lib", os.path.join("agree", "lib")):
     sys.path.insert(0, os.path.join(HERE, "..", folder))
 
 import refine  # noqa: E402
-from motion import conjugated, cut, mobius, reversed_in_time, squared  # noqa: E402
+from motion import build, compose, conjugated, cut, mobius, reversed_in_time, rotation, squared, translate  # noqa: E402
 from points import mixed  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
-from solids import meshes, polygons  # noqa: E402
+from solids import block, meshes, polygons  # noqa: E402
 
 SCENES = 5     # in the plane, and in space
 POINTS = 12
@@ -31,6 +33,9 @@ LINES = 2
 STEPS = 12     # points of a line
 TOLERANCE = F(1, 2 ** 24)
 EXPONENTS = (40, -40)
+FAR_EXPONENTS = (100, 40, 0, -40, -100)
+CHAIN = [F(1, 10 ** k) for k in (1, 2, 3, 5, 7, 9, 12, 15, 30)]
+THICKNESSES = (F(1, 10 ** 9), F(1, 2 ** 40))
 ROUNDED = F(1, 2 ** 51)
 RIGID = {2: [[F(3, 5), F(-4, 5), 1], [F(4, 5), F(3, 5), -2]],
          3: [[F(2, 3), F(-1, 3), F(2, 3), 3], [F(2, 3), F(2, 3), F(-1, 3), -2], [F(-1, 3), F(2, 3), F(2, 3), 1]]}
@@ -80,13 +85,19 @@ def law_rigid(law):
     law.same("rigid", law.ask("rigid", law.solid.mapped(f), conjugated(law.motion, m, back), [f(p) for p in law.points]))
 
 
+def scaled(law, exponent):
+    """A name, and the solid, motion and points of the world that is 2^exponent times as large."""
+    d, k = law.motion.dimension, F(2) ** exponent
+    m, back = ([[x * (i == j) for j in range(d)] + [F(0)] for i in range(d)] for x in (k, 1 / k))
+    f = affine(m)
+    return f"times 2^{exponent}", law.solid.mapped(f), conjugated(law.motion, m, back), [f(p) for p in law.points]
+
+
 def law_scaled(law):
-    d = law.motion.dimension
     for exponent in EXPONENTS:
         k = F(2) ** exponent
-        m, back = ([[x * (i == j) for j in range(d)] + [F(0)] for i in range(d)] for x in (k, 1 / k))
-        f, name = affine(m), f"times 2^{exponent}"
-        found = law.ask(name, law.solid.mapped(f), conjugated(law.motion, m, back), [f(p) for p in law.points], TOLERANCE * k)
+        name, *world = scaled(law, exponent)
+        found = law.ask(name, *world, TOLERANCE * k)
         for p, (pmc, low, high, t), (want, least, most, time) in zip(law.points, found, law.base):
             where = (law.name, name, *law.flags, ",".join(map(str, p)))
             law.checks.holds(low / k <= most and least <= high / k, *where, float(low / k), float(high / k))
@@ -120,6 +131,28 @@ def law_parts(law):
     law.same("two parts", both, least)
 
 
+def law_nested(law):
+    exponent = law.rng.choice(FAR_EXPONENTS)
+    name, *world = scaled(law, exponent)
+    before = None
+    for tolerance in CHAIN:
+        found = law.ask(name, *world, tolerance * F(2) ** exponent)
+        for p, (pmc, low, high, _), (want, least, most, _) in zip(law.points, found, before or found):
+            law.checks.holds(pmc == want and least <= low and high <= most, law.name, name, *law.flags, float(tolerance),
+                             ",".join(map(str, p)), f"{pmc} [{float(low)}, {float(high)}] in [{float(least)}, {float(most)}]")
+        before = found
+
+
+def thin_slabs():
+    """Slabs that turn in their plane, rise through it, or pitch."""
+    level = {"axis": [0, 0, 1], "length": 1}
+    ways = {"turns and slides": compose(rotation([0, 1], **level), translate([[0, 3], [0, 0, 1], [0]])),
+            "turns and rises": compose(rotation([0, 1], **level), translate([[0, 3], [0, 0, 1], [F(-1, 2), 1]])),
+            "pitches": compose(rotation([0, 1], axis=[1, 2, 2], length=3), translate([[0, 1], [0], [0, 1]]))}
+    return [(f"slab {float(h):g} {name}", block(0, 0, 0, 2, 2, h), build([(0, 1, way)]))
+            for h in THICKNESSES for name, way in ways.items()]
+
+
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
@@ -128,8 +161,11 @@ def main():
         for scene in args.random.sample(scenes(args.random), min(SCENES * args.scale, 12)):
             for flags in ((), ("--operation", "unsweep")):
                 law = Law(graze, checks, scene, args.random, *flags)
-                for obey in (law_motion, law_rigid, law_scaled, law_lines, *(() if flags else (law_parts,))):
+                for obey in (law_motion, law_rigid, law_scaled, law_lines, law_nested, *(() if flags else (law_parts,))):
                     obey(law)
+    for scene in thin_slabs():
+        for flags in ((), ("--operation", "unsweep")):
+            law_nested(Law(graze, checks, scene, args.random, *flags))
     checks.finish()
 
 

@@ -322,7 +322,9 @@ def check_minute(checks, graze):
     where = graze.write("minute.csv", "".join(f"{x * u},{y * u}\n" for x, y in points))
     done = graze.call("classify", *files, where, "--sdf", "1e-126")
     checks.equal(done.returncode, 0, "minute", done.stderr)
-    for (x, y), row in zip(points, rows_of(done.stdout)):
+    rows = rows_of(done.stdout)
+    checks.equal(len(rows), len(points), "minute", "rows")
+    for (x, y), row in zip(points, rows):
         truth = (max(-x, 0, x - 10) ** 2 + (y - 2) ** 2) * u * u
         low, high = F(row["sdf_low"]), F(row["sdf_high"])
         checks.holds(low >= 0 and low * low <= truth <= high * high, "minute", x, y, row)

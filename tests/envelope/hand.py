@@ -32,12 +32,9 @@ def sheared(*last_row):
 
 BOTTOM, FRONT = "face 0", "face 2"
 BOX = prism_of([[(0, 0), (4, 0), (4, 5), (0, 5)]], 0, 2)
+SHRUNK_AND_TURNED = {"compose": [{"scale": "1-t/2", "center": ["1", "0", "0"]},
+                                 {"quaternion": ["1", "0", "t", "-t/2"], "center": ["1", "1", "1"]}]}
 LEAVES = {("1/2", "singular", FRONT, FRONT, "", ""), ("4/5", "singular", BOTTOM, BOTTOM, "", "")}
-
-
-def grown_and_turned(t):
-    return {"compose": [{"scale": f"1-{t}/2", "center": ["1", "0", "0"]},
-                        {"quaternion": ["1", "0", t, f"-{t}/2"], "center": ["1", "1", "1"]}]}
 
 
 MIRRORED_BLOCK = "POLYGON ((-2 -1, -4 -1, -4 1, -2 1, -2 -1))\n"
@@ -66,6 +63,10 @@ CASES = [
     # 0 everywhere. There the other edge at the notch has g = -2.
     (contact.DART, moves(2, ("1/2", "3/2", shift("t", "t^2/2"))), "no", VERTEX,
      [("1", "g", "edge 1-2", "vertex 1", "+", "-"), ("1", "g", "edge 1-2", "vertex 2", "+", "-")]),
+    # Up to it the notch is reached at the end alone, and nothing enters.
+    (contact.DART, moves(2, ("1/2", "1", shift("t", "t^2/2"))), "borderline",
+     "a slice or run reaches a reflex edge or a vertex that is not convex",
+     [("1", "g", "edge 1-2", "vertex 1", "+", ""), ("1", "g", "edge 1-2", "vertex 2", "+", "")]),
     # Past it none is 0.
     (contact.DART, moves(2, ("5/4", "3/2", shift("t", "t^2/2"))), "yes", None, []),
     # b' = (1, t), to the other side: theta of the edge is b''(1, -1) = -1 for t^2/2 with the opposite sign.
@@ -108,10 +109,10 @@ CASES = [
     (prism_of([[(0, 0), (2, "-1/3"), (4, "-1/2"), (6, "-3/7"), (7, 1), (3, 3)]], 0, 1),
      moves(3, (0, 1, {"compose": [shift("0", "t", "0"), {"rotate": {"tan_half": "t", "axis": ["1", "0", "0"]}}]})), None, None,
      {("1/2", "singular", BOTTOM, BOTTOM, "", "")}),
-    # Grown by k = 1 - t/2 about (1, 0, 0), then turned about (1, 1 + 2l, 1 - l), which stays: c of it is (1, (1 + 2l)/k, (1 - l)/k).
+    # Scaled by k = 1 - t/2 about (1, 0, 0), then turned about (1, 1 + 2l, 1 - l), which stays: c of it is (1, (1 + 2l)/k, (1 - l)/k).
     # For l = -1/2 that is in y = 0, up to z = 2 at 1/2, for l = 1 in z = 0, up to y = 5 at 4/5. A cut there changes nothing.
-    (BOX, moves(3, (0, 1, grown_and_turned("t"))), None, None, LEAVES),
-    (BOX, moves(3, (0, "4/5", grown_and_turned("t")), ("4/5", 1, grown_and_turned("t"))), None, None, LEAVES),
+    (BOX, moves(3, (0, 1, SHRUNK_AND_TURNED)), None, None, LEAVES),
+    (BOX, moves(3, (0, "4/5", SHRUNK_AND_TURNED), ("4/5", 1, SHRUNK_AND_TURNED)), None, None, LEAVES),
     # Of lower order it is none. theta = -2 < 0 on the top, and 2 > 0 on the bottom.
     (CUBE, moves(3, (-1, 1, shift("t", "0", "t^2"))), "no", THETA, set()),
     # A block that turns by omega and grows by k, k/omega from 1/4 to 1/2: the slice y = 2 k/omega of x = 2 is the only one: of x = 4

@@ -31,7 +31,7 @@ WORLD_AXIS = translate([[0], [0, 1], [0]]), rotation([0, 1], axis=[1, 0, 0], len
 
 # ------------------------------------------------------------------------------------ a second method
 
-def affine(values, corners, p):
+def affine(values, corners):
     """f(0, 0), and how f rises along the two directions, of a function by its values at three corners."""
     return values[corners[0]], values[corners[1]] - values[corners[0]], values[corners[2]] - values[corners[0]]
 
@@ -66,7 +66,7 @@ def exists(solid, motion, side, facet, t):
     rows = []  # independent ones, (constant, along e, along f)
     corners = three_corners(points)
     for k in range(3):
-        row = affine([f[k] for f in found], corners, points)
+        row = affine([f[k] for f in found], corners)
         for lead, other in rows:
             factor = row[lead] / other[lead]
             row = tuple(a - factor * b for a, b in zip(row, other))
@@ -137,8 +137,7 @@ def check_scene(checks, tally, graze, rng, solid, motion, name):
     base = events(checks, graze, solid, motion, name)
     if base is None:
         return
-    still = oracle.sides_of(solid)
-    for facet, side in enumerate(still):
+    for facet, side in enumerate(oracle.sides_of(solid)):
         vertex = [solid.vertices[k] for k in solid.facets[facet]]
         moving = any(oracle.pullback(motion.pieces[0], side, motion.map(p, t), t, 1)[1]
                      for p in vertex for t in (F(1, 7), F(2, 5), F(3, 7), F(11, 13)))

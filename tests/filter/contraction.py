@@ -22,7 +22,7 @@ from adversaries import scenes  # noqa: E402
 from program import ROOT, Checks, Graze, options, run  # noqa: E402
 from sides import Sides, Way  # noqa: E402
 
-STAGES = ("filter",)
+STAGES = ("decide/filter",)
 POINTS = 60
 FLAGS = ["-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O2", "-fPIC", "-pthread",
          "-fvisibility=hidden", "-march=native", "-ffp-contract=fast", "-Iinclude", "-Isrc"]
@@ -55,7 +55,7 @@ def objects(build):
     found = [os.path.relpath(path, build)
              for path in glob.glob(os.path.join(build, "src", "**", "*.o"), recursive=True)]
     return [os.path.join(build, path) for path in found
-            if path not in replaced and has_source(path) and not path.startswith((os.path.join("src", "mpi"), os.path.join("src", "png")))]
+            if path not in replaced and has_source(path) and not path.startswith((os.path.join("src", "program", "mpi"), os.path.join("src", "output", "png")))]
 
 
 def built(compiler, build, folder):

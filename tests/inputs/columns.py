@@ -9,13 +9,13 @@ has the name of an answer comes out under another one. SPDX-License-Identifier: 
 import csv
 import os
 import pathlib
-import shutil
 import sys
 import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from harness import Checks, options, run  # noqa: E402
+from machine import MPI_ENVIRONMENT, ranks  # noqa: E402
 
 COMMON = pathlib.Path(__file__).resolve().parents[1] / "refuse" / "common"
 SPACE = COMMON / "cube.off", COMMON / "move3.json"
@@ -70,10 +70,9 @@ def forms(graze, folder, golden):
         made = [run([graze, "classify", *map(str, SPACE), str(path), "--format", form], 120, text=False).stdout
                 for path in (folder / "points.csv", golden)]
         check(made[0] == made[1] and made[0], form)
-    mpi = os.path.join(os.path.dirname(graze), "graze-mpi")
-    if os.path.exists(mpi) and shutil.which("mpirun"):
-        root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        done = run(["mpirun", "--oversubscribe", "-n", "3", mpi, *map(str, SPACE), str(golden)], 300, env={**os.environ, **root})
+    started = ranks(checks, graze, 3)
+    if started:
+        done = run([*started, *SPACE, golden], 300, env=MPI_ENVIRONMENT)
         check(done.stdout == whole, "by ranks", done.stderr)
 
 

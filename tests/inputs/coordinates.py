@@ -9,7 +9,6 @@ import csv
 import decimal
 import os
 import pathlib
-import shutil
 import sys
 import tempfile
 from fractions import Fraction
@@ -17,6 +16,7 @@ from fractions import Fraction
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from harness import Checks, options, run  # noqa: E402
+from machine import MPI_ENVIRONMENT, ranks  # noqa: E402
 
 COMMON = pathlib.Path(__file__).resolve().parents[1] / "refuse" / "common"
 CASES = COMMON.parents[2] / "cases" / "bracket"
@@ -128,11 +128,9 @@ def parts(graze, folder, form):
     check("expected this run's point, " in said, said)
     again = call(graze, "classify", *SPACE, whole)[0]
     check(len(again.splitlines()) == len(lines) - 1 and "column" not in again, "as points", form)
-    mpi = os.path.join(os.path.dirname(graze), "graze-mpi")
-    if os.path.exists(mpi) and shutil.which("mpirun"):
-        root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        done = run(["mpirun", "--oversubscribe", "-n", "3", mpi, *map(str, SPACE), str(path), *form], 300,
-                   env={**os.environ, **root})
+    started = ranks(checks, graze, 3)
+    if started:
+        done = run([*started, *SPACE, path, *form], 300, env=MPI_ENVIRONMENT)
         check(done.stdout == whole.read_text(), "by ranks", form, done.stderr)
     done = run([graze, "compare", str(whole), str(whole)], 60)
     check(done.returncode == 0, form, "compare", done.stderr, done.stdout[-300:])

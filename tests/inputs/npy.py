@@ -138,7 +138,7 @@ def refused(graze, folder):
     done = classify(graze, PLANE, path, "--coordinates", "as-given")
     check(done.returncode == 2 and "a .npy file has no numbers as text" in done.stderr, done.stderr)
     done = classify(graze, PLANE, path, "--output", str(path))
-    check(done.returncode == 2 and "is the file the points are read from" in done.stderr, done.stderr)
+    check(done.returncode == 2 and "which is read; expected another file" in done.stderr, done.stderr)
 
 
 def main():

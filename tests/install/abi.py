@@ -3,9 +3,10 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
-Recorded are every exported function with its prototype, every value of an enum, and size and offsets of every struct
-on machines with 64-bit pointers. A change on purpose is recorded by `python3 tests/install/abi.py --record`; its
-commit says what users of the library must do. The order of arguments is checked here too (graze.h, rule 2).
+Recorded are every exported function with its prototype, every value of an enum and every flag, and size and offsets of
+every struct on machines with 64-bit pointers; what the module for Python mirrors is compared with it (mirrors.py). A
+change on purpose is recorded by `python3 tests/install/abi.py --record`; its commit says what users of the library must
+do. The order of arguments is checked here too (graze.h, rule 2).
 """
 import glob
 import os
@@ -13,6 +14,7 @@ import re
 import struct
 import tempfile
 
+from mirrors import check_mirrors
 from programs import ROOT, check, checks, options, output, read, same
 
 RECORD = os.path.join("tests", "install", "abi.txt")
@@ -22,9 +24,12 @@ OUTPUT = re.compile(r"(?:graze_\w+ \*+|double \*|int \*|unsigned char \*|char \*
 OPTIONS = ("options", "flags", "form", "format")
 
 
-def declarations():
+def headers():
+    return "".join(read(*path.split(os.sep)) for path in sorted(glob.glob("include/graze/*.h", root_dir=ROOT)))
+
+
+def declarations(text):
     """The public headers without comments, each declaration on one line."""
-    text = "".join(read(*path.split(os.sep)) for path in sorted(glob.glob("include/graze/*.h", root_dir=ROOT)))
     return re.sub(r"\s+", " ", re.sub(r"/\*.*?\*/", " ", re.sub(r"^#.*?[^\\]$", "", text, flags=re.M | re.S), flags=re.S))
 
 
@@ -46,13 +51,19 @@ def structs(text):
 
 
 def values(text):
-    return re.findall(r"\b(GRAZE_[A-Z0-9_]+) =", text)
+    """Names of the values of enums, and of flags and other numbers that are defined."""
+    return (re.findall(r"\b(GRAZE_[A-Z0-9_]+) =", declarations(text)) +
+            re.findall(r"^#define (GRAZE_(?!VERSION)[A-Z0-9_]+) \(?-?\d", text, re.M))
+
+
+# Of gmp.h, which values of the functions are made of.
+GMP = {"__mpz_struct": ["_mp_alloc", "_mp_size", "_mp_d"], "__mpq_struct": ["_mp_num", "_mp_den"]}
 
 
 def layout(text, folder):
     """Lines with every value of an enum and every size and offset, from a compiled program."""
     lines = [f'printf("value %s %d\\n", "{name}", (int){name});' for name in values(text)]
-    for name, members in structs(text).items():
+    for name, members in {**structs(declarations(text)), **GMP}.items():
         lines.append(f'printf("struct {name} %zu\\n", sizeof({name}));')
         lines += [f'printf("member {name}.{member} %zu %zu\\n", offsetof({name}, {member}), sizeof((({name} *)0)->{member}));'
                   for member in members]
@@ -89,7 +100,7 @@ def check_order(name, prototype):
 
 def main():
     args = options(__doc__, ("--record", {"action": "store_true", "help": f"write {RECORD}"}))
-    text = declarations()
+    text = declarations(headers())
     functions = prototypes(text)
     check(len(functions) > 80 and len(structs(text)) > 12, "functions and structs are found")
     for name, prototype in functions.items():
@@ -100,7 +111,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         lines = [f"function {functions[name]}" for name in sorted(functions)]
         if struct.calcsize("P") == 8:
-            lines += layout(text, folder)
+            lines += layout(headers(), folder)
     if args.record:
         with open(os.path.join(ROOT, RECORD), "w", encoding="utf-8") as file:
             file.write("\n".join(lines) + "\n")
@@ -112,6 +123,8 @@ def main():
     for line in sorted(set(lines) - set(recorded)):
         check(False, f"not as recorded: {line}; on purpose: {COMMAND}")
     check(len(recorded) > 100, f"{len(recorded)} lines of {RECORD}")
+    if struct.calcsize("P") == 8:
+        check_mirrors(text, functions, "\n".join(recorded))
     checks.finish()
 
 

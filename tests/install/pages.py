@@ -20,8 +20,8 @@ def commands_of(graze):
 
 def accepted(graze, command, folder):
     """{option: words it takes, or None} by the complaints about each option of the program."""
-    tables = {path: set(re.findall(r'\b(OPTION|FLAG|REPEATED)\("([a-z-]{2,})"', read(path))) for path in glob.glob("src/cli/*.c")}
-    own = {name for kind, name in tables[f"src/cli/{command}.c"]}
+    tables = {path: set(re.findall(r'\b(OPTION|FLAG|REPEATED)\("([a-z-]{2,})"', read(path))) for path in glob.glob("src/program/cli/*.c")}
+    own = {name for kind, name in tables[f"src/program/cli/{command}.c"]}
     names = set().union({("FLAG", "help")}, *tables.values())
     check(len(names) > 20 and own, f"long options of the program: {names}")
     found = {}
@@ -93,13 +93,15 @@ def check_pages(graze, folder, commands):
             line = re.sub("^(Example|Exit status):", "", line)
             lost = [word for word in line.split() if word not in words]
             check(not lost, f"man page of {command} lacks {lost}")
+    for page in ("man1/graze.1", "man3/graze.3"):
+        check("glossary.md" in rendered(os.path.join(folder, page)), f"{page} names the glossary")
     check_format(rendered(os.path.join(folder, "man5", "graze-motion.5")))
     check_header(rendered(os.path.join(folder, "man3", "graze.3")))
 
 
 def check_format(page):
     """graze-motion(5) has every example of a motion file, and the names of its keys."""
-    examples = re.findall(r"```json\n(.*?)```", read("src", "cli", "formats.md"), re.S)
+    examples = re.findall(r"```json\n(.*?)```", read("src", "program", "cli", "formats.md"), re.S)
     check(len(examples) >= 10, "examples of formats.md")
     lines = {line.strip() for line in page.splitlines()}
     for line in "".join(examples).splitlines():

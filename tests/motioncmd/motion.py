@@ -9,6 +9,7 @@ tolerance. SPDX-License-Identifier: GPL-3.0-or-later
 """
 import json
 import os
+import resource
 import sys
 import tempfile
 from fractions import Fraction as F
@@ -22,6 +23,7 @@ from truth import dec, joint_map, norm  # noqa: E402
 
 CUBE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "refuse", "common", "cube.off")
 SQUARE = os.path.join(os.path.dirname(CUBE), "square.wkt")
+CUBE = os.path.join(harness.ROOT, "tests", "refuse", "common", "cube.off")
 checks = Checks()
 check = checks.holds
 
@@ -277,6 +279,28 @@ def matrices_as_they_are(graze, folder, names, rows, frames):
           "affine between")
 
 
+def test_limits(graze, folder):
+    """A chain too long to be read is refused within two seconds of the processor; none is that its reader takes."""
+    def bound():
+        resource.setrlimit(resource.RLIMIT_CPU, (2, 2))
+
+    done = harness.run([graze, "motion", "joints", *["turn:36000:1,2,3"] * 6, "--tolerance", "1e-3"], preexec_fn=bound)
+    check(done.returncode == 6 and "work=" in done.stderr, "work", done.returncode, done.stderr[-300:])
+    path = os.path.join(folder, "chain.json")
+    for words in (["turn:720:1,2,3", "turn:-90:0,0,1:1/3,0,2", "slide:1,0,1/7"], ["screw:360:1:1,1,1"], ["turn:360:0,0,1"],
+                  ["turn:180:0,0,1", "turn:-180:0,0,1"], ["turn:90:1,1,0:1/3,5,7"]):
+        made = ["motion", "joints", *words, "--tolerance", "1e-3", "--output", path]
+        harness.run([graze, *made])
+        low, high = 1, 10**8  # between them is the least limit with which the file is read
+        while low < high:
+            middle = (low + high) // 2
+            taken = harness.run([graze, "check", CUBE, path, "--limit", f"work={middle}"]).returncode != 6
+            low, high = (low, middle) if taken else (middle + 1, high)
+        for work, status in ((low, 0), (low - 1, 6)):
+            done = harness.run([graze, *made, "--limit", f"work={work}"])
+            check(done.returncode == status, words, f"work={work}", done.returncode, done.stderr[-300:])
+
+
 def main():
     args = options(__doc__, seed=1)
     graze, rng = args.graze, args.random
@@ -286,6 +310,7 @@ def main():
         test_rotations(graze, folder, rng)
         test_chains(graze, folder, rng, args.scale)
         test_screw(graze, folder, rng)
+        test_limits(graze, folder)
         test_quaternions(graze, folder)
         test_matrices(graze, folder, rng, args.scale)
     checks.finish()

@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import harness  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
-SCHEMA = os.path.join(ROOT, "src", "cli", "motion.schema.json")
+SCHEMA = os.path.join(ROOT, "src", "program", "cli", "motion.schema.json")
 # What needs the values of expressions, or the text of the file.
 UNSEEN = re.compile(r"(expression|order|jump|singular|pole|axis|quaternion|keyframes|relative|sequence)-|json-nan$|key-twice"
                     r"|type-matrix-last-|type-times-is-not-whole$")
@@ -62,7 +62,7 @@ def good_motions():
                 motion = json.load(file)
             if isinstance(motion, dict) and "dimension" in motion:
                 found[os.path.relpath(path, ROOT)] = motion
-    with open(os.path.join(ROOT, "src", "cli", "formats.md"), encoding="utf-8") as file:
+    with open(os.path.join(ROOT, "src", "program", "cli", "formats.md"), encoding="utf-8") as file:
         for k, block in enumerate(re.findall(r"```json\n(.*?)```", file.read(), re.S)):
             found[f"formats.md, example {k}"] = json.loads(block)
     return found

@@ -172,7 +172,7 @@ def test_page(graze, folder):
     check(not re.search(r'<(?:script|link|img|iframe)[^>]*\b(?:src|href)=|@import|url\(|\bfetch\(|WebSocket', text.split("var THREE")[0] +
                         text.rsplit("<script>", 1)[1]), "the page asks for a file")
     check("default-src 'none'" in text, "content security policy")
-    with open(os.path.join(ROOT, "src", "page", "three", "LICENSE"), encoding="utf-8") as file:
+    with open(os.path.join(ROOT, "src", "output", "page", "three", "LICENSE"), encoding="utf-8") as file:
         check(file.read() in text, "the licence of three.js")
     check("@LICENCE@" not in text and "@THREE@" not in text and "@SCENE@" not in text and "@PROGRAM@" not in text, "marks")
     test_solid(data, page)

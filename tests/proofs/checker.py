@@ -5,12 +5,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Every golden case's certificate must be verified, and one of ten generated points of each. Then rows of each, one at a time and changed as
 tests/check/mutants.py changes them, are given to both programs, which must agree row by row; a change that
-is not among those that may leave a row true must be refused. A solid is said to be legal, not assumed to be,
+is not among those that may leave a row true must be refused. Motions that ask for endless work
+(tests/check/bombs.py) have status 2. A solid is said to be legal, not assumed to be,
 if all its vertices are behind the planes of all its simplices, and only then.
 """
 import argparse
 import json
 import os
+import resource
 import sys
 import tempfile
 
@@ -18,9 +20,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "check"))
 sys.path.insert(0, os.path.join(HERE, "..", "motioncmd"))
 import lib_certificate as lib  # noqa: E402  it finds the others
+import bombs  # noqa: E402
 import casefile  # noqa: E402
 import evaluate  # noqa: E402
 import harness  # noqa: E402
+import meshes  # noqa: E402
 import mutants  # noqa: E402
 
 
@@ -130,6 +134,21 @@ def check_case(checks, checkers, case, every):
     return tried, convex
 
 
+def check_bombs(checks, checkers, folder):
+    """The reader ends where a small motion asks for endless work: status 2, one line, within a second of CPU."""
+    solid = lib.write(os.path.join(folder, "square.wkt"), meshes.SQUARE)
+    plain = lib.write(os.path.join(folder, "plain.json"), meshes.MOVE[2])
+    certificate = lib.Certificate(checkers.programs.certify(solid, plain, lib.write(os.path.join(folder, "points.csv"), "9,9\n")))
+    for what, text in bombs.MOTIONS.items():
+        motion = lib.write(os.path.join(folder, "bomb.json"), text)
+        certificate.set("motion-sha256", lib.sha256(motion))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        (first, _), (second, said) = checkers.both(solid, motion, certificate.text())
+        took = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        checks.equal((first, second, said.count("\n")), (lib.NOT_CHECKED, lib.NOT_CHECKED, 1), what, said)
+        checks.holds(took < 2, what, "seconds of CPU of both", took)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", default="build")
@@ -139,6 +158,7 @@ def main():
     checks, tried, cases, legal = harness.Checks(), 0, 0, 0
     with tempfile.TemporaryDirectory() as folder:
         checkers = Checkers(args.build, folder)
+        check_bombs(checks, checkers, folder)
         for name in casefile.names():
             if args.only in name:
                 case = casefile.Case(name)

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # suite
 """The numbers of claims: each stands once and in order, is cited somewhere, and none is cited that is not there;
-each claim says whether it is machine-checked, by theorems that exist and are among the printed statements.
+each claim says whether it is machine-checked, by theorems that exist and are among the printed statements. The
+index has each claim once, under its heading, with sources that cite it and exactly the suites whose rows in
+tests/README.md do; README.md and the index count them as they are.
 
 Needs no Coq; make proofs checks the theorems themselves.
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -92,6 +94,49 @@ def check_machine(checks, number, text, proved, printed):
             checks.holds(word in printed, f"{number}: statements.v does not print {word}")
 
 
+def cited_in(text):
+    """The numbers of a text, those of `C24 to C27` too."""
+    text = re.sub(r"[\s*]+", " ", text)
+    ranges = (range(int(a), int(b) + 1) for a, b in re.findall(r"\bC(\d+) to C(\d+)\b", text))
+    return numbers(text).union(*ranges)
+
+
+def is_code(path):
+    return path.endswith((".c", ".h", ".cpp", ".hpp")) and not path.startswith("src/check/")
+
+
+def check_row(checks, number, line, claim, suites, holders):
+    """A row of the index: the claim's heading and page, sources, suites, whether Coq proves it."""
+    link, code, tests, coq = [cell.strip() for cell in line.strip("| \n").split(" | ")]
+    page, anchor = re.fullmatch(r"\[C\d+ .*\]\(([a-z]+\.md)#([\w-]+)\)", link).groups()
+    heading = re.match(r"## (.*)", claim).group(1)
+    checks.equal(anchor, re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-"), f"C{number}: anchor")
+    checks.holds(claim in read("proofs/" + page), f"C{number} is not proved in {page}")
+    checks.holds(heading.startswith(link[1:link.index("]")]), f"C{number}: {link} is not its heading")
+    named = re.findall(r"`([^`]+)`", code)
+    for path in named:
+        checks.holds(path in holders and number in holders[path], f"C{number}: {path} does not cite it")
+    checks.equal(bool(named), any(number in found for found in holders.values()), f"C{number}: sources cite it")
+    checks.equal(set(re.findall(r"`([^`]+)`", tests)), {s for s in suites if number in suites[s]}, f"C{number}: suites")
+    proved = CHECKED.findall(claim)[0]
+    checks.equal(coq, "no" if proved == "no." else "in part" if proved.startswith("in part") else "whole", f"C{number}")
+    return coq
+
+
+def check_index(checks, claims):
+    suites = {name: cited_in(text) for name, text in
+              re.findall(r"^\| `([\w/.]+)` \|(.*)", read("tests/README.md"), re.M)}
+    found = (os.path.relpath(path, ROOT) for path in glob.glob(os.path.join(ROOT, "src", "**", "*"), recursive=True))
+    holders = {path: cited_in(read(path)) for path in found if is_code(path)}
+    rows = re.findall(r"^(\| \[C(\d+) .*)", read("proofs/index.md"), re.M)
+    checks.equal(sorted(int(number) for _, number in rows), sorted(claims), "claims of proofs/index.md, each once")
+    kinds = [check_row(checks, int(n), line, claims[int(n)], suites, holders) for line, n in rows if int(n) in claims]
+    counts = str(len(claims)), str(kinds.count("whole")), str(kinds.count("in part"))
+    for page, form in (("proofs/index.md", r"The (\d+) claims by subject.*: (\d+) whole and (\d+) in part"),
+                       ("README.md", r"(\d+) claims by subject, (\d+) \[machine-checked\]\S* whole, (\d+) in part")):
+        checks.equal(re.findall(form, read(page)), [counts], f"{page} counts the claims")
+
+
 def main():
     harness.options(__doc__)
     checks = Checks()
@@ -104,6 +149,7 @@ def main():
             checks.holds(number in claims, f"{path}: cites C{number}, which is not there")
     for number in claims:
         checks.holds(number in everywhere, f"C{number} is cited nowhere")
+    check_index(checks, claims)
     proved, printed = theorems()
     for number, text in claims.items():
         check_machine(checks, f"C{number}", text, proved, printed)

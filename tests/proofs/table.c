@@ -11,9 +11,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "scene/scene.h"
-#include "trace/word.h"
-#include "verdict/verdict.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/word.h"
+#include "decide/verdict/verdict.h"
 
 enum { LONGEST = 64 };
 

@@ -96,7 +96,8 @@ class Threads(unittest.TestCase):
         self.assertGreater(turned, 10, f"turns in {seconds} s")
 
     def test_failure_half_way(self):
-        """A number too long for the limit among the points: the error, and the verdicts before it."""
+        """A number too long for the limit among the points: the error, and verdicts before it: in one thread all of
+        them, in several those that were given when the failure ended the other calls."""
         scene = common.root_scene(limits={"digits": 20})
         points = [(1, 2)] * (3 * _parallel.PIECE) + [(10 ** 30, 1)]
         for jobs in (1, 3):
@@ -104,14 +105,38 @@ class Threads(unittest.TestCase):
                 scene.classify(points, jobs=jobs)
             partial = common.tuples(raised.exception.partial)
             self.assertEqual((len(partial), partial[-1][0]), (len(points), 0))
+            given = [verdict for verdict in partial if verdict[0]]
+            self.assertEqual(set(given) - {(3, 5, 9, 1, 0, 0)}, set())
+            if jobs == 1:
+                self.assertEqual(len(given), 3 * _parallel.PIECE)
             self.assertIn(f"from point {3 * _parallel.PIECE}: ", str(raised.exception))
             with self.assertRaises(graze.LimitError) as raised:
                 scene.rows([(1, 2)] * 3 + points, jobs=jobs)
             self.assertIn(f"point {3 * _parallel.PIECE + 3}: ", str(raised.exception))
-        self.assertEqual(partial[0], (3, 5, 9, 1, 0, 0))
         self.assertEqual(common.tuples(scene.classify([(1, 2)])), [(3, 5, 9, 1, 0, 0)])
 
+    def test_failure_ends_a_call_that_runs(self):
+        """A piece whose call is held until the failure of another ends it has no verdicts."""
+        scene = common.root_scene(limits={"digits": 20})
+        points = [(1, 2)] * (3 * _parallel.PIECE) + [(10 ** 30, 1)]
+        library, calls = _library.library(), []
+        classify = library.graze_classify
 
+        def call(*arguments):
+            calls.append(arguments)
+            late = time.monotonic() + 30
+            while arguments is calls[0] and not scene._contexts.mine()._countdown._stopped and time.monotonic() < late:
+                time.sleep(0.001)
+            return classify(*arguments)
+
+        library.graze_classify = call
+        try:
+            with self.assertRaises(graze.LimitError) as raised:
+                scene.classify(points, jobs=2)
+        finally:
+            library.graze_classify = classify
+        self.assertIn(f"from point {3 * _parallel.PIECE}: ", str(raised.exception))
+        self.assertEqual(sum(verdict[0] != 0 for verdict in common.tuples(raised.exception.partial)), 2 * _parallel.PIECE)
     @unittest.skipIf(threading.current_thread() is not threading.main_thread(), "not the main thread")
     def test_interrupt(self):
         """Ctrl-C ends a long call after the piece at hand, and the scene is as before."""

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # suite
-"""src/cli/formats.md against the program: its motions are legal, and it names every key, every limit with its
-default, every status and every column.
+"""src/program/cli/formats.md against the program: its motions are legal, and it names every key, every limit with its
+default, every status and every column. The form of proofs/glossary.md and CHANGELOG.md.
 
 The names come from the program's own refusals and help, so that a key or limit that is added and not
-described fails here. SPDX-License-Identifier: GPL-3.0-or-later
+described fails here. Of the glossary each term is one that the tree uses, each reference has the claims it names,
+and the names of answers in the public headers have their lines. SPDX-License-Identifier: GPL-3.0-or-later
 """
+import glob
 import json
 import os
 import re
@@ -18,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import harness  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
-PAGE = os.path.join(ROOT, "src", "cli", "formats.md")
+PAGE = os.path.join(ROOT, "src", "program", "cli", "formats.md")
 CORNERS = ("0 0 0", "2 0 0", "2 2 0", "0 2 0", "0 0 2", "2 0 2", "2 2 2", "0 2 2")
 FACETS = ("0 3 2 1", "4 5 6 7", "0 1 5 4", "1 2 6 5", "2 3 7 6", "3 0 4 7")
 CUBE = "\n".join(("OFF", "8 6 0", *CORNERS, *("4 " + facet for facet in FACETS))) + "\n"
@@ -140,6 +142,73 @@ def tables(page, program):
     check(statuses == set("0123456"), f"exit status {sorted(statuses)}")
 
 
+def read(*parts):
+    with open(os.path.join(ROOT, *parts), encoding="utf-8") as file:
+        return file.read()
+
+
+# What names of answers are names of, by the function that gives them.
+OF = {"pmc": "pmc", "class": "class", "topo": "position", "topo_level": "level", "role": "role", "trim": "status",
+      "orientation": "orientation", "event_kind": "event", "decomposable": "decomposable",
+      "curve_kind": "part of a curve", "chain_form": "chain"}
+NAMING = r'/\*\* ([^/]*?), else "none"\. Static\. \*/\nGRAZE_API const char \*graze_(\w+)_name'
+
+
+def names_of_answers():
+    """(name, what it is of) of each answer, from the comments of the functions that name them."""
+    headers = "".join(read(path) for path in sorted(glob.glob(os.path.join(ROOT, "include", "graze", "*.h"))))
+    found = {(name, OF.get(what, what))
+             for comment, what in re.findall(NAMING, headers)
+             for name in re.findall(r'"(\w+)"', comment)}
+    kinds = re.findall(r"\bGRAZE_(INTERSECTION|TANGENCY)\b = ", headers)
+    return found | {(kind.lower(), "kind of a contact") for kind in kinds}
+
+
+def references(where, text):
+    """Each link leads to a file, which has the claims that are named behind it."""
+    for target, claims in re.findall(r"\]\(([^)]*)\)((?:,? C\d+)*)", text):
+        path = os.path.join(ROOT, "proofs", target)
+        if check(os.path.exists(path), f"{where}: a link leads to {target}"):
+            for claim in re.findall(r"C\d+", claims):
+                check(f"\n## {claim} " in read(path), f"{where}: {target} does not prove {claim}")
+
+
+def glossary():
+    page = read("proofs", "glossary.md")
+    places = [path for pattern in ("include/**/*.h", "proofs/*.md", "src/**/*.[ch]", "src/**/*.md", "*.md")
+              for path in glob.glob(os.path.join(ROOT, pattern), recursive=True) if not path.endswith("glossary.md")]
+    tree = re.sub(r"[\s*]+", " ", "\n".join(map(read, places))).lower()
+    lines = [line for line in page.splitlines() if line.startswith("- ")]
+    terms = []
+    for line in lines:
+        entry = re.fullmatch(r"- \*\*([^*]+)\*\*: (.*[^.]) \((.*(?:\]\(|\[EI\]|\[IS\]|\[AMS\]).*)\)", line)
+        if check(entry, f"expected `- **term**: one sentence (reference)`: {line}"):
+            terms.append(entry[1])
+            check(". " not in entry[2] and len(entry[2]) <= 200, f"{entry[1]}: more than a sentence")
+            check(re.search(rf"\b{re.escape(entry[1].lower())}", tree), f"{entry[1]} is used nowhere")
+    references("proofs/glossary.md", page)
+    check(50 <= len(terms) == len(set(terms)), f"{len(terms)} terms")
+    for part in page.split("\n## "):
+        listed = re.findall(r"^- \*\*([^*]+)", part, re.M)
+        check(listed == sorted(listed, key=str.lower), f"terms are not in order: {listed}")
+    rows = re.findall(r"^\| (`[^|]*) \| ([^|]*) \| ([^|]* \(.*\[.*\)) \|$", page, re.M)
+    listed = [(name, what) for words, what, _ in rows for name in re.findall(r"`(\w+)`", words)]
+    check(len(listed) == len(set(listed)), "a name of an answer stands twice")
+    wanted = names_of_answers()
+    check(len(wanted) > 40, f"{len(wanted)} names of answers are found")
+    check(set(listed) == wanted, f"names of answers: lacking {sorted(wanted - set(listed))}, unknown {sorted(set(listed) - wanted)}")
+
+
+def changelog():
+    """One section, of three parts of short lines."""
+    page = read("CHANGELOG.md")
+    check(re.findall(r"^#+ (.*)", page, re.M) == ["Changes", "Unreleased", "Added", "Changed", "Fixed"], "CHANGELOG.md: its headings")
+    for number, line in enumerate(page.splitlines(), 1):
+        check(len(line) <= 160, f"CHANGELOG.md:{number}: {len(line)} characters, expected at most 160")
+        check(not line or line[0] in "#-" or number < page[:page.index("## ")].count("\n") + 1,
+              f"CHANGELOG.md:{number}: expected one line for each change")
+
+
 def main():
     graze = options(__doc__).graze
     with open(PAGE, encoding="utf-8") as file:
@@ -152,6 +221,8 @@ def main():
         examples(program, known)
         limits(page, program)
         tables(page, program)
+    glossary()
+    changelog()
     checks.finish()
 
 

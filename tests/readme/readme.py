@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""Does what the documents show, README.md and then src/cli/README.md, and compares: the commands, their
+"""Does what the documents show, README.md and then src/program/cli/README.md, and compares: the commands, their
 output, the C and the Python example, the names.
 
 Works in a temporary folder into which the repository's paths are linked; build/ there is a folder of
@@ -29,7 +29,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import harness  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
-DOCUMENTS = ("README.md", "src/cli/README.md")
+DOCUMENTS = ("README.md", "src/program/cli/README.md")
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$(?:\n\n```text\n(.*?)^```$)?", re.M | re.S)
 # Words of the README outside its blocks.
 MOST_WORDS = 1650

@@ -8,7 +8,6 @@ shows are those of the rows sent so far. SPDX-License-Identifier: GPL-3.0-or-lat
 """
 import os
 import pathlib
-import pty
 import re
 import select
 import subprocess
@@ -18,23 +17,11 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from harness import Checks, options  # noqa: E402
+from machine import read_terminal, terminal  # noqa: E402
 
 COMMON = pathlib.Path(__file__).resolve().parent / "common"
 ROWS, PAUSE, SECONDS = 3, 1.3, 60
 LINE = re.compile(rb"\r(\d+) rows, (\d+) rows/s   ")
-
-
-def read_all(handle):
-    """What is written to a terminal until its last writer is gone."""
-    parts = []
-    while True:
-        try:
-            part = os.read(handle, 4096)
-        except OSError:  # the other end is closed
-            part = b""
-        if not part:
-            return b"".join(parts)
-        parts.append(part)
 
 
 def start(graze, stderr):
@@ -68,31 +55,30 @@ def answer_of_half(graze):
     return early, late
 
 
-def on_terminal(graze):
-    """The same with a pseudo-terminal as standard error."""
-    master, slave = pty.openpty()
+def shown_on_terminal(graze, pair, plain_table):
+    """(what must hold, whether it does, what was seen) with a pseudo-terminal as standard error."""
     try:
-        status, out, _ = classify(graze, slave)
+        status, table, _ = classify(graze, pair[1])
     finally:
-        os.close(slave)
-    shown = read_all(master)
-    os.close(master)
-    return status, out, shown
-
-
-def promises(graze):
-    """(what must hold, whether it does, what was seen)."""
-    status, table, shown = on_terminal(graze)
+        os.close(pair[1])
+    shown = read_terminal(pair[0])
     counts = [int(m[1]) for m in LINE.finditer(shown)]
     yield "a run on a terminal ends well", status == 0, status
     yield "nothing but progress is shown", LINE.sub(b"", shown) == b"\r\n", shown
     yield "progress appears before the end", len(counts) >= 3, shown
     yield "counts grow to the number of rows", counts == sorted(counts) and counts[-1:] == [ROWS], counts
     yield "a count is what had been sent", set(counts) <= set(range(ROWS + 1)), counts
+    yield "the table is the same", plain_table == table and b"# complete" in table, plain_table
+
+
+def promises(graze, checks):
+    """The same of all runs."""
     plain_status, plain_table, plain_shown = classify(graze, subprocess.PIPE)
+    pair = terminal(checks)
+    if pair:
+        yield from shown_on_terminal(graze, pair, plain_table)
     yield "a run without a terminal ends well", plain_status == 0, plain_status
     yield "without a terminal nothing is shown", plain_shown == b"", plain_shown
-    yield "the table is the same", plain_table == table and b"# complete" in table, plain_table
     early, late = answer_of_half(graze)
     yield "a row is answered before more is read", b"\n70,80,90,out," in early, early
     yield "half a row waits for its rest", b"71," not in early and late.startswith(b"71,81,91,out,"), late
@@ -100,7 +86,7 @@ def promises(graze):
 
 def main():
     args, checks = options(__doc__), Checks()
-    for what, holds, seen in promises(args.graze):
+    for what, holds, seen in promises(args.graze, checks):
         checks.holds(holds, what, repr(seen))
     checks.finish()
 

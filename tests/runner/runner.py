@@ -4,15 +4,19 @@ repository every module of the tests is used.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import contextlib
 import glob
+import io
 import os
 import re
 import shutil
 import sys
 import tempfile
+from unittest import mock
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+import machine  # noqa: E402
 from harness import ROOT, Checks, options, run  # noqa: E402
 
 MAIN = 'if __name__ == "__main__":\n    '
@@ -80,6 +84,30 @@ def check_modules(checks):
         checks.holds(used, f"{path}: is imported nowhere and runs nothing")
 
 
+def check_machine(checks):
+    """What a machine lacks is a skip of a name that the CI's list allows, and asked for in one module."""
+    with open(os.path.join(ROOT, ".ci", "run"), encoding="utf-8") as file:
+        allowed = re.search(r"allowed_skips='(.*)'", file.read())[1]
+    said, seen = io.StringIO(), Checks()
+    with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(said):
+        script = "#!/bin/sh\necho 'opal_ifinit: unable to find network interfaces.' >&2\nexit 1\n"
+        for name, text in (("mpirun", script), ("graze-mpi", "")):
+            with open(os.path.join(folder, name), "w", encoding="utf-8", opener=lambda p, f: os.open(p, f, 0o755)) as file:
+                file.write(text)
+        with mock.patch.object(machine.pty, "openpty", side_effect=OSError("out of pty devices")), \
+                mock.patch.dict(machine.MPI_ENVIRONMENT, PATH=folder), mock.patch.dict(os.environ, PATH=folder):
+            got = [machine.on_terminal(seen, ["true"], 1), machine.ranks(seen, os.path.join(folder, "graze"), 2)]
+    checks.equal((got, seen.skipped, seen.failed), ([None, None], 2, 0), "a machine without terminal and network")
+    for line in said.getvalue().splitlines():
+        checks.holds(re.search(allowed, line), line, "is a skip that", allowed, "does not allow")
+    checks.holds(not re.search(allowed, "SKIP mpi: Open MPI is not installed"), "the CI's machine has Open MPI")
+    for path in glob.glob("tests/**/*.py", recursive=True, root_dir=ROOT):
+        if path.startswith(("tests/lib/", "tests/bench/", "tests/runner/")):
+            continue
+        with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+            checks.holds(not re.search('openpty|"mpirun"', file.read()), f"{path}: expected tests/lib/machine.py")
+
+
 def main():
     options(__doc__)
     checks = Checks()
@@ -87,6 +115,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             check_case(checks, folder, *case)
     check_modules(checks)
+    check_machine(checks)
     checks.finish()
 
 

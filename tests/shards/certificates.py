@@ -204,8 +204,9 @@ def check_refused(bench):
     refused(3, b"does not end with `complete`: the run was interrupted; graze certify --resume continues it", "merge",
             bench.file("cut.txt", part[:part.rindex(b"complete")]))
     refused(3, b"its head has no line `dimension` or `signs`", "merge", bench.file("cut.txt", part.replace(b"dimension 3\n", b"")))
-    refused(2, b"is the file of the table", "classify", *words, "-o", bench.folder / "one", "--certify", bench.folder / "one")
-    refused(2, b"is the file the points are read from", "classify", *words, "--certify", words[2])
+    refused(2, b"which is written; expected another file", "classify", *words, "-o", bench.folder / "one",
+            "--certify", bench.folder / "one")
+    refused(2, b"which is read; expected another file", "classify", *words, "--certify", words[2])
     refused(2, b"expected no rounding", "classify", *words, "--round", "binary64", "--certify", bench.folder / "one")
     refused(2, b"was not triangulated", "classify", *words, "--triangulate", "--certify", bench.folder / "one")
     refused(2, b"expected no --output beside it", "certify", *words, "--resume", path, "-o", bench.folder / "one")

@@ -7,7 +7,6 @@ Every expected table is the one a single run writes.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
-import pty
 import re
 import resource
 import signal
@@ -15,6 +14,7 @@ import subprocess
 import time
 
 from bench import COMMON, SECONDS, run_checks
+from machine import on_terminal
 
 
 def heed_signals():
@@ -139,29 +139,14 @@ def check_full(bench):
                     bench.check(path.read_bytes() == whole, "and is continued", size)
 
 
-def on_terminal(words):
-    """What a command shows on a terminal."""
-    master, slave = pty.openpty()
-    child = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=slave)
-    os.close(slave)
-    shown = b""
-    while True:
-        try:
-            part = os.read(master, 4096)
-        except OSError:  # the other end is closed
-            part = b""
-        if not part:
-            break
-        shown += part
-    os.close(master)
-    return child.wait(SECONDS), shown
-
-
 def check_progress(bench):
     """Per cent and time left where the end is known; nothing with --quiet."""
     words = [bench.graze, "classify", COMMON / "cube.off", COMMON / "move3.json", "--jobs", "1", "--grid", "90,90,90"]
     start = time.monotonic()
-    status, shown = on_terminal(words)
+    seen = on_terminal(bench.checks, words, SECONDS)
+    if not seen:
+        return
+    status, shown = seen
     elapsed = time.monotonic() - start
     form = rb"(\d+) rows, (\d+) rows/s, (\d+) %(, \d+:\d\d:\d\d left)?\s*"
     lines = [re.fullmatch(form, line) for line in shown.strip().split(b"\r")]
@@ -174,7 +159,7 @@ def check_progress(bench):
         bench.check(len(lines) <= elapsed + 1, "at most a line a second and the last", elapsed, shown)
         bench.check(rows[-1] == 90**3 and lines[-1][4] is None, "the last line is the end", shown)
         bench.check(all(m[4] for m in lines if int(m[1]) < 90**3), "before it there is time left", shown)
-    status, shown = on_terminal(words[:-1] + ["20,20,20", "--quiet"])
+    status, shown = on_terminal(bench.checks, words[:-1] + ["20,20,20", "--quiet"], SECONDS)
     bench.check((status, shown) == (0, b""), "--quiet shows nothing", status, shown)
 
 

@@ -4,26 +4,21 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import os
-import shutil
 import signal
 import subprocess
 import time
 
 from bench import COMMON, SECONDS, harness, random_points, run_checks
-
-# mpirun asks for these before it starts anything as root; leaks of the library are not ours.
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   ASAN_OPTIONS="detect_leaks=0")
+from machine import MPI_ENVIRONMENT, ranks
 
 
-def command(bench, ranks, *words):
-    return ["mpirun", "-n", str(ranks), "--oversubscribe", bench.graze + "-mpi", *map(str, words)]
+def command(bench, count, *words):
+    return [*ranks(bench.checks, bench.graze, count), *map(str, words)]
 
 
-def run(bench, ranks, *words, stdin=None):
+def run(bench, count, *words, stdin=None):
     """(exit status, standard output, standard error) of graze-mpi."""
-    done = harness.run(command(bench, ranks, *words), SECONDS, text=False, input=stdin, env=ENVIRONMENT)
+    done = harness.run(command(bench, count, *words), SECONDS, text=False, input=stdin, env=MPI_ENVIRONMENT)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -32,15 +27,15 @@ def check_tables(bench):
     cube, square = (COMMON / "cube.off", COMMON / "move3.json"), (COMMON / "square.wkt", COMMON / "move2.json")
     text = random_points(bench.random, 2500 * bench.scale, 3)
     points = bench.file("points.csv", text)
-    for ranks, words, stdin in ((1, [*cube, points], None), (2, [*cube, points], None), (4, [*cube, points], None),
+    for count, words, stdin in ((1, [*cube, points], None), (2, [*cube, points], None), (4, [*cube, points], None),
                                 (4, [*cube, "-"], text), (4, [*cube, "--grid", "17,9,23"], None),
                                 (4, [*square, "--grid", "9,9", "--operation", "unsweep"], None),
                                 (4, [*cube, points, "--format", "jsonl"], None),
                                 (4, [*cube, points, "--shard", "2/3"], None),
                                 (3, [*square, bench.file("none.csv", b"x,y\n")], None)):
         whole = bench.good("classify", *words, stdin=stdin)
-        status, out, err = run(bench, ranks, *words, stdin=stdin)
-        bench.check(status == 0 and out == whole, f"{ranks} ranks: {words}", status, err, out[-200:])
+        status, out, err = run(bench, count, *words, stdin=stdin)
+        bench.check(status == 0 and out == whole, f"{count} ranks: {words}", status, err, out[-200:])
     path = bench.folder / "resumed.csv"
     whole = bench.good("classify", *cube, points)
     path.write_bytes(whole[:len(whole) * 2 // 3])
@@ -55,9 +50,9 @@ def check_tables(bench):
     bench.check(status == 3 and path.read_bytes() == begun and b"resumed.csv:%d: " % (at + 1) in err,
                 "four ranks refuse a row of another point", status, err)
     beside, alone = bench.folder / "beside.txt", bench.good("certify", *cube, points)
-    for ranks in (1, 4):
-        status, out, err = run(bench, ranks, *cube, points, "--certify", beside)
-        bench.check(status == 0 and out == whole and beside.read_bytes() == alone, f"{ranks} ranks write a certificate too",
+    for count in (1, 4):
+        status, out, err = run(bench, count, *cube, points, "--certify", beside)
+        bench.check(status == 0 and out == whole and beside.read_bytes() == alone, f"{count} ranks write a certificate too",
                     status, err)
     receipt = bench.folder / "receipt.txt"
     bench.good("check", "--receipt", receipt, *cube)
@@ -83,7 +78,7 @@ def check_signal(bench):
     words = [COMMON / "cube.off", COMMON / "move3.json", "--grid", "100,100,80"]
     path = bench.folder / "killed.csv"
     # without the filter, as mpirun hands a signal on after half a second
-    child = subprocess.Popen(command(bench, 3, *words, "--no-filter", "--resume", path), env=ENVIRONMENT,
+    child = subprocess.Popen(command(bench, 3, *words, "--no-filter", "--resume", path), env=MPI_ENVIRONMENT,
                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     end = time.monotonic() + SECONDS
     while child.poll() is None and time.monotonic() < end and not (path.exists() and path.stat().st_size > 100000):
@@ -99,10 +94,7 @@ def check_signal(bench):
 
 
 def check_all(bench):
-    if not shutil.which("mpirun") or not os.path.exists(bench.graze + "-mpi"):
-        bench.checks.skip("mpi", "Open MPI is not installed")
-        return
-    for check in (check_tables, check_faults, check_signal):
+    for check in (check_tables, check_faults, check_signal) if ranks(bench.checks, bench.graze, 1) else ():
         check(bench)
 
 

@@ -63,7 +63,7 @@ def check_resume_refusals(bench):
             bench.file("moved.csv", b"".join(lines[:place] + [b"p19,99,99,99,x\n"] + lines[place + 1:])))
     refused("fewer points than rows", b"has 20 rows already, more than there are points", half,
             bench.file("fewer.csv", b"".join(lines[:place])))
-    refused("its own points", b"is the file the points are read from", text, bench.folder / "refused.csv", status=2)
+    refused("its own points", b"which is read; expected another file", text, bench.folder / "refused.csv", status=2)
 
 
 def refuse_kept(bench, run, name, head, rows):

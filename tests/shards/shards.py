@@ -8,6 +8,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
 import resource
+import shlex
 import shutil
 import subprocess
 
@@ -106,10 +107,11 @@ def check_parallel(bench):
         bench.checks.skip("parallel", "GNU parallel is not installed")
         return
     points = bench.file("spread.csv", random_points(bench.random, 300, 3))
-    scene = f"{COMMON / 'cube.off'} {COMMON / 'move3.json'} {points}"
-    whole = bench.good("classify", *scene.split())
-    done = subprocess.run(f"parallel -j 2 {bench.graze} classify --jobs 1 --shard {{}}/6 --resume spread-{{}}.csv "
-                          f"{scene} ::: 1 2 3 4 5 6 && {bench.graze} merge spread-*.csv", shell=True, timeout=SECONDS,
+    scene = [COMMON / "cube.off", COMMON / "move3.json", points]
+    whole = bench.good("classify", *scene)
+    graze = shlex.quote(bench.graze)
+    done = subprocess.run(f"parallel -q -j 2 {graze} classify --jobs 1 --shard {{}}/6 --resume spread-{{}}.csv "
+                          f"{shlex.join(map(str, scene))} ::: 1 2 3 4 5 6 && {graze} merge spread-*.csv", shell=True, timeout=SECONDS,
                           cwd=bench.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           env=dict(os.environ, HOME=str(bench.folder)))
     bench.check(done.returncode == 0, "parallel runs six shards", done.stderr)

@@ -9,8 +9,8 @@ import sources
 TOPS = "src|include|tests|proofs|cases"
 # A path from the top, or from src/ or include/ with the extension of a source; without one it may be a folder.
 FROM_TOP = re.compile(rf"(?<![\w/.<-])(?:{TOPS})/[\w./*-]*[\w*]")
-ROOMS = "|".join(sorted(os.listdir("src"), key=len, reverse=True)).replace(".", r"\.")
-FROM_ROOM = re.compile(rf"(?<![\w/.<-])(?:[a-z]\w*/\w+\.(?:c|h|cpp|hpp|py|txt|md)\b|(?:{ROOMS})/[a-z]\w+\b(?!/))")
+WINGS = "|".join(sorted(os.listdir("src"), key=len, reverse=True)).replace(".", r"\.")
+FROM_ROOM = re.compile(rf"(?<![\w/.<-])(?:[a-z]\w*/\w+\.(?:c|h|cpp|hpp|py|txt|md)\b|(?:{WINGS})/[a-z]\w+\b(?!/))")
 # A name alone, which may stand in any folder.
 ALONE = re.compile(r"(?<![\w/.*<{}$-])[a-z]\w+\.(?:c|h|cpp|hpp)\b(?!/)")
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)

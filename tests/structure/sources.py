@@ -23,9 +23,13 @@ def read(path):
         return file.read()
 
 def room_of(path):
-    """The folder below src/, or `api` for the files of src/ itself and the public headers."""
+    """The folder that holds a source, below its wing; `api` for the public headers."""
     parts = path.split("/")
-    return parts[1] if parts[0] == "src" and len(parts) > 2 else "api"
+    return "api" if parts[0] != "src" else parts[2] if len(parts) > 3 else parts[1]
+
+def wing_of(path):
+    """The folder below src/; `api` for the public headers."""
+    return path.split("/")[1] if path.startswith("src/") else "api"
 
 def unit_of(path):
     """A source and its own header are one unit."""
@@ -90,3 +94,11 @@ def declared(text):
         of_type = FUNCTION_OF_A_TYPE.fullmatch(chunk.strip()) if end == ";" else None
         found |= {name} if name else {of_type.group(1)} if of_type else set()
     return found
+
+def types(text):
+    """Names of the types that a header defines or declares by a typedef, each of which clang-format lays out in one way."""
+    plain = COMMENT_OR_LITERAL.sub(" ", text)
+    found = set(re.findall(r"^\} (\w+);", plain, re.M))
+    found |= set(re.findall(r"^typedef\b[^;{(]*\b(\w+)(?:\[\w*\])?;", plain, re.M))
+    found |= set(re.findall(r"^typedef\b.*\} (\w+);", plain, re.M))
+    return found | set(re.findall(r"^typedef\b[^;{(]*(?:\(\*|\b)(\w+)\)?\(", plain, re.M))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""# suite: the structure of the sources: includes and calls point down the pipeline only and make no circle, each
-source that others call has one header, a function's name stands once, the command line stands on the public
-header, table/ and two small tools alone, only validate/ touches CGAL, FLINT's functions are called behind their own
+"""# suite: the structure of the sources: seven wings, whose order and whose rooms' order includes and calls follow
+downwards only and without a circle, each source that others call has one header, a function's name stands once, the
+commands stand on the public header, two rooms and two small tools alone, only one room touches CGAL, FLINT's functions are called behind their own
 headers, the top level holds nothing that is not named, the paths that comments and pages name are there, and so are
 the lines that tests/mutants.txt explains.
 
@@ -10,6 +10,7 @@ room hands to a lower one points down.
 """
 import argparse
 import collections
+import glob
 import os
 import re
 import subprocess
@@ -24,13 +25,26 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 import changes  # noqa: E402
 
-# Rooms from the bottom to the top; those of one line know nothing of one another.
-ORDER = ["context", "number", "table", "motion soup", "validate", "read", "solid", "filter", "scene", "trace",
-         "verdict", "topo lattice", "contact distance", "envelope", "report compare generate", "convert boundary draw certify mend", "page", "png", "api", "run", "cli", "mpi"]
-RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms.split()}
+# Wings from the bottom to the top, and in each its rooms, floor by floor; those of one floor know nothing of one another.
+WINGS = {
+    "base": ["context", "number"],
+    "input": ["delimited motion soup", "validate", "read", "solid", "convert mend"],
+    "decide": ["filter", "scene", "trace", "verdict", "lattice"],
+    "questions": ["topo", "contact distance", "envelope generate certify", "boundary"],
+    "output": ["table", "report compare", "draw", "page png"],
+    "api": ["api"],
+    "program": ["run", "cli", "mpi"],
+}
+# Beside the wings: the checker of certificates, which shares nothing with them, the module and what installs.
+BESIDE = {"check", "python", "install"}
+FLOORS = [(wing, floor.split()) for wing, floors in WINGS.items() for floor in floors]
+RANK = {room: rank for rank, (_, floor) in enumerate(FLOORS) for room in floor}
+WING = {room: wing for wing, floor in FLOORS for room in floor}
 COMMANDS = {"run", "cli", "mpi"}
 # Small tools that the commands use beside the public header and table/.
-TOOLS = {"src/context/array.h", "src/number/text.h"}
+TOOLS = {"src/base/context/array.h", "src/base/number/text.h"}
+# Rooms that the commands include headers of, beside their own.
+SHARED = {"table", "delimited"}
 # Rooms that are built only where their library is installed.
 OPTIONAL = {"png", "mpi"}
 TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".ci", "LICENSE",
@@ -45,8 +59,8 @@ PARTS["page"] = "draw"
 STANDARD = {"float.h", "gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",
             "unistd.h"}
 # Its core, in which each test of a certificate stands, the files that read, and how many lines both may have.
-CHECKER = {1230: {"base.c", "ends.c", "poly.c", "solid.c", "legal.c", "motion.c", "trace.c", "contact.c", "verdict.c", "check.c"},
-           1110: {"certificate.c", "table.c", "read_solid.c", "read_motion.c", "text.c", "number.c", "sha256.c", "main.c"}}
+CHECKER = {1300: {"base.c", "ends.c", "poly.c", "solid.c", "legal.c", "motion.c", "trace.c", "contact.c", "verdict.c", "check.c"},
+           1200: {"certificate.c", "table.c", "read_solid.c", "read_motion.c", "text.c", "number.c", "sha256.c", "main.c"}}
 failures = []
 checks = 0
 
@@ -96,13 +110,13 @@ def check_includes(path, text):
         else:
             below = sources.room_of(target)
             check(is_below(room, below), f"{path} ({room}) includes {name} ({below})")
-            check(room not in COMMANDS or below in COMMANDS | {"table"} or target in TOOLS,
+            check(room not in COMMANDS or below in COMMANDS | SHARED or target in TOOLS,
                   f"{path}: the command line includes {name}")
 
 
 def check_file(path, text):
     room = sources.room_of(path)
-    check(room in RANK, f"{path}: {room} is no room")
+    check(sources.wing_of(path) == WING.get(room), f"{path}: {room} is no room of its wing")
     check("SPDX-License-Identifier: GPL-3.0-or-later" in text, f"{path}: no licence line")
     check(not re.search(r"#include <CGAL/", text) or room == "validate", f"{path} touches CGAL")
     check_includes(path, text)
@@ -142,6 +156,24 @@ def check_headers(files, objects, arrows):
                   f"found {' '.join(places) or 'none'}")
 
 
+def check_words(everything):
+    """One meaning a name: a file's name stands in one room, a type's name in the headers of one room. The commands are
+    named as what they ask for is, and the checker shares nothing."""
+    apart = COMMANDS | {"check"}
+    stems, types = collections.defaultdict(set), collections.defaultdict(set)
+    for path, text in everything.items():
+        room = sources.room_of(path)
+        if room not in apart and not sources.is_public(path):
+            stems[os.path.basename(sources.unit_of(path))].add(room)
+        if room != "check" and path.endswith((".h", ".hpp")):
+            for name in sources.types(text):
+                types[name].add(room)
+    check(len(stems) > 200 and len(types) > 150, f"{len(stems)} names of files and {len(types)} of types are found")
+    for what, found in (("file", stems), ("type", types)):
+        for name, rooms in sorted(found.items()):
+            check(len(rooms) == 1, f"the name {name} of a {what} stands in the rooms {', '.join(sorted(rooms))}; expected one")
+
+
 def check_flint(files):
     for path in files:
         wrong = flint.lacking(path, files)
@@ -177,6 +209,21 @@ def check_objects(objects, files):
         if path.endswith((".c", ".cpp")):
             built = path in objects or sources.room_of(path) in OPTIONAL
             check(built, f"{path} has no object; expected one, made by make")
+
+
+def check_rooms():
+    """The map of the sources has each wing in order, and each room of it with what it makes of what."""
+    text = sources.read("src/README.md")
+    wings = re.findall(r"^## (\w+)", text, re.M)
+    here = {place.split("/")[1] for place in glob.glob("src/**/*.*", recursive=True)} - {"README.md"}
+    check(here == set(WINGS) | BESIDE, f"src has {sorted(here)}, expected {sorted(set(WINGS) | BESIDE)}")
+    check(wings == list(WINGS) + ["beside"], f"src/README.md: wings {wings}, expected {list(WINGS)} and beside")
+    for section, wing in zip(text.split("\n## ")[1:], wings):
+        named = re.findall(r"^\| \[(\w+)\]\(([\w/]+)\) \|", section, re.M)
+        expected = sorted(BESIDE) if wing == "beside" else [room for floor in WINGS[wing] for room in floor.split()]
+        check([name for name, _ in named] == expected, f"src/README.md, {wing}: rooms {named}, expected {expected}")
+        for name, link in named:
+            check(os.path.isdir(f"src/{link}"), f"src/README.md: {link} is not there")
 
 
 def check_top():
@@ -226,6 +273,8 @@ def main():
     check_headers(files, objects, arrows)
     check_names(files, objects)
     check_flint(files)
+    check_words(everything)
+    check_rooms()
     check_top()
     check_public(files)
     check_paths()

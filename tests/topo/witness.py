@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
 
 from motion import legs  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
-from solids import Polygon, block, box_ring, joined  # noqa: E402
+from solids import Polygon, block, box_ring, joined, ring  # noqa: E402
 from verdicts import EXAMPLES, POSITIONS, TINY, examples, neighbours  # noqa: E402
 from witnesses import HALVINGS as SCALES, check_witness  # noqa: E402
 
@@ -41,6 +41,16 @@ def passing():
         yield f"plane {gap}", Polygon([[box_ring(-2, -1, 0, 1)], [second]]), legs([(0, 0), (0, 1), (0, 0)]), (F(0), F(0)), gap, 0
         solid = joined(block(-2, -1, -1, 0, 1, 1), block(gap, -3, -3, gap + 1, 3, 3))
         yield f"space {gap}", solid, legs([(0, 0, 0), (0, 1, F(1, 3))]), (F(0),) * 3, gap, 0
+
+
+def leaving():
+    """A square's upper right corner is on the point at one end of the motion, and comes or goes by (3, -4) below it:
+    what is above is open. There, at that end, is a triangle's lower side, y = 5/2 + 4 (1 - x): 3/2 above the point. It
+    meets the ray upward at 3/2 + 12 u - 4 u, higher and higher, until its left end, x = 1/2, has it at 17/6. So epsilon,
+    halved from a power of 2, is 1 because of that end of the motion alone; the place at 2 is in."""
+    solid = Polygon([[box_ring(0, 0, 1, 1)], [ring((3, F(-11, 2)), (3, F(9, 2)), (F(1, 2), F(9, 2)))]])
+    yield "from the start", solid, legs([(0, 0), (3, -4)])
+    yield "to the end", solid, legs([(3, -4), (0, 0)])
 
 
 def check(checks, graze, name, files, point, want):
@@ -95,6 +105,9 @@ def main():
     for name, solid, motion, point, gap, axis in passing():
         reach = check(checks, graze, name, (solid, motion), point, "boundary")
         checks.holds(reach and reach < 100 * gap, name, "the reach, with a part so near", reach)
+    for name, solid, motion in leaving():
+        reach = check(checks, graze, name, (solid, motion), (F(1), F(1)), "boundary")
+        checks.equal(reach, 1, name, "the reach upward")
     golden(checks, graze)
     checks.finish()
 

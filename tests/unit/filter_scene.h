@@ -10,13 +10,13 @@
 #include "../lib/harness.h"
 #include "../lib/random.h"
 
-#include "filter/curve.h"
+#include "decide/filter/curve.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
-#include "number/bernstein.h"
-#include "number/rounding.h"
+#include "base/number/bernstein.h"
+#include "base/number/rounding.h"
 
 enum { MOST_DEGREE = 8 };
 

@@ -4,8 +4,8 @@
 
 #include "../lib/harness.h"
 #include <flint/flint.h>
-#include "context/context.h"
-#include "number/rational.h"
+#include "base/context/context.h"
+#include "base/number/rational.h"
 
 static graze_context *context;
 

@@ -7,7 +7,7 @@
 #define GRAZE_TESTS_UNIT_MOTION_FIXTURE_H
 
 #include "fixture.h"
-#include "motion/motion_read.h"
+#include "input/motion/motion_read.h"
 
 enum { ENTRIES = 12, TEXT = 4000 };
 

@@ -4,10 +4,10 @@
 #ifndef GRAZE_TESTS_UNIT_NUMBERS_H
 #define GRAZE_TESTS_UNIT_NUMBERS_H
 
-#include "number/algebraic.h"
-#include "number/isolate.h"
-#include "number/order.h"
-#include "number/sign.h"
+#include "base/number/algebraic.h"
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "base/number/sign.h"
 
 static inline void append_roots(algebraic_list *list, const fmpz_poly_t p,
                                 const dyadic_interval *interval) {

@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 #include "fixture.h"
-#include "read/read.h"
+#include "input/read/read.h"
 
 #define NEF "tests/refuse/common/nef3/"
 

@@ -5,8 +5,8 @@
 #include "../lib/random.h"
 
 #include <math.h>
-#include "number/order.h"
-#include "number/simplest.h"
+#include "base/number/order.h"
+#include "base/number/simplest.h"
 #include "numbers.h"
 
 /* A root known in advance: p/q, or the positive root of n x^2 = m, that is sqrt(m/n). */

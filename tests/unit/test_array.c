@@ -1,10 +1,10 @@
-/* Arrays that grow (context/array.h): what was in them stays, room doubles, and what cannot be had
- * changes nothing. SPDX-License-Identifier: GPL-3.0-or-later
+/* Arrays that grow (base/context/array.h): what was in them stays, room doubles, and what cannot be
+ * had changes nothing. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "context/array.h"
+#include "base/context/array.h"
 #include "fixture.h"
 
 typedef struct entry {

@@ -4,7 +4,7 @@
 #include "../lib/harness.h"
 #include "../lib/random.h"
 
-#include "number/bernstein.h"
+#include "base/number/bernstein.h"
 
 #include <flint/fmpz_vec.h>
 

@@ -5,7 +5,7 @@
 #include "fixture.h"
 #include "../lib/random.h"
 #include <unistd.h>
-#include "compare/compare.h"
+#include "output/compare/compare.h"
 
 static char golden_path[] = "/tmp/graze-test-golden-XXXXXX";
 static char candidate_path[] = "/tmp/graze-test-candidate-XXXXXX";

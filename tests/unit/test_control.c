@@ -1,5 +1,5 @@
-/* What is cleared in doubles (certify/control.h) is clear in rationals: pieces of curves in the
- * plane of a triangle or in its sides, and beside them by about as much as doubles can tell.
+/* What is cleared in doubles (questions/certify/control.h) is clear in rationals: pieces of curves
+ * in the plane of a triangle or in its sides, and beside them by about as much as doubles can tell.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "fixture.h"
@@ -7,8 +7,8 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
-#include "certify/control.h"
-#include "number/rounding.h"
+#include "base/number/rounding.h"
+#include "questions/certify/control.h"
 
 enum { ROUNDS = 60000, POINTS = 3 };
 

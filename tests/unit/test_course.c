@@ -8,7 +8,7 @@
 
 #include <math.h>
 #include <string.h>
-#include "filter/course.h"
+#include "decide/filter/course.h"
 #include "graze.h"
 
 enum { PLACES = 64 };

@@ -2,14 +2,14 @@
  * compositions and factors.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "topo/eliminate.h"
+#include "questions/topo/eliminate.h"
 #include <flint/fmpq_mpoly.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <time.h>
 #include "fixture.h"
-#include "topo/coprime.h"
-#include "topo/grid.h"
-#include "topo/shift.h"
+#include "questions/topo/coprime.h"
+#include "questions/topo/grid.h"
+#include "questions/topo/shift.h"
 #include "../lib/random.h"
 
 enum { PAIRS = 300, DEGREE = 4 };

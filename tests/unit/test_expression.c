@@ -3,9 +3,9 @@
  */
 #include "fixture.h"
 #include "../lib/random.h"
-#include "motion/expression.h"
-#include "number/rational.h"
-#include "number/rounding.h"
+#include "base/number/rational.h"
+#include "base/number/rounding.h"
+#include "input/motion/expression.h"
 
 /* t runs from 1 to 3 while u and s run from 0 to 1. */
 static fmpz_poly_q_t t, s, value;

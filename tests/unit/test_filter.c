@@ -2,10 +2,10 @@
  * span and a simplex. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The trajectories stray from a simplex's plane by about as much as the filter can just tell from
- * zero, and by more. Exact touches are those of src/number. A failure prints its seed.
+ * zero, and by more. Exact touches are those of src/base/number. A failure prints its seed.
  */
-#include "filter/chord.h"
-#include "filter/meet.h"
+#include "decide/filter/chord.h"
+#include "decide/filter/meet.h"
 #include "filter_scene.h"
 #include "numbers.h"
 

@@ -1,14 +1,13 @@
-/* Forms of simplices (solid/forms.h, solid/planes.h, solid/solid.h) against their definition: signs
- * at known points, normalisation, planes in common; and the location that rests on them, against
- * the definition of a box.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Forms of simplices (input/solid/forms.h, input/solid/planes.h, input/solid/solid.h) against their
+ * definition: signs at known points, normalisation, planes in common; and the location that rests
+ * on them, against the definition of a box. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "number/cross.h"
-#include "solid/forms.h"
-#include "solid/locate.h"
-#include "solid/planes.h"
+#include "base/number/cross.h"
+#include "input/solid/forms.h"
+#include "input/solid/locate.h"
+#include "input/solid/planes.h"
 #include "fixture.h"
 #include "../lib/random.h"
 

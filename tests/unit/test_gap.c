@@ -11,11 +11,11 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include "distance/along.h"
-#include "distance/foot.h"
-#include "distance/gap.h"
+#include "questions/distance/along.h"
+#include "questions/distance/foot.h"
+#include "questions/distance/gap.h"
 #include "graze.h"
-#include "number/rounding.h"
+#include "base/number/rounding.h"
 
 enum { ROUNDS = 400, PLACES = 12 };
 
@@ -179,7 +179,7 @@ static void random_shares(double *share, int d) {
 /* One window and one simplex: what the bounds say. */
 typedef struct trial {
     const ground *base;
-    path p;
+    point_arc p;
     window w;
     foot first, middle, last;
     const double *corner;
@@ -291,7 +291,7 @@ static int check_windows(graze_context *context, const graze_scene *scene, doubl
         for (int i = 0; i < d; i++)
             point[i] = shift + 6 * random_fraction() + (round % 8 ? 0 : 1000);
         size_t arc = (size_t)random_below((slong)t.base->arc_count);
-        assert_int_equal(path_make(&t.p, context, t.base, arc, point, point), GRAZE_OK);
+        assert_int_equal(point_arc_make(&t.p, context, t.base, arc, point, point), GRAZE_OK);
         double from = (1 - length) * fabs(random_fraction()), to = fmin(from + length, 1);
         if (trial_make(&t, from, to, (size_t)random_below(d == 2 ? 3 : 4)))
             narrow += check_window(&t, placing, shift);

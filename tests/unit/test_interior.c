@@ -8,9 +8,9 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
-#include "filter/interior.h"
-#include "number/rounding.h"
-#include "solid/locate.h"
+#include "base/number/rounding.h"
+#include "decide/filter/interior.h"
+#include "input/solid/locate.h"
 
 enum { BOXES = 3000, PLACES = 4 };
 

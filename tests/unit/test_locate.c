@@ -1,5 +1,5 @@
-/* Location in a tetrahedron (solid/solid.h) against the signs of four determinants, at points whose
- * ray passes an edge or a corner, hits it, or misses it by about as much as doubles can tell.
+/* Location in a tetrahedron (input/solid/solid.h) against the signs of four determinants, at points
+ * whose ray passes an edge or a corner, hits it, or misses it by about as much as doubles can tell.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The second method knows no ray: x lies in the tetrahedron iff putting it in the place of a vertex
@@ -11,7 +11,7 @@
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "solid/locate.h"
+#include "input/solid/locate.h"
 
 enum { ROUNDS = 400, POINTS = 40 };
 

@@ -1,6 +1,6 @@
-/* Location (solid/locate.h) in affine images of sets of grid cells, in E^2 and E^3: solids that are
- * not convex, with cavities, holes and several components, which may touch in edges and vertices.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Location (input/solid/locate.h) in affine images of sets of grid cells, in E^2 and E^3: solids
+ * that are not convex, with cavities, holes and several components, which may touch in edges and
+ * vertices. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The second method knows no ray: of the cells around a point of the grid, all belong to the set,
  * or none, or some, and the point is in its interior, outside, or on its boundary. Under maps along
@@ -11,7 +11,7 @@
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "solid/locate.h"
+#include "input/solid/locate.h"
 
 enum {
     N = 4,

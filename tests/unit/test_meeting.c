@@ -1,4 +1,4 @@
-/* Boundaries and their images, by trees (scene/meeting.h) against all simplices at once.
+/* Boundaries and their images, by trees (decide/scene/meeting.h) against all simplices at once.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The solids are boxes apart from each other; a third of the maps are moves by whole numbers, under
@@ -8,8 +8,8 @@
 #include "../lib/random.h"
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
-#include "scene/meeting.h"
-#include "validate/overlap.h"
+#include "decide/scene/meeting.h"
+#include "input/validate/overlap.h"
 
 enum { SOLIDS = 60, MAPS = 12, PLACES = 4, MOST_BOXES = 12 };
 

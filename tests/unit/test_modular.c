@@ -6,8 +6,8 @@
 
 #include <flint/fmpz.h>
 
-#include "motion/quotient.h"
-#include "number/modular.h"
+#include "base/number/modular.h"
+#include "input/motion/quotient.h"
 
 static void random_polynomial(fmpz_poly_t out, slong degree, slong size) {
     fmpz_poly_zero(out);

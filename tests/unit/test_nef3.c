@@ -3,8 +3,8 @@
  *
  * Run in the project's top folder; a file is written to a folder of the system's own.
  */
-#include "context/file.h"
-#include "number/rational.h"
+#include "base/context/file.h"
+#include "base/number/rational.h"
 #include "reader_fixture.h"
 
 /* Read a text as a .nef3 file of its own. */

@@ -1,9 +1,9 @@
-/* Validation and overlap test (validate/validate.h) of random convex bodies, against separating
- * axes: a second method that shares nothing with the first. And cancelling.
+/* Validation and overlap test (input/validate/validate.h) of random convex bodies, against
+ * separating axes: a second method that shares nothing with the first. And cancelling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "validate/overlap.h"
-#include "validate/validate.h"
+#include "input/validate/overlap.h"
+#include "input/validate/validate.h"
 #include "fixture.h"
 #include "../lib/random.h"
 

@@ -3,8 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <float.h>
-#include "number/rational.h"
-#include "number/rounding.h"
+#include "base/number/rational.h"
+#include "base/number/rounding.h"
 #include "fixture.h"
 #include "../lib/random.h"
 

@@ -3,7 +3,7 @@
  *
  * Run in the project's top folder; files are written to a folder of the system's own.
  */
-#include "context/file.h"
+#include "base/context/file.h"
 #include "reader_fixture.h"
 #include "../lib/random.h"
 

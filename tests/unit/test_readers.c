@@ -3,7 +3,7 @@
  *
  * Run in the project's top folder; files are written to a folder of the system's own.
  */
-#include "number/rational.h"
+#include "base/number/rational.h"
 #include "reader_fixture.h"
 
 enum { TEXT_SIZE = 1 << 16 };

@@ -2,10 +2,9 @@
  * are checked by a Tarski query, which neither narrows an interval nor takes a common factor.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "../lib/harness.h"
+#include "fixture.h"
 #include "../lib/random.h"
-
-#include "number/refine.h"
+#include "base/number/refine.h"
 #include "numbers.h"
 
 #include <flint/fmpq_poly.h>
@@ -337,11 +336,79 @@ static void test_against_tarski(void **unused) {
     fmpz_poly_clear(q);
 }
 
+/* p = a (u^4 - 1) - 1 and q = a (u - 1) - side u^2 in t, a = 2^k and u = 2^e t. */
+static void set_uneven_pair(fmpz_poly_t p, fmpz_poly_t q, ulong k, ulong e, int side) {
+    fmpz_poly_set_str(p, "5  -1 0 0 0 1");
+    fmpz_poly_set_str(q, "2  -1 1");
+    fmpz_poly_scalar_mul_2exp(p, p, k);
+    fmpz_poly_scalar_mul_2exp(q, q, k);
+    fmpz_sub_ui(p->coeffs, p->coeffs, 1);
+    fmpz_poly_set_coeff_si(q, 2, -side);
+    for (slong i = 0; i <= 4; i++)
+        fmpz_mul_2exp(p->coeffs + i, p->coeffs + i, e * (ulong)i);
+    for (slong i = 0; i <= 2; i++)
+        fmpz_mul_2exp(q->coeffs + i, q->coeffs + i, e * (ulong)i);
+}
+
+/* Neither number is known to far more places than the distance of the pair has. */
+static void check_places(const algebraic *x, const algebraic *y, ulong distance) {
+    assert_true(x->where.exponent < 4 * distance && y->where.exponent < 4 * distance);
+}
+
+/* With e < k, p has one root in the unit interval, u = (1 + 1/a)^(1/4), where secants help only
+ * after e halvings. q is nearly straight; u = 1 + side u^2 / a at its one root there: beyond
+ * 1 + 1/a, or below 1. So p's root is less, or greater, by about 2^-(k + e). */
+static void test_uneven_pairs(void **unused) {
+    (void)unused;
+    static const ulong exponent[] = {60, 199, 1000};
+    fmpz_poly_t p, q;
+    fmpz_poly_init(p);
+    fmpz_poly_init(q);
+    for (int round = 0; round < 36; round++) {
+        ulong k = exponent[round % 3], e = round % 2 ? 20 : 50;
+        int side = round / 6 % 2 ? 1 : -1, order = 2;
+        algebraic_list first, second;
+        fmpq_t middle;
+        fmpq_init(middle);
+        set_uneven_pair(p, q, k, e, side);
+        roots_in_unit_interval(&first, p);
+        if (round >= 24) /* the product has both roots, of which one is p's */
+            fmpz_poly_mul(q, q, p);
+        roots_in_unit_interval(&second, q);
+        algebraic *x = first.item, *y = second.item;
+        assert_int_equal(first.count, 1);
+        assert_int_equal(second.count, round >= 24 ? 2 : 1);
+        if (round < 12) {
+            assert_int_equal(algebraic_compare(&order, context, x, y), GRAZE_OK);
+            assert_int_equal(order, -side);
+        } else if (round < 24) {
+            assert_int_equal(algebraic_between(middle, context, side > 0 ? x : y, side > 0 ? y : x),
+                             GRAZE_OK);
+            assert_int_equal(sign_at(p, middle), side);
+            assert_int_equal(sign_at(q, middle), -side);
+        } else {
+            for (int j = 0; j < 2; j++) {
+                assert_int_equal(algebraic_compare(&order, context, &y[j], x), GRAZE_OK);
+                assert_int_equal(order, j == (side < 0) ? 0 : side);
+            }
+        }
+        check_places(x, y, k + e);
+        fmpq_clear(middle);
+        algebraic_list_clear(&first);
+        algebraic_list_clear(&second);
+    }
+    fmpz_poly_clear(p);
+    fmpz_poly_clear(q);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_digits_double),  cmocka_unit_test(test_close_roots),
-        cmocka_unit_test(test_dyadic_root),    cmocka_unit_test(test_flat_and_huge),
+        cmocka_unit_test(test_digits_double),
+        cmocka_unit_test(test_close_roots),
+        cmocka_unit_test(test_dyadic_root),
+        cmocka_unit_test(test_flat_and_huge),
         cmocka_unit_test(test_against_tarski),
+        cmocka_unit_test_setup_teardown(test_uneven_pairs, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

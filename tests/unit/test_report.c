@@ -4,11 +4,11 @@
 #include "../lib/harness.h"
 #include "../lib/random.h"
 #include <mpfr.h>
-#include "report/decimal.h"
-#include "report/explain.h"
-#include "report/formula.h"
-#include "report/json.h"
-#include "report/table.h"
+#include "output/report/decimal_time.h"
+#include "output/report/explain.h"
+#include "output/report/formula.h"
+#include "output/report/json_rows.h"
+#include "output/report/table_text.h"
 
 static void set(fmpq_t out, const char *text) {
     assert_int_equal(fmpq_set_str(out, text, 10), 0);

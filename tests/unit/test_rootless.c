@@ -6,7 +6,7 @@
 
 #include <fenv.h>
 
-#include "number/rootless.h"
+#include "base/number/rootless.h"
 
 enum { ROUNDS = 20000 };
 

@@ -8,9 +8,9 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include "filter/chord.h"
-#include "number/rounding.h"
-#include "solid/solid.h"
+#include "base/number/rounding.h"
+#include "decide/filter/chord.h"
+#include "input/solid/solid.h"
 
 enum { BOXES = 400 };
 

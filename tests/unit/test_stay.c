@@ -4,7 +4,7 @@
 #include "../lib/harness.h"
 
 #include <math.h>
-#include "filter/stay.h"
+#include "decide/filter/stay.h"
 
 /* Look among `count` crossings; windows and lost pieces as many as given. */
 static int find(stay *out, crossing *item, size_t count, size_t pieces, int outside, size_t windows,

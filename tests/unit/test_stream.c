@@ -1,6 +1,6 @@
-/* Lines of files (table/stream.h) against the lines they were made of: long and empty ones, both
- * line ends, a last line without an end, places gone back to, the limit, pipes, and beginnings.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Lines of files (input/delimited/stream.h) against the lines they were made of: long and empty
+ * ones, both line ends, a last line without an end, places gone back to, the limit, pipes, and
+ * beginnings. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <dirent.h>
 #include <fcntl.h>
@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include "../lib/random.h"
 #include "fixture.h"
-#include "table/stream.h"
+#include "input/delimited/stream.h"
 
 enum { LINES = 9 };
 

@@ -2,11 +2,11 @@
  * generated points of every pair of the examples' solids and motions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "topo/topo.h"
+#include "questions/topo/topo.h"
 #include <flint/fmpq_vec.h>
 #include "fixture.h"
 #include "graze.h"
-#include "verdict/classify.h"
+#include "decide/verdict/classify.h"
 
 enum { POINTS = 25 };
 

@@ -1,10 +1,10 @@
-/* The validation of solids (validate/validate.h): every rule, legal and illegal, in every mirror
- * image, order of axes and numbering; the cut into simplices; the smallest gap.
+/* The validation of solids (input/validate/validate.h): every rule, legal and illegal, in every
+ * mirror image, order of axes and numbering; the cut into simplices; the smallest gap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "number/rational.h"
-#include "validate/overlap.h"
-#include "validate/validate.h"
+#include "base/number/rational.h"
+#include "input/validate/overlap.h"
+#include "input/validate/validate.h"
 #include "fixture.h"
 
 #define MOST 400

@@ -1,13 +1,13 @@
-/* Normal velocities in doubles (generate/velocity.h) against the exact ones, on tetrahedra whose
- * coordinates doubles do not hold. Half of the motions slide along a face, whose velocity is then
- * 0: a bound that is too small shows. SPDX-License-Identifier: GPL-3.0-or-later
+/* Normal velocities in doubles (questions/generate/velocity.h) against the exact ones, on
+ * tetrahedra whose coordinates doubles do not hold. Half of the motions slide along a face, whose
+ * velocity is then 0: a bound that is too small shows. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "fixture.h"
 #include "../lib/random.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "generate/velocity.h"
+#include "questions/generate/velocity.h"
 
 enum { SCENES = 400, TIMES = 8 };
 

@@ -1,0 +1,340 @@
+/* Public functions of scenes and verdicts, and those without a handle: argument checks and one call
+ * each.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "api/api.h"
+#include "base/context/environment.h"
+
+#include <flint/flint.h>
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <mpfr.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <yajl/yajl_version.h>
+#include "base/number/rational.h"
+#include "base/number/rounding.h"
+#include "decide/scene/box.h"
+#include "decide/scene/scene.h"
+#include "decide/verdict/classify.h"
+#include "decide/verdict/verdict.h"
+#include "input/validate/validate.h"
+#include "questions/distance/diagonal.h"
+
+graze_status api_misuse(graze_context *context, const char *function, const char *reason) {
+    return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;
+}
+
+/* More than `digits` digits. A limb has fewer than 20, and mpz_sizeinbase is exact or one too
+ * large. */
+static int too_long(const mpz_t value, unsigned long digits) {
+    return mpz_size(value) > digits / 20 && mpz_sizeinbase(value, 10) - 1 > digits;
+}
+
+graze_status api_rational_check(graze_context *context, const mpq_t value) {
+    unsigned long digits = context->limits[GRAZE_LIMIT_DIGITS];
+    if (mpz_sgn(mpq_denref(value)) <= 0)
+        return context_fail(context, GRAZE_EUSE, "a rational's denominator must be positive");
+    if (too_long(mpq_numref(value), digits) || too_long(mpq_denref(value), digits))
+        return context_limit(context, GRAZE_LIMIT_DIGITS, "a rational");
+    if (!rational_is_canonical(value))
+        return context_fail(context, GRAZE_EUSE,
+                            "a rational must be in lowest terms (mpq_canonicalize)");
+    return GRAZE_OK;
+}
+
+graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value) {
+    graze_status status = api_rational_check(context, value);
+    if (!status)
+        fmpq_set_mpq(out, value);
+    return status;
+}
+
+graze_status api_point(fmpq *out, graze_context *context, const graze_scene *scene,
+                       graze_rationals point) {
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < scene->motion->dimension && !status; k++)
+        if ((status = api_rational(out + k, context, point[k])) != GRAZE_OK)
+            status = api_coordinate(context, status, NULL, 0, (size_t)k);
+    return status;
+}
+
+graze_status api_coordinate(graze_context *context, graze_status status, const char *item,
+                            size_t index, size_t coordinate) {
+    char field[40];
+    snprintf(field, sizeof field, "coordinate %zu", coordinate);
+    return context_item(context, status, item, index, field);
+}
+
+graze_status api_options(void *out, size_t known, size_t at, graze_context *context,
+                         const char *function, const void *options) {
+    const unsigned char *given = options;
+    size_t first = at + sizeof(size_t), size;
+    memset(out, 0, known);
+    if (!options)
+        return GRAZE_OK;
+    memcpy(&size, given + at, sizeof size);
+    size = size ? size : first;
+    if (size < first)
+        return api_misuse(context, function,
+                          "the size of the options is too small; expected sizeof the struct or 0");
+    for (size_t k = known; k < size; k++)
+        if (given[k])
+            return api_misuse(context, function,
+                              "the options have members that this version does not know");
+    memcpy(out, options, size < known ? size : known);
+    return GRAZE_OK;
+}
+
+void api_rational_out(mpq_t out, const fmpq_t value) {
+    fmpq_get_mpq(out, value);
+}
+
+static char version_text[256];
+
+static void make_version(void) {
+    snprintf(version_text, sizeof version_text,
+             "graze " GRAZE_VERSION "\nGMP %s\nMPFR %s\nFLINT %s\nyajl %d.%d.%d\nCGAL %s\n",
+             gmp_version, mpfr_get_version(), flint_version, yajl_version() / 10000,
+             yajl_version() / 100 % 100, yajl_version() % 100, validate_cgal_version());
+}
+
+const char *graze_version(void) {
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    pthread_once(&once, make_version);
+    return version_text;
+}
+
+unsigned long graze_version_number(void) {
+    return GRAZE_VERSION_NUMBER;
+}
+
+void graze_thread_finish(void) {
+    flint_cleanup();
+    mpfr_free_cache();
+}
+
+graze_status graze_number_parse(mpq_t out, graze_context *context, const char *text,
+                                size_t length) {
+    if (!out || !context || !text)
+        return api_misuse(context, "graze_number_parse", "out, context and text must not be NULL");
+    fmpq_t value; /* made by integer arithmetic alone, which no floating-point mode disturbs */
+    fmpq_init(value);
+    graze_status status = rational_parse(value, context, text, length);
+    if (!status)
+        api_rational_out(out, value);
+    fmpq_clear(value);
+    return status;
+}
+
+static graze_status take_options(graze_options *out, graze_context *context, const char *function,
+                                 const graze_options *options) {
+    graze_status status =
+        api_options(out, sizeof *out, offsetof(graze_options, size), context, function, options);
+    if (status)
+        return status;
+    if ((out->operation == GRAZE_SWEEP || out->operation == GRAZE_UNSWEEP) &&
+        (out->overlap == GRAZE_OVERLAP_EXTEND || out->overlap == GRAZE_OVERLAP_REJECT) &&
+        (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED) &&
+        (out->topo == 0 || out->topo == 1) && (out->sdf_relative == 0 || out->sdf_relative == 1) &&
+        (out->columns == GRAZE_COLUMNS_ALL || out->columns == GRAZE_COLUMNS_PMC)) {
+        if (out->columns == GRAZE_COLUMNS_PMC && (out->topo || out->sdf != 0))
+            return api_misuse(context, function,
+                              "topo and sdf are decided by the contacts, which columns of pmc "
+                              "alone spare");
+        if (!(out->sdf >= 0 && isfinite(out->sdf)))
+            return api_misuse(context, function, "sdf must be a positive finite width, or 0");
+        int near = out->motion_error == 0 || (out->motion_error > 0 && out->sdf > 0);
+        if (near && isfinite(out->motion_error))
+            return GRAZE_OK;
+        return api_misuse(context, function,
+                          "motion_error must be positive and finite beside a width sdf, or 0");
+    }
+    return api_misuse(context, function, "an option has an unknown value");
+}
+
+/* The width that rows ask for, from the options. */
+static graze_status set_tolerance(graze_scene *scene, graze_context *context) {
+    double unit = 1;
+    if (!(scene->options.sdf > 0))
+        return GRAZE_OK;
+    graze_status status =
+        scene->options.sdf_relative ? distance_diagonal(&unit, context, scene) : GRAZE_OK;
+    double width = scene->options.sdf * unit;
+    int rounded = scene->options.sdf_relative && isfinite(width);
+    scene->tolerance = rounded ? nextafter(width, 0) : width;
+    if (!status && !(scene->tolerance > 0 && isfinite(scene->tolerance)))
+        status = context_fail(
+            context, GRAZE_ELIMIT,
+            "sdf times the diagonal is beyond doubles; expected a width between 1e-307 and 1e307");
+    return status;
+}
+
+graze_status graze_scene_create(graze_scene **out, graze_context *context, const graze_solid *solid,
+                                const graze_motion *motion, const graze_options *options) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !solid || !motion)
+        return api_misuse(context, "graze_scene_create",
+                          "out, context, solid and motion must not be NULL");
+    graze_options taken;
+    graze_status status = take_options(&taken, context, "graze_scene_create", options);
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_scene *scene = malloc(sizeof *scene);
+    if (!scene)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    status = scene_make(scene, context, solid, motion, &taken);
+    if (status) {
+        free(scene);
+        return status;
+    }
+    status = set_tolerance(scene, context);
+    if (status)
+        graze_scene_destroy(scene);
+    else
+        *out = scene;
+    return status;
+}
+
+void graze_scene_destroy(graze_scene *scene) {
+    if (scene)
+        scene_clear(scene);
+    free(scene);
+}
+
+int graze_scene_dimension(const graze_scene *scene) {
+    return scene ? scene->motion->dimension : 0;
+}
+
+int graze_scene_ends_meet(const graze_scene *scene) {
+    return scene ? scene->ends_meet : 0;
+}
+
+void graze_scene_options(graze_options *out, const graze_scene *scene) {
+    const graze_options none = {0};
+    const size_t first = offsetof(graze_options, size) + sizeof out->size;
+    if (!out || (out->size && out->size < first))
+        return;
+    size_t size = out->size, room = size ? size : first;
+    memset(out, 0, room);
+    memcpy(out, scene ? &scene->options : &none, room < sizeof *out ? room : sizeof *out);
+    out->size = size;
+}
+
+graze_hashes graze_scene_hashes(const graze_scene *scene) {
+    graze_hashes hashes;
+    memset(&hashes, 0, sizeof hashes);
+    if (scene) {
+        memcpy(hashes.solid, scene->solid->input.sha256, sizeof hashes.solid);
+        memcpy(hashes.motion, scene->motion->sha256, sizeof hashes.motion);
+        memcpy(hashes.scene, scene->sha256, sizeof hashes.scene);
+    }
+    return hashes;
+}
+
+graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
+                             const graze_scene *scene) {
+    if (!low || !high || !context || !scene)
+        return api_misuse(context, "graze_scene_box",
+                          "low, high, context and scene must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    int d = scene->motion->dimension;
+    fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);
+    graze_status status = scene_box(from, to, context, scene);
+    for (int k = 0; k < d && !status; k++) {
+        api_rational_out(low[k], from + k);
+        api_rational_out(high[k], to + k);
+    }
+    _fmpq_vec_clear(from, d);
+    _fmpq_vec_clear(to, d);
+    return status;
+}
+
+graze_status graze_word_verdict(graze_verdict *out, graze_context *context, const char *word,
+                                size_t length, const graze_options *options) {
+    if (out)
+        memset(out, 0, sizeof *out);
+    if (!out || !context || !word)
+        return api_misuse(context, "graze_word_verdict", "out, context and word must not be NULL");
+    graze_options taken;
+    graze_status status = take_options(&taken, context, "graze_word_verdict", options);
+    if (status)
+        return status;
+    if (verdict_of_word(out, word, length, &taken))
+        return GRAZE_OK;
+    return context_fail(context, GRAZE_EINPUT,
+                        "'%.*s' is no word; expected letters O, I, B of which every second one is "
+                        "B",
+                        length > 40 ? 40 : (int)length, word);
+}
+
+/* The checks both functions share; on success the verdicts are zeroed. */
+static graze_status begin(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                          const void *points, size_t n) {
+    if (!context || !scene || (n && (!out || !points)))
+        return api_misuse(
+            context, "graze_classify",
+            "context and scene, and with n > 0 also out and points, must not be NULL");
+    if (n)
+        memset(out, 0, n * sizeof *out);
+    return GRAZE_OK;
+}
+
+graze_status graze_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                            graze_rationals points, size_t n) {
+    graze_status status = begin(out, context, scene, points, n);
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    size_t d = (size_t)scene->motion->dimension;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    for (size_t p = 0; p < n && !status; p++)
+        for (size_t k = 0; k < d && !status; k++)
+            if ((status = api_rational_check(context, points[p * d + k])) != GRAZE_OK)
+                status = api_coordinate(context, status, "point", p, k);
+    for (size_t p = 0; p < n && !status; p++) {
+        for (size_t k = 0; k < d; k++)
+            fmpq_set_mpq(point + k, points[p * d + k]);
+        status = classify_verdict(out + p, context, scene, (query_point){.rational = point});
+        if (status)
+            status = context_item(context, status, "point", p, NULL);
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    return status;
+}
+
+/* GRAZE_EINPUT with a message if a coordinate is no finite number. */
+static graze_status check_finite(graze_context *context, const double *point, size_t d) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < d && !status; k++) {
+        if (isfinite(point[k]))
+            continue;
+        fmpq_t value;
+        fmpq_init(value);
+        status = rational_from_double(value, context, point[k]);
+        fmpq_clear(value);
+    }
+    return status;
+}
+
+graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
+                                    const graze_scene *scene, const double *points, size_t n) {
+    graze_status status = begin(out, context, scene, points, n);
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    size_t d = (size_t)scene->motion->dimension;
+    for (size_t p = 0; p < n && !status; p++) {
+        const double *point = points + p * d;
+        status = check_finite(context, point, d);
+        if (!status)
+            status = classify_verdict(out + p, context, scene, (query_point){.value = point});
+        if (status)
+            status = context_item(context, status, "point", p, NULL);
+    }
+    return status;
+}

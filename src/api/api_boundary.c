@@ -1,0 +1,159 @@
+/* The public functions of boundaries by sampling.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "questions/boundary/bisect.h"
+#include "questions/boundary/boundary.h"
+#include "questions/boundary/contacts.h"
+
+/* The caller's box, if there is one, as rationals. */
+static graze_status take_box(fmpq *low, fmpq *high, graze_context *context, int dimension,
+                             const graze_boundary_options *o) {
+    graze_status status = GRAZE_OK;
+    for (int k = 0; o->low && k < dimension && !status; k++) {
+        status = api_rational(low + k, context, o->low[k]);
+        if (!status)
+            status = api_rational(high + k, context, o->high[k]);
+        if (status)
+            status = api_coordinate(context, status, NULL, 0, (size_t)k);
+    }
+    return status;
+}
+
+static graze_status make(graze_boundary **out, graze_context *context, const graze_scene *scene,
+                         const graze_boundary_options *o) {
+    graze_boundary *b = malloc(sizeof *b);
+    if (!b)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    fmpq *low = _fmpq_vec_init(3), *high = _fmpq_vec_init(3);
+    graze_status status = take_box(low, high, context, scene->motion->dimension, o);
+    if (status) {
+        free(b);
+    } else {
+        status = boundary_make(b, context, scene, o, o->low ? low : NULL, o->low ? high : NULL);
+        if (status)
+            graze_boundary_destroy(b);
+        else
+            *out = b;
+    }
+    _fmpq_vec_clear(low, 3);
+    _fmpq_vec_clear(high, 3);
+    return status;
+}
+
+graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
+                                   const graze_scene *scene,
+                                   const graze_boundary_options *options) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !options)
+        return api_misuse(context, "graze_boundary_create", "no argument may be NULL");
+    graze_boundary_options o;
+    graze_status status = api_options(&o, sizeof o, offsetof(graze_boundary_options, size), context,
+                                      "graze_boundary_create", options);
+    if (status)
+        return status;
+    if (!o.low != !o.high)
+        return api_misuse(context, "graze_boundary_create",
+                          "low and high must both be given or both be NULL");
+    if (o.depth > BOUNDARY_DEPTH || o.coarse > o.depth)
+        return api_misuse(context, "graze_boundary_create",
+                          "the depth is at most 19, and the coarse level at most the depth");
+    if (o.middles && o.sharp)
+        return api_misuse(context, "graze_boundary_create",
+                          "middles and sharp must not both be given");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return make(out, context, scene, &o);
+}
+
+void graze_boundary_destroy(graze_boundary *b) {
+    if (b)
+        boundary_clear(b);
+    free(b);
+}
+
+graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
+    graze_boundary_summary out;
+    memset(&out, 0, sizeof out);
+    if (!b)
+        return out;
+    out.points = b->points.count;
+    out.cells = b->leaf_count;
+    out.vertices = bisect_count(b);
+    out.faces = b->face_count;
+    out.in = b->known[GRAZE_IN];
+    out.on = b->known[GRAZE_ON];
+    out.out = b->known[GRAZE_OUT];
+    out.contacts = b->asked;
+    out.contacts_on = b->contact_count;
+    out.missed = b->missed;
+    out.level = b->reached;
+    out.complete = b->complete;
+    out.closed = b->closed;
+    out.bisected = b->bisected;
+    out.exact = b->exact;
+    out.features = b->feature_count;
+    return out;
+}
+
+static void give_point(mpq_t *out, const graze_boundary *b, const fmpq *point) {
+    for (int k = 0; k < b->dimension; k++)
+        api_rational_out(out[k], point + k);
+}
+
+graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *b, size_t index) {
+    if (!point || !b || index >= b->points.count)
+        return GRAZE_PMC_NONE;
+    fmpq *at = _fmpq_vec_init(b->dimension);
+    lattice_point(at, b, b->points.key[index]);
+    give_point(point, b, at);
+    _fmpq_vec_clear(at, b->dimension);
+    return (graze_pmc)b->points.value[index];
+}
+
+graze_boundary_cell graze_boundary_cell_at(const graze_boundary *b, size_t index) {
+    graze_boundary_cell out;
+    memset(&out, 0, sizeof out);
+    if (!b || index >= b->leaf_count)
+        return out;
+    const sample_cell *c = b->cells + b->leaves[index];
+    int mixed = 0;
+    out.level = c->level;
+    for (unsigned k = 0; k < 1u << b->dimension; k++) {
+        out.corners[k] = number_index_find(&b->points, sample_cell_corner(b, c, k));
+        graze_pmc pmc = (graze_pmc)b->points.value[out.corners[k]];
+        mixed |= k > 0 && pmc != out.pmc;
+        out.pmc = pmc;
+    }
+    out.pmc = mixed ? GRAZE_PMC_NONE : out.pmc;
+    out.contact = sample_cell_has_contact(b, c);
+    return out;
+}
+
+void graze_boundary_vertex(mpq_t *point, const graze_boundary *b, size_t index) {
+    if (!point || !b || index >= bisect_count(b))
+        return;
+    fmpq *at = _fmpq_vec_init(b->dimension);
+    bisect_vertex(at, b, index);
+    give_point(point, b, at);
+    _fmpq_vec_clear(at, b->dimension);
+}
+
+void graze_boundary_vertex_between(mpq_t *outside, mpq_t *inside, const graze_boundary *b,
+                                   size_t index) {
+    if (!outside || !inside || !b || index >= bisect_count(b))
+        return;
+    fmpq *at = _fmpq_vec_init(2 * b->dimension);
+    bisect_between(at, at + b->dimension, b, index);
+    give_point(outside, b, at);
+    give_point(inside, b, at + b->dimension);
+    _fmpq_vec_clear(at, 2 * b->dimension);
+}
+
+const size_t *graze_boundary_face(const graze_boundary *b, size_t index) {
+    return b && index < b->face_count ? b->corners + index * (size_t)b->dimension : NULL;
+}

@@ -1,0 +1,148 @@
+/* The public functions of certificates.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "api/api_trace.h"
+#include "base/context/environment.h"
+#include "decide/verdict/classify.h"
+#include "questions/certify/head.h"
+#include "questions/certify/row.h"
+
+struct graze_certifier {
+    certifier inner;
+};
+
+graze_status graze_certifier_create(graze_certifier **out, graze_context *context,
+                                    const graze_scene *scene, unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene)
+        return api_misuse(context, "graze_certifier_create",
+                          "out, context and scene must not be NULL");
+    if (flags & ~(GRAZE_SOLID_TRIANGULATE | GRAZE_CERTIFY_TIMES))
+        return api_misuse(context, "graze_certifier_create", "a flag is unknown");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_certifier *made = malloc(sizeof *made);
+    if (!made)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    graze_status status = certifier_make(&made->inner, context, scene, flags);
+    if (status)
+        free(made);
+    else
+        *out = made;
+    return status;
+}
+
+void graze_certifier_destroy(graze_certifier *certifier) {
+    if (!certifier)
+        return;
+    certifier_clear(&certifier->inner);
+    free(certifier);
+}
+
+graze_status graze_certificate_head(char **out, graze_context *context,
+                                    const graze_certifier *certifier) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !certifier)
+        return api_misuse(context, "graze_certificate_head",
+                          "out, context and certifier must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    text t;
+    text_init(&t);
+    graze_status status = certify_head(&t, context, &certifier->inner);
+    if (!status)
+        return text_finish(out, context, &t);
+    text_clear(&t);
+    return status;
+}
+
+/* Trace one point for its row of the certificate and, unless `table` is NULL, that of the table. */
+static graze_status certify_point(text *out, text *table, graze_context *context,
+                                  const certifier *c, const fmpq *point, graze_format format,
+                                  const char *rest) {
+    graze_trace trace;
+    int with_contacts =
+        c->with_contacts || (table && (format == GRAZE_FORMAT_JSONL || c->scene->tolerance > 0));
+    graze_status status =
+        classify_point(&trace, context, c->scene, (query_point){.rational = point},
+                       with_contacts ? TRACE_CONTACTS : TRACE_WORD);
+    if (!status) {
+        status = certify_row(out, context, c, point, &trace);
+        if (!status && table)
+            status = api_trace_row(table, context, c->scene, point, &trace, format, rest);
+        trace_clear(&trace);
+    }
+    return !status && (out->failed || (table && table->failed))
+               ? context_fail(context, GRAZE_ESYSTEM, "out of memory")
+               : status;
+}
+
+graze_status graze_certificate_row(char **out, graze_context *context,
+                                   const graze_certifier *certifier, graze_rationals point) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !certifier || !point)
+        return api_misuse(context, "graze_certificate_row",
+                          "out, context, certifier and point must not be NULL");
+    size_t length, done;
+    return graze_certificate_points(out, &length, NULL, NULL, &done, context, certifier, point, 1,
+                                    GRAZE_FORMAT_CSV, NULL);
+}
+
+/* Hand over the first `length` bytes, those of whole rows. */
+static void hand_over_rows(char **out, size_t *out_length, text *t, size_t length) {
+    if (!length) {
+        text_clear(t);
+        return;
+    }
+    t->data[length] = '\0';
+    *out = t->data;
+    *out_length = length;
+}
+
+graze_status graze_certificate_points(char **out, size_t *length, char **table,
+                                      size_t *table_length, size_t *done, graze_context *context,
+                                      const graze_certifier *certifier, graze_rationals points,
+                                      size_t n, graze_format format, const char *const *rest) {
+    if (out)
+        *out = NULL;
+    if (table)
+        *table = NULL;
+    if (length)
+        *length = 0;
+    if (table_length)
+        *table_length = 0;
+    if (done)
+        *done = 0;
+    if (!out || !length || !table != !table_length || !done || !context || !certifier ||
+        (n && !points))
+        return api_misuse(context, "graze_certificate_points",
+                          "out, length, done, context and certifier, and with n > 0 also points, "
+                          "must not be NULL; nor one alone of table and table_length");
+    graze_status status =
+        api_check_format(context, "graze_certificate_points", certifier->inner.scene, format);
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    size_t d = (size_t)certifier->inner.scene->motion->dimension, whole = 0, whole_rows = 0;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    text certificate, rows;
+    text_init(&certificate);
+    text_init(&rows);
+    for (size_t k = 0; k < n && !status; k++) {
+        status = api_point(point, context, certifier->inner.scene, points + k * d);
+        if (!status)
+            status = certify_point(&certificate, table ? &rows : NULL, context, &certifier->inner,
+                                   point, format, rest ? rest[k] : NULL);
+        whole = status ? whole : certificate.length;
+        whole_rows = status ? whole_rows : rows.length;
+        *done += !status;
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    hand_over_rows(out, length, &certificate, whole);
+    if (table)
+        hand_over_rows(table, table_length, &rows, whole_rows);
+    return status;
+}

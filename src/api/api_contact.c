@@ -1,0 +1,163 @@
+/* The public functions of sites.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "output/report/site_rows.h"
+#include "questions/contact/site.h"
+
+/* P in the place of y, or the reverse: carried to the body by the inverse map. */
+static graze_status create(graze_site **out, graze_context *context, const graze_scene *scene,
+                           const mpq_t time, graze_rationals point, int in_world,
+                           const graze_cell *cell) {
+    int d = scene->motion->dimension;
+    fmpq *y = _fmpq_vec_init(d);
+    fmpq_t t;
+    fmpq_init(t);
+    graze_site *made = malloc(sizeof *made);
+    graze_status status = made ? api_rational(t, context, time)
+                               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    if (!status)
+        status = api_point(y, context, scene, point);
+    if (!status && in_world)
+        status = site_to_body(y, context, scene, t);
+    if (!status)
+        status = cell ? site_snap(made, context, scene, t, y, cell)
+                      : site_make(made, context, scene, t, y);
+    if (status)
+        free(made);
+    else
+        *out = made;
+    fmpq_clear(t);
+    _fmpq_vec_clear(y, d);
+    return status;
+}
+
+static graze_status check_and_create(graze_site **out, graze_context *context,
+                                     const graze_scene *scene, const mpq_t time,
+                                     graze_rationals point, const char *function, int in_world,
+                                     const graze_cell *cell) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !time || !point)
+        return api_misuse(context, function,
+                          "out, context, scene, time and point must not be NULL");
+    if (scene->options.operation != GRAZE_SWEEP)
+        return api_misuse(context, function, "the scene is an unsweep; expected a sweep");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return create(out, context, scene, time, point, in_world, cell);
+}
+
+graze_status graze_site_create(graze_site **out, graze_context *context, const graze_scene *scene,
+                               const mpq_t time, graze_rationals point) {
+    return check_and_create(out, context, scene, time, point, "graze_site_create", 0, NULL);
+}
+
+graze_status graze_site_create_at(graze_site **out, graze_context *context,
+                                  const graze_scene *scene, const mpq_t time,
+                                  graze_rationals world) {
+    return check_and_create(out, context, scene, time, world, "graze_site_create_at", 1, NULL);
+}
+
+graze_status graze_site_snap(graze_site **out, graze_context *context, const graze_scene *scene,
+                             const mpq_t time, graze_rationals point, graze_cell cell) {
+    return check_and_create(out, context, scene, time, point, "graze_site_snap", 0, &cell);
+}
+
+graze_status graze_site_snap_at(graze_site **out, graze_context *context, const graze_scene *scene,
+                                const mpq_t time, graze_rationals world, graze_cell cell) {
+    return check_and_create(out, context, scene, time, world, "graze_site_snap_at", 1, &cell);
+}
+
+int graze_site_shift(mpq_t out, const graze_site *site) {
+    if (!site || !site->snapped || site->missed)
+        return 0;
+    api_rational_out(out, site->shift);
+    return 1;
+}
+
+void graze_site_destroy(graze_site *site) {
+    if (!site)
+        return;
+    site_clear(site);
+    free(site);
+}
+
+graze_site_facts graze_site_get(const graze_site *site) {
+    graze_site_facts none;
+    memset(&none, 0, sizeof none);
+    return site ? site->facts : none;
+}
+
+void graze_site_point(mpq_t *body, mpq_t *world, const graze_site *site) {
+    for (int k = 0; body && world && site && k < site->dimension; k++) {
+        api_rational_out(body[k], site->y + k);
+        api_rational_out(world[k], site->world + k);
+    }
+}
+
+const graze_time *graze_site_near(const graze_site *site) {
+    return site ? site->near : NULL;
+}
+
+const graze_time *graze_site_near_in(const graze_site *site) {
+    return site ? site->near_in : NULL;
+}
+
+const graze_trace *graze_site_trace(const graze_site *site) {
+    return site && !site->missed ? &site->trace : NULL;
+}
+
+size_t graze_site_germ_count(const graze_site *site) {
+    return site ? site->germ_count : 0;
+}
+
+graze_site_germ graze_site_germ_at(mpq_t g, mpq_t drift, mpq_t theta, const graze_site *site,
+                                   size_t index) {
+    graze_site_germ out;
+    memset(&out, 0, sizeof out);
+    if (index >= graze_site_germ_count(site))
+        return out;
+    const site_germ *germ = &site->germ[index];
+    out.facet = site->place.facet[germ->facet].name;
+    out.side = germ->side;
+    out.order = germ->order;
+    out.sign = germ->sign;
+    if (g && drift && theta) {
+        api_rational_out(g, germ->g);
+        api_rational_out(drift, germ->drift);
+        api_rational_out(theta, germ->theta);
+    }
+    return out;
+}
+
+graze_status graze_site_header(char **out, graze_context *context, const graze_scene *scene,
+                               const char *notes, const char *columns) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene)
+        return api_misuse(context, "graze_site_header", "out, context and scene must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return report_contact_header(out, context, scene, notes, columns);
+}
+
+graze_status graze_site_row(char **out, graze_context *context, const graze_site *site,
+                            graze_format format, const char *rest) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !site)
+        return api_misuse(context, "graze_site_row", "out, context and site must not be NULL");
+    if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
+        return api_misuse(context, "graze_site_row", "the format is unknown");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    text t;
+    text_init(&t);
+    if (format == GRAZE_FORMAT_CSV)
+        report_contact_csv(&t, site, rest);
+    else
+        report_contact_json(&t, site);
+    return text_finish(out, context, &t);
+}

@@ -1,0 +1,103 @@
+/* The public functions of curves of contact.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "output/report/event_rows.h"
+#include "questions/envelope/contact_curve.h"
+#include "questions/envelope/sample.h"
+
+graze_status graze_curve_create(graze_curve **out, graze_context *context,
+                                const graze_envelope *envelope, const mpq_t time) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !envelope || !time)
+        return api_misuse(context, "graze_curve_create",
+                          "out, context, envelope and time must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq_t t;
+    fmpq_init(t);
+    graze_curve *made = malloc(sizeof *made);
+    graze_status status = made ? api_rational(t, context, time)
+                               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    if (!status)
+        status = contact_curve_make(made, context, envelope, t);
+    fmpq_clear(t);
+    if (status)
+        free(made);
+    else
+        *out = made;
+    return status;
+}
+
+void graze_curve_destroy(graze_curve *curve) {
+    if (!curve)
+        return;
+    contact_curve_clear(curve);
+    free(curve);
+}
+
+size_t graze_curve_count(const graze_curve *curve) {
+    return curve ? curve->count : 0;
+}
+
+graze_curve_part graze_curve_at(const graze_curve *curve, size_t index) {
+    graze_curve_part none;
+    memset(&none, 0, sizeof none);
+    return index < graze_curve_count(curve) ? curve->part[index].facts : none;
+}
+
+void graze_curve_ends(mpq_t *a, mpq_t *b, const graze_curve *curve, size_t index) {
+    for (int i = 0; a && b && index < graze_curve_count(curve) && i < curve->dimension; i++) {
+        api_rational_out(a[i], curve->part[index].a + i);
+        api_rational_out(b[i], curve->part[index].b + i);
+    }
+}
+
+graze_status graze_curve_header(char **out, graze_context *context, const graze_envelope *envelope,
+                                const char *notes) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !envelope)
+        return api_misuse(context, "graze_curve_header",
+                          "out, context and envelope must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return report_curve_header(out, context, envelope->scene, notes);
+}
+
+graze_status graze_curve_row(char **out, graze_context *context, const graze_curve *curve,
+                             size_t index) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !curve)
+        return api_misuse(context, "graze_curve_row", "out, context and curve must not be NULL");
+    if (index >= curve->count)
+        return api_misuse(context, "graze_curve_row", "there is no such part");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    text t;
+    text_init(&t);
+    report_curve(&t, curve, &curve->part[index]);
+    return text_finish(out, context, &t);
+}
+
+graze_status graze_envelope_site(graze_site **out, graze_context *context,
+                                 const graze_envelope *envelope, unsigned long seed,
+                                 unsigned long index) {
+    int found = 0;
+    if (out)
+        *out = NULL;
+    if (!out || !context || !envelope)
+        return api_misuse(context, "graze_envelope_site",
+                          "out, context and envelope must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_site *made = malloc(sizeof *made);
+    graze_status status = made ? sample_make(made, &found, context, envelope, seed, index)
+                               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    if (found)
+        *out = made;
+    else
+        free(made);
+    return status;
+}

@@ -1,0 +1,110 @@
+/* The public functions of distances. SPDX-License-Identifier: GPL-3.0-or-later */
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <string.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "base/number/rounding.h"
+#include "decide/verdict/classify.h"
+#include "graze/distance.h"
+#include "questions/distance/diagonal.h"
+#include "questions/distance/distance.h"
+
+/* The time in the motion's parameter, as a double. */
+static graze_status time_in_double(double *out, graze_context *context, const graze_scene *scene,
+                                   const distance *found) {
+    graze_status status = GRAZE_OK;
+    fmpq_t time;
+    fmpq_init(time);
+    if (found->at) {
+        status = distance_contact_time(time, context, found->at);
+    } else {
+        distance_time(time, found, scene->motion);
+    }
+    if (!status)
+        status = rational_nearest(out, context, time);
+    fmpq_clear(time);
+    return status;
+}
+
+static graze_status enclose_point(graze_enclosure *out, graze_context *context,
+                                  const graze_scene *scene, const fmpq *point, double tolerance) {
+    graze_trace trace;
+    distance found;
+    graze_status status =
+        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
+    if (status)
+        return status;
+    status = distance_find(&found, context, scene, point, &trace, tolerance);
+    graze_enclosure made = {found.low, found.high, 0, trace.verdict.pmc, found.wide};
+    if (!status)
+        status = time_in_double(&made.time, context, scene, &found);
+    if (!status)
+        *out = made;
+    trace_clear(&trace);
+    return status;
+}
+
+/* The checks that both functions share; the enclosures are zeroed. */
+static graze_status begin_distances(graze_enclosure *out, graze_context *context,
+                                    const graze_scene *scene, const void *points, size_t n,
+                                    double tolerance, const char *function) {
+    if (!context || !scene || (n && (!out || !points)))
+        return api_misuse(
+            context, function,
+            "context and scene, and with n > 0 also out and points, must not be NULL");
+    if (!(tolerance > 0 && isfinite(tolerance)))
+        return api_misuse(context, function, "tolerance must be positive and finite");
+    if (n)
+        memset(out, 0, n * sizeof *out);
+    return GRAZE_OK;
+}
+
+/* Points as rationals or, if these are NULL, as doubles. */
+static graze_status enclose_points(graze_enclosure *out, graze_context *context,
+                                   const graze_scene *scene, graze_rationals rationals,
+                                   const double *doubles, size_t n, double tolerance) {
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    size_t d = (size_t)scene->motion->dimension;
+    graze_status status = GRAZE_OK;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    for (size_t p = 0; p < n && !status; p++) {
+        if (rationals)
+            status = api_point(point, context, scene, rationals + p * d);
+        for (size_t k = 0; doubles && k < d && !status; k++)
+            status = rational_from_double(point + k, context, doubles[p * d + k]);
+        if (!status)
+            status = enclose_point(out + p, context, scene, point, tolerance);
+        if (status)
+            status = context_item(context, status, "point", p, NULL);
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    return status;
+}
+
+graze_status graze_distances(graze_enclosure *out, graze_context *context, const graze_scene *scene,
+                             graze_rationals points, size_t n, double tolerance) {
+    graze_status status =
+        begin_distances(out, context, scene, points, n, tolerance, "graze_distances");
+    return status ? status : enclose_points(out, context, scene, points, NULL, n, tolerance);
+}
+
+graze_status graze_distances_doubles(graze_enclosure *out, graze_context *context,
+                                     const graze_scene *scene, const double *points, size_t n,
+                                     double tolerance) {
+    graze_status status =
+        begin_distances(out, context, scene, points, n, tolerance, "graze_distances_doubles");
+    return status ? status : enclose_points(out, context, scene, NULL, points, n, tolerance);
+}
+
+graze_status graze_scene_diagonal(double *out, graze_context *context, const graze_scene *scene) {
+    if (!out || !context || !scene)
+        return api_misuse(context, "graze_scene_diagonal",
+                          "out, context and scene must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return distance_diagonal(out, context, scene);
+}
+
+double graze_scene_sdf(const graze_scene *scene) {
+    return scene ? scene->tolerance : 0;
+}

@@ -1,0 +1,104 @@
+/* The public functions of the generator.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "questions/generate/generate.h"
+
+static const struct {
+    const char *name;
+    unsigned long weight;
+} strata[GRAZE_STRATUM_COUNT] = {{"random", 4}, {"near", 4},    {"face", 16},    {"face-odd", 4},
+                                 {"edge", 15},  {"vertex", 15}, {"crossing", 4}, {"start", 9},
+                                 {"end", 9},    {"break", 7},   {"slide", 3},    {"miss", 4},
+                                 {"level", 0}};
+
+static int is_stratum(graze_stratum stratum) {
+    return (int)stratum >= 0 && stratum < GRAZE_STRATUM_COUNT;
+}
+
+const char *graze_stratum_name(graze_stratum stratum) {
+    return is_stratum(stratum) ? strata[stratum].name : NULL;
+}
+
+unsigned long graze_stratum_default_weight(graze_stratum stratum) {
+    return is_stratum(stratum) ? strata[stratum].weight : 0;
+}
+
+graze_status graze_generator_create(graze_generator **out, graze_context *context,
+                                    const graze_scene *scene, unsigned long long seed,
+                                    const unsigned long *weights, unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene)
+        return api_misuse(context, "graze_generator_create",
+                          "out, context and scene must not be NULL");
+    if (flags & ~GRAZE_GENERATE_REPRESENTABLE)
+        return api_misuse(context, "graze_generator_create", "an unknown flag is set");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    unsigned long chosen[GRAZE_STRATUM_COUNT];
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
+        chosen[k] = weights ? weights[k] : strata[k].weight;
+        if (chosen[k] > 1000000)
+            return api_misuse(context, "graze_generator_create", "a weight is more than 1000000");
+    }
+    graze_generator *made = malloc(sizeof *made);
+    if (!made)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a generator");
+    graze_status status = generator_make(made, context, scene, seed, chosen,
+                                         (flags & GRAZE_GENERATE_REPRESENTABLE) != 0);
+    if (status) {
+        generator_clear(made);
+        free(made);
+        return status;
+    }
+    *out = made;
+    return GRAZE_OK;
+}
+
+void graze_generator_destroy(graze_generator *generator) {
+    if (!generator)
+        return;
+    generator_clear(generator);
+    free(generator);
+}
+
+unsigned long graze_generator_weight(const graze_generator *generator, graze_stratum stratum) {
+    return generator && is_stratum(stratum) ? generator->weight[stratum] : 0;
+}
+
+int graze_generator_missing_decade(int *decade, int *outward, const graze_generator *generator,
+                                   size_t index) {
+    if (!decade || !outward || !generator || index >= generator->missing_count)
+        return 0;
+    *decade = generator->missing[index].decade;
+    *outward = generator->missing[index].outward;
+    return 1;
+}
+
+void graze_generator_box(mpq_t *low, mpq_t *high, const graze_generator *generator) {
+    if (!low || !high || !generator)
+        return;
+    for (int i = 0; i < generator->scene->motion->dimension; i++) {
+        api_rational_out(low[i], generator->low + i);
+        api_rational_out(high[i], generator->high + i);
+    }
+}
+
+graze_status graze_generator_point(mpq_t *point, mpq_t time, graze_sample *out,
+                                   graze_context *context, const graze_generator *generator,
+                                   unsigned long long row) {
+    if (!point || !time || !out || !context || !generator)
+        return api_misuse(context, "graze_generator_point", "no argument may be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    sample s;
+    sample_init(&s);
+    graze_status status = generator_sample(&s, context, generator, row);
+    *out = s.made;
+    for (int i = 0; i < generator->scene->motion->dimension && !status; i++)
+        api_rational_out(point[i], s.point + i);
+    api_rational_out(time, s.time);
+    sample_clear(&s);
+    return status;
+}

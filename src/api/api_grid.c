@@ -1,0 +1,199 @@
+/* The public functions of grids.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "decide/lattice/bricks.h"
+#include "decide/lattice/grid_rows.h"
+#include "decide/verdict/classify.h"
+#include "graze/grid.h"
+
+/* What is decided, and written, when it is first asked for; under locks of its own. */
+typedef struct grid_memory {
+    bricks bricks;
+    axis_texts texts;
+} grid_memory;
+
+struct graze_grid {
+    lattice lattice;
+    grid_memory *memory;
+};
+
+/* The sizes give no more points than the limit allows. */
+static graze_status check_sizes(graze_context *context, const size_t *size, int dimension) {
+    size_t left = graze_context_limit(context, GRAZE_LIMIT_GRID);
+    for (int k = 0; k < dimension; k++) {
+        if (size[k] < 2)
+            return api_misuse(context, "graze_grid_create", "expected sizes from 2 up");
+        left /= size[k];
+    }
+    return left ? GRAZE_OK : context_limit(context, GRAZE_LIMIT_GRID, "the number of points");
+}
+
+static graze_status make_grid(graze_grid **out, graze_context *context, const graze_scene *scene,
+                              const size_t *size, const fmpq *low, const fmpq *high) {
+    int d = scene->motion->dimension;
+    for (int k = 0; k < d; k++)
+        if (fmpq_cmp(low + k, high + k) >= 0)
+            return api_misuse(context, "graze_grid_create", "expected low < high");
+    graze_grid *g = malloc(sizeof *g);
+    grid_memory *memory = malloc(sizeof *memory);
+    if (!g || !memory) {
+        free(g);
+        free(memory);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a grid");
+    }
+    lattice_make(&g->lattice, d, size, low, high);
+    axis_texts_init(&memory->texts);
+    g->memory = memory;
+    *out = g;
+    if (bricks_make(&memory->bricks, scene, &g->lattice))
+        return GRAZE_OK;
+    graze_grid_destroy(g);
+    *out = NULL;
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for a grid of %zu points",
+                        g->lattice.count);
+}
+
+graze_status graze_grid_create(graze_grid **out, graze_context *context, const graze_scene *scene,
+                               const size_t *size, graze_rationals low, graze_rationals high) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !size || !low || !high)
+        return api_misuse(context, "graze_grid_create",
+                          "out, context, scene, size, low and high must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    int d = scene->motion->dimension;
+    fmpq *box = _fmpq_vec_init(2 * d);
+    graze_status status = check_sizes(context, size, d);
+    if (!status)
+        status = api_point(box, context, scene, low);
+    if (!status)
+        status = api_point(box + d, context, scene, high);
+    if (!status)
+        status = make_grid(out, context, scene, size, box, box + d);
+    _fmpq_vec_clear(box, 2 * d);
+    return status;
+}
+
+void graze_grid_destroy(graze_grid *grid) {
+    if (!grid)
+        return;
+    axis_texts_clear(&grid->memory->texts);
+    bricks_clear(&grid->memory->bricks);
+    free(grid->memory);
+    lattice_clear(&grid->lattice);
+    free(grid);
+}
+
+size_t graze_grid_count(const graze_grid *grid) {
+    return grid ? grid->lattice.count : 0;
+}
+
+/* How many of the points first, first + step, ... there are, at most `count`. */
+static size_t points_there(const graze_grid *grid, size_t first, size_t step, size_t count) {
+    size_t all = graze_grid_count(grid);
+    if (first >= all || !step)
+        return 0;
+    size_t there = (all - first - 1) / step + 1;
+    return there < count ? there : count;
+}
+
+void graze_grid_points(mpq_t *points, const graze_grid *grid, size_t first, size_t step,
+                       size_t count) {
+    size_t n = points ? points_there(grid, first, step, count) : 0, last[3] = {0, 0, 0};
+    fmpq_t coordinate;
+    fmpq_init(coordinate);
+    for (size_t p = 0; p < n; p++) {
+        size_t place[3];
+        int d = grid->lattice.dimension;
+        lattice_place(place, &grid->lattice, first + p * step);
+        for (int k = 0; k < d; k++, points++) {
+            if (p > 0 && place[k] == last[k]) {
+                mpq_set(*points, *(points - d));
+                continue;
+            }
+            lattice_coordinate(coordinate, &grid->lattice, k, place[k]);
+            api_rational_out(*points, coordinate);
+            last[k] = place[k];
+        }
+    }
+    fmpq_clear(coordinate);
+}
+
+/* A point that its brick has no answer for. */
+static graze_status ask_alone(unsigned char *pmc, graze_context *context, const graze_grid *grid,
+                              size_t index) {
+    graze_trace trace;
+    size_t place[3];
+    int d = grid->lattice.dimension;
+    fmpq *point = _fmpq_vec_init(d);
+    lattice_place(place, &grid->lattice, index);
+    for (int k = 0; k < d; k++)
+        lattice_coordinate(point + k, &grid->lattice, k, place[k]);
+    graze_status status = classify_point(&trace, context, grid->memory->bricks.scene,
+                                         (query_point){.rational = point}, TRACE_PMC);
+    if (!status) {
+        *pmc = (unsigned char)trace.verdict.pmc;
+        trace_clear(&trace);
+    }
+    _fmpq_vec_clear(point, d);
+    return status ? context_item(context, status, "point", index, NULL) : GRAZE_OK;
+}
+
+graze_status graze_grid_pmc(unsigned char *out, graze_context *context, const graze_grid *grid,
+                            size_t first, size_t step, size_t count) {
+    if (!context || !grid || (count && !out))
+        return api_misuse(context, "graze_grid_pmc",
+                          "context, grid and, with count > 0, out must not be NULL");
+    if (points_there(grid, first, step, count) < count)
+        return api_misuse(context, "graze_grid_pmc", "expected points of the grid");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_status status = GRAZE_OK;
+    size_t done = 0;
+    if (count)
+        memset(out, 0, count);
+    while (done < count && !status) {
+        size_t n = 0;
+        status = bricks_row(out + done, &n, context, &grid->memory->bricks, first + done * step,
+                            step == 1 ? count - done : 1);
+        for (size_t end = done + n; done < end && !status; done += !status)
+            if (!out[done])
+                status = ask_alone(out + done, context, grid, first + done * step);
+    }
+    if (status)
+        memset(out + done, 0, count - done);
+    return status;
+}
+
+graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
+                             const graze_grid *grid, size_t first, size_t step, size_t count) {
+    if (out)
+        *out = NULL;
+    if (length)
+        *length = 0;
+    if (done)
+        *done = 0;
+    if (!out || !length || !done || !context || !grid)
+        return api_misuse(context, "graze_grid_rows",
+                          "out, length, done, context and grid must not be NULL");
+    unsigned char *pmc = calloc(count + 1, 1); /* ends with a 0 */
+    if (!pmc)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);
+    graze_status status = graze_grid_pmc(pmc, context, grid, first, step, count);
+    size_t rows = strlen((const char *)pmc);
+    text t;
+    text_init(&t);
+    rows_put(&t, &grid->memory->texts, &grid->lattice, pmc, first, step, rows);
+    if (t.failed)
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);
+    *done = t.failed ? 0 : rows;
+    *length = t.failed ? 0 : t.length;
+    *out = *done ? text_take(&t) : NULL;
+    text_clear(&t);
+    free(pmc);
+    return status;
+}

@@ -1,0 +1,141 @@
+/* The public functions of patches and joints.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "output/report/event_rows.h"
+#include "questions/envelope/patches.h"
+
+graze_status graze_patches_create(graze_patches **out, graze_context *context,
+                                  const graze_envelope *envelope) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !envelope)
+        return api_misuse(context, "graze_patches_create",
+                          "out, context and envelope must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_patches *made = malloc(sizeof *made);
+    if (!made)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    graze_status status = patches_make(made, context, envelope);
+    if (status)
+        free(made);
+    else
+        *out = made;
+    return status;
+}
+
+void graze_patches_destroy(graze_patches *patches) {
+    if (!patches)
+        return;
+    patches_clear(patches);
+    free(patches);
+}
+
+size_t graze_patches_count(const graze_patches *patches) {
+    return patches ? patches->count : 0;
+}
+
+graze_patch graze_patches_at(const graze_patches *patches, size_t index) {
+    graze_patch none;
+    memset(&none, 0, sizeof none);
+    return index < graze_patches_count(patches) ? patches->item[index].facts : none;
+}
+
+void graze_patches_sample(mpq_t time, mpq_t *body, mpq_t *world, const graze_patches *patches,
+                          size_t index) {
+    if (!time || !body || !world || index >= graze_patches_count(patches))
+        return;
+    const patch *item = &patches->item[index];
+    fmpq_get_mpq(time, item->t);
+    for (int i = 0; i < patches->envelope->cells.dimension; i++) {
+        fmpq_get_mpq(body[i], item->body + i);
+        fmpq_get_mpq(world[i], item->world + i);
+    }
+}
+
+size_t graze_patches_joint_count(const graze_patches *patches) {
+    return patches ? patches->joint_count : 0;
+}
+
+graze_patch_joint graze_patches_joint(const graze_patches *patches, size_t index) {
+    graze_patch_joint out;
+    memset(&out, 0, sizeof out);
+    if (index >= graze_patches_joint_count(patches))
+        return out;
+    const patch_joint *joint = &patches->joint[index];
+    out.cell = joint->cell;
+    out.from = patches->moments.time[joint->from];
+    out.to = patches->moments.time[joint->to];
+    out.form = joint->form;
+    out.count = joint->count;
+    out.patch = patches->member + joint->first;
+    return out;
+}
+
+graze_status graze_patches_header(char **out, graze_context *context,
+                                  const graze_envelope *envelope, const char *notes) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !envelope)
+        return api_misuse(context, "graze_patches_header",
+                          "out, context and envelope must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return report_patches_header(out, context, envelope->scene, notes);
+}
+
+graze_status graze_patches_joint_header(char **out, graze_context *context,
+                                        const graze_envelope *envelope, const char *notes) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !envelope)
+        return api_misuse(context, "graze_patches_joint_header",
+                          "out, context and envelope must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return report_joints_header(out, context, envelope->scene, notes);
+}
+
+/* The text of a row once the two times in it are canonical. */
+static graze_status finish_row(char **out, graze_context *context, const graze_patches *patches,
+                               size_t index, size_t from, size_t to,
+                               void (*report)(text *, const graze_patches *, size_t)) {
+    text t;
+    graze_status status = time_canonicalise(patches->moments.time[from], context);
+    if (!status)
+        status = time_canonicalise(patches->moments.time[to], context);
+    if (status)
+        return status;
+    text_init(&t);
+    report(&t, patches, index);
+    return text_finish(out, context, &t);
+}
+
+graze_status graze_patches_row(char **out, graze_context *context, const graze_patches *patches,
+                               size_t index) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !patches)
+        return api_misuse(context, "graze_patches_row",
+                          "out, context and patches must not be NULL");
+    if (index >= patches->count)
+        return api_misuse(context, "graze_patches_row", "there is no such patch");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    const patch *item = &patches->item[index];
+    return finish_row(out, context, patches, index, item->from, item->to, report_patch);
+}
+
+graze_status graze_patches_joint_row(char **out, graze_context *context,
+                                     const graze_patches *patches, size_t index) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !patches)
+        return api_misuse(context, "graze_patches_joint_row",
+                          "out, context and patches must not be NULL");
+    if (index >= patches->joint_count)
+        return api_misuse(context, "graze_patches_joint_row", "there is no such joint");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    const patch_joint *joint = &patches->joint[index];
+    return finish_row(out, context, patches, index, joint->from, joint->to, report_joint);
+}

@@ -1,0 +1,281 @@
+/* The public functions of solids: from files, from arrays, and their properties.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdint.h>
+#include <string.h>
+#include <strings.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "base/number/rounding.h"
+#include "input/mend/mend.h"
+#include "input/read/nesting.h"
+#include "input/read/read.h"
+#include "input/solid/create.h"
+#include "input/solid/write_solid.h"
+#include "input/validate/validate.h"
+
+/* `sha256` is that of a file validated before, or NULL. */
+static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,
+                               unsigned flags, const unsigned char *sha256) {
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    soup input;
+    graze_status status = soup_read(&input, context, path);
+    if (status)
+        return status;
+    if (sha256 && memcmp(sha256, input.sha256, sizeof input.sha256) != 0) {
+        soup_clear(&input);
+        return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                               "is not the file that was validated: its SHA-256 is another");
+    }
+    status = solid_create(out, context, &input, sha256 ? flags | VALIDATE_TRUST_CONTACTS : flags);
+    return status ? context_in(context, status, path, 0) : GRAZE_OK;
+}
+
+graze_status graze_solid_read(graze_solid **out, graze_context *context, const char *path,
+                              unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !path)
+        return api_misuse(context, "graze_solid_read", "out, context and path must not be NULL");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, "graze_solid_read", "an unknown flag is set");
+    return read_solid(out, context, path, flags, NULL);
+}
+
+graze_status graze_solid_read_trusted(graze_solid **out, graze_context *context, const char *path,
+                                      const unsigned char *sha256, unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !path || !sha256)
+        return api_misuse(context, "graze_solid_read_trusted",
+                          "out, context, path and sha256 must not be NULL");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, "graze_solid_read_trusted", "an unknown flag is set");
+    return read_solid(out, context, path, flags, sha256);
+}
+
+/* Read a mesh that may be mended. */
+static graze_status read_mesh(soup *input, graze_context *context, const char *path) {
+    const char *extension = strrchr(path, '.');
+    if (extension && (!strcasecmp(extension, ".wkt") || !strcasecmp(extension, ".nef3")))
+        return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                               "only meshes are mended; expected .off, .obj, .ply or .stl");
+    return soup_read(input, context, path);
+}
+
+graze_status graze_solid_mend(char **out, char **report, graze_context *context, const char *path,
+                              unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (report)
+        *report = NULL;
+    if (!out || !context || !path)
+        return api_misuse(context, "graze_solid_mend", "out, context and path must not be NULL");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, "graze_solid_mend", "an unknown flag is set");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_solid *solid = NULL;
+    soup input;
+    text written, done;
+    graze_status status = read_mesh(&input, context, path);
+    if (status)
+        return status;
+    text_init(&written);
+    text_init(&done);
+    status = mend_solid(&solid, &done, context, &input, flags);
+    if (!status) {
+        solid_write(&written, solid);
+        status = text_finish(out, context, &written);
+    } else {
+        status = context_in(context, status, path, 0);
+    }
+    if (report && (!status || status == GRAZE_EILLEGAL)) {
+        *report = text_take(&done);
+        if (!*report)
+            status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    }
+    if (status && *out) {
+        graze_free(*out);
+        *out = NULL;
+    }
+    text_clear(&done);
+    graze_solid_destroy(solid);
+    return status;
+}
+
+/* A caller's arrays; exactly one of `rationals` and `doubles` is given. */
+typedef struct arrays {
+    int dimension;
+    graze_rationals rationals;
+    const double *doubles;
+    size_t vertex_count;
+    const size_t *facet_sizes;
+    size_t facet_count;
+    const size_t *indices;
+    size_t index_count;
+} arrays;
+
+/* Check the arrays before anything is copied. */
+static graze_status check_arrays(arrays *a, graze_context *context, unsigned flags) {
+    const char *name = a->doubles ? "graze_solid_from_doubles" : "graze_solid_from_arrays";
+    unsigned long limit = context->limits[GRAZE_LIMIT_CELLS];
+    if (a->dimension != 2 && a->dimension != 3)
+        return api_misuse(context, name, "the dimension must be 2 or 3");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, name, "an unknown flag is set");
+    if (!a->facet_count)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "empty interior: there is no facet; expected a closed boundary");
+    if (!a->facet_sizes || !a->indices || (!a->rationals && !a->doubles))
+        return api_misuse(context, name, "no array must be NULL");
+    if (a->vertex_count > limit)
+        return context_limit(context, GRAZE_LIMIT_CELLS, "vertices");
+    if (a->facet_count > limit)
+        return context_limit(context, GRAZE_LIMIT_CELLS, "facets");
+    size_t next = 0;
+    for (size_t f = 0; f < a->facet_count; f++) {
+        size_t size = a->facet_sizes[f];
+        if (size < 3)
+            return context_fail(context, GRAZE_EINPUT,
+                                "facet %zu has %zu vertices; expected at least 3", f, size);
+        if (size > SIZE_MAX - next || next + size > limit)
+            return context_limit(context, GRAZE_LIMIT_CELLS, "corners of facets");
+        for (size_t k = 0; k < size; k++, next++)
+            if (a->indices[next] >= a->vertex_count)
+                return context_fail(context, GRAZE_EINPUT,
+                                    "facet %zu names vertex %zu; expected below %zu", f,
+                                    a->indices[next], a->vertex_count);
+    }
+    a->index_count = next;
+    return GRAZE_OK;
+}
+
+static graze_status add_vertices(soup *s, graze_context *context, const arrays *a) {
+    size_t d = (size_t)a->dimension;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    graze_status status = GRAZE_OK;
+    for (size_t v = 0; v < a->vertex_count && !status; v++) {
+        for (size_t k = 0; k < d && !status; k++) {
+            status = a->doubles ? rational_from_double(point + k, context, a->doubles[v * d + k])
+                                : api_rational(point + k, context, a->rationals[v * d + k]);
+            if (status)
+                status = api_coordinate(context, status, "vertex", v, k);
+        }
+        if (!status)
+            status = soup_add_vertex(s, context, point);
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    return status;
+}
+
+static graze_status add_facets(soup *s, graze_context *context, const arrays *a) {
+    if (a->dimension == 2)
+        return nesting_add_rings(s, context, a->facet_sizes, a->facet_count, a->indices);
+    const size_t *index = a->indices;
+    graze_status status = GRAZE_OK;
+    for (size_t f = 0; f < a->facet_count && !status; f++) {
+        status = soup_add_facet(s, context);
+        if (!status)
+            status = soup_add_cycle(s, context, index, a->facet_sizes[f]);
+        index += a->facet_sizes[f];
+    }
+    return status;
+}
+
+static graze_status make_solid(graze_solid **out, graze_context *context, arrays *a,
+                               unsigned flags) {
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_status status = check_arrays(a, context, flags);
+    if (status)
+        return status;
+    soup input;
+    soup_init(&input, a->dimension);
+    status = add_vertices(&input, context, a);
+    if (!status)
+        status = add_facets(&input, context, a);
+    if (!status)
+        return solid_create(out, context, &input, flags);
+    soup_clear(&input);
+    return status;
+}
+
+graze_status graze_solid_from_arrays(graze_solid **out, graze_context *context, int dimension,
+                                     graze_rationals coordinates, size_t vertex_count,
+                                     const size_t *facet_sizes, size_t facet_count,
+                                     const size_t *indices, unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context)
+        return api_misuse(context, "graze_solid_from_arrays", "out and context must not be NULL");
+    arrays a = {dimension, coordinates, NULL, vertex_count, facet_sizes, facet_count, indices, 0};
+    return make_solid(out, context, &a, flags);
+}
+
+graze_status graze_solid_from_doubles(graze_solid **out, graze_context *context, int dimension,
+                                      const double *coordinates, size_t vertex_count,
+                                      const size_t *facet_sizes, size_t facet_count,
+                                      const size_t *indices, unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context)
+        return api_misuse(context, "graze_solid_from_doubles", "out and context must not be NULL");
+    arrays a = {dimension, NULL, coordinates, vertex_count, facet_sizes, facet_count, indices, 0};
+    return make_solid(out, context, &a, flags);
+}
+
+int graze_solid_dimension(const graze_solid *solid) {
+    return solid ? solid->input.dimension : 0;
+}
+
+size_t graze_solid_vertex_count(const graze_solid *solid) {
+    return solid ? solid->input.vertex_count : 0;
+}
+
+size_t graze_solid_facet_count(const graze_solid *solid) {
+    if (!solid)
+        return 0;
+    return solid->input.dimension == 2 ? solid->cut.count : solid->input.facet_count;
+}
+
+size_t graze_solid_component_count(const graze_solid *solid) {
+    return solid ? solid->cut.component_count : 0;
+}
+
+const char *graze_solid_note(const graze_solid *solid) {
+    return solid ? solid->note : "";
+}
+
+graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
+                             const graze_solid *solid) {
+    if (!low || !high || !context || !solid)
+        return api_misuse(context, "graze_solid_box",
+                          "low, high, context and solid must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    size_t d = (size_t)solid->input.dimension;
+    for (size_t i = 0; i < d; i++) {
+        const fmpq *first = solid->input.coordinates + solid->cut.item[0].vertex[0] * d + i;
+        const fmpq *least = first, *most = first;
+        for (size_t k = 0; k < solid->cut.count * d; k++) {
+            size_t vertex = solid->cut.item[k / d].vertex[k % d];
+            const fmpq *value = solid->input.coordinates + vertex * d + i;
+            least = fmpq_cmp(value, least) < 0 ? value : least;
+            most = fmpq_cmp(value, most) > 0 ? value : most;
+        }
+        api_rational_out(low[i], least);
+        api_rational_out(high[i], most);
+    }
+    return GRAZE_OK;
+}
+
+graze_status graze_solid_text(char **out, graze_context *context, const graze_solid *solid) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !solid)
+        return api_misuse(context, "graze_solid_text", "out, context and solid must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    text t;
+    text_init(&t);
+    solid_write(&t, solid);
+    return text_finish(out, context, &t);
+}

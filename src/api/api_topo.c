@@ -1,0 +1,110 @@
+/* The public functions of positions relative to the closed sweep.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "questions/topo/topo.h"
+
+struct graze_topology {
+    topo_finding inner;
+    int dimension;
+};
+
+graze_status graze_trace_topo(graze_topology **out, graze_context *context,
+                              const graze_scene *scene, graze_rationals point,
+                              const graze_trace *trace) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !point || !trace)
+        return api_misuse(context, "graze_trace_topo",
+                          "out, context, scene, point and trace must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_topology *made = malloc(sizeof *made);
+    if (!made)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    made->dimension = scene->motion->dimension;
+    finding_init(&made->inner);
+    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    graze_status status = api_point(p, context, scene, point);
+    if (!status)
+        status = topo_decide(&made->inner, context, scene, p, trace);
+    _fmpq_vec_clear(p, scene->motion->dimension);
+    if (status)
+        graze_topology_destroy(made);
+    else
+        *out = made;
+    return status;
+}
+
+void graze_topology_destroy(graze_topology *topology) {
+    if (topology)
+        finding_clear(&topology->inner);
+    free(topology);
+}
+
+graze_topo graze_topology_position(const graze_topology *topology) {
+    return topology ? topology->inner.position : GRAZE_TOPO_NONE;
+}
+
+graze_topo_level graze_topology_level(const graze_topology *topology) {
+    return topology ? topology->inner.level : GRAZE_LEVEL_NONE;
+}
+
+const char *graze_topology_reason(const graze_topology *topology) {
+    return topology ? topology->inner.reason : "";
+}
+
+int graze_topology_witness(mpq_t *out, const graze_topology *topology) {
+    if (!out || !topology || !topology->inner.has_witness)
+        return 0;
+    for (int k = 0; k < topology->dimension; k++)
+        api_rational_out(out[k], topology->inner.witness + k);
+    return 1;
+}
+
+/* Integers as rationals. */
+static void integers_out(mpq_t *out, const fmpz *v, int count) {
+    fmpq value = {0, 1};
+    for (int k = 0; k < count; k++) {
+        fmpz_set(&value.num, v + k);
+        api_rational_out(out[k], &value);
+    }
+    fmpz_clear(&value.num);
+}
+
+static int has_witness_of(const graze_topology *topology, topo_witness kind) {
+    return topology && topology->inner.has_witness && finding_witness(&topology->inner) == kind;
+}
+
+int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_topology *topology) {
+    if (!direction || !epsilon || !has_witness_of(topology, WITNESS_RAY))
+        return 0;
+    integers_out(direction, topology->inner.direction, topology->dimension);
+    api_rational_out(epsilon, &topology->inner.reach);
+    return 1;
+}
+
+int graze_topology_path(mpq_t *direction, mpq_t *normal, mpq_t z, size_t *order, mpq_t epsilon,
+                        const graze_topology *topology) {
+    if (!direction || !normal || !z || !order || !epsilon ||
+        !has_witness_of(topology, WITNESS_PATH))
+        return 0;
+    integers_out(direction, topology->inner.open, topology->dimension);
+    integers_out(normal, topology->inner.across, topology->dimension);
+    api_rational_out(z, &topology->inner.lift);
+    *order = (size_t)topology->inner.order;
+    api_rational_out(epsilon, &topology->inner.reach);
+    return 1;
+}
+
+int graze_topology_square(mpq_t *along, mpq_t rho, const graze_topology *topology) {
+    if (!along || !rho || !has_witness_of(topology, WITNESS_SQUARE))
+        return 0;
+    for (int k = 0; k < 2; k++)
+        integers_out(along + k * topology->dimension, topology->inner.along[k],
+                     topology->dimension);
+    api_rational_out(rho, &topology->inner.reach);
+    return 1;
+}

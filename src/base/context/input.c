@@ -1,0 +1,83 @@
+/* Opens and reads files and pipes.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A FIFO is opened without waiting for its writer, and every read comes after a poll: one that
+ * no process writes to is then waited for in steps. On Linux a FIFO that no writer has opened yet
+ * is neither readable nor hung up, so its end is not seen before its beginning.
+ */
+#include "base/context/input.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { STEP = 100 }; /* milliseconds */
+
+static graze_status fail_input(graze_context *context, const char *name, const char *what) {
+    return context_fail_in(context, GRAZE_ESYSTEM, name, 0, "%s: %s", what, strerror(errno));
+}
+
+/* A device may never end, and opening one may move a tape. */
+static graze_status check_file_kind(graze_context *context, const char *path,
+                                    const struct stat *about) {
+    int directory = S_ISDIR(about->st_mode);
+    if (!directory && !S_ISCHR(about->st_mode) && !S_ISBLK(about->st_mode))
+        return GRAZE_OK;
+    return context_fail_in(context, GRAZE_ESYSTEM, path, 0, "is a %s; expected a file or a pipe",
+                           directory ? "directory" : "device");
+}
+
+graze_status input_open(int *fd, graze_context *context, const char *path) {
+    struct stat about;
+    *fd = -1;
+    if (stat(path, &about) != 0)
+        return fail_input(context, path, "cannot be opened");
+    graze_status status = check_file_kind(context, path, &about);
+    if (status)
+        return status;
+    *fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (*fd < 0)
+        return fail_input(context, path, "cannot be opened");
+    if (fstat(*fd, &about) != 0)
+        status = fail_input(context, path, "cannot be read");
+    else
+        status = check_file_kind(context, path, &about); /* the file may have changed since stat */
+    if (status) {
+        close(*fd);
+        *fd = -1;
+    }
+    return status;
+}
+
+graze_status input_standard(int *fd, graze_context *context) {
+    struct stat about;
+    *fd = STDIN_FILENO;
+    return fstat(*fd, &about) == 0 && S_ISDIR(about.st_mode)
+               ? check_file_kind(context, "standard input", &about)
+               : GRAZE_OK;
+}
+
+graze_status input_read(size_t *got, graze_context *context, const char *name, int fd, char *to,
+                        size_t room) {
+    for (;;) {
+        graze_status status = context_poll(context);
+        if (status)
+            return status;
+        struct pollfd one = {fd, POLLIN, 0};
+        int ready = poll(&one, 1, STEP);
+        if (ready < 0 && errno != EINTR)
+            return fail_input(context, name, "cannot be waited for");
+        if (ready <= 0)
+            continue;
+        ssize_t n = read(fd, to, room);
+        if (n >= 0) {
+            *got = (size_t)n;
+            return GRAZE_OK;
+        }
+        if (errno != EINTR && errno != EAGAIN)
+            return fail_input(context, name, "reading failed");
+    }
+}

@@ -1,0 +1,29 @@
+/* Files and pipes as input, with waits that can be canceled.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CONTEXT_INPUT_H
+#define GRAZE_CONTEXT_INPUT_H
+
+#include "base/context/context.h"
+
+/**
+ * Open a file, a FIFO or another name of a pipe (/dev/fd/63, /dev/stdin) for reading, without
+ * waiting.
+ * @return GRAZE_ESYSTEM it cannot be opened, or is a directory or a device, also behind a link
+ */
+graze_status input_open(int *fd, graze_context *context, const char *path);
+
+/** Open standard input. GRAZE_ESYSTEM: it is a directory. */
+graze_status input_standard(int *fd, graze_context *context);
+
+/**
+ * Read at most `room` bytes. Until there are some, wait and call the cancel callback ten times a
+ * second.
+ * @param[out] got  0 at the end
+ * @param name      for the message
+ * @return GRAZE_ESYSTEM, GRAZE_ECANCELED
+ */
+graze_status input_read(size_t *got, graze_context *context, const char *name, int fd, char *to,
+                        size_t room);
+
+#endif

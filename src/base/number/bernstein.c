@@ -1,0 +1,178 @@
+/* Bernstein coefficients of integer polynomials on dyadic intervals, integers throughout.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "base/number/bernstein.h"
+
+#include <flint/fmpz_vec.h>
+#include <string.h>
+
+/* The least common multiple of the binomials C(n, 0) ... C(n, n) for the usual n. */
+static const ulong COMMON_BINOMIAL[] = {
+    1,        1,        2,        3,        12,        10,        60,        105,    280,
+    252,      2520,     2310,     27720,    25740,     24024,     45045,     720720, 680680,
+    12252240, 11639628, 11085360, 10581480, 232792560, 223092870, 1070845776};
+
+void common_binomial(fmpz_t out, slong n) {
+    fmpz_t binomial;
+    if (n < (slong)(sizeof COMMON_BINOMIAL / sizeof *COMMON_BINOMIAL)) {
+        fmpz_set_ui(out, COMMON_BINOMIAL[n]);
+        return;
+    }
+    fmpz_init(binomial);
+    fmpz_one(out);
+    for (slong i = 1; 2 * i <= n; i++) {
+        fmpz_bin_uiui(binomial, (ulong)n, (ulong)i);
+        fmpz_lcm(out, out, binomial);
+    }
+    fmpz_clear(binomial);
+}
+
+/* Entries 0 ... n become the coefficients of 2^(e n) p((low + (high - low) v) / 2^e) in powers of
+ * v. */
+static void pull_to_unit(wide_vector *out, const fmpz_poly_t p, const dyadic_interval *interval) {
+    slong n = out->count - 1, degree = fmpz_poly_degree(p);
+    for (slong i = 0; i <= degree; i++) {
+        wide_set_fmpz(out, i, p->coeffs + i);
+        if (interval->exponent)
+            wide_shift(out, i, i, interval->exponent * (ulong)(n - i));
+    }
+    if (!fmpz_is_zero(interval->low))
+        for (slong level = 0; level < degree; level++)
+            for (slong i = degree - 1; i >= level; i--)
+                wide_addmul(out, i, i + 1, interval->low);
+    fmpz_t width;
+    fmpz_init(width);
+    fmpz_sub(width, interval->high, interval->low);
+    if (!fmpz_is_one(width))
+        for (slong level = 1; level <= degree; level++)
+            for (slong i = level; i <= degree; i++)
+                wide_mul(out, i, width);
+    fmpz_clear(width);
+}
+
+/* The least k with |x| <= 2^k. */
+static ulong ceil_log(const fmpz_t x) {
+    ulong bits = fmpz_bits(x);
+    return bits > 0 && fmpz_val2(x) + 1 == bits ? bits - 1 : bits;
+}
+
+/* By C22 (b) a coefficient is a value of the polar form at the interval's ends: at most sum |p_i|
+ * r^i in size, r the larger of 1 and the ends' sizes; and then 2^(e n) and the binomials' multiple.
+ */
+static ulong coefficient_bits(const fmpz_poly_t p, slong n, const dyadic_interval *interval,
+                              const fmpz_t common) {
+    ulong low = ceil_log(interval->low), high = ceil_log(interval->high);
+    ulong reach = FLINT_MAX(FLINT_MAX(low, high), interval->exponent);
+    return (ulong)FLINT_ABS(fmpz_poly_max_bits(p)) + FLINT_BIT_COUNT(n + 1) + (ulong)n * reach +
+           fmpz_bits(common);
+}
+
+/* b_j = sum_{i <= j} C(j, i) a_i / C(n, i): divide by the binomials under a common multiple of
+ * theirs, then add up Pascal's triangle. */
+void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong n,
+                         const dyadic_interval *interval) {
+    fmpz_t common, binomial, factor;
+    fmpz_init(common);
+    fmpz_init_set_ui(binomial, 1);
+    fmpz_init(factor);
+    common_binomial(common, n);
+    out->bits = coefficient_bits(p, n, interval, common);
+    wide_init(&out->c, n + 1, out->bits);
+    pull_to_unit(&out->c, p, interval);
+    for (slong i = 0; i < fmpz_poly_length(p); i++) {
+        fmpz_divexact(factor, common, binomial);
+        wide_mul(&out->c, i, factor);
+        fmpz_mul_ui(binomial, binomial, (ulong)(n - i));
+        fmpz_divexact_ui(binomial, binomial, (ulong)(i + 1));
+    }
+    for (slong level = 1; level <= n; level++)
+        for (slong i = n; i >= level; i--)
+            wide_add(&out->c, i, i - 1);
+    fmpz_clear(common);
+    fmpz_clear(binomial);
+    fmpz_clear(factor);
+}
+
+void bernstein_form_clear(bernstein_form *form) {
+    wide_clear(&form->c);
+}
+
+void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong n, const dyadic_interval *interval) {
+    bernstein_form form;
+    bernstein_form_init(&form, p, n, interval);
+    for (slong i = 0; i <= n; i++)
+        wide_get_fmpz(out + i, &form.c, i);
+    bernstein_form_clear(&form);
+}
+
+/* Without the halvings of de Casteljau's averages: entry i of level k is 2^k times too large, so
+ * the left half's coefficient k is scaled by 2^(n - k), the right half's coefficient n - k too. */
+void bernstein_split(fmpz *left, fmpz *right, const fmpz *c, slong degree) {
+    _fmpz_vec_set(right, c, degree + 1);
+    fmpz_mul_2exp(left, right, (ulong)degree);
+    for (slong level = 1; level <= degree; level++) {
+        for (slong i = 0; i <= degree - level; i++)
+            fmpz_add(right + i, right + i, right + i + 1);
+        fmpz_mul_2exp(left + level, right, (ulong)(degree - level));
+    }
+    for (slong i = 0; i <= degree; i++)
+        fmpz_mul_2exp(right + i, right + i, (ulong)i);
+}
+
+/* All coefficients are equal: the polynomial is constant. */
+static int is_constant(const wide_vector *c) {
+    size_t size = (size_t)c->limbs * sizeof *c->limb;
+    slong i = 1;
+    while (i < c->count && memcmp(wide_entry(c, i), c->limb, size) == 0)
+        i++;
+    return i == c->count;
+}
+
+/* The same scheme on entries of one width. The coefficients of either half are means of those of
+ * the whole (C25), so the factor 2^n is all that they can grow by. */
+void bernstein_form_split(bernstein_form *form, bernstein_form *right) {
+    slong n = form->c.count - 1, sums = is_constant(&form->c) ? 0 : n;
+    wide_vector left;
+    right->bits = form->bits + (ulong)n;
+    wide_init_wider(&right->c, &form->c, right->bits);
+    wide_init(&left, n + 1, right->bits);
+    for (slong i = 0; i <= n; i++) {
+        memcpy(wide_entry(&left, i), wide_entry(&right->c, 0),
+               (size_t)left.limbs * sizeof *left.limb);
+        wide_shift(&left, i, i, (ulong)(sums > 0 ? n - i : n));
+        for (slong k = 0; k < sums - i; k++)
+            wide_add(&right->c, k, k + 1);
+    }
+    for (slong i = 0; i <= n; i++)
+        wide_shift(&right->c, i, i, (ulong)(sums > 0 ? i : n));
+    wide_clear(&form->c);
+    form->c = left;
+    form->bits = right->bits;
+}
+
+slong bernstein_variations(const bernstein_form *form) {
+    slong variations = 0;
+    int last = 0;
+    for (slong i = 0; i < form->c.count; i++) {
+        int sign = wide_sign(&form->c, i);
+        if (sign == 0)
+            continue;
+        if (last != 0 && sign != last)
+            variations++;
+        last = sign;
+    }
+    return variations;
+}
+
+int bernstein_one_sign(const bernstein_form *form) {
+    int one = 0;
+    for (slong i = 0; i < form->c.count; i++) {
+        int sign = wide_sign(&form->c, i);
+        if (sign == 0)
+            continue;
+        if (one != 0 && sign != one)
+            return 0;
+        one = sign;
+    }
+    return one;
+}

@@ -1,0 +1,51 @@
+/* Integer polynomials in the Bernstein basis of a dyadic interval (proofs: Descartes' rule on
+ * Bernstein coefficients). SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_NUMBER_BERNSTEIN_H
+#define GRAZE_NUMBER_BERNSTEIN_H
+
+#include <flint/fmpz_poly.h>
+#include "base/number/dyadic.h"
+#include "base/number/wide.h"
+
+/** The least common multiple of the binomials C(n, 0) ... C(n, n), n >= 0. */
+void common_binomial(fmpz_t out, slong n);
+
+/**
+ * Bernstein coefficients of p on an interval, all multiplied by one positive integer that depends
+ * on the degree and the interval alone.
+ * @param[out] out degree + 1 initialised integers
+ * @param degree at least the degree of p and at least 0
+ */
+void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong degree,
+                         const dyadic_interval *interval);
+
+/** Bernstein coefficients that share a width; every one is less than 2^bits in size. */
+typedef struct bernstein_form {
+    wide_vector c;
+    ulong bits;
+} bernstein_form;
+
+/** A new form with the coefficients of bernstein_from_poly. */
+void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong degree,
+                         const dyadic_interval *interval);
+void bernstein_form_clear(bernstein_form *form);
+
+/** The form becomes that of the left half, `right` a new one for the right half, both multiplied by
+ * one positive integer. */
+void bernstein_form_split(bernstein_form *form, bernstein_form *right);
+
+/**
+ * Bernstein coefficients on the halves of the interval, multiplied by one positive integer, by de
+ * Casteljau's scheme. `left` may be `c`; `right` may not.
+ */
+void bernstein_split(fmpz *left, fmpz *right, const fmpz *c, slong degree);
+
+/** Sign changes in the sequence, zeros left out. */
+slong bernstein_variations(const bernstein_form *form);
+
+/** The one sign that p has on the open interval if no coefficient contradicts it, else 0. p not
+ * zero. */
+int bernstein_one_sign(const bernstein_form *form);
+
+#endif

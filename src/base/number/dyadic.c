@@ -1,0 +1,181 @@
+/* Values and signs of integer polynomials at dyadic numbers. Where an exact value would be long, it
+ * is first known to a few binary places, then to more (proofs/separation.md C40).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "base/number/dyadic.h"
+
+/* Bits of an exact value that cost less than looking for fewer. */
+enum { SHORT_VALUE = 8192, FIRST_PLACES = 64 };
+
+void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent) {
+    fmpz_t denominator;
+    fmpz_init(denominator);
+    fmpz_one_2exp(denominator, exponent);
+    fmpq_set_fmpz_frac(out, numerator, denominator);
+    fmpz_clear(denominator);
+}
+
+/* Horner's scheme on sum p_i n^i 2^(e (degree - i)), which has the sign of p(n / 2^e). */
+void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
+    slong degree = fmpz_poly_degree(p);
+    if (degree < 0) {
+        fmpz_zero(out);
+        return;
+    }
+    fmpz_t value, term;
+    fmpz_init_set(value, p->coeffs + degree);
+    fmpz_init(term);
+    for (slong i = degree - 1; i >= 0; i--) {
+        fmpz_mul(value, value, numerator);
+        fmpz_mul_2exp(term, p->coeffs + i, exponent * (ulong)(degree - i));
+        fmpz_add(value, value, term);
+    }
+    fmpz_swap(out, value);
+    fmpz_clear(value);
+    fmpz_clear(term);
+}
+
+/* The least r >= 0 with |numerator / 2^exponent| <= 2^r, or one more. */
+static ulong reach_of(const fmpz_t numerator, ulong exponent) {
+    ulong bits = fmpz_bits(numerator);
+    return bits > exponent ? bits - exponent : 0;
+}
+
+/* Each step of Horner's scheme rounds down once, and multiplies the error so far by x. */
+void dyadic_approximate(fmpz_t out, fmpz_t error, const fmpz_poly_t p, const fmpz_t numerator,
+                        ulong exponent, ulong places) {
+    slong degree = fmpz_poly_degree(p);
+    fmpz_t value, term;
+    fmpz_init(value);
+    fmpz_init(term);
+    for (slong i = degree; i >= 0; i--) {
+        fmpz_mul(value, value, numerator);
+        fmpz_fdiv_q_2exp(value, value, exponent);
+        fmpz_mul_2exp(term, p->coeffs + i, places);
+        fmpz_add(value, value, term);
+    }
+    fmpz_swap(out, value);
+    fmpz_set_si(error, degree > 0 ? degree : 0);
+    if (degree > 0)
+        fmpz_mul_2exp(error, error, reach_of(numerator, exponent) * (ulong)(degree - 1));
+    fmpz_clear(value);
+    fmpz_clear(term);
+}
+
+/* The sign of a value that is not zero. */
+static int sign_by_places(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
+    ulong lost = reach_of(numerator, exponent) * (ulong)fmpz_poly_degree(p);
+    fmpz_t value, error;
+    fmpz_init(value);
+    fmpz_init(error);
+    for (ulong places = FIRST_PLACES;; places *= 2) {
+        dyadic_approximate(value, error, p, numerator, exponent, places + lost);
+        if (fmpz_cmpabs(value, error) > 0)
+            break;
+    }
+    int sign = fmpz_sgn(value);
+    fmpz_clear(value);
+    fmpz_clear(error);
+    return sign;
+}
+
+/* A root m / 2^e in lowest terms has 2^e dividing the leading coefficient, so a number with a
+ * longer denominator is none. */
+int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
+    slong degree = fmpz_poly_degree(p);
+    if (degree <= 0 || fmpz_is_zero(numerator))
+        return degree < 0 ? 0 : fmpz_sgn(p->coeffs);
+    ulong shared = fmpz_val2(numerator), own = exponent > shared ? exponent - shared : 0;
+    if (exponent > SHORT_VALUE / (ulong)degree && own > fmpz_val2(fmpz_poly_lead(p)))
+        return sign_by_places(p, numerator, exponent);
+    fmpz_t value;
+    fmpz_init(value);
+    dyadic_evaluate(value, p, numerator, exponent);
+    int sign = fmpz_sgn(value);
+    fmpz_clear(value);
+    return sign;
+}
+
+/* Horner's scheme on sum p_i n^i d^(degree - i), without a division. */
+int rational_sign(const fmpz_poly_t p, const fmpq_t x) {
+    const fmpz *denominator = fmpq_denref(x);
+    ulong exponent = fmpz_val2(denominator);
+    if (fmpz_bits(denominator) == exponent + 1)
+        return dyadic_sign(p, fmpq_numref(x), exponent);
+    slong degree = fmpz_poly_degree(p);
+    fmpz_t value, power;
+    fmpz_init(value);
+    fmpz_init_set_ui(power, 1);
+    for (slong i = degree; i >= 0; i--) {
+        fmpz_mul(value, value, fmpq_numref(x));
+        fmpz_addmul(value, p->coeffs + i, power);
+        if (i > 0)
+            fmpz_mul(power, power, denominator);
+    }
+    int sign = fmpz_sgn(value);
+    fmpz_clear(value);
+    fmpz_clear(power);
+    return sign;
+}
+
+int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x) {
+    fmpz_t a, b;
+    fmpz_init(a);
+    fmpz_init(b);
+    fmpz_mul(a, numerator, fmpq_denref(x));
+    fmpz_mul_2exp(b, fmpq_numref(x), exponent);
+    int order = fmpz_cmp(a, b);
+    fmpz_clear(a);
+    fmpz_clear(b);
+    return order > 0 ? 1 : -(order < 0);
+}
+
+void dyadic_interval_init(dyadic_interval *interval) {
+    fmpz_init(interval->low);
+    fmpz_init(interval->high);
+    interval->exponent = 0;
+}
+
+void dyadic_interval_clear(dyadic_interval *interval) {
+    fmpz_clear(interval->low);
+    fmpz_clear(interval->high);
+}
+
+void dyadic_interval_set(dyadic_interval *interval, const dyadic_interval *other) {
+    fmpz_set(interval->low, other->low);
+    fmpz_set(interval->high, other->high);
+    interval->exponent = other->exponent;
+}
+
+void dyadic_interval_swap(dyadic_interval *interval, dyadic_interval *other) {
+    fmpz_swap(interval->low, other->low);
+    fmpz_swap(interval->high, other->high);
+    ulong exponent = interval->exponent;
+    interval->exponent = other->exponent;
+    other->exponent = exponent;
+}
+
+void dyadic_interval_set_si(dyadic_interval *interval, slong low, slong high) {
+    fmpz_set_si(interval->low, low);
+    fmpz_set_si(interval->high, high);
+    interval->exponent = 0;
+}
+
+void dyadic_interval_halves(dyadic_interval *left, dyadic_interval *right,
+                            const dyadic_interval *interval) {
+    fmpz_t low, middle, high;
+    fmpz_init(low);
+    fmpz_init(middle);
+    fmpz_init(high);
+    fmpz_mul_2exp(low, interval->low, 1);
+    fmpz_add(middle, interval->low, interval->high);
+    fmpz_mul_2exp(high, interval->high, 1);
+    left->exponent = right->exponent = interval->exponent + 1;
+    fmpz_swap(left->low, low);
+    fmpz_set(left->high, middle);
+    fmpz_swap(right->low, middle);
+    fmpz_swap(right->high, high);
+    fmpz_clear(low);
+    fmpz_clear(middle);
+    fmpz_clear(high);
+}

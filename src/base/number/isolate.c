@@ -1,0 +1,235 @@
+/* Isolation of the real roots of an integer polynomial in a closed interval, by bisection with
+ * Descartes' rule on Bernstein coefficients (proofs/claims.md C24, C25, C29). The first
+ * halvings are made with exact coefficients; what they leave goes to cluster.c.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "base/number/isolate.h"
+
+#include "base/number/bernstein.h"
+#include "base/number/cluster.h"
+#include "base/number/modular.h"
+#include "base/number/refine.h"
+#include "base/number/simplest.h"
+
+static graze_status roots_inside(const root_search *s, bernstein_form *form,
+                                 const dyadic_interval *interval);
+
+/* The roots of p / g, g being the common factor of p and its derivative. */
+static graze_status cluster_of_quotient(const root_search *s, const dyadic_interval *interval,
+                                        const fmpz_poly_t g) {
+    fmpz_poly_t squarefree;
+    fmpz_poly_init(squarefree);
+    fmpz_poly_div(squarefree, s->poly, g);
+    root_search of = {s->list, s->context, squarefree, s->whole};
+    graze_status status = root_search_cluster(
+        &of, interval, dyadic_sign(squarefree, interval->low, interval->exponent),
+        dyadic_sign(squarefree, interval->high, interval->exponent));
+    fmpz_poly_clear(squarefree);
+    return status;
+}
+
+/* Coefficients that are known to some places do not show a repeated root at an end of the
+ * interval, which exact ones leave out: without repeated factors C42 ends. */
+static graze_status search_cluster(const root_search *s, const dyadic_interval *interval, int low,
+                                   int high) {
+    fmpz_poly_t derivative, g;
+    fmpz_poly_init(derivative);
+    fmpz_poly_init(g);
+    fmpz_poly_derivative(derivative, s->poly);
+    graze_status status = common_factor_work(s->context, s->poly, derivative);
+    if (status == GRAZE_OK)
+        status = common_factor(g, s->poly, derivative) > 0
+                     ? cluster_of_quotient(s, interval, g)
+                     : root_search_cluster(s, interval, low, high);
+    fmpz_poly_clear(derivative);
+    fmpz_poly_clear(g);
+    return status;
+}
+
+/* Both halves and the point between them. Nothing of an empty half is kept while the other one is
+ * searched. The form is that of the interval; it is spent. */
+static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
+                                    const dyadic_interval *interval) {
+    graze_status status = algebraic_may_narrow(s->context, interval);
+    if (status != GRAZE_OK)
+        return status;
+    dyadic_interval left, right;
+    bernstein_form upper;
+    dyadic_interval_init(&left);
+    dyadic_interval_init(&right);
+    dyadic_interval_halves(&left, &right, interval);
+    bernstein_form_split(form, &upper);
+    int middle_is_root = wide_sign(&upper.c, 0) == 0, searched = bernstein_variations(&upper) > 0;
+    if (!searched)
+        bernstein_form_clear(&upper);
+    status = roots_inside(s, form, &left);
+    if (status == GRAZE_OK && middle_is_root)
+        algebraic_set_dyadic(algebraic_list_append(s->list), left.high, left.exponent);
+    if (status == GRAZE_OK && searched)
+        status = roots_inside(s, &upper, &right);
+    if (searched)
+        bernstein_form_clear(&upper);
+    dyadic_interval_clear(&left);
+    dyadic_interval_clear(&right);
+    return status;
+}
+
+/* Roots in the open interval, ascending. The form is that of the interval; it is spent. */
+static graze_status roots_inside(const root_search *s, bernstein_form *form,
+                                 const dyadic_interval *interval) {
+    slong n = form->c.count - 1, variations = bernstein_variations(form);
+    if (variations == 0)
+        return GRAZE_OK;
+    int low = wide_sign(&form->c, 0), high = wide_sign(&form->c, n);
+    if (variations == 1 && low != 0 && high != 0) {
+        root_search_append(s, interval, low);
+        return GRAZE_OK;
+    }
+    if (interval->exponent >= s->whole->exponent + EXACT_HALVINGS)
+        return search_cluster(s, interval, low, high);
+    graze_status status = context_work(s->context, (ulong)n * (ulong)n * (ulong)form->c.limbs);
+    return status == GRAZE_OK ? roots_in_halves(s, form, interval) : status;
+}
+
+/* Roots of a polynomial of degree two or more whose form has at most one sign change or that has no
+ * repeated factor. */
+static graze_status append_roots(const root_search *s, bernstein_form *form) {
+    const dyadic_interval *whole = s->whole;
+    int low_is_root = wide_sign(&form->c, 0) == 0;
+    int high_is_root = wide_sign(&form->c, form->c.count - 1) == 0;
+    if (low_is_root)
+        algebraic_set_dyadic(algebraic_list_append(s->list), whole->low, whole->exponent);
+    graze_status status = roots_inside(s, form, whole);
+    if (status == GRAZE_OK && high_is_root)
+        algebraic_set_dyadic(algebraic_list_append(s->list), whole->high, whole->exponent);
+    return status;
+}
+
+/* A linear polynomial's root is rational and is kept as such. */
+static void append_linear_root(algebraic_list *list, const fmpz_poly_t p,
+                               const dyadic_interval *interval) {
+    int low = dyadic_sign(p, interval->low, interval->exponent);
+    if (low != 0 && low == dyadic_sign(p, interval->high, interval->exponent))
+        return;
+    algebraic *x = algebraic_list_append(list);
+    fmpz_poly_zero(x->poly);
+    fmpq_set_fmpz_frac(x->value, p->coeffs, p->coeffs + 1);
+    fmpq_neg(x->value, x->value);
+}
+
+/* Roots of p / g, which has no repeated factor. */
+static graze_status append_roots_of_quotient(algebraic_list *list, graze_context *context,
+                                             const fmpz_poly_t p, const fmpz_poly_t g,
+                                             const dyadic_interval *interval) {
+    fmpz_poly_t squarefree;
+    fmpz_poly_init(squarefree);
+    fmpz_poly_div(squarefree, p, g);
+    graze_status status = algebraic_roots(list, context, squarefree, interval);
+    fmpz_poly_clear(squarefree);
+    return status;
+}
+
+/* Narrow a root's interval until it leaves another number out; *behind: it is greater. */
+static graze_status exclude(int *behind, graze_context *context, algebraic *x, const fmpq_t r) {
+    graze_status status = GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    for (int step = 0; status == GRAZE_OK && !algebraic_is_rational(x); step++) {
+        *behind = dyadic_compare(x->where.low, x->where.exponent, r) > 0;
+        if (*behind || dyadic_compare(x->where.high, x->where.exponent, r) < 0)
+            return GRAZE_OK;
+        status = algebraic_narrow(context, x, step, &gain);
+    }
+    *behind = fmpq_cmp(x->value, r) > 0;
+    return status;
+}
+
+/* One root more among those from number `first` on, whose intervals are to leave it out. */
+static graze_status insert_root(algebraic_list *list, graze_context *context, size_t first,
+                                const fmpq_t root) {
+    graze_status status = GRAZE_OK;
+    size_t place = list->count;
+    int behind;
+    for (size_t k = list->count; k > first && status == GRAZE_OK; k--) {
+        status = exclude(&behind, context, &list->item[k - 1], root);
+        place -= (size_t)behind;
+    }
+    algebraic_set_rational(algebraic_list_append(list), root);
+    for (size_t k = list->count - 1; k > place; k--) {
+        algebraic swap = list->item[k];
+        list->item[k] = list->item[k - 1];
+        list->item[k - 1] = swap;
+    }
+    return status;
+}
+
+/* If a fraction in part of the interval is a root, append it and all others. */
+static graze_status roots_beside_fraction(int *done, algebraic_list *list, graze_context *context,
+                                          const fmpz_poly_t p, const dyadic_interval *interval,
+                                          const dyadic_interval *part) {
+    fmpq_t root;
+    fmpz_poly_t rest;
+    size_t first = list->count;
+    int empty;
+    fmpq_init(root);
+    fmpz_poly_init(rest);
+    graze_status status = GRAZE_OK;
+    *done = divide_by_simplest(root, rest, &empty, p, part);
+    if (*done && !(empty && part == interval))
+        status = algebraic_roots(list, context, rest, interval);
+    if (*done && status == GRAZE_OK)
+        status = insert_root(list, context, first, root);
+    fmpq_clear(root);
+    fmpz_poly_clear(rest);
+    return status;
+}
+
+/* Roots of a polynomial that may have repeated factors: a repeated root is one of the derivative,
+ * and a fraction that is guessed there spares the common factor. */
+static graze_status repeated_roots(algebraic_list *list, graze_context *context,
+                                   const fmpz_poly_t p, const dyadic_interval *interval,
+                                   bernstein_form *form) {
+    fmpz_poly_t derivative, g;
+    dyadic_interval part;
+    int done = 0;
+    fmpz_poly_init(derivative);
+    fmpz_poly_init(g);
+    dyadic_interval_init(&part);
+    fmpz_poly_derivative(derivative, p);
+    graze_status status = common_factor_work(context, p, derivative);
+    int coprime = polynomials_certainly_coprime(p, derivative);
+    if (status == GRAZE_OK && !coprime && guess_interval(&part, derivative, interval))
+        status = roots_beside_fraction(&done, list, context, p, interval, &part);
+    if (status == GRAZE_OK && !done) {
+        if (!coprime && common_factor(g, p, derivative) > 0)
+            status = append_roots_of_quotient(list, context, p, g, interval);
+        else
+            status = append_roots(&(root_search){list, context, p, interval}, form);
+    }
+    fmpz_poly_clear(derivative);
+    fmpz_poly_clear(g);
+    dyadic_interval_clear(&part);
+    return status;
+}
+
+/* Roots of a polynomial of degree two or more. */
+static graze_status isolate_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p,
+                                  const dyadic_interval *interval) {
+    bernstein_form form;
+    bernstein_form_init(&form, p, fmpz_poly_degree(p), interval);
+    graze_status status = bernstein_variations(&form) > 1
+                              ? repeated_roots(list, context, p, interval, &form)
+                              : append_roots(&(root_search){list, context, p, interval}, &form);
+    bernstein_form_clear(&form);
+    return status;
+}
+
+graze_status algebraic_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p,
+                             const dyadic_interval *interval) {
+    int done;
+    if (fmpz_poly_degree(p) == 1)
+        append_linear_root(list, p, interval);
+    if (fmpz_poly_degree(p) <= 1)
+        return GRAZE_OK;
+    graze_status status = roots_beside_fraction(&done, list, context, p, interval, interval);
+    return status == GRAZE_OK && !done ? isolate_roots(list, context, p, interval) : status;
+}

@@ -1,0 +1,138 @@
+/* Narrowing the interval of a real algebraic number: by halves, and by secants once the polynomial
+ * is nearly straight on it (proofs/claims.md C30). SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "base/number/refine.h"
+
+void algebraic_refine(algebraic *x) {
+    if (algebraic_is_rational(x))
+        return;
+    fmpz_t middle;
+    fmpz_init(middle);
+    dyadic_interval *where = &x->where;
+    fmpz_add(middle, where->low, where->high);
+    where->exponent++;
+    int sign = dyadic_sign(x->poly, middle, where->exponent);
+    if (sign == 0) {
+        algebraic_set_dyadic(x, middle, where->exponent);
+    } else if (sign == x->low_sign) {
+        fmpz_swap(where->low, middle);
+        fmpz_mul_2exp(where->high, where->high, 1);
+    } else {
+        fmpz_mul_2exp(where->low, where->low, 1);
+        fmpz_swap(where->high, middle);
+    }
+    fmpz_clear(middle);
+}
+
+/* |p| at the lower end and the sum of |p| at both, to so many places that `kept` bits of the sum
+ * count. */
+static void secant_values(fmpz_t low, fmpz_t sum, const algebraic *x, ulong kept) {
+    const dyadic_interval *where = &x->where;
+    fmpz_t error, other;
+    fmpz_init(error);
+    fmpz_init(other);
+    for (ulong places = where->exponent + kept;; places *= 2) {
+        dyadic_approximate(low, error, x->poly, where->low, where->exponent, places);
+        dyadic_approximate(sum, other, x->poly, where->high, where->exponent, places);
+        fmpz_add(error, error, other);
+        fmpz_sub(sum, low, sum);
+        if (fmpz_bits(sum) > fmpz_bits(error) + kept)
+            break;
+    }
+    fmpz_abs(low, low);
+    fmpz_abs(sum, sum);
+    fmpz_clear(error);
+    fmpz_clear(other);
+}
+
+/* The place of the secant's root among 2^gain equal parts of the interval: the nearest of the
+ * points 0 ... 2^gain of division. It is a guess, so the values are cut to the digits that matter.
+ */
+static void secant_point(fmpz_t out, const algebraic *x, ulong gain) {
+    fmpz_t low, sum;
+    fmpz_init(low);
+    fmpz_init(sum);
+    ulong kept = gain + 8;
+    secant_values(low, sum, x, kept);
+    ulong bits = fmpz_bits(sum);
+    fmpz_fdiv_q_2exp(low, low, bits - kept);
+    fmpz_fdiv_q_2exp(sum, sum, bits - kept);
+    fmpz_mul_2exp(low, low, gain + 1);
+    fmpz_add(low, low, sum);
+    fmpz_mul_2exp(sum, sum, 1);
+    fmpz_fdiv_q(out, low, sum);
+    fmpz_clear(low);
+    fmpz_clear(sum);
+}
+
+/* Whether the root is met at the point nearest to the secant's root or lies in a part beside it; if
+ * so, that part is the new interval. Where the sign at the point is that at the lower end, the
+ * point is not the upper end, so there is a part to its right; and the other way round. */
+static int follow_secant(algebraic *x, ulong gain) {
+    dyadic_interval part;
+    fmpz_t point, width;
+    dyadic_interval_init(&part);
+    fmpz_init(point);
+    fmpz_init(width);
+    part.exponent = x->where.exponent + gain;
+    secant_point(point, x, gain);
+    fmpz_sub(width, x->where.high, x->where.low);
+    fmpz_mul(point, point, width);
+    fmpz_mul_2exp(part.low, x->where.low, gain);
+    fmpz_add(part.low, part.low, point);
+    fmpz_set(part.high, part.low);
+    int sign = dyadic_sign(x->poly, part.low, part.exponent), beyond = 0;
+    fmpz *end = sign == x->low_sign ? part.high : part.low;
+    if (sign != 0) {
+        if (sign == x->low_sign)
+            fmpz_add(end, end, width);
+        else
+            fmpz_sub(end, end, width);
+        beyond = dyadic_sign(x->poly, end, part.exponent);
+    }
+    int found = sign == 0 || beyond != sign;
+    if (sign == 0 || beyond == 0)
+        algebraic_set_dyadic(x, end, part.exponent);
+    else if (found)
+        dyadic_interval_swap(&x->where, &part);
+    dyadic_interval_clear(&part);
+    fmpz_clear(point);
+    fmpz_clear(width);
+    return found;
+}
+
+void algebraic_refine_quadratically(algebraic *x, ulong *gain) {
+    if (algebraic_is_rational(x))
+        return;
+    if (follow_secant(x, *gain)) {
+        *gain *= 2;
+        return;
+    }
+    algebraic_refine(x);
+    *gain = *gain > 1 ? *gain / 2 : 1;
+}
+
+graze_status algebraic_bits_limit(graze_context *context) {
+    return context_limit(context, GRAZE_LIMIT_BITS,
+                         "the binary places of an interval around a root");
+}
+
+graze_status algebraic_may_narrow(graze_context *context, const dyadic_interval *interval) {
+    if (context && interval->exponent >= context->limits[GRAZE_LIMIT_BITS])
+        return algebraic_bits_limit(context);
+    return GRAZE_OK;
+}
+
+graze_status algebraic_narrow(graze_context *context, algebraic *x, int halvings, ulong *gain) {
+    if (algebraic_is_rational(x))
+        return GRAZE_OK;
+    ulong limbs = x->where.exponent / FLINT_BITS + 1;
+    graze_status status = algebraic_may_narrow(context, &x->where);
+    if (status == GRAZE_OK)
+        status = context_work(context, (ulong)fmpz_poly_length(x->poly) * limbs * limbs);
+    if (status == GRAZE_OK && halvings < CHEAP_HALVINGS)
+        algebraic_refine(x);
+    else if (status == GRAZE_OK)
+        algebraic_refine_quadratically(x, gain);
+    return status;
+}

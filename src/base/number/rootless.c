@@ -1,0 +1,37 @@
+/* Polynomials that certainly have no root in an interval, by one value in doubles.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "base/number/rootless.h"
+
+#include <math.h>
+
+/* Of a higher degree nothing is said. Ends of up to PLACES binary places are doubles. */
+enum { ROOTLESS_DEGREE = 16, PLACES = 50, LEAST_EXPONENT = -900 };
+
+/* The coefficient over 2^top, at most 1; 0 if it is less than 2^LEAST_EXPONENT. */
+static double scaled_coefficient(const fmpz_t coefficient, slong top) {
+    slong exponent;
+    double mantissa = fmpz_get_d_2exp(&exponent, coefficient);
+    exponent -= top;
+    return exponent < LEAST_EXPONENT ? 0 : ldexp(mantissa, (int)exponent);
+}
+
+/* The value at the middle against what p can change by from there to the ends, and what rounding
+ * may have changed it by. */
+int certainly_rootless(const fmpz_poly_t p, const dyadic_interval *interval) {
+    slong n = fmpz_poly_degree(p), top = FLINT_ABS(fmpz_poly_max_bits(p));
+    if (n > ROOTLESS_DEGREE || interval->exponent > PLACES || fmpz_sgn(interval->low) < 0 ||
+        fmpz_cmp_ui(interval->high, (ulong)1 << interval->exponent) > 0)
+        return 0;
+    double unit = ldexp(1, -(int)interval->exponent);
+    double low = fmpz_get_d(interval->low) * unit, high = fmpz_get_d(interval->high) * unit;
+    double middle = 0.5 * (low + high), reach = 0.5 * (high - low) + 0x1p-50;
+    double value = 0, slope = 0, sum = 0;
+    for (slong i = n; i >= 0; i--) {
+        double c = scaled_coefficient(p->coeffs + i, top);
+        value = value * middle + c;
+        slope += (double)i * fabs(c);
+        sum += fabs(c);
+    }
+    return fabs(value) > 1.001 * reach * slope + 0x1p-40 * sum;
+}

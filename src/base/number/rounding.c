@@ -1,0 +1,128 @@
+/* Rationals and binary floats: rounding to a format, bounds in doubles, exact values of doubles.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * MPFR rounds by integer arithmetic, so the host's floating-point environment has no influence.
+ */
+#include <mpfr.h> /* before FLINT 3, which declares functions of both only behind it */
+
+#include <float.h>
+#include <flint/fmpq.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+#include "base/number/rounding.h"
+
+/* A binary format: its precision, and the exponents of MPFR's convention (|x| < 2^exponent) of its
+ * smallest subnormal and its largest number. */
+typedef struct binary_format {
+    int precision;
+    mpfr_exp_t least, largest;
+} binary_format;
+
+static const binary_format formats[] = {
+    [GRAZE_ROUND_BINARY64] = {53, -1073, 1024}, [GRAZE_ROUND_BINARY32] = {24, -148, 128}};
+
+/* integer 2^shift, with a sign, as a rational. */
+static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negative) {
+    fmpq_set_fmpz(out, integer);
+    if (shift >= 0) {
+        fmpq_mul_2exp(out, out, (flint_bitcnt_t)shift);
+    } else {
+        fmpq_div_2exp(out, out, (flint_bitcnt_t)-shift);
+    }
+    if (negative) {
+        fmpq_neg(out, out);
+    }
+}
+
+/* The finite number `x` as a rational. */
+static void set_mpfr(fmpq_t out, const mpfr_t x) {
+    mpq_t value;
+    mpq_init(value);
+    mpfr_get_q(value, x);
+    fmpq_set_mpq(out, value);
+    mpq_clear(value);
+}
+
+graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding) {
+    if (rounding == GRAZE_ROUND_NONE || fmpq_is_zero(value)) {
+        return GRAZE_OK;
+    }
+    const binary_format *format = &formats[rounding];
+    mpfr_exp_t emin = mpfr_get_emin(), emax = mpfr_get_emax();
+    mpfr_t x;
+    mpfr_init2(x, format->precision);
+    mpfr_set_emin(format->least);
+    mpfr_set_emax(format->largest);
+    int inexact = fmpq_get_mpfr(x, value, MPFR_RNDN);
+    mpfr_subnormalize(x, inexact, MPFR_RNDN);
+    int overflows = mpfr_inf_p(x);
+    mpfr_set_emin(emin);
+    mpfr_set_emax(emax);
+    if (!overflows) {
+        set_mpfr(value, x);
+    }
+    mpfr_clear(x);
+    return overflows ? context_fail(context, GRAZE_EINPUT, "overflows %s when rounded",
+                                    graze_rounding_name(rounding))
+                     : GRAZE_OK;
+}
+
+graze_status rational_nearest(double *out, graze_context *context, const fmpq_t value) {
+    fmpq_t rounded;
+    fmpq_init(rounded);
+    fmpq_set(rounded, value);
+    graze_status status = rational_round(rounded, context, GRAZE_ROUND_BINARY64);
+    *out = status == GRAZE_OK ? fmpq_get_d(rounded) : 0;
+    fmpq_clear(rounded);
+    return status;
+}
+
+graze_status rational_from_double(fmpq_t out, graze_context *context, double value) {
+    uint64_t image;
+    memcpy(&image, &value, sizeof image);
+    int exponent = (int)(image >> 52 & 0x7ff);
+    uint64_t mantissa = image & 0xfffffffffffff;
+    fmpq_zero(out);
+    if (exponent == 0x7ff) {
+        return context_fail(context, GRAZE_EINPUT, "%s is not a number; expected a finite double",
+                            mantissa != 0 ? "NaN" : "an infinity");
+    }
+    mantissa |= exponent > 0 ? (uint64_t)1 << 52 : 0;
+    fmpz_t integer;
+    fmpz_init_set_ui(integer, mantissa);
+    set_scaled(out, integer, (exponent > 0 ? exponent : 1) - 1075, (int)(image >> 63));
+    fmpz_clear(integer);
+    return GRAZE_OK;
+}
+
+void rational_bounds(double *low, double *high, const fmpq_t value) {
+    *low = *high = 0;
+    if (fmpq_is_zero(value)) {
+        return;
+    }
+    slong places = (slong)fmpz_bits(fmpq_denref(value)) - 1;
+    if (fmpz_bits(fmpq_numref(value)) <= DBL_MANT_DIG && places <= DBL_MANT_DIG &&
+        (slong)fmpz_val2(fmpq_denref(value)) == places) {
+        *low = *high = ldexp(fmpz_get_d(fmpq_numref(value)), -(int)places);
+        return;
+    }
+    mpfr_t x;
+    mpfr_init2(x, DBL_MANT_DIG);
+    int inexact = fmpq_get_mpfr(x, value, MPFR_RNDZ) != 0;
+    mpfr_abs(x, x, MPFR_RNDZ);
+    double below = 0, above = DBL_MIN; /* subnormal doubles may read as 0 */
+    if (mpfr_get_exp(x) > 1024) {
+        below = DBL_MAX;
+        above = INFINITY;
+    } else if (mpfr_get_exp(x) > -1022) {
+        below = mpfr_get_d(x, MPFR_RNDZ);
+        if (inexact) {
+            mpfr_nextabove(x);
+        }
+        above = mpfr_get_d(x, MPFR_RNDU);
+    }
+    mpfr_clear(x);
+    *low = fmpq_sgn(value) > 0 ? below : -above;
+    *high = fmpq_sgn(value) > 0 ? above : -below;
+}

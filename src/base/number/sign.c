@@ -1,0 +1,115 @@
+/* The sign of a polynomial at a real algebraic number, by refinement; a zero, by gcd.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "base/number/sign.h"
+
+#include "base/number/bernstein.h"
+#include "base/number/modular.h"
+#include "base/number/refine.h"
+#include "base/number/simplest.h"
+
+/* Digits of an interval's ends up to which Bernstein coefficients are cheap. */
+enum { COARSE = 63 };
+/* Binary places that a secant through a guess's interval can be asked for. */
+enum { GUESS_GAIN = 32 };
+
+/* Sign of q on the interval if its value at the lower end is more than q can change by on the way
+ * to the upper one, else 0 (proofs/claims.md C31). The value is known to two binary places more
+ * than the interval's ends have. */
+static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
+    slong degree = fmpz_poly_degree(q);
+    ulong reach = FLINT_MAX(fmpz_bits(where->low), fmpz_bits(where->high));
+    reach = reach > where->exponent ? reach - where->exponent : 0;
+    fmpz_t value, error, change, term;
+    fmpz_init(value);
+    fmpz_init(error);
+    fmpz_init(change);
+    fmpz_init(term);
+    for (slong i = 1; i <= degree; i++) {
+        fmpz_mul_ui(term, q->coeffs + i, (ulong)i);
+        fmpz_abs(term, term);
+        fmpz_mul_2exp(term, term, reach * (ulong)(i - 1));
+        fmpz_add(change, change, term);
+    }
+    fmpz_sub(term, where->high, where->low);
+    fmpz_mul(change, change, term);
+    fmpz_mul_2exp(change, change, 2);
+    dyadic_approximate(value, error, q, where->low, where->exponent, where->exponent + 2);
+    fmpz_add(change, change, error);
+    int sign = fmpz_cmpabs(value, change) > 0 ? fmpz_sgn(value) : 0;
+    fmpz_clear(value);
+    fmpz_clear(error);
+    fmpz_clear(change);
+    fmpz_clear(term);
+    return sign;
+}
+
+/* Sign of q at an irrational x if the interval decides it, else 0. */
+static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
+    if (x->where.exponent > COARSE)
+        return sign_by_slope(q, &x->where);
+    bernstein_form form;
+    bernstein_form_init(&form, q, fmpz_poly_degree(q), &x->where);
+    int sign = bernstein_one_sign(&form);
+    bernstein_form_clear(&form);
+    return sign;
+}
+
+/* If q vanishes at the irrational x, reduce x's polynomial to the common factor. */
+static int vanishes_at(const fmpz_poly_t q, algebraic *x) {
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    common_factor(g, x->poly, q);
+    int low_sign = algebraic_sign_before(g, &x->where);
+    if (low_sign != 0) {
+        fmpz_poly_swap(x->poly, g);
+        x->low_sign = low_sign;
+    }
+    fmpz_poly_clear(g);
+    return low_sign != 0;
+}
+
+/* Take a short interval around a guess of the irrational x, if x's polynomial changes its sign
+ * there and the limit on places allows it. */
+static int narrow_by_guess(graze_context *context, algebraic *x) {
+    dyadic_interval part;
+    dyadic_interval_init(&part);
+    int changes = guess_interval(&part, x->poly, &x->where) &&
+                  (!context || part.exponent < context->limits[GRAZE_LIMIT_BITS]) &&
+                  dyadic_sign(x->poly, part.low, part.exponent) == x->low_sign &&
+                  dyadic_sign(x->poly, part.high, part.exponent) == -x->low_sign;
+    if (changes)
+        dyadic_interval_swap(&x->where, &part);
+    dyadic_interval_clear(&part);
+    return changes;
+}
+
+graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly_t q,
+                               algebraic *x) {
+    slong degree = fmpz_poly_degree(q);
+    *out = degree < 0 ? 0 : fmpz_sgn(q->coeffs);
+    if (degree <= 0)
+        return GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    graze_status status = GRAZE_OK;
+    int step = 0;
+    while (!algebraic_is_rational(x) && status == GRAZE_OK) {
+        *out = sign_on_interval(q, x);
+        if (*out != 0)
+            return GRAZE_OK;
+        if (step == CHEAP_HALVINGS) {
+            status = common_factor_work(context, q, x->poly);
+            if (status == GRAZE_OK && vanishes_at(q, x))
+                return GRAZE_OK;
+        }
+        if (step == 0 && narrow_by_guess(context, x)) {
+            step = CHEAP_HALVINGS;
+            gain = GUESS_GAIN;
+        } else if (status == GRAZE_OK) {
+            status = algebraic_narrow(context, x, step++, &gain);
+        }
+    }
+    if (status == GRAZE_OK)
+        *out = rational_sign(q, x->value);
+    return status;
+}

@@ -1,0 +1,119 @@
+/* The fraction of least denominator in an interval, by Euclid's algorithm on its ends, and whether
+ * a polynomial vanishes there, by Horner's scheme in integers: nothing is taken for a root that is
+ * none. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "base/number/rootless.h"
+#include "base/number/simplest.h"
+
+#include <math.h>
+
+/* Ends of intervals have fewer binary digits, and fewer of them are places; those around a guess
+ * have GUESS_PLACES. Nothing of a higher degree is guessed. */
+enum { LONGEST = 60, GUESS_PLACES = 45, GUESS_DEGREE = 24, GUESS_STEPS = 20 };
+
+/* The fraction p / q of least denominator with a / b <= p / q <= c / d, all of them at least 0: the
+ * least integer in there if there is one; else both ends have the integral part n, and p / q is
+ * n + 1 / x with x that fraction between the remainders' reciprocals. */
+static void simplest_between(slong *p, slong *q, slong a, slong b, slong c, slong d) {
+    slong n = a / b, rest = a % b;
+    if (rest == 0 || n < c / d) {
+        *p = n + (rest != 0);
+        *q = 1;
+        return;
+    }
+    simplest_between(q, p, d, c - n * d, b, rest);
+    *p += n * *q;
+}
+
+/* The quotient of p by (b x - a), a and b coprime, if it divides p, else 0: then all coefficients
+ * of the quotient are integers. */
+static int divide_linear(fmpz_poly_t out, const fmpz_poly_t p, slong a, slong b) {
+    slong n = fmpz_poly_degree(p);
+    const fmpz numerator[] = {a};
+    fmpz_t rest;
+    fmpz_init_set(rest, fmpz_poly_lead(p));
+    fmpz_poly_fit_length(out, n);
+    int divides = 1;
+    for (slong i = n - 1; i >= 0 && divides; i--) {
+        divides = b == 1 || fmpz_divisible_si(rest, b);
+        if (divides) {
+            fmpz_divexact_si(out->coeffs + i, rest, b);
+            fmpz_set(rest, p->coeffs + i);
+            fmpz_addmul(rest, out->coeffs + i, numerator);
+        }
+    }
+    divides = divides && fmpz_is_zero(rest);
+    _fmpz_poly_set_length(out, divides ? n : 0);
+    fmpz_clear(rest);
+    return divides;
+}
+
+int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_poly_t p,
+                       const dyadic_interval *interval) {
+    slong a, b;
+    *empty = 0;
+    if (interval->exponent >= LONGEST || fmpz_sgn(interval->low) < 0 ||
+        fmpz_bits(interval->high) >= LONGEST)
+        return 0;
+    slong unit = (slong)1 << interval->exponent;
+    simplest_between(&a, &b, fmpz_get_si(interval->low), unit, fmpz_get_si(interval->high), unit);
+    fmpz_poly_t next;
+    fmpz_poly_init(next);
+    int divided = 0;
+    while (divide_linear(next, divided ? rest : p, a, b)) {
+        fmpz_poly_swap(rest, next);
+        divided = 1;
+        *empty = certainly_rootless(rest, interval);
+        if (*empty)
+            break;
+    }
+    fmpz_poly_clear(next);
+    if (divided)
+        fmpq_set_si(root, a, (ulong)b);
+    return divided;
+}
+
+/* Newton's method in doubles from the middle of [low, high], which is not left. */
+static double near_root(const fmpz_poly_t p, double low, double high) {
+    double c[GUESS_DEGREE + 1] = {0}, x = 0.5 * (low + high);
+    slong n = fmpz_poly_degree(p), top = FLINT_ABS(fmpz_poly_max_bits(p));
+    for (slong i = 0; i <= n; i++) {
+        slong exponent;
+        double mantissa = fmpz_get_d_2exp(&exponent, p->coeffs + i);
+        c[i] = ldexp(mantissa, (int)FLINT_MAX(exponent - top, -1000));
+    }
+    for (int step = 0; step < GUESS_STEPS; step++) {
+        double value = c[n], slope = 0, last = x;
+        for (slong i = n - 1; i >= 0; i--) {
+            slope = slope * x + value;
+            value = value * x + c[i];
+        }
+        if (slope != 0)
+            x = fmin(fmax(x - value / slope, low), high);
+        if (!(fabs(x - last) > 0x1p-50))
+            break;
+    }
+    return x;
+}
+
+int guess_interval(dyadic_interval *out, const fmpz_poly_t p, const dyadic_interval *interval) {
+    slong n = fmpz_poly_degree(p);
+    if (n < 1 || n > GUESS_DEGREE || interval->exponent > GUESS_PLACES ||
+        fmpz_bits(interval->low) >= LONGEST || fmpz_bits(interval->high) >= LONGEST)
+        return 0;
+    double unit = ldexp(1, -(int)interval->exponent);
+    double x = near_root(p, fmpz_get_d(interval->low) * unit, fmpz_get_d(interval->high) * unit);
+    fmpz_t end;
+    fmpz_init(end);
+    out->exponent = GUESS_PLACES;
+    fmpz_set_d(out->low, floor(ldexp(x, GUESS_PLACES)) - 2);
+    fmpz_add_ui(out->high, out->low, 5);
+    fmpz_mul_2exp(end, interval->low, GUESS_PLACES - interval->exponent);
+    if (fmpz_cmp(out->low, end) < 0)
+        fmpz_set(out->low, end);
+    fmpz_mul_2exp(end, interval->high, GUESS_PLACES - interval->exponent);
+    if (fmpz_cmp(out->high, end) > 0)
+        fmpz_set(out->high, end);
+    fmpz_clear(end);
+    return fmpz_cmp(out->low, out->high) < 0;
+}

@@ -1,0 +1,39 @@
+/* Text that grows, for reports, comparisons and pictures.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_NUMBER_TEXT_H
+#define GRAZE_NUMBER_TEXT_H
+
+#include <flint/fmpq.h>
+#include "base/context/context.h"
+
+/** A NUL-terminated text. Once memory has run short `failed` is set and nothing more is added. */
+typedef struct text {
+    char *data;
+    size_t length, capacity;
+    int failed;
+} text;
+
+void text_init(text *t);
+void text_clear(text *t);
+/** Room for `length` more bytes and a NUL, which the caller writes; 0 without memory. */
+int text_reserve(text *t, size_t length);
+void text_bytes(text *t, const char *bytes, size_t length);
+void text_put(text *t, const char *string);
+void text_format(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/** A count in decimal digits. */
+void text_count(text *t, unsigned long value);
+/** An integer or a ratio in lowest terms. */
+void text_rational(text *t, const fmpq_t value);
+/** A user's text as Markdown shows it, in a cell of a table too: what Markdown or HTML would take
+ * for its own is escaped, line breaks and other control bytes are blanks. */
+void text_markdown(text *t, const char *string);
+/** A user's text as code within a line of Markdown; control bytes are blanks. */
+void text_code(text *t, const char *string);
+/** Add a malloc'ed string and free it; NULL stands for memory that ran short. */
+void text_owned(text *t, char *string);
+/** Hand the text over as a malloc'ed string and clear; NULL when memory ran short. */
+char *text_take(text *t);
+/** Hand the text over as a malloc'ed string and clear; GRAZE_ESYSTEM when memory ran short. */
+graze_status text_finish(char **out, graze_context *context, text *t);
+
+#endif

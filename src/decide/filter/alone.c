@@ -1,0 +1,69 @@
+/* The simplices near the place of a crossing, held against its window of time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A box around the curve in the window leaves out nearly all of them; the others are met at another
+ * time, or not at all, by the tests of meet.h. The bounds are those of proofs/membership.md (C56).
+ */
+#include "decide/filter/alone.h"
+
+#include <math.h>
+#include "decide/filter/chord.h"
+#include "decide/filter/flip.h"
+#include "decide/filter/normal.h"
+
+typedef struct neighbourhood {
+    const curve *curve;
+    const span *piece;
+    const graze_solid *solid;
+    uint32_t simplex;
+    const meet_window *at;
+    box around;
+} neighbourhood;
+
+/* The greatest step between neighbouring coefficients of coordinate i, errors included. */
+static double greatest_step(const curve *c, const span *piece, int i) {
+    const double *x = curve_coefficients(c, piece, i);
+    double step = 0;
+    for (int k = 0; k < piece->degree; k++)
+        step = larger(step, fabs(x[k + 1] - x[k]));
+    return step + 2 * piece->error[i];
+}
+
+/* A box that holds the curve at all times of the window; 0 if the weight's sign is not certain. */
+static int bound_window(box *out, const curve *c, const span *piece, const meet_window *at) {
+    double middle = 0.5 * (at->low + at->high), place[4], off[4];
+    double half = FILTER_SLACK * larger(at->high - middle, middle - at->low);
+    int d = c->dimension;
+    curve_at(place, off, c, piece, middle);
+    for (int i = 0; i <= d; i++)
+        off[i] = FILTER_SLACK * (off[i] + half * piece->degree * greatest_step(c, piece, i));
+    return place_bound(out, place, off, d);
+}
+
+/* Whether the curve meets the simplex of a leaf at other times only, or never. */
+static int is_apart(const neighbourhood *n, uint32_t simplex) {
+    const corners *corners = &n->solid->corners;
+    size_t d = (size_t)n->curve->dimension;
+    const double *corner = corners->at + simplex * d * d;
+    meet_window other;
+    if (simplex == n->simplex ||
+        chord_meets(n->curve, n->piece, corner, corners->error) == CHORD_MISSES ||
+        meet_simplex(&other, n->curve, n->piece, corner, corners->error) == MEET_NONE)
+        return 1;
+    return other.low > n->at->high || other.high < n->at->low;
+}
+
+static int all_apart(const neighbourhood *n, uint32_t index) {
+    const tree_node *node = &n->solid->boxes.node[index];
+    if (!box_meets(&node->box, &n->around))
+        return 1;
+    if (node->child)
+        return all_apart(n, node->child) && all_apart(n, node->child + 1);
+    return is_apart(n, node->simplex);
+}
+
+int crossing_is_alone(const curve *c, const span *piece, const graze_solid *solid, uint32_t simplex,
+                      const meet_window *at) {
+    neighbourhood n = {c, piece, solid, simplex, at, {{0, 0, 0}, {0, 0, 0}}};
+    return bound_window(&n.around, c, piece, at) && flip(FLIP_ALONE, all_apart(&n, 0));
+}

@@ -1,0 +1,84 @@
+/* Bernstein coefficients of a point map, exactly, then rounded.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/filter/carrier.h"
+
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/number/bernstein.h"
+
+static slong degree_of(const point_map *map) {
+    slong degree = fmpz_poly_degree(map->weight);
+    for (int k = 0; k < map->dimension * (map->dimension + 1); k++)
+        if (fmpz_poly_degree(&map->entry[k]) > degree)
+            degree = fmpz_poly_degree(&map->entry[k]);
+    return degree < 1 ? 1 : degree;
+}
+
+/* The least e with |c| < 2^e for all coefficients of the weight. */
+static slong weight_exponent(const fmpz *weight, slong degree) {
+    ulong bits = 0;
+    for (slong k = 0; k <= degree; k++)
+        bits = fmpz_bits(weight + k) > bits ? fmpz_bits(weight + k) : bits;
+    return (slong)bits;
+}
+
+/* c 2^-exponent; sets *fits to 0 if it is too large. Too small becomes 0, which the filter's floor
+ * covers. */
+static double scale_coefficient(const fmpz_t c, slong exponent, int *fits) {
+    slong e;
+    double m = fmpz_get_d_2exp(&e, c);
+    e -= exponent;
+    if (fmpz_is_zero(c) || e < -1000)
+        return 0;
+    if (e > 199) {
+        *fits = 0;
+        return 0;
+    }
+    return ldexp(m, (int)e);
+}
+
+static void convert_map(carrier *out, const point_map *map, const dyadic_interval *part) {
+    int entries = map->dimension * (map->dimension + 1);
+    slong n = out->degree + 1, exponent;
+    fmpz *c = _fmpz_vec_init(n);
+    bernstein_from_poly(c, map->weight, out->degree, part);
+    exponent = weight_exponent(c, out->degree);
+    for (int j = 0; j <= entries; j++) {
+        bernstein_from_poly(c, j < entries ? &map->entry[j] : map->weight, out->degree, part);
+        for (slong k = 0; k < n; k++)
+            out->entry[j * n + k] = scale_coefficient(c + k, exponent, &out->usable);
+    }
+    out->weight = out->entry + entries * n;
+    _fmpz_vec_clear(c, n);
+}
+
+int carrier_make_on(carrier *out, const point_map *map, const dyadic_interval *part) {
+    slong degree = degree_of(map);
+    *out = (carrier){.dimension = map->dimension};
+    if (degree > CARRIER_DEGREE)
+        return 1;
+    size_t entries = (size_t)(map->dimension * (map->dimension + 1));
+    out->degree = (int)degree;
+    out->usable = 1;
+    out->entry = malloc((entries + 1) * (size_t)(degree + 1) * sizeof *out->entry);
+    if (!out->entry)
+        return 0;
+    convert_map(out, map, part);
+    return 1;
+}
+
+int carrier_make(carrier *out, const point_map *map) {
+    dyadic_interval unit;
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    int made = carrier_make_on(out, map, &unit);
+    dyadic_interval_clear(&unit);
+    return made;
+}
+
+void carrier_clear(carrier *c) {
+    free(c->entry);
+    *c = (carrier){.usable = 0};
+}

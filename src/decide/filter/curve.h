@@ -1,0 +1,135 @@
+/* A trajectory in doubles, over all pieces of a motion, cut into spans on demand, each with its
+ * errors and a bound in space.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_CURVE_H
+#define GRAZE_FILTER_CURVE_H
+
+#include <float.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "decide/filter/course.h"
+#include "input/solid/corners.h"
+#include "input/solid/tree.h"
+
+_Static_assert(FLT_EVAL_METHOD == 0, "the filter's bounds are those of arithmetic in double alone");
+
+/** Windows of time are counted in units of 2^-WINDOW_LEVELS of a piece. */
+enum { WINDOW_LEVELS = 24 };
+
+/**
+ * The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1].
+ * Its Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
+ * other. Or, of degree 0, several pieces: then there are no coefficients, nor their errors. Where
+ * `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <= thick_i }, and
+ * `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34).
+ */
+typedef struct span {
+    uint32_t piece; /* the first, for several */
+    uint32_t group; /* of degree 0: the course's */
+    uint32_t start;
+    int level, degree;
+    int lost;       /* a piece that is beyond the filter */
+    uint32_t child; /* the halves stand at child and child + 1; 0: not cut yet */
+    int bounded;
+    double from[3], along[3], inverse[3], thick[3];
+    double end[3];   /* from + along, rounded */
+    double wide[3];  /* `thick` and all errors of a place of the chord against a corner */
+    double far;      /* no place of the set is further from a corner, coordinate by coordinate */
+    double bend;     /* how far it strays from the chord; 0 where that is hardly more than rounding:
+                        cutting     would not make it thinner */
+    double size[4];  /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole piece */
+    double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
+} span;
+
+/** On a span, of D = X - v W for any corner v, coefficient by coordinate (proofs/filter.md C35). */
+typedef struct shift_bound {
+    double error; /* of a computed D */
+    double size;  /* |D| is at most this */
+    double speed; /* |dD/ds| is at most this */
+} shift_bound;
+
+/** A query point in doubles, each within 2^-50 of itself of the exact coordinate. */
+typedef struct filter_point {
+    double at[3];
+} filter_point;
+
+/** A curve with its spans: span 0 is the whole. Reused from query to query; one thread at a time.
+ */
+typedef struct curve {
+    int dimension;
+    filter_point point;
+    const course *course;   /* borrowed; NULL for a segment */
+    const corners *corners; /* borrowed */
+    size_t stride, count, capacity, room;
+    span *spans;
+    double *coefficients;
+    int out_of_memory;
+} curve;
+
+void curve_init(curve *c);
+void curve_clear(curve *c);
+
+/**
+ * Set the curve that a course gives a point.
+ * @param course, corners of the motion and of the solid, kept
+ * @return 0 if the numbers are beyond the filter, or without memory
+ */
+int curve_set(curve *c, const course *course, const filter_point *point, const corners *corners);
+
+/**
+ * Set the segment from a point to a point + direction, as a curve of degree 1.
+ * @param at   d + 1 homogeneous coordinates, at[d] > 0, each within error[i] of the exact one
+ */
+int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
+                      const double *direction, const corners *corners);
+
+/** Make the whole of one piece a span; NULL if there are too many, or without memory. */
+const span *curve_piece(curve *c, size_t piece);
+
+/** Cut a span in halves, or in two groups of pieces, if that was not done yet; 0 if there are too
+ * many, or without memory. Pointers to spans end here. */
+int curve_cut(curve *c, uint32_t index);
+
+/**
+ * The homogeneous point at s of a span, by de Casteljau's scheme.
+ * @param[out] error of each of the d + 1 coordinates
+ */
+void curve_at(double *at, double *error, const curve *c, const span *piece, double s);
+
+/** A box of all places whose homogeneous coordinates are each within `off` of those given; 0 if the
+ * weight's sign is not certain. */
+int place_bound(box *out, const double *place, const double *off, int dimension);
+
+/** A span that is a box: its chord is the middle.
+ * @param shape its dimension and corners are used alone */
+void span_of_box(span *out, const curve *shape, const box *b);
+
+shift_bound curve_shift(const curve *c, const span *piece);
+
+/** The coefficients of coordinate i of a span. */
+const double *curve_coefficients(const curve *c, const span *piece, int i);
+
+/** 0 if the span certainly does not meet the box. */
+int span_meets(const span *piece, const box *b);
+
+/** The same; and the part of its chord that can be in the box. */
+int span_window(double *from, double *to, const span *piece, const box *b);
+
+/**
+ * Whether a span is so thick that it meets many boxes which its curve misses: with the thickness
+ * around it the box has a much larger surface (in the plane: outline), which is the chance that a
+ * chord meets it. 0 where a cut would not make it thinner.
+ */
+static inline int span_is_thick(const curve *c, const span *piece, const box *b) {
+    const double most = 1.2; /* measured: less cuts in vain, more tests long triangles in vain */
+    double x = b->high[0] - b->low[0], y = b->high[1] - b->low[1], z = b->high[2] - b->low[2];
+    double wx = x + 2 * piece->thick[0], wy = y + 2 * piece->thick[1], wz = z + 2 * piece->thick[2];
+    if (piece->bend <= 0)
+        return 0;
+    if (c->dimension == 2)
+        return wx + wy > most * (x + y);
+    return wx * (wy + wz) + wy * wz > most * (x * (y + z) + y * z);
+}
+
+#endif

@@ -1,0 +1,59 @@
+/* The certified floating-point filter of a scene: which crossings of the boundary are certain, and
+ * in which windows of time the exact path must be asked. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * It may leave out a simplex, report one certain crossing, or ask; it never decides a tangency, an
+ * edge, a vertex or an end (proofs/filter.md C36, C37).
+ */
+#ifndef GRAZE_FILTER_FILTER_H
+#define GRAZE_FILTER_FILTER_H
+
+#include "decide/filter/curve.h"
+#include "decide/filter/findings.h"
+#include "decide/filter/interior.h"
+#include "input/solid/known.h"
+#include "input/solid/solid.h"
+
+/** What a filter keeps of a scene; immutable, shared by threads. */
+typedef struct filter {
+    const graze_solid *solid; /* borrowed */
+    course course;
+    interior bricks;    /* where memberships alone are asked for */
+    graze_state proves; /* somewhere in this state: that alone decides the membership */
+} filter;
+
+/**
+ * Without bricks.
+ * @param operation which of the motion's point maps carries the query points
+ */
+graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
+                         const graze_motion *motion, graze_operation operation);
+void filter_clear(filter *f);
+
+/** Memory of one thread, used again from query to query. */
+typedef struct filter_workspace {
+    int set; /* `curve` is that of the point */
+    curve curve, ray;
+    findings found, ray_found;
+    form_memory forms; /* of the solid that was asked last */
+} filter_workspace;
+
+/** Set the workspace's curve, unless it is; 0 if the filter cannot be used for it. */
+int filter_set(filter_workspace *w, const filter *f, const filter_point *point);
+
+/** The context's workspace, made at the first call; NULL without memory. */
+filter_workspace *filter_workspace_of(graze_context *context);
+
+/** Forget the point before. */
+void filter_begin(filter_workspace *w);
+
+/**
+ * Search all pieces. The findings stand in the workspace until the next search.
+ * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
+ * membership: then there are no findings. Else 0
+ * @param bricks  with `settled`: those that are asked; NULL: crossings alone settle it
+ * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search
+ */
+int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
+                  const filter_point *point);
+
+#endif

@@ -1,0 +1,39 @@
+/* Whether a span of a curve meets one simplex: certainly not, in one certain crossing, or to be
+ * asked. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_MEET_H
+#define GRAZE_FILTER_MEET_H
+
+#include "decide/filter/curve.h"
+
+typedef enum meeting {
+    MEET_NONE,     /* no time of the closed span is on the closed simplex */
+    MEET_CROSSING, /* one time is, in its relative interior; the curve goes through from side to
+                      side */
+    MEET_ASK,      /* the filter cannot say; every time on the simplex lies in the window given */
+    MEET_CUT       /* as MEET_ASK, but halves of the span may decide */
+} meeting;
+
+/** Where in the span, s in [low, high] of [0, 1]; `enters`: a crossing from outside to inside. */
+typedef struct meet_window {
+    double low, high;
+    int enters;
+} meet_window;
+
+/**
+ * @param corner d corners of d coordinates, outward oriented (validate.h)
+ * @param corner_error each is within it of the exact coordinate
+ */
+meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
+                     double corner_error);
+
+/**
+ * The sides of a simplex at the times of a window at which the curve is in its plane
+ * (proofs/doubles.md C65).
+ * @param[out] inside bit k: it is certainly on the inner side of side k
+ * @return 0 if it certainly is beyond one of them, and not on the simplex
+ */
+int sides_meet(unsigned *inside, const curve *c, const span *piece, const double *corner,
+               double corner_error, const meet_window *at);
+
+#endif

@@ -1,0 +1,71 @@
+/* The normal of a simplex in doubles, and the constants of the filter's error bounds.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_NORMAL_H
+#define GRAZE_FILTER_NORMAL_H
+
+#include <math.h>
+#include "decide/filter/carrier.h"
+
+/** Covers the rounding of the error terms themselves. */
+#define FILTER_SLACK (1 + 0x1p-20)
+
+/** More than all that underflow and numbers too small to convert can add to a coefficient. */
+#define FILTER_FLOOR 0x1p-780
+
+/** The normal of a simplex's plane, outward, and a bound for the error of each coordinate
+ * (proofs/filter.md C35). */
+typedef struct normal {
+    double at[3], error;
+} normal;
+
+/* fmax and fmin without the call. */
+static inline double larger(double a, double b) {
+    return a > b ? a : b;
+}
+static inline double smaller(double a, double b) {
+    return a < b ? a : b;
+}
+
+static inline double largest3(const double *x) {
+    return larger(fabs(x[0]), larger(fabs(x[1]), fabs(x[2])));
+}
+
+/** Of a segment in E^2. */
+static inline void normal_plane(normal *out, const double *v, double corner_error) {
+    out->at[0] = v[3] - v[1];
+    out->at[1] = v[0] - v[2];
+    out->at[2] = 0;
+    out->error =
+        FILTER_SLACK * (UNIT_ROUNDING * largest3(out->at) + 2 * corner_error) + FILTER_FLOOR;
+}
+
+/** Of a triangle in E^3. */
+static inline void normal_space(normal *out, const double *v, double corner_error) {
+    double a[3], b[3];
+    for (int i = 0; i < 3; i++) {
+        a[i] = v[3 + i] - v[i];
+        b[i] = v[6 + i] - v[i];
+    }
+    out->at[0] = a[1] * b[2] - a[2] * b[1];
+    out->at[1] = a[2] * b[0] - a[0] * b[2];
+    out->at[2] = a[0] * b[1] - a[1] * b[0];
+    double la = largest3(a), lb = largest3(b);
+    out->error = FILTER_SLACK * (9 * UNIT_ROUNDING * la * lb + 4 * corner_error * (la + lb) +
+                                 8 * corner_error * corner_error) +
+                 FILTER_FLOOR;
+}
+
+/** The coordinate along which a simplex is projected; -1 if its size is not certain. */
+static inline int normal_axis(const normal *n, int dimension) {
+    if (dimension == 2)
+        return 0;
+    double x = fabs(n->at[0]), y = fabs(n->at[1]), z = fabs(n->at[2]);
+    int axis = y > x ? 1 : 0;
+    double most = y > x ? y : x;
+    axis = z > most ? 2 : axis;
+    most = z > most ? z : most;
+    return most > n->error ? axis : -1;
+}
+
+#endif

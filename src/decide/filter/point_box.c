@@ -1,0 +1,233 @@
+/* Spans made as thick as the box that the points are from, against the solid's tree.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/filter/point_box.h"
+
+#include <math.h>
+#include "decide/filter/chord.h"
+#include "decide/filter/empty.h"
+#include "decide/filter/flip.h"
+#include "decide/filter/normal.h"
+
+/* Spans are cut down to these levels: for the sake of boxes, and of one simplex. */
+enum { CELL_BOX_LEVELS = 16, CELL_LEVELS = 8 };
+
+/* Simplices that are looked at between a cell and an anchor. */
+enum { JOIN_TESTS = 64 };
+
+/* Times at which a cell is looked at together. */
+enum { CELL_TIMES = 16 };
+
+/* A span is cut for one simplex where it strays from its chord by more than this share of the
+ * points' spread. */
+static const double LEAST_BEND = 0.25;
+
+/* Weights below it leave a piece without bound. */
+static const double CELL_LEAST_WEIGHT = 0x1p-40;
+
+/* Entries of a carrier below it have become 0. */
+static const double LOST_ENTRY = 0x1p-1000;
+
+typedef struct cell_search {
+    curve *curve;
+    const filter *filter;
+    const point_box *points;
+    int meets; /* a point of the cell may meet the boundary */
+} cell_search;
+
+/* How far the trajectory of a point of the cell can be from the centre's, in all of one piece; 0 if
+ * there is no bound. */
+static int spread_over_piece(double spread[3], const carrier *map, const double *half) {
+    int d = map->dimension, n = map->degree;
+    for (int i = 0; i < d; i++) {
+        double most = 0;
+        for (int k = 0; k <= n; k++) {
+            double sum = 0;
+            for (int j = 0; j < d; j++)
+                sum += (fabs(map->entry[(i * (d + 1) + j) * (n + 1) + k]) + LOST_ENTRY) * half[j];
+            if (!(map->weight[k] > CELL_LEAST_WEIGHT))
+                return 0;
+            most = larger(most, sum / map->weight[k]);
+        }
+        spread[i] = FILTER_SLACK * most + FILTER_FLOOR;
+    }
+    return 1;
+}
+
+/* The same over several pieces. Those without a bound are cut before anything is asked of them. */
+static void spread_over_group(double spread[3], const piece_group *g, int d, const double *half) {
+    for (int i = 0; i < d; i++) {
+        double sum = 0;
+        for (int j = 0; j < d; j++) {
+            int e = i * (d + 1) + j;
+            sum += (larger(fabs(g->first[e]), fabs(g->last[e])) + g->off[e]) * half[j];
+        }
+        spread[i] = g->bounded ? FILTER_SLACK * sum + FILTER_FLOOR : 0;
+    }
+}
+
+static int spread_of(double spread[3], const cell_search *s, const span *part) {
+    const course *course = s->curve->course;
+    spread[2] = 0;
+    if (part->lost)
+        return 0;
+    if (part->degree)
+        return spread_over_piece(spread, &course->piece[part->piece], s->points->half);
+    spread_over_group(spread, &course->group[part->group], course->dimension, s->points->half);
+    return 1;
+}
+
+static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread);
+
+/* Both halves. Each of several pieces has a spread of its own. */
+static void cut_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
+    int several = !s->curve->spans[index].degree;
+    if (!curve_cut(s->curve, index)) {
+        s->meets = 1;
+        return;
+    }
+    uint32_t child = s->curve->spans[index].child;
+    for (uint32_t half = child; half < child + 2 && !s->meets; half++) {
+        double own[3];
+        if (several && !spread_of(own, s, &s->curve->spans[half]))
+            s->meets = 1;
+        else
+            descend_cell(s, node, half, several ? own : spread);
+    }
+}
+
+/* A simplex against the span as thick as the cell makes it. */
+static void meet_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
+    const corners *corners = &s->filter->solid->corners;
+    size_t d = (size_t)s->curve->dimension, simplex = s->filter->solid->boxes.node[node].simplex;
+    span wide = s->curve->spans[index];
+    double most = larger(spread[0], larger(spread[1], spread[2]));
+    for (int i = 0; i < 3; i++) {
+        wide.thick[i] += spread[i];
+        wide.wide[i] += spread[i];
+    }
+    wide.far += most;
+    chord_meeting found =
+        chord_meets(s->curve, &wide, corners->at + simplex * d * d, corners->error);
+    if (flip(FLIP_CELL, found == CHORD_MISSES))
+        return;
+    if (!wide.degree || (wide.bend > LEAST_BEND * most && wide.level < CELL_LEVELS))
+        cut_cell(s, node, index, spread);
+    else
+        s->meets = 1;
+}
+
+/* A span as thick as the spread meets a box where the span meets the box that much larger. */
+static box box_around(const box *b, const double *spread) {
+    box out = *b;
+    for (int i = 0; i < 3; i++) {
+        out.low[i] -= spread[i];
+        out.high[i] += spread[i];
+    }
+    return out;
+}
+
+/* Whether a node's slab misses the span as thick as the spread makes it. */
+static int cell_misses_slab(const cell_search *s, const span *piece, const tree_node *node,
+                            const double *spread) {
+    double wide[3];
+    if (!node->child || !piece->bounded)
+        return 0;
+    for (int i = 0; i < 3; i++)
+        wide[i] = piece->wide[i] + spread[i];
+    return !chord_meets_slab(piece, wide, slab_below(&s->filter->solid->slabs, node));
+}
+
+static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
+    while (!s->meets) {
+        const span *piece = &s->curve->spans[index];
+        const tree_node *here = &s->filter->solid->boxes.node[node];
+        box around = box_around(&here->box, spread);
+        if (flip(FLIP_CELL, !span_meets(piece, &around)) ||
+            cell_misses_slab(s, piece, here, spread))
+            return;
+        int thick = here->child && span_is_thick(s->curve, piece, &around);
+        if ((thick || !piece->bounded) && piece->level < CELL_BOX_LEVELS) {
+            cut_cell(s, node, index, spread);
+            return;
+        }
+        if (!piece->bounded) {
+            s->meets = 1;
+        } else if (!here->child) {
+            meet_cell(s, node, index, spread);
+            return;
+        } else {
+            descend_cell(s, here->child, index, spread);
+            node = here->child + 1;
+        }
+    }
+}
+
+int point_box_begin(curve *memory, const filter *f, const point_box *points) {
+    filter_point centre;
+    for (int i = 0; i < 3; i++) {
+        if (!(points->half[i] <= CARRIER_REACH))
+            return 0;
+        centre.at[i] = points->centre[i];
+    }
+    return f->solid->corners.at && curve_set(memory, &f->course, &centre, &f->solid->corners);
+}
+
+/* A box of the places of the cell's points at a time, or of the centre's alone. */
+static int bound_places(box *out, curve *memory, const filter *f, const stay *when,
+                        const double *half) {
+    double place[4], off[4], spread[3] = {0, 0, 0};
+    const span *whole = curve_piece(memory, when->piece);
+    if (!whole || whole->lost)
+        return 0;
+    curve_at(place, off, memory, whole, when->at);
+    if (!place_bound(out, place, off, f->solid->input.dimension) ||
+        (half && !spread_over_piece(spread, &f->course.piece[when->piece], half)))
+        return 0;
+    *out = box_around(out, spread);
+    return 1;
+}
+
+int point_box_is_settled(curve *memory, const filter *f, const point_box *points, size_t *hint) {
+    size_t pieces = f->course.piece_count, each = pieces < CELL_TIMES ? CELL_TIMES / pieces : 1;
+    size_t step = pieces * each / CELL_TIMES + 1;
+    if (!f->bricks.state)
+        return 0;
+    for (size_t k = 0; k < pieces * each; k += step) {
+        size_t time = (*hint + k) % (pieces * each);
+        stay when = {(uint32_t)(time / each), ((double)(time % each) + 0.5) / (double)each};
+        box around;
+        if (bound_places(&around, memory, f, &when, points->half) &&
+            flip(FLIP_INTERIOR, interior_state(&f->bricks, &around) == f->proves)) {
+            *hint = time;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int point_box_anchor(anchor *out, curve *memory, const filter *f, const stay *when) {
+    out->when = *when;
+    return bound_places(&out->around, memory, f, when, NULL);
+}
+
+int point_box_joins(curve *memory, const filter *f, const point_box *points, const anchor *to) {
+    size_t tests = JOIN_TESTS;
+    box all;
+    if (!bound_places(&all, memory, f, &to->when, points->half))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        all.low[i] = smaller(all.low[i], to->around.low[i]);
+        all.high[i] = larger(all.high[i], to->around.high[i]);
+    }
+    return flip(FLIP_JOIN, box_is_empty(f->solid, &all, &tests));
+}
+
+int point_box_is_clear(curve *memory, const filter *f, const point_box *points) {
+    cell_search s = {memory, f, points, 0};
+    double spread[3];
+    if (!spread_of(spread, &s, &memory->spans[0]))
+        return 0;
+    descend_cell(&s, 0, 0, spread);
+    return !s.meets && !memory->out_of_memory;
+}

@@ -1,0 +1,180 @@
+/* Time and tree are subdivided together: a span that is thick beside the box it meets is cut before
+ * the descent goes on. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/filter/search.h"
+
+#include <math.h>
+#include "decide/filter/alone.h"
+#include "decide/filter/chord.h"
+#include "decide/filter/flip.h"
+#include "decide/filter/meet.h"
+#include "decide/filter/normal.h"
+
+/* Spans are cut down to these levels: for the sake of boxes, of one simplex before its Bernstein
+ * forms, and after them. */
+enum { BOX_LEVELS = 20, CHORD_LEVELS = 4, SIMPLEX_LEVELS = 8 };
+
+typedef struct searcher {
+    findings *out;
+    curve *curve;
+    const graze_solid *solid;
+    early_end *early; /* NULL: all is to be found */
+    int failed;       /* without memory, or too many spans */
+} searcher;
+
+/* A window of a span's own parameter, outward, in units of 2^-WINDOW_LEVELS. */
+static candidate whole_units(uint32_t simplex, const span *piece, const meet_window *w) {
+    double length = (double)(UINT32_C(1) << (WINDOW_LEVELS - piece->level));
+    double from = floor(w->low * length) - 1, to = ceil(w->high * length) + 1;
+    from = larger(0, from + piece->start);
+    to = smaller((double)(UINT32_C(1) << WINDOW_LEVELS), to + piece->start);
+    return (candidate){piece->piece, simplex, (uint32_t)from, (uint32_t)to};
+}
+
+/* The same window in units of the piece. The start is a multiple of 2^-24, so only the product and
+ * the sum are rounded: by less than 2^-52 together. */
+static crossing whole_crossing(uint32_t simplex, const span *piece, const meet_window *w) {
+    double start = ldexp(piece->start, -WINDOW_LEVELS);
+    return (crossing){start + ldexp(w->low, -piece->level) - 0x1p-51,
+                      start + ldexp(w->high, -piece->level) + 0x1p-51, piece->piece, simplex,
+                      w->enters};
+}
+
+/* How far the middle of a chord is from that of the solid's box, squared. */
+static double distance_of(const searcher *s, const span *piece) {
+    const box *all = &s->solid->boxes.node[0].box;
+    double sum = 0;
+    for (int i = 0; i < s->curve->dimension; i++) {
+        double off = piece->from[i] + 0.5 * piece->along[i] - 0.5 * (all->low[i] + all->high[i]);
+        sum += off * off;
+    }
+    return sum;
+}
+
+/* Which half is looked at first: where one crossing is enough, the one nearer to the solid. */
+static uint32_t first_half(const searcher *s, uint32_t child) {
+    const span *half = &s->curve->spans[child];
+    return s->early && distance_of(s, half + 1) < distance_of(s, half);
+}
+
+/* Whether the curve is in the state that ends the search, at a time of a span. */
+static void sample(const searcher *s, const span *piece, double at) {
+    double place[4], off[4];
+    box around;
+    if (piece->lost)
+        return;
+    curve_at(place, off, s->curve, piece, at);
+    if (place_bound(&around, place, off, s->curve->dimension))
+        s->early->met |=
+            flip(FLIP_INTERIOR, interior_state(s->early->bricks, &around) == s->early->state);
+}
+
+/* Places along the part of a span that can be in the solid's box. */
+static void sample_along(const searcher *s, const span *piece) {
+    static const double share[] = {0.5, 0.25, 0.75};
+    double from, to;
+    if (!span_window(&from, &to, piece, &s->solid->boxes.node[0].box))
+        return;
+    for (int k = 0; k < 3 && !s->early->met; k++)
+        sample(s, piece, from + share[k] * (to - from));
+}
+
+/* Whether the slab of a node misses a span; one without bound is cut first. */
+static int span_misses_slab(const searcher *s, const span *piece, const tree_node *node) {
+    return node->child && piece->bounded &&
+           !chord_meets_slab(piece, piece->wide, slab_below(&s->solid->slabs, node));
+}
+
+/* Whether bricks are asked along a span. */
+static int samples(const searcher *s, uint32_t span_index) {
+    return s->early && s->early->bricks && s->curve->spans[span_index].degree;
+}
+
+static void descend_curve(searcher *s, uint32_t node, uint32_t span_index);
+
+static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
+    if (!curve_cut(s->curve, span_index)) {
+        s->failed = 1;
+        return 0;
+    }
+    uint32_t half = s->curve->spans[span_index].child, first = first_half(s, half);
+    if (samples(s, half + 1))
+        sample(s, &s->curve->spans[half + 1], 0);
+    descend_curve(s, node, half + first);
+    descend_curve(s, node, half + 1 - first);
+    return 1;
+}
+
+/* A certain crossing is kept, or is enough. */
+static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const meet_window *at) {
+    if (s->early)
+        s->early->met = crossing_is_alone(s->curve, piece, s->solid, simplex, at);
+    return (s->early && s->early->met) ||
+           findings_add_crossing(s->out, whole_crossing(simplex, piece, at));
+}
+
+static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
+    const span *piece = &s->curve->spans[span_index];
+    uint32_t simplex = s->solid->boxes.node[node].simplex;
+    const corners *corners = &s->solid->corners;
+    size_t d = (size_t)s->solid->input.dimension;
+    const double *corner = corners->at + simplex * d * d;
+    chord_meeting chord = chord_meets(s->curve, piece, corner, corners->error);
+    if (chord == CHORD_MISSES)
+        return;
+    if (!piece->degree || (chord == CHORD_NEAR && piece->bend > 0 && piece->level < CHORD_LEVELS)) {
+        cut_and_descend(s, node, span_index);
+        return;
+    }
+    meet_window window;
+    meeting found = meet_simplex(&window, s->curve, piece, corner, corners->error);
+    int kept = 1;
+    if (found == MEET_CUT && piece->level < SIMPLEX_LEVELS)
+        cut_and_descend(s, node, span_index);
+    else if (found == MEET_CROSSING)
+        kept = take_crossing(s, piece, simplex, &window);
+    else if (found != MEET_NONE)
+        kept = candidates_append(&s->out->asked, whole_units(simplex, piece, &window));
+    s->failed |= !kept;
+}
+
+static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
+    if (!node && samples(s, span_index))
+        sample_along(s, &s->curve->spans[span_index]);
+    for (;;) {
+        const span *piece = &s->curve->spans[span_index];
+        const tree_node *here = &s->solid->boxes.node[node];
+        if (piece->lost)
+            s->failed |= !findings_lose(s->out, piece->piece);
+        if (s->failed || (s->early && s->early->met) || piece->lost ||
+            flip(FLIP_BOX, !span_meets(piece, &here->box)) || span_misses_slab(s, piece, here))
+            return;
+        /* A single simplex is left to its own tests. */
+        if (!piece->bounded || (here->child && span_is_thick(s->curve, piece, &here->box))) {
+            if (piece->level < BOX_LEVELS) {
+                cut_and_descend(s, node, span_index);
+                return;
+            }
+            if (!piece->bounded) {
+                /* The weight's sign is not certain. */
+                s->failed |= !findings_lose(s->out, piece->piece);
+                return;
+            }
+        }
+        if (!here->child) {
+            meet_leaf(s, node, span_index);
+            return;
+        }
+        descend_curve(s, here->child, span_index);
+        node = here->child + 1;
+    }
+}
+
+int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid) {
+    searcher s = {out, c, solid, early, 0};
+    if (early)
+        early->met = 0;
+    out->crossing_count = out->asked.count = out->window_count = out->lost_count = 0;
+    descend_curve(&s, 0, 0);
+    return !s.failed;
+}

@@ -1,0 +1,27 @@
+/* The descent of a curve's spans through a solid's tree.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_SEARCH_H
+#define GRAZE_FILTER_SEARCH_H
+
+#include "decide/filter/curve.h"
+#include "decide/filter/findings.h"
+#include "decide/filter/interior.h"
+#include "input/solid/solid.h"
+
+/** What ends a search: a time at which the curve is certainly in a state, or a crossing beside
+ * which it is in both (proofs/membership.md C56, proofs/bricks.md C86). */
+typedef struct early_end {
+    const interior *bricks; /* NULL: crossings alone */
+    graze_state state;
+    int met;
+} early_end;
+
+/**
+ * Find all certain crossings and candidates of a curve; not sorted yet.
+ * @param early NULL; or `met` is set if the search ends early. Else all is found
+ * @return 0 without memory
+ */
+int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid);
+
+#endif

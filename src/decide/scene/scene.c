@@ -1,0 +1,186 @@
+/* Makes a scene of a solid and a motion, and decides whether the swept solid's first and last
+ * configuration meet.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * S^0 and S^1 meet iff S and A S do, A = M(t0)^-1 M(t1). If their boundaries have no point in
+ * common then the boundary of S n A S, where that set is not empty, holds a point of one boundary
+ * inside the other solid; the component of the boundary it lies on is connected and misses the
+ * other boundary, so it lies inside as a whole. One vertex per component, both ways, therefore
+ * decides.
+ */
+#include "decide/scene/scene.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "decide/filter/time_ray.h"
+#include "decide/scene/hash.h"
+#include "decide/scene/meeting.h"
+#include "input/solid/locate.h"
+
+/* d x (d + 1) affine maps as square homogeneous matrices, so that FLINT multiplies and inverts. */
+static void homogeneous_matrix(fmpq_mat_t out, const point_map *map, const fmpq_t u) {
+    int d = map->dimension;
+    fmpq *entry = _fmpq_vec_init(d * (d + 1));
+    point_map_at(entry, map, u);
+    fmpq_mat_zero(out);
+    for (int row = 0; row < d; row++)
+        for (int column = 0; column <= d; column++)
+            fmpq_set(fmpq_mat_entry(out, row, column), entry + row * (d + 1) + column);
+    fmpq_one(fmpq_mat_entry(out, d, d));
+    _fmpq_vec_clear(entry, d * (d + 1));
+}
+
+/* The image of a point as homogeneous integers with positive last coordinate. */
+static void image(fmpz *out, const fmpq_mat_t map, const fmpq *point, int d) {
+    fmpq *value = _fmpq_vec_init(d);
+    fmpq_t term;
+    fmpq_init(term);
+    for (int row = 0; row < d; row++) {
+        fmpq_set(value + row, fmpq_mat_entry(map, row, d));
+        for (int column = 0; column < d; column++) {
+            fmpq_mul(term, fmpq_mat_entry(map, row, column), point + column);
+            fmpq_add(value + row, value + row, term);
+        }
+    }
+    _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, value, d);
+    fmpq_clear(term);
+    _fmpq_vec_clear(value, d);
+}
+
+/* Does the image of one vertex of some boundary component lie inside the solid? None lies on its
+ * boundary. */
+static graze_status component_inside(int *out, graze_context *context, const graze_solid *solid,
+                                     const fmpq_mat_t map) {
+    int d = solid->input.dimension;
+    char *seen = calloc(solid->cut.component_count + 1, 1);
+    if (!seen)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    fmpz *x = _fmpz_vec_init(d + 1);
+    graze_status status = GRAZE_OK;
+    *out = 0;
+    for (size_t s = 0; s < solid->cut.count && !*out && !status; s++) {
+        const simplex *piece = &solid->cut.item[s];
+        if (seen[piece->component])
+            continue;
+        seen[piece->component] = 1;
+        image(x, map, solid->input.coordinates + (size_t)piece->vertex[0] * d, d);
+        graze_state state = solid_locate(solid, x);
+        if (state == GRAZE_STATE_ABSENT)
+            status = context_fail(context, GRAZE_EINTERNAL,
+                                  "the crossings of a ray with the solid do not add up");
+        *out = state == GRAZE_STATE_I;
+        if (!status)
+            status = context_poll(context);
+    }
+    _fmpz_vec_clear(x, d + 1);
+    free(seen);
+    return status;
+}
+
+static graze_status meet_under(int *out, graze_context *context, const graze_solid *solid,
+                               const fmpq_mat_t map) {
+    int d = solid->input.dimension;
+    fmpq *rows = _fmpq_vec_init(d * (d + 1));
+    for (int row = 0; row < d; row++)
+        for (int column = 0; column <= d; column++)
+            fmpq_set(rows + row * (d + 1) + column, fmpq_mat_entry(map, row, column));
+    graze_status status = meeting_find(out, context, solid, rows);
+    _fmpq_vec_clear(rows, d * (d + 1));
+    return status;
+}
+
+graze_status scene_ends(int *out, graze_context *context, const graze_solid *solid,
+                        const graze_motion *motion) {
+    int d = motion->dimension;
+    const motion_piece *first = motion->piece, *last = first + motion->piece_count - 1;
+    fmpq_t zero, one;
+    fmpq_mat_t map, other;
+    fmpq_init(zero);
+    fmpq_init(one);
+    fmpq_one(one);
+    fmpq_mat_init(map, d + 1, d + 1);
+    fmpq_mat_init(other, d + 1, d + 1);
+    homogeneous_matrix(map, &first->inverse, zero);
+    homogeneous_matrix(other, &last->forward, one);
+    fmpq_mat_mul(map, map, other);
+    graze_status status = GRAZE_OK;
+    *out = 0;
+    if (!fmpq_mat_inv(other, map))
+        status = context_fail(context, GRAZE_EINTERNAL, "the motion's end maps are singular");
+    if (!status)
+        status = meet_under(out, context, solid, map);
+    if (!status && !*out)
+        status = component_inside(out, context, solid, map);
+    if (!status && !*out)
+        status = component_inside(out, context, solid, other);
+    fmpq_mat_clear(map);
+    fmpq_mat_clear(other);
+    fmpq_clear(zero);
+    fmpq_clear(one);
+    return status;
+}
+
+static graze_status make_memo(scene_memo **out, graze_context *context) {
+    scene_memo *memo = calloc(1, sizeof *memo);
+    if (!memo || pthread_mutex_init(&memo->lock, NULL) != 0) {
+        free(memo);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a scene");
+    }
+    *out = memo;
+    return GRAZE_OK;
+}
+
+static void free_memo(scene_memo *memo) {
+    if (!memo)
+        return;
+    if (memo->value)
+        memo->free(memo->value);
+    pthread_mutex_destroy(&memo->lock);
+    free(memo);
+}
+
+graze_status scene_make(graze_scene *out, graze_context *context, const graze_solid *solid,
+                        const graze_motion *motion, const graze_options *options) {
+    memset(out, 0, sizeof *out);
+    out->solid = solid;
+    out->motion = motion;
+    if (options)
+        out->options = *options;
+    if (solid->input.dimension != motion->dimension)
+        return context_fail(
+            context, GRAZE_EILLEGAL,
+            "the solid has dimension %d and the motion dimension %d; expected equal dimensions",
+            solid->input.dimension, motion->dimension);
+    graze_status status = scene_ends(&out->ends_meet, context, solid, motion);
+    if (status)
+        return status;
+    if (out->ends_meet && out->options.overlap == GRAZE_OVERLAP_REJECT &&
+        out->options.operation == GRAZE_SWEEP)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "S^0 and S^1 meet, which overlap `reject` excludes; `extend` "
+                            "classifies all nine cases");
+    status = scene_hash(out->sha256, context, solid, motion);
+    if (!status)
+        status = make_memo(&out->memo, context);
+    if (!status)
+        status = make_memo(&out->ground, context);
+    if (!status)
+        status = filter_make(&out->filter, context, solid, motion, out->options.operation);
+    if (!status && out->options.columns == GRAZE_COLUMNS_PMC)
+        status = filter_lay_bricks(&out->filter, context);
+    if (status) {
+        free_memo(out->memo);
+        free_memo(out->ground);
+        filter_clear(&out->filter);
+    }
+    return status;
+}
+
+void scene_clear(graze_scene *scene) {
+    free_memo(scene->memo);
+    free_memo(scene->ground);
+    filter_clear(&scene->filter);
+}

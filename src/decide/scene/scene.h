@@ -1,0 +1,49 @@
+/* A scene: a solid, a motion of the same dimension, the options its answers depend on, and facts
+ * decided about the pair.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends_meet` is
+ * decided exactly. A scene never changes once made, but for its memo.
+ */
+#ifndef GRAZE_SCENE_SCENE_H
+#define GRAZE_SCENE_SCENE_H
+
+#include <pthread.h>
+#include "decide/filter/filter.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+
+/** A value that a later stage makes of a scene once and keeps: the only part that changes, under
+ * the lock.
+ */
+typedef struct scene_memo {
+    pthread_mutex_t lock;
+    void *value; /* NULL until it is made */
+    void (*free)(void *);
+} scene_memo;
+
+struct graze_scene {
+    const graze_solid *solid;
+    const graze_motion *motion;
+    graze_options options;
+    filter filter;             /* for the operation of the options */
+    int ends_meet;             /* 1 if S^0 and S^1 have a point in common, else 0 */
+    unsigned char sha256[32];  /* of the canonical text of solid and motion, see scene_hash */
+    scene_memo *memo, *ground; /* of topo and of distances */
+    double tolerance;          /* of distances; 0: rows have none */
+};
+
+/**
+ * Fill a scene: dimensions, the ends, the hash, the filter. On success scene_clear frees it.
+ * @return GRAZE_EILLEGAL the dimensions differ, or the ends meet where `overlap` rejects it
+ */
+graze_status scene_make(graze_scene *out, graze_context *context, const graze_solid *solid,
+                        const graze_motion *motion, const graze_options *options);
+
+void scene_clear(graze_scene *scene);
+
+/** Decide whether M(t0) S and M(t1) S, closed sets, have a point in common. */
+graze_status scene_ends(int *out, graze_context *context, const graze_solid *solid,
+                        const graze_motion *motion);
+
+#endif

@@ -1,0 +1,335 @@
+/* A contact time in the motion's own parameter: minimal polynomial and widest isolating dyadic
+ * interval (src/program/cli/formats.md, TIME), so that equal times are equal text (proofs/claims.md
+ * C28, proofs/separation.md C44). SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/trace/time.h"
+
+#include <flint/fmpz_poly_factor.h>
+#include <stdlib.h>
+#include "base/context/environment.h"
+#include "base/number/isolate.h"
+#include "base/number/modular.h"
+#include "base/number/order.h"
+#include "base/number/refine.h"
+
+graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u) {
+    graze_time *time = malloc(sizeof *time);
+    if (!time)
+        return NULL;
+    time->piece = piece;
+    time->motion = motion;
+    time->canonical = 0;
+    algebraic_init(&time->u);
+    algebraic_set(&time->u, u);
+    fmpz_poly_init(time->poly);
+    fmpq_init(time->low);
+    fmpq_init(time->high);
+    return time;
+}
+
+void time_destroy(graze_time *time) {
+    if (!time)
+        return;
+    algebraic_clear(&time->u);
+    fmpz_poly_clear(time->poly);
+    fmpq_clear(time->low);
+    fmpq_clear(time->high);
+    free(time);
+}
+
+int time_is_start(const graze_time *time) {
+    return time && time->piece == 0 && algebraic_is_rational(&time->u) &&
+           fmpq_is_zero(time->u.value);
+}
+
+int time_is_piece_end(const graze_time *time) {
+    return time && algebraic_is_rational(&time->u) && fmpq_is_one(time->u.value);
+}
+
+int time_is_end(const graze_time *time) {
+    return time && time->piece + 1 == time->motion->piece_count && time_is_piece_end(time);
+}
+
+/* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a
+ * positive number, as a polynomial in t. */
+static void to_motion_parameter(fmpz_poly_t out, const fmpz_poly_t p, const motion_piece *piece) {
+    fmpq_t width;
+    fmpz_poly_t linear;
+    fmpz_t scale, power;
+    fmpq_init(width);
+    fmpz_poly_init(linear);
+    fmpz_init(scale);
+    fmpz_init_set_ui(power, 1);
+    fmpq_sub(width, piece->hi, piece->lo);
+    fmpz_mul(scale, fmpq_denref(width), fmpq_numref(piece->lo));
+    fmpz_neg(scale, scale);
+    fmpz_poly_set_coeff_fmpz(linear, 0, scale);
+    fmpz_mul(scale, fmpq_denref(width), fmpq_denref(piece->lo));
+    fmpz_poly_set_coeff_fmpz(linear, 1, scale);
+    fmpz_mul(scale, fmpq_denref(piece->lo), fmpq_numref(width));
+    fmpz_poly_set(out, p);
+    for (slong i = fmpz_poly_degree(p); i >= 0; i--) {
+        fmpz_mul(out->coeffs + i, out->coeffs + i, power);
+        fmpz_mul(power, power, scale);
+    }
+    fmpz_poly_compose(out, out, linear);
+    fmpq_clear(width);
+    fmpz_poly_clear(linear);
+    fmpz_clear(scale);
+    fmpz_clear(power);
+}
+
+static void bounds_in_motion_parameter(fmpq_t low, fmpq_t high, const graze_time *time) {
+    const motion_piece *piece = &time->motion->piece[time->piece];
+    fmpq_t width;
+    fmpq_init(width);
+    fmpq_sub(width, piece->hi, piece->lo);
+    algebraic_bounds(low, high, &time->u);
+    fmpq_mul(low, low, width);
+    fmpq_add(low, low, piece->lo);
+    fmpq_mul(high, high, width);
+    fmpq_add(high, high, piece->lo);
+    fmpq_clear(width);
+}
+
+static void set_rational_time(graze_time *time, const fmpq_t value) {
+    fmpz_t c;
+    fmpz_init(c);
+    fmpq_set(time->low, value);
+    fmpq_set(time->high, value);
+    fmpz_neg(c, fmpq_numref(value));
+    fmpz_poly_zero(time->poly);
+    fmpz_poly_set_coeff_fmpz(time->poly, 0, c);
+    fmpz_poly_set_coeff_fmpz(time->poly, 1, fmpq_denref(value));
+    fmpz_clear(c);
+}
+
+/* The roots of an irreducible factor in a unit interval that begins at `floor`. */
+typedef struct unit_roots {
+    slong factor;
+    fmpz_t floor;
+    algebraic_list roots;
+} unit_roots;
+
+/* What times of a piece with one polynomial share: its factors in the motion's parameter, none
+ * before they are needed, and the roots of these. */
+typedef struct time_family {
+    fmpz_poly_factor_t factors;
+    unit_roots *unit;
+    size_t count, capacity;
+} time_family;
+
+static void family_clear(time_family *family) {
+    for (size_t k = 0; k < family->count; k++) {
+        fmpz_clear(family->unit[k].floor);
+        algebraic_list_clear(&family->unit[k].roots);
+    }
+    flint_free(family->unit);
+    fmpz_poly_factor_clear(family->factors);
+}
+
+/* The work of a factorisation, which nothing interrupts, is told beforehand. */
+static graze_status factor_family(time_family *family, graze_context *context,
+                                  const graze_time *time) {
+    fmpz_poly_t p;
+    if (family->factors->num > 0)
+        return GRAZE_OK;
+    graze_status status = common_factor_work(context, time->u.poly, time->u.poly);
+    if (status != GRAZE_OK)
+        return status;
+    fmpz_poly_init(p);
+    to_motion_parameter(p, time->u.poly, &time->motion->piece[time->piece]);
+    fmpz_poly_factor(family->factors, p);
+    fmpz_poly_clear(p);
+    return GRAZE_OK;
+}
+
+/* The factor that has the root: the polynomial has just this one, a simple one, between low and
+ * high, and does not vanish there. It is the time's minimal polynomial. */
+static slong find_minimal_polynomial(graze_time *time, const time_family *family, const fmpq_t low,
+                                     const fmpq_t high) {
+    const fmpz_poly_struct *p = family->factors->p;
+    slong k = family->factors->num - 1;
+    while (k > 0 && rational_sign(p + k, low) == rational_sign(p + k, high))
+        k--;
+    fmpz_poly_set(time->poly, p + k);
+    if (fmpz_sgn(fmpz_poly_lead(time->poly)) < 0)
+        fmpz_poly_neg(time->poly, time->poly);
+    return k;
+}
+
+/* The roots of factor k from an integer to the next one, isolated when first asked for. */
+static graze_status roots_from(algebraic_list **out, time_family *family, graze_context *context,
+                               slong k, const fmpz_t floor) {
+    dyadic_interval at;
+    for (size_t i = 0; i < family->count; i++) {
+        *out = &family->unit[i].roots;
+        if (family->unit[i].factor == k && fmpz_equal(family->unit[i].floor, floor))
+            return GRAZE_OK;
+    }
+    if (family->count == family->capacity) {
+        family->capacity = 2 * family->capacity + 1;
+        family->unit = flint_realloc(family->unit, family->capacity * sizeof *family->unit);
+    }
+    unit_roots *unit = &family->unit[family->count++];
+    unit->factor = k;
+    fmpz_init_set(unit->floor, floor);
+    algebraic_list_init(&unit->roots);
+    *out = &unit->roots;
+    dyadic_interval_init(&at);
+    fmpz_set(at.low, floor);
+    fmpz_add_ui(at.high, floor, 1);
+    graze_status status = algebraic_roots(&unit->roots, context, family->factors->p + k, &at);
+    dyadic_interval_clear(&at);
+    return status;
+}
+
+/* floor(x 2^m) */
+static void scaled_floor(fmpz_t out, const fmpq_t x, ulong m) {
+    fmpq_t scaled;
+    fmpq_init(scaled);
+    fmpq_mul_2exp(scaled, x, m);
+    fmpz_fdiv_q(out, fmpq_numref(scaled), fmpq_denref(scaled));
+    fmpq_clear(scaled);
+}
+
+/* *out = floor(t 2^m), which takes an interval short enough; low <= t <= high afterwards. */
+static graze_status floor_of_time(fmpz_t out, graze_context *context, graze_time *time, fmpq_t low,
+                                  fmpq_t high, ulong m) {
+    graze_status status = GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    fmpz_t other;
+    fmpz_init(other);
+    while (status == GRAZE_OK) {
+        bounds_in_motion_parameter(low, high, time);
+        scaled_floor(out, low, m);
+        scaled_floor(other, high, m);
+        if (fmpz_equal(out, other))
+            break;
+        status = algebraic_narrow(context, &time->u, CHEAP_HALVINGS, &gain);
+    }
+    fmpz_clear(other);
+    return status;
+}
+
+/* Which of the roots isolated in the list the time is: the one whose interval holds the time's. */
+static graze_status find_itself(size_t *out, graze_context *context, graze_time *time,
+                                const algebraic_list *roots, fmpq_t low, fmpq_t high) {
+    graze_status status = GRAZE_OK;
+    for (ulong gain = FIRST_GAIN; status == GRAZE_OK;) {
+        for (size_t k = 0; k < roots->count; k++) {
+            const dyadic_interval *at = &roots->item[k].where;
+            *out = k;
+            if (dyadic_compare(at->low, at->exponent, low) <= 0 &&
+                dyadic_compare(at->high, at->exponent, high) >= 0)
+                return GRAZE_OK;
+        }
+        status = algebraic_narrow(context, &time->u, CHEAP_HALVINGS, &gain);
+        bounds_in_motion_parameter(low, high, time);
+    }
+    return status;
+}
+
+/* The least m at which the interval of the time holds no other root of the list: at that m, a
+ * multiple of 2^-m lies between it and the one before it, and between it and the next. */
+static graze_status find_places(ulong *m, graze_context *context, graze_time *time,
+                                const algebraic_list *roots, fmpq_t low, fmpq_t high) {
+    size_t own = 0;
+    *m = 0;
+    graze_status status = find_itself(&own, context, time, roots, low, high);
+    for (size_t k = own > 0 ? own - 1 : 0; k <= own && k + 1 < roots->count && !status; k++) {
+        ulong places = 0;
+        status = algebraic_places_between(&places, context, &roots->item[k], &roots->item[k + 1]);
+        *m = FLINT_MAX(*m, places);
+    }
+    return status;
+}
+
+/* An irrational number and its minimal polynomial's other roots, of which those in the same unit
+ * interval count: no dyadic number is among them (C28, C44). */
+static graze_status find_widest_interval(graze_time *time, graze_context *context,
+                                         time_family *family, slong factor, fmpq_t low,
+                                         fmpq_t high) {
+    algebraic_list *roots = NULL;
+    fmpz_t place;
+    ulong m = 0;
+    fmpz_init(place);
+    graze_status status = floor_of_time(place, context, time, low, high, 0);
+    if (status == GRAZE_OK)
+        status = roots_from(&roots, family, context, factor, place);
+    if (status == GRAZE_OK)
+        status = find_places(&m, context, time, roots, low, high);
+    if (status == GRAZE_OK)
+        status = floor_of_time(place, context, time, low, high, m);
+    dyadic_value(time->low, place, m);
+    fmpz_add_ui(place, place, 1);
+    dyadic_value(time->high, place, m);
+    fmpz_clear(place);
+    return status;
+}
+
+static graze_status canonicalise_root(graze_time *time, graze_context *context, time_family *family,
+                                      fmpq_t low, fmpq_t high) {
+    graze_status status = factor_family(family, context, time);
+    if (status != GRAZE_OK)
+        return status;
+    slong factor = find_minimal_polynomial(time, family, low, high);
+    if (fmpz_poly_degree(time->poly) > 1)
+        return find_widest_interval(time, context, family, factor, low, high);
+    fmpq_set_fmpz_frac(low, time->poly->coeffs, time->poly->coeffs + 1);
+    fmpq_neg(low, low);
+    set_rational_time(time, low);
+    return GRAZE_OK;
+}
+
+static graze_status canonicalise_family(graze_time **time, size_t count, graze_context *context) {
+    time_family family = {.unit = NULL};
+    graze_status status = GRAZE_OK;
+    fmpq_t low, high;
+    fmpz_poly_factor_init(family.factors);
+    fmpq_init(low);
+    fmpq_init(high);
+    for (size_t k = 0; k < count && status == GRAZE_OK; k++) {
+        if (time[k]->canonical)
+            continue;
+        bounds_in_motion_parameter(low, high, time[k]);
+        if (algebraic_is_rational(&time[k]->u))
+            set_rational_time(time[k], low);
+        else
+            status = canonicalise_root(time[k], context, &family, low, high);
+        time[k]->canonical = status == GRAZE_OK;
+    }
+    fmpq_clear(low);
+    fmpq_clear(high);
+    family_clear(&family);
+    return status;
+}
+
+/* Any total order of pieces and polynomials. */
+static int compare_families(const void *left, const void *right) {
+    const graze_time *a = *(graze_time *const *)left, *b = *(graze_time *const *)right;
+    slong n = fmpz_poly_length(a->u.poly), m = fmpz_poly_length(b->u.poly);
+    if (a->piece != b->piece)
+        return a->piece < b->piece ? -1 : 1;
+    int order = n > m ? 1 : -(n < m);
+    for (slong k = 0; order == 0 && k < n; k++)
+        order = fmpz_cmp(a->u.poly->coeffs + k, b->u.poly->coeffs + k);
+    return order;
+}
+
+graze_status times_canonicalise(graze_time **time, size_t count, graze_context *context) {
+    /* Getters that take no context end up here. */
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_status status = GRAZE_OK;
+    qsort(time, count, sizeof *time, compare_families);
+    for (size_t first = 0, next; first < count && status == GRAZE_OK; first = next) {
+        for (next = first + 1; next < count && !compare_families(&time[first], &time[next]);)
+            next++;
+        status = canonicalise_family(time + first, next - first, context);
+    }
+    return status;
+}
+
+graze_status time_canonicalise(graze_time *time, graze_context *context) {
+    return time->canonical ? GRAZE_OK : times_canonicalise(&time, 1, context);
+}

@@ -1,0 +1,43 @@
+/* Times of contact.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TRACE_TIME_H
+#define GRAZE_TRACE_TIME_H
+
+#include "base/number/algebraic.h"
+#include "input/motion/motion.h"
+
+/**
+ * A time of the motion: piece `piece`, local parameter u in [0, 1]. In the motion's parameter it is
+ * lo + (hi - lo) u. `poly`, `low`, `high` are its canonical form there, made once when the time is
+ * needed: minimal polynomial, and the widest isolating dyadic interval (both ends the value
+ * itself when it is rational).
+ */
+struct graze_time {
+    size_t piece;
+    algebraic u;
+    const graze_motion *motion;
+    int canonical; /* 0 until poly, low, high are made */
+    fmpz_poly_t poly;
+    fmpq_t low, high;
+};
+
+/** A time of a piece, not canonical yet; NULL without memory. */
+graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u);
+/** NULL is harmless. */
+void time_destroy(graze_time *time);
+
+/** 1 if a time is t0, the end of its piece, t1; NULL is none of them. */
+int time_is_start(const graze_time *time);
+int time_is_piece_end(const graze_time *time);
+int time_is_end(const graze_time *time);
+
+/** Make the canonical form of a time; idempotent. The context may be NULL: then there is no limit.
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED */
+graze_status time_canonicalise(graze_time *time, graze_context *context);
+
+/** The same of times of one motion, which are reordered: roots of one polynomial share its
+ * factorisation. */
+graze_status times_canonicalise(graze_time **time, size_t count, graze_context *context);
+
+#endif

@@ -1,0 +1,28 @@
+/* Traces points and decides them. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "decide/verdict/classify.h"
+
+#include "decide/trace/point.h"
+#include "decide/verdict/verdict.h"
+
+graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,
+                            query_point point, trace_detail detail) {
+    graze_status status = trace_point(out, context, scene, point, detail);
+    if (!status)
+        verdict_decide(out, &scene->options);
+    return status;
+}
+
+graze_status classify_verdict(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                              query_point point) {
+    graze_trace trace;
+    int pmc_alone = scene->options.columns == GRAZE_COLUMNS_PMC;
+    graze_status status =
+        classify_point(&trace, context, scene, point, pmc_alone ? TRACE_PMC : TRACE_WORD);
+    if (status)
+        return status;
+    *out = trace.verdict;
+    if (pmc_alone)
+        *out = (graze_verdict){.pmc = trace.verdict.pmc};
+    trace_clear(&trace);
+    return GRAZE_OK;
+}

@@ -1,0 +1,257 @@
+/* Half angles as exact pairs, by MPFR.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/convert/angle.h"
+
+void half_angle_init(half_angle *h) {
+    fmpq_init(h->w);
+    fmpq_init(h->c);
+}
+
+void half_angle_clear(half_angle *h) {
+    fmpq_clear(h->w);
+    fmpq_clear(h->c);
+}
+
+/* To nearest, or up where `round` says so. */
+static void set_rounded(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
+    mpq_t copy;
+    mpq_init(copy);
+    fmpq_get_mpq(copy, value);
+    mpfr_set_q(out, copy, round);
+    mpq_clear(copy);
+}
+
+void root_above(mpfr_t out, const fmpq_t square) {
+    set_rounded(out, square, MPFR_RNDU);
+    mpfr_sqrt(out, out, MPFR_RNDU);
+}
+
+static void length_of(mpfr_t out, const fmpq_t square) {
+    set_rounded(out, square, MPFR_RNDN);
+    mpfr_sqrt(out, out, MPFR_RNDN);
+}
+
+/* 2 pi (f - the nearest integer): the reduction is exact. */
+static void radians(mpfr_t out, const fmpq_t f) {
+    fmpq_t rest;
+    fmpz_t whole;
+    mpfr_t pi;
+    fmpq_init(rest);
+    fmpz_init(whole);
+    mpfr_init2(pi, ANGLE_BITS);
+    fmpq_set_si(rest, 1, 2);
+    fmpq_add(rest, rest, f);
+    fmpz_fdiv_q(whole, fmpq_numref(rest), fmpq_denref(rest));
+    fmpq_sub_fmpz(rest, f, whole);
+    set_rounded(out, rest, MPFR_RNDN);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_mul(out, out, pi, MPFR_RNDN);
+    mpfr_mul_2ui(out, out, 1, MPFR_RNDN);
+    mpfr_clear(pi);
+    fmpz_clear(whole);
+    fmpq_clear(rest);
+}
+
+void round_to_grid(fmpq_t out, const mpfr_t value, slong bits) {
+    mpfr_t scaled;
+    mpz_t whole;
+    mpfr_init2(scaled, ANGLE_BITS);
+    mpz_init(whole);
+    mpfr_mul_2si(scaled, value, bits, MPFR_RNDN);
+    mpfr_get_z(whole, scaled, MPFR_RNDN);
+    fmpz_set_mpz(fmpq_numref(out), whole);
+    fmpz_one(fmpq_denref(out));
+    if (bits >= 0)
+        fmpq_div_2exp(out, out, (flint_bitcnt_t)bits);
+    else
+        fmpq_mul_2exp(out, out, (flint_bitcnt_t)-bits);
+    mpz_clear(whole);
+    mpfr_clear(scaled);
+}
+
+void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slong bits) {
+    mpfr_t angle, value, length;
+    mpfr_inits2(ANGLE_BITS, angle, value, length, (mpfr_ptr)0);
+    radians(angle, f);
+    length_of(length, square);
+    mpfr_cos(value, angle, MPFR_RNDN);
+    round_to_grid(out->w, value, bits);
+    mpfr_sin(value, angle, MPFR_RNDN);
+    mpfr_div(value, value, length, MPFR_RNDN);
+    round_to_grid(out->c, value, bits + mpfr_get_exp(length));
+    mpfr_clears(angle, value, length, (mpfr_ptr)0);
+}
+
+/* arg(w + i c L), to nearest. */
+static void argument(mpfr_t out, const half_angle *h, const fmpq_t square) {
+    mpfr_t across, along;
+    mpfr_inits2(ANGLE_BITS, across, along, (mpfr_ptr)0);
+    length_of(out, square);
+    set_rounded(across, h->c, MPFR_RNDN);
+    mpfr_mul(across, across, out, MPFR_RNDN);
+    set_rounded(along, h->w, MPFR_RNDN);
+    mpfr_atan2(out, across, along, MPFR_RNDN);
+    mpfr_clears(across, along, (mpfr_ptr)0);
+}
+
+static void add_slack(mpfr_t out) {
+    mpfr_t slack;
+    mpfr_init2(slack, 2);
+    mpfr_set_ui_2exp(slack, 1, -ANGLE_SLACK, MPFR_RNDU);
+    mpfr_add(out, out, slack, MPFR_RNDU);
+    mpfr_clear(slack);
+}
+
+/* |a - b| for two arguments, the short way round the circle. */
+static void gap(mpfr_t out, const mpfr_t a, const mpfr_t b) {
+    mpfr_t turn;
+    mpfr_init2(turn, ANGLE_BITS);
+    mpfr_const_pi(turn, MPFR_RNDN);
+    mpfr_mul_2ui(turn, turn, 1, MPFR_RNDN);
+    mpfr_sub(out, a, b, MPFR_RNDN);
+    mpfr_abs(out, out, MPFR_RNDN);
+    mpfr_sub(turn, turn, out, MPFR_RNDN);
+    mpfr_abs(turn, turn, MPFR_RNDN);
+    mpfr_min(out, out, turn, MPFR_RNDN);
+    mpfr_clear(turn);
+}
+
+void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square) {
+    mpfr_t asked, made;
+    if (fmpq_is_zero(f) && fmpq_is_zero(h->c) && fmpq_sgn(h->w) > 0) {
+        mpfr_set_zero(out, 1);
+        return;
+    }
+    mpfr_inits2(ANGLE_BITS, asked, made, (mpfr_ptr)0);
+    radians(asked, f);
+    argument(made, h, square);
+    gap(out, asked, made);
+    add_slack(out);
+    mpfr_mul_2ui(out, out, 1, MPFR_RNDU);
+    mpfr_clears(asked, made, (mpfr_ptr)0);
+}
+
+/* |w + i c L|^2, exactly. */
+static void norm(fmpq_t out, const half_angle *h, const fmpq_t square) {
+    fmpq_mul(out, h->c, h->c);
+    fmpq_mul(out, out, square);
+    fmpq_addmul(out, h->w, h->w);
+}
+
+/* (|z1| - |z0|) / min(|z0|, |z1|) = sqrt(larger / smaller norm) - 1, upwards. */
+static void mismatch(mpfr_t out, const half_angle *from, const half_angle *to,
+                     const fmpq_t square) {
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    norm(low, from, square);
+    norm(high, to, square);
+    if (fmpq_cmp(low, high) > 0)
+        fmpq_swap(low, high);
+    fmpq_div(high, high, low);
+    root_above(out, high);
+    mpfr_sub_ui(out, out, 1, MPFR_RNDU);
+    fmpq_clear(high);
+    fmpq_clear(low);
+}
+
+/* Let b = arg z1 - arg z0 > 0 (b < 0 is its mirror image).
+ * Equal lengths: with x = 2s - 1 and h = b/2 the argument exceeds the uniform one by
+ * g(x) = atan(x tan h) - h x, and g(-1) = g(0) = g(1) = 0. As |g''| <= 2 tan(h)^3 |x| and the
+ * solution of k'' = -2 tan(h)^3 x with the same zeros is k = tan(h)^3 (x - x^3) / 3, on [0, 1]
+ * 0 <= g <= k <= 2 tan(h)^3 / (9 sqrt 3) < 0.1284 tan(h)^3, and g is odd.
+ * Lengths r0, r1: the same curve is run through with s' = s r1 / ((1 - s) r0 + s r1) in place of s,
+ * and |s' - s| = s (1 - s) |r1 - r0| / ((1 - s) r0 + s r1) <= |r1 - r0| / (4 min(r0, r1)).
+ * Both together, and twice for the whole angle. */
+void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to,
+                     const fmpq_t square) {
+    mpfr_t start, apart, share;
+    mpfr_inits2(ANGLE_BITS, start, apart, share, (mpfr_ptr)0);
+    argument(start, from, square);
+    argument(apart, to, square);
+    gap(apart, start, apart);
+    add_slack(apart);
+    mpfr_div_2ui(out, apart, 1, MPFR_RNDU);
+    mpfr_tan(out, out, MPFR_RNDU);
+    mpfr_pow_ui(out, out, 3, MPFR_RNDU);
+    mpfr_mul_ui(out, out, 2568, MPFR_RNDU);
+    mpfr_div_ui(out, out, 10000, MPFR_RNDU);
+    mismatch(share, from, to, square);
+    mpfr_mul(share, share, apart, MPFR_RNDU);
+    mpfr_div_2ui(share, share, 1, MPFR_RNDU);
+    mpfr_add(out, out, share, MPFR_RNDU);
+    mpfr_clears(start, apart, share, (mpfr_ptr)0);
+}
+
+static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square,
+                        const fmpq_t tolerance) {
+    mpfr_t error;
+    mpq_t bound;
+    mpfr_init2(error, ANGLE_BITS);
+    mpq_init(bound);
+    half_angle_error(error, h, f, square);
+    fmpq_get_mpq(bound, tolerance);
+    int good = mpfr_cmp_q(error, bound) <= 0;
+    mpq_clear(bound);
+    mpfr_clear(error);
+    return good;
+}
+
+/* The exact rational an MPFR number is. */
+static void exact_value(fmpq_t out, const mpfr_t value) {
+    mpz_t digits;
+    mpz_init(digits);
+    if (mpfr_zero_p(value)) {
+        fmpq_zero(out);
+    } else {
+        mpfr_exp_t exponent = mpfr_get_z_2exp(digits, value);
+        fmpz_set_mpz(fmpq_numref(out), digits);
+        fmpz_one(fmpq_denref(out));
+        if (exponent >= 0)
+            fmpq_mul_2exp(out, out, (flint_bitcnt_t)exponent);
+        else
+            fmpq_div_2exp(out, out, (flint_bitcnt_t)-exponent);
+    }
+    mpz_clear(digits);
+}
+
+/* The last convergent is the approximation itself, which is within 2^-ANGLE_FINEST. */
+void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
+                           const fmpq_t tolerance) {
+    fmpz_t whole, rest, last[2], before[2];
+    fmpq_t x;
+    mpfr_t tangent, length;
+    mpfr_inits2(ANGLE_BITS, tangent, length, (mpfr_ptr)0);
+    fmpq_init(x);
+    fmpz_init(whole);
+    fmpz_init(rest);
+    fmpz_init_set_ui(last[0], 1);
+    fmpz_init_set_ui(last[1], 0);
+    fmpz_init_set_ui(before[0], 0);
+    fmpz_init_set_ui(before[1], 1);
+    radians(tangent, f);
+    mpfr_tan(tangent, tangent, MPFR_RNDN);
+    length_of(length, square);
+    mpfr_div(tangent, tangent, length, MPFR_RNDN);
+    exact_value(x, tangent);
+    fmpq_one(out->w);
+    do {
+        fmpz_fdiv_qr(whole, rest, fmpq_numref(x), fmpq_denref(x));
+        for (int k = 0; k < 2; k++) {
+            fmpz_addmul(before[k], whole, last[k]);
+            fmpz_swap(before[k], last[k]);
+        }
+        fmpz_swap(fmpq_numref(x), fmpq_denref(x));
+        fmpz_swap(fmpq_denref(x), rest);
+        fmpq_set_fmpz_frac(out->c, last[0], last[1]);
+    } while (!angle_within(out, f, square, tolerance) && !fmpz_is_zero(fmpq_denref(x)));
+    for (int k = 0; k < 2; k++) {
+        fmpz_clear(last[k]);
+        fmpz_clear(before[k]);
+    }
+    fmpz_clear(rest);
+    fmpz_clear(whole);
+    fmpq_clear(x);
+    mpfr_clears(tangent, length, (mpfr_ptr)0);
+}

@@ -1,0 +1,171 @@
+/* Takes joints over and bounds how far from their axes points can come.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/convert/joint.h"
+
+void joint_init(joint *j) {
+    j->is_slide = j->centered = 0;
+    fmpq_init(j->degrees);
+    fmpq_init(j->advance);
+    fmpq_init(j->square);
+    fmpq_init(j->length);
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(j->axis + k);
+        fmpq_init(j->center + k);
+    }
+    mpfr_init2(j->reach, ANGLE_BITS);
+    mpfr_set_zero(j->reach, 1);
+}
+
+void joint_clear(joint *j) {
+    fmpq_clear(j->degrees);
+    fmpq_clear(j->advance);
+    fmpq_clear(j->square);
+    fmpq_clear(j->length);
+    for (int k = 0; k < 3; k++) {
+        fmpq_clear(j->axis + k);
+        fmpq_clear(j->center + k);
+    }
+    mpfr_clear(j->reach);
+}
+
+void divide_by(fmpq_t out, const fmpq_t value, ulong divisor) {
+    fmpz_t d;
+    fmpz_init_set_ui(d, divisor);
+    fmpq_div_fmpz(out, value, d);
+    fmpz_clear(d);
+}
+
+static void dot(fmpq_t out, const fmpq *a, const fmpq *b) {
+    fmpq_zero(out);
+    for (int k = 0; k < 3; k++)
+        fmpq_addmul(out, a + k, b + k);
+}
+
+/* The axis's length and, where the joint turns, how far it goes along the axis. */
+static graze_status measure_axis(graze_context *context, joint *j, size_t index) {
+    dot(j->square, j->axis, j->axis);
+    if (fmpq_is_zero(j->square) && !j->is_slide)
+        return context_fail(context, GRAZE_EUSE,
+                            "joint %zu: the axis is zero; expected a direction", index);
+    if (fmpz_is_square(fmpq_numref(j->square)) && fmpz_is_square(fmpq_denref(j->square))) {
+        fmpz_sqrt(fmpq_numref(j->length), fmpq_numref(j->square));
+        fmpz_sqrt(fmpq_denref(j->length), fmpq_denref(j->square));
+    }
+    fmpq_mul(j->advance, j->advance, j->degrees);
+    divide_by(j->advance, j->advance, 360);
+    return GRAZE_OK;
+}
+
+/* Bound the distance from the axis for points within `far` of the origin; `far` becomes that of
+ * their images. */
+static void set_reach(joint *j, mpfr_t far) {
+    fmpq_t along, apart;
+    mpfr_t way;
+    fmpq_init(along);
+    fmpq_init(apart);
+    mpfr_init2(way, ANGLE_BITS);
+    if (j->is_slide) {
+        root_above(way, j->square);
+    } else {
+        dot(along, j->center, j->axis);
+        fmpq_mul(along, along, along);
+        fmpq_div(along, along, j->square);
+        dot(apart, j->center, j->center);
+        fmpq_sub(apart, apart, along);
+        root_above(j->reach, apart);
+        mpfr_mul_2ui(way, j->reach, 1, MPFR_RNDU);
+        mpfr_add(j->reach, j->reach, far, MPFR_RNDU);
+        fmpq_abs(apart, j->advance);
+        mpq_t copy;
+        mpq_init(copy);
+        fmpq_get_mpq(copy, apart);
+        mpfr_add_q(way, way, copy, MPFR_RNDU);
+        mpq_clear(copy);
+    }
+    mpfr_add(far, far, way, MPFR_RNDU);
+    mpfr_clear(way);
+    fmpq_clear(apart);
+    fmpq_clear(along);
+}
+
+graze_status joints_measure(joint *joints, graze_context *context, const target *goal,
+                            size_t count) {
+    graze_status status = GRAZE_OK;
+    mpfr_t far;
+    mpq_t radius;
+    mpfr_init2(far, ANGLE_BITS);
+    mpq_init(radius);
+    fmpq_get_mpq(radius, goal->radius);
+    mpfr_set_q(far, radius, MPFR_RNDU);
+    for (size_t i = 0; i < count && !status; i++) {
+        status = measure_axis(context, joints + i, i);
+        if (!status)
+            set_reach(joints + i, far);
+    }
+    mpq_clear(radius);
+    mpfr_clear(far);
+    return status;
+}
+
+void put_vector(text *t, const fmpq *v, int d) {
+    for (int k = 0; k < d; k++) {
+        text_put(t, k ? ", \"" : "[\"");
+        text_rational(t, v + k);
+        text_put(t, "\"");
+    }
+    text_put(t, "]");
+}
+
+void put_center(text *t, const joint *j, int dimension) {
+    if (!j->centered)
+        return;
+    text_put(t, ", \"center\": ");
+    put_vector(t, j->center, dimension);
+}
+
+void put_bound(text *t, const mpfr_t bound) {
+    char digits[64];
+    mpfr_snprintf(digits, sizeof digits, "%.2RUe", bound);
+    text_put(t, digits);
+}
+
+void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit) {
+    text_format(t, "%s at most ", name);
+    put_bound(t, bound);
+    text_format(t, "%s%s\n", *unit ? " " : "", unit);
+}
+
+void put_rational_fact(text *t, const char *name, const fmpq_t bound) {
+    mpfr_t above;
+    mpq_t copy;
+    mpfr_init2(above, 64);
+    mpq_init(copy);
+    fmpq_get_mpq(copy, bound);
+    mpfr_set_q(above, copy, MPFR_RNDU);
+    put_fact(t, name, above, "");
+    mpq_clear(copy);
+    mpfr_clear(above);
+}
+
+graze_status joint_bits(slong *bits, graze_context *context, const joint *j, const target *goal,
+                        size_t count) {
+    mpfr_t ratio;
+    mpq_t tolerance;
+    mpfr_init2(ratio, ANGLE_BITS);
+    mpq_init(tolerance);
+    fmpq_get_mpq(tolerance, goal->tolerance);
+    mpfr_set_ui(ratio, 1, MPFR_RNDU); /* an advance is rounded to as many bits */
+    mpfr_max(ratio, ratio, j->reach, MPFR_RNDU);
+    mpfr_mul_ui(ratio, ratio, 32 * (unsigned long)count, MPFR_RNDU);
+    mpfr_div_q(ratio, ratio, tolerance, MPFR_RNDU);
+    /* 2^bits >= ratio, and the angle is off by less than 4 * 2^-bits. */
+    *bits = mpfr_get_exp(ratio) < 8 ? 8 : (slong)mpfr_get_exp(ratio);
+    mpq_clear(tolerance);
+    mpfr_clear(ratio);
+    if (*bits <= ANGLE_FINEST)
+        return GRAZE_OK;
+    return context_fail(context, GRAZE_EUSE,
+                        "the tolerance is too fine for this radius; expected 2^-%d of it or more",
+                        ANGLE_FINEST - 8);
+}

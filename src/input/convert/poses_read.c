@@ -1,0 +1,210 @@
+/* Reads lists of poses.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/convert/poses_read.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "base/context/file.h"
+#include "base/number/rational.h"
+#include "input/convert/poses_names.h"
+#include "input/delimited/stream.h"
+
+typedef struct reading {
+    graze_context *context;
+    pose_list *list;
+    const pose_choice *choice;
+    size_t capacity;
+    unsigned long line;
+    fields cut;     /* of that line */
+    char separator; /* of fields; '\0' before the first line */
+    pose_columns columns;
+    fmpq_t before; /* the time of the row before */
+    unsigned long line_before, in_time;
+    int passing; /* the last pose is taken unless another one comes */
+} reading;
+
+static void pose_clear(pose *p) {
+    fmpq_clear(p->time);
+    for (int k = 0; k < 12; k++)
+        fmpq_clear(p->matrix + k);
+    for (int k = 0; k < 4; k++)
+        fmpq_clear(p->quaternion + k);
+}
+
+static pose *append_pose(reading *r) {
+    pose_list *list = r->list;
+    if (!array_reserve(&list->item, &r->capacity, list->count + 1, sizeof *list->item))
+        return NULL;
+    pose *p = list->item + list->count++;
+    fmpq_init(p->time);
+    for (int k = 0; k < 12; k++)
+        fmpq_init(p->matrix + k);
+    for (int k = 0; k < 4; k++)
+        fmpq_init(p->quaternion + k);
+    fmpq_set_ui(p->time, list->rows, 1);
+    p->line = r->line;
+    return p;
+}
+
+static void drop_pose(pose_list *list) {
+    pose_clear(&list->item[--list->count]);
+}
+
+/* Where the value of a known column goes; the last row of a matrix goes nowhere. */
+static fmpq *target_of(pose *p, int column) {
+    if (column == POSE_TIME)
+        return p->time;
+    if (column < POSE_QUATERNION)
+        return p->matrix + 4 * (column - POSE_POSITION) + 3;
+    if (column < POSE_MATRIX)
+        return p->quaternion + (column - POSE_QUATERNION);
+    return column < POSE_MATRIX + 12 ? p->matrix + (column - POSE_MATRIX) : NULL;
+}
+
+static graze_status read_pose_value(const reading *r, pose *p, int column) {
+    field one = field_content(r->cut.item[r->columns.place[column]]);
+    const char *name = pose_column_name(column);
+    fmpq_t value;
+    fmpq_init(value);
+    graze_status status = rational_parse(value, r->context, one.start, one.length);
+    fmpq *to = target_of(p, column);
+    if (status) {
+        context_item(r->context, status, NULL, 0, name);
+        status = context_in(r->context, status, r->list->source, r->line);
+    } else if (to)
+        fmpq_set(to, value);
+    else if (column == POSE_COLUMNS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
+        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                                 "%s: expected 0, 0, 0, 1 as the last row of a matrix, whose "
+                                 "numbers stand row by row",
+                                 name);
+    fmpq_clear(value);
+    return status;
+}
+
+static graze_status read_values(reading *r, pose *p) {
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < POSE_COLUMNS && !status; k++)
+        if (r->columns.place[k] >= 0)
+            status = read_pose_value(r, p, k);
+    if (!status && r->line_before && fmpq_cmp(r->before, p->time) >= 0)
+        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                                 "the time is not after that of line %lu; expected "
+                                 "increasing times",
+                                 r->line_before);
+    for (int k = 3; k < 12; k += 4)
+        fmpq_mul(p->matrix + k, p->matrix + k, r->choice->scale);
+    fmpq_set(r->before, p->time);
+    r->line_before = r->line;
+    return status;
+}
+
+/* Keep or drop the pose read last; one that is only passed goes when the next one comes. */
+static void choose(reading *r) {
+    const pose_choice *choice = r->choice;
+    pose_list *list = r->list;
+    const fmpq *time = list->item[list->count - 1].time;
+    if ((choice->has_from && fmpq_cmp(time, choice->from) < 0) ||
+        (choice->has_to && fmpq_cmp(time, choice->to) > 0)) {
+        drop_pose(list);
+        return;
+    }
+    if (r->passing) {
+        pose last = list->item[list->count - 1];
+        list->item[list->count - 1] = list->item[list->count - 2];
+        list->item[list->count - 2] = last;
+        drop_pose(list);
+    }
+    r->passing = r->in_time++ % choice->every != 0;
+}
+
+static graze_status read_pose(reading *r) {
+    size_t most = r->context->limits[GRAZE_LIMIT_PIECES];
+    if (r->cut.count != r->columns.count)
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "the row has %zu fields; expected %zu, as many as %s", r->cut.count,
+                               r->columns.count, "on the first line");
+    pose *p = append_pose(r);
+    if (!p)
+        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
+    graze_status status = read_values(r, p);
+    r->list->rows++;
+    if (status)
+        return status;
+    choose(r);
+    return r->list->count > most ? context_limit(r->context, GRAZE_LIMIT_PIECES, "a list of poses")
+                                 : GRAZE_OK;
+}
+
+/* A line that is neither blank nor a comment. */
+static graze_status read_line(reading *r, field line) {
+    int first = !r->separator, header = 0;
+    if (first)
+        r->separator = field_separator(line);
+    graze_status status =
+        fields_read(&r->cut, r->context, r->list->source, r->line, line, r->separator);
+    if (!status && first)
+        status =
+            pose_columns_fix(&r->columns, &header, r->context, r->list->source, r->line, &r->cut,
+                             r->separator, r->choice->ignored, r->choice->ignored_count);
+    r->list->has_matrices = r->columns.has_matrices;
+    return status || header ? status : read_pose(r);
+}
+
+static graze_status read_lines(reading *r, stream *in) {
+    for (;;) {
+        field line;
+        graze_status status = stream_next(in, &line);
+        if (status || !line.start)
+            return status;
+        r->line = in->line;
+        while (line.length && line.start[line.length - 1] == '\r')
+            line.length--; /* of CR CR LF */
+        line = field_trimmed(line);
+        if (!line.length || *line.start == '#')
+            continue;
+        status = read_line(r, line);
+        if (status)
+            return status;
+    }
+}
+
+static graze_status read_pose_text(reading *r, const char *text, size_t length) {
+    stream in;
+    stream_of_text(&in, r->context, r->list->source, text, length);
+    graze_status status = read_lines(r, &in);
+    if (!status && r->list->count < 2)
+        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, 0,
+                                 r->list->rows < 2 ? "has %zu poses; expected at least 2"
+                                                   : "%zu poses are left; expected at least 2",
+                                 r->list->count);
+    fields_clear(&r->cut);
+    return status;
+}
+
+graze_status poses_read(pose_list *out, graze_context *context, const char *path,
+                        const pose_choice *choice) {
+    memset(out, 0, sizeof *out);
+    out->source = path;
+    char *text = NULL;
+    size_t length = choice->length;
+    unsigned char sha256[32];
+    reading r = {.context = context, .list = out, .choice = choice};
+    graze_status status =
+        choice->text ? GRAZE_OK : file_read(&text, &length, sha256, context, path);
+    if (status)
+        return status;
+    fmpq_init(r.before);
+    status = read_pose_text(&r, choice->text ? choice->text : text, length);
+    fmpq_clear(r.before);
+    free(text);
+    return status;
+}
+
+void poses_clear(pose_list *list) {
+    while (list->count)
+        drop_pose(list);
+    free(list->item);
+}

@@ -1,0 +1,206 @@
+/* One turn by an angle in degrees, of which only the end is approximated.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Quarter turns are rational, and so is every position in between when the tangent of the half
+ * angle is the parameter. What is left of the angle is below 90 degrees, and the tangent of its
+ * half is approximated by a convergent. Every position on the way is exactly one of the turn asked
+ * for, only the last one overshoots or falls short.
+ */
+#include "input/convert/turn.h"
+
+#include "input/convert/uniform.h"
+
+/* `degrees` without its whole quarters, whose number has the same sign. */
+static void split_quarters(fmpq_t rest, fmpz_t quarters, const fmpq_t degrees) {
+    divide_by(rest, degrees, 90);
+    fmpz_tdiv_q(quarters, fmpq_numref(rest), fmpq_denref(rest));
+    fmpq_sub_fmpz(rest, rest, quarters);
+}
+
+static void put_axis(text *t, const joint *j, int dimension) {
+    if (dimension == 3) {
+        text_put(t, ", \"axis\": ");
+        put_vector(t, j->axis, 3);
+    }
+    put_center(t, j, dimension);
+    text_put(t, "}}");
+}
+
+static void put_rotation(text *t, const fmpq_t from, const fmpq_t to) {
+    text_put(t, " {\"t\": [\"");
+    text_rational(t, from);
+    text_put(t, "\", \"");
+    text_rational(t, to);
+    text_put(t, "\"], \"transform\": ");
+}
+
+/* The quarters as one piece, the rest as another. */
+static void put_pieces(text *t, const joint *j, int dimension, const fmpz_t quarters,
+                       const fmpq_t tangent) {
+    fmpq_t zero, one, at;
+    fmpq_init(zero);
+    fmpq_init(one);
+    fmpq_init(at);
+    fmpq_one(one);
+    slong whole = fmpz_get_si(quarters);
+    if (whole) {
+        fmpq_set_si(at, 90 * whole, 1);
+        fmpq_div(at, at, j->degrees);
+        put_rotation(t, zero, at);
+        text_format(t, "{\"turn\": {\"quarters\": %ld", whole);
+        put_axis(t, j, dimension);
+        text_put(t, fmpq_is_one(at) ? "}" : "},\n");
+    }
+    if (!fmpq_is_one(at)) {
+        put_rotation(t, at, one);
+        if (whole) {
+            text_format(t, "{\"compose\": [\n   {\"rotate\": {\"tan_half\": \"%d\", \"times\": %ld",
+                        whole > 0 ? 1 : -1, whole > 0 ? whole : -whole);
+            put_axis(t, j, dimension);
+            text_put(t, ",\n   ");
+        }
+        text_put(t, "{\"rotate\": {\"tan_half\": \"(");
+        text_rational(t, tangent);
+        text_put(t, ")*s\"");
+        put_axis(t, j, dimension);
+        text_put(t, whole ? "]}}" : "}");
+    }
+    fmpq_clear(at);
+    fmpq_clear(one);
+    fmpq_clear(zero);
+}
+
+/* The axis's length is irrational: by a quaternion along the axis as it is. */
+static void put_quaternion(text *t, const joint *j, const fmpq_t tangent) {
+    fmpq_t factor;
+    fmpq_init(factor);
+    text_put(t, " {\"t\": [\"0\", \"1\"], \"transform\": {\"quaternion\": [\"1\"");
+    for (int k = 0; k < 3; k++) {
+        fmpq_mul(factor, tangent, j->axis + k);
+        text_put(t, ", \"(");
+        text_rational(t, factor);
+        text_put(t, ")*s\"");
+    }
+    text_put(t, "]");
+    put_center(t, j, 3);
+    text_put(t, "}}");
+    fmpq_clear(factor);
+}
+
+/* The tangent of the half of `rest` quarters, good enough for the target, and its error. */
+static void find_tangent(half_angle *out, mpfr_t error, const joint *j, const target *goal,
+                         const fmpq_t rest, const fmpq_t square) {
+    fmpq_t f, tolerance;
+    mpq_t bound;
+    mpfr_t room;
+    fmpq_init(f);
+    fmpq_init(tolerance);
+    mpq_init(bound);
+    mpfr_init2(room, ANGLE_BITS);
+    divide_by(f, rest, 8);
+    fmpq_get_mpq(bound, goal->tolerance);
+    mpfr_set_q(room, bound, MPFR_RNDD);
+    mpfr_div(room, room, j->reach, MPFR_RNDD);
+    if (mpfr_cmp_ui(room, 1) > 0 || mpfr_zero_p(j->reach))
+        mpfr_set_ui(room, 1, MPFR_RNDN);
+    mpfr_get_q(bound, room);
+    fmpq_set_mpq(tolerance, bound);
+    half_angle_convergent(out, f, square, tolerance);
+    half_angle_error(error, out, f, square);
+    mpfr_clear(room);
+    mpq_clear(bound);
+    fmpq_clear(tolerance);
+    fmpq_clear(f);
+}
+
+static void report_turn(text *t, const target *goal, const joint *j, const half_angle *made,
+                        const mpfr_t error) {
+    mpfr_t off;
+    mpfr_init2(off, ANGLE_BITS);
+    text_put(t, "a turn by ");
+    text_rational(t, j->degrees);
+    text_put(t, " degrees; every position is one of the exact turn, up to the last\n");
+    if (fmpq_is_one(made->w)) {
+        text_put(t, "tangent: ");
+        text_rational(t, made->c);
+        text_put(t, "\n");
+    }
+    put_fact(t, "angle: at the end it is off by", error, "radians");
+    mpfr_mul(off, error, j->reach, MPFR_RNDU);
+    text_put(t, "error: at the end, a point within ");
+    text_rational(t, goal->radius);
+    put_fact(t, " of the origin is off by", off, "");
+    text_put(t, "speed: not uniform; as a screw or a joint the turn is uniform\n");
+    mpfr_clear(off);
+}
+
+/* About an axis of irrational length and over 90 degrees the pieces of a uniform turn serve, which
+ * then are as few as there are quarters. */
+static graze_status by_chain(conversion *out, graze_context *context, const target *goal,
+                             const joint *turn) {
+    slong bits;
+    graze_status status = joint_bits(&bits, context, turn, goal, 1);
+    if (status)
+        return status;
+    fmpq_t f;
+    half_angle end;
+    mpfr_t error;
+    fmpq_init(f);
+    half_angle_init(&end);
+    mpfr_init2(error, ANGLE_BITS);
+    turn_fraction(f, turn, 1, 1);
+    half_angle_dyadic(&end, f, turn->square, bits);
+    half_angle_error(error, &end, f, turn->square);
+    text_put(&out->motion, "{\"dimension\": 3,\n\"pieces\": [\n");
+    chain_pieces(&out->motion, goal, turn, &bits, 1, quarters_above(context, turn));
+    text_put(&out->motion, "\n]}\n");
+    report_turn(&out->report, goal, turn, &end, error);
+    mpfr_clear(error);
+    half_angle_clear(&end);
+    fmpq_clear(f);
+    return GRAZE_OK;
+}
+
+graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,
+                              const joint *turn) {
+    slong bits;
+    unsigned long quarters = quarters_above(context, turn);
+    if (!quarters)
+        return context_limit(context, GRAZE_LIMIT_PIECES, "a turn");
+    graze_status status = joint_bits(&bits, context, turn, goal, 1);
+    int rational = !fmpq_is_zero(turn->length);
+    if (status)
+        return status;
+    if (!rational && quarters > 1)
+        return by_chain(out, context, goal, turn);
+    fmpq_t rest, square;
+    fmpz_t whole;
+    half_angle tangent;
+    mpfr_t error;
+    fmpq_init(rest);
+    fmpq_init(square);
+    fmpz_init(whole);
+    half_angle_init(&tangent);
+    mpfr_init2(error, ANGLE_BITS);
+    if (rational) {
+        split_quarters(rest, whole, turn->degrees);
+        fmpq_one(square);
+    } else {
+        divide_by(rest, turn->degrees, 90);
+        fmpq_set(square, turn->square);
+    }
+    find_tangent(&tangent, error, turn, goal, rest, square);
+    text_format(&out->motion, "{\"dimension\": %d,\n\"pieces\": [\n", goal->dimension);
+    if (rational)
+        put_pieces(&out->motion, turn, goal->dimension, whole, tangent.c);
+    else
+        put_quaternion(&out->motion, turn, tangent.c);
+    text_put(&out->motion, "\n]}\n");
+    report_turn(&out->report, goal, turn, &tangent, error);
+    mpfr_clear(error);
+    half_angle_clear(&tangent);
+    fmpz_clear(whole);
+    fmpq_clear(square);
+    fmpq_clear(rest);
+    return GRAZE_OK;
+}

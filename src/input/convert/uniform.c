@@ -1,0 +1,355 @@
+/* Joints that move uniformly, screws among them, as rational pieces near enough.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Every piece runs straight from one dyadic half angle to the next, in the plane of the complex
+ * number w + i c L: the tangent of the half angle from the piece's middle is linear in s up to the
+ * small difference of the two lengths. The pieces meet exactly. The number of pieces is doubled
+ * until the bounds of all joints add up to the tolerance at most: the joints before and after one
+ * keep distances, so errors of displacement add.
+ */
+#include "input/convert/uniform.h"
+
+#include <stdlib.h>
+#include "input/motion/motion_read.h"
+
+void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n) {
+    fmpz_t factor;
+    fmpz_init_set_ui(factor, k);
+    fmpq_mul_fmpz(out, j->degrees, factor);
+    fmpz_set_ui(factor, 720);
+    fmpz_mul_ui(factor, factor, n);
+    fmpq_div_fmpz(out, out, factor);
+    fmpz_clear(factor);
+}
+
+unsigned long quarters_above(const graze_context *context, const joint *j) {
+    fmpz_t quarters;
+    fmpz_init(quarters);
+    fmpz_mul_ui(quarters, fmpq_denref(j->degrees), 90);
+    fmpz_t size;
+    fmpz_init(size);
+    fmpz_abs(size, fmpq_numref(j->degrees));
+    fmpz_cdiv_q(quarters, size, quarters);
+    unsigned long out = 0;
+    if (fmpz_cmp_ui(quarters, context->limits[GRAZE_LIMIT_PIECES]) <= 0)
+        out = fmpz_is_zero(quarters) ? 1 : fmpz_get_ui(quarters);
+    fmpz_clear(size);
+    fmpz_clear(quarters);
+    return out;
+}
+
+/* An upper bound, radians, of how far a joint's angle is from uniform in the first `count` of the
+ * pieces: the larger error at the ends of a piece, and the sway between them. */
+static void turn_error(mpfr_t out, const joint *j, slong bits, unsigned long pieces,
+                       unsigned long count) {
+    half_angle from, to;
+    fmpq_t f;
+    mpfr_t ends, end, sway;
+    half_angle_init(&from);
+    half_angle_init(&to);
+    fmpq_init(f);
+    mpfr_inits2(ANGLE_BITS, ends, end, sway, (mpfr_ptr)0);
+    mpfr_set_zero(ends, 1);
+    mpfr_set_zero(out, 1);
+    for (unsigned long k = 0; k <= count; k++) {
+        turn_fraction(f, j, k, pieces);
+        half_angle_dyadic(&to, f, j->square, bits);
+        half_angle_error(end, &to, f, j->square);
+        mpfr_max(ends, ends, end, MPFR_RNDU);
+        if (k > 0) {
+            half_angle_sway(sway, &from, &to, j->square);
+            mpfr_max(out, out, sway, MPFR_RNDU);
+        }
+        fmpq_swap(from.w, to.w);
+        fmpq_swap(from.c, to.c);
+    }
+    mpfr_add(out, out, ends, MPFR_RNDU);
+    mpfr_clears(ends, end, sway, (mpfr_ptr)0);
+    fmpq_clear(f);
+    half_angle_clear(&to);
+    half_angle_clear(&from);
+}
+
+/* The advance as a multiple of the axis: exact where the length is rational, else dyadic. */
+static void advance_factor(fmpq_t out, const joint *j, slong bits) {
+    if (!fmpq_is_zero(j->length)) {
+        fmpq_div(out, j->advance, j->length);
+        return;
+    }
+    mpfr_t value, length;
+    mpq_t copy;
+    mpfr_inits2(ANGLE_BITS, value, length, (mpfr_ptr)0);
+    mpq_init(copy);
+    root_above(length, j->square);
+    fmpq_get_mpq(copy, j->advance);
+    mpfr_set_q(value, copy, MPFR_RNDN);
+    mpfr_div(value, value, length, MPFR_RNDN);
+    round_to_grid(out, value, bits + mpfr_get_exp(length));
+    mpq_clear(copy);
+    mpfr_clears(value, length, (mpfr_ptr)0);
+}
+
+/* An upper bound of |factor L - advance|: as |x^2 - a^2| / (x + a) for numbers of one sign. */
+static void advance_error(mpfr_t out, const joint *j, slong bits) {
+    fmpq_t made, asked;
+    mpfr_t below;
+    mpq_t copy;
+    fmpq_init(made);
+    fmpq_init(asked);
+    mpfr_init2(below, ANGLE_BITS);
+    mpq_init(copy);
+    mpfr_set_zero(out, 1);
+    fmpq_abs(asked, j->advance);
+    if (!fmpq_is_zero(asked) && fmpq_is_zero(j->length)) {
+        advance_factor(made, j, bits);
+        fmpq_get_mpq(copy, asked);
+        mpfr_set_q(below, copy, MPFR_RNDD);
+        fmpq_mul(made, made, made);
+        fmpq_mul(made, made, j->square);
+        fmpq_mul(asked, asked, asked);
+        fmpq_sub(made, made, asked);
+        fmpq_abs(made, made);
+        fmpq_get_mpq(copy, made);
+        mpfr_set_q(out, copy, MPFR_RNDU);
+        mpfr_div(out, out, below, MPFR_RNDU);
+    }
+    mpq_clear(copy);
+    mpfr_clear(below);
+    fmpq_clear(asked);
+    fmpq_clear(made);
+}
+
+/* `low + step s`, in parentheses. */
+static void put_linear(text *t, const fmpq_t low, const fmpq_t high) {
+    fmpq_t step;
+    fmpq_init(step);
+    fmpq_sub(step, high, low);
+    text_put(t, "(");
+    text_rational(t, low);
+    text_put(t, "+(");
+    text_rational(t, step);
+    text_put(t, ")*s)");
+    fmpq_clear(step);
+}
+
+static void put_turn(text *t, const joint *j, int dimension, const half_angle *from,
+                     const half_angle *to) {
+    if (dimension == 2) {
+        text_put(t, "{\"rotate\": {\"tan_half\": \"");
+        put_linear(t, from->c, to->c);
+        text_put(t, "/");
+        put_linear(t, from->w, to->w);
+        text_put(t, "\"");
+        put_center(t, j, 2);
+        text_put(t, "}}");
+        return;
+    }
+    text_put(t, "{\"quaternion\": [\"");
+    put_linear(t, from->w, to->w);
+    for (int k = 0; k < 3; k++) {
+        text_put(t, "\", \"");
+        if (fmpq_is_zero(j->axis + k)) {
+            text_put(t, "0");
+            continue;
+        }
+        put_linear(t, from->c, to->c);
+        if (fmpq_is_one(j->axis + k))
+            continue;
+        text_put(t, "*(");
+        text_rational(t, j->axis + k);
+        text_put(t, ")");
+    }
+    text_put(t, "\"]");
+    put_center(t, j, 3);
+    text_put(t, "}");
+}
+
+/* `factor` times the axis, run through as t goes from 0 to 1. */
+static void put_slide(text *t, const joint *j, int dimension, const fmpq_t factor) {
+    fmpq_t way;
+    fmpq_init(way);
+    text_put(t, "{\"translate\": [");
+    for (int k = 0; k < dimension; k++) {
+        fmpq_mul(way, j->axis + k, factor);
+        text_put(t, k ? ", \"(" : "\"(");
+        text_rational(t, way);
+        text_put(t, ")*t\"");
+    }
+    text_put(t, "]}");
+    fmpq_clear(way);
+}
+
+static void put_joint(text *t, const target *goal, const joint *j, slong bits, unsigned long k,
+                      unsigned long pieces) {
+    half_angle from, to;
+    fmpq_t f;
+    half_angle_init(&from);
+    half_angle_init(&to);
+    fmpq_init(f);
+    if (!j->is_slide) {
+        turn_fraction(f, j, k, pieces);
+        half_angle_dyadic(&from, f, j->square, bits);
+        turn_fraction(f, j, k + 1, pieces);
+        half_angle_dyadic(&to, f, j->square, bits);
+        put_turn(t, j, goal->dimension, &from, &to);
+    }
+    fmpq_one(f);
+    if (!j->is_slide)
+        advance_factor(f, j, bits);
+    if (!fmpq_is_zero(f)) {
+        text_put(t, j->is_slide ? "" : ",\n   ");
+        put_slide(t, j, goal->dimension, f);
+    }
+    fmpq_clear(f);
+    half_angle_clear(&to);
+    half_angle_clear(&from);
+}
+
+/* Piece k of a chain. */
+static void put_chain_piece(text *out, const target *goal, const joint *joints, const slong *bits,
+                            size_t count, unsigned long k, unsigned long pieces) {
+    text_format(out, " {\"t\": [\"%lu/%lu\", \"%lu/%lu\"], \"transform\": {\"compose\": [\n   ", k,
+                pieces, k + 1, pieces);
+    for (size_t i = 0; i < count; i++) {
+        text_put(out, i ? ",\n   " : "");
+        put_joint(out, goal, joints + i, bits[i], k, pieces);
+    }
+    text_put(out, "]}}");
+}
+
+void chain_pieces(text *out, const target *goal, const joint *joints, const slong *bits,
+                  size_t count, unsigned long pieces) {
+    for (unsigned long k = 0; k < pieces; k++) {
+        text_put(out, k ? ",\n" : "");
+        put_chain_piece(out, goal, joints, bits, count, k, pieces);
+    }
+}
+
+/* Whether the first piece, which begins without a turn and so has the shortest numbers, leaves the
+ * others their share of the limit `work`. */
+static graze_status check_work(graze_context *context, const target *goal, const joint *joints,
+                               const slong *bits, size_t count, unsigned long pieces) {
+    graze_motion *motion = NULL;
+    text first;
+    text_init(&first);
+    text_format(&first, "{\"dimension\": %d, \"pieces\": [", goal->dimension);
+    put_chain_piece(&first, goal, joints, bits, count, 0, pieces);
+    text_put(&first, "]}");
+    graze_status status = first.failed
+                              ? context_fail(context, GRAZE_ESYSTEM, "out of memory")
+                              : motion_from_text(&motion, context, first.data, first.length);
+    if (motion)
+        motion_destroy(motion);
+    text_clear(&first);
+    if (!status && context->work > context->limits[GRAZE_LIMIT_WORK] / pieces)
+        return context_limit(context, GRAZE_LIMIT_WORK,
+                             "the functions of a motion, all pieces together");
+    return status;
+}
+
+/* The sum of all joints' errors of displacement, upwards, in the first `few` of the pieces; each
+ * one's angle goes into `angles`. */
+static void total_error(mpfr_t out, mpfr_t *angles, const joint *joints, const slong *bits,
+                        size_t count, unsigned long pieces, unsigned long few) {
+    mpfr_t part;
+    mpfr_init2(part, ANGLE_BITS);
+    mpfr_set_zero(out, 1);
+    for (size_t i = 0; i < count; i++) {
+        if (joints[i].is_slide)
+            continue;
+        turn_error(angles[i], joints + i, bits[i], pieces, few);
+        mpfr_mul(part, angles[i], joints[i].reach, MPFR_RNDU);
+        mpfr_add(out, out, part, MPFR_RNDU);
+        advance_error(part, joints + i, bits[i]);
+        mpfr_add(out, out, part, MPFR_RNDU);
+    }
+    mpfr_clear(part);
+}
+
+static int exceeds(const mpfr_t error, const fmpq_t tolerance) {
+    mpq_t copy;
+    mpq_init(copy);
+    fmpq_get_mpq(copy, tolerance);
+    int more = mpfr_cmp_q(error, copy) > 0;
+    mpq_clear(copy);
+    return more;
+}
+
+/* Double the pieces until the error is small enough. The bound of the first piece alone, which is
+ * at most that of all, and the limits come before all pieces are looked at. */
+static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, mpfr_t *angles,
+                                  graze_context *context, const target *goal, const joint *joints,
+                                  const slong *bits, size_t count) {
+    *pieces = 1;
+    for (size_t i = 0; i < count; i++) {
+        unsigned long need = joints[i].is_slide ? 1 : quarters_above(context, joints + i);
+        if (!need)
+            return context_limit(context, GRAZE_LIMIT_PIECES, "a turn");
+        *pieces = need > *pieces ? need : *pieces;
+    }
+    for (;; *pieces *= 2) {
+        if (*pieces > context->limits[GRAZE_LIMIT_PIECES])
+            return context_limit(context, GRAZE_LIMIT_PIECES,
+                                 "a motion as near to the uniform one as the tolerance asks");
+        graze_status status = context_poll(context);
+        if (status)
+            return status;
+        total_error(error, angles, joints, bits, count, *pieces, 1);
+        if (exceeds(error, goal->tolerance))
+            continue;
+        status = check_work(context, goal, joints, bits, count, *pieces);
+        if (status)
+            return status;
+        total_error(error, angles, joints, bits, count, *pieces, *pieces);
+        if (!exceeds(error, goal->tolerance))
+            return GRAZE_OK;
+    }
+}
+
+static void report_joints(text *t, const target *goal, const joint *joints, mpfr_t *angles,
+                          const mpfr_t error, size_t count, unsigned long pieces) {
+    text_format(t, "pieces: %lu\n", pieces);
+    for (size_t i = 0; i < count; i++) {
+        if (joints[i].is_slide) {
+            text_format(t, "joint %zu: a slide, exact\n", i);
+            continue;
+        }
+        text_format(t, "joint %zu: a turn by ", i);
+        text_rational(t, joints[i].degrees);
+        text_put(t, " degrees; at every time t its angle differs from the uniform one by");
+        put_fact(t, "", angles[i], "radians");
+    }
+    text_put(t, "error: at every time t, a point within ");
+    text_rational(t, goal->radius);
+    text_put(t, " of the origin is off the uniform motion by");
+    put_fact(t, "", error, "");
+}
+
+graze_status convert_joints(conversion *out, graze_context *context, const target *goal,
+                            const joint *joints, size_t count) {
+    slong *bits = calloc(count, sizeof *bits);
+    mpfr_t *angles = calloc(count, sizeof *angles), error;
+    graze_status status = GRAZE_OK;
+    unsigned long pieces = 1;
+    mpfr_init2(error, ANGLE_BITS);
+    if (!bits || !angles)
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    for (size_t i = 0; i < count && angles; i++)
+        mpfr_init2(angles[i], ANGLE_BITS);
+    for (size_t i = 0; i < count && !status; i++)
+        status = joint_bits(bits + i, context, joints + i, goal, count);
+    if (!status)
+        status = refine_pieces(&pieces, error, angles, context, goal, joints, bits, count);
+    if (!status) {
+        text_format(&out->motion, "{\"dimension\": %d,\n\"pieces\": [\n", goal->dimension);
+        chain_pieces(&out->motion, goal, joints, bits, count, pieces);
+        text_put(&out->motion, "\n]}\n");
+        report_joints(&out->report, goal, joints, angles, error, count, pieces);
+    }
+    for (size_t i = 0; i < count && angles; i++)
+        mpfr_clear(angles[i]);
+    mpfr_clear(error);
+    free(angles);
+    free(bits);
+    return status;
+}

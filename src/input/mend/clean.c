@@ -1,0 +1,111 @@
+/* Merges equal vertices, and drops facets without area.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#define _GNU_SOURCE /* qsort_r */
+#include "input/mend/clean.h"
+
+#include <stdlib.h>
+
+static int order_of_points(const void *a, const void *b, void *data) {
+    const mesh *m = data;
+    uint32_t u = *(const uint32_t *)a, v = *(const uint32_t *)b;
+    const fmpq *p = mesh_point(m, u), *q = mesh_point(m, v);
+    int order = 0;
+    for (int k = 0; k < 3 && !order; k++)
+        order = fmpq_cmp(p + k, q + k);
+    return order ? order : (u > v) - (u < v);
+}
+
+static int at_one_position(const mesh *m, uint32_t u, uint32_t v) {
+    const fmpq *p = mesh_point(m, u), *q = mesh_point(m, v);
+    return fmpq_equal(p, q) && fmpq_equal(p + 1, q + 1) && fmpq_equal(p + 2, q + 2);
+}
+
+/* Name the first vertex at each position, and list the others that facets use. */
+static void merge_vertices(mesh *m, const uint32_t *order, uint32_t *first) {
+    size_t n = m->input->vertex_count;
+    few merged = {0, {NULL, 0, 0, 0}};
+    for (size_t k = 0; k < n; k++)
+        first[order[k]] =
+            k && at_one_position(m, order[k - 1], order[k]) ? first[order[k - 1]] : order[k];
+    unsigned char *used = calloc(n + 1, 1);
+    m->report.failed |= !used;
+    for (size_t k = 0; used && k < m->now.corner_count; k++)
+        used[m->now.corner[k]] = 1;
+    for (uint32_t v = 0; used && v < n; v++)
+        if (used[v] && first[v] != v)
+            few_add(&merged, "%u with %u", v, first[v]);
+    free(used);
+    few_report(&merged, m, "merged", "vertices with the first one at their position");
+    for (size_t k = 0; k < m->now.corner_count; k++)
+        m->now.corner[k] = first[m->now.corner[k]];
+}
+
+graze_status clean_vertices(mesh *m) {
+    size_t n = m->input->vertex_count;
+    uint32_t *order = malloc((n + 1) * sizeof *order), *first = malloc((n + 1) * sizeof *first);
+    if (order && first) {
+        for (uint32_t v = 0; v < n; v++)
+            order[v] = v;
+        qsort_r(order, n, sizeof *order, order_of_points, m);
+        merge_vertices(m, order, first);
+    }
+    graze_status status = order && first ? context_poll(m->context)
+                                         : context_fail(m->context, GRAZE_ESYSTEM,
+                                                        "out of memory for %zu vertices", n);
+    free(order);
+    free(first);
+    return status;
+}
+
+/* Has the last facet corners that are not all on one line? */
+static int has_area(const mesh *m, const facets *f) {
+    size_t first = f->start[f->count - 1], end = f->start[f->count], second = first;
+    while (second < end && f->corner[second] == f->corner[first])
+        second++;
+    for (size_t k = second + 1; k < end; k++)
+        if (!mesh_collinear(m, f->corner[first], f->corner[second], f->corner[k]))
+            return 1;
+    return 0;
+}
+
+/* Copy a facet with one corner of each run: the last, as a reader does, so that a fan begins at the
+ * same corner. */
+static graze_status copy_facet(facets *to, const mesh *m, size_t facet, int *repeated) {
+    const facets *f = &m->now;
+    graze_status status = facets_begin(to, m->context, f->origin[facet]);
+    for (size_t k = f->start[facet]; k < f->start[facet + 1] && !status; k++) {
+        size_t next = k + 1 < f->start[facet + 1] ? k + 1 : f->start[facet];
+        if (f->corner[k] != f->corner[next])
+            status = facets_corner(to, m->context, f->corner[k]);
+        else
+            *repeated = 1;
+    }
+    return status;
+}
+
+graze_status clean_facets(mesh *m) {
+    facets made = {.count = 0};
+    few flat = {0, {NULL, 0, 0, 0}}, repeats = {0, {NULL, 0, 0, 0}};
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < m->now.count && !status; k++) {
+        int repeated = 0;
+        status = copy_facet(&made, m, k, &repeated);
+        if (!status && k % 4096 == 0)
+            status = context_poll(m->context);
+        if (status || has_area(m, &made)) {
+            if (repeated)
+                few_add(&repeats, "%zu", m->now.origin[k]);
+            continue;
+        }
+        facets_drop_last(&made);
+        few_add(&flat, "%zu", m->now.origin[k]);
+    }
+    few_report(&repeats, m, "took repeated corners out of", "facets");
+    few_report(&flat, m, "dropped", "facets without area");
+    if (status)
+        facets_clear(&made);
+    else
+        mesh_replace(m, &made);
+    return status;
+}

@@ -1,0 +1,47 @@
+/* Mends a mesh, step by step.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/mend/mend.h"
+
+#include "input/mend/clean.h"
+#include "input/mend/orient.h"
+#include "input/mend/split.h"
+#include "input/solid/create.h"
+
+/* The mesh as it is now, validated. */
+static graze_status try_mesh(graze_solid **out, const mesh *m, unsigned flags) {
+    soup input;
+    if (!m->now.count)
+        return context_fail(m->context, GRAZE_EILLEGAL,
+                            "no facet has an area; expected a closed boundary");
+    graze_status status = mesh_soup(&input, m, NULL, 0, NULL);
+    return status ? status : solid_create(out, m->context, &input, flags);
+}
+
+static graze_status mend_mesh(graze_solid **out, mesh *m, unsigned flags) {
+    graze_status status = clean_vertices(m);
+    if (!status)
+        status = clean_facets(m);
+    if (!status)
+        status = split_edges(m);
+    if (!status)
+        status = try_mesh(out, m, flags);
+    if (status != GRAZE_EILLEGAL || !m->now.count)
+        return status;
+    status = orient_facets(m, flags);
+    return status ? status : try_mesh(out, m, flags);
+}
+
+graze_status mend_solid(graze_solid **out, text *report, graze_context *context, soup *input,
+                        unsigned flags) {
+    mesh m;
+    *out = NULL;
+    graze_status status = mesh_init(&m, context, input);
+    if (!status)
+        status = mend_mesh(out, &m, flags);
+    text_bytes(report, m.report.data ? m.report.data : "", m.report.length);
+    report->failed |= m.report.failed;
+    mesh_clear(&m);
+    soup_clear(input);
+    return status;
+}

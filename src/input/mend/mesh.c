@@ -1,0 +1,183 @@
+/* Facets of a mesh that is being mended.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/mend/mesh.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "base/number/cross.h"
+
+enum { FEW = 8 };
+
+graze_status facets_begin(facets *f, graze_context *context, size_t origin) {
+    graze_status status = array_grow(context, &f->start, &f->start_capacity, f->count + 2,
+                                     sizeof *f->start, "a solid");
+    if (!status)
+        status = array_grow(context, &f->origin, &f->origin_capacity, f->count + 1,
+                            sizeof *f->origin, "a solid");
+    if (status)
+        return status;
+    f->origin[f->count] = origin;
+    f->start[f->count++] = f->corner_count;
+    f->start[f->count] = f->corner_count;
+    return GRAZE_OK;
+}
+
+graze_status facets_corner(facets *f, graze_context *context, uint32_t vertex) {
+    graze_status status = array_grow(context, &f->corner, &f->corner_capacity, f->corner_count + 1,
+                                     sizeof *f->corner, "a solid");
+    if (status)
+        return status;
+    f->corner[f->corner_count++] = vertex;
+    f->start[f->count] = f->corner_count;
+    return GRAZE_OK;
+}
+
+void facets_drop_last(facets *f) {
+    f->corner_count = f->start[--f->count];
+}
+
+void facets_clear(facets *f) {
+    free(f->corner);
+    free(f->start);
+    free(f->origin);
+    memset(f, 0, sizeof *f);
+}
+
+void mesh_replace(mesh *m, facets *f) {
+    facets_clear(&m->now);
+    m->now = *f;
+}
+
+graze_status mesh_init(mesh *m, graze_context *context, const soup *input) {
+    graze_status status = GRAZE_OK;
+    *m = (mesh){.context = context, .input = input};
+    text_init(&m->report);
+    for (size_t f = 0; f < input->facet_count && !status; f++) {
+        size_t cycle = input->facet_start[f];
+        status = facets_begin(&m->now, context, f);
+        for (size_t k = input->cycle_start[cycle]; k < input->cycle_start[cycle + 1] && !status;
+             k++)
+            status = facets_corner(&m->now, context, input->index[k]);
+    }
+    return status;
+}
+
+void mesh_clear(mesh *m) {
+    facets_clear(&m->now);
+    text_clear(&m->report);
+}
+
+const fmpq *mesh_point(const mesh *m, uint32_t vertex) {
+    return m->input->coordinates + 3 * (size_t)vertex;
+}
+
+int mesh_collinear(const mesh *m, uint32_t a, uint32_t b, uint32_t c) {
+    fmpq_t area;
+    int zero = 1;
+    fmpq_init(area);
+    for (int k = 0; k < 3 && zero; k++) {
+        cross_rationals(area, mesh_point(m, a), mesh_point(m, b), mesh_point(m, c), k, (k + 1) % 3);
+        zero = fmpq_is_zero(area);
+    }
+    fmpq_clear(area);
+    return zero;
+}
+
+static int order_of_sides(const void *a, const void *b) {
+    const mesh_side *x = a, *y = b;
+    if (x->low != y->low)
+        return x->low < y->low ? -1 : 1;
+    if (x->high != y->high)
+        return x->high < y->high ? -1 : 1;
+    return (x->corner > y->corner) - (x->corner < y->corner);
+}
+
+graze_status mesh_sides(mesh_side **out, size_t *count, const mesh *m) {
+    const facets *f = &m->now;
+    *count = 0;
+    *out = malloc((f->corner_count + 1) * sizeof **out);
+    if (!*out)
+        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for the sides of facets");
+    for (size_t k = 0; k < f->count; k++)
+        for (size_t c = f->start[k]; c < f->start[k + 1]; c++) {
+            uint32_t from = f->corner[c];
+            uint32_t to = f->corner[c + 1 < f->start[k + 1] ? c + 1 : f->start[k]];
+            (*out)[(*count)++] =
+                (mesh_side){from < to ? from : to, from < to ? to : from, k, c, from < to};
+        }
+    qsort(*out, *count, sizeof **out, order_of_sides);
+    return GRAZE_OK;
+}
+
+size_t mesh_edge_end(const mesh_side *side, size_t count, size_t first) {
+    size_t end = first;
+    while (end < count && side[end].low == side[first].low && side[end].high == side[first].high)
+        end++;
+    return end;
+}
+
+/* Give a vertex a number in the soup, unless it has one. */
+static graze_status number_vertex(soup *out, const mesh *m, uint32_t *number, uint32_t vertex) {
+    if (number[vertex] != UINT32_MAX)
+        return GRAZE_OK;
+    number[vertex] = (uint32_t)out->vertex_count;
+    return soup_add_vertex(out, m->context, mesh_point(m, vertex));
+}
+
+static graze_status add_soup_facet(soup *out, const mesh *m, uint32_t *number, size_t facet,
+                                   int turned) {
+    const facets *f = &m->now;
+    size_t first = f->start[facet], end = f->start[facet + 1];
+    graze_status status = soup_add_facet(out, m->context);
+    if (!status)
+        status = soup_add_cycle(out, m->context, NULL, 0);
+    for (size_t k = first; k < end && !status; k++) {
+        uint32_t vertex = f->corner[turned ? end - 1 - (k - first) : k];
+        status = number_vertex(out, m, number, vertex);
+        if (!status)
+            status = soup_add_index(out, m->context, number[vertex]);
+    }
+    return status;
+}
+
+graze_status mesh_soup(soup *out, const mesh *m, const size_t *component, size_t wanted,
+                       const unsigned char *turned) {
+    size_t n = m->input->vertex_count;
+    uint32_t *number = malloc((n + 1) * sizeof *number);
+    graze_status status = GRAZE_OK;
+    soup_init(out, 3);
+    if (!number)
+        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
+    memset(number, 0xff, (n + 1) * sizeof *number);
+    for (size_t f = 0; f < m->now.count && !status; f++)
+        if (!component || component[f] == wanted)
+            status = add_soup_facet(out, m, number, f, turned && turned[f]);
+    free(number);
+    if (status)
+        soup_clear(out);
+    return status;
+}
+
+void few_add(few *f, const char *format, ...) {
+    char name[96];
+    va_list arguments;
+    if (f->count++ >= FEW)
+        return;
+    va_start(arguments, format);
+    vsnprintf(name, sizeof name, format, arguments);
+    va_end(arguments);
+    text_format(&f->names, "%s%s", f->count > 1 ? ", " : "", name);
+}
+
+void few_report(few *f, mesh *m, const char *what, const char *things) {
+    if (f->count)
+        text_format(&m->report, "%s %zu %s: %s%s\n", what, f->count, things,
+                    f->names.data ? f->names.data : "", f->count > FEW ? ", ..." : "");
+    m->report.failed |= f->names.failed;
+    text_clear(&f->names);
+    f->count = 0;
+}

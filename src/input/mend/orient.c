@@ -1,0 +1,219 @@
+/* Orients the facets of a mesh.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Facets that share an edge of two facets make one shell; in it they run one way or all the other.
+ * A shell that is legal by itself, in one of the two ways, is a solid. Shells of a legal solid do
+ * not cross, so one is inside another if a point of it is, and it is turned by the number of those
+ * it is inside of. Whether the result is legal is not decided here.
+ */
+#include "input/mend/orient.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "input/solid/create.h"
+#include "input/solid/locate.h"
+
+/* Each shell is looked at beside each other one. */
+enum { SHELLS_MOST = 1000 };
+
+typedef struct orienter {
+    mesh *m;
+    unsigned flags;
+    size_t *shell;         /* of each facet: first a facet before it in its shell, then a number */
+    unsigned char *turned; /* of each facet: against that facet, then against the input */
+    size_t shell_count;
+    graze_solid **solid; /* of each shell, facing outward; NULL: it bounds nothing */
+} orienter;
+
+/* The first facet of the shell, and whether the facet runs against it. */
+static size_t root_of_part(const orienter *o, size_t facet, unsigned char *against) {
+    *against = 0;
+    while (o->shell[facet] != facet) {
+        *against ^= o->turned[facet];
+        facet = o->shell[facet];
+    }
+    return facet;
+}
+
+/* Join the shells of two facets; 0 if they are joined already, with other ways round. */
+static int join_facets(orienter *o, const mesh_side *a, const mesh_side *b) {
+    unsigned char one, two, against = a->ascends == b->ascends;
+    size_t first = root_of_part(o, a->facet, &one), second = root_of_part(o, b->facet, &two);
+    if (first == second)
+        return (one ^ two) == against;
+    if (second < first) {
+        size_t swap = first;
+        first = second;
+        second = swap;
+    }
+    o->shell[second] = first;
+    o->turned[second] = one ^ two ^ against;
+    for (int k = 0; k < 2; k++) { /* short paths: both facets hang at the root */
+        size_t facet = k ? b->facet : a->facet;
+        unsigned char way;
+        size_t root = root_of_part(o, facet, &way);
+        if (facet != root) {
+            o->shell[facet] = root;
+            o->turned[facet] = way;
+        }
+    }
+    return 1;
+}
+
+static graze_status find_shells(orienter *o) {
+    mesh_side *side = NULL;
+    size_t count = 0;
+    graze_status status = mesh_sides(&side, &count, o->m);
+    for (size_t first = 0, end; first < count && !status; first = end) {
+        end = mesh_edge_end(side, count, first);
+        if (end - first == 2 && !join_facets(o, &side[first], &side[first + 1]))
+            status = context_fail(o->m->context, GRAZE_EILLEGAL,
+                                  "facets %zu and %zu, which share edge %u-%u, belong to a surface "
+                                  "with one side only; expected one that can be oriented",
+                                  o->m->now.origin[side[first].facet],
+                                  o->m->now.origin[side[first + 1].facet], side[first].low,
+                                  side[first].high);
+    }
+    free(side);
+    return status;
+}
+
+/* Number the shells by their first facets. */
+static void number_shells(orienter *o) {
+    for (size_t f = 0; f < o->m->now.count; f++) {
+        unsigned char against;
+        size_t root = root_of_part(o, f, &against);
+        o->turned[f] = against;
+        o->shell[f] = root; /* paths of later facets end here or before */
+    }
+    for (size_t f = 0; f < o->m->now.count; f++)
+        o->shell[f] = o->shell[f] == f ? o->shell_count++ : o->shell[o->shell[f]];
+}
+
+static void turn_shell(orienter *o, size_t shell) {
+    for (size_t f = 0; f < o->m->now.count; f++)
+        if (o->shell[f] == shell)
+            o->turned[f] ^= 1;
+}
+
+/* Make a solid of one shell, turned if it is legal that way. */
+static graze_status make_shell(orienter *o, size_t shell) {
+    graze_status status = GRAZE_EILLEGAL;
+    for (int turn = 0; turn < 2 && status == GRAZE_EILLEGAL; turn++) {
+        soup input;
+        if (turn)
+            turn_shell(o, shell);
+        status = mesh_soup(&input, o->m, o->shell, shell, o->turned);
+        if (!status)
+            status = solid_create(&o->solid[shell], o->m->context, &input, o->flags);
+    }
+    if (status == GRAZE_EILLEGAL)
+        turn_shell(o, shell);
+    return status == GRAZE_EILLEGAL ? GRAZE_OK : status;
+}
+
+/* Is a shell inside another? A vertex that is not on the other's boundary tells; where all are on
+ * it, a point inside a facet does. */
+static int is_within_part(const graze_solid *shell, const graze_solid *other) {
+    graze_state state = GRAZE_STATE_B;
+    fmpz *x = _fmpz_vec_init(4);
+    fmpq *sum = _fmpq_vec_init(3);
+    size_t vertices = shell->input.vertex_count, points = vertices + shell->cut.count;
+    for (size_t k = 0; k < points && state == GRAZE_STATE_B; k++) {
+        const fmpq *at = shell->input.coordinates;
+        for (int i = 0; i < 3; i++) {
+            fmpq_zero(sum + i);
+            for (int c = 0; k >= vertices && c < 3; c++)
+                fmpq_add(sum + i, sum + i,
+                         at + 3 * (size_t)shell->cut.item[k - vertices].vertex[c] + i);
+            if (k >= vertices)
+                fmpq_div_fmpz(sum + i, sum + i, (fmpz[1]){3});
+            else
+                fmpq_set(sum + i, at + 3 * k + (size_t)i);
+        }
+        _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, sum, 3);
+        state = solid_locate(other, x);
+    }
+    _fmpz_vec_clear(x, 4);
+    _fmpq_vec_clear(sum, 3);
+    return state == GRAZE_STATE_I;
+}
+
+/* Turn the shells that are inside an odd number of others. */
+static graze_status turn_cavities(orienter *o) {
+    graze_status status = GRAZE_OK;
+    unsigned char *odd = calloc(o->shell_count + 1, 1);
+    if (!odd)
+        return context_fail(o->m->context, GRAZE_ESYSTEM, "out of memory for shells");
+    for (size_t a = 0; a < o->shell_count && !status; a++)
+        for (size_t b = 0; b < o->shell_count && !status; b++) {
+            status = context_poll(o->m->context);
+            if (a != b && o->solid[a] && o->solid[b] &&
+                box_meets(&o->solid[a]->boxes.node[0].box, &o->solid[b]->boxes.node[0].box))
+                odd[a] ^= (unsigned char)is_within_part(o->solid[a], o->solid[b]);
+        }
+    for (size_t a = 0; a < o->shell_count; a++)
+        if (odd[a])
+            turn_shell(o, a);
+    free(odd);
+    return status;
+}
+
+static void apply_turns(orienter *o) {
+    facets *f = &o->m->now;
+    few turned = {0, {NULL, 0, 0, 0}};
+    for (size_t k = 0; k < f->count; k++) {
+        if (!o->turned[k])
+            continue;
+        few_add(&turned, "%zu", f->origin[k]);
+        for (size_t low = f->start[k], high = f->start[k + 1] - 1; low < high; low++, high--) {
+            uint32_t swap = f->corner[low];
+            f->corner[low] = f->corner[high];
+            f->corner[high] = swap;
+        }
+    }
+    few_report(&turned, o->m, "turned", "facets round");
+}
+
+static graze_status orient_shells(orienter *o) {
+    graze_status status = find_shells(o);
+    if (status)
+        return status;
+    number_shells(o);
+    if (o->shell_count > SHELLS_MOST)
+        return context_fail(o->m->context, GRAZE_EILLEGAL,
+                            "the facets make %zu shells, which are not oriented; expected at most "
+                            "%d to orient",
+                            o->shell_count, SHELLS_MOST);
+    o->solid = calloc(o->shell_count + 1, sizeof *o->solid);
+    if (!o->solid)
+        return context_fail(o->m->context, GRAZE_ESYSTEM, "out of memory for shells");
+    for (size_t k = 0; k < o->shell_count && !status; k++)
+        status = make_shell(o, k);
+    if (!status)
+        status = turn_cavities(o);
+    if (!status)
+        apply_turns(o);
+    for (size_t k = 0; k < o->shell_count; k++)
+        graze_solid_destroy(o->solid[k]);
+    free(o->solid);
+    return status;
+}
+
+graze_status orient_facets(mesh *m, unsigned flags) {
+    size_t n = m->now.count;
+    orienter o = {.m = m, .flags = flags};
+    o.shell = malloc((n + 1) * sizeof *o.shell);
+    o.turned = calloc(n + 1, 1);
+    graze_status status = o.shell && o.turned
+                              ? GRAZE_OK
+                              : context_fail(m->context, GRAZE_ESYSTEM, "out of memory for facets");
+    for (size_t k = 0; k < n && !status; k++)
+        o.shell[k] = k;
+    if (!status)
+        status = orient_shells(&o);
+    free(o.shell);
+    free(o.turned);
+    return status;
+}

@@ -1,0 +1,190 @@
+/* Affine maps of E^d whose entries are rational functions of one parameter u.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/motion/affine.h"
+
+void affine_init(affine *a, int dimension) {
+    a->dimension = dimension;
+    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+        fmpz_poly_q_init(a->entry[k]);
+    }
+    affine_identity(a);
+}
+
+void affine_clear(affine *a) {
+    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+        fmpz_poly_q_clear(a->entry[k]);
+    }
+}
+
+fmpz_poly_q_struct *affine_at(affine *a, int i, int j) {
+    return a->entry[i * (a->dimension + 1) + j];
+}
+
+const fmpz_poly_q_struct *affine_get(const affine *a, int i, int j) {
+    return a->entry[i * (a->dimension + 1) + j];
+}
+
+void affine_identity(affine *a) {
+    for (int i = 0; i < a->dimension; i++) {
+        for (int j = 0; j <= a->dimension; j++) {
+            fmpz_poly_q_set_si(affine_at(a, i, j), i == j);
+        }
+    }
+}
+
+void affine_set(affine *a, const affine *b) {
+    a->dimension = b->dimension;
+    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+        fmpz_poly_q_set(a->entry[k], b->entry[k]);
+    }
+}
+
+int affine_equal(const affine *a, const affine *b) {
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        if (!fmpz_poly_q_equal(a->entry[k], b->entry[k])) {
+            return 0;
+        }
+    }
+    return a->dimension == b->dimension;
+}
+
+static int is_polynomial(const affine *a) {
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        if (fmpz_poly_degree(fmpz_poly_q_denref(a->entry[k])) > 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static const fmpz *constant_denominator(const fmpz_poly_q_struct *entry) {
+    return fmpz_poly_get_coeff_ptr(fmpz_poly_q_denref(entry), 0);
+}
+
+/* A row of a times a column of b over the product of two common denominators, reduced once. */
+static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine *a, int i,
+                          const fmpz_t row, const affine *b, int j, const fmpz_t column) {
+    int d = a->dimension;
+    fmpz_t factor, other;
+    fmpz_poly_t term;
+    fmpz_init(factor);
+    fmpz_init(other);
+    fmpz_poly_init(term);
+    fmpz_poly_struct *sum = fmpz_poly_q_numref(out);
+    fmpz_poly_zero(sum);
+    for (int k = 0; k < d + (j == d); k++) {
+        const fmpz_poly_q_struct *left = affine_get(a, i, k);
+        fmpz_divexact(factor, row, constant_denominator(left));
+        if (k < d) {
+            fmpz_divexact(other, column, constant_denominator(affine_get(b, k, j)));
+            fmpz_poly_mul(term, fmpz_poly_q_numref(left), fmpz_poly_q_numref(affine_get(b, k, j)));
+            fmpz_mul(factor, factor, other);
+        } else {
+            fmpz_poly_set(term, fmpz_poly_q_numref(left));
+            fmpz_mul(factor, factor, column);
+        }
+        fmpz_poly_scalar_mul_fmpz(term, term, factor);
+        fmpz_poly_add(sum, sum, term);
+    }
+    fmpz_mul(factor, row, column);
+    fmpz_poly_set_fmpz(fmpz_poly_q_denref(out), factor);
+    quotient_reduce(out);
+    quotient_check(c, out);
+    fmpz_poly_clear(term);
+    fmpz_clear(other);
+    fmpz_clear(factor);
+}
+
+/* Where every denominator is a number, most of the greatest common divisors can be spared. */
+static void multiply_polynomials(calculation *c, affine *out, const affine *a, const affine *b) {
+    int d = a->dimension;
+    fmpz_t row, column[4];
+    fmpz_init(row);
+    for (int j = 0; j <= d; j++) {
+        fmpz_init_set_ui(column[j], 1);
+        for (int k = 0; k < d; k++) {
+            fmpz_lcm(column[j], column[j], constant_denominator(affine_get(b, k, j)));
+        }
+    }
+    for (int i = 0; i < d; i++) {
+        fmpz_one(row);
+        for (int k = 0; k <= d; k++) {
+            fmpz_lcm(row, row, constant_denominator(affine_get(a, i, k)));
+        }
+        for (int j = 0; j <= d && c->status == GRAZE_OK; j++) {
+            multiply_line(c, affine_at(out, i, j), a, i, row, b, j, column[j]);
+        }
+    }
+    for (int j = 0; j <= d; j++) {
+        fmpz_clear(column[j]);
+    }
+    fmpz_clear(row);
+}
+
+static void multiply_quotients(calculation *c, affine *out, const affine *a, const affine *b) {
+    int d = a->dimension;
+    fmpz_poly_q_t product;
+    fmpz_poly_q_init(product);
+    for (int i = 0; i < d; i++) {
+        for (int j = 0; j <= d; j++) {
+            fmpz_poly_q_struct *sum = affine_at(out, i, j);
+            fmpz_poly_q_zero(sum);
+            for (int k = 0; k < d; k++) {
+                quotient_mul(c, product, affine_get(a, i, k), affine_get(b, k, j));
+                quotient_add(c, sum, sum, product);
+            }
+            if (j == d) {
+                quotient_add(c, sum, sum, affine_get(a, i, d));
+            }
+        }
+    }
+    fmpz_poly_q_clear(product);
+}
+
+void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b) {
+    affine result;
+    affine_init(&result, a->dimension);
+    (is_polynomial(a) && is_polynomial(b) ? multiply_polynomials : multiply_quotients)(c, &result,
+                                                                                       a, b);
+    affine_set(out, &result);
+    affine_clear(&result);
+}
+
+void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center) {
+    int d = a->dimension;
+    fmpz_poly_q_t product;
+    fmpz_poly_q_init(product);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_q_struct *shift = affine_at(a, i, d);
+        quotient_add(c, shift, shift, center[i]);
+        for (int j = 0; j < d; j++) {
+            quotient_mul(c, product, affine_get(a, i, j), center[j]);
+            quotient_sub(c, shift, shift, product);
+        }
+    }
+    fmpz_poly_q_clear(product);
+}
+
+void affine_substitute(calculation *c, affine *out, const affine *a, const fmpq_t low,
+                       const fmpq_t high) {
+    fmpz_poly_q_t line;
+    fmpz_poly_q_init(line);
+    quotient_set_line(line, low, high);
+    out->dimension = a->dimension;
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        quotient_substitute(c, out->entry[k], a->entry[k], line);
+    }
+    fmpz_poly_q_clear(line);
+}
+
+void affine_at_time(affine *out, const affine *a, const fmpq_t u) {
+    fmpq_t value;
+    fmpq_init(value);
+    out->dimension = a->dimension;
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+        quotient_at(value, a->entry[k], u);
+        quotient_set_rational(out->entry[k], value);
+    }
+    fmpq_clear(value);
+}

@@ -1,0 +1,256 @@
+/* Motions in the making: pieces with rational functions as entries, not yet point maps.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "base/context/array.h"
+#include "input/motion/draft.h"
+
+#include <stdlib.h>
+#include "input/motion/affine_inverse.h"
+#include "input/motion/common_map.h"
+
+void draft_init(draft *d, int dimension) {
+    *d = (draft){.dimension = dimension};
+}
+
+static void clear_map(draft_piece *piece) {
+    if (piece->rigid) {
+        common_map_clear(&piece->frame);
+    } else {
+        affine_clear(&piece->map);
+    }
+}
+
+void draft_clear(draft *d) {
+    for (size_t k = 0; k < d->count; k++) {
+        fmpq_clear(d->piece[k].lo);
+        fmpq_clear(d->piece[k].hi);
+        clear_map(&d->piece[k]);
+    }
+    free(d->piece);
+    *d = (draft){.dimension = d->dimension};
+}
+
+static graze_status append_piece(draft_piece **out, graze_context *context, draft *d, int rigid) {
+    if (d->count >= context->limits[GRAZE_LIMIT_PIECES]) {
+        return context_limit(context, GRAZE_LIMIT_PIECES, "pieces of a motion");
+    }
+    graze_status status = context_poll(context);
+    if (status == GRAZE_OK) {
+        status = array_grow(context, &d->piece, &d->capacity, d->count + 1, sizeof *d->piece,
+                            "the pieces of a motion");
+    }
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    draft_piece *piece = *out = &d->piece[d->count++];
+    fmpq_init(piece->lo);
+    fmpq_init(piece->hi);
+    piece->rigid = rigid;
+    if (rigid) {
+        common_map_init(&piece->frame);
+        piece->frame.dimension = d->dimension;
+    } else {
+        affine_init(&piece->map, d->dimension);
+    }
+    return GRAZE_OK;
+}
+
+graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
+    return append_piece(out, context, d, 0);
+}
+
+graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft *d) {
+    return append_piece(out, context, d, 1);
+}
+
+graze_status draft_spread(draft *d, graze_context *context) {
+    calculation c = {context, GRAZE_OK};
+    for (size_t k = 0; k < d->count && c.status == GRAZE_OK; k++) {
+        draft_piece *piece = &d->piece[k];
+        if (piece->rigid) {
+            affine map;
+            affine_init(&map, d->dimension);
+            common_map_to_affine(&c, &map, &piece->frame);
+            common_map_clear(&piece->frame);
+            piece->map = map;
+            piece->rigid = 0;
+        }
+    }
+    return c.status;
+}
+
+/* The part of a piece's map over [lo, hi], in a parameter of its own. */
+static void cut_map(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
+                    const fmpq_t hi) {
+    fmpq_t span, low, high;
+    fmpq_init(span);
+    fmpq_init(low);
+    fmpq_init(high);
+    fmpq_sub(span, piece->hi, piece->lo);
+    fmpq_sub(low, lo, piece->lo);
+    fmpq_div(low, low, span);
+    fmpq_sub(high, hi, piece->lo);
+    fmpq_div(high, high, span);
+    if (fmpq_is_zero(low) && fmpq_is_one(high)) {
+        affine_set(out, &piece->map);
+    } else {
+        affine_substitute(c, out, &piece->map, low, high);
+    }
+    fmpq_clear(span);
+    fmpq_clear(low);
+    fmpq_clear(high);
+}
+
+/* frame^-1 moving over [lo, hi], which lies in both pieces. */
+static graze_status relative_piece(draft *out, graze_context *context, const draft_piece *moving,
+                                   const draft_piece *frame, const fmpq_t lo, const fmpq_t hi) {
+    draft_piece *piece;
+    graze_status status = draft_append(&piece, context, out);
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    calculation c = {context, GRAZE_OK};
+    affine part, inverse;
+    common_map common;
+    common_map_init(&common);
+    affine_init(&part, out->dimension);
+    affine_init(&inverse, out->dimension);
+    fmpq_set(piece->lo, lo);
+    fmpq_set(piece->hi, hi);
+    cut_map(&c, &part, frame, lo, hi);
+    if (c.status == GRAZE_OK) {
+        common_map_from_affine(&c, &common, &part);
+        affine_inverse(&c, &inverse, &part, common_map_is_orthogonal(&c, &common));
+        cut_map(&c, &part, moving, lo, hi);
+        affine_multiply(&c, &piece->map, &inverse, &part);
+    }
+    affine_clear(&inverse);
+    affine_clear(&part);
+    common_map_clear(&common);
+    return c.status;
+}
+
+graze_status draft_relative(draft *out, graze_context *context, const draft *moving,
+                            const draft *frame) {
+    graze_status status = GRAZE_OK;
+    fmpq_t lo;
+    fmpq_init(lo);
+    fmpq_set(lo, moving->piece[0].lo);
+    for (size_t m = 0, f = 0; m < moving->count && f < frame->count && status == GRAZE_OK;) {
+        const draft_piece *a = &moving->piece[m], *b = &frame->piece[f];
+        int order = fmpq_cmp(a->hi, b->hi);
+        const fmpq *hi = order <= 0 ? a->hi : b->hi;
+        status = relative_piece(out, context, a, b, lo, hi);
+        fmpq_set(lo, hi);
+        m += order <= 0;
+        f += order >= 0;
+    }
+    fmpq_clear(lo);
+    return status;
+}
+
+graze_status draft_follow(draft *out, graze_context *context, const draft *next, slong from,
+                          affine *end) {
+    calculation c = {context, GRAZE_OK};
+    const fmpq *first = next->piece[0].lo;
+    fmpq_t span, one;
+    affine last;
+    fmpq_init(span);
+    fmpq_init(one);
+    affine_init(&last, out->dimension);
+    fmpq_one(one);
+    fmpq_sub(span, next->piece[next->count - 1].hi, first);
+    for (size_t k = 0; k < next->count && c.status == GRAZE_OK; k++) {
+        const draft_piece *piece = &next->piece[k];
+        draft_piece *copy;
+        c.status = draft_append(&copy, context, out);
+        if (c.status != GRAZE_OK) {
+            break;
+        }
+        fmpq_sub(copy->lo, piece->lo, first);
+        fmpq_div(copy->lo, copy->lo, span);
+        fmpq_add_si(copy->lo, copy->lo, from);
+        fmpq_sub(copy->hi, piece->hi, first);
+        fmpq_div(copy->hi, copy->hi, span);
+        fmpq_add_si(copy->hi, copy->hi, from);
+        affine_multiply(&c, &copy->map, &piece->map, end);
+    }
+    affine_at_time(&last, &next->piece[next->count - 1].map, one);
+    affine_multiply(&c, end, &last, end);
+    affine_clear(&last);
+    fmpq_clear(one);
+    fmpq_clear(span);
+    return c.status;
+}
+
+/* The point map of the inverse of a, by its entries as quotients. */
+static void invert_quotients(calculation *c, point_map *out, const affine *a) {
+    affine inverse;
+    common_map common;
+    affine_init(&inverse, a->dimension);
+    common_map_init(&common);
+    affine_inverse(c, &inverse, a, 0);
+    common_map_from_affine(c, &common, &inverse);
+    common_map_forward(c, out, &common);
+    common_map_clear(&common);
+    affine_clear(&inverse);
+}
+
+static void finish_map(calculation *c, motion_piece *out, const affine *map) {
+    common_map common;
+    common_map_init(&common);
+    common_map_from_affine(c, &common, map);
+    common_map_forward(c, &out->forward, &common);
+    if (common_map_is_orthogonal(c, &common)) {
+        common_map_backward(c, &out->inverse, &common);
+    } else if (c->status == GRAZE_OK) {
+        invert_quotients(c, &out->inverse, map);
+    }
+    common_map_clear(&common);
+}
+
+static graze_status finish_piece(motion_piece *out, graze_context *context,
+                                 const draft_piece *piece) {
+    calculation c = {context, GRAZE_OK};
+    fmpq_set(out->lo, piece->lo);
+    fmpq_set(out->hi, piece->hi);
+    if (piece->rigid) {
+        common_map_forward(&c, &out->forward, &piece->frame);
+        common_map_backward(&c, &out->inverse, &piece->frame);
+    } else {
+        finish_map(&c, out, &piece->map);
+    }
+    return c.status;
+}
+
+graze_status draft_finish(graze_motion **out, graze_context *context, const draft *d) {
+    *out = NULL;
+    graze_motion *motion = calloc(1, sizeof *motion);
+    motion_piece *piece = calloc(d->count, sizeof *piece);
+    if (motion == NULL || piece == NULL) {
+        free(motion);
+        free(piece);
+        return context_fail(context, GRAZE_ESYSTEM, "no memory for a motion");
+    }
+    motion->dimension = d->dimension;
+    motion->piece = piece;
+    graze_status status = GRAZE_OK;
+    while (motion->piece_count < d->count && status == GRAZE_OK) {
+        motion_piece *next = &piece[motion->piece_count];
+        fmpq_init(next->lo);
+        fmpq_init(next->hi);
+        point_map_init(&next->forward, d->dimension);
+        point_map_init(&next->inverse, d->dimension);
+        status = context_poll(context);
+        if (status == GRAZE_OK) {
+            status = finish_piece(next, context, &d->piece[motion->piece_count]);
+        }
+        motion->piece_count++;
+    }
+    if (status != GRAZE_OK) {
+        motion_destroy(motion);
+        return status;
+    }
+    *out = motion;
+    return GRAZE_OK;
+}

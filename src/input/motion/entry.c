@@ -1,0 +1,160 @@
+/* The entries of a motion file: JSON values to functions, numbers and integers.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include "base/number/rational.h"
+#include "input/motion/entry.h"
+#include "input/motion/expression.h"
+
+enum { TIME_SIZE = 60 };
+
+void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi) {
+    fmpq_t zero, one;
+    fmpq_init(zero);
+    fmpq_init(one);
+    fmpq_one(one);
+    part->dimension = dimension;
+    part->fault = FAULT_NONE;
+    fmpq_init(part->from);
+    fmpq_init(part->to);
+    fmpq_init(part->lo);
+    fmpq_init(part->hi);
+    fmpz_poly_q_init(part->t);
+    fmpz_poly_q_init(part->s);
+    stretch_set(part, lo, hi, zero, one);
+    fmpq_clear(one);
+    fmpq_clear(zero);
+}
+
+void stretch_clear(stretch *part) {
+    fmpq_clear(part->from);
+    fmpq_clear(part->to);
+    fmpq_clear(part->lo);
+    fmpq_clear(part->hi);
+    fmpz_poly_q_clear(part->t);
+    fmpz_poly_q_clear(part->s);
+}
+
+void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t from,
+                 const fmpq_t to) {
+    fmpq_t span;
+    fmpq_init(span);
+    fmpq_sub(span, hi, lo);
+    fmpq_set(part->from, from);
+    fmpq_set(part->to, to);
+    fmpq_set(part->lo, lo);
+    fmpq_addmul(part->lo, span, from);
+    fmpq_set(part->hi, lo);
+    fmpq_addmul(part->hi, span, to);
+    quotient_set_line(part->t, part->lo, part->hi);
+    quotient_set_line(part->s, part->from, part->to);
+    fmpq_clear(span);
+}
+
+static graze_status read_value(fmpz_poly_q_t out, graze_context *context, const json *value,
+                               const fmpz_poly_q_struct *t, const fmpz_poly_q_struct *s) {
+    if (value->kind != JSON_NUMBER && value->kind != JSON_STRING) {
+        return json_fail(context, GRAZE_EINPUT, value, "expected %s",
+                         t != NULL ? "a number or an expression in quotes"
+                                   : "a number, bare or in quotes,");
+    }
+    graze_status status = expression_value(out, context, value->text, value->length, t, s);
+    return status == GRAZE_OK ? status : json_at(context, status, value);
+}
+
+graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const json *value,
+                            const stretch *part) {
+    return read_value(out, context, value, part->t, part->s);
+}
+
+graze_status entry_finite(fmpz_poly_q_t out, graze_context *context, const json *value,
+                          const stretch *part) {
+    graze_status status = entry_function(out, context, value, part);
+    if (status == GRAZE_OK && part->fault == FAULT_POLE) {
+        status = entry_no_root(context, value, fmpz_poly_q_denref(out), part->lo, part->hi,
+                               "this entry has a pole");
+    }
+    return status;
+}
+
+graze_status entry_vector(fmpz_poly_q_t *out, graze_context *context, const json *value,
+                          size_t count, const stretch *part) {
+    graze_status status = json_array(context, value, count);
+    const json *item = value->first;
+    for (size_t k = 0; k < count && status == GRAZE_OK; k++, item = item->next) {
+        status = entry_finite(out[k], context, item, part);
+    }
+    return status;
+}
+
+graze_status entry_number(fmpq_t out, graze_context *context, const json *value) {
+    fmpz_poly_q_t constant;
+    fmpz_poly_q_init(constant);
+    graze_status status = read_value(constant, context, value, NULL, NULL);
+    if (status == GRAZE_OK) {
+        fmpz_poly_get_coeff_fmpz(fmpq_numref(out), fmpz_poly_q_numref(constant), 0);
+        fmpz_poly_get_coeff_fmpz(fmpq_denref(out), fmpz_poly_q_denref(constant), 0);
+    }
+    fmpz_poly_q_clear(constant);
+    return status;
+}
+
+graze_status entry_integer(fmpz_t out, graze_context *context, const json *value) {
+    fmpq_t number;
+    fmpq_init(number);
+    graze_status status = entry_number(number, context, value);
+    if (status == GRAZE_OK && !fmpz_is_one(fmpq_denref(number))) {
+        status = json_fail(context, GRAZE_EINPUT, value, "'%.60s' is not an integer", value->text);
+    }
+    fmpz_set(out, fmpq_numref(number));
+    fmpq_clear(number);
+    return status;
+}
+
+/* lo + (hi - lo) u as text, or as much of it as has room. */
+static void time_text(char out[TIME_SIZE], const fmpq_t lo, const fmpq_t hi, const fmpq_t u) {
+    fmpq_t time;
+    fmpq_init(time);
+    fmpq_sub(time, hi, lo);
+    fmpq_mul(time, time, u);
+    fmpq_add(time, time, lo);
+    char *text = rational_text(time);
+    int whole = snprintf(out, TIME_SIZE, "%s", text != NULL ? text : "?") < TIME_SIZE;
+    if (!whole) {
+        snprintf(out + TIME_SIZE - 4, 4, "...");
+    }
+    free(text);
+    fmpq_clear(time);
+}
+
+graze_status entry_no_root(graze_context *context, const json *where, const fmpz_poly_t p,
+                           const fmpq_t lo, const fmpq_t hi, const char *what) {
+    if (fmpz_poly_is_zero(p)) {
+        return json_fail(context, GRAZE_EILLEGAL, where, "%s at every t", what);
+    }
+    calculation c = {context, GRAZE_OK};
+    calculation_spend(&c, (unsigned long)fmpz_poly_length(p) * polynomial_work(p));
+    if (c.status != GRAZE_OK) {
+        return json_at(context, c.status, where);
+    }
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    int found;
+    graze_status status = polynomial_root(&found, low, high, context, p);
+    if (found) {
+        char first[TIME_SIZE], last[TIME_SIZE];
+        time_text(first, lo, hi, low);
+        time_text(last, lo, hi, high);
+        if (fmpq_equal(low, high)) {
+            status = json_fail(context, GRAZE_EILLEGAL, where, "%s at t = %s", what, first);
+        } else {
+            status = json_fail(context, GRAZE_EILLEGAL, where, "%s between t = %s and t = %s", what,
+                               first, last);
+        }
+    }
+    fmpq_clear(high);
+    fmpq_clear(low);
+    return status;
+}

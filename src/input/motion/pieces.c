@@ -1,0 +1,348 @@
+/* Motions from parsed JSON: pieces and keyframes, and the check that a piece is legal.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/motion/pieces.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include "base/number/rational.h"
+#include "input/motion/affine_inverse.h"
+#include "input/motion/entry.h"
+#include "input/motion/quaternion.h"
+#include "input/motion/transform.h"
+
+enum { NUMBER_SIZE = 60 };
+
+static void number_text(char out[NUMBER_SIZE], const fmpq_t value) {
+    char *text = rational_text(value);
+    snprintf(out, NUMBER_SIZE, "%s", text != NULL ? text : "?");
+    free(text);
+}
+
+static graze_status check_poles(draft_piece *piece, graze_context *context, const json *where) {
+    int d = piece->map.dimension;
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < d * (d + 1) && status == GRAZE_OK; k++) {
+        status = entry_no_root(context, where, fmpz_poly_q_denref(piece->map.entry[k]), piece->lo,
+                               piece->hi, "the motion's matrix has a pole");
+    }
+    return status;
+}
+
+static graze_status check_determinant(draft_piece *piece, graze_context *context,
+                                      const json *where) {
+    calculation c = {context, GRAZE_OK};
+    fmpz_poly_q_t determinant;
+    fmpz_poly_q_init(determinant);
+    affine_determinant(&c, determinant, &piece->map);
+    if (c.status == GRAZE_OK) {
+        c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), piece->lo,
+                                 piece->hi, "the determinant of the motion's linear part is zero");
+    } else {
+        json_at(context, c.status, where);
+    }
+    fmpz_poly_q_clear(determinant);
+    return c.status;
+}
+
+static graze_status check_joint(const draft_piece *before, const draft_piece *after,
+                                graze_context *context, const json *where) {
+    int d = before->map.dimension;
+    graze_status status = GRAZE_OK;
+    fmpq_t zero, one, end, start;
+    fmpq_init(zero);
+    fmpq_init(one);
+    fmpq_init(end);
+    fmpq_init(start);
+    fmpq_one(one);
+    for (int k = 0; k < d * (d + 1) && status == GRAZE_OK; k++) {
+        quotient_at(end, before->map.entry[k], one);
+        quotient_at(start, after->map.entry[k], zero);
+        if (!fmpq_equal(end, start)) {
+            char time[NUMBER_SIZE], from[NUMBER_SIZE], to[NUMBER_SIZE];
+            number_text(time, after->lo);
+            number_text(from, end);
+            number_text(to, start);
+            status = json_fail(context, GRAZE_EILLEGAL, where,
+                               "the motion jumps at t = %s: row %d, column %d of its matrix goes "
+                               "from %s to %s",
+                               time, k / (d + 1) + 1, k % (d + 1) + 1, from, to);
+        }
+    }
+    fmpq_clear(start);
+    fmpq_clear(end);
+    fmpq_clear(one);
+    fmpq_clear(zero);
+    return status;
+}
+
+/* The map is illegal and the context says so. Some single entry has the same fault, as poles of a
+ * product come from its factors and a zero of its determinant from theirs; reading the transform
+ * once more finds it, and a message that names it. */
+static graze_status blame(affine *map, graze_context *context, const json *transform, stretch *part,
+                          entry_fault fault) {
+    part->fault = fault;
+    graze_status status = transform_map(map, context, transform, part);
+    return status == GRAZE_OK ? GRAZE_EILLEGAL : status;
+}
+
+static graze_status read_stretch(draft *out, graze_context *context, const json *transform,
+                                 stretch *part) {
+    draft_piece *piece;
+    graze_status status = draft_append(&piece, context, out);
+    if (status != GRAZE_OK) {
+        return json_at(context, status, transform);
+    }
+    fmpq_set(piece->lo, part->lo);
+    fmpq_set(piece->hi, part->hi);
+    status = transform_map(&piece->map, context, transform, part);
+    if (status != GRAZE_OK) {
+        return json_at_last(context, status, transform);
+    }
+    status = check_poles(piece, context, transform);
+    if (status == GRAZE_EILLEGAL) {
+        return blame(&piece->map, context, transform, part, FAULT_POLE);
+    }
+    status = check_determinant(piece, context, transform);
+    if (status == GRAZE_EILLEGAL) {
+        return blame(&piece->map, context, transform, part, FAULT_SINGULAR);
+    }
+    return status == GRAZE_OK && out->count > 1 ? check_joint(piece - 1, piece, context, transform)
+                                                : status;
+}
+
+static graze_status read_transform(draft *out, graze_context *context, const json *transform,
+                                   const fmpq_t lo, const fmpq_t hi) {
+    cut_list cuts;
+    stretch part;
+    cut_list_init(&cuts);
+    stretch_init(&part, out->dimension, lo, hi);
+    graze_status status = transform_cuts(&cuts, context, transform);
+    for (size_t k = 0; k + 1 < cuts.count && status == GRAZE_OK; k++) {
+        stretch_set(&part, lo, hi, &cuts.place[k], &cuts.place[k + 1]);
+        status = read_stretch(out, context, transform, &part);
+    }
+    stretch_clear(&part);
+    cut_list_clear(&cuts);
+    return status;
+}
+
+/* The interval of a piece, which must follow the pieces before it. */
+static graze_status read_interval(fmpq_t lo, fmpq_t hi, graze_context *context, const json *value,
+                                  const draft *before) {
+    char first[NUMBER_SIZE], last[NUMBER_SIZE];
+    graze_status status = json_array(context, value, 2);
+    if (status == GRAZE_OK) {
+        status = entry_number(lo, context, value->first);
+    }
+    if (status == GRAZE_OK) {
+        status = entry_number(hi, context, value->last);
+    }
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    number_text(first, lo);
+    if (fmpq_cmp(lo, hi) >= 0) {
+        number_text(last, hi);
+        return json_fail(context, GRAZE_EILLEGAL, value,
+                         "the piece starts at %s and ends at %s; expected a later end", first,
+                         last);
+    }
+    if (before->count > 0 && !fmpq_equal(lo, before->piece[before->count - 1].hi)) {
+        number_text(last, before->piece[before->count - 1].hi);
+        return json_fail(context, GRAZE_EILLEGAL, value,
+                         "the piece starts at %s, but the one before it ends at %s", first, last);
+    }
+    return GRAZE_OK;
+}
+
+graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces) {
+    static const char *const names[] = {"t", "transform"};
+    graze_status status = json_array(context, pieces, 0);
+    if (status == GRAZE_OK && pieces->count == 0) {
+        status = json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece");
+    }
+    fmpq_t lo, hi;
+    fmpq_init(lo);
+    fmpq_init(hi);
+    for (const json *item = pieces->first; item != NULL && status == GRAZE_OK; item = item->next) {
+        const json *member[2];
+        status = json_members(member, context, item, names, 2);
+        if (status == GRAZE_OK && (member[0] == NULL || member[1] == NULL)) {
+            status = json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
+                               names[member[0] != NULL]);
+        }
+        if (status == GRAZE_OK) {
+            status = read_interval(lo, hi, context, member[0], out);
+        }
+        if (status == GRAZE_OK) {
+            status = read_transform(out, context, member[1], lo, hi);
+        }
+    }
+    fmpq_clear(hi);
+    fmpq_clear(lo);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------ keyframes */
+
+enum { TIME, POSITION, ROTATION, FRAME_KEYS };
+
+/* A frame's numbers; what is missing stays as it is. */
+typedef struct keyframe {
+    fmpq_t time;
+    fmpq_t position[3];
+    fmpq_t rotation[4]; /* w, x, y, z; in E^2 x = y = 0 */
+    int given;          /* bit k: member k is there */
+} keyframe;
+
+static void keyframe_init(keyframe *frame) {
+    fmpq_init(frame->time);
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(frame->position[k]);
+    }
+    for (int k = 0; k < 4; k++) {
+        fmpq_init(frame->rotation[k]);
+    }
+    fmpq_one(frame->rotation[0]);
+}
+
+static void keyframe_clear(keyframe *frame) {
+    fmpq_clear(frame->time);
+    for (int k = 0; k < 3; k++) {
+        fmpq_clear(frame->position[k]);
+    }
+    for (int k = 0; k < 4; k++) {
+        fmpq_clear(frame->rotation[k]);
+    }
+}
+
+/* Every `step`th of the numbers from an array of `count`. */
+static graze_status read_numbers(fmpq_t *out, graze_context *context, const json *value,
+                                 size_t count, size_t step) {
+    graze_status status = json_array(context, value, count);
+    const json *item = value->first;
+    for (size_t k = 0; k < count && status == GRAZE_OK; k++, item = item->next) {
+        status = entry_number(out[k * step], context, item);
+    }
+    return status;
+}
+
+static graze_status read_keyframe(keyframe *frame, graze_context *context, const json *value,
+                                  int dimension) {
+    const char *const names[] = {"t", "position", dimension == 3 ? "quaternion" : "complex"};
+    const json *member[FRAME_KEYS];
+    graze_status status = json_members(member, context, value, names, FRAME_KEYS);
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    if (member[TIME] == NULL) {
+        return json_fail(context, GRAZE_EINPUT, value, "the frame has no key t");
+    }
+    frame->given = (member[POSITION] != NULL) << POSITION | (member[ROTATION] != NULL) << ROTATION;
+    status = entry_number(frame->time, context, member[TIME]);
+    if (status == GRAZE_OK && member[POSITION] != NULL) {
+        status = read_numbers(frame->position, context, member[POSITION], (size_t)dimension, 1);
+    }
+    if (status == GRAZE_OK && member[ROTATION] != NULL) {
+        status = dimension == 3 ? read_numbers(frame->rotation, context, member[ROTATION], 4, 1)
+                                : read_numbers(frame->rotation, context, member[ROTATION], 2, 3);
+    }
+    return status;
+}
+
+/* The lines through `count` pairs of numbers, over their least common denominator. */
+static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *from,
+                      const fmpq_t *to, int count) {
+    fmpz_t start, end, factor;
+    fmpz_init(start);
+    fmpz_init(end);
+    fmpz_init(factor);
+    fmpz_one(denominator);
+    for (int k = 0; k < count; k++) {
+        fmpz_lcm(denominator, denominator, fmpq_denref(from[k]));
+        fmpz_lcm(denominator, denominator, fmpq_denref(to[k]));
+    }
+    for (int k = 0; k < count; k++) {
+        fmpz_divexact(factor, denominator, fmpq_denref(from[k]));
+        fmpz_mul(start, factor, fmpq_numref(from[k]));
+        fmpz_divexact(factor, denominator, fmpq_denref(to[k]));
+        fmpz_mul(end, factor, fmpq_numref(to[k]));
+        fmpz_sub(end, end, start);
+        fmpz_poly_zero(&out[k]);
+        fmpz_poly_set_coeff_fmpz(&out[k], 1, end);
+        fmpz_poly_set_coeff_fmpz(&out[k], 0, start);
+    }
+    fmpz_clear(factor);
+    fmpz_clear(end);
+    fmpz_clear(start);
+}
+
+/* No pole, no zero determinant and no jump can occur here: quaternion_rotation checks the rotation,
+ * and the rest is linear between the frames. */
+static graze_status append_between(draft *out, graze_context *context, const json *where,
+                                   const keyframe *from, const keyframe *to) {
+    draft_piece *piece;
+    graze_status status = draft_append_rigid(&piece, context, out);
+    if (status != GRAZE_OK) {
+        return json_at(context, status, where);
+    }
+    fmpq_set(piece->lo, from->time);
+    fmpq_set(piece->hi, to->time);
+    fmpz_poly_struct q[4];
+    fmpz_t denominator;
+    fmpz_init(denominator);
+    for (int k = 0; k < 4; k++) {
+        fmpz_poly_init(&q[k]);
+    }
+    set_lines(q, denominator, from->rotation, to->rotation, 4);
+    status = quaternion_rotation(&piece->frame, context, where, q, from->time, to->time);
+    json_at_last(context, status, where);
+    for (int k = 0; k < 4; k++) {
+        fmpz_poly_clear(&q[k]);
+    }
+    set_lines(piece->frame.shift, denominator, from->position, to->position, out->dimension);
+    fmpz_poly_set_fmpz(piece->frame.v, denominator);
+    fmpz_clear(denominator);
+    return status;
+}
+
+static graze_status read_next_frame(draft *out, graze_context *context, const json *value,
+                                    keyframe *before, keyframe *frame) {
+    graze_status status = read_keyframe(frame, context, value, out->dimension);
+    if (status != GRAZE_OK || value->index == 0) {
+        return status;
+    }
+    if (frame->given != before->given) {
+        return json_fail(context, GRAZE_EINPUT, value,
+                         "this frame differs from the one before it; expected position and "
+                         "rotation in all frames or in none");
+    }
+    if (fmpq_cmp(before->time, frame->time) >= 0) {
+        char first[NUMBER_SIZE], last[NUMBER_SIZE];
+        number_text(first, before->time);
+        number_text(last, frame->time);
+        return json_fail(context, GRAZE_EILLEGAL, value,
+                         "the time %s follows %s; expected times that grow", last, first);
+    }
+    return append_between(out, context, value, before, frame);
+}
+
+graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes) {
+    graze_status status = json_array(context, keyframes, 0);
+    if (status == GRAZE_OK && keyframes->count < 2) {
+        status = json_fail(context, GRAZE_EINPUT, keyframes,
+                           "expected at least two frames, not %zu", keyframes->count);
+    }
+    keyframe frame[2];
+    keyframe_init(&frame[0]);
+    keyframe_init(&frame[1]);
+    for (const json *item = keyframes->first; item != NULL && status == GRAZE_OK;
+         item = item->next) {
+        status = read_next_frame(out, context, item, &frame[(item->index + 1) % 2],
+                                 &frame[item->index % 2]);
+    }
+    keyframe_clear(&frame[1]);
+    keyframe_clear(&frame[0]);
+    return status;
+}

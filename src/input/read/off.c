@@ -1,0 +1,222 @@
+/* OFF: the counts, one line a vertex, one line a facet.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The head may say that more than three coordinates stand on the line of a vertex: N a normal, C a
+ * colour, ST a position in a texture. They and the colours behind a facet's indices are passed
+ * over; `#` begins a comment.
+ */
+#include "input/read/off.h"
+
+#include <string.h>
+#include "base/number/rational.h"
+#include "input/read/token_lines.h"
+
+/* Declarations of the head. Each letter stands once, in any order: Geomview writes ST C N, others N
+ * C ST. */
+typedef struct columns {
+    int normal, colour, texture; /* declared? */
+    size_t further;              /* numbers behind the coordinates; 0 until the first vertex */
+} columns;
+
+/* The letters before OFF; 0 if there is one that is not read, or one twice. */
+static int read_letters(columns *c, const char *text, size_t length) {
+    size_t k = 0;
+    while (k < length) {
+        int *which = text[k] == 'N'                                           ? &c->normal
+                     : text[k] == 'C'                                         ? &c->colour
+                     : text[k] == 'S' && k + 1 < length && text[k + 1] == 'T' ? &c->texture
+                                                                              : NULL;
+        if (which == NULL || *which) {
+            return 0;
+        }
+        *which = 1;
+        k += which == &c->texture ? 2 : 1;
+    }
+    return 1;
+}
+
+static graze_status off_head(columns *c, lines *l) {
+    token t;
+    *c = (columns){.normal = 0};
+    int present = lines_any(l, &t);
+    size_t letters = t.length < 3 ? 0 : t.length - 3;
+    token end = {t.text + letters, t.length - letters};
+    if (!present || !token_is(end, "OFF") || !read_letters(c, t.text, letters)) {
+        int dimensions = present && token_is(end, "OFF") &&
+                         (memchr(t.text, '4', letters) || memchr(t.text, 'n', letters));
+        return lines_fail(
+            l, GRAZE_EINPUT,
+            dimensions ? "the header is '%.*s': vertices of four (4) or of any number (n) of "
+                         "coordinates are not read; expected three, as OFF and NOFF have"
+                       : "the header is '%.*s'; expected OFF, before it in capitals N if "
+                         "vertices have normals, C colours, ST texture coordinates",
+            TOKEN_SHOWN(t));
+    }
+    lines after = *l;
+    if (lines_any(&after, &t) && token_is(t, "BINARY")) {
+        return lines_fail(&after, GRAZE_EINPUT, "a binary OFF is not read; expected a text");
+    }
+    return GRAZE_OK;
+}
+
+static graze_status off_counts(lines *l, size_t *vertices, size_t *facets) {
+    token t;
+    size_t edges;
+    graze_status status = lines_cells(l, vertices, "vertices");
+    if (status == GRAZE_OK) {
+        status = lines_cells(l, facets, "facets");
+    }
+    if (status == GRAZE_OK) {
+        status = lines_cells(l, &edges, "edges");
+    }
+    if (status == GRAZE_OK && lines_token(l, &t)) {
+        return lines_fail(l, GRAZE_EINPUT, "'%.*s' follows the three counts", TOKEN_SHOWN(t));
+    }
+    return status;
+}
+
+/* Pass over what stands behind the coordinates of a vertex. A colour has 3 or 4 numbers, as many at
+ * every vertex as at the first. */
+static graze_status pass_columns(columns *c, lines *l, size_t v) {
+    size_t least = (c->normal ? 3u : 0u) + (c->texture ? 2u : 0u) + (c->colour ? 3u : 0u);
+    size_t most = least + (c->colour ? 1u : 0u), count = 0;
+    token t;
+    for (; lines_token(l, &t); count++) {
+        if (most == 0) {
+            return lines_fail(l, GRAZE_EINPUT, "vertex %zu: '%.*s' follows its 3 numbers", v,
+                              TOKEN_SHOWN(t));
+        }
+        if (!rational_is_token(t.text, t.length)) {
+            return lines_fail(l, GRAZE_EINPUT,
+                              "vertex %zu: '%.*s' follows its coordinates; expected numbers", v,
+                              TOKEN_SHOWN(t));
+        }
+    }
+    int first = c->further == 0;
+    if (first ? count < least || count > most : count != c->further) {
+        return lines_fail(l, GRAZE_EINPUT,
+                          "vertex %zu: %zu numbers follow its coordinates; expected %zu%s", v,
+                          count, first ? least : c->further,
+                          !first      ? ", as at vertex 0"
+                          : c->colour ? ", or one more if colours have an alpha"
+                                      : "");
+    }
+    c->further = count;
+    return GRAZE_OK;
+}
+
+static graze_status off_vertices(soup *s, columns *c, lines *l, fmpq *point, size_t count) {
+    for (size_t v = 0; v < count; v++) {
+        if (!lines_next(l)) {
+            return lines_fail(l, GRAZE_EINPUT, "the file ends after %zu of its %zu vertices", v,
+                              count);
+        }
+        graze_status status = lines_numbers(l, point, 3, "vertex", v);
+        if (status == GRAZE_OK) {
+            status = pass_columns(c, l, v);
+        }
+        if (status != GRAZE_OK) {
+            return status;
+        }
+        status = soup_add_vertex(s, l->context, point);
+        if (status != GRAZE_OK) {
+            return lines_at(l, status);
+        }
+    }
+    return GRAZE_OK;
+}
+
+/* Colours are none, one index of a colour map, or three or four components. */
+static graze_status pass_colours(lines *l, size_t f) {
+    token t;
+    size_t count = 0;
+    while (lines_token(l, &t)) {
+        if (!rational_is_token(t.text, t.length)) {
+            return lines_fail(
+                l, GRAZE_EINPUT,
+                "facet %zu: '%.*s' follows its indices; expected the numbers of a colour", f,
+                TOKEN_SHOWN(t));
+        }
+        count++;
+    }
+    if (count == 2 || count > 4) {
+        return lines_fail(
+            l, GRAZE_EINPUT,
+            "facet %zu: %zu values follow its indices; expected 1, 3 or 4 of a colour", f, count);
+    }
+    return GRAZE_OK;
+}
+
+static graze_status off_facet(soup *s, lines *l, size_t f) {
+    token t;
+    long long size, v;
+    lines_token(l, &t);
+    if (!token_integer(t, &size)) {
+        return lines_fail(l, GRAZE_EINPUT, "facet %zu: '%.*s' is not its number of vertices", f,
+                          TOKEN_SHOWN(t));
+    }
+    if (size < 3) {
+        return lines_fail(l, GRAZE_EINPUT, "facet %zu has %lld vertices; expected at least 3", f,
+                          size);
+    }
+    graze_status status = soup_add_facet(s, l->context);
+    if (status == GRAZE_OK) {
+        status = soup_add_cycle(s, l->context, NULL, 0);
+    }
+    for (long long k = 0; k < size && status == GRAZE_OK; k++) {
+        if (!lines_token(l, &t)) {
+            return lines_fail(l, GRAZE_EINPUT,
+                              "facet %zu: the line ends after %lld of its %lld indices", f, k,
+                              size);
+        }
+        if (!token_integer(t, &v) || v < 0 || (size_t)v >= s->vertex_count) {
+            return lines_fail(l, GRAZE_EINPUT,
+                              "facet %zu: '%.*s' is not a vertex; expected an integer from 0 below "
+                              "%zu",
+                              f, TOKEN_SHOWN(t), s->vertex_count);
+        }
+        status = soup_add_index(s, l->context, (size_t)v);
+    }
+    return status == GRAZE_OK ? pass_colours(l, f) : lines_at(l, status);
+}
+
+static graze_status read_all(soup *s, lines *l, fmpq *point) {
+    size_t vertices = 0, facets = 0;
+    columns c;
+    graze_status status = off_head(&c, l);
+    if (status == GRAZE_OK) {
+        status = off_counts(l, &vertices, &facets);
+    }
+    if (status == GRAZE_OK) {
+        status = off_vertices(s, &c, l, point, vertices);
+    }
+    for (size_t f = 0; f < facets && status == GRAZE_OK; f++) {
+        if (!lines_next(l)) {
+            return lines_fail(l, GRAZE_EINPUT, "the file ends after %zu of its %zu facets", f,
+                              facets);
+        }
+        status = off_facet(s, l, f);
+    }
+    if (status == GRAZE_OK && lines_next(l)) {
+        return lines_fail(l, GRAZE_EINPUT, "there is text after the last of %zu facets", facets);
+    }
+    return status;
+}
+
+graze_status read_off(soup *s, graze_context *context, const char *path, const char *text,
+                      size_t length) {
+    lines l = {.context = context, .path = path, .marks = "", .comment = '#'};
+    graze_status status = lines_start(&l, text, length);
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    fmpq point[3];
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(point + k);
+    }
+    status = read_all(s, &l, point);
+    for (int k = 0; k < 3; k++) {
+        fmpq_clear(point + k);
+    }
+    return status;
+}

@@ -1,0 +1,65 @@
+/* The choice of a reader by a file's extension.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/read/read.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include "base/context/file.h"
+#include "input/read/nef3.h"
+#include "input/read/obj.h"
+#include "input/read/off.h"
+#include "input/read/ply.h"
+#include "input/read/stl.h"
+#include "input/read/wkt.h"
+
+static const struct format {
+    const char *extension;
+    int dimension;
+    soup_reader *read;
+} formats[] = {
+    {".off", 3, read_off}, {".obj", 3, read_obj},   {".ply", 3, read_ply},
+    {".stl", 3, read_stl}, {".nef3", 3, read_nef3}, {".wkt", 2, read_wkt},
+};
+
+static const struct format *format_of(const char *path) {
+    const char *name = strrchr(path, '/');
+    const char *extension = strrchr(name == NULL ? path : name, '.');
+    for (size_t k = 0; extension != NULL && k < sizeof formats / sizeof *formats; k++) {
+        if (strcasecmp(extension, formats[k].extension) == 0) {
+            return formats + k;
+        }
+    }
+    return NULL;
+}
+
+graze_status soup_read(soup *s, graze_context *context, const char *path) {
+    const struct format *format = format_of(path);
+    if (format == NULL) {
+        return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                               "the extension is of no format of solids; expected .off, .obj, "
+                               ".ply, .stl, .nef3 or .wkt");
+    }
+    char *text;
+    size_t length;
+    soup_init(s, format->dimension);
+    graze_status status = file_read(&text, &length, s->sha256, context, path);
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    if (length == 0) {
+        status = context_fail_in(context, GRAZE_EINPUT, path, 0, "the file is empty");
+    } else {
+        status = format->read(s, context, path, text, length);
+    }
+    free(text);
+    if (status == GRAZE_OK && s->facet_count == 0) {
+        status = context_fail_in(context, GRAZE_EILLEGAL, path, 0,
+                                 "empty interior: there are no facets; expected a closed boundary");
+    }
+    if (status != GRAZE_OK) {
+        soup_clear(s);
+    }
+    return status;
+}

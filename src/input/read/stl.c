@@ -1,0 +1,249 @@
+/* STL, text and binary: triangles, whose corners become vertices where they are exactly equal.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Vertices are numbered in order of first appearance. Normals and attributes are passed over. A
+ * binary file may begin with "solid" too, so its size decides: 84 + 50 n bytes for n triangles.
+ */
+#include "input/read/stl.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/number/rounding.h"
+#include "input/read/token_lines.h"
+
+enum { HEADER = 84, RECORD = 50 };
+
+/* Vertices by position: an open-addressed table of vertex numbers + 1. */
+typedef struct merger {
+    soup *s;
+    graze_context *context;
+    size_t size; /* power of two, more than twice the vertices */
+    size_t *slot;
+    fmpq point[3];
+} merger;
+
+static uint64_t stl_hash(const fmpq *point) {
+    const ulong prime = 2147483647;
+    uint64_t hash = 0;
+    for (int k = 0; k < 3; k++) {
+        hash = hash * 0x9e3779b97f4a7c15u + fmpz_fdiv_ui(fmpq_numref(point + k), prime);
+        hash = hash * 0x9e3779b97f4a7c15u + fmpz_fdiv_ui(fmpq_denref(point + k), prime);
+    }
+    return hash ^ hash >> 29;
+}
+
+/* The slot of a position: of the vertex there, or the free one where it belongs. */
+static size_t *stl_slot(const merger *m, const fmpq *point) {
+    size_t k = stl_hash(point) & (m->size - 1);
+    while (m->slot[k] != 0) {
+        const fmpq *other = m->s->coordinates + 3 * (m->slot[k] - 1);
+        if (fmpq_equal(other, point) && fmpq_equal(other + 1, point + 1) &&
+            fmpq_equal(other + 2, point + 2)) {
+            break;
+        }
+        k = (k + 1) & (m->size - 1);
+    }
+    return m->slot + k;
+}
+
+static graze_status enlarge(merger *m) {
+    free(m->slot);
+    m->size = m->size == 0 ? 1024 : 2 * m->size;
+    m->slot = calloc(m->size, sizeof *m->slot);
+    if (m->slot == NULL) {
+        return context_fail(m->context, GRAZE_ESYSTEM, "no memory to merge %zu vertices",
+                            m->s->vertex_count);
+    }
+    for (size_t v = 0; v < m->s->vertex_count; v++) {
+        *stl_slot(m, m->s->coordinates + 3 * v) = v + 1;
+    }
+    return GRAZE_OK;
+}
+
+/* Append m->point to the last cycle, as a new vertex if its position is new. */
+static graze_status add_corner(merger *m) {
+    graze_status status = GRAZE_OK;
+    if (2 * (m->s->vertex_count + 1) > m->size) {
+        status = enlarge(m);
+    }
+    if (status != GRAZE_OK) {
+        return status;
+    }
+    size_t *slot = stl_slot(m, m->point);
+    if (*slot == 0) {
+        status = soup_add_vertex(m->s, m->context, m->point);
+        *slot = status == GRAZE_OK ? m->s->vertex_count : 0;
+    }
+    return status == GRAZE_OK ? soup_add_index(m->s, m->context, *slot - 1) : status;
+}
+
+static graze_status begin_facet(merger *m) {
+    graze_status status = soup_add_facet(m->s, m->context);
+    return status == GRAZE_OK ? soup_add_cycle(m->s, m->context, NULL, 0) : status;
+}
+
+static uint32_t little_endian(const unsigned char *p) {
+    return p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
+}
+
+static graze_status binary_corner(merger *m, const unsigned char *p) {
+    for (int k = 0; k < 3; k++) {
+        uint32_t image = little_endian(p + 4 * k);
+        float value;
+        memcpy(&value, &image, sizeof value);
+        graze_status status = rational_from_double(m->point + k, m->context, value);
+        if (status == GRAZE_OK) {
+            status = rational_round(m->point + k, m->context, m->context->rounding);
+        }
+        if (status != GRAZE_OK) {
+            return status;
+        }
+    }
+    return add_corner(m);
+}
+
+static graze_status read_binary(merger *m, const char *path, const unsigned char *data,
+                                size_t count) {
+    for (size_t f = 0; f < count; f++) {
+        graze_status status = begin_facet(m);
+        for (size_t k = 0; k < 3 && status == GRAZE_OK; k++) {
+            status = binary_corner(m, data + HEADER + RECORD * f + 12 + 12 * k);
+        }
+        if (status != GRAZE_OK) {
+            context_item(m->context, status, "facet", f, NULL);
+            context_at(m->context, status, "byte %zu", HEADER + RECORD * f);
+            return context_in(m->context, status, path, 0);
+        }
+    }
+    return GRAZE_OK;
+}
+
+static graze_status stl_expect(lines *l, const char *word, size_t f) {
+    token t;
+    if (!lines_any(l, &t)) {
+        return lines_fail(l, GRAZE_EINPUT, "the file ends; expected '%s' of facet %zu", word, f);
+    }
+    if (!token_is(t, word)) {
+        return lines_fail(l, GRAZE_EINPUT, "facet %zu: '%.*s'; expected '%s'", f, TOKEN_SHOWN(t),
+                          word);
+    }
+    return GRAZE_OK;
+}
+
+/* A facet behind its word "facet". */
+static graze_status stl_facet(merger *m, lines *l) {
+    size_t f = m->s->facet_count;
+    token ignored;
+    graze_status status = stl_expect(l, "normal", f);
+    for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
+        if (!lines_token(l, &ignored)) {
+            return lines_fail(l, GRAZE_EINPUT, "facet %zu: its normal has %d numbers; expected 3",
+                              f, k);
+        }
+    }
+    status = status == GRAZE_OK ? stl_expect(l, "outer", f) : status;
+    status = status == GRAZE_OK ? stl_expect(l, "loop", f) : status;
+    if (status == GRAZE_OK) {
+        status = begin_facet(m);
+        status = status == GRAZE_OK ? status : lines_at(l, status);
+    }
+    for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
+        status = stl_expect(l, "vertex", f);
+        if (status == GRAZE_OK) {
+            status = lines_numbers(l, m->point, 3, "a vertex of facet", f);
+        }
+        if (status == GRAZE_OK) {
+            status = add_corner(m);
+            status = status == GRAZE_OK ? status : lines_at(l, status);
+        }
+    }
+    status = status == GRAZE_OK ? stl_expect(l, "endloop", f) : status;
+    return status == GRAZE_OK ? stl_expect(l, "endfacet", f) : status;
+}
+
+/* One "solid ... endsolid"; both words may be followed by a name up to the line's end. */
+static graze_status read_part(merger *m, lines *l) {
+    token t;
+    while (lines_token(l, &t)) {
+    }
+    for (;;) {
+        if (!lines_any(l, &t)) {
+            return lines_fail(l, GRAZE_EINPUT, "the file ends before 'endsolid', after %zu facets",
+                              m->s->facet_count);
+        }
+        if (token_is(t, "endsolid")) {
+            break;
+        }
+        if (!token_is(t, "facet")) {
+            return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected 'facet' or 'endsolid'",
+                              TOKEN_SHOWN(t));
+        }
+        graze_status status = stl_facet(m, l);
+        if (status != GRAZE_OK) {
+            return status;
+        }
+    }
+    while (lines_token(l, &t)) {
+    }
+    return GRAZE_OK;
+}
+
+static graze_status read_text(merger *m, const char *path, const char *text, size_t length) {
+    lines l = {.context = m->context, .path = path, .marks = ""};
+    graze_status status = lines_start(&l, text, length);
+    token t;
+    while (status == GRAZE_OK && lines_any(&l, &t)) {
+        if (!token_is(t, "solid")) {
+            return lines_fail(&l, GRAZE_EINPUT, "'%.*s'; expected 'solid'", TOKEN_SHOWN(t));
+        }
+        status = read_part(m, &l);
+    }
+    return status;
+}
+
+static int begins_as_text(const char *text, size_t length) {
+    lines l = {.marks = ""};
+    token t;
+    lines_begin(&l, text, length);
+    return lines_any(&l, &t) && token_is(t, "solid");
+}
+
+static graze_status read_either(merger *m, const char *path, const char *text, size_t length) {
+    const unsigned char *data = (const unsigned char *)text;
+    size_t count = length < HEADER ? 0 : little_endian(data + HEADER - 4);
+    if (length >= HEADER && length == HEADER + RECORD * count) {
+        if (count > m->context->limits[GRAZE_LIMIT_CELLS]) {
+            context_limit(m->context, GRAZE_LIMIT_CELLS, "facets");
+            context_at(m->context, GRAZE_ELIMIT, "byte %d", HEADER - 4);
+            return context_in(m->context, GRAZE_ELIMIT, path, 0);
+        }
+        return read_binary(m, path, data, count);
+    }
+    if (begins_as_text(text, length)) {
+        return read_text(m, path, text, length);
+    }
+    if (length < HEADER) {
+        return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
+                               "neither begins with 'solid' nor has the %d bytes of a binary "
+                               "STL's header",
+                               HEADER);
+    }
+    return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
+                           "has %zu bytes; expected %zu, as a binary STL of %zu facets has", length,
+                           HEADER + RECORD * count, count);
+}
+
+graze_status read_stl(soup *s, graze_context *context, const char *path, const char *text,
+                      size_t length) {
+    merger m = {.s = s, .context = context};
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(m.point + k);
+    }
+    graze_status status = read_either(&m, path, text, length);
+    free(m.slot);
+    for (int k = 0; k < 3; k++) {
+        fmpq_clear(m.point + k);
+    }
+    return status;
+}

@@ -1,0 +1,120 @@
+/* A solid from a soup: validation, bounds, boxes, tree, side tests.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/solid/create.h"
+
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "base/number/rounding.h"
+#include "input/solid/locate.h"
+#include "input/validate/validate.h"
+
+static graze_status make_bounds(graze_solid *solid, graze_context *context) {
+    size_t n = solid->input.vertex_count * (size_t)solid->input.dimension;
+    solid->low = malloc(n * sizeof *solid->low);
+    solid->high = malloc(n * sizeof *solid->high);
+    if (!solid->low || !solid->high)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu coordinates", n);
+    for (size_t k = 0; k < n; k++)
+        rational_bounds(&solid->low[k], &solid->high[k], solid->input.coordinates + k);
+    return GRAZE_OK;
+}
+
+static void bound_simplex(box *out, const graze_solid *solid, size_t simplex) {
+    size_t d = (size_t)solid->input.dimension;
+    *out = (box){{0, 0, 0}, {0, 0, 0}};
+    for (size_t k = 0; k < d; k++) {
+        size_t at = solid->cut.item[simplex].vertex[k] * d;
+        for (size_t i = 0; i < d; i++) {
+            if (k == 0 || solid->low[at + i] < out->low[i])
+                out->low[i] = solid->low[at + i];
+            if (k == 0 || solid->high[at + i] > out->high[i])
+                out->high[i] = solid->high[at + i];
+        }
+    }
+}
+
+static graze_status make_tree(graze_solid *solid, graze_context *context) {
+    size_t n = solid->cut.count;
+    box *boxes = malloc(n * sizeof *boxes);
+    int failed = !boxes;
+    if (boxes) {
+        for (size_t s = 0; s < n; s++)
+            bound_simplex(&boxes[s], solid, s);
+        failed = tree_build(&solid->boxes, boxes, n);
+    }
+    free(boxes);
+    return failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a tree of %zu boxes", n)
+                  : GRAZE_OK;
+}
+
+static graze_status make_slabs(graze_solid *solid, graze_context *context) {
+    return slabs_make(&solid->slabs, &solid->boxes, &solid->corners, solid->input.dimension)
+               ? GRAZE_OK
+               : context_fail(context, GRAZE_ESYSTEM, "out of memory for slabs of %zu simplices",
+                              solid->cut.count);
+}
+
+static void make_note(graze_solid *solid) {
+    const flat_sides *flat = &solid->cut.flat;
+    char ring[64] = "", others[64] = "a side without length is no edge";
+    if (flat->count == 0)
+        return;
+    if (solid->input.dimension == 2)
+        snprintf(ring, sizeof ring, ", ring %zu", flat->cycle);
+    if (flat->count > 1)
+        snprintf(others, sizeof others, "%zu sides without length are no edges", flat->count);
+    snprintf(solid->note, sizeof solid->note,
+             "%s %zu%s: vertices %u and %u follow one another at one position; %s",
+             solid->input.dimension == 2 ? "polygon" : "facet", flat->facet, ring, flat->from,
+             flat->to, others);
+}
+
+static unsigned long next_number(void) {
+    static atomic_ulong made;
+    return atomic_fetch_add(&made, 1) + 1;
+}
+
+graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags) {
+    *out = NULL;
+    graze_solid *solid = calloc(1, sizeof *solid);
+    if (!solid) {
+        soup_clear(input);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a solid");
+    }
+    solid->number = next_number();
+    solid->input = *input;
+    graze_status status = validate_soup(&solid->cut, context, &solid->input, flags);
+    if (status == GRAZE_OK)
+        status = make_bounds(solid, context);
+    if (status == GRAZE_OK)
+        status = make_tree(solid, context);
+    if (status == GRAZE_OK)
+        status = corners_make(&solid->corners, context, &solid->input, &solid->cut, solid->low,
+                              solid->high);
+    if (status == GRAZE_OK)
+        status = make_slabs(solid, context);
+    if (status == GRAZE_OK)
+        status = solid_check_sides(solid, context);
+    if (status == GRAZE_OK) {
+        make_note(solid);
+        *out = solid;
+    }
+    if (status != GRAZE_OK)
+        graze_solid_destroy(solid);
+    return status;
+}
+
+void graze_solid_destroy(graze_solid *solid) {
+    if (!solid)
+        return;
+    free(solid->low);
+    free(solid->high);
+    tree_clear(&solid->boxes);
+    corners_clear(&solid->corners);
+    slabs_clear(&solid->slabs);
+    simplices_clear(&solid->cut);
+    soup_clear(&solid->input);
+    free(solid);
+}

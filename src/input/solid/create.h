@@ -1,0 +1,13 @@
+/* Making a solid.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_SOLID_CREATE_H
+#define GRAZE_SOLID_CREATE_H
+
+#include "input/solid/solid.h"
+
+/** Make a solid of a soup, which it takes over (also on failure): validation, bounds,
+ * tree, side tests. */
+graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags);
+
+#endif

@@ -1,0 +1,234 @@
+/* Static point location by one ray, and the side test of the boundary's components.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The ray leaves x in the direction of the first axis. Displaced by (0, e, e^2) with e positive and
+ * infinitesimal it meets no vertex and no edge, and no plane parallel to it: every sign below that
+ * is zero at x is decided by the first non-zero coefficient of the displacement. The signed number
+ * of facets that the ray leaves through is the winding number at x (proofs/claims.md C6).
+ * Doubles settle the triangles that the ray clearly passes or clearly crosses beyond x.
+ */
+#include "input/solid/locate.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/number/rounding.h"
+#include "input/solid/forms.h"
+
+typedef struct ray {
+    const graze_solid *solid;
+    const fmpz *x;
+    box around;      /* holds x */
+    box reach;       /* and all that lies beyond it on the ray */
+    size_t skip;     /* a simplex that is not looked at, or SIZE_MAX */
+    long winding;    /* facets left minus facets entered */
+    int on_boundary; /* x lies in a simplex other than `skip` */
+} ray;
+
+/* Sign of a form at the displaced point. */
+static int displaced_sign(const fmpz *form, int at_x, int dimension) {
+    if (at_x != 0)
+        return at_x;
+    int sign = fmpz_sgn(form + 1);
+    return sign != 0 || dimension == 2 ? sign : fmpz_sgn(form + 2);
+}
+
+/* The vector from x to a vertex along the last two axes, and how far each is off at most. */
+typedef struct arrow {
+    double y, z, off_y, off_z;
+} arrow;
+
+/* v - x lies within the two widths and the rounding of the subtraction, 2^-53 |value|, of `value`.
+ * Factors larger than needed outweigh the rounding of the bound, the last term its underflow. */
+static double separation(double *off, double low, double high, double x_low, double x_high) {
+    double value = low - x_low;
+    *off = 2 * ((high - low) + (x_high - x_low)) + 0x1p-51 * fabs(value) + 0x1p-1060;
+    return value;
+}
+
+static arrow arrow_to(const ray *r, size_t vertex) {
+    const double *low = r->solid->low + 3 * vertex, *high = r->solid->high + 3 * vertex;
+    const box *x = &r->around;
+    arrow a;
+    a.y = separation(&a.off_y, low[1], high[1], x->low[1], x->high[1]);
+    a.z = separation(&a.off_z, low[2], high[2], x->low[2], x->high[2]);
+    return a;
+}
+
+/* Sign of a.y b.z - a.z b.y, or 0 where doubles do not decide it, as with infinities and NaN. A
+ * product of true values is within off_y (|z| + off_z) + |y| off_z of y z; three roundings take
+ * less than 2^-51 of the two products, and 2^-900 outweighs underflow. */
+static int turn(const arrow *a, const arrow *b) {
+    double first = a->y * b->z, second = a->z * b->y;
+    double value = first - second;
+    double bound = 2 * (a->off_y * (fabs(b->z) + b->off_z) + fabs(a->y) * b->off_z +
+                        a->off_z * (fabs(b->y) + b->off_y) + fabs(a->z) * b->off_y) +
+                   0x1p-50 * (fabs(first) + fabs(second)) + 0x1p-900;
+    return (value > bound) - (value < -bound);
+}
+
+/* Settle a triangle in doubles; 0 where that fails. Projected along the ray, x is outside it if it
+ * lies on different sides of two edges, and strictly inside if it lies on the same side of all. In
+ * that case the outward normal points along the ray iff the triangle turns to the left, and the
+ * crossing is beyond x if the whole triangle is. */
+static int settle(ray *r, size_t simplex) {
+    const uint32_t *v = r->solid->cut.item[simplex].vertex;
+    arrow to[3] = {arrow_to(r, v[0]), arrow_to(r, v[1]), arrow_to(r, v[2])};
+    int left = 0, right = 0, beyond = 1;
+    for (int k = 0; k < 3; k++) {
+        int sign = turn(&to[k], &to[(k + 1) % 3]);
+        left += sign > 0;
+        right += sign < 0;
+        beyond = beyond && r->solid->low[3 * (size_t)v[k]] > r->around.high[0];
+    }
+    if (left > 0 && right > 0)
+        return 1;
+    if (!beyond || (left < 3 && right < 3))
+        return 0;
+    r->winding += left == 3 ? 1 : -1;
+    return 1;
+}
+
+static void cross_exactly(ray *r, size_t simplex) {
+    int d = r->solid->input.dimension;
+    fmpz *plane = _fmpz_vec_init(2 * (d + 1)), *side = plane + d + 1;
+    int facing = solid_plane(plane, r->solid, simplex);
+    int parallel = fmpz_is_zero(plane), plane_sign = form_sign(plane, r->x, d);
+    int contains = plane_sign == 0;
+    /* The plane's first coefficient is positive, so the ray runs from its negative to its positive
+     * side. */
+    int crosses = !parallel && displaced_sign(plane, plane_sign, d) < 0;
+    for (int k = 0; k < d && (contains || crosses); k++) {
+        solid_side(side, r->solid, simplex, plane, k);
+        int sign = form_sign(side, r->x, d);
+        contains = contains && sign >= 0;
+        crosses = crosses && displaced_sign(side, sign, d) > 0;
+    }
+    r->on_boundary |= contains;
+    r->winding += crosses ? facing : 0;
+    _fmpz_vec_clear(plane, 2 * (d + 1));
+}
+
+static void descend(ray *r, size_t index) {
+    const tree_node *node = &r->solid->boxes.node[index];
+    if (!box_meets(&node->box, &r->reach))
+        return;
+    if (node->child) {
+        descend(r, node->child);
+        descend(r, node->child + 1);
+    } else if (node->simplex != r->skip &&
+               !(r->solid->input.dimension == 3 && settle(r, node->simplex))) {
+        cross_exactly(r, node->simplex);
+    }
+}
+
+static void shoot(ray *r) {
+    int d = r->solid->input.dimension;
+    fmpq_t coordinate;
+    fmpq_init(coordinate);
+    r->around = (box){{0, 0, 0}, {0, 0, 0}};
+    for (int i = 0; i < d; i++) {
+        fmpq_set_fmpz_frac(coordinate, r->x + i, r->x + d);
+        rational_bounds(&r->around.low[i], &r->around.high[i], coordinate);
+    }
+    r->reach = r->around;
+    double root_high = r->solid->boxes.node[0].box.high[0];
+    if (root_high > r->reach.high[0])
+        r->reach.high[0] = root_high;
+    fmpq_clear(coordinate);
+    descend(r, 0);
+}
+
+graze_state solid_locate(const graze_solid *solid, const fmpz *x) {
+    ray r = {.solid = solid, .x = x, .skip = SIZE_MAX};
+    shoot(&r);
+    if (r.on_boundary)
+        return GRAZE_STATE_B;
+    return r.winding == 1 ? GRAZE_STATE_I : r.winding == 0 ? GRAZE_STATE_O : GRAZE_STATE_ABSENT;
+}
+
+/* The point with the barycentric weights 1, w, w^2 ... in a simplex, homogeneous. */
+static void weighted_point(fmpz *x, const graze_solid *solid, size_t simplex, ulong w) {
+    int d = solid->input.dimension;
+    fmpq *sum = _fmpq_vec_init(d);
+    ulong weight = 1, total = 0;
+    for (int k = 0; k < d; k++, weight *= w) {
+        const fmpq *v = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d;
+        total += weight;
+        for (int i = 0; i < d; i++) {
+            fmpq_t term;
+            fmpq_init(term);
+            fmpq_mul_ui(term, v + i, weight);
+            fmpq_add(sum + i, sum + i, term);
+            fmpq_clear(term);
+        }
+    }
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, sum, d);
+    fmpz_mul_ui(x + d, x + d, total);
+    _fmpq_vec_clear(sum, d);
+}
+
+/* The winding number outside a simplex that is not parallel to the ray, near a point of its
+ * relative interior that lies on no other simplex. Such a point exists: the others meet it in
+ * finitely many segments. */
+static long winding_outside(const graze_solid *solid, size_t simplex, int facing) {
+    fmpz *x = _fmpz_vec_init(solid->input.dimension + 1);
+    ray r;
+    ulong w = 1;
+    do {
+        weighted_point(x, solid, simplex, w++);
+        r = (ray){.solid = solid, .x = x, .skip = simplex};
+        shoot(&r);
+    } while (r.on_boundary);
+    _fmpz_vec_clear(x, solid->input.dimension + 1);
+    return facing > 0 ? r.winding : r.winding - 1;
+}
+
+static graze_status check_component(const graze_solid *solid, graze_context *context,
+                                    size_t simplex, int facing) {
+    long outside = winding_outside(solid, simplex, facing);
+    unsigned facet = solid->cut.item[simplex].facet;
+    const char *name = solid->input.dimension == 2 ? "edge" : "facet";
+    if (outside == 0)
+        return GRAZE_OK;
+    if (outside < 0)
+        context_fail(context, GRAZE_EILLEGAL,
+                     "inside out: the winding number is %ld on its outer side and "
+                     "%ld on its inner side, not 0 and 1; seen from outside a shell runs "
+                     "counter-clockwise, and only a cavity inside a shell runs the other "
+                     "way",
+                     outside, outside + 1);
+    else
+        context_fail(context, GRAZE_EILLEGAL,
+                     "shells overlap: the winding number is %ld on its outer side, "
+                     "which already lies in the solid, not 0; no shell may lie inside another, "
+                     "and a cavity must be oriented inward",
+                     outside);
+    return context_item(context, GRAZE_EILLEGAL, name, facet, NULL);
+}
+
+graze_status solid_check_sides(const graze_solid *solid, graze_context *context) {
+    size_t count = solid->cut.component_count;
+    unsigned char *done = calloc(count ? count : 1, 1);
+    if (!done)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu components", count);
+    fmpz *plane = _fmpz_vec_init(solid->input.dimension + 1);
+    graze_status status = GRAZE_OK;
+    for (size_t s = 0; s < solid->cut.count && status == GRAZE_OK; s++) {
+        size_t component = solid->cut.item[s].component;
+        if (done[component])
+            continue;
+        int facing = solid_plane(plane, solid, s);
+        /* A closed boundary is not made of facets parallel to the ray alone. */
+        if (fmpz_is_zero(plane))
+            continue;
+        done[component] = 1;
+        status = check_component(solid, context, s, facing);
+        if (status == GRAZE_OK)
+            status = context_poll(context);
+    }
+    _fmpz_vec_clear(plane, solid->input.dimension + 1);
+    free(done);
+    return status;
+}

@@ -1,0 +1,47 @@
+/* Planes, sides and cells of a solid's simplices.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/solid/solid.h"
+
+#include "input/solid/forms.h"
+
+/* The coordinates of a simplex's vertices. */
+static void simplex_vertices(const fmpq **vertex, const graze_solid *solid, size_t simplex) {
+    size_t d = (size_t)solid->input.dimension;
+    for (size_t k = 0; k < d; k++)
+        vertex[k] = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * d;
+}
+
+int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex) {
+    const fmpq *vertex[3];
+    simplex_vertices(vertex, solid, simplex);
+    return form_of_plane(out, vertex, solid->input.dimension);
+}
+
+void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k) {
+    const fmpq *vertex[3];
+    simplex_vertices(vertex, solid, simplex);
+    form_of_side(out, vertex, plane, k, solid->input.dimension);
+}
+
+/* Sides vanish in one place each: E^2 none or the vertex k; E^3 the edge k, or the vertex two edges
+ * share. */
+graze_cell solid_cell(const graze_solid *solid, size_t simplex, unsigned zero) {
+    const struct simplex *s = &solid->cut.item[simplex];
+    if (solid->input.dimension == 2) {
+        if (zero)
+            return (graze_cell){GRAZE_CELL_VERTEX, s->vertex[zero == 1 ? 0 : 1], 0};
+        size_t u = s->vertex[0], v = s->vertex[1];
+        return (graze_cell){GRAZE_CELL_EDGE, u < v ? u : v, u < v ? v : u};
+    }
+    for (int k = 0; k < 3; k++) {
+        unsigned here = 1u << k, before = 1u << (k + 2) % 3;
+        if (zero == (here | before))
+            return (graze_cell){GRAZE_CELL_VERTEX, s->vertex[k], 0};
+        if (zero == here && !(s->diagonal & here)) {
+            size_t u = s->vertex[k], v = s->vertex[(k + 1) % 3];
+            return (graze_cell){GRAZE_CELL_EDGE, u < v ? u : v, u < v ? v : u};
+        }
+    }
+    return (graze_cell){GRAZE_CELL_FACE, s->facet, 0};
+}

@@ -1,0 +1,59 @@
+/* Pieces of a boundary, and the predicates for the relative position of two of them, for the
+ * validation and the overlap test. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_VALIDATE_PAIRS_HPP
+#define GRAZE_VALIDATE_PAIRS_HPP
+
+#include <cstdint>
+#include <vector>
+#include "input/soup/soup.h"
+#include "input/validate/points.hpp"
+#include "input/validate/simplices.h"
+
+/**
+ * A simplex with the data that the tests use again and again. Invariant for d = 3: the positions
+ * are not collinear, and `facing` = turn(drop, at[0], at[1], at[2]) is not 0.
+ */
+struct piece {
+    simplex cell;
+    std::uint32_t at[3]; /* the positions of its vertices */
+    std::int8_t drop;    /* the coordinate dropped when its plane is looked at in E^2 */
+    std::int8_t facing;
+    bool planar; /* cut out of a planar facet: its siblings are known not to overlap it */
+};
+
+/** Set `drop` and `facing` from the positions; false if they are collinear. */
+bool piece_orient(piece &p, const points &at);
+
+/** Relative position of two segments of one plane: apart, sharing an end, one end resting inside
+ * the other, crossing inside both, having more than a point in common, or being the same. */
+enum class segments { apart, share, touch, cross, overlap, same };
+
+/**
+ * Segments a b and c d, different positions each, looked at with coordinate `drop` dropped.
+ * @param[out] touching the end that rests inside the other segment, where the answer is touch
+ */
+segments segments_lie(std::uint32_t &touching, const points &at, int drop, std::uint32_t a,
+                      std::uint32_t b, std::uint32_t c, std::uint32_t d);
+
+/** Have two segments of one line more than a point in common? */
+bool collinear_overlap(const points &at, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                       std::uint32_t d);
+
+/** Relative position of two triangles of positive area: having at most points or a common side in
+ * common, in contact along a segment of a side, crossing inside both, or overlapping in their
+ * plane. */
+enum class triangles { clear, contact, cross, overlap };
+
+/** The sides along which two triangles are in contact; -1 for none. Such a side of one runs, for
+ * a while, inside the other or along its side. */
+struct contact_sides {
+    int first, second;
+};
+
+triangles triangles_lie(contact_sides &sides, const points &at, const piece &s, const piece &t);
+
+/** Do two closed triangles (segments when the points are of dimension 2) have a point in common? */
+bool pieces_meet(const points &at, const piece &s, const piece &t);
+
+#endif

@@ -1,0 +1,110 @@
+/* Checks that two tables go together and chooses columns.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/compare/choose.h"
+
+#include <string.h>
+#include "output/compare/judgement.h"
+#include "output/compare/sites.h"
+#include "output/compare/values.h"
+
+/* The golden column of each grouping. */
+static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K,          COLUMN_SDF_LOW,
+                                          COLUMN_CLASS,   COLUMN_DEFINITION, COLUMN_CASE,
+                                          COLUMN_STATUS,  COLUMN_ROLE};
+
+column grouping_column(grouping g) {
+    return by[g];
+}
+
+static graze_status check_golden(const table *t) {
+    if (t->where[COLUMN_PMC] < 0 || !t->dimension)
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, 0,
+                               "has no column %s; expected a table that graze classify wrote",
+                               t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y");
+    return GRAZE_OK;
+}
+
+/* Check that both tables are of one scene and one set of options. */
+static graze_status check_notes(const table *golden, const table *candidate) {
+    static const note same[] = {NOTE_SOLID,     NOTE_MOTION, NOTE_SCENE,
+                                NOTE_OPERATION, NOTE_FOLDS,  NOTE_DIMENSION};
+    for (size_t k = 0; k < sizeof same / sizeof *same; k++) {
+        const char *g = golden->notes[same[k]], *c = candidate->notes[same[k]];
+        if (g && c && strcmp(g, "none") != 0 && strcmp(c, "none") != 0 && strcmp(g, c) != 0)
+            return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                                   "%s is %.64s, that of %s is %.64s; expected tables of one "
+                                   "scene and one set of options",
+                                   note_name(same[k]), c, golden->in.name, g);
+    }
+    return GRAZE_OK;
+}
+
+/* Choose the columns to judge: those that the candidate has and the golden table can judge. */
+static graze_status choose_columns(graze_comparison *c, const table *golden,
+                                   const table *candidate) {
+    int sdf = c->options.has == GRAZE_HAS_SDF, any = 0;
+    if (sdf && candidate->where[COLUMN_SDF] < 0)
+        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "has no column sdf; expected a signed distance in a column of that "
+                               "name");
+    for (int k = 0; k < JUDGED_SDF; k++) {
+        column which = judged_column(k);
+        if (!judged_of(k, 0))
+            continue;
+        int answered = candidate->where[which] >= 0;
+        int open = c->options.question == GRAZE_QUESTION_OPEN && !c->options.motion_error;
+        c->judged[k] = k == JUDGED_PMC ? answered || sdf : answered && open && !sdf;
+        if (c->judged[k] && golden->where[which] < 0)
+            return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
+                                   "has no column %s; expected one to judge that of %s by",
+                                   column_name(which), candidate->in.name);
+        any |= c->judged[k];
+    }
+    if (!any)
+        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "has no column that can be judged; expected one of %s",
+                               c->options.question == GRAZE_QUESTION_OPEN &&
+                                       !c->options.motion_error
+                                   ? "pmc, class, i, t, word"
+                                   : "pmc (or sdf)");
+    return values_choose(c, golden);
+}
+
+/* Take over from the golden table the options of `graze explain`. */
+static graze_status note_options(graze_comparison *c, graze_context *context, const table *t) {
+    text options;
+    const char *round = t->notes[NOTE_ROUND], *folds = t->notes[NOTE_FOLDS];
+    const char *operation = t->notes[NOTE_OPERATION], *cut = t->notes[NOTE_TRIANGULATE];
+    text_init(&options);
+    if (round && (strcmp(round, graze_rounding_name(GRAZE_ROUND_BINARY64)) == 0 ||
+                  strcmp(round, graze_rounding_name(GRAZE_ROUND_BINARY32)) == 0))
+        text_format(&options, " --round %s", round);
+    if (folds && strcmp(folds, "combined") == 0)
+        text_put(&options, " --folds combined");
+    if (operation && strcmp(operation, "unsweep") == 0)
+        text_put(&options, " --operation unsweep");
+    if (cut && strcmp(cut, "yes") == 0)
+        text_put(&options, " --triangulate");
+    return text_finish(&c->explain_options, context, &options);
+}
+
+graze_status comparison_choose(graze_comparison *c, const table *golden, const table *candidate) {
+    graze_status status = sites_known(&c->contacts, golden, candidate);
+    if (!status && !c->contacts)
+        status = check_golden(golden);
+    if (!status)
+        status = check_notes(golden, candidate);
+    if (!status)
+        status = (c->contacts ? sites_choose : choose_columns)(c, golden, candidate);
+    if (!status)
+        status = (c->contacts ? key_of_contacts : key_of_points)(&c->key, golden, candidate);
+    return status ? status : note_options(c, golden->in.context, golden);
+}
+
+int grouping_is_of(const graze_comparison *c, const table *golden, grouping g) {
+    if (g == BY_SDF)
+        return c->enclosed;
+    int of_contacts = g == BY_STATUS || g == BY_ROLE, of_both = g == BY_STRATUM || g == BY_DISTANCE;
+    return golden->where[grouping_column(g)] >= 0 && (of_both || of_contacts == c->contacts);
+}

@@ -1,0 +1,272 @@
+/* Runs through both tables and counts.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/compare/compare.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "output/compare/choose.h"
+#include "output/compare/judgement.h"
+#include "output/compare/match.h"
+#include "output/compare/rounded_rows.h"
+#include "output/compare/sites.h"
+
+/* Both tables and their matching during a comparison. */
+typedef struct run {
+    graze_context *context;
+    table golden, candidate;
+    match match;
+} run;
+
+static graze_status comparison_no_memory(graze_context *context) {
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+}
+
+static graze_status check_rounding(graze_comparison *c, run *r, const char *path) {
+    column columns[JUDGED_COUNT];
+    size_t count = 0;
+    for (int k = 0; k < JUDGED_SDF; k++)
+        if (c->judged[k])
+            columns[count++] = judged_column(k);
+    if (c->rounding == GRAZE_ROUND_NONE || c->key.by_id)
+        return GRAZE_OK;
+    return match_rounding(r->context, &r->golden, path, &c->key, columns, count);
+}
+
+static graze_status start(graze_comparison *c, run *r, const char *golden, const char *candidate) {
+    graze_status status = table_open(&r->golden, r->context, golden);
+    if (!status)
+        status = table_open(&r->candidate, r->context, candidate);
+    if (!status)
+        status = comparison_choose(c, &r->golden, &r->candidate);
+    if (!status && (!(c->golden_columns = strdup(r->golden.names)) ||
+                    !(c->candidate_columns = strdup(r->candidate.names))))
+        status = comparison_no_memory(r->context);
+    if (status)
+        return status;
+    match_start(&r->match, r->context, &r->golden, &r->candidate, &c->key, c->contacts);
+    for (int g = 0; g < GROUPING_COUNT; g++)
+        c->grouped[g] = grouping_is_of(c, &r->golden, (grouping)g);
+    return check_rounding(c, r, golden);
+}
+
+/* Is a column shown beside a disagreement of points? */
+static int is_shown(const graze_comparison *c, column col, int candidate) {
+    if (candidate && c->options.has == GRAZE_HAS_SDF)
+        return col == COLUMN_SDF;
+    int bound = col == COLUMN_SDF_LOW || col == COLUMN_SDF_HIGH;
+    return (col >= COLUMN_PMC && col <= COLUMN_TOPO) || (bound && c->enclosed && !candidate);
+}
+
+static void put_shown_answer(text *out, const table *t, const table_row *row, column which) {
+    field f = table_field(t, row, which);
+    if (t->where[which] < 0)
+        return;
+    text_format(out, "%s%s=", out->length ? " " : "", column_name(which));
+    text_bytes(out, f.start, f.length);
+}
+
+/* The answers of a row, as `pmc=on i=0`; of a contact point its time and what is judged. */
+static void put_answers(text *out, const graze_comparison *c, const table *t, const table_row *row,
+                        int candidate) {
+    for (int col = 0; col < COLUMN_COUNT && !c->contacts; col++)
+        if (is_shown(c, (column)col, candidate))
+            put_shown_answer(out, t, row, (column)col);
+    if (c->contacts)
+        put_shown_answer(out, t, row, COLUMN_TIME);
+    for (int k = 0; k < JUDGED_COUNT && c->contacts; k++)
+        if (c->judged[k])
+            put_shown_answer(out, t, row, judged_column(k));
+}
+
+/* A row's point (which = 0) or answers (1 golden, 2 candidate), malloc'ed. */
+static char *row_text(const graze_comparison *c, const table *t, const table_row *row, int which) {
+    text out;
+    text_init(&out);
+    for (int k = 0; which == 0 && k < t->dimension; k++) {
+        field f = table_field(t, row, (column)(COLUMN_X + k));
+        text_put(&out, k ? " " : "");
+        text_bytes(&out, f.start, f.length);
+    }
+    if (which)
+        put_answers(&out, c, t, row, which == 2);
+    return text_take(&out);
+}
+
+static graze_status show(graze_comparison *c, const run *r, const table_row *golden,
+                         const table_row *candidate) {
+    if (c->shown == c->options.show)
+        return GRAZE_OK;
+    if (!array_reserve(&c->disagreements, &c->shown_capacity, c->shown + 1,
+                       sizeof *c->disagreements))
+        return comparison_no_memory(r->context);
+    disagreement *d = &c->disagreements[c->shown++];
+    memset(d, 0, sizeof *d);
+    d->row = golden ? c->rows - 1 : c->rows;
+    d->golden_line = golden ? golden->line : 0;
+    d->candidate_line = candidate ? candidate->line : 0;
+    d->point =
+        golden ? row_text(c, &r->golden, golden, 0) : row_text(c, &r->candidate, candidate, 0);
+    d->golden = golden ? row_text(c, &r->golden, golden, 1) : NULL;
+    d->candidate = candidate ? row_text(c, &r->candidate, candidate, 2) : NULL;
+    int failed = !d->point || (golden && !d->golden) || (candidate && !d->candidate);
+    if (c->options.transient && golden)
+        failed |= !(d->golden_row = table_row_text(golden));
+    if (c->options.transient && candidate)
+        failed |= !(d->candidate_row = table_row_text(candidate));
+    return failed ? comparison_no_memory(r->context) : GRAZE_OK;
+}
+
+static graze_status count_groups(graze_comparison *c, const run *r, const table_row *row, char what,
+                                 const valuation *value) {
+    const value_error *error = value->judged ? &value->error : NULL;
+    graze_status status = GRAZE_OK;
+    if (error && !errors_add(&c->values, *error))
+        status = comparison_no_memory(r->context);
+    for (int g = 0; g < GROUPING_COUNT && !status; g++) {
+        field name = g == BY_SDF ? (field){value->decade, strlen(value->decade)}
+                                 : table_field(&r->golden, row, grouping_column((grouping)g));
+        if (c->grouped[g] && (name.length || g != BY_DISTANCE))
+            status = tally_add(&c->tallies[g], r->context, name, what, error);
+    }
+    return status;
+}
+
+/* Count a golden row: missing, wrong, apart or agreeing. */
+static graze_status count_row(graze_comparison *c, const run *r, const table_row *golden,
+                              const table_row *candidate, const judgement *j,
+                              const valuation *value) {
+    char what = !candidate ? 'm' : j->any_wrong ? 'w' : j->apart ? 'p' : 'a';
+    c->rows++;
+    c->missing += what == 'm';
+    c->wrong += what == 'w';
+    c->apart += what == 'p';
+    c->agree += what == 'a';
+    for (int k = 0; candidate && k < JUDGED_COUNT; k++)
+        c->column_wrong[k] += (unsigned long)j->wrong[k];
+    graze_status status = count_groups(c, r, golden, what, value);
+    return status || what == 'a' || what == 'p' ? status : show(c, r, golden, candidate);
+}
+
+static graze_status count_contacts(graze_comparison *c, run *r, const table_row *golden,
+                                   const table_row *candidate) {
+    judgement j = {{0}, 0, 0, 0};
+    valuation none = {.certain = 1};
+    graze_status status = sites_judge(j.wrong, c, &r->golden, golden, &r->candidate, candidate);
+    for (int k = 0; k < JUDGED_COUNT; k++)
+        j.any_wrong |= j.wrong[k];
+    return status ? status : count_row(c, r, golden, candidate, &j, &none);
+}
+
+static graze_status count_pair(graze_comparison *c, run *r, const table_row *golden,
+                               const table_row *candidate) {
+    answer right, given = {-1, -1, 0, 0, {"", 0}};
+    int known[JUDGED_COUNT];
+    memcpy(known, c->judged, sizeof known);
+    known[JUDGED_PMC] = 1;
+    graze_status status = answer_read(&right, &r->golden, golden, known, 0);
+    if (!status && candidate)
+        status = answer_read(&given, &r->candidate, candidate, c->judged,
+                             c->options.has == GRAZE_HAS_SDF);
+    valuation value = {.certain = 1};
+    if (!status && c->enclosed)
+        status = valuation_read(&value, c, &r->golden, golden, &r->candidate, candidate, right.pmc);
+    if (status)
+        return status;
+    judgement j = judge(c, &r->golden, golden, &right, &given, &value);
+    c->uncertain += !value.certain;
+    if (j.apart && candidate)
+        c->apart_answers[given.pmc]++;
+    else if (c->judged[JUDGED_PMC])
+        c->confusion.pmc[j.truth][candidate ? given.pmc : 3]++;
+    if (c->judged[JUDGED_CLASS])
+        c->confusion.class_[right.class_][candidate ? given.class_ : 5]++;
+    return count_row(c, r, golden, candidate, &j, &value);
+}
+
+static graze_status count_all(graze_comparison *c, run *r) {
+    for (unsigned long n = 0;; n++) {
+        const table_row *golden, *candidate;
+        graze_status status = match_next(&r->match, &golden, &candidate);
+        if (!status && n % 1024 == 0)
+            status = context_poll(r->context);
+        if (status || (!golden && !candidate))
+            return status;
+        if (golden) {
+            status = (c->contacts ? count_contacts : count_pair)(c, r, golden, candidate);
+        } else {
+            c->extra++;
+            status = show(c, r, NULL, candidate);
+        }
+        if (status)
+            return status;
+    }
+}
+
+static graze_status finish_comparison(const run *r) {
+    if (!r->golden.complete)
+        return context_fail_in(r->context, GRAZE_EINPUT, r->golden.in.name, 0,
+                               "ends after %lu rows without `# complete`; expected a whole table",
+                               r->golden.rows);
+    return match_finish(&r->match);
+}
+
+static int copy_names(graze_comparison *c, const char *golden, const char *candidate) {
+    c->golden = strdup(golden);
+    c->candidate = strdup(candidate);
+    c->solid = strdup(c->options.solid ? c->options.solid : "SOLID");
+    c->motion = strdup(c->options.motion ? c->options.motion : "MOTION");
+    return c->golden && c->candidate && c->solid && c->motion;
+}
+
+graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
+                             const char *candidate, const graze_compare_options *options) {
+    if (options)
+        out->options = *options;
+    out->rounding = context->rounding;
+    fmpq_init(out->tolerance);
+    fmpq_init(out->eta);
+    if (!copy_names(out, golden, candidate))
+        return comparison_no_memory(context);
+    run *r = calloc(1, sizeof *r);
+    if (!r)
+        return comparison_no_memory(context);
+    r->context = context;
+    graze_status status = start(out, r, golden, candidate);
+    if (!status)
+        status = count_all(out, r);
+    if (!status)
+        status = finish_comparison(r);
+    for (int g = 0; g < GROUPING_COUNT; g++)
+        tally_sort(&out->tallies[g]);
+    match_clear(&r->match);
+    table_close(&r->golden);
+    table_close(&r->candidate);
+    free(r);
+    return status;
+}
+
+void comparison_clear(graze_comparison *c) {
+    for (size_t k = 0; k < c->shown; k++) {
+        free(c->disagreements[k].point);
+        free(c->disagreements[k].golden);
+        free(c->disagreements[k].candidate);
+        free(c->disagreements[k].golden_row);
+        free(c->disagreements[k].candidate_row);
+    }
+    for (int g = 0; g < GROUPING_COUNT; g++)
+        tally_clear(&c->tallies[g]);
+    errors_clear(&c->values);
+    fmpq_clear(c->tolerance);
+    fmpq_clear(c->eta);
+    free(c->disagreements);
+    free(c->explain_options);
+    free(c->golden_columns);
+    free(c->candidate_columns);
+    free(c->golden);
+    free(c->candidate);
+    free(c->solid);
+    free(c->motion);
+}

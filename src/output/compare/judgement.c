@@ -1,0 +1,165 @@
+/* Reads answers and judges them under the question asked.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/compare/judgement.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "base/number/rational.h"
+
+const char *const class_words[5] = {"regular", "fold", "fold_boundary", "boundary", "exterior"};
+
+static const column judged_columns[JUDGED_COUNT] = {
+    COLUMN_PMC,         COLUMN_CLASS, COLUMN_I,       COLUMN_T,
+    COLUMN_CELL,        COLUMN_ROLE,  COLUMN_THETA,   COLUMN_CONTACT_ORDER,
+    COLUMN_ORIENTATION, COLUMN_LEFT,  COLUMN_RIGHT,   COLUMN_TRIMMED,
+    COLUMN_STATUS,      COLUMN_NEAR,  COLUMN_NEAR_IN, COLUMN_WORD,
+    COLUMN_SHIFT,       COLUMN_SDF};
+
+column judged_column(int judged) {
+    return judged_columns[judged];
+}
+
+const char *judged_name(int judged) {
+    return column_name(judged_columns[judged]);
+}
+
+graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right) {
+    field f = table_field(t, row, c);
+    return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
+                           "%s: '%.*s' is no answer; expected %s", column_name(c), FIELD_SHOWN(f),
+                           right);
+}
+
+static int index_of(field f, const char *const *words, int count) {
+    for (int k = 0; k < count; k++)
+        if (field_is(f, words[k]))
+            return k;
+    return -1;
+}
+
+static int read_whole(unsigned long *out, field f) {
+    char text[24], *end;
+    if (!f.length || f.length > 18 || *f.start < '0' || *f.start > '9')
+        return 0;
+    memcpy(text, f.start, f.length);
+    text[f.length] = '\0';
+    *out = strtoul(text, &end, 10);
+    return !*end;
+}
+
+/* The sign of a number token is that of its digits before an exponent or a denominator: no value
+ * need be made, and none can underflow. */
+static int answer_sign(field f) {
+    size_t n = 0;
+    while (n < f.length && !strchr("eE/", f.start[n]))
+        n++;
+    for (size_t k = 0; k < n; k++)
+        if (f.start[k] >= '1' && f.start[k] <= '9')
+            return *f.start == '-' ? -1 : 1;
+    return 0;
+}
+
+static int zero_denominator(field f) {
+    const char *slash = memchr(f.start, '/', f.length);
+    return slash && answer_sign((field){slash + 1, (size_t)(f.start + f.length - slash - 1)}) == 0;
+}
+
+static graze_status read_distance(int *pmc, const table *t, const table_row *row) {
+    field f = table_field(t, row, COLUMN_SDF);
+    if (!rational_is_token(f.start, f.length) || zero_denominator(f))
+        return judged_no_answer(t, row, COLUMN_SDF, "a number, negative inside");
+    int sign = answer_sign(f);
+    *pmc = sign < 0 ? PMC_IN : sign > 0 ? PMC_OUT : PMC_ON;
+    return GRAZE_OK;
+}
+
+graze_status judged_word(const table *t, const table_row *row) {
+    field word = table_field(t, row, COLUMN_WORD);
+    for (size_t k = 0; k < word.length || k == 0; k++)
+        if (!word.length || !strchr("IBO", word.start[k]))
+            return judged_no_answer(t, row, COLUMN_WORD, "letters I, B, O");
+    return GRAZE_OK;
+}
+
+graze_status answer_read(answer *out, const table *t, const table_row *row, const int *judged,
+                         int sdf) {
+    *out = (answer){-1, -1, 0, 0, {"", 0}};
+    if (sdf)
+        return read_distance(&out->pmc, t, row);
+    if (judged[JUDGED_PMC]) {
+        out->pmc = index_of(table_field(t, row, COLUMN_PMC), pmc_words, 3);
+        if (out->pmc < 0)
+            return judged_no_answer(t, row, COLUMN_PMC, "in, on or out");
+    }
+    if (judged[JUDGED_CLASS]) {
+        out->class_ = index_of(table_field(t, row, COLUMN_CLASS), class_words, 5);
+        if (out->class_ < 0)
+            return judged_no_answer(t, row, COLUMN_CLASS,
+                                    "regular, fold, fold_boundary, boundary or exterior");
+    }
+    if (judged[JUDGED_I] && !read_whole(&out->i, table_field(t, row, COLUMN_I)))
+        return judged_no_answer(t, row, COLUMN_I, "a whole number");
+    if (judged[JUDGED_T] && !read_whole(&out->t, table_field(t, row, COLUMN_T)))
+        return judged_no_answer(t, row, COLUMN_T, "a whole number");
+    out->word = table_field(t, row, COLUMN_WORD);
+    return judged[JUDGED_WORD] ? judged_word(t, row) : GRAZE_OK;
+}
+
+/* An `on` point is certainly on the boundary of the closed sweep if its one contact is an instant
+ * in a face (d = 2: an edge): the solid is there on one side of a plane only. That it is an instant
+ * is known of points made in their face, not displaced, by a contact of finite order; at a break
+ * point the order is that of one side. */
+static int surely_boundary(const table *t, const table_row *row) {
+    unsigned long i, tangencies, order;
+    const char *flat = t->dimension == 2 ? "edge" : "face";
+    field cell = table_field(t, row, COLUMN_CELL);
+    int one = read_whole(&i, table_field(t, row, COLUMN_I)) &&
+              read_whole(&tangencies, table_field(t, row, COLUMN_T)) && i + tangencies == 1;
+    int in_face = cell.length >= 4 && memcmp(cell.start, flat, 4) == 0;
+    int instant = read_whole(&order, table_field(t, row, COLUMN_ORDER)) &&
+                  !field_is(table_field(t, row, COLUMN_STRATUM), "break");
+    return one && in_face && instant && table_field(t, row, COLUMN_K).length == 0;
+}
+
+/* The golden pmc under the question. */
+static int truth_of(int *apart, const graze_comparison *c, const table *t, const table_row *row,
+                    int pmc) {
+    *apart = 0;
+    if (c->options.question == GRAZE_QUESTION_OPEN || pmc != PMC_ON)
+        return pmc;
+    field topo = table_field(t, row, COLUMN_TOPO);
+    if (field_is(topo, "interior"))
+        return PMC_IN;
+    if (!field_is(topo, "boundary"))
+        *apart = topo.length > 0 || !surely_boundary(t, row);
+    return PMC_ON;
+}
+
+static int pmc_wrong(graze_on_as on_as, int truth, int given) {
+    if (on_as == GRAZE_ON_AS_ANY && truth == PMC_ON)
+        return 0;
+    if (on_as == GRAZE_ON_AS_IN || on_as == GRAZE_ON_AS_OUT) {
+        int side = on_as == GRAZE_ON_AS_IN ? PMC_IN : PMC_OUT;
+        truth = truth == PMC_ON ? side : truth;
+        given = given == PMC_ON ? side : given;
+    }
+    return truth != given;
+}
+
+judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
+                const answer *right, const answer *given, const valuation *value) {
+    judgement j = {{0}, 0, 0, 0};
+    j.truth = truth_of(&j.apart, c, golden, row, right->pmc);
+    j.apart |= !value->certain;
+    j.wrong[JUDGED_PMC] =
+        c->judged[JUDGED_PMC] && !j.apart && pmc_wrong(c->options.on_as, j.truth, given->pmc);
+    j.wrong[JUDGED_CLASS] = c->judged[JUDGED_CLASS] && right->class_ != given->class_;
+    j.wrong[JUDGED_I] = c->judged[JUDGED_I] && right->i != given->i;
+    j.wrong[JUDGED_T] = c->judged[JUDGED_T] && right->t != given->t;
+    j.wrong[JUDGED_WORD] = c->judged[JUDGED_WORD] && !field_equal(right->word, given->word);
+    j.wrong[JUDGED_SDF] = c->judged[JUDGED_SDF] && value->judged && value->error.beyond;
+    for (int k = 0; k < JUDGED_COUNT; k++)
+        j.any_wrong |= j.wrong[k];
+    return j;
+}

@@ -1,0 +1,133 @@
+/* Chooses the columns of keys, checks their numbers and makes digests of them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/compare/key.h"
+
+#include <flint/fmpq.h>
+#include <string.h>
+#include "base/number/rational.h"
+#include "base/number/text.h"
+#include "output/compare/moment.h"
+
+static const row_key the_id = {1, 1, {COLUMN_ID}};
+
+static int both_have_id(const table *golden, const table *candidate) {
+    return golden->where[COLUMN_ID] >= 0 && candidate->where[COLUMN_ID] >= 0;
+}
+
+graze_status key_of_points(row_key *out, const table *golden, const table *candidate) {
+    int dimension = golden->dimension;
+    *out = (row_key){0, (size_t)dimension, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
+    if (both_have_id(golden, candidate)) {
+        *out = the_id;
+        return GRAZE_OK;
+    }
+    if (!candidate->dimension || candidate->dimension < dimension)
+        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "no columns %s, and no id that the golden table has too; expected "
+                               "one of them, to match rows by",
+                               dimension == 2 ? "x, y" : "x, y, z");
+    if (candidate->dimension > dimension)
+        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "a column z; expected x and y, as the golden table has dimension 2");
+    return GRAZE_OK;
+}
+
+/* Has a table the columns of time and of a point with this first coordinate? */
+static int has_contact(const table *t, column first, size_t dimension) {
+    int has = t->where[COLUMN_TIME] >= 0;
+    for (size_t k = 0; k < dimension; k++)
+        has = has && t->where[first + k] >= 0;
+    return has;
+}
+
+graze_status key_of_contacts(row_key *out, const table *golden, const table *candidate) {
+    *out = the_id;
+    if (both_have_id(golden, candidate))
+        return GRAZE_OK;
+    size_t dimension = golden->where[COLUMN_BZ] >= 0 || golden->where[COLUMN_Z] >= 0 ? 3 : 2;
+    const char *told = golden->notes[NOTE_DIMENSION];
+    if (told && strcmp(told, "2") == 0)
+        dimension = 2;
+    static const column firsts[] = {COLUMN_BX, COLUMN_X};
+    for (int k = 0; k < 2; k++) {
+        if (!has_contact(golden, firsts[k], dimension) ||
+            !has_contact(candidate, firsts[k], dimension))
+            continue;
+        *out = (row_key){0, dimension + 1, {COLUMN_TIME}};
+        for (size_t axis = 0; axis < dimension; axis++)
+            out->at[axis + 1] = (column)(firsts[k] + axis);
+        return GRAZE_OK;
+    }
+    return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
+                           "no columns %s that %s has too, and no id; expected one of them, to "
+                           "match contact points by",
+                           dimension == 2 ? "time, bx, by or time, x, y"
+                                          : "time, bx, by, bz or time, x, y, z",
+                           golden->in.name);
+}
+
+graze_status key_check(const row_key *key, const table *t, const table_row *row) {
+    for (size_t k = 0; k < key->count && !key->by_id; k++) {
+        field f = table_field(t, row, key->at[k]);
+        int time = key->at[k] == COLUMN_TIME;
+        if (time ? !moment_is_token(f) : !rational_is_token(f.start, f.length))
+            return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
+                                   "%s: '%.*s' is not a %s; expected one such as %s",
+                                   column_name(key->at[k]), FIELD_SHOWN(f),
+                                   time ? "time" : "number",
+                                   time ? MOMENT_FORMS : "-12, 0.1, 1.5e-3, 22/7");
+    }
+    return GRAZE_OK;
+}
+
+/* A number in lowest terms after rounding; a root as it is written. */
+static graze_status put_key_number(text *out, fmpq_t value, const table *t, const table_row *row,
+                                   column which) {
+    graze_context *context = t->in.context;
+    field f = table_field(t, row, which);
+    if (which == COLUMN_TIME && moment_is_root(f)) {
+        text_bytes(out, f.start, f.length);
+        return GRAZE_OK;
+    }
+    graze_status status = rational_parse(value, context, f.start, f.length);
+    if (status) {
+        context_item(context, status, NULL, 0, column_name(which));
+        return context_in(context, status, t->in.name, row->line);
+    }
+    text_rational(out, value);
+    return GRAZE_OK;
+}
+
+/* All numbers of the key, parted by blanks. */
+static graze_status put_key(text *out, const row_key *key, const table *t, const table_row *row) {
+    graze_status status = GRAZE_OK;
+    fmpq_t value;
+    fmpq_init(value);
+    for (size_t k = 0; !status && k < key->count; k++) {
+        status = put_key_number(out, value, t, row, key->at[k]);
+        text_put(out, " ");
+    }
+    fmpq_clear(value);
+    return !status && out->failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory")
+                                  : status;
+}
+
+graze_status key_make(table_row *row, const row_key *key, const table *t) {
+    if (row->keyed)
+        return GRAZE_OK;
+    if (key->by_id) {
+        field f = table_field(t, row, COLUMN_ID);
+        row->key = digest_of(f.start, f.length);
+        row->keyed = 1;
+        return GRAZE_OK;
+    }
+    text bytes;
+    text_init(&bytes);
+    graze_status status = put_key(&bytes, key, t, row);
+    if (!status)
+        row->key = digest_of(bytes.data, bytes.length);
+    row->keyed = !status;
+    text_clear(&bytes);
+    return status;
+}

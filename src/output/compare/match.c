@@ -1,0 +1,198 @@
+/* Matches rows by order, with the point or an id as check.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Where the next rows differ, the nearest pair of equal rows ahead is found, so that the fewest
+ * rows are without a counterpart. If there is none, the golden table goes on alone until it comes
+ * to a row of the candidate's window.
+ */
+#include "output/compare/match.h"
+
+#include "base/context/context.h"
+
+void match_start(match *m, graze_context *context, table *golden, table *candidate,
+                 const row_key *key, int any_order) {
+    m->context = context;
+    m->golden.table = golden;
+    m->candidate.table = candidate;
+    m->key = *key;
+    m->any_order = any_order;
+}
+
+void match_clear(match *m) {
+    for (size_t k = 0; k < MATCH_AHEAD; k++) {
+        table_row_clear(&m->golden.rows[k]);
+        table_row_clear(&m->candidate.rows[k]);
+    }
+    row_index_clear(&m->index);
+}
+
+static table_row *row_at(row_window *w, size_t k) {
+    return &w->rows[(w->first + k) % MATCH_AHEAD];
+}
+
+static void drop(row_window *w) {
+    w->first = (w->first + 1) % MATCH_AHEAD;
+    w->count--;
+}
+
+/* Read rows until the window has `count` of them or the table ends. */
+static graze_status fill(match *m, row_window *w, size_t count) {
+    graze_status status = GRAZE_OK;
+    while (!status && w->count < count && !w->ended) {
+        table_row *row = row_at(w, w->count);
+        int more;
+        status = table_next(w->table, row, &more);
+        w->ended = !more;
+        if (!status && more)
+            status = key_check(&m->key, w->table, row);
+        w->count += !status && more;
+    }
+    return status;
+}
+
+/* Fill both windows and make all keys. */
+static graze_status look_ahead(match *m) {
+    row_window *const both[] = {&m->golden, &m->candidate};
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 2 && !status; k++) {
+        status = fill(m, both[k], MATCH_AHEAD);
+        for (size_t r = 0; r < both[k]->count && !status; r++)
+            status = key_make(row_at(both[k], r), &m->key, both[k]->table);
+    }
+    return status;
+}
+
+/* Same bytes are the same point; others are compared as numbers, after rounding. */
+static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
+    *same = 1;
+    for (size_t k = 0; k < m->key.count && *same; k++)
+        *same = field_equal(table_field(m->golden.table, g, m->key.at[k]),
+                            table_field(m->candidate.table, c, m->key.at[k]));
+    if (*same || m->key.by_id)
+        return GRAZE_OK;
+    graze_status status = key_make(g, &m->key, m->golden.table);
+    if (!status)
+        status = key_make(c, &m->key, m->candidate.table);
+    *same = !status && digest_equal(g->key, c->key);
+    return status;
+}
+
+/* The nearest pair of equal rows: fewest rows skipped, missing ones rather than extra ones. */
+static int nearest_rounding(match *m) {
+    size_t golden = m->golden.count, candidate = m->candidate.count;
+    for (size_t sum = 1; sum + 1 < golden + candidate; sum++)
+        for (size_t extra = sum < golden ? 0 : sum - golden + 1; extra <= sum && extra < candidate;
+             extra++)
+            if (digest_equal(row_at(&m->golden, sum - extra)->key,
+                             row_at(&m->candidate, extra)->key)) {
+                m->skip_golden = sum - extra;
+                m->skip_candidate = extra;
+                return 1;
+            }
+    return 0;
+}
+
+/* No pair ahead: the golden rows of the window are missing. Past the golden table's end the
+ * candidate's rows are extra. */
+static void skip_window(match *m) {
+    m->skip_golden = m->golden.count;
+    m->skip_candidate = m->golden.ended ? m->candidate.count : 0;
+}
+
+static graze_status resynchronise(match *m) {
+    graze_status status = look_ahead(m);
+    if (!status && !nearest_rounding(m))
+        skip_window(m);
+    return status;
+}
+
+static void add_key(digest *sum, digest key) {
+    sum->high += key.high;
+    sum->low += key.low;
+}
+
+/* Hand out one row without a counterpart. */
+static graze_status alone(match *m, row_window *w, const table_row **out) {
+    table_row *row = row_at(w, 0);
+    graze_status status = key_make(row, &m->key, w->table);
+    int golden = w == &m->golden;
+    add_key(golden ? &m->missing : &m->extra, row->key);
+    *(golden ? &m->missing_count : &m->extra_count) += 1;
+    size_t *skip = golden ? &m->skip_golden : &m->skip_candidate;
+    *skip -= *skip > 0;
+    *out = row;
+    drop(w);
+    return status;
+}
+
+/* The next golden row with one of the candidate that has its key, then the rest of these. */
+static graze_status next_of_any_order(match *m, const table_row **golden,
+                                      const table_row **candidate) {
+    graze_status status = fill(m, &m->golden, 1);
+    if (!status && !m->indexed)
+        status = row_index_read(&m->index, m->candidate.table, &m->key);
+    m->indexed = 1;
+    if (!status && !m->golden.count) {
+        status = row_index_rest(&m->index, candidate);
+        m->extra_count += *candidate != NULL;
+        return status;
+    }
+    table_row *row = row_at(&m->golden, 0);
+    if (!status)
+        status = key_make(row, &m->key, m->golden.table);
+    if (!status)
+        status = row_index_take(&m->index, candidate, row->key);
+    if (status)
+        return status;
+    *golden = row;
+    drop(&m->golden);
+    *(*candidate ? &m->pairs : &m->missing_count) += 1;
+    return GRAZE_OK;
+}
+
+graze_status match_next(match *m, const table_row **golden, const table_row **candidate) {
+    *golden = *candidate = NULL;
+    if (m->any_order)
+        return next_of_any_order(m, golden, candidate);
+    int same = 0;
+    graze_status status = GRAZE_OK;
+    if (!m->skip_golden && !m->skip_candidate) {
+        status = fill(m, &m->golden, 1);
+        if (!status)
+            status = fill(m, &m->candidate, 1);
+        if (!status && m->golden.count && m->candidate.count)
+            status = same_row(&same, m, row_at(&m->golden, 0), row_at(&m->candidate, 0));
+        if (!status && !same && m->golden.count && m->candidate.count)
+            status = resynchronise(m);
+    }
+    if (status)
+        return status;
+    if (same) {
+        *golden = row_at(&m->golden, 0);
+        *candidate = row_at(&m->candidate, 0);
+        drop(&m->golden);
+        drop(&m->candidate);
+        m->pairs++;
+        return GRAZE_OK;
+    }
+    if (m->skip_golden || (m->golden.count && !m->skip_candidate))
+        return alone(m, &m->golden, golden);
+    return m->candidate.count ? alone(m, &m->candidate, candidate) : GRAZE_OK;
+}
+
+graze_status match_finish(const match *m) {
+    const table *golden = m->golden.table, *candidate = m->candidate.table;
+    if (!m->pairs && m->missing_count && m->extra_count)
+        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "no row is one of %s; expected the same %s; "
+                               "where coordinates were rounded, a comparison that rounds them too "
+                               "(binary64), or a column id in both tables",
+                               golden->in.name,
+                               m->any_order ? "times and points" : "points in the same order");
+    if (!m->any_order && m->missing_count && m->missing_count == m->extra_count &&
+        digest_equal(m->missing, m->extra))
+        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "has the rows of %s in another order; expected the same order",
+                               golden->in.name);
+    return GRAZE_OK;
+}

@@ -1,0 +1,205 @@
+/* Reports of comparisons as Markdown.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/compare/report_text.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "output/compare/judgement.h"
+#include "output/compare/report_sites.h"
+#include "output/compare/report_values.h"
+
+/* A word for the shell; quoted where it holds more than plain characters. */
+static void put_word(text *out, const char *word) {
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "_./-+:@%,=";
+    if (*word && strspn(word, plain) == strlen(word)) {
+        text_put(out, word);
+        return;
+    }
+    text_put(out, "'");
+    for (; *word; word++)
+        text_put(out, *word == '\'' ? "'\\''" : (char[]){*word, '\0'});
+    text_put(out, "'");
+}
+
+char *explain_command(const graze_comparison *c, const disagreement *d) {
+    text command;
+    text_init(&command);
+    text_put(&command, "graze explain ");
+    put_word(&command, c->solid);
+    text_put(&command, " ");
+    put_word(&command, c->motion);
+    text_format(&command, " %s%s", d->point, c->explain_options);
+    return text_take(&command);
+}
+
+/* A share with two digits, rounded to nearest, from whole numbers: it does not depend on the
+ * locale. */
+static void put_share(text *out, unsigned long part, unsigned long whole) {
+    unsigned long long hundredths = whole ? (20000ull * part + whole) / (2ull * whole) : 0;
+    text_format(out, "%llu.%02llu %%", hundredths / 100, hundredths % 100);
+}
+
+/* Numbers that were rounded on the way leave rows on both sides without a counterpart. */
+const char *comparison_hint(const graze_comparison *c) {
+    unsigned long fewer = c->missing < c->extra ? c->missing : c->extra;
+    int many = 20 * fewer >= c->rows && 2 * fewer >= c->missing && 2 * fewer >= c->extra;
+    if (!fewer || !many || c->key.by_id)
+        return NULL;
+    return c->rounding == GRAZE_ROUND_NONE
+               ? "many rows are missing and as many extra: the candidate's coordinates look "
+                 "rounded; `--round binary64` rounds the golden ones too, and a column `id` in "
+                 "both tables matches rows without coordinates"
+               : "many rows are missing and as many extra, rounded too: the candidate's "
+                 "coordinates are other numbers; 17 digits keep a binary64, and a column `id` in "
+                 "both tables matches rows without coordinates";
+}
+
+/* What is said in place of the name of a file that is gone. */
+static const char *table_shown(const graze_comparison *c, const char *name) {
+    return c->options.transient ? "made for this report and not kept; rows stand below" : name;
+}
+
+static void put_summary(text *out, const graze_comparison *c) {
+    static const char *const on_as[] = {"an answer of its own", "right whatever is answered", "in",
+                                        "out"};
+    text_put(out, "golden: ");
+    text_markdown(out, table_shown(c, c->golden));
+    text_put(out, "\ncandidate: ");
+    text_markdown(out, table_shown(c, c->candidate));
+    text_put(out, "\n");
+    if (c->contacts)
+        put_sites(out, c);
+    else
+        text_format(out, "question: %s sweep; `on` counts as %s; rounding: %s\n",
+                    c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open",
+                    on_as[c->options.on_as], graze_rounding_name(c->rounding));
+    text_put(out, "judged:");
+    for (int k = 0; k < JUDGED_COUNT; k++)
+        if (c->judged[k])
+            text_format(out, " %s", judged_name(k));
+    text_format(out, "%s\n\n",
+                c->options.has == GRAZE_HAS_SDF ? " (from the sign of sdf, negative inside)" : "");
+    text_format(out,
+                "| rows | agree | wrong | missing | apart | extra |\n|--:|--:|--:|--:|--:|--:|\n");
+    text_format(out, "| %lu | %lu | %lu | %lu | %lu | %lu |\n\n", c->rows, c->agree, c->wrong,
+                c->missing, c->apart, c->extra);
+    text_put(out, "wrong: ");
+    put_share(out, c->wrong, c->rows);
+    text_put(out, " of the rows");
+    for (int k = 0; k < JUDGED_COUNT; k++)
+        if (c->judged[k])
+            text_format(out, "; %s %lu", judged_name(k), c->column_wrong[k]);
+    text_put(out, "\n");
+    if (comparison_hint(c))
+        text_format(out, "hint: %s\n", comparison_hint(c));
+    if (c->options.question == GRAZE_QUESTION_CLOSED)
+        text_format(out,
+                    "apart: `on` rows that may be seams, where the closed sweep goes on around the "
+                    "point; answered in %lu, on %lu, out %lu\n",
+                    c->apart_answers[0], c->apart_answers[1], c->apart_answers[2]);
+    put_values(out, c);
+    put_sites_by_column(out, c);
+}
+
+static void put_matrix(text *out, const char *name, const char *const *words, int count,
+                       const unsigned long *cells) {
+    text_format(out, "\n| golden %s \\ candidate |", name);
+    for (int k = 0; k < count; k++)
+        text_format(out, " %s |", words[k]);
+    text_put(out, " missing |\n|---|");
+    for (int k = 0; k <= count; k++)
+        text_put(out, "--:|");
+    text_put(out, "\n");
+    for (int r = 0; r < count; r++) {
+        text_format(out, "| %s |", words[r]);
+        for (int k = 0; k <= count; k++)
+            text_format(out, " %lu |", cells[r * (count + 1) + k]);
+        text_put(out, "\n");
+    }
+}
+
+static void put_group(text *out, const char *name, const group *g) {
+    if (!g->rows)
+        return;
+    text_put(out, "| ");
+    text_markdown(out, *name ? name : "-");
+    text_format(out, " | %lu | %lu | ", g->rows, g->wrong);
+    put_share(out, g->wrong, g->rows);
+    text_format(out, " | %lu | %lu |\n", g->missing, g->apart);
+}
+
+static void put_tally(text *out, grouping by, const tally *t) {
+    if (!t->count)
+        return;
+    text_format(out,
+                "\n| %s | rows | wrong | share | missing | apart |\n|---|--:|--:|--:|--:|--:|\n",
+                grouping_title(by));
+    for (size_t k = 0; k < t->count; k++)
+        put_group(out, t->groups[k].name, &t->groups[k]);
+    put_group(out, "(others)", &t->others);
+}
+
+/* The rows of transient tables that disagree. */
+static void put_side_rows(text *out, const graze_comparison *c, int candidate) {
+    text_format(out, "\nRows of the %s:\n\n    %s\n", candidate ? "candidate" : "golden table",
+                candidate ? c->candidate_columns : c->golden_columns);
+    for (size_t k = 0; k < c->shown; k++) {
+        const disagreement *d = &c->disagreements[k];
+        const char *row = candidate ? d->candidate_row : d->golden_row;
+        if (row)
+            text_format(out, "    %s\n", row);
+    }
+}
+
+static void put_disagreement(text *out, const graze_comparison *c, const disagreement *d) {
+    if (d->golden && c->options.transient)
+        text_put(out, "golden, ");
+    else if (d->golden)
+        text_format(out, "line %lu of the golden table, ", d->golden_line);
+    text_markdown(out, d->golden ? d->golden : "no row of the golden table");
+    if (d->candidate && c->options.transient)
+        text_put(out, "\n   candidate, ");
+    else if (d->candidate)
+        text_format(out, "\n   candidate, line %lu, ", d->candidate_line);
+    else
+        text_put(out, "\n   candidate: ");
+    text_markdown(out, d->candidate ? d->candidate : "no row");
+    text_put(out, "\n   ");
+    char *command = *d->point ? explain_command(c, d) : NULL;
+    if (*d->point && !command)
+        out->failed = 1;
+    else
+        text_code(out, command ? command : "(no point)");
+    text_put(out, "\n");
+    free(command);
+}
+
+static void put_disagreements(text *out, const graze_comparison *c) {
+    if (c->shown)
+        text_format(out, "\nThe first %zu of %lu disagreements:\n", c->shown,
+                    c->wrong + c->missing + c->extra);
+    for (size_t k = 0; k < c->shown; k++) {
+        const disagreement *d = &c->disagreements[k];
+        text_format(out, "\n%zu. ", k + 1);
+        put_disagreement(out, c, d);
+    }
+    for (int side = 0; side < 2 && c->shown && c->options.transient; side++)
+        put_side_rows(out, c, side);
+}
+
+graze_status comparison_text(char **out, graze_context *context, const graze_comparison *c) {
+    text bytes;
+    text_init(&bytes);
+    put_summary(&bytes, c);
+    if (c->judged[JUDGED_PMC])
+        put_matrix(&bytes, "pmc", pmc_words, 3, &c->confusion.pmc[0][0]);
+    if (c->judged[JUDGED_CLASS])
+        put_matrix(&bytes, "class", class_words, 5, &c->confusion.class_[0][0]);
+    for (int g = 0; g < GROUPING_COUNT; g++)
+        put_tally(&bytes, (grouping)g, &c->tallies[g]);
+    put_values_by(&bytes, c);
+    put_disagreements(&bytes, c);
+    return text_finish(out, context, &bytes);
+}

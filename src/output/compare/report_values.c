@@ -1,0 +1,157 @@
+/* Reports errors of values, as Markdown and as JSON.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/compare/report_values.h"
+
+#include "output/compare/json_put.h"
+
+static const struct quantile {
+    const char *name;
+    unsigned long per_mille;
+} quantiles[] = {{"50", 500}, {"90", 900}, {"99", 990}, {"99.9", 999}};
+
+enum { QUANTILES = sizeof quantiles / sizeof *quantiles };
+
+/* Groupings whose groups have errors of values in the report. */
+static const grouping shown_by[] = {BY_STRATUM, BY_DISTANCE, BY_SDF};
+
+enum { SHOWN_BY = sizeof shown_by / sizeof *shown_by };
+
+static const char *truth_name(const graze_comparison *c) {
+    return c->options.truth == GRAZE_TRUTH_OUTSIDE ? "outside" : "pseudo";
+}
+
+static unsigned long values_within(const errors *e) {
+    return e->rows - e->over - e->under;
+}
+
+static void put_errors_head(text *out, const char *name) {
+    text_format(out, "\n| %s | values | within | over | under | beyond |", name);
+    for (int k = 0; k < QUANTILES; k++)
+        text_format(out, " %s %% |", quantiles[k].name);
+    text_put(out, " largest | largest over |\n|---|");
+    for (int k = 0; k < 5 + QUANTILES + 2; k++)
+        text_put(out, "--:|");
+    text_put(out, "\n");
+}
+
+static void put_errors_line(text *out, const graze_comparison *c, const char *name,
+                            const errors *e) {
+    char number[CEILING_ROOM];
+    text_put(out, "| ");
+    text_markdown(out, *name ? name : "-");
+    text_format(out, " | %lu | %lu | %lu | %lu | ", e->rows, values_within(e), e->over, e->under);
+    if (c->options.sdf_tolerance)
+        text_format(out, "%lu |", e->beyond);
+    else
+        text_put(out, "- |");
+    for (int k = 0; k < QUANTILES; k++) {
+        ceiling_text(number, errors_quantile(e, quantiles[k].per_mille));
+        text_format(out, " %s |", number);
+    }
+    ceiling_text(number, e->largest);
+    text_format(out, " %s |", number);
+    ceiling_text(number, e->largest_over);
+    text_format(out, " %s |\n", number);
+}
+
+void put_values(text *out, const graze_comparison *c) {
+    const graze_compare_options *o = &c->options;
+    if (o->motion_error)
+        text_format(out,
+                    "motion error: %s; rows whose answer is not certain: %lu, apart; the candidate "
+                    "has in %lu, on %lu, out %lu there\n",
+                    o->motion_error, c->uncertain, c->apart_answers[0], c->apart_answers[1],
+                    c->apart_answers[2]);
+    if (!c->valued)
+        return;
+    text_format(out, "values: sdf against the enclosures of the exact distance%s; truth: %s; ",
+                o->motion_error ? ", widened by the motion error" : "", truth_name(c));
+    if (o->sdf_tolerance)
+        text_format(out, "beyond the tolerance %s: wrong\n", o->sdf_tolerance);
+    else
+        text_put(out, "not judged, without a tolerance\n");
+    put_errors_head(out, "errors of sdf");
+    put_errors_line(out, c, "all", &c->values);
+}
+
+void put_values_by(text *out, const graze_comparison *c) {
+    for (int b = 0; b < SHOWN_BY && c->valued; b++) {
+        const tally *t = &c->tallies[shown_by[b]];
+        if (!t->count)
+            continue;
+        text_format(out, "\nErrors of sdf by %s:\n", grouping_title(shown_by[b]));
+        put_errors_head(out, grouping_name(shown_by[b]));
+        for (size_t k = 0; k < t->count; k++)
+            if (t->groups[k].values)
+                put_errors_line(out, c, t->groups[k].name, t->groups[k].values);
+        if (t->others.values)
+            put_errors_line(out, c, "(others)", t->others.values);
+    }
+}
+
+static void put_ceiling(yajl_gen g, const char *name, ceiling c) {
+    char number[CEILING_ROOM];
+    ceiling_text(number, c);
+    put_named(g, name, number);
+}
+
+/* The members of an object of errors. */
+static void put_json_errors(yajl_gen g, const graze_comparison *c, const errors *e) {
+    put_json_count(g, "values", e->rows);
+    put_json_count(g, "within", values_within(e));
+    put_json_count(g, "over", e->over);
+    put_json_count(g, "under", e->under);
+    if (c->options.sdf_tolerance)
+        put_json_count(g, "beyond", e->beyond);
+    put_key_text(g, "quantiles");
+    yajl_gen_map_open(g);
+    for (int k = 0; k < QUANTILES; k++)
+        put_ceiling(g, quantiles[k].name, errors_quantile(e, quantiles[k].per_mille));
+    yajl_gen_map_close(g);
+    put_ceiling(g, "largest", e->largest);
+    put_ceiling(g, "largest-over", e->largest_over);
+}
+
+static void put_json_group_errors(yajl_gen g, const graze_comparison *c, const char *name,
+                                  const group *one) {
+    if (!one->values)
+        return;
+    yajl_gen_map_open(g);
+    put_named(g, "value", name);
+    put_json_errors(g, c, one->values);
+    yajl_gen_map_close(g);
+}
+
+static void put_json_errors_by(yajl_gen g, const graze_comparison *c) {
+    put_key_text(g, "by");
+    yajl_gen_map_open(g);
+    for (int b = 0; b < SHOWN_BY; b++) {
+        const tally *t = &c->tallies[shown_by[b]];
+        if (!c->grouped[shown_by[b]])
+            continue;
+        put_key_text(g, grouping_name(shown_by[b]));
+        yajl_gen_array_open(g);
+        for (size_t k = 0; k < t->count; k++)
+            put_json_group_errors(g, c, t->groups[k].name, &t->groups[k]);
+        put_json_group_errors(g, c, "(others)", &t->others);
+        yajl_gen_array_close(g);
+    }
+    yajl_gen_map_close(g);
+}
+
+void put_json_values(yajl_gen g, const graze_comparison *c) {
+    if (c->options.motion_error) {
+        put_named(g, "motion-error", c->options.motion_error);
+        put_json_count(g, "uncertain", c->uncertain);
+    }
+    if (!c->valued)
+        return;
+    put_key_text(g, "errors-of-sdf");
+    yajl_gen_map_open(g);
+    put_named(g, "truth", truth_name(c));
+    put_named(g, "tolerance", c->options.sdf_tolerance);
+    put_json_errors(g, c, &c->values);
+    put_json_errors_by(g, c);
+    yajl_gen_map_close(g);
+}

@@ -1,0 +1,18 @@
+/* The part of a comparison's report that has the errors of values.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_COMPARE_REPORT_VALUES_H
+#define GRAZE_COMPARE_REPORT_VALUES_H
+
+#include <yajl/yajl_gen.h>
+#include "output/compare/comparison.h"
+
+/** What was asked, and the errors of all values. */
+void put_values(text *out, const graze_comparison *c);
+/** The errors by stratum, k and distance. */
+void put_values_by(text *out, const graze_comparison *c);
+
+/** The same as members of a JSON object; both in one call. */
+void put_json_values(yajl_gen g, const graze_comparison *c);
+
+#endif

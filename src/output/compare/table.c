@@ -1,0 +1,201 @@
+/* Reads the `#` lines, the column line and the rows of a table.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/compare/table.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "base/context/file.h"
+
+static const char *const column_names[COLUMN_COUNT] = {
+    "x",     "y",       "z",      "id",      "pmc",           "class",       "definition",
+    "case",  "i",       "t",      "word",    "topo",          "stratum",     "order",
+    "cell",  "k",       "sdf",    "sdf_low", "sdf_high",      "time",        "bx",
+    "by",    "bz",      "role",   "theta",   "contact_order", "orientation", "left",
+    "right", "trimmed", "status", "near",    "near_in",       "shift"};
+
+static const char *const note_names[NOTE_COUNT] = {
+    "graze", "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "operation",
+    "folds", "round",     "triangulate",  "columns",       "sdf"};
+
+const char *column_name(column c) {
+    return column_names[c];
+}
+
+const char *note_name(note n) {
+    return note_names[n];
+}
+
+field table_field(const table *t, const table_row *row, column c) {
+    return t->where[c] < 0 ? (field){"", 0} : field_content(row->cut.item[t->where[c]]);
+}
+
+digest digest_of(const char *bytes, size_t length) {
+    unsigned char sha256[32];
+    digest d;
+    file_sha256(sha256, bytes, length);
+    memcpy(&d.high, sha256, 8);
+    memcpy(&d.low, sha256 + 8, 8);
+    return d;
+}
+
+int digest_equal(digest a, digest b) {
+    return a.high == b.high && a.low == b.low;
+}
+
+static graze_status table_no_memory(const table *t) {
+    return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
+}
+
+static graze_status read_complete(table *t, field value) {
+    unsigned long count;
+    if (!field_count(&count, value, ~0ul) || count != t->rows || t->complete)
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                               "`# complete %.*s` stands after %lu rows; expected one such "
+                               "line, the last, with their number",
+                               FIELD_SHOWN(value), t->rows);
+    t->complete = 1;
+    return GRAZE_OK;
+}
+
+/* Take a `#` line. */
+static graze_status read_note(table *t, field line) {
+    field key, value;
+    if (memchr(line.start, '\0', line.length))
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                               "a byte 0 in a text file");
+    field_note(&key, &value, line);
+    if (field_is(key, "complete"))
+        return read_complete(t, value);
+    for (int n = 0; n < NOTE_COUNT; n++) {
+        if (!field_is(key, note_names[n]) || t->notes[n] || t->columns)
+            continue;
+        t->notes[n] = strndup(value.start, value.length);
+        return t->notes[n] ? GRAZE_OK : table_no_memory(t);
+    }
+    return GRAZE_OK;
+}
+
+/* Copy a line into a row and cut it into fields. */
+static graze_status split(table *t, table_row *row, field line) {
+    if (!array_reserve(&row->bytes, &row->capacity, line.length + 1, 1))
+        return table_no_memory(t);
+    memcpy(row->bytes, line.start, line.length);
+    row->keyed = 0;
+    row->line = t->in.line;
+    return fields_read(&row->cut, t->in.context, t->in.name, t->in.line,
+                       (field){row->bytes, line.length}, ',');
+}
+
+/* The next line that is neither blank nor a `#` line, as a row. */
+static graze_status next_table_line(table *t, table_row *row, int *more) {
+    field line;
+    graze_status status = GRAZE_OK;
+    *more = 0;
+    while (!status) {
+        status = stream_next(&t->in, &line);
+        if (status || !line.start)
+            return status;
+        if (line.length && *line.start == '#') {
+            status = read_note(t, line);
+        } else if (field_trimmed(line).length) {
+            *more = 1;
+            return split(t, row, line);
+        }
+    }
+    return status;
+}
+
+/* In a table of pmc alone, or without enclosures, a column of such a name is one of the points. */
+static int is_carried(const table *t, int c) {
+    const char *columns = t->notes[NOTE_COLUMNS];
+    if (t->notes[NOTE_GRAZE] && (c == COLUMN_SDF_LOW || c == COLUMN_SDF_HIGH))
+        return !t->notes[NOTE_SDF];
+    return t->notes[NOTE_GRAZE] && columns && strcmp(columns, "pmc") == 0 && c >= COLUMN_CLASS &&
+           c <= COLUMN_TOPO;
+}
+
+char *table_row_text(const table_row *row) {
+    field last = row->cut.item[row->cut.count - 1];
+    return strndup(row->bytes, (size_t)(last.start + last.length - row->bytes));
+}
+
+graze_status table_named_twice(const table *t, column c) {
+    return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->head,
+                           "the column line names %s twice; expected once", column_names[c]);
+}
+
+/* Find the columns. The first one of a name counts in a table of Graze, where further columns come
+ * last and may have any name. */
+static graze_status fix_columns(table *t, const table_row *row) {
+    t->head = row->line;
+    for (size_t k = 0; k < row->cut.count; k++)
+        for (int c = 0; c < COLUMN_COUNT; c++) {
+            if (!field_is(field_content(row->cut.item[k]), column_names[c]) || is_carried(t, c))
+                continue;
+            int twice = t->where[c] >= 0 && !t->notes[NOTE_GRAZE];
+            if (twice && c < COLUMN_TIME)
+                return table_named_twice(t, (column)c);
+            if (twice && t->doubled < 0)
+                t->doubled = c;
+            if (t->where[c] < 0)
+                t->where[c] = (long)k;
+        }
+    t->columns = row->cut.count;
+    int has_z = t->where[COLUMN_Z] >= 0;
+    if (t->where[COLUMN_X] >= 0 && t->where[COLUMN_Y] >= 0)
+        t->dimension = has_z ? 3 : 2;
+    if (t->notes[NOTE_DIMENSION] && t->dimension == 3 && strcmp(t->notes[NOTE_DIMENSION], "2") == 0)
+        t->dimension = 2;
+    return GRAZE_OK;
+}
+
+graze_status table_open(table *out, graze_context *context, const char *path) {
+    table_row row = {0};
+    int more = 0;
+    memset(out, 0, sizeof *out);
+    for (int c = 0; c < COLUMN_COUNT; c++)
+        out->where[c] = -1;
+    out->doubled = -1;
+    graze_status status = stream_open(&out->in, context, path);
+    if (!status)
+        status = next_table_line(out, &row, &more);
+    if (!status && !more)
+        status = context_fail_in(context, GRAZE_EINPUT, out->in.name, 0,
+                                 "no column line; expected a line of names such as x,y,z,pmc");
+    if (!status)
+        status = fix_columns(out, &row);
+    if (!status && !(out->names = table_row_text(&row)))
+        status = table_no_memory(out);
+    table_row_clear(&row);
+    return status;
+}
+
+void table_close(table *t) {
+    stream_close(&t->in);
+    free(t->names);
+    for (int n = 0; n < NOTE_COUNT; n++)
+        free(t->notes[n]);
+}
+
+graze_status table_next(table *t, table_row *row, int *more) {
+    graze_status status = next_table_line(t, row, more);
+    if (status || !*more)
+        return status;
+    if (t->complete)
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                               "a row after `# complete`; expected that line last");
+    if (row->cut.count != t->columns)
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
+                               "%zu columns; expected %zu, as on the column line", row->cut.count,
+                               t->columns);
+    row->number = ++t->rows;
+    return GRAZE_OK;
+}
+
+void table_row_clear(table_row *row) {
+    free(row->bytes);
+    fields_clear(&row->cut);
+    memset(row, 0, sizeof *row);
+}

@@ -1,0 +1,157 @@
+/* Reads enclosures and values exactly, and judges the values.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Under a motion error ETA the signed distance lies in [sdf_low - ETA, sdf_high + ETA], and its
+ * sign is certain where this interval has one (proofs/distance.md C73).
+ */
+#include "output/compare/values.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "base/number/rational.h"
+
+/* A number as it is written, whatever rounding the context asks for. */
+static graze_status exact_number(fmpq_t out, graze_context *context, field f) {
+    graze_rounding asked = context->rounding;
+    context->rounding = GRAZE_ROUND_NONE;
+    graze_status status = rational_parse(out, context, f.start, f.length);
+    context->rounding = asked;
+    return status;
+}
+
+/* A number of an option, 0 where there is none. Its sign is at least `least`. */
+static graze_status read_amount(fmpq_t out, graze_context *context, const char *name,
+                                const char *value, int least) {
+    fmpq_zero(out);
+    if (!value)
+        return GRAZE_OK;
+    graze_status status = exact_number(out, context, (field){value, strlen(value)});
+    if (!status && fmpq_sgn(out) < least)
+        status = context_fail(context, GRAZE_EINPUT, "%.40s; expected a number %s", value,
+                              least ? "above 0" : "from 0 up");
+    return status ? context_at(context, status, "%s", name) : status;
+}
+
+graze_status values_choose(graze_comparison *c, const table *golden) {
+    const graze_compare_options *o = &c->options;
+    graze_context *context = golden->in.context;
+    const char *operation = golden->notes[NOTE_OPERATION];
+    int has = golden->where[COLUMN_SDF_LOW] >= 0 && golden->where[COLUMN_SDF_HIGH] >= 0;
+    int sdf = o->has == GRAZE_HAS_SDF;
+    const char *asked = o->motion_error    ? "a motion error"
+                        : o->sdf_tolerance ? "a tolerance of values"
+                        : o->truth         ? "the question of values outside"
+                                           : NULL;
+    if (asked && !has)
+        return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
+                               "has no columns sdf_low and sdf_high, which %s needs; expected a "
+                               "table of graze classify --sdf",
+                               asked);
+    if (o->truth == GRAZE_TRUTH_OUTSIDE && operation && strcmp(operation, "unsweep") == 0)
+        return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
+                               "has the distances to an unsweep, which outside of it are lower "
+                               "bounds; expected the table of a sweep for values outside");
+    c->valued = has && sdf;
+    c->enclosed = has && (sdf || o->motion_error);
+    c->judged[JUDGED_SDF] = c->valued && o->sdf_tolerance;
+    graze_status status = read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0);
+    return status ? status : read_amount(c->eta, context, "motion_error", o->motion_error, 1);
+}
+
+typedef struct enclosure {
+    fmpq_t low, high;
+} enclosure;
+
+static int has_sign(const enclosure *e, int pmc) {
+    int low = fmpq_sgn(e->low), high = fmpq_sgn(e->high);
+    if (fmpq_cmp(e->low, e->high) > 0)
+        return 0;
+    return pmc == PMC_IN    ? low < 0 && high <= 0
+           : pmc == PMC_OUT ? low >= 0 && high > 0
+                            : !low && !high;
+}
+
+static graze_status read_bound(fmpq_t out, const table *t, const table_row *row, column which) {
+    field f = table_field(t, row, which);
+    graze_status status = exact_number(out, t->in.context, f);
+    if (status)
+        context_at(t->in.context, status, "%s", column_name(which));
+    return status ? context_in(t->in.context, status, t->in.name, row->line) : status;
+}
+
+static graze_status read_enclosure(enclosure *out, const table *t, const table_row *row, int pmc) {
+    graze_status status = read_bound(out->low, t, row, COLUMN_SDF_LOW);
+    if (!status)
+        status = read_bound(out->high, t, row, COLUMN_SDF_HIGH);
+    if (!status && !has_sign(out, pmc))
+        status = context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
+                                 "sdf_low and sdf_high do not go with `%s`; expected an enclosure "
+                                 "of the signed distance",
+                                 pmc_words[pmc]);
+    return status;
+}
+
+static void name_decade(char out[24], const enclosure *e, int pmc) {
+    fmpq_t size;
+    if (pmc == PMC_ON) {
+        strcpy(out, "0");
+        return;
+    }
+    fmpq_init(size);
+    fmpq_abs(size, pmc == PMC_IN ? e->low : e->high);
+    snprintf(out, 24, "%s1e%+03ld", pmc == PMC_IN ? "-" : "", decade_of(size));
+    fmpq_clear(size);
+}
+
+/* The error of a value against an enclosure. */
+static value_error error_of(const fmpq_t value, const enclosure *e, const fmpq_t tolerance) {
+    value_error out = {{0, 0}, 0, 0};
+    fmpq_t by;
+    fmpq_init(by);
+    out.side = fmpq_cmp(value, e->high) > 0 ? 1 : fmpq_cmp(value, e->low) < 0 ? -1 : 0;
+    if (out.side > 0)
+        fmpq_sub(by, value, e->high);
+    if (out.side < 0)
+        fmpq_sub(by, e->low, value);
+    out.beyond = fmpq_cmp(by, tolerance) > 0;
+    out.size = ceiling_of(by);
+    fmpq_clear(by);
+    return out;
+}
+
+/* Widen an enclosure by the motion error; does what is left have one sign? */
+static int widen_enclosure(enclosure *e, const fmpq_t eta, int pmc) {
+    fmpq_sub(e->low, e->low, eta);
+    fmpq_add(e->high, e->high, eta);
+    return fmpq_is_zero(eta) ? 1
+           : pmc == PMC_OUT  ? fmpq_sgn(e->low) > 0
+           : pmc == PMC_IN   ? fmpq_sgn(e->high) < 0
+                             : 0;
+}
+
+graze_status valuation_read(valuation *out, const graze_comparison *c, const table *golden,
+                            const table_row *row, const table *candidate, const table_row *given,
+                            int pmc) {
+    enclosure e;
+    fmpq_t value;
+    *out = (valuation){.certain = 1};
+    fmpq_init(e.low);
+    fmpq_init(e.high);
+    fmpq_init(value);
+    graze_status status = read_enclosure(&e, golden, row, pmc);
+    if (!status) {
+        name_decade(out->decade, &e, pmc);
+        out->certain = widen_enclosure(&e, c->eta, pmc);
+        out->judged =
+            c->valued && given && (c->options.truth == GRAZE_TRUTH_PSEUDO || pmc == PMC_OUT);
+    }
+    if (!status && out->judged) {
+        status = read_bound(value, candidate, given, COLUMN_SDF);
+        if (!status)
+            out->error = error_of(value, &e, c->tolerance);
+    }
+    fmpq_clear(value);
+    fmpq_clear(e.high);
+    fmpq_clear(e.low);
+    return status;
+}

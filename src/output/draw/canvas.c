@@ -1,0 +1,120 @@
+/* Parts of both kinds of canvas: paths, texts, the file.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/canvas.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "output/draw/save.h"
+
+void drawn_path_clear(drawn_path *p) {
+    free(p->node);
+    *p = (drawn_path){NULL, 0, 0, 0};
+}
+
+void drawn_path_to(drawn_path *p, char verb, double x, double y) {
+    if (!p->failed)
+        p->failed = !array_reserve(&p->node, &p->capacity, p->count + 1, sizeof *p->node);
+    if (!p->failed)
+        p->node[p->count++] = (path_node){verb, x, y};
+}
+
+static int append_bytes(void *to, const char *data, size_t length) {
+    text *bytes = to;
+    text_bytes(bytes, data, length);
+    return !bytes->failed;
+}
+
+graze_status canvas_finish(canvas *c, graze_context *context, const char *file, int write) {
+    if (!c)
+        return GRAZE_OK;
+    graze_status status = GRAZE_OK;
+    text bytes;
+    text_init(&bytes);
+    if (write) {
+        c->kind->finish(c, append_bytes, &bytes);
+        status = c->failed || bytes.failed
+                     ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture")
+                     : save_file(context, file, &bytes);
+    }
+    text_clear(&bytes);
+    c->kind->destroy(c);
+    return status;
+}
+
+void canvas_begin(canvas *c, const char *name, const char *attributes) {
+    c->kind->begin(c, name, attributes);
+}
+
+void canvas_end(canvas *c) {
+    c->kind->end(c);
+}
+
+void canvas_clip(canvas *c, double x, double y, double width, double height) {
+    c->kind->clip(c, x, y, width, height);
+}
+
+void canvas_unclip(canvas *c) {
+    c->kind->unclip(c);
+}
+
+void canvas_path(canvas *c, const drawn_path *p, const style *s, const char *name) {
+    c->failed |= p->failed;
+    if (p->count)
+        c->kind->path(c, p, s, name);
+}
+
+void canvas_circle(canvas *c, double x, double y, double radius, const style *s) {
+    c->kind->circle(c, x, y, radius, s);
+}
+
+size_t canvas_character(const char *at) {
+    const unsigned char *s = (const unsigned char *)at;
+    if (*s < 0x80)
+        return *s >= 0x20 && *s != 0x7f;
+    size_t n = *s >= 0xf0 ? 4 : *s >= 0xe0 ? 3 : 2;
+    unsigned long code = *s & (0xffu >> (n + 1));
+    if (*s < 0xc2 || *s > 0xf4)
+        return 0;
+    for (size_t k = 1; k < n; k++) {
+        if ((s[k] & 0xc0) != 0x80)
+            return 0;
+        code = code << 6 | (s[k] & 0x3f);
+    }
+    int refused = (n == 3 && code < 0x800) || (n == 4 && (code < 0x10000 || code > 0x10ffff)) ||
+                  (code >= 0xd800 && code <= 0xdfff) || (code >= 0xfffe && code <= 0xffff) ||
+                  (code >= 0x80 && code < 0xa0);
+    return refused ? 0 : n;
+}
+
+void canvas_text(canvas *c, double x, double y, const lettering *l, const char *string) {
+    text clean;
+    text_init(&clean);
+    text_put(&clean, "");
+    while (*string) {
+        size_t n = canvas_character(string);
+        text_bytes(&clean, n ? string : "?", n ? n : 1);
+        string += n ? n : 1;
+    }
+    c->failed |= clean.failed;
+    if (!clean.failed)
+        c->kind->text(c, x, y, l, clean.data);
+    text_clear(&clean);
+}
+
+double canvas_text_width(const char *string, double size) {
+    double em = 0;
+    for (; *string; string++) {
+        unsigned char byte = (unsigned char)*string;
+        if ((byte & 0xc0) == 0x80)
+            continue;
+        if (strchr("ijlI.,:;|!'()[]- ", byte))
+            em += 0.4;
+        else if (strchr("mwMW@%", byte))
+            em += 1;
+        else
+            em += byte < 0x80 ? 0.65 : 0.85;
+    }
+    return em * size;
+}

@@ -1,0 +1,193 @@
+/* Grids of cells: layout, exact classification, runs.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/class_grid.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "decide/verdict/classify.h"
+
+tone tone_of(const graze_verdict *v) {
+    return v->class_ == GRAZE_CLASS_NONE ? (tone)(TONE_IN - 1 + (int)v->pmc) : (tone)v->class_;
+}
+
+/* Cells along one axis; the box grows to both sides by what the last cell exceeds it. */
+static graze_status lay_axis(cells *c, graze_context *context, int k, const fmpq *low,
+                             const fmpq *high) {
+    fmpq_t length;
+    fmpz_t count;
+    fmpq_init(length);
+    fmpz_init(count);
+    fmpq_sub(length, high + c->axis[k], low + c->axis[k]);
+    fmpq_t ratio;
+    fmpq_init(ratio);
+    fmpq_div(ratio, length, c->side);
+    fmpz_cdiv_q(count, fmpq_numref(ratio), fmpq_denref(ratio));
+    unsigned long most = context->limits[GRAZE_LIMIT_GRID];
+    graze_status status = GRAZE_OK;
+    if (fmpz_cmp_ui(count, most) > 0)
+        status = context_limit(context, GRAZE_LIMIT_GRID, "the cells of a picture");
+    else
+        c->count[k] = fmpz_get_ui(count);
+    /* low - (count side - length) / 2 */
+    fmpq_mul_fmpz(ratio, c->side, count);
+    fmpq_sub(ratio, length, ratio);
+    fmpq_div_2exp(ratio, ratio, 1);
+    fmpq_add(c->low + c->axis[k], low + c->axis[k], ratio);
+    fmpq_clear(ratio);
+    fmpq_clear(length);
+    fmpz_clear(count);
+    return status;
+}
+
+graze_status cells_layout(cells *out, graze_context *context, int dimension, const int axis[2],
+                          const fmpq *low, const fmpq *high, const fmpq_t plane,
+                          unsigned long longer, int coarse) {
+    memset(out, 0, sizeof *out);
+    out->dimension = dimension;
+    out->axis[0] = axis[0];
+    out->axis[1] = axis[1];
+    out->low = _fmpq_vec_init(dimension);
+    fmpq_init(out->side);
+    for (int k = 0; k < dimension; k++)
+        if (k != axis[0] && k != axis[1])
+            fmpq_set(out->low + k, plane);
+    fmpq_t other;
+    fmpq_init(other);
+    fmpq_sub(out->side, high + axis[0], low + axis[0]);
+    fmpq_sub(other, high + axis[1], low + axis[1]);
+    int wide = fmpq_get_d(out->side) > CELLS_WIDE * fmpq_get_d(other);
+    if (fmpq_cmp(other, out->side) > 0)
+        fmpq_set(out->side, other);
+    fmpq_clear(other);
+    if (!longer)
+        longer = (wide ? 360 : 240) / (coarse ? 2 : 1);
+    fmpz_t parts;
+    fmpz_init_set_ui(parts, longer);
+    fmpq_div_fmpz(out->side, out->side, parts);
+    fmpz_clear(parts);
+    graze_status status = lay_axis(out, context, 0, low, high);
+    if (!status)
+        status = lay_axis(out, context, 1, low, high);
+    if (!status && out->count[0] > context->limits[GRAZE_LIMIT_GRID] / out->count[1])
+        status = context_limit(context, GRAZE_LIMIT_GRID, "the cells of a picture");
+    if (!status && !(out->tone = calloc(out->count[0] * out->count[1], 1)))
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
+    return status;
+}
+
+void cells_clear(cells *c) {
+    if (!c->low)
+        return;
+    _fmpq_vec_clear(c->low, c->dimension);
+    fmpq_clear(c->side);
+    free(c->tone);
+    free(c->distance);
+    memset(c, 0, sizeof *c);
+}
+
+/* low + (index + 1/2) side along axis k */
+static void set_centre(fmpq_t out, const cells *c, int k, size_t index) {
+    fmpz_t halves;
+    fmpz_init_set_ui(halves, 2 * index + 1);
+    fmpq_mul_fmpz(out, c->side, halves);
+    fmpq_div_2exp(out, out, 1);
+    fmpq_add(out, out, c->low + c->axis[k]);
+    fmpz_clear(halves);
+}
+
+void cells_centre(fmpq *out, const cells *c, size_t i, size_t j) {
+    fmpq *at = c->section ? _fmpq_vec_init(2) : out;
+    for (int k = 0; k < c->dimension; k++)
+        fmpq_set(at + k, c->low + k);
+    set_centre(at + c->axis[0], c, 0, i);
+    set_centre(at + c->axis[1], c, 1, j);
+    if (!c->section)
+        return;
+    section_point(out, c->section, at);
+    _fmpq_vec_clear(at, 2);
+}
+
+graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene) {
+    fmpq *point = _fmpq_vec_init(3);
+    graze_verdict verdict;
+    graze_status status = GRAZE_OK;
+    for (size_t j = 0; j < c->count[1] && !status; j++) {
+        status = context_poll(context);
+        for (size_t i = 0; i < c->count[0] && !status; i++) {
+            cells_centre(point, c, i, j);
+            status = classify_verdict(&verdict, context, scene, (query_point){.rational = point});
+            if (!status)
+                c->tone[j * c->count[0] + i] = (unsigned char)tone_of(&verdict);
+        }
+    }
+    _fmpq_vec_clear(point, 3);
+    return status;
+}
+
+extent cells_extent(const cells *c) {
+    extent e;
+    for (int k = 0; k < 2; k++) {
+        e.low[k] = fmpq_get_d(c->low + c->axis[k]);
+        e.high[k] = e.low[k] + fmpq_get_d(c->side) * (double)c->count[k];
+    }
+    return e;
+}
+
+void cells_corner(double out[3], const cells *c, double horizontal, double vertical) {
+    for (int k = 0; k < 3; k++) {
+        const section *s = c->section;
+        out[k] = s ? fmpq_get_d(s->origin + k) + horizontal * s->look.row[0][k] +
+                         vertical * s->look.row[1][k]
+                 : k == c->axis[0] ? horizontal
+                 : k == c->axis[1] ? vertical
+                                   : fmpq_get_d(c->low + k);
+    }
+}
+
+static void add_rectangle(drawn_path *out, const cells *c, const panel *p, size_t i, size_t j,
+                          size_t length) {
+    double cell_x = p->width / (double)c->count[0], cell_y = p->height / (double)c->count[1];
+    double x = p->x + (double)i * cell_x, y = p->y + p->height - (double)(j + 1) * cell_y;
+    drawn_path_to(out, 'M', x, y);
+    drawn_path_to(out, 'L', x + (double)length * cell_x, y);
+    drawn_path_to(out, 'L', x + (double)length * cell_x, y + cell_y);
+    drawn_path_to(out, 'L', x, y + cell_y);
+    drawn_path_to(out, 'z', 0, 0);
+}
+
+void cells_path(drawn_path *out, const cells *c, const panel *p, tone t) {
+    for (size_t j = 0; j < c->count[1]; j++) {
+        const unsigned char *row = c->tone + j * c->count[0];
+        for (size_t i = 0, from; i < c->count[0];) {
+            for (from = i; i < c->count[0] && row[i] == t;)
+                i++;
+            if (i > from)
+                add_rectangle(out, c, p, from, j, i - from);
+            else
+                i++;
+        }
+    }
+}
+
+const char *cells_axes(const cells *c) {
+    return c->section ? "uv" : "xyz";
+}
+
+void cells_attributes(text *out, const cells *c, const panel *p) {
+    const char *names = cells_axes(c);
+    text_format(out, "data-axes=\"%c %c\" data-count=\"%zu %zu\" data-low=\"", names[c->axis[0]],
+                names[c->axis[1]], c->count[0], c->count[1]);
+    for (int k = 0; k < c->dimension; k++) {
+        text_put(out, k ? " " : "");
+        text_rational(out, c->low + k);
+    }
+    text_put(out, "\"");
+    if (c->section)
+        section_attributes(out, c->section);
+    text_put(out, " data-side=\"");
+    text_rational(out, c->side);
+    text_format(out, "\" data-frame=\"%ld %ld %ld %ld\"", (long)p->x, (long)p->y, (long)p->width,
+                (long)p->height);
+}

@@ -1,0 +1,288 @@
+/* Rings of sectors about a point: each contact at rest and on its sides, and what all leave open.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/cones.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "output/draw/marks.h"
+#include "output/draw/picture_kind.h"
+#include "output/report/closings.h"
+#include "questions/topo/directions.h"
+#include "questions/topo/first_order.h"
+#include "questions/topo/sectors.h"
+#include "questions/topo/topo.h"
+
+enum { MIDDLE_X = 280, MIDDLE_Y = 330, INNER = 36, OUTER = 220, WIDEST = 30, LEGEND_X = 580 };
+enum { FIRST_LINE = 90, LINE = 18, WIDTH = 1080, LEAST_HEIGHT = 600, SMALLEST = 9 };
+static const double full_turn = 6.283185307179586;
+
+/* One ring: a part of a contact, a slide that turns, or what is left open. */
+typedef struct ring {
+    size_t contact; /* from 1; 0: left open */
+    sector_question asked;
+} ring;
+
+typedef struct cones_maker {
+    graze_context *context;
+    const graze_scene *scene;
+    const topo_finding *topo;
+    germ_list germs;
+    size_t count, capacity;
+    ring *ring;
+    canvas *canvas;
+    double width; /* of a ring */
+} cones_maker;
+
+static graze_status add_cone_ring(cones_maker *m, size_t contact, sector_question asked) {
+    graze_status status = array_grow(m->context, &m->ring, &m->capacity, m->count + 1,
+                                     sizeof *m->ring, "the rings of a picture");
+    if (!status)
+        m->ring[m->count++] = (ring){contact, asked};
+    return status;
+}
+
+/* The contacts in order of time, what turns behind all of them, and what is left. */
+static graze_status list_rings(cones_maker *m) {
+    germ_list *all = &m->germs;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < all->count && !status; k++)
+        for (int part = GERM_REST; part < all->item[k].side_count && !status; part++)
+            status = add_cone_ring(m, k + 1, (sector_question){all, &all->item[k], part, NULL, 0});
+    for (size_t k = 0; k < all->turn_count && !status; k++)
+        status = add_cone_ring(m, all->turn[k].germ + 1,
+                               (sector_question){all, NULL, GERM_WHOLE, &all->turn[k], 0});
+    if (!status && all->bounded)
+        status = add_cone_ring(m, 0, (sector_question){all, NULL, GERM_WHOLE, NULL, 1});
+    return status;
+}
+
+/* -1, 1: before and after the time of the contact; 0: at it. */
+static int sign_of_ring(const ring *r) {
+    return r->asked.germ && r->asked.part >= 0 ? r->asked.germ->side[r->asked.part].sign : 0;
+}
+
+static const char *name_of_side(const ring *r) {
+    if (!r->contact)
+        return "open";
+    if (r->asked.turn)
+        return "turning";
+    return sign_of_ring(r) > 0 ? "after" : sign_of_ring(r) < 0 ? "before" : "at";
+}
+
+/* Of a ray of large integers too. */
+static double angle_of(const fmpz *ray) {
+    slong x_places, y_places;
+    double x = fmpz_get_d_2exp(&x_places, ray), y = fmpz_get_d_2exp(&y_places, ray + 1);
+    slong most = x == 0 ? y_places : y == 0 ? x_places : FLINT_MAX(x_places, y_places);
+    x = ldexp(x, (int)FLINT_MAX(x_places - most, -2000));
+    y = ldexp(y, (int)FLINT_MAX(y_places - most, -2000));
+    return atan2(y, x);
+}
+
+static void path_at(drawn_path *p, char verb, double angle, double radius) {
+    drawn_path_to(p, verb, MIDDLE_X + radius * cos(angle), MIDDLE_Y - radius * sin(angle));
+}
+
+/* From one angle to another, in steps of at most 3 degrees. */
+static void path_arc(drawn_path *p, char verb, double from, double to, double radius) {
+    int steps = (int)ceil(fabs(to - from) * 120 / full_turn);
+    for (int k = 0; k <= steps; k++)
+        path_at(p, k ? 'L' : verb, steps ? from + (to - from) * k / steps : from, radius);
+}
+
+static void draw_sector(cones_maker *m, const style *s, double from, double to, double radius) {
+    drawn_path p = {NULL, 0, 0, 0};
+    int whole = to - from >= full_turn;
+    path_arc(&p, 'M', from, to, radius + m->width - 2);
+    if (whole)
+        drawn_path_to(&p, 'z', 0, 0);
+    path_arc(&p, whole ? 'M' : 'L', to, from, radius);
+    drawn_path_to(&p, 'z', 0, 0);
+    m->canvas->failed |= p.failed;
+    canvas_path(m->canvas, &p, s, whole ? "turn" : "sector");
+    drawn_path_clear(&p);
+}
+
+static style style_of(const ring *r) {
+    unsigned colour = r->contact ? mark_colour(r->contact - 1) : tone_colour(TONE_ON);
+    return (style){.fill = PAINT(colour), .faintness = sign_of_ring(r) || r->asked.turn ? .45 : 0};
+}
+
+/* The number of a contact, and the sign of its side. */
+static void name_ring(char *out, size_t room, const ring *r) {
+    snprintf(out, room, "%zu%s", r->contact,
+             r->asked.turn         ? "~"
+             : sign_of_ring(r) > 0 ? "+"
+             : sign_of_ring(r) < 0 ? "-"
+                                   : "");
+}
+
+static void draw_name(cones_maker *m, const ring *r, double angle, double radius) {
+    char name[32];
+    lettering letters = {.size = fmin(m->width - 4, 12), .anchor = ANCHOR_MIDDLE, .halo = 1};
+    if (!r->contact || letters.size < SMALLEST - 2)
+        return;
+    name_ring(name, sizeof name, r);
+    canvas_text(m->canvas, MIDDLE_X + radius * cos(angle),
+                MIDDLE_Y - radius * sin(angle) + letters.size / 3, &letters, name);
+}
+
+/* The sectors of ring k; its name stands in the middle of the widest one. */
+static graze_status draw_ring(cones_maker *m, size_t k) {
+    const ring *r = &m->ring[k];
+    sector_list found = {0, 0, NULL};
+    graze_status status = sectors_find(&found, m->context, &r->asked);
+    double radius = INNER + (double)k * m->width, widest = 0, middle = 0;
+    char attributes[96];
+    style s = style_of(r);
+    snprintf(attributes, sizeof attributes, "data-contact=\"%zu\" data-side=\"%s\"", r->contact,
+             name_of_side(r));
+    canvas_begin(m->canvas, "ring", attributes);
+    if (found.all)
+        draw_sector(m, &s, 0, full_turn, radius);
+    if (found.all)
+        draw_name(m, r, 0, radius + m->width / 2);
+    for (size_t j = 0; j < found.count; j++) {
+        double from = angle_of(found.ray + 4 * j), to = angle_of(found.ray + 4 * j + 2);
+        to += to <= from ? full_turn : 0;
+        draw_sector(m, &s, from, to, radius);
+        middle = to - from > widest ? (from + to) / 2 : middle;
+        widest = fmax(widest, to - from);
+    }
+    if (found.count)
+        draw_name(m, r, middle, radius + m->width / 2);
+    canvas_end(m->canvas);
+    sectors_clear(&found);
+    return status ? status : context_poll(m->context);
+}
+
+/* What a ring's line in the legend says. */
+static void put_legend_words(text *t, const cones_maker *m, const ring *r) {
+    char name[32];
+    name_ring(name, sizeof name, r);
+    if (!r->contact) {
+        text_put(t, "directions that are left to first order");
+        return;
+    }
+    text_format(t, "%s   ", name);
+    if (r->asked.turn)
+        text_put(t, "while the solid turns about it");
+    else if (sign_of_ring(r))
+        text_put(t, sign_of_ring(r) > 0 ? "swept after it" : "swept before it");
+    else
+        closings_place(t, m->scene, &m->germs.item[r->contact - 1]);
+}
+
+static void draw_legend(cones_maker *m) {
+    const lettering heading = {.size = 12, .bold = 1}, plain = {.size = 12};
+    canvas_begin(m->canvas, "legend", NULL);
+    canvas_text(m->canvas, LEGEND_X, FIRST_LINE, &heading, "Contacts, from the inside out");
+    for (size_t k = 0; k < m->count; k++) {
+        double y = FIRST_LINE + LINE * (double)(k + 1);
+        style s = style_of(&m->ring[k]);
+        drawn_path box = {NULL, 0, 0, 0};
+        text line;
+        text_init(&line);
+        put_legend_words(&line, m, &m->ring[k]);
+        drawn_path_to(&box, 'M', LEGEND_X, y - 10);
+        drawn_path_to(&box, 'L', LEGEND_X + 22, y - 10);
+        drawn_path_to(&box, 'L', LEGEND_X + 22, y + 1);
+        drawn_path_to(&box, 'L', LEGEND_X, y + 1);
+        drawn_path_to(&box, 'z', 0, 0);
+        canvas_path(m->canvas, &box, &s, NULL);
+        canvas_text(m->canvas, LEGEND_X + 30, y, &plain, line.failed ? "" : line.data);
+        m->canvas->failed |= line.failed | box.failed;
+        drawn_path_clear(&box);
+        text_clear(&line);
+    }
+    canvas_end(m->canvas);
+}
+
+/* An arrow to the witness, or where that is on a square a line. */
+static void draw_witness(cones_maker *m, const fmpq *point) {
+    int on_ray = finding_witness(m->topo) == WITNESS_RAY;
+    style s = {.stroke = PAINT(INK), .width = 2, .dash = on_ray ? 0 : 4};
+    const lettering letters = {.size = 12, .anchor = ANCHOR_MIDDLE, .halo = 1};
+    const double far = OUTER + 30, head = 12, spread = .04;
+    fmpz *direction = _fmpz_vec_init(2);
+    fmpq *way = _fmpq_vec_init(2);
+    drawn_path p = {NULL, 0, 0, 0};
+    for (int k = 0; k < 2; k++)
+        fmpq_sub(way + k, m->topo->witness + k, point + k);
+    direction_of_rationals(direction, way, 2);
+    double angle = angle_of(direction);
+    canvas_begin(m->canvas, "witness", NULL);
+    path_at(&p, 'M', angle, 0);
+    path_at(&p, 'L', angle, far);
+    path_at(&p, 'M', angle + spread, far - head);
+    path_at(&p, 'L', angle, far);
+    path_at(&p, 'L', angle - spread, far - head);
+    m->canvas->failed |= p.failed;
+    canvas_path(m->canvas, &p, &s, "direction");
+    canvas_text(m->canvas, MIDDLE_X + (far + 22) * cos(angle),
+                MIDDLE_Y - (far + 16) * sin(angle) + 4, &letters,
+                on_ray ? "witness" : "a point that is out");
+    canvas_end(m->canvas);
+    drawn_path_clear(&p);
+    _fmpz_vec_clear(direction, 2);
+    _fmpq_vec_clear(way, 2);
+}
+
+static void draw_heading(cones_maker *m, const fmpq *point) {
+    const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
+    text t;
+    text_init(&t);
+    text_put(&t, "P = (");
+    text_rational(&t, point);
+    text_put(&t, ", ");
+    text_rational(&t, point + 1);
+    text_format(&t, "): %s", graze_topo_name(m->topo->position));
+    if (m->topo->level != GRAZE_LEVEL_NONE)
+        text_format(&t, ", by %s", graze_topo_level_name(m->topo->level));
+    canvas_text(m->canvas, 18, 26, &heading, t.failed ? "" : t.data);
+    canvas_text(m->canvas, 18, 46, &plain,
+                "directions about P that the contacts cover to first order · graze " GRAZE_VERSION);
+    m->canvas->failed |= t.failed;
+    text_clear(&t);
+}
+
+static graze_status draw_rings(cones_maker *m, const char *file, const fmpq *point) {
+    double height = fmax(LEAST_HEIGHT, FIRST_LINE + LINE * (double)(m->count + 2));
+    graze_status status = canvas_create(&m->canvas, m->context, file, WIDTH, height);
+    if (status)
+        return status;
+    m->width = fmin(WIDEST, (double)(OUTER - INNER) / (double)(m->count + !m->count));
+    draw_heading(m, point);
+    for (size_t k = 0; k < m->count && !status; k++)
+        status = draw_ring(m, k);
+    if (m->topo->has_witness)
+        draw_witness(m, point);
+    mark_point(m->canvas, MIDDLE_X, MIDDLE_Y, MARK_RADIUS, TONE_ON);
+    draw_legend(m);
+    graze_status written = canvas_finish(m->canvas, m->context, file, !status);
+    return status ? status : written;
+}
+
+graze_status draw_cones(graze_context *context, const graze_scene *scene, const char *file,
+                        const fmpq *point, const topo_finding *topo) {
+    cones_maker m = {.context = context, .scene = scene, .topo = topo};
+    const plane_list *planes = NULL;
+    germs_init(&m.germs);
+    graze_status status = canvas_check(context, file);
+    if (!status)
+        status = topo_planes(&planes, context, scene);
+    if (!status)
+        status = germs_find(&m.germs, context, scene, planes, point);
+    if (!status)
+        status = list_rings(&m);
+    if (!status)
+        status = draw_rings(&m, file, point);
+    free(m.ring);
+    germs_clear(&m.germs);
+    return status;
+}

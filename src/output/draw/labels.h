@@ -1,0 +1,42 @@
+/* Names of points, placed so that none covers another or a marker.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_DRAW_LABELS_H
+#define GRAZE_DRAW_LABELS_H
+
+#include "output/draw/panel.h"
+
+/** A rectangle of pixels that names keep off. */
+typedef struct obstacle {
+    double x, y, width, height;
+    int name; /* which no line may cross */
+} obstacle;
+
+/** The obstacles of one panel. Once memory has run short `failed` is set. */
+typedef struct labels {
+    obstacle *item;
+    size_t count, capacity;
+    unsigned left_out; /* names for which there was no room, counted by the caller */
+    int failed;
+} labels;
+
+void labels_clear(labels *l);
+/** Keep off a disk, such as a marker. */
+void labels_avoid(labels *l, double x, double y, double radius);
+/** Keep off a line through pixels. */
+void labels_avoid_path(labels *l, const drawn_path *p);
+/** A place to be named. */
+typedef struct labelled_point {
+    double x, y;  /* a pixel of the panel */
+    double sign;  /* radius of the sign that stands there; 0: none */
+    double reach; /* how far away the name may stand */
+} labelled_point;
+enum { REACH_NEAR = 24, REACH_FAR = 124 };
+
+/** Write a name beside a place, where it is free, with a thin line to the place if the name is not
+ * next to it. The name is an obstacle from then on. Returns 0 where nothing is free. */
+int labels_place(labels *l, canvas *c, const panel *p, labelled_point at, const char *name);
+/** Write the number of names that were left out, if any were, over the panel's right corner. */
+void labels_tell(const labels *l, canvas *c, const panel *p);
+
+#endif

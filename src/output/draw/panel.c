@@ -1,0 +1,286 @@
+/* Windows, projections, frames and their numbers.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/panel.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { TITLE_SIZE = 13, NUMBER_SIZE = 11 };
+
+projection projection_of_axes(int horizontal, int vertical) {
+    projection p;
+    memset(&p, 0, sizeof p);
+    p.row[0][horizontal] = 1;
+    p.row[1][vertical] = 1;
+    return p;
+}
+
+static void cross_product(double out[3], const double a[3], const double b[3]) {
+    for (int k = 0; k < 3; k++)
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+/* Scaled by a power of two first, which rounds nothing: squares of small numbers vanish. */
+static void normalise(double v[3]) {
+    int exponent = ilogb(fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))));
+    for (int k = 0; k < 3; k++)
+        v[k] = scalbn(v[k], -exponent);
+    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int k = 0; k < 3; k++)
+        v[k] /= length;
+}
+
+projection projection_from(const double from[3]) {
+    double up[3] = {0, 0, 1}, toward[3];
+    projection p = {0};
+    memcpy(toward, from, sizeof toward);
+    normalise(toward);
+    if (toward[0] == 0 && toward[1] == 0) {
+        up[1] = 1;
+        up[2] = 0;
+    }
+    cross_product(p.row[0], up, toward);
+    normalise(p.row[0]);
+    cross_product(p.row[1], toward, p.row[0]);
+    return p;
+}
+
+double projection_at(const projection *p, int k, const double point[3]) {
+    return p->row[k][0] * point[0] + p->row[k][1] * point[1] + p->row[k][2] * point[2];
+}
+
+extent extent_empty(void) {
+    return (extent){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+}
+
+void extent_add(extent *e, double x, double y) {
+    e->low[0] = fmin(e->low[0], x);
+    e->low[1] = fmin(e->low[1], y);
+    e->high[0] = fmax(e->high[0], x);
+    e->high[1] = fmax(e->high[1], y);
+}
+
+void extent_grow(extent *e, double by) {
+    for (int k = 0; k < 2; k++) {
+        e->low[k] -= by;
+        e->high[k] += by;
+    }
+}
+
+panel panel_fit(const projection *look, const extent *window, double longest) {
+    panel p = {.look = *look, .window = *window};
+    double size[2] = {window->high[0] - window->low[0], window->high[1] - window->low[1]};
+    double longer = fmax(size[0], size[1]);
+    p.scale = longest / longer;
+    for (int k = 0; k < 2; k++) {
+        double missing = longer / 4 - size[k];
+        if (missing > 0) {
+            p.window.low[k] -= missing / 2;
+            p.window.high[k] += missing / 2;
+        }
+    }
+    p.width = round((p.window.high[0] - p.window.low[0]) * p.scale);
+    p.height = round((p.window.high[1] - p.window.low[1]) * p.scale);
+    return p;
+}
+
+void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical) {
+    *x = p->x + (horizontal - p->window.low[0]) * p->scale;
+    *y = p->y + p->height - (vertical - p->window.low[1]) * p->scale;
+}
+
+void panel_map(double *x, double *y, const panel *p, const double point[3]) {
+    panel_map_plane(x, y, p, projection_at(&p->look, 0, point), projection_at(&p->look, 1, point));
+}
+
+double panel_span(const panel *p) {
+    return fmax(p->width, canvas_text_width(p->title, TITLE_SIZE + 1)); /* bold is wider */
+}
+
+void panel_frame(canvas *c, const panel *p) {
+    const lettering heading = {.size = TITLE_SIZE, .bold = 1};
+    const style line = {.stroke = PAINT(0x888888), .width = 1};
+    drawn_path frame = {NULL, 0, 0, 0};
+    drawn_path_to(&frame, 'M', p->x - .5, p->y - .5);
+    drawn_path_to(&frame, 'L', p->x + p->width + .5, p->y - .5);
+    drawn_path_to(&frame, 'L', p->x + p->width + .5, p->y + p->height + .5);
+    drawn_path_to(&frame, 'L', p->x - .5, p->y + p->height + .5);
+    drawn_path_to(&frame, 'z', 0, 0);
+    canvas_path(c, &frame, &line, NULL);
+    drawn_path_clear(&frame);
+    canvas_text(c, p->x, p->y - 9, &heading, p->title);
+}
+
+/* A tick's distance: mantissa 1, 2 or 5 times 10^exponent. */
+typedef struct tick_step {
+    int mantissa, exponent;
+    double size;
+} tick_step;
+
+/* The smallest such step that is at least `least`. */
+static tick_step step_for(double least) {
+    static const int mantissas[] = {1, 2, 5, 10};
+    int exponent = (int)floor(log10(least)), k = 0;
+    double power = pow(10, exponent);
+    while (k < 3 && mantissas[k] * power < least)
+        k++;
+    if (k == 3)
+        return (tick_step){1, exponent + 1, 10 * power};
+    return (tick_step){mantissas[k], exponent, mantissas[k] * power};
+}
+
+/* d.ddde-N for value * 10^exponent, without trailing zeros. */
+static void power_text(char *out, size_t room, const char *sign, long value, int exponent) {
+    char digits[24];
+    int n = snprintf(digits, sizeof digits, "%ld", value), last = n;
+    while (last > 1 && digits[last - 1] == '0')
+        last--;
+    snprintf(out, room, "%s%c%s%.*se%d", sign, digits[0], last > 1 ? "." : "", last - 1, digits + 1,
+             exponent + n - 1);
+}
+
+/* The number index * step, by its digits, independent of the locale. */
+static void tick_text(char *out, size_t room, long index, const tick_step *s) {
+    const char *sign = index < 0 ? "-" : "";
+    long value = (index < 0 ? -index : index) * s->mantissa;
+    if (value == 0)
+        snprintf(out, room, "0");
+    else if (s->exponent < -4 || s->exponent > 4)
+        power_text(out, room, sign, value, s->exponent);
+    else if (s->exponent >= 0)
+        snprintf(out, room, "%s%ld%.*s", sign, value, s->exponent, "0000");
+    else {
+        long unit = 1;
+        for (int k = s->exponent; k < 0; k++)
+            unit *= 10;
+        snprintf(out, room, "%s%ld.%0*ld", sign, value / unit, -s->exponent, value % unit);
+    }
+}
+
+/* The numbers along one side: first to last, times the step. */
+typedef struct tick_row {
+    tick_step step;
+    long first, last;
+    double widest; /* in pixels */
+} tick_row;
+
+/* None where they would be long and alike, far from the origin. */
+static tick_row ticks_of(const panel *p, int axis, double apart) {
+    double low = p->window.low[axis], high = p->window.high[axis];
+    tick_row t = {step_for(apart / p->scale), 0, -1, 0};
+    if (fmax(fabs(low), fabs(high)) / t.step.size > 1e9)
+        return t;
+    /* The upper end of an axis is its name's place. */
+    t.first = (long)ceil(low / t.step.size);
+    t.last = (long)floor((high - 20 / p->scale) / t.step.size);
+    for (long k = t.first; k <= t.last; k++) {
+        char number[48];
+        tick_text(number, sizeof number, k, &t.step);
+        t.widest = fmax(t.widest, canvas_text_width(number, NUMBER_SIZE));
+    }
+    return t;
+}
+
+/* Numbers stand below one another, or beside one another with a gap, off the axis's name. */
+static tick_row ticks_along(const panel *p, int axis) {
+    if (axis)
+        return ticks_of(p, 1, 36);
+    tick_row t = ticks_of(p, 0, 60);
+    for (double apart = 90; t.widest + 8 > t.step.size * p->scale; apart *= 1.5)
+        t = ticks_of(p, 0, apart);
+    double end = p->window.high[0] - (t.widest / 2 + 14) / p->scale;
+    while (t.last >= t.first && (double)t.last * t.step.size > end)
+        t.last--;
+    return t;
+}
+
+void panel_name(panel *p, const char *title, int numbered) {
+    snprintf(p->title, sizeof p->title, "%s", title);
+    p->left = 46;
+    if (numbered)
+        p->left = fmax(p->left, ceil(ticks_along(p, 1).widest + 10));
+}
+
+static void draw_tick(canvas *c, const panel *p, int axis, long index, const tick_step *s) {
+    const style line = {.stroke = PAINT(0x888888), .width = 1};
+    const lettering below = {.size = NUMBER_SIZE, .anchor = ANCHOR_MIDDLE};
+    const lettering beside = {.size = NUMBER_SIZE, .anchor = ANCHOR_END};
+    drawn_path mark = {NULL, 0, 0, 0};
+    char number[48];
+    double x, y, at = (double)index * s->size;
+    tick_text(number, sizeof number, index, s);
+    panel_map_plane(&x, &y, p, axis ? p->window.low[0] : at, axis ? at : p->window.low[1]);
+    drawn_path_to(&mark, 'M', x, y);
+    drawn_path_to(&mark, 'L', axis ? x - 4 : x, axis ? y : y + 4);
+    canvas_path(c, &mark, &line, NULL);
+    drawn_path_clear(&mark);
+    canvas_text(c, axis ? x - 7 : x, axis ? y + 4 : y + 16, axis ? &beside : &below, number);
+}
+
+void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical) {
+    const lettering name = {.size = 12, .bold = 1, .anchor = ANCHOR_END};
+    for (int axis = 0; axis < 2; axis++) {
+        tick_row t = ticks_along(p, axis);
+        for (long k = t.first; k <= t.last; k++)
+            draw_tick(c, p, axis, k, &t.step);
+    }
+    const char names[2][2] = {{horizontal, 0}, {vertical, 0}};
+    canvas_text(c, p->x + p->width, p->y + p->height + 16, &name, names[0]);
+    canvas_text(c, p->x - 7, p->y + 9, &name, names[1]);
+}
+
+void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double size) {
+    const style solid = {.fill = PAINT(INK)};
+    double length = sqrt(dx * dx + dy * dy);
+    dx *= size / length;
+    dy *= size / length;
+    drawn_path head = {NULL, 0, 0, 0};
+    drawn_path_to(&head, 'M', x, y);
+    drawn_path_to(&head, 'L', x - dx + dy * .4, y - dy - dx * .4);
+    drawn_path_to(&head, 'L', x - dx - dy * .4, y - dy + dx * .4);
+    drawn_path_to(&head, 'z', 0, 0);
+    canvas_path(c, &head, &solid, NULL);
+    drawn_path_clear(&head);
+}
+
+void panel_triad(canvas *c, const panel *p) {
+    static const char names[3][2] = {"x", "y", "z"};
+    const style line = {.stroke = PAINT(INK), .width = 1};
+    const lettering letter = {.size = 11, .anchor = ANCHOR_MIDDLE, .halo = 1};
+    double x = p->x + 36, y = p->y + p->height - 36;
+    for (int k = 0; k < 3; k++) {
+        double dx = p->look.row[0][k], dy = -p->look.row[1][k];
+        if (dx * dx + dy * dy < .01)
+            continue; /* the axis points at the onlooker */
+        drawn_path axis = {NULL, 0, 0, 0};
+        drawn_path_to(&axis, 'M', x, y);
+        drawn_path_to(&axis, 'L', x + 20 * dx, y + 20 * dy);
+        canvas_path(c, &axis, &line, NULL);
+        drawn_path_clear(&axis);
+        draw_arrow_head(c, x + 22 * dx, y + 22 * dy, dx, dy, 5);
+        canvas_text(c, x + 30 * dx, y + 30 * dy + 4, &letter, names[k]);
+    }
+}
+
+void panel_scale_bar(canvas *c, const panel *p) {
+    const style line = {.stroke = PAINT(INK), .width = 2};
+    const lettering number = {.size = 11, .anchor = ANCHOR_MIDDLE, .halo = 1};
+    tick_step step = step_for(p->width / 8 / p->scale);
+    double length = step.size * p->scale, right = p->x + p->width - 14, y = p->y + p->height - 12;
+    drawn_path bar = {NULL, 0, 0, 0};
+    char text[48];
+    if (!(length < p->width / 2))
+        return;
+    tick_text(text, sizeof text, 1, &step);
+    drawn_path_to(&bar, 'M', right - length, y);
+    drawn_path_to(&bar, 'L', right, y);
+    for (int k = 0; k < 2; k++) {
+        drawn_path_to(&bar, 'M', right - k * length, y - 4);
+        drawn_path_to(&bar, 'L', right - k * length, y + 4);
+    }
+    canvas_path(c, &bar, &line, "scale");
+    drawn_path_clear(&bar);
+    canvas_text(c, right - length / 2, y - 7, &number, text);
+}

@@ -1,0 +1,281 @@
+/* Coordinates in a plane, and what it has of a box.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/section.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/number/vector.h"
+#include "output/report/decimal_time.h"
+
+/* Divide a vector by its largest entry, which has size 1 then. */
+static void divide_by_largest(fmpq *v) {
+    fmpq_t most, size;
+    fmpq_init(most);
+    fmpq_init(size);
+    for (int k = 0; k < 3; k++) {
+        fmpq_abs(size, v + k);
+        if (fmpq_cmp(size, most) > 0)
+            fmpq_set(most, size);
+    }
+    for (int k = 0; k < 3; k++)
+        fmpq_div(v + k, v + k, most);
+    fmpq_clear(most);
+    fmpq_clear(size);
+}
+
+/* Give a vector, whose largest entry has size 1, the length 1 as nearly as a double can. */
+static void shorten(fmpq *v) {
+    enum { BITS = 53 };
+    fmpq_t scale;
+    fmpq_init(scale);
+    _fmpq_vec_dot(scale, v, v, 3);
+    fmpz_set_d(fmpq_numref(scale), ldexp(1 / sqrt(fmpq_get_d(scale)), BITS));
+    fmpz_one(fmpq_denref(scale));
+    fmpq_div_2exp(scale, scale, BITS);
+    for (int k = 0; k < 3; k++)
+        fmpq_mul(v + k, v + k, scale);
+    fmpq_clear(scale);
+}
+
+static void find_ways(section *s) {
+    fmpq *normal = _fmpq_vec_init(3);
+    for (int k = 0; k < 3; k++)
+        fmpq_set(normal + k, s->normal + k);
+    divide_by_largest(normal);
+    if (fmpq_is_zero(normal) && fmpq_is_zero(normal + 1)) {
+        fmpq_one(s->way[0]);
+    } else {
+        fmpq_neg(s->way[0], normal + 1);
+        fmpq_set(s->way[0] + 1, normal);
+    }
+    divide_by_largest(s->way[0]);
+    vector_cross(s->way[1], normal, s->way[0]);
+    divide_by_largest(s->way[1]);
+    shorten(s->way[0]);
+    shorten(s->way[1]);
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 3; k++)
+            s->look.row[i][k] = fmpq_get_d(s->way[i] + k);
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        s->unit[k] = s->look.row[0][i] * s->look.row[1][j] - s->look.row[0][j] * s->look.row[1][i];
+    }
+    _fmpq_vec_clear(normal, 3);
+}
+
+void section_make(section *out, const fmpq *normal, const fmpq_t place) {
+    fmpq_t square;
+    fmpq_init(square);
+    *out = (section){.unit_height = 0};
+    fmpq_init(&out->place);
+    fmpq_set(&out->place, place);
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(out->normal + k);
+        fmpq_init(out->origin + k);
+        fmpq_init(out->way[0] + k);
+        fmpq_init(out->way[1] + k);
+        fmpq_set(out->normal + k, normal + k);
+    }
+    _fmpq_vec_dot(square, normal, normal, 3);
+    fmpq_div(square, place, square);
+    for (int k = 0; k < 3; k++)
+        fmpq_mul(out->origin + k, normal + k, square);
+    find_ways(out);
+    for (int k = 0; k < 3; k++)
+        out->unit_height += out->unit[k] * fmpq_get_d(out->origin + k);
+    fmpq_clear(square);
+}
+
+void section_clear(section *s) {
+    for (int k = 0; k < 3; k++) {
+        fmpq_clear(s->normal + k);
+        fmpq_clear(s->origin + k);
+        fmpq_clear(s->way[0] + k);
+        fmpq_clear(s->way[1] + k);
+    }
+    fmpq_clear(&s->place);
+}
+
+void section_point(fmpq *out, const section *s, const fmpq *uv) {
+    for (int k = 0; k < 3; k++) {
+        fmpq_set(out + k, s->origin + k);
+        fmpq_addmul(out + k, s->way[0] + k, uv);
+        fmpq_addmul(out + k, s->way[1] + k, uv + 1);
+    }
+}
+
+/* normal . x - place */
+static void height_of(fmpq_t out, const section *s, const fmpq *point) {
+    _fmpq_vec_dot(out, s->normal, point, 3);
+    fmpq_sub(out, out, &s->place);
+}
+
+int section_holds(const section *s, const fmpq *point) {
+    fmpq_t height;
+    fmpq_init(height);
+    height_of(height, s, point);
+    int holds = fmpq_is_zero(height);
+    fmpq_clear(height);
+    return holds;
+}
+
+/* Let a rectangle hold a point of the plane. */
+static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const fmpq *point) {
+    fmpq_t value, square;
+    fmpq_init(value);
+    fmpq_init(square);
+    for (int i = 0; i < 2; i++) {
+        _fmpq_vec_dot(value, s->way[i], point, 3);
+        _fmpq_vec_dot(square, s->way[i], s->way[i], 3);
+        fmpq_div(value, value, square);
+        if (first || fmpq_cmp(value, low + i) < 0)
+            fmpq_set(low + i, value);
+        if (first || fmpq_cmp(value, high + i) > 0)
+            fmpq_set(high + i, value);
+    }
+    fmpq_clear(value);
+    fmpq_clear(square);
+}
+
+/* The point in which the line from a to b meets the plane, which lies between them. */
+static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
+    fmpq_t from, to, share;
+    fmpq_init(from);
+    fmpq_init(to);
+    fmpq_init(share);
+    height_of(from, s, a);
+    height_of(to, s, b);
+    fmpq_sub(share, from, to);
+    fmpq_div(share, from, share);
+    for (int k = 0; k < 3; k++) {
+        fmpq_sub(out + k, b + k, a + k);
+        fmpq_mul(out + k, out + k, share);
+        fmpq_add(out + k, out + k, a + k);
+    }
+    fmpq_clear(from);
+    fmpq_clear(to);
+    fmpq_clear(share);
+}
+
+/* Let an interval end in multiples of a power of two of which it has 2^12 to 2^13: short numbers.
+ */
+static void round_extent(fmpq_t low, fmpq_t high) {
+    enum { PARTS = 12 };
+    fmpq_t length, unit;
+    fmpz_t whole;
+    fmpq_init(length);
+    fmpq_init(unit);
+    fmpz_init(whole);
+    fmpq_sub(length, high, low);
+    slong bits = (slong)fmpz_bits(fmpq_numref(length)) - (slong)fmpz_bits(fmpq_denref(length));
+    fmpq_one(unit);
+    if (bits < PARTS)
+        fmpq_div_2exp(unit, unit, (flint_bitcnt_t)(PARTS - bits));
+    else
+        fmpq_mul_2exp(unit, unit, (flint_bitcnt_t)(bits - PARTS));
+    fmpq_div(length, low, unit);
+    fmpz_fdiv_q(whole, fmpq_numref(length), fmpq_denref(length));
+    fmpq_mul_fmpz(low, unit, whole);
+    fmpq_div(length, high, unit);
+    fmpz_cdiv_q(whole, fmpq_numref(length), fmpq_denref(length));
+    fmpq_mul_fmpz(high, unit, whole);
+    fmpq_clear(length);
+    fmpq_clear(unit);
+    fmpz_clear(whole);
+}
+
+int section_extent(fmpq *low, fmpq *high, const section *s, const fmpq *box_low,
+                   const fmpq *box_high) {
+    int found = 0;
+    fmpq *corner = _fmpq_vec_init(24), *point = _fmpq_vec_init(3);
+    fmpq_t height;
+    int sign[8];
+    fmpq_init(height);
+    for (int c = 0; c < 8; c++) {
+        for (int k = 0; k < 3; k++)
+            fmpq_set(corner + 3 * c + k, (c >> k & 1 ? box_high : box_low) + k);
+        height_of(height, s, corner + 3 * c);
+        sign[c] = fmpq_sgn(height);
+    }
+    for (int c = 0; c < 8; c++)
+        for (int k = 0; k < 3; k++) {
+            int other = c | 1 << k;
+            if (other == c || sign[c] * sign[other] >= 0)
+                continue;
+            meet_edge(point, s, corner + 3 * c, corner + 3 * other);
+            hold_point(low, high, !found++, s, point);
+        }
+    for (int c = 0; c < 8; c++)
+        if (sign[c] == 0)
+            hold_point(low, high, !found++, s, corner + 3 * c);
+    fmpq_clear(height);
+    _fmpq_vec_clear(corner, 24);
+    _fmpq_vec_clear(point, 3);
+    if (!found || fmpq_cmp(low, high) >= 0 || fmpq_cmp(low + 1, high + 1) >= 0)
+        return 0;
+    for (int i = 0; i < 2; i++)
+        round_extent(low + i, high + i);
+    return 1;
+}
+
+void section_equation(text *out, const section *s) {
+    int first = 1;
+    fmpq_t size;
+    fmpq_init(size);
+    for (int k = 0; k < 3; k++) {
+        if (fmpq_is_zero(s->normal + k))
+            continue;
+        int negative = fmpq_sgn(s->normal + k) < 0;
+        fmpq_abs(size, s->normal + k);
+        text_put(out, first ? negative ? "-" : "" : negative ? " - " : " + ");
+        if (!fmpq_is_one(size)) {
+            text_rational(out, size);
+            text_put(out, "*");
+        }
+        text_format(out, "%c", "xyz"[k]);
+        first = 0;
+    }
+    text_put(out, " = ");
+    text_rational(out, &s->place);
+    fmpq_clear(size);
+}
+
+/* Three numbers: decimals of four digits, or exact. */
+static void describe_vector(text *out, const fmpq *v, int exact) {
+    for (int k = 0; k < 3; k++) {
+        text_put(out, k ? exact ? " " : ", " : "");
+        if (exact) {
+            text_rational(out, v + k);
+            continue;
+        }
+        int unused;
+        char *decimal = decimal_of_rational(&unused, v + k, 4);
+        text_put(out, decimal ? decimal : "");
+        out->failed |= !decimal;
+        free(decimal);
+    }
+}
+
+void section_describe(text *out, const section *s) {
+    text_put(out, "u from (");
+    describe_vector(out, s->origin, 0);
+    text_put(out, ") along (");
+    describe_vector(out, s->way[0], 0);
+    text_put(out, "), v along (");
+    describe_vector(out, s->way[1], 0);
+    text_put(out, ")");
+}
+
+void section_attributes(text *out, const section *s) {
+    static const char *const names[] = {" data-u=\"", " data-v=\""};
+    text_put(out, " data-origin=\"");
+    describe_vector(out, s->origin, 1);
+    for (int i = 0; i < 2; i++) {
+        text_put(out, "\"");
+        text_put(out, names[i]);
+        describe_vector(out, s->way[i], 1);
+    }
+    text_put(out, "\"");
+}

@@ -1,0 +1,39 @@
+/* The panels of a picture.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_DRAW_VIEWS_H
+#define GRAZE_DRAW_VIEWS_H
+
+#include "output/draw/marks.h"
+#include "output/draw/request.h"
+#include "output/draw/shape.h"
+#include "output/draw/trail.h"
+
+/** All that a picture shows, made before the canvas is, whose size follows from it. */
+typedef struct picture {
+    const graze_scene *scene;
+    const draw_request *request;
+    cells cells;
+    section section; /* where the request has a normal */
+    shape *moved;    /* at request->times times; for an unsweep under the inverse motion */
+    shape standing;
+    trail *trails;  /* one a point */
+    double *points; /* three coordinates each */
+    legend legend;
+    panel classes, positions, trajectories;
+    int has_positions, has_trajectories;
+} picture;
+
+/** Choose the windows and sizes of the panels, not yet their places.
+ * @return GRAZE_ELIMIT a window beyond what doubles can draw (range.h) */
+graze_status views_fit(picture *p, graze_context *context);
+/** How many points lie outside the panel that shows points where they are; after views_fit. */
+size_t views_outside(const picture *p);
+/** The classes of the cells, with the positions of S and the points in their plane. */
+graze_status view_classes(canvas *c, const picture *p);
+/** The positions of S in space, seen from the onlooker. */
+graze_status view_positions(canvas *c, graze_context *context, const picture *p);
+/** The trajectories through the standing S. */
+graze_status view_trajectories(canvas *c, graze_context *context, const picture *p);
+
+#endif

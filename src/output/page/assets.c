@@ -1,0 +1,32 @@
+/* The bytes of the page's files, put into the library by the assembler.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/page/assets.h"
+
+#include <stddef.h>
+
+#define FILE_AS(name, path)                                                                        \
+    __asm__(".section .rodata\n"                                                                   \
+            ".globl " #name "\n"                                                                   \
+            ".hidden " #name "\n"                                                                  \
+            ".type " #name ", %object\n" #name ":\n"                                               \
+            ".incbin \"src/output/page/" path "\"\n"                                               \
+            ".byte 0\n"                                                                            \
+            ".size " #name ", . - " #name "\n"                                                     \
+            ".previous\n")
+
+FILE_AS(asset_template, "page.html");
+FILE_AS(asset_three, "three/three.min.js");
+FILE_AS(asset_licence, "three/LICENSE");
+FILE_AS(asset_numbers, "numbers.js");
+FILE_AS(asset_motion, "motion.js");
+FILE_AS(asset_sentences, "sentences.js");
+FILE_AS(asset_view, "view.js");
+FILE_AS(asset_world, "world.js");
+FILE_AS(asset_main, "main.js");
+
+extern const char asset_numbers[] ASSET, asset_motion[] ASSET, asset_sentences[] ASSET;
+extern const char asset_view[] ASSET, asset_world[] ASSET, asset_main[] ASSET;
+
+const char *const asset_program[] = {
+    asset_numbers, asset_motion, asset_sentences, asset_view, asset_world, asset_main, NULL};

@@ -1,0 +1,72 @@
+/* JSON strings and base64.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/page/encode.h"
+
+#include <math.h>
+#include <string.h>
+#include "output/draw/canvas.h"
+
+void encode_string(text *out, const char *string) {
+    text_put(out, "\"");
+    while (*string) {
+        size_t n = canvas_character(string);
+        if (n == 0)
+            text_put(out, "?");
+        else if (strchr("\"\\<>&", *string))
+            text_format(out, "\\u%04x", (unsigned)(unsigned char)*string);
+        else
+            text_bytes(out, string, n);
+        string += n ? n : 1;
+    }
+    text_put(out, "\"");
+}
+
+void encode_number(text *out, double value) {
+    if (isfinite(value))
+        text_format(out, "%.17g", value);
+    else
+        text_put(out, "null");
+}
+
+static void put_triple(encoder *e) {
+    static const char letters[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const unsigned char *b = e->rest;
+    char four[4] = {letters[b[0] >> 2], letters[(b[0] & 3) << 4 | b[1] >> 4],
+                    letters[(b[1] & 15) << 2 | b[2] >> 6], letters[b[2] & 63]};
+    for (int k = e->held + 1; k < 4; k++)
+        four[k] = '=';
+    text_bytes(e->out, four, 4);
+    e->held = 0;
+    memset(e->rest, 0, sizeof e->rest);
+}
+
+static void put_byte(encoder *e, unsigned char byte) {
+    e->rest[e->held++] = byte;
+    if (e->held == 3)
+        put_triple(e);
+}
+
+void encode_begin(encoder *e, text *out) {
+    *e = (encoder){.out = out};
+    text_put(out, "\"");
+}
+
+void encode_double(encoder *e, double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    for (int k = 0; k < 8; k++)
+        put_byte(e, (unsigned char)(bits >> 8 * k));
+}
+
+void encode_count(encoder *e, uint32_t value) {
+    for (int k = 0; k < 4; k++)
+        put_byte(e, (unsigned char)(value >> 8 * k));
+}
+
+void encode_end(encoder *e) {
+    if (e->held)
+        put_triple(e);
+    text_put(e->out, "\"");
+}

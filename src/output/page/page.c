@@ -1,0 +1,106 @@
+/* The page, put together from its template.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/page/page.h"
+
+#include <flint/fmpq_vec.h>
+#include <string.h>
+#include "decide/scene/box.h"
+#include "output/draw/marks.h"
+#include "output/draw/range.h"
+#include "output/draw/save.h"
+#include "output/page/assets.h"
+#include "output/page/encode.h"
+#include "output/page/page_points.h"
+#include "output/page/things.h"
+
+/* The names and colours of the picture's one palette, in the order of their numbers. */
+static void put_tones(text *out) {
+    text_put(out, "[");
+    for (int t = 0; t < TONE_COUNT; t++) {
+        text_put(out, t ? "," : "");
+        text_format(out, "[\"%s\",\"#%06x\"]", tone_name((tone)t), tone_colour((tone)t));
+    }
+    text_put(out, "]");
+}
+
+static graze_status put_box(text *out, graze_context *context, const fmpq *low, const fmpq *high,
+                            int d) {
+    double box[6];
+    for (int k = 0; k < 2 * d; k++) {
+        box[k] = fmpq_get_d(k < d ? low + k : high + k - d);
+        text_put(out, k ? "," : "[");
+        encode_number(out, box[k]);
+    }
+    text_put(out, "]");
+    return range_check(context, box, box + d, d);
+}
+
+static graze_status put_scene_box(text *out, graze_context *context, const graze_scene *scene,
+                                  const draw_request *request) {
+    int d = scene->motion->dimension;
+    fmpq *box = _fmpq_vec_init(2 * d);
+    const fmpq *low = request->low ? request->low : box;
+    const fmpq *high = request->low ? request->high : box + d;
+    graze_status status = request->low ? GRAZE_OK : scene_box(box, box + d, context, scene);
+    if (!status)
+        status = put_box(out, context, low, high, d);
+    _fmpq_vec_clear(box, 2 * d);
+    return status;
+}
+
+static graze_status put_scene(text *out, graze_context *context, const graze_scene *scene,
+                              const draw_request *request) {
+    int unsweep = scene->options.operation == GRAZE_UNSWEEP;
+    text_format(out, "{\"version\":\"%s\",\"dimension\":%d,\"operation\":\"%s\",\"folds\":\"%s\",",
+                GRAZE_VERSION, scene->motion->dimension, unsweep ? "unsweep" : "sweep",
+                scene->options.folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
+    text_format(out, "\"meet\":%s,\"times\":%lu,\"title\":", scene->ends_meet ? "true" : "false",
+                request->times);
+    encode_string(out, request->title ? request->title : "");
+    text_put(out, ",\"tones\":");
+    put_tones(out);
+    text_put(out, ",\"box\":");
+    graze_status status = put_scene_box(out, context, scene, request);
+    text_put(out, ",\n\"motion\":");
+    page_motion(out, scene->motion, scene->options.operation);
+    text_put(out, ",\n\"solid\":");
+    if (!status)
+        status = page_solid(out, context, scene->solid);
+    text_put(out, ",\n\"surface\":");
+    if (!status)
+        status = page_surface(out, context, scene, request);
+    text_put(out, ",\n\"points\":");
+    if (!status)
+        status = page_rows(out, context, scene, request);
+    text_put(out, "}");
+    return status;
+}
+
+/* The template up to a mark, which is left out; returns what follows it. */
+static const char *put_until(text *out, const char *from, const char *mark) {
+    const char *at = strstr(from, mark);
+    text_bytes(out, from, at ? (size_t)(at - from) : strlen(from));
+    return at ? at + strlen(mark) : "";
+}
+
+graze_status page_write(graze_context *context, const graze_scene *scene, const char *file,
+                        const draw_request *request) {
+    text out;
+    text_init(&out);
+    const char *rest = put_until(&out, asset_template, "@LICENCE@");
+    text_put(&out, asset_licence);
+    rest = put_until(&out, rest, "@THREE@");
+    text_put(&out, asset_three);
+    rest = put_until(&out, rest, "@SCENE@");
+    graze_status status = put_scene(&out, context, scene, request);
+    rest = put_until(&out, rest, "@PROGRAM@");
+    for (size_t k = 0; asset_program[k]; k++)
+        text_put(&out, asset_program[k]);
+    text_put(&out, rest);
+    if (!status)
+        status = out.failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a page")
+                            : save_file(context, file, &out);
+    text_clear(&out);
+    return status;
+}

@@ -1,0 +1,157 @@
+/* A canvas that is a PNG image, two of its pixels to one of the canvas.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A shared object of its own, which output/draw/png_loader.c loads when a picture asks for it:
+ * cairo brings a window system's libraries along, which nothing else of Graze needs.
+ */
+#include <cairo/cairo.h>
+#include <stdlib.h>
+#include "output/draw/png_loader.h"
+
+typedef struct png_canvas {
+    canvas base;
+    cairo_surface_t *surface;
+    cairo_t *to;
+} png_canvas;
+
+static const int scale = 2;
+
+static void set_paint(png_canvas *p, unsigned paint, double faintness) {
+    cairo_set_source_rgba(p->to, (paint >> 16 & 255) / 255.0, (paint >> 8 & 255) / 255.0,
+                          (paint & 255) / 255.0, 1 - faintness);
+}
+
+static void png_begin(canvas *c, const char *name, const char *attributes) {
+    (void)c, (void)name, (void)attributes;
+}
+
+static void png_end(canvas *c) {
+    (void)c;
+}
+
+static void png_clip(canvas *c, double x, double y, double width, double height) {
+    png_canvas *p = (png_canvas *)c;
+    cairo_save(p->to);
+    cairo_new_path(p->to);
+    cairo_rectangle(p->to, x, y, width, height);
+    cairo_clip(p->to);
+}
+
+static void png_unclip(canvas *c) {
+    png_canvas *p = (png_canvas *)c;
+    cairo_restore(p->to);
+}
+
+/* Fill and stroke what has been laid out. */
+static void png_draw(png_canvas *p, const style *s) {
+    cairo_set_antialias(p->to, s->crisp ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_DEFAULT);
+    if (s->fill) {
+        set_paint(p, s->fill, s->faintness);
+        cairo_fill_preserve(p->to);
+    }
+    if (s->stroke) {
+        set_paint(p, s->stroke, s->faintness);
+        cairo_set_line_width(p->to, s->width);
+        cairo_set_dash(p->to, &s->dash, s->dash > 0, 0);
+        cairo_stroke(p->to);
+    }
+    cairo_new_path(p->to);
+}
+
+/* Cairo's coordinates are fixed-point numbers; far outside the picture all are alike. */
+static double bounded(double value) {
+    const double far = 1e5;
+    return value > -far ? value < far ? value : far : -far;
+}
+
+static void png_path(canvas *c, const drawn_path *shape, const style *s, const char *name) {
+    png_canvas *p = (png_canvas *)c;
+    (void)name;
+    cairo_new_path(p->to);
+    for (size_t k = 0; k < shape->count; k++) {
+        const path_node *n = &shape->node[k];
+        if (n->verb == 'z')
+            cairo_close_path(p->to);
+        else
+            (n->verb == 'M' ? cairo_move_to : cairo_line_to)(p->to, bounded(n->x), bounded(n->y));
+    }
+    png_draw(p, s);
+}
+
+static void png_circle(canvas *c, double x, double y, double radius, const style *s) {
+    png_canvas *p = (png_canvas *)c;
+    cairo_new_path(p->to);
+    cairo_arc(p->to, bounded(x), bounded(y), radius, 0, 6.283185307179586);
+    cairo_close_path(p->to);
+    png_draw(p, s);
+}
+
+static void png_text(canvas *c, double x, double y, const lettering *l, const char *string) {
+    png_canvas *p = (png_canvas *)c;
+    cairo_text_extents_t size;
+    cairo_select_font_face(p->to, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           l->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(p->to, l->size);
+    cairo_set_fill_rule(p->to, CAIRO_FILL_RULE_WINDING);
+    cairo_text_extents(p->to, string, &size);
+    x -= l->anchor == ANCHOR_START ? 0 : size.x_advance / (l->anchor == ANCHOR_MIDDLE ? 2 : 1);
+    cairo_new_path(p->to);
+    cairo_move_to(p->to, x, y);
+    cairo_text_path(p->to, string);
+    if (l->halo) {
+        const style rim = {.stroke = PAINT(0xffffff), .width = 3};
+        png_draw(p, &rim);
+        cairo_move_to(p->to, x, y);
+        cairo_text_path(p->to, string);
+    }
+    const style letters = {.fill = PAINT(INK)};
+    png_draw(p, &letters);
+    cairo_set_fill_rule(p->to, CAIRO_FILL_RULE_EVEN_ODD);
+}
+
+/* Destination of the bytes of the file. */
+typedef struct sink {
+    canvas_put *put;
+    void *to;
+} sink;
+
+static cairo_status_t png_keep(void *closure, const unsigned char *data, unsigned length) {
+    const sink *s = closure;
+    return s->put(s->to, (const char *)data, length) ? CAIRO_STATUS_SUCCESS
+                                                     : CAIRO_STATUS_NO_MEMORY;
+}
+
+static void png_finish(canvas *c, canvas_put *put, void *to) {
+    png_canvas *p = (png_canvas *)c;
+    sink s = {put, to};
+    c->failed |= cairo_status(p->to) != CAIRO_STATUS_SUCCESS;
+    if (!c->failed)
+        c->failed =
+            cairo_surface_write_to_png_stream(p->surface, png_keep, &s) != CAIRO_STATUS_SUCCESS;
+}
+
+static void png_destroy(canvas *c) {
+    png_canvas *p = (png_canvas *)c;
+    cairo_destroy(p->to);
+    cairo_surface_destroy(p->surface);
+    free(p);
+}
+
+static const canvas_kind png_kind = {png_begin,  png_end,  png_clip,   png_unclip, png_path,
+                                     png_circle, png_text, png_finish, png_destroy};
+
+__attribute__((visibility("default"))) canvas *graze_png_create(double width, double height) {
+    png_canvas *p = calloc(1, sizeof *p);
+    if (!p)
+        return NULL;
+    p->base = (canvas){&png_kind, width, height, 0};
+    p->surface =
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)(width * scale), (int)(height * scale));
+    p->to = cairo_create(p->surface);
+    cairo_scale(p->to, scale, scale);
+    cairo_set_fill_rule(p->to, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_set_line_join(p->to, CAIRO_LINE_JOIN_ROUND);
+    set_paint(p, PAINT(0xffffff), 0);
+    cairo_paint(p->to);
+    return &p->base;
+}

@@ -1,0 +1,117 @@
+/* Positions in words. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/report/closed.h"
+
+#include "output/report/closings.h"
+
+/* What each level says of a point, by position. */
+static const char *meaning_of(const topo_finding *topo) {
+    int interior = topo->position == GRAZE_TOPO_INTERIOR;
+    switch (topo->level) {
+    case GRAZE_LEVEL_L1:
+        return interior ? "to first order the contacts cover every direction about P, each with "
+                          "those near it"
+                        : "to first order no contact covers the direction from P to the point "
+                          "below: all points near enough in it are out";
+    case GRAZE_LEVEL_EXACT:
+        return "closed cones that contacts cover exactly fill all directions about P, with what is "
+               "covered to first order";
+    case GRAZE_LEVEL_TUBE:
+        return "the contacts cover every direction about P to first order, with the ways that pass "
+               "between parts or along an edge";
+    case GRAZE_LEVEL_L2:
+        return interior
+                   ? "contacts close on both sides of a plane through P and, by their leading "
+                     "terms, overlap in each of its directions"
+                   : "contacts close on both sides of a plane through P, but leave a gap in it "
+                     "that is thinner than every cone";
+    case GRAZE_LEVEL_LR:
+        return "near P nothing depends on one direction; every part into which curves cut a small "
+               "square across it was looked at";
+    case GRAZE_LEVEL_L3:
+        return "every part into which curves cut a small square about P was looked at";
+    default:
+        return NULL;
+    }
+}
+
+static void put_undecided(text *t, const topo_finding *topo) {
+    text_format(t, "it is undecided: %s.\n", topo->reason);
+    if (!topo->has_across)
+        return;
+    text_put(t, "All directions (dx, dy, dz) are covered to first order but some of the plane ");
+    closings_form(t, topo->across, 3);
+    text_put(t, " = 0:\na gap along it would be thinner "
+                "than every cone.\n");
+}
+
+static void put_direction(text *t, const fmpz *v, int dimension) {
+    for (int k = 0; k < dimension; k++) {
+        char *digits = fmpz_get_str(NULL, 10, v + k);
+        text_format(t, "%s%s", k ? ", " : "(", digits);
+        flint_free(digits);
+    }
+    text_put(t, ")");
+}
+
+/* Up to what number of a path's or square's places something holds. */
+static void put_reach(text *t, const char *before, const topo_finding *topo) {
+    text_put(t, before);
+    text_rational(t, &topo->reach);
+    text_put(t, ".\n");
+}
+
+static void put_path(text *t, const topo_finding *topo) {
+    text_format(t, "). So are all points P + s^%ld ", (long)topo->order);
+    put_direction(t, topo->open, 3);
+    text_format(t, " + s^%ld (", (long)topo->order + 1);
+    text_rational(t, &topo->lift);
+    text_put(t, ") ");
+    put_direction(t, topo->across, 3);
+    put_reach(t, " with 0 < s <= ", topo);
+}
+
+static void put_square(text *t, const topo_finding *topo, int dimension) {
+    text_put(t, "). Every smaller square than its own, P + x ");
+    put_direction(t, topo->along[0], dimension);
+    text_put(t, " + y ");
+    put_direction(t, topo->along[1], dimension);
+    put_reach(t,
+              " with the larger of |x|, |y|\nbelow its value there, has such a point too; that "
+              "value is ",
+              topo);
+}
+
+/* The witness, and what is known of the points between. */
+static void put_witness(text *t, const topo_finding *topo, int dimension) {
+    for (int k = 0; k < dimension; k++) {
+        text_put(t, k ? ", " : "A point that is out: (");
+        text_rational(t, topo->witness + k);
+    }
+    switch (finding_witness(topo)) {
+    case WITNESS_PATH:
+        put_path(t, topo);
+        break;
+    case WITNESS_SQUARE:
+        put_square(t, topo, dimension);
+        break;
+    default:
+        text_put(t, "). So are all points P + s ");
+        put_direction(t, topo->direction, dimension);
+        put_reach(t, " with 0 < s <= ", topo);
+    }
+}
+
+void closed_explain(text *t, const topo_finding *topo, int dimension) {
+    const char *meaning = meaning_of(topo);
+    text_put(t, "\nRelative to the closed set ");
+    if (topo->position == GRAZE_TOPO_UNDECIDED) {
+        put_undecided(t, topo);
+        return;
+    }
+    text_format(t, "it is `%s`, by level `%s`.\n", graze_topo_name(topo->position),
+                graze_topo_level_name(topo->level));
+    if (meaning)
+        text_format(t, "That is, %s.\n", meaning);
+    if (topo->has_witness)
+        put_witness(t, topo, dimension);
+}

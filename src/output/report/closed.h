@@ -1,0 +1,13 @@
+/* The position relative to the closed sweep, for a person.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_REPORT_CLOSED_H
+#define GRAZE_REPORT_CLOSED_H
+
+#include "base/number/text.h"
+#include "questions/topo/finding.h"
+
+/** Append the position of a point, what decided it, and its witness or why it is undecided. */
+void closed_explain(text *t, const topo_finding *topo, int dimension);
+
+#endif

@@ -1,0 +1,199 @@
+/* Contacts as cones. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * In E^2 what a contact covers to first order is a few sectors between rays of its own arrangement
+ * (proofs/topology.md C46); in E^3 a facet's half-space is told, and of the plane that first order
+ * leaves open, if there is one, the sides that the contact closes.
+ */
+#include "output/report/closings.h"
+
+#include <flint/fmpz_vec.h>
+#include "output/report/formula.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/directions.h"
+#include "questions/topo/first_order.h"
+#include "questions/topo/hint.h"
+#include "questions/topo/sectors.h"
+#include "questions/topo/topo.h"
+
+typedef struct closings_maker {
+    text *t;
+    graze_context *context;
+    const graze_scene *scene;
+    const topo_finding *topo;
+    int dimension;
+} closings_maker;
+
+void closings_form(text *t, const fmpz *normal, int dimension) {
+    int first = 1;
+    for (int k = 0; k < dimension; k++) {
+        if (fmpz_is_zero(normal + k))
+            continue;
+        char *digits = fmpz_get_str(NULL, 10, normal + k);
+        text_put(t, first ? "" : " + ");
+        if (!fmpz_is_one(normal + k))
+            text_format(t, "%s ", digits);
+        text_format(t, "d%c", "xyz"[k]);
+        flint_free(digits);
+        first = 0;
+    }
+}
+
+void closings_place(text *t, const graze_scene *scene, const germ *g) {
+    static const char *const cells[2][3] = {{"corner", "edge", ""}, {"vertex", "edge", "facet"}};
+    const graze_motion *motion = scene->motion;
+    size_t k = 0;
+    fmpq_t time;
+    fmpq_init(time);
+    while (motion_tracing(&motion->piece[k], scene->options.operation) != g->map)
+        k++;
+    if (g->has_time) {
+        fmpq_sub(time, motion->piece[k].hi, motion->piece[k].lo);
+        fmpq_mul(time, time, &g->time);
+        fmpq_add(time, time, motion->piece[k].lo);
+        text_put(t, "t = ");
+        formula_rational(t, time);
+        text_put(t, fmpq_is_zero(&g->time)  ? " and after"
+                    : fmpq_is_one(&g->time) ? " and before"
+                                            : "");
+    } else {
+        text_put(t, "an irrational t between ");
+        formula_rational(t, motion->piece[k].lo);
+        text_put(t, " and ");
+        formula_rational(t, motion->piece[k].hi);
+    }
+    text_format(t, ", %s", cells[motion->dimension - 2][cone_cell_dimension(&g->cone)]);
+    fmpq_clear(time);
+}
+
+static void put_ray(text *t, const fmpz *v, int dimension) {
+    for (int k = 0; k < dimension; k++) {
+        char *digits = fmpz_get_str(NULL, 10, v + k);
+        text_format(t, "%s%s", k ? ", " : "(", digits);
+        flint_free(digits);
+    }
+    text_put(t, ")");
+}
+
+/* Does one germ alone cover a direction? */
+static graze_status covers(int *out, const closings_maker *m, germ *g, const fmpz *direction) {
+    germ_list alone = {.count = 1, .capacity = 1, .item = g, .bounded = 1};
+    germ_cover cover;
+    graze_status status = germs_cover(&cover, &alone, m->context, direction);
+    *out = !status && cover.covered;
+    return status;
+}
+
+/* A facet's half-space about the point. */
+static graze_status put_half_space(const closings_maker *m, germ *g) {
+    int d = m->dimension, inside = 0;
+    fmpz *normal = _fmpz_vec_init(d);
+    for (int column = 0; column < d; column++)
+        for (int row = 0; row < d; row++)
+            fmpz_addmul(normal + column, g->to_body + row * d + column, g->cone.normal + row);
+    direction_reduce(normal, d);
+    graze_status status = covers(&inside, m, g, normal);
+    closings_form(m->t, normal, d);
+    text_put(m->t, inside ? " >= 0" : " <= 0");
+    _fmpz_vec_clear(normal, d);
+    return status;
+}
+
+/* The sectors that a germ of E^2 covers. */
+static graze_status put_in_plane(const closings_maker *m, germ *g) {
+    sector_list found = {0, 0, NULL};
+    sector_question asked = {.germ = g, .part = GERM_WHOLE};
+    graze_status status = sectors_find(&found, m->context, &asked);
+    for (size_t k = 0; k < found.count && !status; k++) {
+        text_put(m->t, k ? ", and from " : "counter-clockwise from ");
+        put_ray(m->t, found.ray + 4 * k, 2);
+        text_put(m->t, " to ");
+        put_ray(m->t, found.ray + 4 * k + 2, 2);
+    }
+    text_put(m->t, found.all ? "all directions" : found.count ? "" : "no sector");
+    sectors_clear(&found);
+    return status;
+}
+
+/* The planes between which an edge or a vertex of E^3 has its cone. */
+static void put_planes(const closings_maker *m, const germ *g) {
+    text_format(m->t, "the cone between %lu planes and what its way sweeps",
+                (unsigned long)g->cone.count);
+}
+
+/* Which sides of the open plane it closes. */
+static graze_status put_sides(const closings_maker *m, germ *g) {
+    int side[2] = {0, 0};
+    fmpz *normal = _fmpz_vec_init(3);
+    _fmpz_vec_set(normal, m->topo->across, 3);
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 2 && !status; k++) {
+        status = covers(&side[k], m, g, normal);
+        _fmpz_vec_neg(normal, normal, 3);
+    }
+    if (side[0] || side[1]) {
+        text_put(m->t, "; it closes ");
+        closings_form(m->t, m->topo->across, 3);
+        text_put(m->t, side[0] && side[1] ? " on both sides of 0" : side[0] ? " > 0" : " < 0");
+    }
+    _fmpz_vec_clear(normal, 3);
+    return status;
+}
+
+static graze_status put_germ(const closings_maker *m, germ *g) {
+    graze_status status = GRAZE_OK;
+    text_put(m->t, "  at ");
+    closings_place(m->t, m->scene, g);
+    text_put(m->t, ": ");
+    if (cone_cell_dimension(&g->cone) == m->dimension - 1)
+        status = put_half_space(m, g);
+    else if (m->dimension == 2)
+        status = put_in_plane(m, g);
+    else
+        put_planes(m, g);
+    if (!status && m->topo->has_across)
+        status = put_sides(m, g);
+    text_put(m->t, "\n");
+    return status;
+}
+
+static graze_status put_hint(const closings_maker *m, const fmpq *point) {
+    int found = 0;
+    ulong places = 0;
+    fmpq near[3] = {{0, 1}, {0, 1}, {0, 1}};
+    graze_status status = hint_find(&found, near, &places, m->context, m->scene, point, m->topo);
+    if (!status && !found)
+        text_put(m->t, "Probing about P found no point that is out. That is a hint, no verdict.\n");
+    for (int k = 0; k < 3 && !status && found; k++) {
+        text_put(m->t, k ? ", " : "The nearest point found that is out is (");
+        text_rational(m->t, near + k);
+    }
+    if (!status && found)
+        text_format(m->t,
+                    "), about 2^-%lu times\nthe solid's width away. That is a hint, no verdict.\n",
+                    places);
+    for (int k = 0; k < 3; k++)
+        fmpq_clear(near + k);
+    return status;
+}
+
+graze_status closings_explain(text *t, graze_context *context, const graze_scene *scene,
+                              const fmpq *point, const topo_finding *topo) {
+    closings_maker m = {t, context, scene, topo, scene->motion->dimension};
+    const plane_list *planes = NULL;
+    germ_list germs;
+    germs_init(&germs);
+    graze_status status = topo_planes(&planes, context, scene);
+    if (!status)
+        status = germs_find(&germs, context, scene, planes, point);
+    text_format(t,
+                "Contacts, and the directions (dx, dy%s) from P that each covers to first order:\n",
+                m.dimension == 3 ? ", dz" : "");
+    for (size_t k = 0; k < germs.count && !status; k++)
+        status = put_germ(&m, &germs.item[k]);
+    if (!status && !germs.bounded)
+        text_put(t, "  and some that are not looked at\n");
+    germs_clear(&germs);
+    if (!status && topo->position == GRAZE_TOPO_UNDECIDED && m.dimension == 3)
+        status = put_hint(&m, point);
+    return status;
+}

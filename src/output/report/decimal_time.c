@@ -1,0 +1,90 @@
+/* Correctly rounded decimals of times.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * An irrational root is never a tie, so its isolating interval is narrowed until MPFR rounds both
+ * ends to the same digits; all numbers between them then round alike.
+ */
+#include "output/report/decimal_time.h"
+
+#include <mpfr.h>
+#include <string.h>
+#include "base/number/refine.h"
+#include "base/number/text.h"
+
+int time_is_rational(const graze_time *time) {
+    /* Without a context it cannot be canceled. */
+    (void)time_canonicalise((graze_time *)time, NULL);
+    return fmpq_equal(time->low, time->high);
+}
+
+/* The digits of one end, rounded to nearest, of a value held to the given precision. */
+static char *end_digits(mpfr_exp_t *exponent, const fmpq_t end, mpfr_rnd_t direction,
+                        mpfr_prec_t precision, int digits) {
+    mpq_t exact;
+    mpfr_t value;
+    mpq_init(exact);
+    mpfr_init2(value, precision);
+    fmpq_get_mpq(exact, end);
+    mpfr_set_q(value, exact, direction);
+    char *text = mpfr_get_str(NULL, exponent, 10, (size_t)digits, value, MPFR_RNDN);
+    mpfr_clear(value);
+    mpq_clear(exact);
+    return text;
+}
+
+/* The isolating interval of the time's local parameter, carried to the motion's parameter. */
+static void bounds_in_t(fmpq_t low, fmpq_t high, const algebraic *u, const motion_piece *piece) {
+    fmpq_t length;
+    fmpq_init(length);
+    fmpq_sub(length, piece->hi, piece->lo);
+    algebraic_bounds(low, high, u);
+    fmpq_mul(low, low, length);
+    fmpq_add(low, low, piece->lo);
+    fmpq_mul(high, high, length);
+    fmpq_add(high, high, piece->lo);
+    fmpq_clear(length);
+}
+
+/* Digits that both ends round to; NULL if they differ. */
+static char *common_digits(const fmpq_t low, const fmpq_t high, mpfr_prec_t precision, int digits) {
+    mpfr_exp_t low_exponent, high_exponent;
+    char *from = end_digits(&low_exponent, low, MPFR_RNDD, precision, digits);
+    char *to = end_digits(&high_exponent, high, MPFR_RNDU, precision, digits);
+    char *out = NULL;
+    if (low_exponent == high_exponent && strcmp(from, to) == 0) {
+        int negative = from[0] == '-';
+        out = decimal_layout(negative, from + negative, (size_t)digits, low_exponent, 0);
+    }
+    mpfr_free_str(from);
+    mpfr_free_str(to);
+    return out;
+}
+
+static char *decimal_of_root(const graze_time *time, int digits) {
+    algebraic u;
+    fmpq_t low, high;
+    algebraic_init(&u);
+    fmpq_init(low);
+    fmpq_init(high);
+    algebraic_set(&u, &time->u);
+    char *out = NULL;
+    ulong gain = FIRST_GAIN;
+    for (mpfr_prec_t precision = 64 + 4 * (mpfr_prec_t)digits; !out; precision += precision / 8) {
+        for (int k = 0; k < 4; k++)
+            algebraic_refine_quadratically(&u, &gain);
+        bounds_in_t(low, high, &u, &time->motion->piece[time->piece]);
+        out = common_digits(low, high, precision, digits);
+    }
+    fmpq_clear(low);
+    fmpq_clear(high);
+    algebraic_clear(&u);
+    return out;
+}
+
+char *decimal_of_time(int *exact, const graze_time *time, int digits) {
+    if (time_is_rational(time))
+        return decimal_of_rational(exact, time->low, digits);
+    if (exact)
+        *exact = 0;
+    return decimal_of_root(time, digits);
+}

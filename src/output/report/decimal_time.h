@@ -1,0 +1,15 @@
+/* Correctly rounded decimals of times.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_REPORT_DECIMAL_TIME_H
+#define GRAZE_REPORT_DECIMAL_TIME_H
+
+#include "base/number/decimal.h"
+#include "decide/trace/trace.h"
+
+/** decimal_of_rational for a time, in the motion's parameter. Makes the time canonical. */
+char *decimal_of_time(int *exact, const graze_time *time, int digits);
+
+/** 1 if the time is rational; makes it canonical, and then its value is time->low. */
+int time_is_rational(const graze_time *time);
+
+#endif

@@ -1,0 +1,71 @@
+/* Decimals that are bounds. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/report/enclosure.h"
+
+#include <math.h>
+#include <mpfr.h>
+#include <stdlib.h>
+#include "base/number/rational.h"
+#include "output/report/decimal_time.h"
+
+void report_bound(char out[BOUND_ROOM], double bound, int up) {
+    mpfr_t x;
+    mpfr_init2(x, 53);
+    mpfr_set_d(x, bound + 0.0, MPFR_RNDN);
+    mpfr_snprintf(out, BOUND_ROOM, up ? "%.17RUg" : "%.17RDg", x);
+    mpfr_clear(x);
+}
+
+void report_width(char out[BOUND_ROOM], double value, int up) {
+    double next = nextafter(value, up ? (double)INFINITY : 0);
+    mpfr_t x, read;
+    mpfr_init2(x, 53);
+    mpfr_init2(read, 256);
+    mpfr_set_d(x, value, MPFR_RNDN);
+    for (int digits = 1, done = 0; digits <= 17 && !done; digits++) {
+        mpfr_snprintf(out, BOUND_ROOM, up ? "%.*RUg" : "%.*RDg", digits, x);
+        mpfr_set_str(read, out, 10, up ? MPFR_RNDD : MPFR_RNDU);
+        done = up ? mpfr_cmp_d(read, next) < 0 : mpfr_cmp_d(read, next) > 0;
+    }
+    mpfr_clear(x);
+    mpfr_clear(read);
+}
+
+void report_distance_time(text *out, const graze_scene *scene, const distance *found) {
+    if (found->at && !time_is_rational(found->at)) {
+        char *decimal = decimal_of_time(NULL, found->at, 17);
+        out->failed |= !decimal;
+        text_put(out, decimal ? decimal : "");
+        free(decimal);
+        return;
+    }
+    fmpq_t time;
+    fmpq_init(time);
+    if (found->at)
+        fmpq_set(time, found->at->low);
+    else
+        distance_time(time, found, scene->motion);
+    text_rational(out, time);
+    fmpq_clear(time);
+}
+
+void report_distance(text *out, const graze_scene *scene, const distance *found) {
+    char low[BOUND_ROOM], high[BOUND_ROOM];
+    report_bound(low, found->low, 0);
+    report_bound(high, found->high, 1);
+    text_format(out, ",%s,%s,", low, high);
+    report_distance_time(out, scene, found);
+    if (scene->options.motion_error > 0)
+        text_put(out, distance_is_certain(found, scene->options.motion_error) ? ",yes" : ",no");
+}
+
+void explain_distance(text *out, const graze_scene *scene, const distance *found) {
+    char low[BOUND_ROOM], high[BOUND_ROOM];
+    report_bound(low, found->low, 0);
+    report_bound(high, found->high, 1);
+    text_format(out, "\nThe signed distance to the %s lies in [%s, %s]%s.\n",
+                scene->options.operation == GRAZE_SWEEP ? "sweep" : "unsweep", low, high,
+                found->wide ? ", which is wider than was asked for" : "");
+    text_put(out, found->at ? "The boundary is met at t = " : "This is shown by the time t = ");
+    report_distance_time(out, scene, found);
+    text_put(out, ".\n");
+}

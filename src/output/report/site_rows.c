@@ -1,0 +1,237 @@
+/* Rows of sites. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/report/site_rows.h"
+
+#include <stdlib.h>
+#include "base/number/rational.h"
+#include "output/report/decimal_time.h"
+#include "output/report/json_writer.h"
+#include "output/report/table_text.h"
+
+graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,
+                                   const char *notes, const char *columns) {
+    int flat = scene->motion->dimension == 2;
+    text t;
+    text_init(&t);
+    table_notes(&t, context, scene, notes);
+    text_put(&t, flat ? "time,bx,by,x,y," : "time,bx,by,bz,x,y,z,");
+    text_put(&t, "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_in,"
+                 "word");
+    if (columns) {
+        text_put(&t, ",");
+        text_put(&t, columns);
+    }
+    text_put(&t, "\n");
+    return text_finish(out, context, &t);
+}
+
+static void put_numbers(text *t, const fmpq *x, int count) {
+    for (int k = 0; k < count; k++) {
+        text_rational(t, x + k);
+        text_put(t, ",");
+    }
+}
+
+void report_put_cell(text *t, const graze_cell *cell) {
+    if (!cell->kind)
+        return;
+    static const char *const kinds[] = {"", "face ", "edge ", "vertex "};
+    text_put(t, kinds[cell->kind]);
+    text_count(t, cell->a);
+    if (cell->kind == GRAZE_CELL_EDGE) {
+        text_put(t, "-");
+        text_count(t, cell->b);
+    }
+}
+
+void report_put_time(text *t, const graze_time *time) {
+    if (time && time_is_rational(time)) {
+        text_rational(t, time->low);
+    } else if (time) {
+        for (slong k = 0; k < fmpz_poly_length(time->poly); k++) {
+            char *digits = fmpz_get_str(NULL, 10, time->poly->coeffs + k);
+            text_put(t, k ? " " : "root(");
+            text_put(t, digits);
+            flint_free(digits);
+        }
+        text_put(t, ";");
+        text_rational(t, time->low);
+        text_put(t, ";");
+        text_rational(t, time->high);
+        text_put(t, ")");
+    }
+}
+
+static const char *state_name(graze_state state) {
+    return state == GRAZE_STATE_I   ? "I"
+           : state == GRAZE_STATE_B ? "B"
+           : state == GRAZE_STATE_O ? "O"
+                                    : "";
+}
+
+static int is_trimmed(const graze_site_facts *f) {
+    return f->trim == GRAZE_TRIM_NEAR || f->trim == GRAZE_TRIM_FAR;
+}
+
+static const char *sign_name(int sign) {
+    return sign > 0 ? "+" : sign < 0 ? "-" : "0";
+}
+
+/* theta, contact_order, orientation */
+static void put_slice(text *t, const graze_site_facts *f) {
+    if (!f->on_slice) {
+        text_put(t, ",,,");
+        return;
+    }
+    text_format(t, "%s,", sign_name(f->theta));
+    if (f->order == GRAZE_ORDER_VANISHES)
+        text_put(t, "inf,");
+    else
+        text_format(t, "%d,", f->order);
+    text_format(t, "%s,", graze_orientation_name(f->orientation));
+}
+
+/* role to word */
+static void put_site_answers(text *out, const graze_site *site) {
+    const graze_site_facts *f = &site->facts;
+    text_format(out, "%s,", graze_role_name(f->role));
+    put_slice(out, f);
+    text_format(out, "%s,%s,%s,%s,", state_name(f->left), state_name(f->right),
+                is_trimmed(f) ? "yes" : "no", graze_trim_name(f->trim));
+    report_put_time(out, site->near);
+    text_put(out, ",");
+    report_put_time(out, site->near_in);
+    text_put(out, ",");
+    text_put(out, site->trace.word);
+}
+
+void report_contact_csv(text *out, const graze_site *site, const char *rest) {
+    const graze_site_facts *f = &site->facts;
+    put_numbers(out, site->t, 1);
+    put_numbers(out, site->y, site->dimension);
+    put_numbers(out, site->world, site->dimension);
+    report_put_cell(out, &f->cell);
+    text_put(out, ",");
+    if (site->missed)
+        text_put(out, ",,,,,,,,,,");
+    else
+        put_site_answers(out, site);
+    if (site->snapped)
+        text_put(out, ",");
+    if (site->snapped && !site->missed)
+        text_rational(out, site->shift);
+    if (rest) {
+        text_put(out, ",");
+        text_put(out, rest);
+    }
+    text_put(out, "\n");
+}
+
+static void json_null(json_writer *w, const char *key) {
+    json_string(w, key);
+    json_check(w, yajl_gen_null(w->gen));
+}
+
+static void json_time_or_null(json_writer *w, const char *key, const graze_time *time) {
+    if (time)
+        json_time(w, key, time);
+    else
+        json_null(w, key);
+}
+
+static void json_order(json_writer *w, const char *key, int order) {
+    if (order == GRAZE_ORDER_VANISHES)
+        json_text(w, key, "inf");
+    else
+        json_count(w, key, (unsigned long)order);
+}
+
+static void json_slice(json_writer *w, const graze_site_facts *f) {
+    if (!f->on_slice) {
+        json_null(w, "theta");
+        json_null(w, "contact_order");
+        json_null(w, "orientation");
+        return;
+    }
+    json_text(w, "theta", sign_name(f->theta));
+    json_order(w, "contact_order", f->order);
+    json_text(w, "orientation", graze_orientation_name(f->orientation));
+}
+
+static void json_facets(json_writer *w, const graze_site *site) {
+    json_string(w, "facets");
+    json_check(w, yajl_gen_array_open(w->gen));
+    for (size_t k = 0; k < site->germ_count; k++) {
+        const site_germ *germ = &site->germ[k];
+        json_check(w, yajl_gen_map_open(w->gen));
+        json_string(w, "facet");
+        json_cell(w, &site->place.facet[germ->facet].name);
+        json_text(w, "side", sign_name(germ->side));
+        json_rational(w, "g", germ->g);
+        json_rational(w, "g_t", germ->drift);
+        json_rational(w, "theta", germ->theta);
+        json_order(w, "order", germ->order);
+        json_text(w, "sign", sign_name(germ->sign));
+        json_check(w, yajl_gen_map_close(w->gen));
+    }
+    json_check(w, yajl_gen_array_close(w->gen));
+}
+
+static void json_answers(json_writer *w, const graze_site *site) {
+    const graze_site_facts *f = &site->facts;
+    json_text(w, "role", graze_role_name(f->role));
+    json_slice(w, f);
+    json_state(w, "left", f->left);
+    json_state(w, "right", f->right);
+    json_text(w, "trimmed", is_trimmed(f) ? "yes" : "no");
+    json_text(w, "status", graze_trim_name(f->trim));
+    json_time_or_null(w, "near", site->near);
+    json_time_or_null(w, "near_in", site->near_in);
+    json_text(w, "word", site->trace.word);
+}
+
+/* Of a cell without contact. */
+static void json_no_answers(json_writer *w) {
+    static const char *const names[] = {"role", "theta",   "contact_order", "orientation",
+                                        "left", "right",   "trimmed",       "status",
+                                        "near", "near_in", "word"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        json_null(w, names[k]);
+}
+
+static void json_site(json_writer *w, const graze_site *site) {
+    const graze_site_facts *f = &site->facts;
+    json_check(w, yajl_gen_map_open(w->gen));
+    json_rational(w, "time", site->t);
+    json_point(w, "body", site->y, site->dimension);
+    json_point(w, "point", site->world, site->dimension);
+    json_string(w, "cell");
+    json_cell(w, &f->cell);
+    if (site->missed)
+        json_no_answers(w);
+    else
+        json_answers(w, site);
+    if (site->missed)
+        json_null(w, "shift");
+    else if (site->snapped)
+        json_rational(w, "shift", site->shift);
+    json_facets(w, site);
+    json_check(w, yajl_gen_map_close(w->gen));
+}
+
+/* 0 when memory runs out within yajl. */
+static int put_site(json_writer *w, const graze_site *site) {
+    json_memory_init(&w->memory);
+    if (setjmp(w->memory.short_of) != 0)
+        return 0;
+    json_begin(w);
+    json_site(w, site);
+    return !w->failed;
+}
+
+void report_contact_json(text *out, const graze_site *site) {
+    json_writer w = {.out = out};
+    if (!put_site(&w, site))
+        out->failed = 1;
+    json_memory_clear(&w.memory);
+    text_put(out, "\n");
+}

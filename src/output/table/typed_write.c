@@ -1,0 +1,11 @@
+/* A typed table in one of its forms.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/table/typed_write.h"
+
+#include "output/table/typed_npy.h"
+#include "output/table/typed_vtk.h"
+
+graze_status typed_write(const typed_table *t, graze_export form, sink to) {
+    return form == GRAZE_EXPORT_VTK ? typed_write_vtk(t, to) : typed_write_npy(t, to);
+}

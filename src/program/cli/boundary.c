@@ -1,0 +1,188 @@
+/* graze boundary: the boundary of a sweep by adaptive sampling.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdio.h>
+#include <string.h>
+#include "program/cli/commands.h"
+#include "program/cli/values.h"
+#include "program/run/boundary_files.h"
+#include "program/run/load.h"
+#include "program/run/numbers.h"
+#include "program/run/output.h"
+
+static const char boundary_help[] =
+    "graze boundary SOLID MOTION --depth N: the boundary of the sweep by adaptive sampling\n"
+    "\n"
+    "Cuts a box around the sweep into 2^d cells, again and again: all of them down to a coarse\n"
+    "level, then those whose corners and centre differ (in, on, out) or that hold a contact point\n"
+    "that is on, down to level N. Every point is classified exactly. The surface separates the\n"
+    "points that are out from the rest. Each vertex is on the boundary or between two points, one\n"
+    "of them out, at most 2^-20 of a cell apart; the surface is a manifold.\n"
+    "\n"
+    "LIMITS: it misses parts, holes and gaps that hold no point of the sample, and all detail\n"
+    "smaller than a cell. More --coarse and --contacts find more; no sample finds all.\n"
+    "\n"
+    "  --depth N            the finest level, up to 19 (needed)\n"
+    "  --coarse N           the level all cells are cut to (4, in the plane 5)\n"
+    "  --budget N           points to classify at most (1000000); if it is spent, the surface is\n"
+    "                       that of the last level that was finished\n"
+    "  --contacts N         contact points to make and classify (1000)\n"
+    "  --seed K             their seed (1)\n"
+    "  --box x0,y0[,z0],x1,y1[,z1]   the box (default: a little more than the sweep's)\n"
+    "  --surface FILE       .ply, .vtk, in 3D .stl: triangles (segments)\n"
+    "  --sharp              a vertex in each cell that holds an edge or corner of the sweep, where "
+    "the\n"
+    "                       tangent planes about it meet; it is placed as exactly as the others\n"
+    "  --middles            leave the vertices in the middles of cells' edges, which is faster\n"
+    "  --cells FILE         .vtk: the cells that were not cut: level, pmc (0: mixed), contact\n"
+    "  --points FILE        .csv, exact, or .vtk: the points and pmc (1 in, 2 on, 3 out)\n"
+    "  --round, --triangulate, --operation, --overlap, --limit,\n"
+    "  --no-filter          as in graze classify\n"
+    "\n"
+    "Example: graze boundary cube.off move.json --depth 6 --surface sweep.ply\n";
+
+typedef struct boundary_given {
+    scene_options scene;
+    const char *depth, *coarse, *budget, *contacts, *box;
+    seed_value seed;
+    const char *surface, *cells, *points; /* files to write */
+    int middles, sharp;
+} boundary_given;
+
+static int read_most(unsigned long *to, const char *name, const char *value, unsigned long most) {
+    if (value && (!numbers_count(to, value, 0) || *to > most))
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number up to %lu", name, value,
+                        most);
+    return EXIT_DONE;
+}
+
+static int read_boundary_counts(graze_boundary_options *to, const boundary_given *o,
+                                int dimension) {
+    unsigned long depth = 0, coarse = dimension == 2 ? 5 : 4;
+    *to = (graze_boundary_options){.budget = 1000000,
+                                   .contacts = 1000,
+                                   .seed = 1,
+                                   .middles = o->middles,
+                                   .sharp = o->sharp,
+                                   .size = sizeof *to};
+    int status = read_most(&depth, "depth", o->depth, 19);
+    coarse = coarse > depth ? depth : coarse;
+    if (!status)
+        status = read_most(&coarse, "coarse", o->coarse, depth);
+    if (!status)
+        status = read_most(&to->budget, "budget", o->budget, 1000000000000);
+    if (!status)
+        status = read_most(&to->contacts, "contacts", o->contacts, 1000000000);
+    to->depth = (unsigned)depth;
+    to->coarse = (unsigned)coarse;
+    if (o->seed.given)
+        to->seed = o->seed.seed;
+    return status;
+}
+
+static int summarize_boundary(const graze_boundary *b, int middles, int sharp) {
+    graze_boundary_summary s = graze_boundary_summarize(b);
+    char text[1024], features[80] = "";
+    if (sharp)
+        snprintf(features, sizeof features, "vertices at edges and corners of the sweep: %zu\n",
+                 s.features);
+    snprintf(text, sizeof text,
+             "points: %zu, in %lu, on %lu, out %lu\n"
+             "contact points: %lu made, %lu on\n"
+             "cells: %zu\n"
+             "surface: level %u, %zu vertices, %zu faces, %s\n"
+             "%svertices on the boundary: %zu, the others %s; %lu points classified for them\n"
+             "budget: %s\n"
+             "cells of that level with a contact point that is on, but without surface: %lu\n"
+             "not seen: parts, holes and gaps that hold no point of the sample\n",
+             s.points, s.in, s.on, s.out, s.contacts, s.contacts_on, s.cells, s.level, s.vertices,
+             s.faces, s.closed ? "closed" : "open at the border of the box", features, s.exact,
+             middles ? "in the middles of edges" : "within 2^-20 of a cell of it", s.bisected,
+             s.complete ? "enough" : "spent before the depth was reached", s.missed);
+    return output_text(NULL, text);
+}
+
+static int write_boundary(const graze_boundary *b, graze_context *context, const boundary_given *o,
+                          int dimension) {
+    int status = EXIT_DONE;
+    if (o->surface)
+        status = boundary_write_surface(o->surface, b, context, dimension);
+    if (!status && o->cells)
+        status = boundary_write_cells(o->cells, b, context, dimension);
+    if (!status && o->points)
+        status = boundary_write_points(o->points, b, context, dimension);
+    return status ? status : summarize_boundary(b, o->middles, o->sharp);
+}
+
+static int sample_boundary(const loaded *l, const boundary_given *o, mpq_t *box) {
+    int dimension = graze_scene_dimension(l->scene);
+    graze_boundary_options how;
+    graze_boundary *b = NULL;
+    int status = read_boundary_counts(&how, o, dimension);
+    if (!status && o->box)
+        status = numbers_read(box, l->context, "--box", o->box, strlen(o->box), 2 * dimension);
+    if (!status && o->surface)
+        status = boundary_check_surface(o->surface, dimension);
+    if (status)
+        return status;
+    how.low = o->box ? box : NULL;
+    how.high = o->box ? box + dimension : NULL;
+    graze_status made = graze_boundary_create(&b, l->context, l->scene, &how);
+    status = complain_of_use(made, l->context);
+    if (!status)
+        status = write_boundary(b, l->context, o, dimension);
+    graze_boundary_destroy(b);
+    return status;
+}
+
+static const option_entry boundary_table[] = {
+    OPTION("depth", boundary_given, depth, value_text),
+    OPTION("coarse", boundary_given, coarse, value_text),
+    OPTION("budget", boundary_given, budget, value_text),
+    OPTION("contacts", boundary_given, contacts, value_text),
+    OPTION("seed", boundary_given, seed, value_seed),
+    OPTION("box", boundary_given, box, value_text),
+    FILE_WRITTEN("surface", boundary_given, surface),
+    FILE_WRITTEN("cells", boundary_given, cells),
+    FILE_WRITTEN("points", boundary_given, points),
+    FLAG("sharp", boundary_given, sharp, value_flag),
+    FLAG("middles", boundary_given, middles, value_flag),
+    OPTION("round", boundary_given, scene.context.rounding, value_rounding),
+    FLAG("triangulate", boundary_given, scene.solid_flags, value_triangulate),
+    OPTION("operation", boundary_given, scene.scene.operation, value_operation),
+    OPTION("overlap", boundary_given, scene.scene.overlap, value_overlap),
+    OPTION("limit", boundary_given, scene.context.limits, value_limit),
+    FLAG("no-filter", boundary_given, scene.context.exact_only, value_flag),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_boundary(void *options, const operands *given) {
+    boundary_given *o = options;
+    if (given->count != 2 || !o->depth)
+        return complain(EXIT_USAGE, "boundary takes SOLID, MOTION and --depth N; see graze "
+                                    "boundary --help");
+    if (o->sharp && o->middles)
+        return complain(EXIT_USAGE, "--sharp and --middles exclude each other");
+    int status = boundary_check_names(o->surface, o->cells, o->points);
+    if (status)
+        return status;
+    mpq_t box[6];
+    for (int k = 0; k < 6; k++)
+        mpq_init(box[k]);
+    loaded l;
+    o->scene.solid = given->item[0];
+    o->scene.motion = given->item[1];
+    status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
+    if (!status)
+        status = sample_boundary(&l, o, box);
+    loaded_clear(&l);
+    for (int k = 0; k < 6; k++)
+        mpq_clear(box[k]);
+    return status;
+}
+
+const command command_boundary = {.name = "boundary",
+                                  .options = boundary_table,
+                                  .size = sizeof(boundary_given),
+                                  .reads = 2,
+                                  .help = boundary_help,
+                                  .run = run_boundary};

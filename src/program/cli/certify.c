@@ -1,0 +1,64 @@
+/* graze certify: a certificate of the answers for points.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/classify.h"
+#include "program/cli/commands.h"
+#include "program/cli/values.h"
+
+static const char certify_help[] =
+    "graze certify SOLID MOTION POINTS -o FILE: answers that graze-check can verify\n"
+    "\n"
+    "Writes a certificate: each point's answer, and hints by which graze-check, a program that\n"
+    "shares nothing with graze, proves it from SOLID (.off, .wkt) and MOTION (plain pieces) "
+    "alone.\n"
+    "graze convert writes any solid and motion so. POINTS as in graze classify, which can write\n"
+    "table and certificate in one run.\n"
+    "\n"
+    "  --times              each contact's time and boundary cells too\n"
+    "  --operation sweep|unsweep, --folds separate|combined, --overlap extend|reject,\n"
+    "  --jobs N, --receipt FILE, --quiet, --limit NAME=V   as in graze classify\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
+    "  --resume FILE        continue the certificate in FILE, if there is one, after its last row\n"
+    "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one of them\n"
+    "\n"
+    "Example: graze certify cube.off move.json points.csv -o certificate.txt\n"
+    "         graze-check cube.off move.json certificate.txt table.csv\n";
+
+static const option_entry certify_table[] = {
+    OPTION("operation", classify_options, scene.scene.operation, value_operation),
+    OPTION("folds", classify_options, scene.scene.folds, value_folds),
+    OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
+    OPTION("limit", classify_options, scene.context.limits, value_limit),
+    OPTION("jobs", classify_options, threads, value_jobs),
+    FILE_WRITTEN("output", classify_options, output),
+    OPTION("o", classify_options, output, value_text),
+    FILE_WRITTEN("resume", classify_options, resume),
+    OPTION("shard", classify_options, shard, value_shard),
+    FILE_READ("receipt", classify_options, receipt),
+    FLAG("times", classify_options, times, value_flag),
+    FLAG("quiet", classify_options, quiet, value_quiet),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_certify(void *options, const operands *given) {
+    classify_options *o = options;
+    if (given->count != 3)
+        return complain(EXIT_USAGE,
+                        "certify takes SOLID, MOTION and POINTS, %d operands given; see graze "
+                        "certify --help",
+                        given->count);
+    int status = classify_check_files(o);
+    o->scene.solid = given->item[0];
+    o->scene.motion = given->item[1];
+    o->points = given->item[2];
+    return status ? status : classify_run(o);
+}
+
+static const classify_options certificate_alone = {.no_table = 1, .shard.part = {0, 1}};
+
+const command command_certify = {.name = "certify",
+                                 .options = certify_table,
+                                 .size = sizeof(classify_options),
+                                 .initial = &certificate_alone,
+                                 .reads = 3,
+                                 .inputs = 1,
+                                 .help = certify_help,
+                                 .run = run_certify};

@@ -1,0 +1,186 @@
+/* graze check: is a pair of solid and motion legal.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/number/text.h"
+#include "program/cli/commands.h"
+#include "program/cli/values.h"
+#include "program/run/output.h"
+#include "program/run/receipt.h"
+
+static const char check_help[] =
+    "graze check SOLID MOTION: is the pair legal, and why not\n"
+    "\n"
+    "Reads both, checks them exactly, and describes them, with the box of S and one that is "
+    "proved\n"
+    "to hold the sweep. Exit status 0: legal; 1: readable but illegal, the reason on standard "
+    "error,\n"
+    "with the number of faults of its kind and the first few; 3: unreadable.\n"
+    "\n"
+    "  --triangulate        fan facets that are not planar from their first vertex\n"
+    "  --overlap extend     S^0 and S^1 may meet (default)\n"
+    "  --overlap reject     they may not, as [EI] assumes\n"
+    "  --operation sweep|unsweep   in an unsweep S^0 and S^1 may always meet\n"
+    "  --round none|binary64|binary32   round every number read to the nearest such float\n"
+    "  --receipt FILE       write a receipt there if they are legal, for graze classify --receipt\n"
+    "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, line 10^7,\n"
+    "                       cells 10^8, bytes 4*10^9, bits 100000, work 10^8\n"
+    "\n"
+    "Example: graze check cube.off move.json\n";
+
+static const char *plural(size_t count, const char *one, const char *many) {
+    return count == 1 ? one : many;
+}
+
+/* A step 10^-k of which the longest side of a box has 10^4 to 10^6. */
+static void set_step(mpz_t up, mpz_t down, mpq_t *low, mpq_t *high, int d) {
+    mpq_t side;
+    long most = 0;
+    mpq_init(side);
+    for (int i = 0; i < d; i++) {
+        mpq_sub(side, high[i], low[i]);
+        long digits =
+            (long)mpz_sizeinbase(mpq_numref(side), 10) - (long)mpz_sizeinbase(mpq_denref(side), 10);
+        most = i == 0 || digits > most ? digits : most;
+    }
+    mpz_ui_pow_ui(up, 10, most < 5 ? (unsigned long)(5 - most) : 0);
+    mpz_ui_pow_ui(down, 10, most > 5 ? (unsigned long)(most - 5) : 0);
+    mpq_clear(side);
+}
+
+/* Round down, or up, to a multiple of down / up. */
+static void round_outward(mpq_t value, const mpz_t up, const mpz_t down, int upward) {
+    mpz_t denominator;
+    mpz_init(denominator);
+    mpz_mul(mpq_numref(value), mpq_numref(value), up);
+    mpz_mul(denominator, mpq_denref(value), down);
+    if (upward)
+        mpz_cdiv_q(mpq_numref(value), mpq_numref(value), denominator);
+    else
+        mpz_fdiv_q(mpq_numref(value), mpq_numref(value), denominator);
+    mpz_mul(mpq_numref(value), mpq_numref(value), down);
+    mpz_set(mpq_denref(value), up);
+    mpq_canonicalize(value);
+    mpz_clear(denominator);
+}
+
+static graze_status put_decimal_number(text *out, graze_context *context, const mpq_t value) {
+    char *decimal = NULL;
+    graze_status status = graze_number_decimal(&decimal, context, value, 0);
+    text_put(out, status ? "" : decimal);
+    graze_free(decimal);
+    return status;
+}
+
+/* Add a line with a box, rounded outward, and its size. */
+static graze_status put_checked_box(text *out, graze_context *context, const char *what, mpq_t *low,
+                                    mpq_t *high, int d) {
+    graze_status status = GRAZE_OK;
+    mpz_t up, down;
+    mpz_inits(up, down, NULL);
+    set_step(up, down, low, high, d);
+    text_put(out, what);
+    for (int i = 0; i < d && !status; i++) {
+        round_outward(low[i], up, down, 0);
+        round_outward(high[i], up, down, 1);
+        text_put(out, i ? ", " : " ");
+        status = put_decimal_number(out, context, low[i]);
+        text_put(out, " .. ");
+        if (!status)
+            status = put_decimal_number(out, context, high[i]);
+        mpq_sub(low[i], high[i], low[i]);
+    }
+    for (int i = 0; i < d && !status; i++) {
+        text_put(out, i ? " x " : "; size ");
+        status = put_decimal_number(out, context, low[i]);
+    }
+    text_put(out, "\n");
+    mpz_clears(up, down, NULL);
+    return status;
+}
+
+/* The boxes of the solid and of the set it sweeps: a unit that is off is seen in them. */
+static int describe_boxes(text *out, const loaded *l) {
+    mpq_t low[3], high[3];
+    graze_options options = {.size = sizeof options};
+    int d = graze_scene_dimension(l->scene);
+    mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
+    graze_scene_options(&options, l->scene);
+    graze_status status = graze_solid_box(low, high, l->context, l->solid);
+    if (!status)
+        status = put_checked_box(out, l->context, "box of S, rounded outward:", low, high, d);
+    if (!status)
+        status = graze_scene_box(low, high, l->context, l->scene);
+    if (!status)
+        status = put_checked_box(out, l->context,
+                                 options.operation == GRAZE_UNSWEEP
+                                     ? "box that holds the unsweep, by proof:"
+                                     : "box that holds the sweep, by proof:",
+                                 low, high, d);
+    mpq_clears(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
+    return complain_of(status, l->context);
+}
+
+static int describe_scene(const loaded *l) {
+    int d = graze_scene_dimension(l->scene);
+    size_t vertices = graze_solid_vertex_count(l->solid);
+    size_t facets = graze_solid_facet_count(l->solid);
+    size_t components = graze_solid_component_count(l->solid);
+    size_t pieces = graze_motion_piece_count(l->motion);
+    text out;
+    text_init(&out);
+    text_format(&out,
+                "legal\n"
+                "dimension %d\n"
+                "solid: %zu vertices, %zu %s, %zu %s of the boundary\n"
+                "motion: %zu %s\n"
+                "S^0 and S^1 %s\n",
+                d, vertices, facets, d == 2 ? "edges" : "facets", components,
+                plural(components, "component", "components"), pieces,
+                plural(pieces, "piece", "pieces"),
+                graze_scene_ends_meet(l->scene) ? "meet" : "do not meet");
+    int status = describe_boxes(&out, l);
+    if (!status && out.failed)
+        status = complain(EXIT_IO, "out of memory");
+    if (!status)
+        status = output_text(NULL, out.data);
+    text_clear(&out);
+    return status;
+}
+
+typedef struct check_options {
+    scene_options scene;
+    const char *receipt; /* to write, or NULL */
+} check_options;
+
+static const option_entry check_table[] = {
+    FLAG("triangulate", check_options, scene.solid_flags, value_triangulate),
+    OPTION("overlap", check_options, scene.scene.overlap, value_overlap),
+    OPTION("operation", check_options, scene.scene.operation, value_operation),
+    OPTION("round", check_options, scene.context.rounding, value_rounding),
+    FILE_WRITTEN("receipt", check_options, receipt),
+    OPTION("limit", check_options, scene.context.limits, value_limit),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_check(void *options, const operands *given) {
+    check_options *o = options;
+    loaded l;
+    if (given->count != 2)
+        return complain(EXIT_USAGE,
+                        "check takes SOLID and MOTION, %d given; see graze check --help",
+                        given->count);
+    o->scene.solid = given->item[0];
+    o->scene.motion = given->item[1];
+    int status = loaded_read(&l, &o->scene, EXIT_NO, NULL);
+    if (!status && o->receipt)
+        status = receipt_write(o->receipt, &l, &o->scene);
+    if (!status)
+        status = describe_scene(&l);
+    loaded_clear(&l);
+    return status;
+}
+
+const command command_check = {.name = "check",
+                               .options = check_table,
+                               .size = sizeof(check_options),
+                               .reads = 2,
+                               .help = check_help,
+                               .run = run_check};

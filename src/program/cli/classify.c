@@ -1,0 +1,184 @@
+/* graze classify: the table.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/cli/classify.h"
+
+#include "program/cli/values.h"
+
+static const char classify_help[] =
+    "graze classify SOLID MOTION POINTS: in, on, out and the class of each point, exactly\n"
+    "\n"
+    "POINTS is a CSV or .npy file, or - for CSV on standard input; a header may name x, y, z\n"
+    "among other columns, which are kept. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
+    "\n"
+    "  --grid NX,NY[,NZ]    a grid of points instead of POINTS, each number at least 2\n"
+    "  --box x0,y0[,z0],x1,y1[,z1]   the grid's corners; default: a box around the sweep\n"
+    "  --operation sweep|unsweep     the set points are classified against (sweep)\n"
+    "  --overlap extend|reject       S^0 and S^1 that meet: nine cases (default), or an error\n"
+    "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
+    "  --sdf TOL            three columns more: the signed distance to the sweep, enclosed to\n"
+    "                       TOL, with 1e-6r to 1e-6 of the diagonal; a time that shows it\n"
+    "  --motion-error ETA   with --sdf, a column certain: no motion within ETA changes in or out\n"
+    "  --topo               one column more, last: the position relative to the closed sweep\n"
+    "  --columns all|pmc    answers: all (default), or pmc alone, which is decided sooner\n"
+    "  --coordinates exact|as-given|decimal   of the points in the table: integers and ratios\n"
+    "                       (default), the numbers as they stand in POINTS, or finite decimals\n"
+    "  --digits N           round these to N digits where they are longer\n"
+    "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
+    "                       line of JSON per point with its contacts\n"
+    "  --format vtk|npy     the table as a legacy VTK file or a structured numpy array\n"
+    "  --round none|binary64|binary32   round every number read to the nearest such float\n"
+    "  --triangulate        fan facets that are not planar from their first vertex\n"
+    "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
+    "  --no-filter          the exact path alone: the same answers, slower\n"
+    "  --output FILE        write there instead of to standard output\n"
+    "  --certify FILE       a certificate beside the table, as graze certify writes it; continued\n"
+    "                       with the table where there is --resume\n"
+    "  --times              with it, each contact's time and boundary cells in the certificate\n"
+    "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
+    "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
+    "  --receipt FILE       spare the validation of a solid that graze check --receipt has done\n"
+    "  --quiet              no progress on the terminal, and no notes\n"
+    "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10,\n"
+    "                       line 10^7, cells 10^8, bytes 4*10^9, bits 100000, work 10^8,\n"
+    "                       curve 20\n"
+    "\n"
+    "Example: graze classify cube.off move.json points.csv > table.csv\n";
+
+int value_shard(void *to, const char *name, const char *value) {
+    struct shard_choice *out = to;
+    out->given = 1;
+    if (!shard_read(&out->part, value))
+        return complain(EXIT_USAGE, "--%s %s: expected i/n, 1 <= i <= n <= %d", name, value,
+                        SHARDS_MOST);
+    return EXIT_DONE;
+}
+
+static int value_format(void *to, const char *name, const char *value) {
+    static const char *const words[] = {"csv", "jsonl", "vtk", "npy"};
+    static const struct row_format formats[] = {{GRAZE_FORMAT_CSV, GRAZE_EXPORT_NONE},
+                                                {GRAZE_FORMAT_JSONL, GRAZE_EXPORT_NONE},
+                                                {GRAZE_FORMAT_CSV, GRAZE_EXPORT_VTK},
+                                                {GRAZE_FORMAT_CSV, GRAZE_EXPORT_NPY}};
+    int chosen = 0, status = value_choice(&chosen, name, value, words, 4);
+    *(struct row_format *)to = formats[chosen];
+    return status;
+}
+
+static const option_entry classify_table[] = {
+    OPTION("grid", classify_options, grid.sizes, value_text),
+    OPTION("box", classify_options, grid.box, value_text),
+    OPTION("operation", classify_options, scene.scene.operation, value_operation),
+    OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
+    OPTION("folds", classify_options, scene.scene.folds, value_folds),
+    OPTION("sdf", classify_options, scene.scene, value_sdf),
+    OPTION("motion-error", classify_options, scene.scene, value_motion_error),
+    FLAG("topo", classify_options, scene.scene.topo, value_flag),
+    OPTION("columns", classify_options, scene.scene.columns, value_columns),
+    OPTION("coordinates", classify_options, coordinates.form, value_coordinates),
+    OPTION("digits", classify_options, coordinates.digits, value_digits),
+    OPTION("format", classify_options, format, value_format),
+    OPTION("round", classify_options, scene.context.rounding, value_rounding),
+    FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
+    OPTION("jobs", classify_options, threads, value_jobs),
+    FLAG("no-filter", classify_options, scene.context.exact_only, value_flag),
+    FILE_WRITTEN("output", classify_options, output),
+    OPTION("o", classify_options, output, value_text),
+    FILE_WRITTEN("certify", classify_options, certificate),
+    FLAG("times", classify_options, times, value_flag),
+    FILE_WRITTEN("resume", classify_options, resume),
+    OPTION("shard", classify_options, shard, value_shard),
+    FILE_READ("receipt", classify_options, receipt),
+    FLAG("quiet", classify_options, quiet, value_quiet),
+    OPTION("limit", classify_options, scene.context.limits, value_limit),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+int classify_check_files(const classify_options *o) {
+    if (o->resume && o->output)
+        return complain(EXIT_USAGE, "--resume FILE writes to FILE; expected no --output beside it");
+    return EXIT_DONE;
+}
+
+int classify_check_table(const classify_options *o) {
+    if ((o->resume || o->shard.given) && (o->format.rows != GRAZE_FORMAT_CSV || o->format.table))
+        return complain(EXIT_USAGE, "%s needs the head of a table; expected --format csv",
+                        o->resume ? "--resume" : "--shard");
+    return EXIT_DONE;
+}
+
+/* What asks for more than pmc. */
+static int check_columns(const classify_options *o) {
+    const char *more = o->scene.scene.sdf > 0                 ? "--sdf"
+                       : o->scene.scene.topo                  ? "--topo"
+                       : o->certificate                       ? "--certify"
+                       : o->format.rows == GRAZE_FORMAT_JSONL ? "--format jsonl"
+                                                              : NULL;
+    if (o->scene.scene.columns == GRAZE_COLUMNS_ALL || !more)
+        return EXIT_DONE;
+    return complain(EXIT_USAGE, "%s needs all answers; expected no --columns pmc beside it", more);
+}
+
+/* Other forms of coordinates are those of CSV rows, of points that were read as they are. */
+static int check_coordinates(const classify_options *o) {
+    const char *other = NULL;
+    if (o->coordinates.form == COORDINATES_EXACT)
+        return coordinates_check(&o->coordinates);
+    if (o->certificate)
+        return complain(EXIT_USAGE, "--certify needs a table with --coordinates exact");
+    if (o->format.rows != GRAZE_FORMAT_CSV || o->format.table)
+        return complain(EXIT_USAGE, "--coordinates goes with --format csv");
+    if (o->coordinates.form == COORDINATES_AS_GIVEN)
+        other = o->scene.context.rounding ? "--round" : o->grid.sizes ? "--grid" : NULL;
+    if (other)
+        return complain(EXIT_USAGE,
+                        "--coordinates as-given repeats numbers that are read and not changed; "
+                        "expected no %s beside it",
+                        other);
+    return coordinates_check(&o->coordinates);
+}
+
+int classify_take(classify_options *o, const operands *given) {
+    int wanted = o->grid.sizes ? 2 : 3;
+    if (o->grid.box && !o->grid.sizes)
+        return complain(EXIT_USAGE, "--box goes with --grid; see graze classify --help");
+    if (given->count != wanted)
+        return complain(EXIT_USAGE,
+                        "classify takes SOLID, MOTION and %s, %d operands given; see graze "
+                        "classify --help",
+                        o->grid.sizes ? "with --grid no POINTS" : "POINTS or --grid", given->count);
+    int status = classify_check_files(o);
+    if (!status)
+        status = check_columns(o);
+    if (!status)
+        status = check_coordinates(o);
+    if (status)
+        return status;
+    if (o->scene.scene.motion_error > 0 && !(o->scene.scene.sdf > 0))
+        return complain(EXIT_USAGE, "--motion-error needs distances; expected --sdf beside it");
+    if (o->times && !o->certificate)
+        return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
+    status = classify_check_table(o);
+    if (status)
+        return status;
+    o->scene.solid = given->item[0];
+    o->scene.motion = given->item[1];
+    o->points = given->item[2];
+    return EXIT_DONE;
+}
+
+static int run_classify(void *options, const operands *given) {
+    int status = classify_take(options, given);
+    return status ? status : classify_run(options);
+}
+
+static const classify_options whole_run = {.shard.part = {0, 1},
+                                           .scene.scene.size = sizeof(graze_options)};
+
+const command command_classify = {.name = "classify",
+                                  .options = classify_table,
+                                  .size = sizeof(classify_options),
+                                  .initial = &whole_run,
+                                  .reads = 3,
+                                  .inputs = 1,
+                                  .help = classify_help,
+                                  .run = run_classify};

@@ -1,0 +1,160 @@
+/* Reads a command's options with getopt_long.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Options may stand anywhere. A word that begins like a negative number is an operand, so that
+ * `explain SOLID MOTION -1 2` needs no `--`.
+ */
+#include "program/cli/command.h"
+
+#include <ctype.h>
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+#include "program/run/output.h"
+#include "program/run/status.h"
+
+enum { HELP = 256, FIRST_OPTION };
+
+/* The arguments of getopt_long; an option's value is its place in the command's table. */
+typedef struct option_table {
+    struct option entries[OPTIONS_MOST + 2];
+    char letters[2 * OPTIONS_MOST + 8];
+} option_table;
+
+static void make_option_table(option_table *t, const option_entry *options) {
+    memset(t, 0, sizeof *t);
+    strcpy(t->letters, "-:h");
+    t->entries[0] = (struct option){"help", no_argument, NULL, HELP};
+    struct option *next = t->entries + 1;
+    for (int k = 0; options[k].name; k++) {
+        int argument = options[k].kind == OPTION_FLAG ? no_argument : required_argument;
+        if (options[k].name[1])
+            *next++ = (struct option){options[k].name, argument, NULL, FIRST_OPTION + k};
+        else
+            strcat(strcat(t->letters, options[k].name), argument == no_argument ? "" : ":");
+    }
+}
+
+/* The entry that getopt_long's answer stands for. */
+static const option_entry *find_option(const option_entry *options, int code) {
+    if (code >= FIRST_OPTION)
+        return options + (code - FIRST_OPTION);
+    while (options->name[1] || *options->name != code)
+        options++;
+    return options;
+}
+
+static int is_negative_number(const char *word) {
+    return word[0] == '-' && (isdigit((unsigned char)word[1]) || word[1] == '.');
+}
+
+/* Complain of a word that getopt_long could not read. */
+static int complain_of_word(const command *c, int code, const char *word) {
+    if (code == ':')
+        return complain(EXIT_USAGE, "%s: the option needs a value; see graze %s --help", word,
+                        c->name);
+    if (optopt >= HELP)
+        return complain(EXIT_USAGE, "%s: the option takes no value; see graze %s --help", word,
+                        c->name);
+    if (optopt && strncmp(word, "--", 2) != 0)
+        return complain(EXIT_USAGE, "-%c: %s has no such option; see graze %s --help", optopt,
+                        c->name, c->name);
+    return complain(EXIT_USAGE, "%s: %s has no such option; see graze %s --help", word, c->name,
+                    c->name);
+}
+
+static int read_option(operands *given, void *options, const option_entry *entry) {
+    const char *value = entry->kind == OPTION_FLAG ? "" : optarg;
+    if (entry->read)
+        return entry->read((char *)options + entry->offset, entry->name, value);
+    given->repeated[given->repeated_count++] = value;
+    return EXIT_DONE;
+}
+
+int command_read(operands *given, void *options, int *help, const command *c, int argc,
+                 char **argv) {
+    option_table table;
+    int status = EXIT_DONE;
+    make_option_table(&table, c->options);
+    if (c->initial)
+        memcpy(options, c->initial, c->size);
+    else
+        memset(options, 0, c->size);
+    *help = 0;
+    *given = (operands){.item = calloc((size_t)argc + 1, sizeof *given->item),
+                        .repeated = calloc((size_t)argc + 1, sizeof *given->repeated)};
+    if (!given->item || !given->repeated)
+        return complain(EXIT_IO, "out of memory");
+    opterr = 0;
+    optind = 1;
+    while (!status && !*help && optind < argc) {
+        if (is_negative_number(argv[optind])) {
+            given->item[given->count++] = argv[optind++];
+            continue;
+        }
+        int code = getopt_long(argc, argv, table.letters, table.entries, NULL);
+        if (code == -1)
+            while (optind < argc)
+                given->item[given->count++] = argv[optind++];
+        else if (code == 1)
+            given->item[given->count++] = optarg;
+        else if (code == '?' || code == ':')
+            status = complain_of_word(c, code, argv[optind - 1]);
+        else if (code == 'h' || code == HELP)
+            *help = 1;
+        else
+            status = read_option(given, options, find_option(c->options, code));
+    }
+    return status;
+}
+
+void operands_clear(operands *given) {
+    free(given->item);
+    free(given->repeated);
+    *given = (operands){0, 0, NULL, NULL};
+}
+
+/* Is the table or the text written to a file in place of standard output? */
+static int is_for_output(const option_entry *entry) {
+    return strcmp(entry->name, "output") == 0 || strcmp(entry->name, "resume") == 0;
+}
+
+int command_guard(const command *c, const void *options, const operands *given) {
+    guard g = {NULL, 0, 0, 0};
+    int prints = 1;
+    for (int k = 0; k < given->count && k < c->reads; k++)
+        guard_add(&g, k < c->reads - c->inputs ? GUARD_READ : GUARD_INPUT, NULL, given->item[k],
+                  "");
+    for (const option_entry *e = c->options; e->name; e++) {
+        int is_file = e->kind == OPTION_READ || e->kind == OPTION_WRITTEN;
+        if (!is_file && !is_for_output(e))
+            continue;
+        const char *path = *(const char *const *)((const char *)options + e->offset);
+        if (path && is_file)
+            guard_add(&g, e->kind == OPTION_READ ? GUARD_READ : GUARD_WRITTEN, e->name, path, "");
+        prints &= !path || !is_for_output(e);
+    }
+    if (c->add_files)
+        c->add_files(&g, options, given);
+    if (prints)
+        guard_add(&g, GUARD_WRITTEN, NULL, NULL, "");
+    int status = guard_check(&g);
+    guard_clear(&g);
+    return status;
+}
+
+int command_run(const command *c, int argc, char **argv) {
+    operands given;
+    void *options = malloc(c->size + !c->size);
+    int help, status;
+    if (!options)
+        return complain(EXIT_IO, "out of memory");
+    status = command_read(&given, options, &help, c, argc, argv);
+    if (!status && !help)
+        status = command_guard(c, options, &given);
+    if (!status)
+        status = help ? output_text(NULL, c->help) : c->run(options, &given);
+    operands_clear(&given);
+    free(options);
+    return status;
+}

@@ -1,0 +1,149 @@
+/* graze compare: a candidate's answers against a golden table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+#include "program/cli/commands.h"
+#include "program/cli/compare.h"
+#include "program/cli/compare_page.h"
+#include "program/cli/values.h"
+#include "program/run/load.h"
+#include "program/run/output.h"
+
+static const char compare_help[] =
+    "graze compare GOLDEN CANDIDATE: a candidate's answers against a golden table\n"
+    "\n"
+    "GOLDEN is a whole table of graze classify. CANDIDATE is CSV with a line of column names: x, "
+    "y\n"
+    "(and z) or id, and those of pmc, class, i, t, word that it answers. Rows stand in the order "
+    "of\n"
+    "the golden table; a missing or an extra row is a difference. Either may be -. Printed are "
+    "the\n"
+    "confusion matrices, the errors by stratum, k, class, definition and case (as far as GOLDEN "
+    "has\n"
+    "these columns), and the first disagreements, each with the command that explains it.\n"
+    "Exit status 0: no difference; 1: differences.\n"
+    "\n"
+    "Two tables of graze contact are compared too: rows of one time and one point (bx, by, bz, or "
+    "x,\n"
+    "y, z) belong together, in any order, and each column is judged that both have of cell, role,\n"
+    "theta, contact_order, orientation, left, right, trimmed, status, near, near_in, word, shift.\n"
+    "Errors are grouped by stratum, k, status and role. The first seven options below, up to\n"
+    "--motion-error, are for tables of graze classify alone.\n"
+    "\n"
+    "  --question open      pmc as Graze gives it (default)\n"
+    "  --question closed    position in the closed sweep: `on` with topo `interior` counts as "
+    "`in`;\n"
+    "                       without that column rows that may be seams are counted apart\n"
+    "  --on-as on           `on` is an answer of its own (default)\n"
+    "  --on-as any|in|out   for candidates that only know in and out\n"
+    "  --candidate-has sdf  a column sdf: a signed distance, negative inside, 0 on; with a GOLDEN "
+    "that\n"
+    "                       has sdf_low, sdf_high its errors of value too, overestimates apart\n"
+    "  --truth pseudo|outside   judge the values of all points (default), or of those out\n"
+    "  --sdf-tolerance TOL  values that miss [sdf_low, sdf_high] by more are wrong; without it "
+    "they\n"
+    "                       are reported. Signs have no tolerance\n"
+    "  --motion-error ETA   rows whose answer another motion within ETA may change are apart; "
+    "only\n"
+    "                       pmc and sdf are compared\n"
+    "  --round none|binary64|binary32   round points and times of both tables before they are "
+    "matched\n"
+    "  --show N             how many disagreements (10)\n"
+    "  --solid FILE, --motion FILE      names for the commands that explain\n"
+    "  --page FILE          a page, .html, that begins with the first wrong row (graze draw "
+    "--help)\n"
+    "  --format text|json   text is Markdown (default)\n"
+    "  --output FILE        write there instead of to standard output\n"
+    "  --limit NAME=V       digits 10000, line 10^7\n"
+    "\n"
+    "Example: graze compare golden.csv mine.csv --solid cube.off --motion move.json\n";
+
+int compare_check(const graze_compare_options *o) {
+    if (o->has != GRAZE_HAS_SDF && (o->truth || o->sdf_tolerance))
+        return complain(EXIT_USAGE, "--%s is of the column sdf; expected --candidate-has sdf",
+                        o->truth ? "truth" : "sdf-tolerance");
+    return EXIT_DONE;
+}
+
+/* 1 if the tables differ. */
+static int differ(const graze_comparison *c) {
+    graze_comparison_counts n = graze_comparison_count(c);
+    return n.wrong + n.missing + n.extra > 0;
+}
+
+typedef struct compare_options {
+    context_options context;
+    graze_compare_options compare;
+    graze_comparison_format format;
+    const char *output, *page;
+} compare_options;
+
+static int report_comparison(const compare_options *o, graze_context *context,
+                             const graze_comparison *c) {
+    char *text = NULL;
+    graze_status made = graze_comparison_report(&text, context, c, o->format);
+    int status = complain_of(made, context);
+    if (!status)
+        status = output_text(o->output, text);
+    graze_free(text);
+    return status ? status : differ(c) ? EXIT_NO : EXIT_DONE;
+}
+
+static const option_entry compare_table[] = {
+    OPTION("question", compare_options, compare.question, value_question),
+    OPTION("on-as", compare_options, compare.on_as, value_on_as),
+    OPTION("candidate-has", compare_options, compare.has, value_has),
+    OPTION("truth", compare_options, compare.truth, value_truth),
+    OPTION("sdf-tolerance", compare_options, compare.sdf_tolerance, value_width),
+    OPTION("motion-error", compare_options, compare.motion_error, value_positive),
+    OPTION("round", compare_options, context.rounding, value_rounding),
+    OPTION("show", compare_options, compare.show, value_show),
+    FILE_READ("solid", compare_options, compare.solid),
+    FILE_READ("motion", compare_options, compare.motion),
+    FILE_WRITTEN("page", compare_options, page),
+    OPTION("format", compare_options, format, value_report),
+    FILE_WRITTEN("output", compare_options, output),
+    OPTION("o", compare_options, output, value_text),
+    OPTION("limit", compare_options, context.limits, value_limit),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_compare(void *options, const operands *given) {
+    const compare_options *o = options;
+    if (given->count != 2)
+        return complain(EXIT_USAGE,
+                        "compare takes GOLDEN and CANDIDATE, %d given; see graze compare --help",
+                        given->count);
+    if (strcmp(given->item[0], "-") == 0 && strcmp(given->item[1], "-") == 0)
+        return complain(EXIT_USAGE, "GOLDEN and CANDIDATE cannot both be standard input");
+    if (o->page && (!o->compare.solid || !o->compare.motion))
+        return complain(EXIT_USAGE, "--page needs --solid FILE and --motion FILE");
+    if (o->page && (strcmp(given->item[0], "-") == 0 || strcmp(given->item[1], "-") == 0))
+        return complain(EXIT_USAGE, "--page reads both tables twice, so neither can be -");
+    graze_context *context = NULL;
+    graze_comparison *c = NULL;
+    int status = compare_check(&o->compare);
+    if (!status)
+        status = context_make(&context, &o->context);
+    if (!status)
+        status = complain_of(
+            graze_compare(&c, context, given->item[0], given->item[1], &o->compare), context);
+    if (!status && o->page)
+        status = compare_page(o->page, given->item[0], given->item[1], &o->compare, &o->context);
+    if (!status)
+        status = report_comparison(o, context, c);
+    graze_comparison_destroy(c);
+    graze_context_destroy(context);
+    graze_thread_finish();
+    return status;
+}
+
+static const compare_options ten_shown = {.compare.show = 10,
+                                          .compare.size = sizeof(graze_compare_options)};
+
+const command command_compare = {.name = "compare",
+                                 .options = compare_table,
+                                 .size = sizeof(compare_options),
+                                 .initial = &ten_shown,
+                                 .reads = 2,
+                                 .inputs = 2,
+                                 .help = compare_help,
+                                 .run = run_compare};

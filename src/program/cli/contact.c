@@ -1,0 +1,81 @@
+/* graze contact: contact points of the envelope.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/classify.h"
+#include "program/cli/commands.h"
+#include "program/cli/values.h"
+
+static const char contact_help[] =
+    "graze contact SOLID MOTION CONTACTS: boundary points at given times, and the envelope\n"
+    "\n"
+    "CONTACTS is a CSV file or - for standard input, with a line of names: time,bx,by[,bz] for a\n"
+    "boundary point in the solid's own frame, or time,x,y[,z] for where it is then. Other columns\n"
+    "are kept. A row says what the point is for the envelope at that time (role: contact, egress,\n"
+    "ingress, hidden), order, curvature and orientation of a contact within a facet, the states "
+    "of\n"
+    "its trajectory before and after, whether the solid covers it at another time and when, the\n"
+    "nearest times, and the word.\n"
+    "\n"
+    "  --snap               move each point to the nearest one of its column cell (face 3, edge "
+    "1-2,\n"
+    "                       vertex 5) that is in contact then; column shift: squared distance\n"
+    "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
+    "                       line of JSON per point with the values of each facet\n"
+    "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
+    "  --output FILE        write there instead of to standard output\n"
+    "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
+    "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
+    "  --quiet              no progress on the terminal, and no notes\n"
+    "  --round, --triangulate, --overlap, --no-filter, --limit NAME=V   as in graze classify\n"
+    "\n"
+    "Example: graze contact block.wkt turn.json contacts.csv > table.csv\n";
+
+static int value_rows(void *to, const char *name, const char *value) {
+    static const char *const words[] = {"csv", "jsonl"};
+    static const graze_format formats[] = {GRAZE_FORMAT_CSV, GRAZE_FORMAT_JSONL};
+    int chosen = 0, status = value_choice(&chosen, name, value, words, 2);
+    *(graze_format *)to = formats[chosen];
+    return status;
+}
+
+static const option_entry contact_table[] = {
+    FLAG("snap", classify_options, sites.snap, value_flag),
+    OPTION("format", classify_options, format.rows, value_rows),
+    OPTION("jobs", classify_options, threads, value_jobs),
+    FILE_WRITTEN("output", classify_options, output),
+    OPTION("o", classify_options, output, value_text),
+    FILE_WRITTEN("resume", classify_options, resume),
+    OPTION("shard", classify_options, shard, value_shard),
+    OPTION("round", classify_options, scene.context.rounding, value_rounding),
+    FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
+    OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
+    FLAG("no-filter", classify_options, scene.context.exact_only, value_flag),
+    OPTION("limit", classify_options, scene.context.limits, value_limit),
+    FLAG("quiet", classify_options, quiet, value_quiet),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_contact(void *options, const operands *given) {
+    classify_options *o = options;
+    if (given->count != 3)
+        return complain(EXIT_USAGE,
+                        "contact takes SOLID, MOTION and CONTACTS, %d operands given; see graze "
+                        "contact --help",
+                        given->count);
+    int status = classify_check_files(o);
+    if (!status)
+        status = classify_check_table(o);
+    o->scene.solid = given->item[0];
+    o->scene.motion = given->item[1];
+    o->points = given->item[2];
+    return status ? status : classify_run(o);
+}
+
+static const classify_options whole_run = {.shard.part = {0, 1}, .sites.wanted = 1};
+
+const command command_contact = {.name = "contact",
+                                 .options = contact_table,
+                                 .size = sizeof(classify_options),
+                                 .initial = &whole_run,
+                                 .reads = 3,
+                                 .inputs = 1,
+                                 .help = contact_help,
+                                 .run = run_contact};

@@ -1,0 +1,120 @@
+/* graze convert: a solid as exact OFF or WKT, a motion as plain pieces.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <string.h>
+#include <strings.h>
+#include "program/cli/commands.h"
+#include "program/cli/values.h"
+#include "program/run/load.h"
+#include "program/run/output.h"
+
+static const char convert_help[] =
+    "graze convert SOLID -o FILE.off|.wkt, graze convert MOTION -o FILE.json: the forms that\n"
+    "graze-check reads\n"
+    "\n"
+    "A solid becomes OFF, its facets cut into triangles, or in the plane WKT; a motion becomes\n"
+    "pieces with a matrix of polynomials in t or quotients of them. All numbers are exact, and\n"
+    "solid and motion are the same; facets and edges have new numbers.\n"
+    "Make tables and certificates from the converted files.\n"
+    "\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
+    "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n"
+    "\n"
+    "Example: graze convert solid.nef3 -o solid.off\n"
+    "         graze convert arm.json -o pieces.json\n";
+
+typedef struct convert_options {
+    const char *file, *output;
+    unsigned solid_flags;
+    context_options context;
+} convert_options;
+
+static int name_ends_in(const char *path, const char *ending) {
+    size_t n = strlen(path), m = strlen(ending);
+    return n > m && strcasecmp(path + n - m, ending) == 0;
+}
+
+static int is_solid(const char *path) {
+    static const char *const endings[] = {".off", ".obj", ".ply", ".stl", ".nef3", ".wkt"};
+    for (size_t k = 0; k < sizeof endings / sizeof *endings; k++)
+        if (name_ends_in(path, endings[k]))
+            return 1;
+    return 0;
+}
+
+static int put_converted(const convert_options *o, const char *text, const char *ending) {
+    if (o->output && !name_ends_in(o->output, ending))
+        return complain(EXIT_USAGE, "--output %s: expected a name that ends in %s", o->output,
+                        ending);
+    return output_text(o->output, text);
+}
+
+static int convert_solid_file(const convert_options *o, graze_context *context) {
+    const char *path = o->file;
+    graze_solid *solid = NULL;
+    char *text = NULL;
+    graze_status made = graze_solid_read(&solid, context, path, o->solid_flags);
+    if (!made)
+        made = graze_solid_text(&text, context, solid);
+    int space = graze_solid_dimension(solid) == 3;
+    int status =
+        made ? complain_of(made, context) : put_converted(o, text, space ? ".off" : ".wkt");
+    if (!status)
+        complain(EXIT_DONE, "note: %s: %zu vertices and %zu %s, %s", path,
+                 graze_solid_vertex_count(solid), graze_solid_facet_count(solid),
+                 space ? "facets" : "edges",
+                 space ? "cut into triangles, which are the facets now"
+                       : "written as rings of one MULTIPOLYGON");
+    graze_free(text);
+    graze_solid_destroy(solid);
+    return status;
+}
+
+static int convert_motion_file(const convert_options *o, graze_context *context) {
+    const char *path = o->file;
+    graze_motion *motion = NULL;
+    char *text = NULL;
+    graze_status made = graze_motion_read(&motion, context, path);
+    if (!made)
+        made = graze_motion_text(&text, context, motion);
+    int status = made ? complain_of(made, context) : put_converted(o, text, ".json");
+    if (!status)
+        complain(EXIT_DONE, "note: %s: %zu plain pieces, each with its matrix", path,
+                 graze_motion_piece_count(motion));
+    graze_free(text);
+    graze_motion_destroy(motion);
+    return status;
+}
+
+static const option_entry convert_table[] = {
+    FLAG("triangulate", convert_options, solid_flags, value_triangulate),
+    OPTION("round", convert_options, context.rounding, value_rounding),
+    OPTION("limit", convert_options, context.limits, value_limit),
+    FILE_WRITTEN("output", convert_options, output),
+    OPTION("o", convert_options, output, value_text),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_convert(void *options, const operands *given) {
+    convert_options *o = options;
+    graze_context *context = NULL;
+    if (given->count != 1)
+        return complain(EXIT_USAGE,
+                        "convert takes SOLID or MOTION, %d operands given; see graze convert "
+                        "--help",
+                        given->count);
+    o->file = given->item[0];
+    int status = context_make(&context, &o->context);
+    if (!status)
+        status =
+            is_solid(o->file) ? convert_solid_file(o, context) : convert_motion_file(o, context);
+    graze_context_destroy(context);
+    graze_thread_finish();
+    return status;
+}
+
+const command command_convert = {.name = "convert",
+                                 .options = convert_table,
+                                 .size = sizeof(convert_options),
+                                 .reads = 1,
+                                 .help = convert_help,
+                                 .run = run_convert};

@@ -1,0 +1,119 @@
+/* graze explain: the whole reasoning for one point.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+#include "program/cli/commands.h"
+#include "program/cli/values.h"
+#include "program/run/load.h"
+#include "program/run/output.h"
+
+static const char explain_help[] =
+    "graze explain SOLID MOTION X Y [Z]: the whole reasoning for one point\n"
+    "\n"
+    "Gives the position of the point at the ends of the motion, its inverted trajectory, each\n"
+    "contact with the boundary in order of time and why it is an intersection or a tangency, the\n"
+    "counts, and the definition and case that apply. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
+    "\n"
+    "  --triangulate, --round, --overlap extend|reject, --limit NAME=V,\n"
+    "  --no-filter          as in graze classify\n"
+    "  --folds separate     Definitions 6 and 7 (default)\n"
+    "  --folds combined     Definitions 10 and 11 in their place\n"
+    "  --sdf TOL            the signed distance too, as in graze classify\n"
+    "  --topo               the position relative to the closed sweep too\n"
+    "  --svg FILE           2D, a point that is on a sweep: draw, as .svg or .png, which "
+    "directions\n"
+    "                       about it each contact covers, which are left, and a\n"
+    "                       witness's direction\n"
+    "  --operation sweep    the set swept by the solid (default)\n"
+    "  --operation unsweep  the points that stay in the solid\n"
+    "\n"
+    "Example: graze explain cube.off move.json 1/2 -1 0.25\n";
+
+typedef struct explain_given {
+    scene_options scene;
+    const char *picture; /* a file, or NULL */
+} explain_given;
+
+static int draw_point(const loaded *l, const char *file, graze_rationals point,
+                      const graze_trace *trace) {
+    graze_status status = graze_draw_cones(l->context, l->scene, file, point, trace);
+    return status ? complain(exit_for(status, EXIT_USAGE), "--svg: %s",
+                             graze_context_message(l->context))
+                  : EXIT_DONE;
+}
+
+static int explain_point(const loaded *l, graze_rationals point, const char *picture) {
+    graze_trace *trace = NULL;
+    char *text = NULL;
+    graze_status status = graze_trace_create(&trace, l->context, l->scene, point);
+    if (!status)
+        status = graze_report_explain(&text, l->context, l->scene, point, trace);
+    int code = complain_of(status, l->context);
+    if (!code && picture)
+        code = draw_point(l, picture, point, trace);
+    if (!code)
+        code = output_text(NULL, text);
+    graze_free(text);
+    graze_trace_destroy(trace);
+    return code;
+}
+
+/* The coordinates from the command line. */
+static int read_coordinates(mpq_t *point, const loaded *l, const operands *given) {
+    static const char *const names[] = {"X", "Y", "Z"};
+    int d = graze_scene_dimension(l->scene);
+    if (given->count != 2 + d)
+        return complain(EXIT_USAGE, "the scene has dimension %d: expected SOLID MOTION %s", d,
+                        d == 2 ? "X Y" : "X Y Z");
+    for (int k = 0; k < d; k++) {
+        const char *word = given->item[2 + k];
+        graze_status status = graze_number_parse(point[k], l->context, word, strlen(word));
+        if (status)
+            return complain(exit_for(status, EXIT_USAGE), "%s: %s", names[k],
+                            graze_context_message(l->context));
+    }
+    return EXIT_DONE;
+}
+
+static const option_entry explain_table[] = {
+    FLAG("triangulate", explain_given, scene.solid_flags, value_triangulate),
+    OPTION("round", explain_given, scene.context.rounding, value_rounding),
+    OPTION("overlap", explain_given, scene.scene.overlap, value_overlap),
+    OPTION("limit", explain_given, scene.context.limits, value_limit),
+    FLAG("no-filter", explain_given, scene.context.exact_only, value_flag),
+    OPTION("folds", explain_given, scene.scene.folds, value_folds),
+    OPTION("operation", explain_given, scene.scene.operation, value_operation),
+    OPTION("sdf", explain_given, scene.scene, value_sdf),
+    FLAG("topo", explain_given, scene.scene.topo, value_flag),
+    FILE_WRITTEN("svg", explain_given, picture),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_explain(void *options, const operands *given) {
+    explain_given *all = options;
+    scene_options *o = &all->scene;
+    loaded l;
+    mpq_t point[3];
+    if (given->count < 4 || given->count > 5)
+        return complain(EXIT_USAGE,
+                        "explain takes SOLID, MOTION and 2 or 3 coordinates, %d operands given; "
+                        "see graze explain --help",
+                        given->count);
+    o->scene.size = sizeof o->scene;
+    o->solid = given->item[0];
+    o->motion = given->item[1];
+    mpq_inits(point[0], point[1], point[2], NULL);
+    int status = loaded_read(&l, o, EXIT_INPUT, NULL);
+    if (!status)
+        status = read_coordinates(point, &l, given);
+    if (!status)
+        status = explain_point(&l, point, all->picture);
+    mpq_clears(point[0], point[1], point[2], NULL);
+    loaded_clear(&l);
+    return status;
+}
+
+const command command_explain = {.name = "explain",
+                                 .options = explain_table,
+                                 .size = sizeof(explain_given),
+                                 .reads = 2,
+                                 .help = explain_help,
+                                 .run = run_explain};

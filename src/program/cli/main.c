@@ -1,0 +1,77 @@
+/* graze: chooses the command.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdio.h>
+#include <string.h>
+#include "program/cli/commands.h"
+#include "program/run/interrupt.h"
+#include "program/run/memory.h"
+#include "program/run/output.h"
+
+static const command *const commands[] = {
+    &command_check,    &command_classify, &command_merge,    &command_explain,
+    &command_generate, &command_cases,    &command_compare,  &command_validate,
+    &command_motion,   &command_boundary, &command_draw,     &command_certify,
+    &command_convert,  &command_contact,  &command_envelope, &command_mend};
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static const char overview[] =
+    "graze: exact classification of points against a solid swept by a motion\n"
+    "\n"
+    "  graze check SOLID MOTION             is the pair legal, and why not\n"
+    "  graze classify SOLID MOTION POINTS   a table: in, on, out and class of each point\n"
+    "  graze merge PART...                  one table of the parts that shards have written\n"
+    "  graze explain SOLID MOTION X Y [Z]   the whole reasoning for one point\n"
+    "  graze generate SOLID MOTION -n N --seed K   query points, most of them degenerate\n"
+    "  graze compare GOLDEN CANDIDATE       a candidate's answers against a golden table\n"
+    "  graze validate SOLID MOTION --candidate CMD   run a candidate and judge it\n"
+    "  graze draw SOLID MOTION [POINTS] -o FILE.svg   a picture: classes, positions, trajectories\n"
+    "  graze motion KIND ...                exact motion files from angles, screws, joints, poses\n"
+    "  graze boundary SOLID MOTION --depth N   the boundary by adaptive sampling\n"
+    "  graze certify SOLID MOTION POINTS -o FILE   answers with proofs, for graze-check\n"
+    "  graze convert SOLID|MOTION -o FILE   exact OFF or WKT, plain pieces: what graze-check "
+    "reads\n"
+    "  graze mend SOLID -o FILE.off         a legal solid out of a mesh that is none\n"
+    "  graze contact SOLID MOTION CONTACTS  boundary points at given times, and the envelope\n"
+    "  graze envelope SOLID MOTION          when the contact with the envelope changes\n"
+    "  graze cases                          the golden cases and what they show\n"
+    "  graze COMMAND --help                 options and an example\n"
+    "  graze --version                      versions of graze and its libraries\n"
+    "\n"
+    "SOLID is .off .obj .ply .stl .nef3 (3D) or .wkt (2D), MOTION is JSON, POINTS is CSV or -.\n"
+    "\n"
+    "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 a fault of graze,\n"
+    "5 reading or writing failed, or memory ran out, 6 a limit was met.\n";
+
+/* The names of the commands, as in `a, b or c`. */
+static const char *command_names(void) {
+    static char names[256];
+    size_t used = 0;
+    for (size_t k = 0; k < COMMANDS; k++) {
+        const char *between = k == 0 ? "" : k + 1 < COMMANDS ? ", " : " or ";
+        used +=
+            (size_t)snprintf(names + used, sizeof names - used, "%s%s", between, commands[k]->name);
+    }
+    return names;
+}
+
+int main(int argc, char **argv) {
+    memory_guard();
+    output_guard_standard();
+    if (interrupt_watch() != 0)
+        return complain(EXIT_IO, "signals cannot be watched");
+    if (argc < 2)
+        return complain(EXIT_USAGE, "a command is missing: %s; see graze --help", command_names());
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
+        return output_text(NULL, overview);
+    if (strcmp(argv[1], "--version") == 0)
+        return output_text(NULL, graze_version());
+    for (size_t k = 0; k < COMMANDS; k++) {
+        if (strcmp(argv[1], commands[k]->name) != 0)
+            continue;
+        int status = command_run(commands[k], argc - 1, argv + 1);
+        if (status == EXIT_SIGNAL)
+            interrupt_die();
+        return status;
+    }
+    return complain(EXIT_USAGE, "%s: expected a command: %s", argv[1], command_names());
+}

@@ -1,0 +1,142 @@
+/* Points with the columns id and stratum.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/cli/marks.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "program/run/csv.h"
+#include "program/run/numbers.h"
+
+void marks_clear(marks *m) {
+    for (size_t k = 0; k < m->values; k++)
+        mpq_clear(m->value[k]);
+    for (size_t k = 0; k < m->count; k++) {
+        free(m->name[k]);
+        free(m->stratum[k]);
+    }
+    free(m->value);
+    free(m->name);
+    free(m->stratum);
+}
+
+/* Room for one more point; 0 where there is none. */
+static int marks_grow(marks *m) {
+    size_t values = (m->count + 1) * (size_t)m->dimension;
+    if (!array_reserve(&m->name, &m->capacity, m->count + 1, sizeof *m->name) ||
+        !array_reserve(&m->stratum, &m->stratum_capacity, m->count + 1, sizeof *m->stratum) ||
+        !array_reserve(&m->value, &m->value_capacity, values, sizeof *m->value))
+        return 0;
+    for (; m->values < values; m->values++)
+        mpq_init(m->value[m->values]);
+    return 1;
+}
+
+/* Take the point at the end of `value` over under malloc'ed texts. */
+static int marks_take(marks *m, char *name, char *stratum) {
+    if (!name) {
+        free(stratum);
+        return complain(EXIT_IO, "out of memory");
+    }
+    m->name[m->count] = name;
+    m->stratum[m->count++] = stratum;
+    return EXIT_DONE;
+}
+
+/* "3" for the third row. */
+static char *number_name(const char *before, size_t number) {
+    char text[32];
+    snprintf(text, sizeof text, "%s%zu", before, number);
+    return strdup(text);
+}
+
+/* Which of the further columns has a name; *found is -1 if none does. 0 where memory is short. */
+static int mark_column(long *found, const char *columns, const char *name) {
+    fields cut = {NULL, 0, 0};
+    *found = -1;
+    fields_result result =
+        columns ? fields_cut(&cut, (field){columns, strlen(columns)}) : FIELDS_CUT;
+    for (size_t k = cut.count; k-- > 0;) {
+        field f = field_content(cut.item[k]);
+        if (f.length == strlen(name) && memcmp(f.start, name, f.length) == 0)
+            *found = (long)k;
+    }
+    fields_clear(&cut);
+    return result != FIELDS_NO_MEMORY;
+}
+
+/* The content of a further column of a row; NULL where the row has none or memory is short. */
+static char *mark_field(const char *rest, long column) {
+    fields cut = {NULL, 0, 0};
+    char *out = NULL;
+    if (fields_cut(&cut, (field){rest, strlen(rest)}) == FIELDS_CUT && (size_t)column < cut.count) {
+        field f = field_content(cut.item[column]);
+        out = strndup(f.start, f.length);
+    }
+    fields_clear(&cut);
+    return out;
+}
+
+static int read_marks_block(marks *m, csv *points, const block *b, graze_context *context) {
+    fault f = {EXIT_DONE, NULL};
+    reader r = {.context = context};
+    long id, stratum = -1;
+    const char *others = csv_columns(points)->others;
+    int status = mark_column(&id, others, "id") && mark_column(&stratum, others, "stratum")
+                     ? EXIT_DONE
+                     : complain(EXIT_IO, "out of memory");
+    for (size_t k = 0; k < b->count && !status; k++) {
+        r.rest_length = 0;
+        if (!marks_grow(m))
+            status = complain(EXIT_IO, "out of memory");
+        else if (columns_row(m->value + m->count * (size_t)m->dimension, &f, csv_columns(points),
+                             &r, b, k))
+            status = fault_tell(&f);
+        else
+            status = marks_take(m, id < 0 ? number_name("", m->count + 1) : mark_field(r.rest, id),
+                                stratum < 0 ? NULL : mark_field(r.rest, stratum));
+    }
+    reader_clear(&r);
+    fault_clear(&f);
+    return status;
+}
+
+int marks_read(marks *m, const char *path, graze_context *context) {
+    csv *points = NULL;
+    block *b = block_create();
+    int status = b ? csv_open(&points, path, m->dimension, (shard){0, 1}, context)
+                   : complain(EXIT_IO, "out of memory");
+    for (int more = 1; more && !status;) {
+        block_reset(b, 0);
+        int read = csv_fill(points, b, BLOCK_ROWS);
+        more = b->count > 0;
+        status = read_marks_block(m, points, b, context);
+        if (!status && read)
+            status = read == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(points));
+    }
+    csv_close(points);
+    block_destroy(b);
+    return status;
+}
+
+int marks_take_points(marks *m, const char *const *points, int count, graze_context *context) {
+    int status = EXIT_DONE;
+    for (int k = 0; k < count && !status; k++) {
+        if (!marks_grow(m))
+            return complain(EXIT_IO, "out of memory");
+        status = numbers_read(m->value + m->count * (size_t)m->dimension, context, "-p", points[k],
+                              strlen(points[k]), m->dimension);
+        if (!status)
+            status = marks_take(m, count > 1 ? number_name("P", (size_t)k + 1) : strdup("P"), NULL);
+    }
+    return status;
+}
+
+void marks_give(graze_draw_options *out, const marks *m) {
+    out->points = m->value;
+    out->point_count = m->count;
+    out->names = (const char *const *)m->name;
+    out->strata = (const char *const *)m->stratum;
+}

@@ -1,0 +1,185 @@
+/* graze merge: puts the parts of a table or a certificate together, byte for byte as one run would
+ * write it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Rows were dealt to the shards in turn (shard.h) and are taken from the parts in turn. Heads
+ * and last lines are checked before the first byte is written.
+ */
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "program/cli/commands.h"
+#include "program/cli/values.h"
+#include "program/run/interrupt.h"
+#include "program/run/part.h"
+#include "program/run/progress.h"
+#include "program/run/status.h"
+
+static const char merge_help[] =
+    "graze merge PART...: one table of the tables of all shards, or one certificate\n"
+    "\n"
+    "The parts come in any order: all n of them, each once, whole, and of one run, with the same\n"
+    "scene, options and points. The result is that of one run without shards.\n"
+    "\n"
+    "  --output FILE        write there instead of to standard output\n"
+    "  --quiet              no progress on the terminal, and no notes\n"
+    "\n"
+    "A part is the table or the certificate that graze classify, contact or certify writes for "
+    "one\n"
+    "shard.\n"
+    "\n"
+    "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
+
+typedef struct merge_options {
+    const char *output; /* NULL: standard output */
+    int quiet;
+} merge_options;
+
+typedef struct merger {
+    part *parts; /* part i is that of shard i */
+    size_t count;
+    graze_context *context;
+    output out;
+    int opened;
+} merger;
+
+/* Refuse two parts that differ where the parts of one run are equal. */
+static int compare_heads(const part *a, const part *b) {
+    const char *x = a->head.data, *y = b->head.data;
+    if (a->shard.count != b->shard.count)
+        return complain(EXIT_INPUT,
+                        "%s is a shard of %lu and %s one of %lu; expected parts of one run",
+                        a->in.name, a->shard.count, b->in.name, b->shard.count);
+    while (*x || *y) {
+        size_t n = strcspn(x, "\n"), m = strcspn(y, "\n");
+        if (n != m || memcmp(x, y, n) != 0)
+            return complain(
+                EXIT_INPUT, "%s has `%.*s` and %s has `%.*s`; expected parts of one run",
+                a->in.name, (int)(n < 200 ? n : 200), x, b->in.name, (int)(m < 200 ? m : 200), y);
+        x += n + (x[n] == '\n');
+        y += m + (y[m] == '\n');
+    }
+    if (a->rows_of_all != b->rows_of_all || strcmp(a->checksum, b->checksum) != 0)
+        return complain(EXIT_INPUT,
+                        "%s and %s were made from different points; expected parts of one run",
+                        a->in.name, b->in.name);
+    return EXIT_DONE;
+}
+
+/* Open the parts in the order given, and put them into that of the shards. */
+static int open_parts(merger *m, const operands *given) {
+    m->parts = calloc((size_t)given->count, sizeof *m->parts);
+    if (!m->parts)
+        return complain(EXIT_IO, "out of memory");
+    for (int k = 0; k < given->count; k++) {
+        int status = part_open(&m->parts[m->count++], m->context, given->item[k]);
+        if (!status && k > 0)
+            status = compare_heads(&m->parts[0], &m->parts[k]);
+        if (status)
+            return status;
+    }
+    return EXIT_DONE;
+}
+
+static int by_shard(const void *a, const void *b) {
+    unsigned long i = ((const part *)a)->shard.index, j = ((const part *)b)->shard.index;
+    return (i > j) - (i < j);
+}
+
+/* Check that each shard is there once. */
+static int check_parts(merger *m) {
+    unsigned long count = m->parts[0].shard.count;
+    qsort(m->parts, m->count, sizeof *m->parts, by_shard);
+    for (size_t k = 1; k < m->count; k++)
+        if (m->parts[k].shard.index == m->parts[k - 1].shard.index)
+            return complain(EXIT_INPUT, "%s and %s are both shard %lu/%lu", m->parts[k - 1].in.name,
+                            m->parts[k].in.name, m->parts[k].shard.index + 1, count);
+    for (size_t k = 0; k < count; k++)
+        if (k >= m->count || m->parts[k].shard.index != k)
+            return complain(EXIT_INPUT, "shard %zu/%lu is missing; %zu of %lu parts are given",
+                            k + 1, count, m->count, count);
+    return EXIT_DONE;
+}
+
+static int copy_rows(merger *m, const merge_options *o) {
+    unsigned long rows = m->parts[0].rows_of_all, row = 0;
+    int status = EXIT_DONE;
+    progress line;
+    progress_start(&line, o->quiet, 0, (portion){0, rows});
+    for (; row < rows && !status && !m->out.error; row++) {
+        status =
+            interrupt_signal() ? EXIT_SIGNAL : part_copy_row(&m->parts[row % m->count], &m->out);
+        if (row % 4096 == 0)
+            progress_show(&line, row, (portion){row, rows});
+    }
+    progress_end(&line, row, (portion){row, rows});
+    for (size_t k = 0; k < m->count && !status && !m->out.error; k++)
+        status = part_end(&m->parts[k]);
+    return status;
+}
+
+/* The last lines. */
+static void put_counts(merger *m) {
+    char text[64];
+    unsigned long undecided = 0;
+    for (size_t k = 0; k < m->count; k++)
+        undecided += m->parts[k].undecided;
+    snprintf(text, sizeof text, UNDECIDED_LINE "%lu\n", undecided);
+    if (part_has_topo(&m->parts[0]))
+        output_put(&m->out, text);
+    snprintf(text, sizeof text, "%s" COMPLETE_LINE "%lu\n", result_mark(m->parts[0].form.kind),
+             m->parts[0].rows_of_all);
+    output_put(&m->out, text);
+}
+
+static int merge_parts(merger *m, const merge_options *o, const operands *given) {
+    int status = graze_context_create(&m->context) ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
+    if (!status)
+        status = open_parts(m, given);
+    if (!status)
+        status = check_parts(m);
+    if (!status)
+        status = output_open(&m->out, o->output);
+    m->opened = !status;
+    if (status)
+        return status;
+    output_put(&m->out, m->parts[0].head.data);
+    status = copy_rows(m, o);
+    if (!status)
+        put_counts(m);
+    return status;
+}
+
+static const option_entry merge_table[] = {FILE_WRITTEN("output", merge_options, output),
+                                           OPTION("o", merge_options, output, value_text),
+                                           FLAG("quiet", merge_options, quiet, value_quiet),
+                                           {NULL, OPTION_FLAG, NULL, 0}};
+
+static int run_merge(void *options, const operands *given) {
+    if (given->count < 1)
+        return complain(
+            EXIT_USAGE,
+            "merge takes the parts of a table or a certificate; see graze merge --help");
+    merger *m = calloc(1, sizeof *m);
+    if (!m)
+        return complain(EXIT_IO, "out of memory");
+    int status = merge_parts(m, options, given);
+    if (m->opened) {
+        int closed = output_close(&m->out);
+        status = closed ? closed : status;
+    }
+    for (size_t k = 0; k < m->count; k++)
+        part_close(&m->parts[k]);
+    free(m->parts);
+    graze_context_destroy(m->context);
+    free(m);
+    return status;
+}
+
+const command command_merge = {.name = "merge",
+                               .options = merge_table,
+                               .size = sizeof(merge_options),
+                               .reads = INT_MAX,
+                               .help = merge_help,
+                               .run = run_merge};

@@ -1,0 +1,442 @@
+/* graze motion: exact motion files from angles, screws, joints and poses.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "program/cli/commands.h"
+#include "program/cli/motion_examples.h"
+#include "program/cli/values.h"
+#include "program/run/load.h"
+#include "program/run/numbers.h"
+#include "program/run/output.h"
+
+static const char motion_help[] =
+    "graze motion KIND ...: an exact motion file from angles or poses, its error proved and "
+    "printed\n"
+    "\n"
+    "  rotate --degrees A [--axis X,Y,Z] [--center ...]   a turn that ends near the angle; exact\n"
+    "                       on the way, quarter turns exact; its speed is not uniform\n"
+    "  screw --degrees A [--axis X,Y,Z] [--center ...] [--pitch H]   a uniform turn that moves H\n"
+    "                       along the axis with every 360 degrees\n"
+    "  joints J1 J2 ...     uniform joints as they stand at t = 0, J1 applied first, each one of\n"
+    "                       turn:DEGREES[:AXIS[:CENTER]], slide:WAY, "
+    "screw:DEGREES:PITCH:AXIS[:CENTER]\n"
+    "  poses FILE.csv       through poses: columns t, x,y,z (or left out), qw,qx,qy,qz; or t and\n"
+    "                       m00 to m33; or rows of TUM, or of 4x4 matrices, without names\n"
+    "  dyadic MOTION        a motion file near MOTION; as --dyadic\n"
+    "\n"
+    "  --tolerance E        no point is off by more than E at any time (1e-9; screw, joints "
+    "1e-6),\n"
+    "  --radius R           if it is within R of the origin at t = 0 (1)\n"
+    "                       poses: no entry of a matrix is changed by more than E (1e-6)\n"
+    "  --affine             poses: take matrices as they are, interpolate their entries\n"
+    "  --shortest           poses: change signs of quaternions that ask for over half a turn\n"
+    "  --ignore NAME        poses: pass over a column; may be repeated\n"
+    "  --scale F, --from T, --to T, --every N   poses: positions times F; those in [T, T], every\n"
+    "                       Nth and the last\n"
+    "  --dyadic             entries that are polynomials get dyadic coefficients, off by at most "
+    "E,\n"
+    "                       so that contacts have binary64 coordinates; turns stay as they are\n"
+    "  --numbers binary64   poses: numbers are the doubles they were printed from (default)\n"
+    "  --numbers written    poses: they are exactly what is written\n"
+    "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; not for poses\n"
+    "  --output FILE, --report FILE   the motion (standard output), the errors (standard error)\n"
+    "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
+    "  --examples           motion files with every key, each one line behind a # line, and no "
+    "more\n"
+    "\n"
+    "man 5 graze-motion has the motion file key by key, and lists of poses.\n"
+    "\n"
+    "Example: graze motion rotate --degrees 37.5 --axis 0,0,1 > move.json\n";
+
+/* Options that only some kinds take. */
+enum {
+    DEGREES,
+    AXIS,
+    CENTER,
+    PITCH,
+    TOLERANCE,
+    RADIUS,
+    AFFINE,
+    SHORTEST,
+    SCALE,
+    FROM,
+    TO,
+    EVERY,
+    NUMBERS,
+    DYADIC,
+    DIMENSION,
+    REPORT,
+    OWN
+};
+
+typedef struct motion_options {
+    context_options context;
+    const char *own[OWN]; /* NULL: not given */
+    const char *output;
+    int examples;
+} motion_options;
+
+/* Words of the other kinds name no files. */
+static void add_motion_files(guard *g, const void *options, const operands *given) {
+    (void)options;
+    if (given->count > 1 &&
+        (strcmp(given->item[0], "poses") == 0 || strcmp(given->item[0], "dyadic") == 0))
+        guard_add(g, GUARD_READ, NULL, given->item[1], "");
+}
+
+static const option_entry motion_table[] = {
+    [DEGREES] = OPTION("degrees", motion_options, own[DEGREES], value_text),
+    [AXIS] = OPTION("axis", motion_options, own[AXIS], value_text),
+    [CENTER] = OPTION("center", motion_options, own[CENTER], value_text),
+    [PITCH] = OPTION("pitch", motion_options, own[PITCH], value_text),
+    [TOLERANCE] = OPTION("tolerance", motion_options, own[TOLERANCE], value_text),
+    [RADIUS] = OPTION("radius", motion_options, own[RADIUS], value_text),
+    [AFFINE] = FLAG("affine", motion_options, own[AFFINE], value_text),
+    [SHORTEST] = FLAG("shortest", motion_options, own[SHORTEST], value_text),
+    [SCALE] = OPTION("scale", motion_options, own[SCALE], value_text),
+    [FROM] = OPTION("from", motion_options, own[FROM], value_text),
+    [TO] = OPTION("to", motion_options, own[TO], value_text),
+    [EVERY] = OPTION("every", motion_options, own[EVERY], value_text),
+    [NUMBERS] = OPTION("numbers", motion_options, own[NUMBERS], value_text),
+    [DYADIC] = FLAG("dyadic", motion_options, own[DYADIC], value_text),
+    [DIMENSION] = OPTION("dimension", motion_options, own[DIMENSION], value_text),
+    [REPORT] = FILE_WRITTEN("report", motion_options, own[REPORT]),
+    [OWN] = FILE_WRITTEN("output", motion_options, output),
+    OPTION("o", motion_options, output, value_text),
+    OPTION("limit", motion_options, context.limits, value_limit),
+    REPEATED("ignore"),
+    FLAG("examples", motion_options, examples, value_flag),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+enum { NUMBERS_OF_JOINT = 8 }; /* degrees, pitch, axis, center */
+
+/* A joint's numbers and the joint made of them. */
+typedef struct own_joint {
+    mpq_t number[NUMBERS_OF_JOINT];
+    graze_joint joint;
+} own_joint;
+
+typedef struct job {
+    const motion_options *o;
+    const operands *given;
+    graze_context *context;
+    int dimension;
+    size_t count;
+    own_joint *joints;
+    mpq_t tolerance, radius;
+    mpq_t ends[3]; /* of poses: scale, from, to */
+    char *json, *report;
+} job;
+
+static void set_turn(own_joint *w, int dimension, int centered) {
+    w->joint.kind = GRAZE_JOINT_TURN;
+    w->joint.degrees = w->number[0];
+    w->joint.pitch = w->number[1];
+    w->joint.axis = dimension == 3 ? w->number + 2 : NULL;
+    w->joint.center = centered ? w->number + 5 : NULL;
+}
+
+/* turn:DEGREES[:AXIS[:CENTER]], screw:DEGREES:PITCH:AXIS[:CENTER], slide:WAY. In the plane AXIS
+ * is left out. */
+static int read_joint(job *j, own_joint *w, const char *word) {
+    int slide = strncmp(word, "slide:", 6) == 0, screw = strncmp(word, "screw:", 6) == 0;
+    if (!slide && !screw && strncmp(word, "turn:", 5) != 0)
+        return complain(EXIT_USAGE,
+                        "%s: expected a joint: turn, slide or screw; see graze motion --help",
+                        word);
+    if (screw && j->dimension == 2)
+        return complain(EXIT_USAGE, "%s: a screw is for dimension 3; expected turn or slide", word);
+    int place[4] = {0, 2, 5, -1}, fields = 0, status = EXIT_DONE; /* where fields go in `number` */
+    if (slide)
+        place[0] = 2, place[1] = -1;
+    else if (screw)
+        place[1] = 1, place[2] = 2, place[3] = 5;
+    else if (j->dimension == 2)
+        place[1] = 5, place[2] = -1;
+    const char *at = strchr(word, ':');
+    while (at && !status) {
+        at++;
+        size_t length = strcspn(at, ":");
+        int to = fields < 4 ? place[fields] : -1;
+        if (to < 0)
+            return complain(EXIT_USAGE, "%s: the joint has too many parts; see graze motion --help",
+                            word);
+        status =
+            numbers_read(w->number + to, j->context, word, at, length, to < 2 ? 1 : j->dimension);
+        at = at[length] ? at + length : NULL;
+        fields++;
+    }
+    if (!status && j->dimension == 3 && !slide && fields < (screw ? 3 : 2))
+        return complain(EXIT_USAGE, "%s: the joint has no axis; see graze motion --help", word);
+    set_turn(w, j->dimension, 1);
+    if (slide) {
+        w->joint.kind = GRAZE_JOINT_SLIDE;
+        w->joint.axis = w->number + 2;
+    }
+    return status;
+}
+
+/* The one joint that the options of rotate and screw describe. */
+static int read_turn(job *j, own_joint *w, int screw) {
+    const char *const *own = j->o->own;
+    int d = j->dimension;
+    if (!own[DEGREES] || (d == 3) != (own[AXIS] != NULL) || (own[PITCH] && (!screw || d == 2)))
+        return complain(EXIT_USAGE,
+                        "%s takes --degrees, and in dimension 3 --axis%s; see graze "
+                        "motion --help",
+                        screw ? "screw" : "rotate", screw ? " and perhaps --pitch" : "");
+    int status =
+        numbers_read(w->number, j->context, "--degrees", own[DEGREES], strlen(own[DEGREES]), 1);
+    if (!status && own[PITCH])
+        status =
+            numbers_read(w->number + 1, j->context, "--pitch", own[PITCH], strlen(own[PITCH]), 1);
+    if (!status && own[AXIS])
+        status = numbers_read(w->number + 2, j->context, "--axis", own[AXIS], strlen(own[AXIS]), 3);
+    if (!status && own[CENTER])
+        status = numbers_read(w->number + 5, j->context, "--center", own[CENTER],
+                              strlen(own[CENTER]), d);
+    set_turn(w, d, own[CENTER] != NULL);
+    return status;
+}
+
+static int joints_init(job *j, size_t count) {
+    j->joints = calloc(count, sizeof *j->joints);
+    if (!j->joints)
+        return complain(EXIT_IO, "out of memory");
+    for (; j->count < count; j->count++)
+        for (int k = 0; k < NUMBERS_OF_JOINT; k++)
+            mpq_init(j->joints[j->count].number[k]);
+    return EXIT_DONE;
+}
+
+static int read_motion_goal(job *j, const char *tolerance) {
+    const char *const *own = j->o->own;
+    const char *radius = own[RADIUS] ? own[RADIUS] : "1";
+    tolerance = own[TOLERANCE] ? own[TOLERANCE] : tolerance;
+    int status =
+        numbers_read(&j->tolerance, j->context, "--tolerance", tolerance, strlen(tolerance), 1);
+    return status ? status
+                  : numbers_read(&j->radius, j->context, "--radius", radius, strlen(radius), 1);
+}
+
+static int make_turn(job *j, int screw) {
+    if (j->given->count != 1)
+        return complain(EXIT_USAGE, "%s takes options alone; see graze motion --help",
+                        screw ? "screw" : "rotate");
+    int status = joints_init(j, 1);
+    if (!status)
+        status = read_turn(j, j->joints, screw);
+    if (!status)
+        status = read_motion_goal(j, screw ? "1e-6" : "1e-9");
+    if (status)
+        return status;
+    const graze_joint *joint = &j->joints->joint;
+    graze_status made =
+        screw ? graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension, joint, 1,
+                                          j->tolerance, j->radius)
+              : graze_motion_write_rotation(&j->json, &j->report, j->context, j->dimension, joint,
+                                            j->tolerance, j->radius);
+    return complain_of_use(made, j->context);
+}
+
+static int make_joint_chain(job *j) {
+    size_t count = (size_t)j->given->count - 1;
+    if (count == 0)
+        return complain(EXIT_USAGE, "joints takes one joint or more; see graze motion --help");
+    int status = joints_init(j, count);
+    for (size_t i = 0; i < count && !status; i++)
+        status = read_joint(j, j->joints + i, j->given->item[1 + i]);
+    if (!status)
+        status = read_motion_goal(j, "1e-6");
+    if (status)
+        return status;
+    graze_joint *chain = malloc(count * sizeof *chain);
+    if (!chain)
+        return complain(EXIT_IO, "out of memory");
+    for (size_t i = 0; i < count; i++)
+        chain[i] = j->joints[i].joint;
+    graze_status made = graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension,
+                                                  chain, count, j->tolerance, j->radius);
+    free(chain);
+    return complain_of_use(made, j->context);
+}
+
+/* Scale, times and step of poses. */
+static int read_pose_choice(job *j, graze_pose_options *out) {
+    static const int option[3] = {SCALE, FROM, TO};
+    mpq_srcptr *const to[3] = {&out->scale, &out->from, &out->to};
+    const char *const *own = j->o->own;
+    int status = EXIT_DONE;
+    for (int k = 0; k < 3 && !status; k++) {
+        const char *value = own[option[k]], *name = motion_table[option[k]].name;
+        if (!value)
+            continue;
+        status = numbers_read(j->ends + k, j->context, name, value, strlen(value), 1);
+        *to[k] = j->ends[k];
+    }
+    if (!status && own[EVERY] && !numbers_count(&out->every, own[EVERY], 1))
+        return complain(EXIT_USAGE, "--every %s: expected a whole number from 1 up", own[EVERY]);
+    if (!status && out->scale && mpq_sgn(out->scale) <= 0)
+        return complain(EXIT_USAGE, "--scale %s: expected a number above 0", own[SCALE]);
+    return status;
+}
+
+static int make_poses(job *j) {
+    const char *numbers = j->o->own[NUMBERS];
+    int written = numbers && strcmp(numbers, "written") == 0;
+    if (j->given->count != 2)
+        return complain(EXIT_USAGE, "poses takes one FILE; see graze motion --help");
+    if (numbers && !written && strcmp(numbers, "binary64") != 0)
+        return complain(EXIT_USAGE, "--numbers %s: expected binary64 or written", numbers);
+    graze_pose_options chosen = {.flags = (j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0) |
+                                          (j->o->own[SHORTEST] ? GRAZE_POSES_SHORTEST : 0),
+                                 .tolerance = j->tolerance,
+                                 .ignored = j->given->repeated,
+                                 .ignored_count = (size_t)j->given->repeated_count};
+    int status = read_motion_goal(j, "1e-6");
+    if (!status)
+        status = read_pose_choice(j, &chosen);
+    if (status)
+        return status;
+    graze_status set =
+        graze_context_set_rounding(j->context, written ? GRAZE_ROUND_NONE : GRAZE_ROUND_BINARY64);
+    if (!set)
+        set = graze_motion_write_pose_list(&j->json, &j->report, j->context, j->given->item[1],
+                                           &chosen);
+    return complain_of_use(set, j->context);
+}
+
+/* The dyadic motion near the one that was read takes the place of the file that was made. */
+static int make_near(job *j, graze_motion *motion) {
+    char *report = NULL, *before = j->report;
+    graze_free(j->json);
+    j->report = j->json = NULL;
+    graze_status made =
+        graze_motion_write_dyadic(&j->json, &report, j->context, motion, j->tolerance);
+    graze_motion_destroy(motion);
+    size_t room = strlen(before ? before : "") + strlen(report ? report : "") + 1;
+    j->report = made ? NULL : malloc(room);
+    if (j->report)
+        snprintf(j->report, room, "%s%s", before ? before : "", report);
+    graze_free(before);
+    graze_free(report);
+    if (!made && !j->report)
+        return complain(EXIT_IO, "out of memory");
+    return complain_of_use(made, j->context);
+}
+
+static int make_dyadic(job *j) {
+    graze_motion *motion = NULL;
+    if (j->given->count != 2)
+        return complain(EXIT_USAGE, "dyadic takes one MOTION; see graze motion --help");
+    int status = read_motion_goal(j, "1e-6");
+    if (!status)
+        status = complain_of(graze_motion_read(&motion, j->context, j->given->item[1]), j->context);
+    return status ? status : make_near(j, motion);
+}
+
+static int make_made_dyadic(job *j) {
+    graze_motion *motion = NULL;
+    graze_status read = graze_context_set_rounding(j->context, GRAZE_ROUND_NONE);
+    if (!read)
+        read = graze_motion_from_json(&motion, j->context, j->json, strlen(j->json));
+    return read ? complain_of(read, j->context) : make_near(j, motion);
+}
+
+static int make_rotation(job *j) {
+    return make_turn(j, 0);
+}
+
+static int make_screw(job *j) {
+    return make_turn(j, 1);
+}
+
+enum {
+    TAKEN_BY_DYADIC = 1 << TOLERANCE | 1 << REPORT,
+    TAKEN_BY_JOINTS = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << RADIUS | 1 << DIMENSION,
+    TAKEN_BY_TURNS = TAKEN_BY_JOINTS | 1 << DEGREES | 1 << AXIS | 1 << CENTER | 1 << PITCH,
+    TAKEN_BY_POSES = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << AFFINE | 1 << NUMBERS | 1 << SHORTEST |
+                     1 << SCALE | 1 << FROM | 1 << TO | 1 << EVERY
+};
+
+/* The kinds, and which of their own options each has a use for. */
+static const struct {
+    const char *name;
+    int (*make)(job *);
+    unsigned taken;
+} kinds[] = {{"rotate", make_rotation, TAKEN_BY_TURNS},
+             {"screw", make_screw, TAKEN_BY_TURNS},
+             {"joints", make_joint_chain, TAKEN_BY_JOINTS},
+             {"poses", make_poses, TAKEN_BY_POSES},
+             {"dyadic", make_dyadic, TAKEN_BY_DYADIC}};
+
+static int check_own_options(const job *j, const char *kind, unsigned taken) {
+    for (int k = 0; k < OWN; k++)
+        if (j->o->own[k] && !(taken >> k & 1))
+            return complain(EXIT_USAGE, "%s takes no --%s; see graze motion --help", kind,
+                            motion_table[k].name);
+    if (j->given->repeated_count && taken != TAKEN_BY_POSES)
+        return complain(EXIT_USAGE, "%s takes no --ignore; see graze motion --help", kind);
+    return EXIT_DONE;
+}
+
+static int convert_motion(job *j) {
+    const char *name = j->given->count ? j->given->item[0] : "";
+    const char *dimension = j->o->own[DIMENSION];
+    if (dimension && strcmp(dimension, "2") != 0 && strcmp(dimension, "3") != 0)
+        return complain(EXIT_USAGE, "--dimension %s: expected 2 or 3", dimension);
+    j->dimension = dimension && *dimension == '2' ? 2 : 3;
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+        if (strcmp(name, kinds[k].name) != 0)
+            continue;
+        int status = check_own_options(j, name, kinds[k].taken);
+        if (!status)
+            status = kinds[k].make(j);
+        return !status && j->o->own[DYADIC] ? make_made_dyadic(j) : status;
+    }
+    return complain(EXIT_USAGE, "motion takes rotate, screw, joints, poses or dyadic; see graze "
+                                "motion --help");
+}
+
+static int write_motion(const job *j) {
+    const char *report = j->o->own[REPORT];
+    int status = EXIT_DONE;
+    if (report)
+        status = output_text(report, j->report);
+    else
+        fputs(j->report, stderr);
+    return status ? status : output_text(j->o->output, j->json);
+}
+
+static int run_motion(void *options, const operands *given) {
+    job j = {.o = options, .given = given};
+    if (j.o->examples)
+        return given->count
+                   ? complain(EXIT_USAGE, "--examples stands alone; see graze motion --help")
+                   : output_text(j.o->output, motion_examples);
+    int status = context_make(&j.context, &j.o->context);
+    mpq_inits(j.tolerance, j.radius, j.ends[0], j.ends[1], j.ends[2], NULL);
+    if (!status)
+        status = convert_motion(&j);
+    if (!status)
+        status = write_motion(&j);
+    mpq_clears(j.tolerance, j.radius, j.ends[0], j.ends[1], j.ends[2], NULL);
+    for (size_t i = 0; i < j.count; i++)
+        for (int k = 0; k < NUMBERS_OF_JOINT; k++)
+            mpq_clear(j.joints[i].number[k]);
+    free(j.joints);
+    graze_free(j.json);
+    graze_free(j.report);
+    graze_context_destroy(j.context);
+    graze_thread_finish();
+    return status;
+}
+
+const command command_motion = {.name = "motion",
+                                .options = motion_table,
+                                .size = sizeof(motion_options),
+                                .add_files = add_motion_files,
+                                .help = motion_help,
+                                .run = run_motion};

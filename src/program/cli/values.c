@@ -1,0 +1,228 @@
+/* Reads values of options.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/cli/values.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+#include "program/run/coordinates.h"
+#include "program/run/numbers.h"
+#include "program/run/status.h"
+
+int value_text(void *to, const char *name, const char *value) {
+    (void)name;
+    *(const char **)to = value;
+    return EXIT_DONE;
+}
+
+int value_flag(void *to, const char *name, const char *value) {
+    (void)name;
+    (void)value;
+    *(int *)to = 1;
+    return EXIT_DONE;
+}
+
+int value_quiet(void *to, const char *name, const char *value) {
+    complain_of_faults_alone();
+    return value_flag(to, name, value);
+}
+
+int value_triangulate(void *to, const char *name, const char *value) {
+    (void)name;
+    (void)value;
+    *(unsigned *)to |= GRAZE_SOLID_TRIANGULATE;
+    return EXIT_DONE;
+}
+
+int value_choice(int *out, const char *name, const char *value, const char *const *words,
+                 int count) {
+    char list[64] = "";
+    for (int k = 0; k < count; k++) {
+        if (strcmp(value, words[k]) == 0) {
+            *out = k;
+            return EXIT_DONE;
+        }
+        strcat(list, k == 0 ? "" : k + 1 < count ? ", " : " or ");
+        strcat(list, words[k]);
+    }
+    return complain(EXIT_USAGE, "--%s %s: expected %s", name, value, list);
+}
+
+int value_sdf(void *to, const char *name, const char *value) {
+    graze_options *out = to;
+    graze_context *context = NULL;
+    size_t length = strlen(value);
+    mpq_t width;
+    mpq_init(width);
+    out->sdf = 0;
+    out->sdf_relative = length > 0 && value[length - 1] == 'r';
+    graze_status status = graze_context_create(&context);
+    if (!status)
+        status = graze_number_parse(width, context, value, length - (size_t)out->sdf_relative);
+    if (!status && mpq_sgn(width) > 0)
+        out->sdf = mpq_get_d(width); /* rounds towards 0 */
+    mpq_clear(width);
+    graze_context_destroy(context);
+    if (out->sdf > 0 && out->sdf <= DBL_MAX)
+        return EXIT_DONE;
+    return complain(EXIT_USAGE,
+                    "--%s %s: expected a positive number in the range of doubles, such as 0.001, "
+                    "or 1e-6r for 1e-6 of the diagonal of S^0's box",
+                    name, value);
+}
+
+int value_motion_error(void *to, const char *name, const char *value) {
+    graze_options *out = to;
+    graze_context *context = NULL;
+    mpq_t exact, near;
+    mpq_inits(exact, near, NULL);
+    out->motion_error = 0;
+    graze_status status = graze_context_create(&context);
+    if (!status)
+        status = graze_number_parse(exact, context, value, strlen(value));
+    if (!status && mpq_sgn(exact) > 0) {
+        out->motion_error = mpq_get_d(exact); /* rounds towards 0 */
+        if (out->motion_error <= DBL_MAX) {
+            mpq_set_d(near, out->motion_error);
+            if (mpq_cmp(near, exact) < 0)
+                out->motion_error = nextafter(out->motion_error, (double)INFINITY);
+        }
+    }
+    mpq_clears(exact, near, NULL);
+    graze_context_destroy(context);
+    if (out->motion_error > 0 && out->motion_error <= DBL_MAX)
+        return EXIT_DONE;
+    return complain(EXIT_USAGE, "--%s %s: expected a positive number in the range of doubles", name,
+                    value);
+}
+
+/* A number of at least a sign, kept as its text. */
+static int number_of_sign(void *to, const char *name, const char *value, int least) {
+    graze_context *context = NULL;
+    mpq_t number;
+    mpq_init(number);
+    graze_status status = graze_context_create(&context);
+    if (!status)
+        status = graze_number_parse(number, context, value, strlen(value));
+    int fits = !status && mpq_sgn(number) >= least;
+    mpq_clear(number);
+    graze_context_destroy(context);
+    *(const char **)to = value;
+    if (fits)
+        return EXIT_DONE;
+    return complain(EXIT_USAGE, "--%s %s: expected a number %s, such as 0.001 or 1e-6", name, value,
+                    least ? "above 0" : "from 0 up");
+}
+
+int value_width(void *to, const char *name, const char *value) {
+    return number_of_sign(to, name, value, 0);
+}
+
+int value_positive(void *to, const char *name, const char *value) {
+    return number_of_sign(to, name, value, 1);
+}
+
+/* A reader of an enumeration whose values 0, 1, ... have these words. */
+#define VALUE_OF_WORDS(reader, type, ...)                                                          \
+    int reader(void *to, const char *name, const char *value) {                                    \
+        static const char *const words[] = {__VA_ARGS__};                                          \
+        int chosen = 0;                                                                            \
+        int status = value_choice(&chosen, name, value, words, sizeof words / sizeof *words);      \
+        *(type *)to = (type)chosen;                                                                \
+        return status;                                                                             \
+    }
+
+VALUE_OF_WORDS(value_draw_by, graze_draw_by, "class", "distance")
+VALUE_OF_WORDS(value_overlap, graze_overlap, "extend", "reject")
+VALUE_OF_WORDS(value_folds, graze_folds, "separate", "combined")
+VALUE_OF_WORDS(value_operation, graze_operation, "sweep", "unsweep")
+VALUE_OF_WORDS(value_columns, graze_columns, "all", "pmc")
+VALUE_OF_WORDS(value_coordinates, coordinate_form, "exact", "as-given", "decimal")
+VALUE_OF_WORDS(value_report, graze_comparison_format, "text", "json")
+VALUE_OF_WORDS(value_question, graze_question, "open", "closed")
+VALUE_OF_WORDS(value_on_as, graze_on_as, "on", "any", "in", "out")
+VALUE_OF_WORDS(value_truth, graze_truth, "pseudo", "outside")
+VALUE_OF_WORDS(value_has, graze_candidate_has, "columns", "sdf")
+
+int value_rounding(void *to, const char *name, const char *value) {
+    const char *words[] = {graze_rounding_name(GRAZE_ROUND_NONE),
+                           graze_rounding_name(GRAZE_ROUND_BINARY64),
+                           graze_rounding_name(GRAZE_ROUND_BINARY32)};
+    int chosen = 0, status = value_choice(&chosen, name, value, words, 3);
+    *(graze_rounding *)to = (graze_rounding)chosen;
+    return status;
+}
+
+static int complain_of_limit(const char *value) {
+    char list[256] = "";
+    for (int k = 0; k < GRAZE_LIMIT_COUNT; k++) {
+        strcat(list, k ? ", " : "");
+        strcat(list, graze_limit_name((graze_limit)k));
+    }
+    return complain(EXIT_USAGE, "--limit %s: expected NAME=V, NAME one of %s", value, list);
+}
+
+int value_limit(void *to, const char *name, const char *value) {
+    unsigned long *limits = to;
+    const char *equals = strchr(value, '=');
+    (void)name;
+    for (int k = 0; equals && k < GRAZE_LIMIT_COUNT; k++) {
+        const char *known = graze_limit_name((graze_limit)k);
+        size_t length = strlen(known);
+        if (length != (size_t)(equals - value) || memcmp(known, value, length) != 0)
+            continue;
+        if (!numbers_count(&limits[k], equals + 1, 1))
+            return complain(EXIT_USAGE, "--limit %s: expected a whole number from 1 up", value);
+        return EXIT_DONE;
+    }
+    return complain_of_limit(value);
+}
+
+int value_count(void *to, const char *name, const char *value) {
+    if (!numbers_count(to, value, 1))
+        return complain(EXIT_USAGE, "%s%s %s: expected a whole number from 1 up",
+                        name[1] ? "--" : "-", name, value);
+    return EXIT_DONE;
+}
+
+int value_seed(void *to, const char *name, const char *value) {
+    seed_value *out = to;
+    unsigned long seed;
+    if (!numbers_count(&seed, value, 0))
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 0 to 2^64 - 1", name,
+                        value);
+    *out = (seed_value){1, seed};
+    return EXIT_DONE;
+}
+
+int value_binary64(void *to, const char *name, const char *value) {
+    if (strcmp(value, "binary64") != 0)
+        return complain(EXIT_USAGE, "--%s %s: expected binary64", name, value);
+    *(int *)to = 1;
+    return EXIT_DONE;
+}
+
+int value_jobs(void *to, const char *name, const char *value) {
+    unsigned long jobs;
+    if (!numbers_count(&jobs, value, 1) || jobs > 1024)
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to 1024", name, value);
+    *(int *)to = (int)jobs;
+    return EXIT_DONE;
+}
+
+int value_digits(void *to, const char *name, const char *value) {
+    unsigned long digits;
+    if (!numbers_count(&digits, value, 1) || digits > 1000)
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to 1000", name, value);
+    *(int *)to = (int)digits;
+    return EXIT_DONE;
+}
+
+int value_show(void *to, const char *name, const char *value) {
+    unsigned long count;
+    if (!numbers_count(&count, value, 0) || count > 1000000)
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number up to 1000000", name, value);
+    *(size_t *)to = count;
+    return EXIT_DONE;
+}

@@ -1,0 +1,160 @@
+/* Answers runs of rows: reads their numbers, classifies them and writes them into one text.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/run/answer.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "program/run/site_answer.h"
+#include "program/run/status.h"
+
+int row_source_put_point(text *out, fault *f, const row_source *from, reader *r, mpq_t *point,
+                         int dimension, char separator, const block *b, size_t row) {
+    char place[32];
+    text where;
+    field tokens[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
+    for (int k = 0; !from->grid && k < dimension; k++)
+        tokens[k] = field_content(r->cut.item[from->columns->where[k]]);
+    if (from->coordinates.form != COORDINATES_DECIMAL)
+        return coordinates_put(out, f, &from->coordinates, r->context, point, dimension, separator,
+                               tokens, "");
+    snprintf(place, sizeof place, from->grid ? "row %lu" : ":%lu",
+             from->grid ? shard_place(from->part, b->before + row) + 1 : b->lines[row].number);
+    text_init(&where);
+    text_put(&where, from->grid ? "" : from->columns->name);
+    text_put(&where, place);
+    out->failed |= where.failed;
+    int status = coordinates_put(out, f, &from->coordinates, r->context, point, dimension,
+                                 separator, tokens, where.failed ? "" : where.data);
+    text_clear(&where);
+    return status;
+}
+
+/* Write the coordinates of a run's point, unless its row has them already. */
+static int write_point(answerer *a, row_run *r, const block *b, size_t first, size_t n) {
+    int d = graze_scene_dimension(a->task.scene);
+    if (a->task.source.coordinates.form == COORDINATES_EXACT)
+        return EXIT_DONE;
+    int status = row_source_put_point(&a->written, &r->fault, &a->task.source, &a->reader,
+                                      a->points + n * (size_t)d, d, ',', b, first + n);
+    if (!status)
+        text_bytes(&a->written, "", 1);
+    return status;
+}
+
+/* Make the points of a run's rows; returns how many before a fault. */
+static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t first) {
+    const row_source *from = &a->task.source;
+    size_t d =
+        (size_t)(from->columns ? from->columns->numbers : graze_scene_dimension(a->task.scene));
+    size_t n = 0;
+    if (from->grid)
+        grid_points(a->points, from->grid, from->part, b->before + first, r->taken);
+    a->reader.rest_length = 0;
+    for (; n < r->taken; n++) {
+        a->rest_at[n] = a->reader.rest_length;
+        if (!from->grid &&
+            columns_row(a->points + n * d, &r->fault, from->columns, &a->reader, b, first + n))
+            break;
+        if (write_point(a, r, b, first, n))
+            break;
+        a->cell[n] = a->reader.cell;
+    }
+    /* `rest` is NULL without further columns. */
+    for (size_t k = 0; a->reader.rest && k < n; k++)
+        a->rest[k] = a->reader.rest + a->rest_at[k];
+    return n;
+}
+
+/* Write the rows of the first n points, for a table, a certificate or both. */
+static graze_status write_answers(answerer *a, row_run *r, size_t n) {
+    const answer_task *task = &a->task;
+    struct row_text *table = task->no_table ? NULL : &r->out[RESULT_TABLE];
+    struct row_text *certificate = &r->out[RESULT_CERTIFICATE];
+    const char *const *rest = task->source.columns && task->source.columns->others ? a->rest : NULL;
+    if (task->source.columns && task->source.columns->sites.wanted) {
+        site_rows rows = {task->source.columns, a->points, a->cell, a->rest, n};
+        return site_answer(r, a->context, task->scene, &rows, task->format);
+    }
+    if (!task->certifier)
+        return graze_report_points(&table->text, &table->length, &r->done, a->context, task->scene,
+                                   a->points, n, task->format, rest);
+    return graze_certificate_points(&certificate->text, &certificate->length,
+                                    table ? &table->text : NULL, table ? &table->length : NULL,
+                                    &r->done, a->context, task->certifier, a->points, n,
+                                    task->format, rest);
+}
+
+/* Rows of pmc alone of grid points, many decided together. */
+static graze_status write_members(answerer *a, row_run *r, unsigned long first) {
+    const row_source *from = &a->task.source;
+    struct row_text *table = &r->out[RESULT_TABLE];
+    return grid_rows(&table->text, &table->length, &r->done, a->context, from->grid, from->part,
+                     first, r->taken);
+}
+
+/* Row `row` of the block has no answer. Only a contact point may be the cause itself. */
+static void fail_row(answerer *a, row_run *r, graze_status status, const block *b, size_t row) {
+    const columns *c = a->task.source.columns;
+    const char *why = status == GRAZE_ESYSTEM ? "out of memory" : graze_context_message(a->context);
+    if (c && c->sites.wanted)
+        fault_set(&r->fault, exit_for(status, status == GRAZE_EINPUT ? EXIT_INPUT : EXIT_FAULT),
+                  "%s:%lu: %s", c->name, b->lines[row].number, why);
+    else
+        fault_set(&r->fault, exit_for(status, EXIT_FAULT), "row %lu: %s",
+                  shard_place(a->task.source.part, b->before + row) + 1, why);
+}
+
+/* Put the coordinates in the form asked for in front of the rows. */
+static void put_written_points(answerer *a, row_run *r) {
+    struct row_text *table = &r->out[RESULT_TABLE];
+    if (a->task.source.coordinates.form == COORDINATES_EXACT)
+        return;
+    if (!a->written.failed && coordinates_replace(&table->text, &table->length, a->written.data,
+                                                  r->done, graze_scene_dimension(a->task.scene)))
+        return;
+    fault_clear(&r->fault);
+    r->done = 0;
+    fault_set(&r->fault, EXIT_IO, "out of memory");
+}
+
+static int asks_for_members(const answer_task *task) {
+    return task->source.grid && task->pmc_alone && !task->certifier &&
+           task->source.coordinates.form == COORDINATES_EXACT;
+}
+
+size_t answer_most(const answer_task *task) {
+    return asks_for_members(task) ? BLOCK_ROWS : RUN_ROWS;
+}
+
+void answer(answerer *a, row_run *r, const block *b, size_t first) {
+    int members = asks_for_members(&a->task);
+    text_clear(&a->written);
+    size_t n = members ? 0 : make_run_points(a, r, b, first);
+    graze_status status = members ? write_members(a, r, b->before + first) : write_answers(a, r, n);
+    if (status)
+        fault_clear(&r->fault);
+    if (status == GRAZE_ECANCELED)
+        r->fault.status = EXIT_SIGNAL;
+    else if (status)
+        fail_row(a, r, status, b, first + r->done);
+    put_written_points(a, r);
+}
+
+int answerer_init(answerer *a, const answer_task *task) {
+    memset(a, 0, sizeof *a);
+    a->task = *task;
+    for (size_t p = 0; p < 4 * RUN_ROWS; p++)
+        mpq_init(a->points[p]);
+    int status = context_make(&a->context, task->context);
+    a->reader.context = a->context;
+    return status;
+}
+
+void answerer_clear(answerer *a) {
+    for (size_t p = 0; p < 4 * RUN_ROWS; p++)
+        mpq_clear(a->points[p]);
+    reader_clear(&a->reader);
+    text_clear(&a->written);
+    graze_context_destroy(a->context);
+}

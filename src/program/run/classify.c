@@ -1,0 +1,212 @@
+/* Classifies points and writes the table, the certificate or both.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Points come in blocks, which threads answer while the next ones are read and the last ones
+ * written, in order. A failure leaves the whole rows before it and no `# complete` line.
+ */
+#include "program/run/classify.h"
+
+#include <stdlib.h>
+#include "program/run/csv.h"
+#include "program/run/interrupt.h"
+#include "program/run/jobs.h"
+#include "program/run/kept.h"
+#include "program/run/outputs.h"
+#include "program/run/progress.h"
+#include "program/run/receipt.h"
+
+/* Blocks at hand keep the threads busy while one is written: a few, and some rows for each. */
+static size_t ring_size(const classify_options *o) {
+    return 4 + (size_t)jobs_width(o->threads) * 4 * RUN_ROWS / BLOCK_ROWS;
+}
+
+typedef struct run_state {
+    loaded l;
+    csv *points;
+    grid *grid;
+    jobs *jobs;
+    block **ring; /* a block's place is its number modulo the ring's size */
+    size_t ring_size;
+    unsigned long filled, written; /* blocks */
+    unsigned long taken;           /* rows of them, and those that were there already */
+    int ended;                     /* all points are taken, or none can be for `read_status` */
+    int read_status;
+    outputs out;
+    int headed;
+    progress progress;
+} run_state;
+
+static row_source source_of(const run_state *s, const classify_options *o) {
+    return (row_source){s->points ? csv_columns(s->points) : NULL, s->grid, o->shard.part,
+                        o->coordinates};
+}
+
+/* Take the next rows, at most `most`, into a block; before the first, write the heads. */
+static int take_block(run_state *s, const classify_options *o, block *b, unsigned long most) {
+    int status = EXIT_DONE;
+    block_reset(b, s->taken);
+    if (s->points)
+        s->read_status = csv_fill(s->points, b, most);
+    else
+        grid_fill(s->grid, o->shard.part, b, most);
+    s->ended = s->read_status || b->count == 0;
+    int columns_known = !s->read_status || (s->points && csv_columns(s->points)->count);
+    row_source source = source_of(s, o);
+    if (!s->headed && columns_known)
+        status = outputs_begin(&s->out, &source);
+    s->headed |= columns_known;
+    s->taken += b->count;
+    return status;
+}
+
+/* Fill the next block and hand it over. */
+static int fill_ring(run_state *s, const classify_options *o) {
+    block *b = s->ring[s->filled % s->ring_size];
+    int status = take_block(s, o, b, BLOCK_ROWS);
+    if (status || b->count == 0)
+        return status;
+    s->filled++;
+    jobs_submit(s->jobs, b);
+    return EXIT_DONE;
+}
+
+/* Rows that continued files have are not made again; they are checked against their points. */
+static int check_kept_rows(run_state *s, const classify_options *o) {
+    unsigned long rows = results_skip(outputs_main(&s->out));
+    int status = EXIT_DONE;
+    kept k[RESULT_KINDS];
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        kept_init(&k[kind], s->l.context, source_of(s, o));
+    while (!status && s->taken < rows && !s->ended) {
+        status = take_block(s, o, s->ring[0], rows - s->taken);
+        if (!status && interrupt_signal())
+            status = EXIT_SIGNAL;
+        for (int kind = 0; kind < RESULT_KINDS && !status; kind++)
+            if (outputs_wants(&s->out, (result_kind)kind))
+                status = kept_check(&k[kind], &s->out.file[kind], s->ring[0]);
+    }
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        kept_clear(&k[kind]);
+    return status;
+}
+
+/* Room for a block, and points that need not be waited for while rows are to be written. */
+static int can_fill_ring(run_state *s) {
+    unsigned long at_hand = s->filled - s->written;
+    return !s->ended && at_hand < s->ring_size && (at_hand == 0 || s->grid || csv_ready(s->points));
+}
+
+/* A grid's rows are known; of a file, how much of it is read. */
+static portion portion_reached(run_state *s, const classify_options *o) {
+    if (s->points)
+        return csv_portion(s->points);
+    return (portion){outputs_main(&s->out)->rows, shard_rows(o->shard.part, grid_count(s->grid))};
+}
+
+static int write_next_block(run_state *s, const classify_options *o) {
+    const block *b = s->ring[s->written % s->ring_size];
+    jobs_wait(s->jobs, b);
+    int status = outputs_block(&s->out, b);
+    s->written++;
+    progress_show(&s->progress, outputs_main(&s->out)->rows, portion_reached(s, o));
+    if (!status && interrupt_signal())
+        status = EXIT_SIGNAL;
+    return outputs_failed(&s->out) ? EXIT_IO : status;
+}
+
+static int do_all_blocks(run_state *s, const classify_options *o) {
+    int status = EXIT_DONE;
+    progress_start(&s->progress, o->quiet, outputs_main(&s->out)->rows, portion_reached(s, o));
+    while (!status) {
+        while (!status && can_fill_ring(s))
+            status = fill_ring(s, o);
+        if (status || s->filled == s->written)
+            break;
+        status = write_next_block(s, o);
+    }
+    progress_end(&s->progress, outputs_main(&s->out)->rows, portion_reached(s, o));
+    if (!status && s->read_status)
+        status = s->read_status == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(s->points));
+    return status ? status : results_end(outputs_main(&s->out));
+}
+
+static int make_ring(run_state *s, size_t size) {
+    s->ring = calloc(size, sizeof *s->ring);
+    s->ring_size = size;
+    for (size_t k = 0; s->ring && k < size; k++)
+        if (!(s->ring[k] = block_create()))
+            return complain(EXIT_IO, "out of memory");
+    return s->ring ? EXIT_DONE : complain(EXIT_IO, "out of memory");
+}
+
+/* The scene, and a certifier where a certificate is wanted. */
+static int load_scene(run_state *s, const classify_options *o) {
+    int certified = o->no_table || o->certificate;
+    int status = certified ? load_certifiable(o->scene.solid) : EXIT_DONE;
+    if (!status)
+        status = receipt_load(&s->l, o->receipt, &o->scene);
+    outputs_init(&s->out, o, &s->l);
+    return !status && certified ? loaded_certify(&s->l, &o->scene, o->times) : status;
+}
+
+static int prepare_run(run_state *s, const classify_options *o) {
+    int status = load_scene(s, o);
+    if (status)
+        return status;
+    if (o->grid.sizes)
+        status = grid_open(&s->grid, &o->grid, s->l.context, s->l.scene);
+    else
+        status = csv_open(&s->points, o->points, graze_scene_dimension(s->l.scene), o->shard.part,
+                          s->l.context);
+    if (!status && o->sites.wanted)
+        csv_expect_sites(s->points, o->sites.snap);
+    if (!status && o->coordinates.form == COORDINATES_AS_GIVEN && csv_is_array(s->points))
+        status = complain(EXIT_USAGE,
+                          "%s: a .npy file has no numbers as text; expected --coordinates exact or "
+                          "decimal",
+                          o->points);
+    if (!status)
+        status = make_ring(s, ring_size(o));
+    answer_task task = {.context = &o->scene.context,
+                        .scene = s->l.scene,
+                        .certifier = s->l.certifier,
+                        .no_table = o->no_table,
+                        .pmc_alone = o->scene.scene.columns == GRAZE_COLUMNS_PMC,
+                        .source = source_of(s, o),
+                        .format = o->format.rows};
+    if (!status)
+        status = jobs_start(&s->jobs, o->threads, &task);
+    if (!status)
+        status = outputs_open(&s->out);
+    return status ? status : check_kept_rows(s, o);
+}
+
+/* Rows that a signal leaves under way go on until the process ends. */
+static void end_run(run_state *s) {
+    if (!jobs_stop(s->jobs))
+        return;
+    for (size_t k = 0; s->ring && k < s->ring_size; k++)
+        block_destroy(s->ring[k]);
+    free(s->ring);
+    csv_close(s->points);
+    grid_close(s->grid);
+    loaded_clear(&s->l);
+    free(s);
+}
+
+int classify_run(const classify_options *o) {
+    run_state *s = calloc(1, sizeof *s);
+    if (!s)
+        return complain(EXIT_IO, "out of memory");
+    int status = prepare_run(s, o);
+    if (!status)
+        status = do_all_blocks(s, o);
+    if (!status)
+        status = outputs_end(&s->out, s->grid ? grid_count(s->grid) : csv_rows(s->points),
+                             s->grid ? 0 : csv_checksum(s->points));
+    if (!status && s->points && !csv_rows(s->points))
+        complain(EXIT_DONE, "note: %s has no points", csv_columns(s->points)->name);
+    status = outputs_close(&s->out, status);
+    end_run(s);
+    return status;
+}

@@ -1,0 +1,51 @@
+/* Forms in which tables write the coordinates of points: --coordinates and --digits.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_RUN_COORDINATES_H
+#define GRAZE_RUN_COORDINATES_H
+
+#include "base/number/text.h"
+#include "program/run/columns.h"
+
+typedef enum coordinate_form {
+    COORDINATES_EXACT,
+    COORDINATES_AS_GIVEN,
+    COORDINATES_DECIMAL
+} coordinate_form;
+
+/** Zeroed: integers and ratios in lowest terms. */
+typedef struct coordinate_options {
+    coordinate_form form;
+    int digits; /* of rounded decimals; 0: decimals are the numbers themselves */
+} coordinate_options;
+
+/** Room for coordinates_note. */
+enum { COORDINATES_NOTE = 64 };
+
+/** Does --digits go with --coordinates? Returns an exit status and says what is wrong. */
+int coordinates_check(const coordinate_options *o);
+
+/** The line `# coordinates ...` of a table's head; empty for exact ones. */
+void coordinates_note(char out[COORDINATES_NOTE], const coordinate_options *o);
+
+/**
+ * Add a point's coordinates.
+ * @param separator what stands between them
+ * @param tokens a field for each coordinate, as it was read; for COORDINATES_AS_GIVEN alone
+ * @return EXIT_DONE, or the status of the fault, whose message begins with `where`
+ */
+int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_context *context,
+                    mpq_t *point, int dimension, char separator, const field *tokens,
+                    const char *where);
+
+/**
+ * Put other coordinates in front of the first `rows` rows of a table, in place of those that stand
+ * there.
+ * @param table   malloc'ed, of `*length` bytes, which are replaced
+ * @param written coordinates of each row, with a NUL behind each
+ * @return 0 when out of memory
+ */
+int coordinates_replace(char **table, size_t *length, const char *written, size_t rows,
+                        int dimension);
+
+#endif

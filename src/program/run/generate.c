@@ -1,0 +1,338 @@
+/* Writes tables of query points.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/run/generate.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/number/text.h"
+#include "program/run/interrupt.h"
+#include "program/run/output.h"
+#include "program/run/progress.h"
+
+typedef struct maker {
+    lost_strata lost;
+    loaded l;
+    graze_generator *generator;
+    unsigned long weights[GRAZE_STRATUM_COUNT];
+    mpq_t point[3], time;
+    output out;
+    int opened;
+} maker;
+
+/* NAME=W of a list; `length` characters. */
+static int read_stratum_weight(unsigned long *weights, const char *text, size_t length) {
+    const char *equals = memchr(text, '=', length);
+    size_t name = equals ? (size_t)(equals - text) : length;
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
+        const char *known = graze_stratum_name((graze_stratum)k);
+        if (strlen(known) != name || memcmp(known, text, name) != 0)
+            continue;
+        char *end;
+        unsigned long weight = equals ? strtoul(equals + 1, &end, 10) : 1;
+        if (equals &&
+            (equals[1] < '0' || equals[1] > '9' || end != text + length || weight > 1000000))
+            return complain(
+                EXIT_USAGE,
+                "--strata %.*s: expected a weight that is a whole number from 0 to 1000000",
+                (int)length, text);
+        weights[k] = weight;
+        return EXIT_DONE;
+    }
+    return complain(EXIT_USAGE,
+                    "--strata %.*s: expected the name of a stratum; see graze generate --help",
+                    (int)length, text);
+}
+
+static int read_strata(unsigned long *weights, const generate_options *o) {
+    const char *list = o->strata;
+    int status = EXIT_DONE;
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        weights[k] = list ? 0 : graze_stratum_default_weight((graze_stratum)k);
+    if (!list)
+        weights[GRAZE_STRATUM_LEVEL] = o->level;
+    while (list && !status) {
+        size_t length = strcspn(list, ",");
+        status = read_stratum_weight(weights, list, length);
+        list = list[length] ? list + length + 1 : NULL;
+    }
+    return status;
+}
+
+static void put_points_box(maker *m) {
+    int d = graze_scene_dimension(m->l.scene);
+    mpq_t high[3];
+    for (int i = 0; i < 3; i++)
+        mpq_init(high[i]);
+    graze_generator_box(m->point, high, m->generator);
+    output_put(&m->out, "# box");
+    for (int i = 0; i < 2 * d; i++) {
+        output_put(&m->out, i == 0 ? " " : ",");
+        output_number(&m->out, i < d ? m->point[i] : high[i - d]);
+    }
+    output_put(&m->out, "\n");
+    for (int i = 0; i < 3; i++)
+        mpq_clear(high[i]);
+}
+
+/* A decade of |s|, with the sign of s. */
+static int put_decade_name(char *text, size_t size, int outward, int decade) {
+    return snprintf(text, size, "%s1e%+03d", outward ? "" : "-", decade);
+}
+
+static void put_missing_decades(maker *m) {
+    int decade, outward;
+    char name[24];
+    for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, m->generator, k); k++) {
+        put_decade_name(name, sizeof name, outward, decade);
+        output_put(&m->out, "# decade ");
+        output_put(&m->out, name);
+        output_put(&m->out, " cannot be made\n");
+    }
+}
+
+static void put_points_head(maker *m, const generate_options *o) {
+    char line[128], form[COORDINATES_NOTE];
+    snprintf(line, sizeof line, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
+             GRAZE_VERSION, o->seed, o->representable ? "binary64" : "no");
+    output_put(&m->out, line);
+    coordinates_note(form, &o->coordinates);
+    output_put(&m->out, form);
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
+        unsigned long weight = graze_generator_weight(m->generator, (graze_stratum)k);
+        if (m->weights[k] == 0)
+            continue;
+        snprintf(line, sizeof line, weight ? "# stratum %s %lu\n" : "# stratum %s cannot be made\n",
+                 graze_stratum_name((graze_stratum)k), weight);
+        output_put(&m->out, line);
+    }
+    put_missing_decades(m);
+    put_points_box(m);
+    output_put(&m->out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
+    output_put(&m->out, "stratum,order,cell,time,k,side");
+    output_put(&m->out, m->weights[GRAZE_STRATUM_LEVEL] ? ",decade\n" : "\n");
+}
+
+static void put_sample_cell(output *out, const graze_cell *cell) {
+    static const char *const names[] = {"", "face", "edge", "vertex"};
+    char text[96];
+    if (cell->kind == GRAZE_CELL_EDGE)
+        snprintf(text, sizeof text, "edge %zu-%zu", cell->a, cell->b);
+    else
+        snprintf(text, sizeof text, "%s %zu", names[cell->kind], cell->a);
+    output_put(out, text);
+}
+
+/* The last column, in tables that may have the stratum. */
+static void put_decade(maker *m, const graze_sample *made) {
+    char name[24] = "";
+    if (made->stratum == GRAZE_STRATUM_LEVEL)
+        put_decade_name(name, sizeof name, made->outward, made->decade);
+    if (m->weights[GRAZE_STRATUM_LEVEL])
+        output_put(&m->out, ",");
+    output_put(&m->out, name);
+    output_put(&m->out, "\n");
+}
+
+/* The coordinates of the point, with a comma behind them. */
+static int put_sample_point(maker *m, const coordinate_options *form, unsigned long row) {
+    char where[32];
+    fault f = {EXIT_DONE, NULL};
+    text point;
+    text_init(&point);
+    snprintf(where, sizeof where, "point %lu", row + 1);
+    int status = coordinates_put(&point, &f, form, m->l.context, m->point,
+                                 graze_scene_dimension(m->l.scene), ',', NULL, where);
+    if (!status) {
+        output_bytes(&m->out, point.data, point.length);
+        output_put(&m->out, ",");
+    }
+    fault_tell(&f);
+    fault_clear(&f);
+    text_clear(&point);
+    return status;
+}
+
+static int put_sample(maker *m, const generate_options *o, unsigned long row) {
+    graze_sample made;
+    graze_status found =
+        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, row);
+    int status =
+        found ? complain_of(found, m->l.context) : put_sample_point(m, &o->coordinates, row);
+    if (status)
+        return status;
+    char text[48];
+    output_put(&m->out, graze_stratum_name(made.stratum));
+    if (made.order == 0) {
+        output_put(&m->out, ",,,,,");
+        put_decade(m, &made);
+        return EXIT_DONE;
+    }
+    snprintf(text, sizeof text, made.order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made.order);
+    output_put(&m->out, text);
+    put_sample_cell(&m->out, &made.cell);
+    output_put(&m->out, ",");
+    output_number(&m->out, m->time);
+    const char *side = made.outward ? "out" : "in";
+    if (made.k)
+        snprintf(text, sizeof text, ",%d,%s", made.k, side);
+    else
+        snprintf(text, sizeof text, ",,%s", made.stratum == GRAZE_STRATUM_LEVEL ? side : "");
+    output_put(&m->out, text);
+    put_decade(m, &made);
+    return EXIT_DONE;
+}
+
+static int put_samples(maker *m, const generate_options *o) {
+    int status = EXIT_DONE;
+    progress line;
+    progress_start(&line, o->quiet, 0, (portion){0, o->count});
+    unsigned long row = 0;
+    for (; row < o->count && !status && !m->out.error; row++) {
+        status = interrupt_signal() ? EXIT_SIGNAL : put_sample(m, o, row);
+        if (row % 1024 == 0)
+            progress_show(&line, row, (portion){row, o->count});
+    }
+    progress_end(&line, row, (portion){row, o->count});
+    return status;
+}
+
+/* Find the strata that get no points, and why: without --representable some of them do. */
+static int find_lost(maker *m, const generate_options *o) {
+    graze_generator *any = NULL;
+    graze_status made = GRAZE_OK;
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        if (m->weights[k] && !graze_generator_weight(m->generator, (graze_stratum)k))
+            m->lost.absent |= 1u << k;
+    if (!m->lost.absent || !o->representable)
+        return EXIT_DONE;
+    made = graze_generator_create(&any, m->l.context, m->l.scene, o->seed, m->weights, 0);
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        if (m->lost.absent >> k & 1 && graze_generator_weight(any, (graze_stratum)k))
+            m->lost.unrepresentable |= 1u << k;
+    m->lost.absent &= ~m->lost.unrepresentable;
+    graze_generator_destroy(any);
+    return complain_of(made, m->l.context);
+}
+
+static void put_stratum_names(text *t, unsigned set) {
+    const char *before = "";
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        if (set >> k & 1) {
+            text_format(t, "%s%s", before, graze_stratum_name((graze_stratum)k));
+            before = ", ";
+        }
+}
+
+char *lost_strata_text(const lost_strata *lost) {
+    text t;
+    text_init(&t);
+    text_put(&t, "");
+    if (lost->unrepresentable) {
+        text_put(&t, "no points of the strata ");
+        put_stratum_names(&t, lost->unrepresentable);
+        text_put(&t, " have coordinates that a binary64 holds, since numbers of the motion (or of "
+                     "the solid) are not dyadic or too long; `graze motion dyadic` makes a motion "
+                     "near this one that has such points, except of turns");
+    }
+    if (lost->absent) {
+        text_put(&t, lost->unrepresentable ? "; the scene has none of "
+                                           : "the scene has no points of the strata ");
+        put_stratum_names(&t, lost->absent);
+    }
+    return text_take(&t);
+}
+
+/* Say which strata get no points; only random points are not what was asked for, unless strata were
+ * named. */
+static int tell_lost(const maker *m, const generate_options *o) {
+    unsigned long contacts = 0;
+    if (!m->lost.unrepresentable)
+        return EXIT_DONE;
+    char *said = lost_strata_text(&m->lost);
+    if (!said)
+        return complain(EXIT_IO, "out of memory");
+    for (int k = GRAZE_STRATUM_RANDOM + 1; k < GRAZE_STRATUM_COUNT; k++)
+        contacts += graze_generator_weight(m->generator, (graze_stratum)k);
+    int status = contacts || o->strata
+                     ? complain(EXIT_DONE, "note: %s: %s", o->scene.motion, said)
+                     : complain(EXIT_INPUT,
+                                "%s: %s; only random points are left, which find few errors; "
+                                "expected --strata random, if they are meant",
+                                o->scene.motion, said);
+    free(said);
+    return status;
+}
+
+/* Name the decades of the signed distance that get no points. */
+static int tell_missing_decades(const maker *m) {
+    int decade, outward, status = EXIT_DONE;
+    char name[24];
+    text said;
+    text_init(&said);
+    text_put(&said, "");
+    for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, m->generator, k); k++) {
+        put_decade_name(name, sizeof name, outward, decade);
+        text_format(&said, k ? ", %s" : "%s", name);
+    }
+    char *names = text_take(&said);
+    if (!names)
+        status = complain(EXIT_IO, "out of memory");
+    else if (*names)
+        status = complain(
+            EXIT_DONE, "note: no point was found whose signed distance is of the decade %s", names);
+    free(names);
+    return status;
+}
+
+static int write_points(maker *m, const generate_options *o) {
+    int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
+    if (status)
+        return status;
+    graze_status made =
+        graze_generator_create(&m->generator, m->l.context, m->l.scene, o->seed, m->weights,
+                               o->representable ? GRAZE_GENERATE_REPRESENTABLE : 0);
+    if (made)
+        return complain_of_use(made, m->l.context);
+    status = find_lost(m, o);
+    if (!status)
+        status = tell_lost(m, o);
+    if (!status)
+        status = tell_missing_decades(m);
+    if (status)
+        return status;
+    status = output_open(&m->out, o->output);
+    m->opened = !status;
+    if (status)
+        return status;
+    put_points_head(m, o);
+    status = put_samples(m, o);
+    if (!status && o->coordinates.digits)
+        complain(EXIT_DONE,
+                 "note: coordinates of more than %d digits are rounded; a rounded point need not "
+                 "be at the contact that its columns name",
+                 o->coordinates.digits);
+    return status;
+}
+
+int generate_run(lost_strata *lost, const generate_options *o) {
+    maker *m = calloc(1, sizeof *m);
+    if (!m)
+        return complain(EXIT_IO, "out of memory");
+    mpq_inits(m->point[0], m->point[1], m->point[2], m->time, NULL);
+    int status = read_strata(m->weights, o);
+    if (!status)
+        status = write_points(m, o);
+    if (m->opened) {
+        int closed = output_close(&m->out);
+        status = closed ? closed : status;
+    }
+    if (lost)
+        *lost = m->lost;
+    graze_generator_destroy(m->generator);
+    loaded_clear(&m->l);
+    mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);
+    free(m);
+    return status;
+}

@@ -1,0 +1,37 @@
+/* One run of graze generate: a table of query points.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_RUN_GENERATE_H
+#define GRAZE_RUN_GENERATE_H
+
+#include "program/run/coordinates.h"
+#include "program/run/load.h"
+
+/** Strata with a weight of which no point can be made, as sets of 1 << graze_stratum: the scene has
+ * none, or none whose coordinates a binary64 holds. */
+typedef struct lost_strata {
+    unsigned absent, unrepresentable;
+} lost_strata;
+
+/** Strings are borrowed. */
+typedef struct generate_options {
+    scene_options scene;
+    unsigned long count;
+    unsigned long long seed;
+    const char *strata;  /* NAME=W,...; NULL: all, with their default weights, and */
+    unsigned long level; /* this one of the stratum `level` */
+    coordinate_options coordinates;
+    int representable;  /* coordinates that a binary64 holds */
+    const char *output; /* NULL: standard output */
+    int quiet;          /* no progress */
+} generate_options;
+
+/** Make the points and write the table. Returns an exit status and says what is wrong, also where
+ * --representable leaves nothing but random points and no strata were named.
+ * @param[out] lost may be NULL; standard error says the same */
+int generate_run(lost_strata *lost, const generate_options *o);
+
+/** What is to be said of such strata, or an empty text: malloc'ed, NULL when out of memory. */
+char *lost_strata_text(const lost_strata *lost);
+
+#endif

@@ -1,0 +1,74 @@
+/* Makes contexts, and scenes from two files.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/run/load.h"
+
+#include <string.h>
+#include "program/run/interrupt.h"
+
+static int signal_came(void *data) {
+    (void)data;
+    return interrupt_signal() != 0;
+}
+
+int context_make(graze_context **out, const context_options *o) {
+    graze_status status = graze_context_create(out);
+    if (status)
+        return complain(EXIT_IO, "out of memory");
+    graze_context_set_cancel(*out, signal_came, NULL);
+    graze_context_set_filter(*out, !o->exact_only);
+    status = graze_context_set_rounding(*out, o->rounding);
+    for (int k = 0; k < GRAZE_LIMIT_COUNT && !status; k++)
+        if (o->limits[k])
+            status = graze_context_set_limit(*out, (graze_limit)k, o->limits[k]);
+    return status ? complain(EXIT_USAGE, "%s", graze_context_message(*out)) : EXIT_DONE;
+}
+
+int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted) {
+    memset(out, 0, sizeof *out);
+    int code = context_make(&out->context, &o->context);
+    if (code)
+        return code;
+    graze_status status =
+        trusted
+            ? graze_solid_read_trusted(&out->solid, out->context, o->solid, trusted, o->solid_flags)
+            : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
+    if (!status && *graze_solid_note(out->solid))
+        complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
+    if (!status)
+        status = graze_motion_read(&out->motion, out->context, o->motion);
+    if (!status)
+        status = graze_scene_create(&out->scene, out->context, out->solid, out->motion, &o->scene);
+    code = complain_of(status, out->context);
+    return status == GRAZE_EILLEGAL ? illegal : code;
+}
+
+static int has_ending(const char *path, const char *ending) {
+    size_t n = strlen(path), m = strlen(ending);
+    return n > m && strcmp(path + n - m, ending) == 0;
+}
+
+int load_certifiable(const char *solid) {
+    if (has_ending(solid, ".off") || has_ending(solid, ".wkt"))
+        return EXIT_DONE;
+    return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt", solid);
+}
+
+const char *load_note(const scene_options *o) {
+    return o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n" : "# triangulate no\n";
+}
+
+int loaded_certify(loaded *l, const scene_options *o, int times) {
+    unsigned flags = o->solid_flags | (times ? GRAZE_CERTIFY_TIMES : 0);
+    graze_status made = graze_certifier_create(&l->certifier, l->context, l->scene, flags);
+    return complain_of_use(made, l->context);
+}
+
+void loaded_clear(loaded *l) {
+    graze_certifier_destroy(l->certifier);
+    graze_scene_destroy(l->scene);
+    graze_motion_destroy(l->motion);
+    graze_solid_destroy(l->solid);
+    graze_context_destroy(l->context);
+    graze_thread_finish();
+}

@@ -1,0 +1,54 @@
+/* Contexts and scenes as the options ask for them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_RUN_LOAD_H
+#define GRAZE_RUN_LOAD_H
+
+#include "program/run/status.h"
+
+/** Options of a context. Zeroed: no rounding, the filter, default limits. */
+typedef struct context_options {
+    graze_rounding rounding;
+    int exact_only;                          /* --no-filter */
+    unsigned long limits[GRAZE_LIMIT_COUNT]; /* 0: the default */
+} context_options;
+
+/** Options of a scene, and its files. Strings are borrowed. */
+typedef struct scene_options {
+    const char *solid, *motion;
+    unsigned solid_flags;
+    graze_options scene;
+    context_options context;
+} scene_options;
+
+/** Make a context with these options, canceled by a signal. On failure says why; `*out` is to be
+ * destroyed in either case. */
+int context_make(graze_context **out, const context_options *o);
+
+/** Solid, motion and scene, made and freed together; and a certifier, or NULL. */
+typedef struct loaded {
+    graze_context *context;
+    graze_solid *solid;
+    graze_motion *motion;
+    graze_scene *scene;
+    graze_certifier *certifier;
+} loaded;
+
+/**
+ * Read the files of a scene. On failure says why and returns an exit status.
+ * @param[out] out for loaded_clear in either case
+ * @param illegal  the exit status of a scene that is readable but illegal
+ * @param trusted  SHA-256 of a solid's file that was validated before (graze_solid_read_trusted),
+ *                 or NULL
+ */
+int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted);
+/** Can graze-check read solids of this file's form? EXIT_INPUT, with a message, where it cannot. */
+int load_certifiable(const char *solid);
+/** The line of a table's head that says whether facets were cut. Static. */
+const char *load_note(const scene_options *o);
+/** Make the certifier of a scene that was read, with times of contacts or without. On failure says
+ * why and returns an exit status. */
+int loaded_certify(loaded *l, const scene_options *o, int times);
+void loaded_clear(loaded *l);
+
+#endif

@@ -1,0 +1,284 @@
+/* Writes the table and the certificate of a run.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/run/outputs.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "output/table/typed_read.h"
+#include "output/table/typed_write.h"
+#include "program/run/row.h"
+
+void outputs_init(outputs *out, const classify_options *o, const loaded *l) {
+    out->o = o;
+    out->l = l;
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        out->file[kind].kind = (result_kind)kind;
+    out->file[RESULT_CERTIFICATE].beside = !o->no_table;
+    out->file[RESULT_TABLE].counts_undecided = o->scene.scene.topo;
+    out->file[RESULT_TABLE].tolerance = graze_scene_sdf(l->scene);
+    out->file[RESULT_TABLE].certain = o->scene.scene.motion_error > 0;
+    typed_init(&out->typed, l->context);
+}
+
+int outputs_wants(const outputs *out, result_kind kind) {
+    return kind == RESULT_TABLE ? !out->o->no_table : out->o->no_table || out->o->certificate;
+}
+
+results *outputs_main(outputs *out) {
+    return &out->file[out->o->no_table ? RESULT_CERTIFICATE : RESULT_TABLE];
+}
+
+/* Neither rows nor notes are written to it: it is read into the columns that are exported. */
+static int is_exported(const outputs *out, int kind) {
+    return kind == RESULT_TABLE && out->o->format.table;
+}
+
+/* Read lines of the table into the columns that are exported. */
+static int export_lines(outputs *out, const char *text, size_t length) {
+    return complain_of(typed_add(&out->typed, text, length), out->l->context);
+}
+
+int outputs_open(outputs *out) {
+    const classify_options *o = out->o;
+    results *certificate = &out->file[RESULT_CERTIFICATE], *table = &out->file[RESULT_TABLE];
+    int status = results_open(outputs_main(out), out->l->context, o->output, o->resume);
+    if (status || !o->certificate)
+        return status;
+    status = results_open(certificate, out->l->context, o->certificate,
+                          o->resume ? o->certificate : NULL);
+    return status || !o->resume ? status : results_shorten(certificate, table->rows);
+}
+
+/* Lines of the table's head beside those of the scene: malloc'ed, NULL when out of memory. */
+static char *make_head_notes(const outputs *out, const row_source *source, const char *shard) {
+    const char *cut = load_note(&out->o->scene);
+    const char *snap = out->o->sites.snap ? "# snap yes\n" : "";
+    char form[COORDINATES_NOTE];
+    coordinates_note(form, &source->coordinates);
+    char *grid = source->grid ? grid_notes(source->grid) : strdup("");
+    size_t room =
+        grid ? strlen(cut) + strlen(snap) + strlen(form) + strlen(grid) + strlen(shard) + 3 : 0;
+    char *notes = grid ? malloc(room) : NULL;
+    if (notes)
+        snprintf(notes, room, "%s%s%s%s%s%s", cut, snap, form, grid, *shard ? "# " : "", shard);
+    free(grid);
+    return notes;
+}
+
+/* The head of a table with these further columns, or NULL. */
+static graze_status make_header_of(char **text, const outputs *out, const char *notes,
+                                   const char *others) {
+    const struct site_choice *sites = &out->o->sites;
+    graze_context *context = out->l->context;
+    if (!sites->wanted)
+        return graze_report_header(text, context, out->l->scene, notes, others);
+    if (!sites->snap)
+        return graze_site_header(text, context, out->l->scene, notes, others);
+    char *all = malloc(others ? strlen(others) + sizeof "shift," : sizeof "shift,");
+    if (!all)
+        return GRAZE_ESYSTEM;
+    strcpy(all, others ? "shift," : "shift");
+    if (others)
+        strcat(all, others);
+    graze_status status = graze_site_header(text, context, out->l->scene, notes, all);
+    free(all);
+    return status;
+}
+
+/* The head of a table, with the further columns under names that are free. */
+static int make_head(char **text, const outputs *out, const row_source *source, const char *notes) {
+    graze_context *context = out->l->context;
+    graze_status made = make_header_of(text, out, notes, NULL);
+    if (made || !source->columns || !source->columns->others)
+        return complain_of(made, context);
+    size_t length = strlen(*text) - 1;
+    const char *end = *text + length, *start = end;
+    while (start > *text && start[-1] != '\n')
+        start--;
+    char *others = columns_free_names(source->columns, (field){start, (size_t)(end - start)});
+    graze_free(*text);
+    *text = NULL;
+    if (!others)
+        return complain(EXIT_IO, "out of memory");
+    made = make_header_of(text, out, notes, others);
+    free(others);
+    return complain_of(made, context);
+}
+
+static int begin_table(outputs *out, const row_source *source, const char *shard) {
+    char *notes = make_head_notes(out, source, shard), *text = NULL;
+    if (!notes)
+        return complain(EXIT_IO, "out of memory");
+    int status = make_head(&text, out, source, notes);
+    if (!status)
+        status = is_exported(out, RESULT_TABLE) ? export_lines(out, text, strlen(text))
+                                                : results_begin(&out->file[RESULT_TABLE], text);
+    graze_free(text);
+    free(notes);
+    return status;
+}
+
+/* The shard stands before the last line of the head. */
+static int begin_certificate(outputs *out, const char *shard) {
+    char *head = NULL;
+    graze_status made = graze_certificate_head(&head, out->l->context, out->l->certifier);
+    if (made)
+        return complain_of(made, out->l->context);
+    char *signs = strstr(head, "\nsigns ") + 1;
+    size_t room = strlen(head) + strlen(shard) + 1;
+    char *text = malloc(room);
+    if (text)
+        snprintf(text, room, "%.*s%s%s", (int)(signs - head), head, shard, signs);
+    int status = text ? results_begin(&out->file[RESULT_CERTIFICATE], text)
+                      : complain(EXIT_IO, "out of memory");
+    free(text);
+    graze_free(head);
+    return status;
+}
+
+int outputs_begin(outputs *out, const row_source *source) {
+    const struct shard_choice *s = &out->o->shard;
+    char shard[64] = "";
+    int status = EXIT_DONE;
+    if (s->given)
+        snprintf(shard, sizeof shard, SHARD_LINE "%lu/%lu\n", s->part.index + 1, s->part.count);
+    if (outputs_wants(out, RESULT_CERTIFICATE))
+        status = begin_certificate(out, shard);
+    if (!status && outputs_wants(out, RESULT_TABLE) && out->o->format.rows == GRAZE_FORMAT_CSV)
+        status = begin_table(out, source, shard);
+    return status;
+}
+
+static int put_run(outputs *out, result_kind kind, const row_run *run) {
+    const struct row_text *text = &run->out[kind];
+    if (!is_exported(out, kind))
+        return results_add(&out->file[kind], text->text, text->length, run->done);
+    out->file[kind].rows += run->done;
+    results_count(&out->file[kind], text->text, text->length);
+    return export_lines(out, text->text, text->length);
+}
+
+/* The rows of a block for one file, up to the first that has no answer. */
+static int put_rows(outputs *out, result_kind kind, const block *b) {
+    size_t r = 0;
+    int status = EXIT_DONE;
+    while (r < b->count && !status) {
+        const row_run *run = &b->runs[r];
+        status = put_run(out, kind, run);
+        if (status || run->done < run->taken || run->taken == 0)
+            break;
+        r += run->taken;
+    }
+    output_flush(&out->file[kind].out);
+    return status;
+}
+
+/* Why a block has rows without answers. */
+static int block_fault(const block *b) {
+    for (size_t r = 0; r < b->count; r += b->runs[r].taken) {
+        if (b->runs[r].taken == 0)
+            return EXIT_SIGNAL;
+        if (b->runs[r].done < b->runs[r].taken)
+            return fault_tell(&b->runs[r].fault);
+    }
+    return EXIT_DONE;
+}
+
+int outputs_block(outputs *out, const block *b) {
+    int status = EXIT_DONE;
+    for (int kind = RESULT_KINDS - 1; kind >= 0 && !status && !outputs_failed(out); kind--)
+        if (outputs_wants(out, (result_kind)kind))
+            status = put_rows(out, (result_kind)kind, b);
+    return status ? status : block_fault(b);
+}
+
+int outputs_failed(const outputs *out) {
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        if (out->file[kind].opened && out->file[kind].out.error)
+            return 1;
+    return 0;
+}
+
+static int put_last_lines(outputs *out, result_kind kind, unsigned long rows_of_all,
+                          unsigned long long checksum) {
+    char text[200] = "";
+    const char *mark = result_mark(kind);
+    results *file = &out->file[kind];
+    int length = 0;
+    if (file->counts_undecided)
+        length = snprintf(text, sizeof text, UNDECIDED_LINE "%lu\n", file->undecided);
+    if (out->o->shard.given)
+        length += snprintf(text + length, sizeof text - (size_t)length,
+                           "%s" SHARD_ROWS "%lu\n%s" SHARD_POINTS "%016llx\n", mark, rows_of_all,
+                           mark, checksum);
+    snprintf(text + length, sizeof text - (size_t)length, "%s" COMPLETE_LINE "%lu\n", mark,
+             file->rows);
+    if (is_exported(out, kind))
+        return export_lines(out, text, strlen(text));
+    output_put(&file->out, text);
+    output_flush(&file->out);
+    return EXIT_DONE;
+}
+
+static void put_export_bytes(void *to, const char *bytes, size_t length) {
+    output_bytes(to, bytes, length);
+}
+
+/* Write the table in the form asked for. */
+static int export_table(outputs *out) {
+    output *to = &out->file[RESULT_TABLE].out;
+    graze_status status = typed_end(&out->typed);
+    if (!status)
+        status = typed_write(&out->typed, out->o->format.table, (sink){put_export_bytes, to});
+    if (status)
+        output_drop(to);
+    return complain_of(status, out->l->context);
+}
+
+int outputs_end(outputs *out, unsigned long rows_of_all, unsigned long long checksum) {
+    int status = EXIT_DONE;
+    for (int kind = RESULT_KINDS - 1; kind >= 0 && !status && !outputs_failed(out); kind--)
+        if (outputs_wants(out, (result_kind)kind) &&
+            (kind == RESULT_CERTIFICATE || out->o->format.rows == GRAZE_FORMAT_CSV))
+            status = put_last_lines(out, (result_kind)kind, rows_of_all, checksum);
+    return !status && is_exported(out, RESULT_TABLE) ? export_table(out) : status;
+}
+
+/* Report the rows that an interrupted run leaves. */
+static void report_whole_rows(const outputs *out, int kind) {
+    const results *file = &out->file[kind];
+    int can_go_on = kind == RESULT_CERTIFICATE || out->o->format.rows == GRAZE_FORMAT_CSV;
+    if (file->opened && !is_exported(out, kind))
+        complain(EXIT_SIGNAL, "%s: has %lu whole rows%s%s", file->out.name, file->rows,
+                 can_go_on ? "; the same command with --resume FILE continues a " : "",
+                 can_go_on ? result_name(file->kind) : "");
+}
+
+int outputs_close(outputs *out, int status) {
+    int ended = status;
+    for (int kind = RESULT_KINDS - 1; kind >= 0; kind--)
+        if (outputs_wants(out, (result_kind)kind)) {
+            int closed = results_close(&out->file[kind], ended);
+            status = closed != ended && status == ended ? closed : status;
+        }
+    if (!status && out->o->scene.scene.topo)
+        complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided%s",
+                 out->file[RESULT_TABLE].undecided, out->file[RESULT_TABLE].rows,
+                 out->file[RESULT_TABLE].undecided ? "; graze explain --topo says why" : "");
+    if (!status && out->o->coordinates.digits)
+        complain(EXIT_DONE,
+                 "note: coordinates of more than %d digits are rounded; the answers are those of "
+                 "the points before that",
+                 out->o->coordinates.digits);
+    if (!status && out->file[RESULT_TABLE].wide)
+        complain(EXIT_DONE,
+                 "note: the distance of %lu of %lu rows is enclosed less closely than asked for",
+                 out->file[RESULT_TABLE].wide, out->file[RESULT_TABLE].rows);
+    for (int kind = 0; kind < RESULT_KINDS && status == EXIT_SIGNAL; kind++)
+        if (outputs_wants(out, (result_kind)kind))
+            report_whole_rows(out, kind);
+    typed_clear(&out->typed);
+    return status;
+}

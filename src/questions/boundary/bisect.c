@@ -1,0 +1,225 @@
+/* Bisection of the edges that the surface crosses.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A vertex has an edge of its own, from a lattice point that is out to one that is not. Shares of
+ * the edge count from the former, 0, to the latter, 1. The interval of shares always goes from a
+ * point that is out to one that is not, both classified exactly, and is cut until it is no longer
+ * than 2^-BISECT_BITS. The boundary of a polyhedral sweep often meets an edge in a simple fraction,
+ * which is looked for on the way: a point that is `on` with one next to it that is out ends the
+ * search, and the vertex is on the boundary itself.
+ *
+ * The vertex is strictly between the ends of its edge, so that the surface is a manifold, without
+ * degenerate faces, wherever the boundary passes.
+ */
+#include "questions/boundary/bisect.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "decide/verdict/classify.h"
+
+/* An edge under bisection. */
+typedef struct bisection {
+    struct graze_boundary *boundary;
+    graze_context *context;
+    int64_t from[3], step[3]; /* in lattice units: the end that is out, and the way to the other */
+    fmpq_t outside, inside;   /* shares */
+    fmpq_t share, width, gap; /* the share to ask for, and room to compute in; 2^-BISECT_BITS */
+    graze_pmc pmc;            /* at `inside` */
+} bisection;
+
+static uint32_t key_coordinate(uint64_t key, int k) {
+    return (uint32_t)(key >> 21 * k) & ((1u << 21) - 1);
+}
+
+/* The ends of the edge whose middle is a vertex: it runs along the axes on which the middle is
+ * halfway between two corners of cells. Returns the answer at the end that is not out. */
+static graze_pmc edge_of(int64_t from[3], int64_t step[3], const struct graze_boundary *b,
+                         uint64_t middle) {
+    uint32_t half = 1u << (b->depth - b->reached), end[2][3] = {{0, 0, 0}, {0, 0, 0}};
+    for (int k = 0; k < b->dimension; k++) {
+        uint32_t at = key_coordinate(middle, k), by = at & half;
+        end[0][k] = at - by;
+        end[1][k] = at + by;
+    }
+    int last = lattice_known(b, lattice_key(end[1])) == GRAZE_OUT;
+    for (int k = 0; k < 3; k++) {
+        from[k] = end[last][k];
+        step[k] = (int64_t)end[!last][k] - (int64_t)end[last][k];
+    }
+    return lattice_known(b, lattice_key(end[!last]));
+}
+
+/* The point of an edge at a share. */
+static void point_at(fmpq *out, const struct graze_boundary *b, const int64_t from[3],
+                     const int64_t step[3], const fmpq_t share) {
+    fmpq_t start;
+    fmpq_init(start);
+    for (int k = 0; k < b->dimension; k++) {
+        fmpq_set_si(start, from[k], 1);
+        fmpq_mul_si(out + k, share, step[k]);
+        fmpq_add(out + k, out + k, start);
+        fmpq_mul(out + k, out + k, b->side + k);
+        fmpq_div_2exp(out + k, out + k, b->depth + 1);
+        fmpq_add(out + k, out + k, b->low + k);
+    }
+    fmpq_clear(start);
+}
+
+/* Ask at x->share and keep the part of the interval that goes from out to not out. */
+static graze_status ask_share(bisection *x) {
+    struct graze_boundary *b = x->boundary;
+    graze_verdict verdict;
+    point_at(b->point, b, x->from, x->step, x->share);
+    graze_status status =
+        classify_verdict(&verdict, x->context, b->scene, (query_point){.rational = b->point});
+    if (status)
+        return status;
+    b->bisected++;
+    if (verdict.pmc == GRAZE_OUT) {
+        fmpq_set(x->outside, x->share);
+    } else {
+        fmpq_set(x->inside, x->share);
+        x->pmc = verdict.pmc;
+    }
+    return GRAZE_OK;
+}
+
+static int is_narrow(bisection *x) {
+    fmpq_sub(x->width, x->inside, x->outside);
+    return fmpq_cmp(x->width, x->gap) <= 0;
+}
+
+/* Where the inner point is on: ask next to it, towards the outside. */
+static graze_status try_beside(bisection *x) {
+    if (x->pmc != GRAZE_ON || is_narrow(x))
+        return GRAZE_OK;
+    fmpq_sub(x->share, x->inside, x->gap);
+    return ask_share(x);
+}
+
+/* Ask at the simplest fraction of the interval, its ends' surroundings left out. */
+static graze_status try_simplest(bisection *x) {
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    fmpq_sub(x->width, x->inside, x->outside);
+    fmpq_div_2exp(x->width, x->width, 5);
+    fmpq_add(low, x->outside, x->width);
+    fmpq_sub(high, x->inside, x->width);
+    fmpq_simplest_between(x->share, low, high);
+    fmpq_clear(low);
+    fmpq_clear(high);
+    graze_status status = ask_share(x);
+    return status ? status : try_beside(x);
+}
+
+static graze_status bisect(bisection *x) {
+    fmpq_zero(x->outside);
+    fmpq_one(x->inside);
+    graze_status status = try_beside(x);
+    for (int step = 1; !status && !is_narrow(x); step++) {
+        if (step % 5 == 0) {
+            status = try_simplest(x);
+            continue;
+        }
+        fmpq_add(x->share, x->outside, x->inside);
+        fmpq_div_2exp(x->share, x->share, 1);
+        status = ask_share(x);
+    }
+    return status;
+}
+
+/* The share of the vertex: that of a point which is on, else between the two. */
+static void vertex_share(fmpq_t out, const fmpq_t outside, const fmpq_t inside, int on) {
+    if (on && !fmpq_is_one(inside)) {
+        fmpq_set(out, inside);
+    } else {
+        fmpq_add(out, outside, inside);
+        fmpq_div_2exp(out, out, 1);
+    }
+}
+
+static graze_status bisect_all(bisection *x) {
+    struct graze_boundary *b = x->boundary;
+    graze_status status = GRAZE_OK;
+    for (size_t v = 0; v < b->vertices.count && !status; v++) {
+        x->pmc = edge_of(x->from, x->step, b, b->vertices.key[v]);
+        fmpq_zero(x->outside);
+        fmpq_one(x->inside);
+        status = context_poll(x->context);
+        if (!status && !b->middles)
+            status = bisect(x);
+        fmpq_set(b->shares + 2 * v, x->outside);
+        fmpq_set(b->shares + 2 * v + 1, x->inside);
+        b->vertices.value[v] = (unsigned char)x->pmc;
+        b->exact += x->pmc == GRAZE_ON && !fmpq_is_one(x->inside);
+    }
+    return status;
+}
+
+graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
+    b->shares = calloc(2 * b->vertices.count + 1, sizeof *b->shares);
+    if (!b->shares)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
+    for (size_t k = 0; k < 2 * b->vertices.count; k++)
+        fmpq_init(b->shares + k);
+    bisection x = {.boundary = b, .context = context};
+    fmpq_init(x.outside);
+    fmpq_init(x.inside);
+    fmpq_init(x.share);
+    fmpq_init(x.width);
+    fmpq_init(x.gap);
+    fmpq_one(x.gap);
+    fmpq_div_2exp(x.gap, x.gap, BISECT_BITS);
+    graze_status status = bisect_all(&x);
+    fmpq_clear(x.outside);
+    fmpq_clear(x.inside);
+    fmpq_clear(x.share);
+    fmpq_clear(x.width);
+    fmpq_clear(x.gap);
+    return status;
+}
+
+size_t bisect_count(const struct graze_boundary *b) {
+    return b->vertices.count + b->feature_count;
+}
+
+void bisect_between(fmpq *outside, fmpq *inside, const struct graze_boundary *b, size_t index) {
+    int64_t from[3], step[3];
+    if (index >= b->vertices.count) {
+        const feature *f = &b->features[index - b->vertices.count];
+        for (int k = 0; k < b->dimension; k++) {
+            fmpq_set(outside + k, f->outside + k);
+            fmpq_set(inside + k, f->inside + k);
+        }
+        return;
+    }
+    edge_of(from, step, b, b->vertices.key[index]);
+    point_at(outside, b, from, step, b->shares + 2 * index);
+    point_at(inside, b, from, step, b->shares + 2 * index + 1);
+}
+
+static void feature_vertex(fmpq *out, const feature *f, int dimension) {
+    for (int k = 0; k < dimension; k++) {
+        fmpq_set(out + k, f->inside + k);
+        if (f->pmc == GRAZE_ON)
+            continue;
+        fmpq_add(out + k, out + k, f->outside + k);
+        fmpq_div_2exp(out + k, out + k, 1);
+    }
+}
+
+void bisect_vertex(fmpq *out, const struct graze_boundary *b, size_t index) {
+    int64_t from[3], step[3];
+    if (index >= b->vertices.count) {
+        feature_vertex(out, &b->features[index - b->vertices.count], b->dimension);
+        return;
+    }
+    fmpq_t share;
+    fmpq_init(share);
+    edge_of(from, step, b, b->vertices.key[index]);
+    vertex_share(share, b->shares + 2 * index, b->shares + 2 * index + 1,
+                 b->vertices.value[index] == GRAZE_ON);
+    point_at(out, b, from, step, share);
+    fmpq_clear(share);
+}

@@ -1,0 +1,108 @@
+/* Makes a boundary: the box, the contact points, the cells, the surface.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/boundary/boundary.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "decide/scene/box.h"
+#include "questions/boundary/bisect.h"
+#include "questions/boundary/contacts.h"
+#include "questions/boundary/refine_cells.h"
+#include "questions/boundary/sharpen.h"
+#include "questions/boundary/surface.h"
+
+/* The caller's box, or the scene's with a margin. */
+static graze_status set_box(struct graze_boundary *b, graze_context *context, const fmpq *low,
+                            const fmpq *high) {
+    graze_status status = GRAZE_OK;
+    if (!low)
+        status = scene_box(b->low, b->point, context, b->scene);
+    for (int k = 0; k < b->dimension && !status; k++) {
+        if (low)
+            fmpq_set(b->low + k, low + k);
+        fmpq_sub(b->side + k, (high ? high : b->point) + k, b->low + k);
+        if (fmpq_sgn(b->side + k) <= 0)
+            status = context_fail(context, GRAZE_EUSE, "the box is empty along axis %d", k);
+        if (low)
+            continue;
+        fmpq_div_2exp(b->point + k, b->side + k, 4);
+        fmpq_sub(b->low + k, b->low + k, b->point + k);
+        fmpq_mul_2exp(b->point + k, b->point + k, 1);
+        fmpq_add(b->side + k, b->side + k, b->point + k);
+    }
+    return status;
+}
+
+static graze_status list_leaves(struct graze_boundary *b, graze_context *context) {
+    size_t capacity = 0;
+    graze_status status = GRAZE_OK;
+    for (size_t i = 0; i < b->cell_count && !status; i++) {
+        if (b->cells[i].child)
+            continue;
+        status = array_grow(context, &b->leaves, &capacity, b->leaf_count + 1, sizeof *b->leaves,
+                            "the cells of a boundary");
+        if (!status)
+            b->leaves[b->leaf_count++] = i;
+    }
+    return status;
+}
+
+graze_status boundary_make(struct graze_boundary *b, graze_context *context,
+                           const graze_scene *scene, const graze_boundary_options *options,
+                           const fmpq *low, const fmpq *high) {
+    memset(b, 0, sizeof *b);
+    b->scene = scene;
+    b->dimension = scene->motion->dimension;
+    b->coarse = options->coarse;
+    b->depth = options->depth;
+    b->budget = options->budget;
+    b->middles = options->middles;
+    b->sharp = options->sharp;
+    b->complete = 1;
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(b->low + k);
+        fmpq_init(b->side + k);
+        fmpq_init(b->point + k);
+    }
+    graze_status status = set_box(b, context, low, high);
+    if (!status && options->contacts >= options->budget)
+        status = boundary_refuse_budget(context, b, options->contacts);
+    if (!status)
+        status = boundary_contacts(context, b, options->contacts, options->seed);
+    if (!status)
+        status = boundary_refine(context, b);
+    if (!status)
+        status = boundary_surface(context, b);
+    if (!status)
+        status = boundary_bisect(context, b);
+    if (!status && b->sharp)
+        status = boundary_sharpen(context, b);
+    return status ? status : list_leaves(b, context);
+}
+
+void boundary_clear(struct graze_boundary *b) {
+    for (int k = 0; k < 3; k++) {
+        fmpq_clear(b->low + k);
+        fmpq_clear(b->side + k);
+        fmpq_clear(b->point + k);
+    }
+    for (size_t k = 0; k < 2 * b->vertices.count && b->shares; k++)
+        fmpq_clear(b->shares + k);
+    free(b->shares);
+    for (size_t k = 0; k < b->feature_count; k++)
+        for (int i = 0; i < 3; i++) {
+            fmpq_clear(b->features[k].outside + i);
+            fmpq_clear(b->features[k].inside + i);
+        }
+    free(b->features);
+    free(b->patches);
+    number_index_clear(&b->points);
+    number_index_clear(&b->vertices);
+    free(b->cells);
+    free(b->leaves);
+    free(b->contacts);
+    free(b->work);
+    free(b->corners);
+}

@@ -1,0 +1,231 @@
+/* Where tangent planes meet, verified by exact classification.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The two planes that differ most, and of the others the one farthest from containing their common
+ * direction, are intersected exactly. The point is good only as a guess: it is taken if it is on
+ * with a point that is out next to it, or if bisection along the sum of the normals finds such a
+ * pair of points near it.
+ */
+#include "questions/boundary/feature.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include "base/number/vector.h"
+#include "questions/boundary/bisect.h"
+#include "questions/boundary/probe.h"
+
+/* Normals that differ more have a smaller inner product; a third one is this far from the plane of
+ * the two others. */
+#define EDGE_COSINE 0.95
+#define CORNER_SINE 0.3
+
+typedef struct selection {
+    const tangent *plane[3];
+    int count; /* d or, for an edge of E^3, 2; less: no feature */
+} selection;
+
+static double inner(const double *a, const double *b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+int feature_between(const tangent *a, const tangent *b) {
+    return a->known && b->known && inner(a->unit, b->unit) < EDGE_COSINE;
+}
+
+static void select_pair(selection *s, const tangent *const *list, size_t count) {
+    double least = EDGE_COSINE;
+    for (size_t i = 0; i < count; i++)
+        for (size_t j = 0; j < i; j++) {
+            if (!list[i]->known || !list[j]->known || inner(list[i]->unit, list[j]->unit) >= least)
+                continue;
+            least = inner(list[i]->unit, list[j]->unit);
+            s->plane[0] = list[j];
+            s->plane[1] = list[i];
+            s->count = 2;
+        }
+}
+
+static void select_third(selection *s, const tangent *const *list, size_t count) {
+    double axis[3], most = CORNER_SINE;
+    const double *a = s->plane[0]->unit, *b = s->plane[1]->unit;
+    for (int k = 0; k < 3; k++)
+        axis[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    double length = sqrt(inner(axis, axis));
+    for (size_t i = 0; i < count; i++) {
+        double sine = fabs(inner(axis, list[i]->unit)) / length;
+        if (!list[i]->known || !(sine > most))
+            continue;
+        most = sine;
+        s->plane[2] = list[i];
+        s->count = 3;
+    }
+}
+
+/* A row of the system: normal x = value. */
+static void put_row(fmpq_mat_t a, fmpq_mat_t right, int row, const fmpq *normal,
+                    const fmpq_t value) {
+    for (slong k = 0; k < fmpq_mat_ncols(a); k++)
+        fmpq_set(fmpq_mat_entry(a, row, k), normal + k);
+    fmpq_set(fmpq_mat_entry(right, row, 0), value);
+}
+
+/* The common point of the planes; with two in E^3 that of the line nearest to the reference. */
+static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *reference) {
+    fmpq_mat_t a, right, x;
+    fmpq *along = _fmpq_vec_init(3);
+    fmpq_t value;
+    fmpq_init(value);
+    fmpq_mat_init(a, d, d);
+    fmpq_mat_init(right, d, 1);
+    fmpq_mat_init(x, d, 1);
+    for (int row = 0; row < s->count; row++) {
+        fmpq_neg(value, s->plane[row]->form + d);
+        put_row(a, right, row, s->plane[row]->form, value);
+    }
+    if (s->count < d) {
+        vector_cross(along, s->plane[0]->form, s->plane[1]->form);
+        _fmpq_vec_dot(value, along, reference, d);
+        put_row(a, right, 2, along, value);
+    }
+    int solved = fmpq_mat_solve(x, a, right);
+    for (int k = 0; k < d && solved; k++)
+        fmpq_set(out + k, fmpq_mat_entry(x, k, 0));
+    fmpq_mat_clear(a);
+    fmpq_mat_clear(right);
+    fmpq_mat_clear(x);
+    fmpq_clear(value);
+    _fmpq_vec_clear(along, 3);
+    return solved;
+}
+
+/* A direction in doubles, scaled to one cell along the axis on which it is longest. */
+static void outward(fmpq *way, const struct graze_boundary *b, const double *direction) {
+    enum { UNIT = 1024 };
+    fmpq_t share, most;
+    fmpq_init(share);
+    fmpq_init(most);
+    for (int k = 0; k < b->dimension; k++) {
+        fmpq_set_si(way + k, lround(direction[k] * UNIT), UNIT);
+        fmpq_div(share, way + k, b->side + k);
+        fmpq_abs(share, share);
+        if (fmpq_cmp(share, most) > 0)
+            fmpq_set(most, share);
+    }
+    fmpq_mul_2exp(most, most, b->reached);
+    for (int k = 0; k < b->dimension && !fmpq_is_zero(most); k++)
+        fmpq_div(way + k, way + k, most);
+    fmpq_clear(share);
+    fmpq_clear(most);
+}
+
+/* Set the feature's points to base + share way. */
+static void set_points(feature *out, int d, const fmpq *base, const fmpq *way, const fmpq_t inside,
+                       const fmpq_t outside) {
+    for (int k = 0; k < d; k++) {
+        fmpq_mul(out->inside + k, way + k, inside);
+        fmpq_add(out->inside + k, out->inside + k, base + k);
+        fmpq_mul(out->outside + k, way + k, outside);
+        fmpq_add(out->outside + k, out->outside + k, base + k);
+    }
+}
+
+/* A base that is on: a point that is out next to it, along the sum of the normals or one of them.
+ * The distance is 2^-BISECT_BITS of a cell. */
+static graze_status confirm_on(feature *out, graze_context *context, struct graze_boundary *b,
+                               const selection *s, const fmpq *base, fmpq *way) {
+    graze_status status = GRAZE_OK;
+    graze_pmc pmc = GRAZE_PMC_NONE;
+    fmpq_t zero, gap;
+    fmpq_init(zero);
+    fmpq_init(gap);
+    fmpq_one(gap);
+    fmpq_div_2exp(gap, gap, BISECT_BITS);
+    for (int k = 0; k <= s->count && !status && pmc != GRAZE_OUT; k++) {
+        if (k > 0)
+            outward(way, b, s->plane[k - 1]->unit);
+        set_points(out, b->dimension, base, way, zero, gap);
+        status = probe_pmc(&pmc, context, b, out->outside);
+    }
+    out->pmc = pmc == GRAZE_OUT ? GRAZE_ON : GRAZE_PMC_NONE;
+    fmpq_clear(zero);
+    fmpq_clear(gap);
+    return status;
+}
+
+/* Bisection between the base and a point at most 2^-4 of a cell away, the nearest first. */
+static graze_status bisect_from(feature *out, graze_context *context, struct graze_boundary *b,
+                                graze_pmc pmc, const fmpq *base, const fmpq *way) {
+    static const unsigned reach[] = {13, 8, 4};
+    graze_status status = GRAZE_OK;
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    out->pmc = GRAZE_PMC_NONE;
+    for (size_t k = 0; k < sizeof reach / sizeof *reach && !status && !out->pmc; k++) {
+        fmpq *far = pmc == GRAZE_OUT ? low : high, *near = pmc == GRAZE_OUT ? high : low;
+        fmpq_zero(near);
+        fmpq_set_si(far, pmc == GRAZE_OUT ? -1 : 1, 1);
+        fmpq_div_2exp(far, far, reach[k]);
+        status = probe_line(low, high, &out->pmc, context, b, base, way, BISECT_BITS);
+    }
+    if (out->pmc)
+        set_points(out, b->dimension, base, way, low, high);
+    fmpq_clear(low);
+    fmpq_clear(high);
+    return status;
+}
+
+static graze_status verify(feature *out, graze_context *context, struct graze_boundary *b,
+                           const selection *s, const fmpq *base) {
+    double sum[3] = {0, 0, 0};
+    fmpq *way = _fmpq_vec_init(b->dimension);
+    graze_pmc pmc;
+    for (int k = 0; k < s->count; k++)
+        for (int i = 0; i < b->dimension; i++)
+            sum[i] += s->plane[k]->unit[i];
+    outward(way, b, sum);
+    graze_status status = probe_pmc(&pmc, context, b, base);
+    if (!status && pmc == GRAZE_ON)
+        status = confirm_on(out, context, b, s, base, way);
+    else if (!status)
+        status = bisect_from(out, context, b, pmc, base, way);
+    _fmpq_vec_clear(way, b->dimension);
+    return status;
+}
+
+static graze_status try_selection(feature *out, int *found, graze_context *context,
+                                  struct graze_boundary *b, const sample_cell *c,
+                                  const selection *s, const fmpq *reference) {
+    fmpq *base = _fmpq_vec_init(b->dimension);
+    graze_status status = GRAZE_OK;
+    out->pmc = GRAZE_PMC_NONE;
+    if (meet_planes(base, s, b->dimension, reference) && probe_in_cell(b, c, base))
+        status = verify(out, context, b, s, base);
+    *found = !status && out->pmc && probe_in_cell(b, c, out->inside) &&
+             probe_in_cell(b, c, out->outside);
+    _fmpq_vec_clear(base, b->dimension);
+    return status;
+}
+
+graze_status feature_find(feature *out, int *found, graze_context *context,
+                          struct graze_boundary *b, const sample_cell *c,
+                          const tangent *const *list, size_t count, const fmpq *reference) {
+    selection s = {.count = 0};
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(out->inside + k);
+        fmpq_init(out->outside + k);
+    }
+    *found = 0;
+    select_pair(&s, list, count);
+    if (s.count && b->dimension == 3)
+        select_third(&s, list, count);
+    for (; s.count >= 2 && !*found && !status; s.count--)
+        status = try_selection(out, found, context, b, c, &s, reference);
+    for (int k = 0; k < 3 && !*found; k++) {
+        fmpq_clear(out->inside + k);
+        fmpq_clear(out->outside + k);
+    }
+    return status;
+}

@@ -1,0 +1,160 @@
+/* Bisection along lines of any direction.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Beside a point of the boundary, 2^-7 of a cell away along other axes than the one it was found
+ * along, other points of it are looked for within 2^-5 of a cell. The normal of the plane through
+ * all is near the boundary's, if that is smooth there; what is built on it is verified.
+ */
+#include "questions/boundary/probe.h"
+
+#include <flint/fmpq_vec.h>
+#include "base/number/vector.h"
+#include "decide/verdict/classify.h"
+
+enum { BESIDE = 7, WITHIN = 5, PLACES = 21 };
+
+int probe_in_cell(const struct graze_boundary *b, const sample_cell *c, const fmpq *point) {
+    int inside = 1;
+    fmpq_t at;
+    fmpq_init(at);
+    for (int k = 0; k < b->dimension && inside; k++) {
+        fmpq_sub(at, point + k, b->low + k);
+        fmpq_div(at, at, b->side + k);
+        fmpq_mul_2exp(at, at, c->level);
+        inside = fmpq_cmp_ui(at, c->at[k]) > 0 && fmpq_cmp_ui(at, c->at[k] + 1ul) < 0;
+    }
+    fmpq_clear(at);
+    return inside;
+}
+
+graze_status probe_pmc(graze_pmc *out, graze_context *context, struct graze_boundary *b,
+                       const fmpq *point) {
+    graze_verdict verdict;
+    graze_status status =
+        classify_verdict(&verdict, context, b->scene, (query_point){.rational = point});
+    if (status)
+        return status;
+    b->bisected++;
+    *out = verdict.pmc;
+    return GRAZE_OK;
+}
+
+/* The answer at base + share way. */
+static graze_status ask_on_line(graze_pmc *out, graze_context *context, struct graze_boundary *b,
+                                const fmpq *base, const fmpq *way, const fmpq_t share) {
+    for (int k = 0; k < b->dimension; k++) {
+        fmpq_set(b->point + k, base + k);
+        fmpq_addmul(b->point + k, way + k, share);
+    }
+    return probe_pmc(out, context, b, b->point);
+}
+
+graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, graze_context *context,
+                        struct graze_boundary *b, const fmpq *base, const fmpq *way,
+                        unsigned bits) {
+    graze_pmc first, answer;
+    fmpq_t width, gap, middle;
+    *pmc = GRAZE_PMC_NONE;
+    graze_status status = ask_on_line(&first, context, b, base, way, low);
+    if (status || first == GRAZE_OUT)
+        return status;
+    status = ask_on_line(&answer, context, b, base, way, high);
+    if (status || answer != GRAZE_OUT)
+        return status;
+    *pmc = first;
+    fmpq_init(width);
+    fmpq_init(gap);
+    fmpq_init(middle);
+    fmpq_one(gap);
+    fmpq_div_2exp(gap, gap, bits);
+    for (fmpq_sub(width, high, low); !status && fmpq_cmp(width, gap) > 0;
+         fmpq_div_2exp(width, width, 1)) {
+        fmpq_add(middle, low, high);
+        fmpq_div_2exp(middle, middle, 1);
+        status = ask_on_line(&answer, context, b, base, way, middle);
+        if (!status && answer == GRAZE_OUT) {
+            fmpq_set(high, middle);
+        } else if (!status) {
+            fmpq_set(low, middle);
+            *pmc = answer;
+        }
+    }
+    fmpq_clear(width);
+    fmpq_clear(gap);
+    fmpq_clear(middle);
+    return status;
+}
+
+/* Along which axis `way` goes farthest, in cells. */
+static int main_axis(const struct graze_boundary *b, const fmpq *way) {
+    int best = 0;
+    fmpq_t share, most;
+    fmpq_init(share);
+    fmpq_init(most);
+    for (int k = 0; k < b->dimension; k++) {
+        fmpq_div(share, way + k, b->side + k);
+        fmpq_abs(share, share);
+        if (fmpq_cmp(share, most) > 0) {
+            fmpq_set(most, share);
+            best = k;
+        }
+    }
+    fmpq_clear(share);
+    fmpq_clear(most);
+    return best;
+}
+
+/* way = 2^-bits of a cell along an axis, up or down it. */
+static void axis_step(fmpq *way, const struct graze_boundary *b, int axis, unsigned bits,
+                      int down) {
+    for (int k = 0; k < b->dimension; k++)
+        fmpq_zero(way + k);
+    fmpq_div_2exp(way + axis, b->side + axis, b->reached + bits);
+    if (down)
+        fmpq_neg(way + axis, way + axis);
+}
+
+/* The way from `inside` to a boundary point beside it along an axis; *found = 0 without one. */
+static graze_status find_beside(fmpq *out, int *found, graze_context *context,
+                                struct graze_boundary *b, const fmpq *inside, const fmpq *way,
+                                int axis) {
+    int d = b->dimension;
+    fmpq *base = _fmpq_vec_init(d);
+    fmpq_t low, high;
+    graze_pmc pmc = GRAZE_PMC_NONE;
+    fmpq_init(low);
+    fmpq_init(high);
+    fmpq_set_si(low, -1, 1);
+    fmpq_one(high);
+    axis_step(out, b, axis, BESIDE, 0);
+    vector_add(base, inside, out, d);
+    graze_status status = probe_line(low, high, &pmc, context, b, base, way, PLACES - WITHIN);
+    for (int k = 0; k < d; k++)
+        fmpq_addmul(out + k, way + k, low);
+    *found = pmc != GRAZE_PMC_NONE;
+    fmpq_clear(low);
+    fmpq_clear(high);
+    _fmpq_vec_clear(base, d);
+    return status;
+}
+
+graze_status probe_normal(fmpq *out, int *found, graze_context *context, struct graze_boundary *b,
+                          const fmpq *outside, const fmpq *inside) {
+    int d = b->dimension;
+    fmpq *room = _fmpq_vec_init(9), *way = room, *beside = room + 3;
+    vector_sub(way, outside, inside, d);
+    int axis = main_axis(b, way);
+    graze_status status = GRAZE_OK;
+    axis_step(way, b, axis, WITHIN, fmpq_sgn(way + axis) < 0);
+    *found = 1;
+    for (int k = 1; k < d && *found && !status; k++)
+        status = find_beside(beside + 3 * (k - 1), found, context, b, inside, way, (axis + k) % d);
+    if (d == 3) {
+        vector_cross(out, beside, beside + 3);
+    } else {
+        fmpq_set(out, beside + 1);
+        fmpq_neg(out + 1, beside);
+    }
+    _fmpq_vec_clear(room, 9);
+    return status;
+}

@@ -1,0 +1,183 @@
+/* Cuts cells, one level after the other, so that a budget that runs out leaves a whole level.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A cell is cut if its corners and centre are not all of one pmc or if it holds a contact point.
+ * Across a mixed face of a cell of the level at hand the neighbour must be of this level too:
+ * then every edge of the level between `out` and the rest has all its cells, and the surface no
+ * border inside the box.
+ */
+#include "questions/boundary/refine_cells.h"
+
+#include <string.h>
+#include "base/context/array.h"
+#include "questions/boundary/contacts.h"
+
+static graze_status push_cell(graze_context *context, struct graze_boundary *b, size_t index) {
+    graze_status status = array_grow(context, &b->work, &b->work_capacity, b->work_count + 1,
+                                     sizeof *b->work, "the cells of a boundary");
+    if (!status)
+        b->work[b->work_count++] = index;
+    return status;
+}
+
+static uint64_t cell_centre(const struct graze_boundary *b, const sample_cell *c) {
+    uint32_t at[3] = {0, 0, 0};
+    for (int k = 0; k < b->dimension; k++)
+        at[k] = (2 * c->at[k] + 1) << (b->depth - c->level);
+    return lattice_key(at);
+}
+
+static sample_cell child_of(const struct graze_boundary *b, const sample_cell *c, unsigned which) {
+    sample_cell out = {.level = c->level + 1};
+    for (int k = 0; k < b->dimension; k++)
+        out.at[k] = 2 * c->at[k] + (which >> k & 1);
+    return out;
+}
+
+/* Cut a leaf whose corners the budget allows, and hand its parts to the work. */
+static graze_status split_cell(graze_context *context, struct graze_boundary *b, size_t index) {
+    unsigned parts = 1u << b->dimension;
+    graze_status status = context_poll(context);
+    for (unsigned p = 0; p < parts && !status; p++) {
+        sample_cell part = child_of(b, b->cells + index, p);
+        graze_pmc pmc = GRAZE_IN;
+        for (unsigned k = 0; k < parts && !status && pmc; k++)
+            status = lattice_classify(&pmc, context, b, sample_cell_corner(b, &part, k));
+        if (!status && !pmc)
+            return GRAZE_OK;
+    }
+    if (!status)
+        status = array_grow(context, &b->cells, &b->cell_capacity, b->cell_count + parts,
+                            sizeof *b->cells, "the cells of a boundary");
+    if (status)
+        return status;
+    b->cells[index].child = b->cell_count;
+    for (unsigned p = 0; p < parts && !status; p++) {
+        b->cells[b->cell_count] = child_of(b, b->cells + index, p);
+        status = push_cell(context, b, b->cell_count++);
+    }
+    return status;
+}
+
+/* *out = 1 if the cell must be cut. */
+static graze_status is_of_interest(int *out, graze_context *context, struct graze_boundary *b,
+                                   const sample_cell *c) {
+    graze_pmc first = lattice_known(b, sample_cell_corner(b, c, 0)), pmc;
+    *out = sample_cell_has_contact(b, c);
+    for (unsigned k = 1; k < 1u << b->dimension; k++)
+        *out |= lattice_known(b, sample_cell_corner(b, c, k)) != first;
+    if (*out)
+        return GRAZE_OK;
+    graze_status status = lattice_classify(&pmc, context, b, cell_centre(b, c));
+    *out = pmc && pmc != first;
+    return status;
+}
+
+/* Cut what is above the place of a cell of the level `target`. */
+static graze_status reach(graze_context *context, struct graze_boundary *b, const uint32_t at[3],
+                          unsigned target) {
+    size_t index = 0;
+    graze_status status = GRAZE_OK;
+    for (unsigned level = 0; level < target && !status && b->complete; level++) {
+        if (!b->cells[index].child)
+            status = split_cell(context, b, index);
+        unsigned which = 0;
+        for (int k = 0; k < b->dimension; k++)
+            which |= (at[k] >> (target - level - 1) & 1) << k;
+        index = b->cells[index].child + which;
+    }
+    return status;
+}
+
+/* 1 if the side of a cell along an axis has corners in `out` and in the rest. */
+static int side_mixed(const struct graze_boundary *b, const sample_cell *c, int axis,
+                      unsigned upper) {
+    int out = 0, rest = 0;
+    for (unsigned k = 0; k < 1u << b->dimension; k++) {
+        if ((k >> axis & 1) != upper)
+            continue;
+        int is_out = lattice_known(b, sample_cell_corner(b, c, k)) == GRAZE_OUT;
+        out |= is_out;
+        rest |= !is_out;
+    }
+    return out && rest;
+}
+
+static graze_status track(graze_context *context, struct graze_boundary *b, sample_cell c) {
+    graze_status status = GRAZE_OK;
+    for (int axis = 0; axis < b->dimension && !status; axis++)
+        for (unsigned upper = 0; upper < 2 && !status; upper++) {
+            uint32_t last = upper ? (1u << c.level) - 1 : 0, at[3];
+            if (!side_mixed(b, &c, axis, upper) || c.at[axis] == last)
+                continue;
+            memcpy(at, c.at, sizeof at);
+            at[axis] += upper ? 1 : (uint32_t)-1;
+            status = reach(context, b, at, c.level);
+        }
+    return status;
+}
+
+static graze_status work_to(graze_context *context, struct graze_boundary *b, unsigned target) {
+    graze_status status = GRAZE_OK;
+    while (b->work_count && !status && b->complete) {
+        size_t index = b->work[--b->work_count];
+        sample_cell c = b->cells[index];
+        int wanted = 0;
+        if (c.child)
+            continue;
+        if (c.level == target) {
+            status = track(context, b, c);
+            continue;
+        }
+        status = c.level < b->coarse ? GRAZE_OK : is_of_interest(&wanted, context, b, &c);
+        if (!status && b->complete && (wanted || c.level < b->coarse))
+            status = split_cell(context, b, index);
+    }
+    b->work_count = 0;
+    return status;
+}
+
+graze_status boundary_refuse_budget(graze_context *context, const struct graze_boundary *b,
+                                    unsigned long contacts) {
+    unsigned long long side = (1ULL << b->coarse) + 1, need = contacts;
+    need += b->dimension == 3 ? side * side * side : side * side;
+    return context_fail(context, GRAZE_EUSE,
+                        "a budget of %lu points is less than the coarse level %u and the contact "
+                        "points need; expected %llu or more",
+                        b->budget, b->coarse, need);
+}
+
+static graze_status start_cells(graze_context *context, struct graze_boundary *b) {
+    graze_status status = array_grow(context, &b->cells, &b->cell_capacity, 1, sizeof *b->cells,
+                                     "the cells of a boundary");
+    if (status)
+        return status;
+    memset(b->cells, 0, sizeof *b->cells);
+    b->cell_count = 1;
+    graze_pmc pmc;
+    for (unsigned k = 0; k < 1u << b->dimension && !status; k++)
+        status = lattice_classify(&pmc, context, b, sample_cell_corner(b, b->cells, k));
+    if (!status)
+        status = push_cell(context, b, 0);
+    if (!status)
+        status = work_to(context, b, b->coarse);
+    if (!status && !b->complete)
+        status = boundary_refuse_budget(context, b, b->asked);
+    return status;
+}
+
+graze_status boundary_refine(graze_context *context, struct graze_boundary *b) {
+    graze_status status = start_cells(context, b);
+    b->reached = b->coarse;
+    for (unsigned target = b->coarse + 1; target <= b->depth && !status; target++) {
+        for (size_t i = 0; i < b->cell_count && !status; i++)
+            if (!b->cells[i].child && b->cells[i].level + 1 == target)
+                status = push_cell(context, b, i);
+        if (!status)
+            status = work_to(context, b, target);
+        if (!b->complete)
+            break;
+        b->reached = target;
+    }
+    return status;
+}

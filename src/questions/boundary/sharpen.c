@@ -1,0 +1,287 @@
+/* Fans of faces about features in the place of patches.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Where the patch of a cell has one rim, a simple closed polygon on the sides of the cell, and the
+ * cell has a feature strictly inside, the faces from the feature to the rim's edges take the
+ * patch's place. From a point inside a convex cell every point of its sides is seen just once, so
+ * they meet nowhere but at the feature, and none is degenerate. The rim is as it was, so the
+ * surface stays a manifold.
+ *
+ * Let two such cells have a side in common, features p and q, and let the rims pass that side in
+ * one run, from u to v. Where the surface bends between u and v, the faces at the run give way to
+ * p q u and p q v, and with them a vertex in the midst of the run. The segment p q meets the side
+ * in one inner point r, and the side is convex, so in both cells it is as if the run went from u
+ * over r to v: still a simple polygon on the sides. So edges of the sweep become edges of the
+ * surface.
+ *
+ * In E^2 the way from the first to the last vertex of a patch goes over the feature.
+ */
+#include "questions/boundary/sharpen.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "base/number/vector.h"
+#include "questions/boundary/bisect.h"
+#include "questions/boundary/feature.h"
+#include "questions/boundary/rim.h"
+
+/* A patch with a feature, whose number is the fan's. */
+typedef struct fan {
+    size_t patch, first, count; /* of its rim in `rims` */
+} fan;
+
+typedef struct sharpening {
+    struct graze_boundary *boundary;
+    graze_context *context;
+    tangent *tangents;    /* of the vertices, */
+    unsigned char *asked; /* where they were asked for */
+    fan *fans;
+    size_t fan_count, fan_capacity;
+    size_t *rims, rim_count, rim_capacity;
+    number_index places;                          /* of the fans' cells, in their order */
+    size_t *corners, face_count, corner_capacity; /* the new faces */
+} sharpening;
+
+static const sample_cell *fan_cell(const sharpening *s, const fan *f) {
+    const struct graze_boundary *b = s->boundary;
+    return &b->cells[b->patches[f->patch].cell];
+}
+
+static size_t apex_of(const sharpening *s, size_t fan_index) {
+    return s->boundary->vertices.count + fan_index;
+}
+
+static graze_status keep_fan(sharpening *s, size_t patch, const rim *r, const feature *f) {
+    struct graze_boundary *b = s->boundary;
+    static const char what[] = "the surface";
+    graze_status status =
+        array_grow(s->context, &s->fans, &s->fan_capacity, s->fan_count + 1, sizeof *s->fans, what);
+    if (!status)
+        status = array_grow(s->context, &s->rims, &s->rim_capacity, s->rim_count + r->count,
+                            sizeof *s->rims, what);
+    if (!status)
+        status = array_grow(s->context, &b->features, &b->feature_capacity, b->feature_count + 1,
+                            sizeof *b->features, what);
+    if (!status &&
+        !number_index_add(&s->places, lattice_key(b->cells[b->patches[patch].cell].at), 0))
+        status = context_fail(s->context, GRAZE_ESYSTEM, "out of memory for the surface");
+    if (status)
+        return status;
+    s->fans[s->fan_count++] = (fan){patch, s->rim_count, r->count};
+    memcpy(s->rims + s->rim_count, r->vertex, r->count * sizeof *r->vertex);
+    s->rim_count += r->count;
+    b->features[b->feature_count++] = *f;
+    return GRAZE_OK;
+}
+
+static graze_status know_tangent(sharpening *s, size_t vertex) {
+    if (s->asked[vertex])
+        return GRAZE_OK;
+    s->asked[vertex] = 1;
+    return tangent_find(&s->tangents[vertex], s->context, s->boundary, vertex);
+}
+
+/* The mean of the rim's vertices. */
+static void rim_mean(fmpq *out, const struct graze_boundary *b, const rim *r) {
+    fmpq *at = _fmpq_vec_init(b->dimension);
+    fmpz_t count;
+    fmpz_init_set_ui(count, r->count);
+    for (size_t k = 0; k < r->count; k++) {
+        bisect_vertex(at, b, r->vertex[k]);
+        vector_add(out, out, at, b->dimension);
+    }
+    for (int k = 0; k < b->dimension; k++)
+        fmpq_div_fmpz(out + k, out + k, count);
+    fmpz_clear(count);
+    _fmpq_vec_clear(at, b->dimension);
+}
+
+static graze_status try_patch(sharpening *s, size_t patch) {
+    struct graze_boundary *b = s->boundary;
+    const tangent *list[RIM_MOST];
+    rim r;
+    feature f;
+    int found = 0;
+    graze_status status = context_poll(s->context);
+    if (!rim_find(&r, b, patch))
+        return status;
+    for (size_t k = 0; k < r.count && !status; k++) {
+        status = know_tangent(s, r.vertex[k]);
+        list[k] = &s->tangents[r.vertex[k]];
+    }
+    if (status)
+        return status;
+    fmpq *mean = _fmpq_vec_init(b->dimension);
+    rim_mean(mean, b, &r);
+    status = feature_find(&f, &found, s->context, b, &b->cells[b->patches[patch].cell], list,
+                          r.count, mean);
+    _fmpq_vec_clear(mean, b->dimension);
+    return found ? keep_fan(s, patch, &r, &f) : status;
+}
+
+static graze_status keep_face(sharpening *s, const size_t *corner) {
+    size_t d = (size_t)s->boundary->dimension;
+    graze_status status = array_grow(s->context, &s->corners, &s->corner_capacity,
+                                     (s->face_count + 1) * d, sizeof *s->corners, "the surface");
+    if (!status)
+        memcpy(s->corners + s->face_count++ * d, corner, d * sizeof *corner);
+    return status;
+}
+
+static graze_status add_triangle(sharpening *s, size_t a, size_t b, size_t c) {
+    return keep_face(s, (size_t[]){a, b, c});
+}
+
+static graze_status keep_patch(sharpening *s, size_t patch) {
+    const struct graze_boundary *b = s->boundary;
+    size_t first = b->patches[patch].first;
+    size_t end = patch + 1 < b->patch_count ? b->patches[patch + 1].first : b->face_count;
+    graze_status status = GRAZE_OK;
+    for (size_t k = first; k < end && !status; k++)
+        status = keep_face(s, b->corners + k * (size_t)b->dimension);
+    return status;
+}
+
+/* The fan of the cell on the other side, or fan_count. */
+static size_t neighbour(const sharpening *s, const sample_cell *c, int axis, int upper) {
+    uint32_t at[3], last = upper ? (1u << c->level) - 1 : 0;
+    memcpy(at, c->at, sizeof at);
+    if (at[axis] == last)
+        return s->fan_count;
+    at[axis] += upper ? 1 : (uint32_t)-1;
+    return number_index_find(&s->places, lattice_key(at));
+}
+
+/* A side of a fan's cell through which the fans of both cells are joined: the run of its rim and
+ * the other fan. */
+static int is_joined(rim_run *run, size_t *other, const sharpening *s, const fan *f, int axis,
+                     int upper) {
+    const size_t *vertex = s->rims + f->first;
+    const sample_cell *c = fan_cell(s, f);
+    *other = neighbour(s, c, axis, upper);
+    if (*other == s->fan_count || !rim_run_at(run, s->boundary, c, vertex, f->count, axis, upper))
+        return 0;
+    return feature_between(&s->tangents[vertex[run->first]],
+                           &s->tangents[vertex[(run->first + run->edges) % f->count]]);
+}
+
+/* Both faces along p q, made once for the two fans. */
+static graze_status join_fans(sharpening *s, size_t index, size_t other, const rim_run *run) {
+    const fan *f = &s->fans[index];
+    const size_t *vertex = s->rims + f->first;
+    size_t u = vertex[run->first], v = vertex[(run->first + run->edges) % f->count];
+    if (other < index)
+        return GRAZE_OK;
+    graze_status status = add_triangle(s, apex_of(s, index), u, apex_of(s, other));
+    return status ? status : add_triangle(s, apex_of(s, index), apex_of(s, other), v);
+}
+
+static graze_status spread_in_space(sharpening *s, size_t index) {
+    const fan *f = &s->fans[index];
+    const size_t *vertex = s->rims + f->first;
+    unsigned char joined[RIM_MOST] = {0};
+    graze_status status = GRAZE_OK;
+    for (int side = 0; side < 6 && !status; side++) {
+        rim_run run;
+        size_t other;
+        if (!is_joined(&run, &other, s, f, side / 2, side % 2))
+            continue;
+        for (size_t k = 0; k < run.edges; k++)
+            joined[(run.first + k) % f->count] = 1;
+        status = join_fans(s, index, other, &run);
+    }
+    for (size_t k = 0; k < f->count && !status; k++)
+        if (!joined[k])
+            status = add_triangle(s, apex_of(s, index), vertex[k], vertex[(k + 1) % f->count]);
+    return status;
+}
+
+static graze_status spread(sharpening *s, size_t index) {
+    const fan *f = &s->fans[index];
+    const size_t *vertex = s->rims + f->first;
+    if (s->boundary->dimension == 3)
+        return spread_in_space(s, index);
+    graze_status status = keep_face(s, (size_t[]){vertex[0], apex_of(s, index)});
+    return status ? status : keep_face(s, (size_t[]){apex_of(s, index), vertex[f->count - 1]});
+}
+
+/* Take away the vertices that no face has; the others keep their order. */
+static graze_status drop_vertices(sharpening *s) {
+    struct graze_boundary *b = s->boundary;
+    size_t corners = s->face_count * (size_t)b->dimension, old = b->vertices.count, count = 0;
+    size_t *number = calloc(bisect_count(b) + 1, sizeof *number);
+    if (!number)
+        return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for the surface");
+    for (size_t k = 0; k < corners; k++)
+        number[s->corners[k]] = 1;
+    b->exact = 0;
+    for (size_t v = 0; v < old; v++) {
+        if (!number[v])
+            continue;
+        b->vertices.key[count] = b->vertices.key[v];
+        b->vertices.value[count] = b->vertices.value[v];
+        for (int k = 0; k < 2; k++)
+            fmpq_swap(b->shares + 2 * count + k, b->shares + 2 * v + k);
+        b->exact += b->vertices.value[v] == GRAZE_ON && !fmpq_is_one(b->shares + 2 * count + 1);
+        number[v] = count++;
+    }
+    for (size_t v = old; v < bisect_count(b); v++) {
+        b->exact += b->features[v - old].pmc == GRAZE_ON;
+        number[v] = v - old + count;
+    }
+    for (size_t k = 0; k < corners; k++)
+        s->corners[k] = number[s->corners[k]];
+    for (size_t k = 2 * count; k < 2 * old; k++)
+        fmpq_clear(b->shares + k);
+    b->vertices.count = count;
+    free(number);
+    return GRAZE_OK;
+}
+
+static graze_status rebuild(sharpening *s) {
+    struct graze_boundary *b = s->boundary;
+    graze_status status = GRAZE_OK;
+    size_t next = 0;
+    for (size_t patch = 0; patch < b->patch_count && !status; patch++) {
+        if (next < s->fan_count && s->fans[next].patch == patch)
+            status = spread(s, next++);
+        else
+            status = keep_patch(s, patch);
+    }
+    if (!status)
+        status = drop_vertices(s);
+    if (status)
+        return status;
+    free(b->corners);
+    b->corners = s->corners;
+    b->face_count = s->face_count;
+    b->corner_capacity = s->corner_capacity;
+    s->corners = NULL;
+    return GRAZE_OK;
+}
+
+graze_status boundary_sharpen(graze_context *context, struct graze_boundary *b) {
+    sharpening s = {.boundary = b, .context = context};
+    size_t count = b->vertices.count;
+    graze_status status = GRAZE_OK;
+    s.tangents = calloc(count + 1, sizeof *s.tangents);
+    s.asked = calloc(count + 1, 1);
+    if (!s.tangents || !s.asked)
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
+    for (size_t patch = 0; patch < b->patch_count && !status; patch++)
+        status = try_patch(&s, patch);
+    if (!status && s.fan_count)
+        status = rebuild(&s);
+    for (size_t v = 0; v < count && s.tangents; v++)
+        for (int k = 0; k < 4; k++)
+            fmpq_clear(s.tangents[v].form + k);
+    free(s.tangents);
+    free(s.asked);
+    free(s.fans);
+    free(s.rims);
+    free(s.corners);
+    number_index_clear(&s.places);
+    return status;
+}

@@ -1,0 +1,190 @@
+/* Tangent planes from the contacts of a vertex that is on.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A boundary point of the sweep is touched by a facet, whose plane is carried to the point, or by
+ * an edge, which sweeps a surface whose plane holds the edge and the velocity (E^2: an edge, or a
+ * vertex). The map P -> A P + b that carries points to the solid's frame takes the normal n there
+ * to A^T n.
+ */
+#include "questions/boundary/tangent.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include "base/number/vector.h"
+#include "decide/trace/point.h"
+#include "decide/trace/trajectory.h"
+#include "questions/boundary/bisect.h"
+#include "questions/boundary/probe.h"
+#include "questions/distance/distance.h"
+
+/* The sum of the cross products of an outer cycle's neighbours: twice its area along the normal. */
+static void facet_normal(fmpq *out, const soup *s, size_t facet) {
+    uint32_t cycle = s->facet_start[facet];
+    size_t from = s->cycle_start[cycle], end = s->cycle_start[cycle + 1];
+    fmpq *product = _fmpq_vec_init(3);
+    for (size_t k = from; k < end; k++) {
+        size_t next = k + 1 < end ? k + 1 : from;
+        vector_cross(product, s->coordinates + 3 * (size_t)s->index[k],
+                     s->coordinates + 3 * (size_t)s->index[next]);
+        vector_add(out, out, product, 3);
+    }
+    _fmpq_vec_clear(product, 3);
+}
+
+/* A multiple of the trajectory's velocity. */
+static void velocity(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
+    int d = map->dimension;
+    trajectory path;
+    fmpq_t w, slope, value;
+    fmpz_poly_t derivative;
+    trajectory_init(&path, d);
+    fmpq_init(w);
+    fmpq_init(slope);
+    fmpq_init(value);
+    fmpz_poly_init(derivative);
+    trajectory_set(&path, map, point);
+    fmpz_poly_evaluate_fmpq(w, &path.x[d], u);
+    fmpz_poly_derivative(derivative, &path.x[d]);
+    fmpz_poly_evaluate_fmpq(slope, derivative, u);
+    for (int k = 0; k < d; k++) {
+        fmpz_poly_derivative(derivative, &path.x[k]);
+        fmpz_poly_evaluate_fmpq(out + k, derivative, u);
+        fmpq_mul(out + k, out + k, w);
+        fmpz_poly_evaluate_fmpq(value, &path.x[k], u);
+        fmpq_submul(out + k, value, slope);
+    }
+    fmpz_poly_clear(derivative);
+    fmpq_clear(w);
+    fmpq_clear(slope);
+    fmpq_clear(value);
+    trajectory_clear(&path);
+}
+
+/* The normal in the solid's frame, zero where the contact gives none. */
+static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *cell,
+                        const point_map *map, const fmpq_t u, const fmpq *point) {
+    const soup *s = &scene->solid->input;
+    int d = s->dimension;
+    fmpq *moves = _fmpq_vec_init(3), *along = _fmpq_vec_init(3);
+    if (cell->kind == GRAZE_CELL_EDGE)
+        vector_sub(along, s->coordinates + cell->b * (size_t)d,
+                   s->coordinates + cell->a * (size_t)d, d);
+    if (cell->kind != GRAZE_CELL_FACE)
+        velocity(moves, map, u, point);
+    if (d == 2) {
+        const fmpq *span = cell->kind == GRAZE_CELL_EDGE ? along : moves;
+        fmpq_set(out, span + 1);
+        fmpq_neg(out + 1, span);
+    } else if (cell->kind == GRAZE_CELL_FACE) {
+        facet_normal(out, s, cell->a);
+    } else {
+        vector_cross(out, along, moves);
+    }
+    _fmpq_vec_clear(moves, 3);
+    _fmpq_vec_clear(along, 3);
+}
+
+/* The parameter of a time's piece, exact where it is rational. */
+static graze_status parameter_of(fmpq_t u, graze_context *context, const graze_time *time) {
+    const motion_piece *piece = &time->motion->piece[time->piece];
+    fmpq_t length;
+    fmpq_init(length);
+    graze_status status = distance_contact_time(u, context, time);
+    fmpq_sub(length, piece->hi, piece->lo);
+    fmpq_sub(u, u, piece->lo);
+    fmpq_div(u, u, length);
+    fmpq_clear(length);
+    return status;
+}
+
+/* The normal that a contact's highest cell gives, zero where there is none. */
+static graze_status contact_normal(fmpq *out, graze_context *context, const graze_scene *scene,
+                                   const contact *c, const fmpq *point) {
+    const point_map *map =
+        motion_tracing(&scene->motion->piece[c->from->piece], scene->options.operation);
+    int d = map->dimension;
+    fmpq *body = _fmpq_vec_init(3), *carried = _fmpq_vec_init(POINT_MAP_ENTRIES);
+    fmpq_t u;
+    fmpq_init(u);
+    graze_status status = parameter_of(u, context, c->from);
+    if (!status) {
+        body_normal(body, scene, c->cell, map, u, point);
+        point_map_at(carried, map, u);
+    }
+    for (int j = 0; j < d && !status; j++) {
+        fmpq_zero(out + j);
+        for (int i = 0; i < d; i++)
+            fmpq_addmul(out + j, carried + i * (d + 1) + j, body + i);
+    }
+    fmpq_clear(u);
+    _fmpq_vec_clear(body, 3);
+    _fmpq_vec_clear(carried, POINT_MAP_ENTRIES);
+    return status;
+}
+
+/* Turn the normal of a form outward, put the plane through a point and find the unit normal. */
+static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
+                   const fmpq *inside) {
+    fmpq *way = _fmpq_vec_init(d);
+    fmpq_t value, most;
+    double squares = 0;
+    fmpq_init(value);
+    fmpq_init(most);
+    vector_sub(way, outside, inside, d);
+    _fmpq_vec_dot(value, t->form, way, d);
+    int side = fmpq_sgn(value);
+    for (int k = 0; k < d && side < 0; k++)
+        fmpq_neg(t->form + k, t->form + k);
+    _fmpq_vec_dot(t->form + d, t->form, through, d);
+    fmpq_neg(t->form + d, t->form + d);
+    for (int k = 0; k < d; k++) {
+        fmpq_abs(value, t->form + k);
+        if (fmpq_cmp(value, most) > 0)
+            fmpq_set(most, value);
+    }
+    for (int k = 0; k < d && side; k++) {
+        fmpq_div(value, t->form + k, most);
+        t->unit[k] = fmpq_get_d(value);
+        squares += t->unit[k] * t->unit[k];
+    }
+    for (int k = 0; k < d && side; k++)
+        t->unit[k] /= sqrt(squares);
+    t->known = side != 0;
+    fmpq_clear(value);
+    fmpq_clear(most);
+    _fmpq_vec_clear(way, d);
+}
+
+static graze_status from_contacts(tangent *out, graze_context *context, struct graze_boundary *b,
+                                  const fmpq *outside, const fmpq *point) {
+    graze_trace trace;
+    graze_status status =
+        trace_point(&trace, context, b->scene, (query_point){.rational = point}, TRACE_CONTACTS);
+    if (status)
+        return status;
+    b->bisected++;
+    for (size_t k = 0; k < trace.contact_count && !status && !out->known; k++) {
+        status = contact_normal(out->form, context, b->scene, &trace.contact[k], point);
+        if (!status)
+            finish(out, b->dimension, point, outside, point);
+    }
+    trace_clear(&trace);
+    return status;
+}
+
+graze_status tangent_find(tangent *out, graze_context *context, struct graze_boundary *b,
+                          size_t vertex) {
+    int d = b->dimension, found = 0;
+    fmpq *points = _fmpq_vec_init(2 * d), *outside = points, *inside = points + d;
+    graze_status status;
+    bisect_between(outside, inside, b, vertex);
+    if (b->vertices.value[vertex] == GRAZE_ON) {
+        status = from_contacts(out, context, b, outside, inside);
+    } else {
+        status = probe_normal(out->form, &found, context, b, outside, inside);
+        if (!status && found)
+            finish(out, d, inside, outside, inside);
+    }
+    _fmpq_vec_clear(points, 2 * d);
+    return status;
+}

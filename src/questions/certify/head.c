@@ -1,0 +1,143 @@
+/* A certificate's head: what it is about, and times between which the motion's signs are plain.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/certify/head.h"
+
+#include <flint/fmpz_vec.h>
+#include <string.h>
+#include "base/number/bernstein.h"
+#include "questions/certify/checker_cut.h"
+
+static int is_given(const unsigned char sha256[32]) {
+    int given = 0;
+    for (int k = 0; k < 32; k++)
+        given |= sha256[k];
+    return given != 0;
+}
+
+graze_status certifier_make(certifier *out, graze_context *context, const graze_scene *scene,
+                            unsigned flags) {
+    *out = (certifier){
+        .scene = scene, .solid = scene->solid, .with_contacts = (flags & GRAZE_CERTIFY_TIMES) != 0};
+    if (flags & GRAZE_SOLID_TRIANGULATE)
+        return context_fail(context, GRAZE_EUSE,
+                            "a certificate is of facets as they stand in the file; expected a "
+                            "solid that was not triangulated");
+    if (context->rounding != GRAZE_ROUND_NONE)
+        return context_fail(context, GRAZE_EUSE,
+                            "a certificate is of the numbers as they stand in the files; expected "
+                            "no rounding");
+    if (!is_given(scene->solid->input.sha256) || !is_given(scene->motion->sha256))
+        return context_fail(context, GRAZE_EUSE,
+                            "a certificate names its files by their hashes; expected a solid and "
+                            "a motion read from files");
+    graze_status status = certify_cut(&out->cut, context, scene->solid);
+    if (out->cut)
+        out->solid = out->cut;
+    return status;
+}
+
+void certifier_clear(certifier *c) {
+    graze_solid_destroy(c->cut);
+    c->cut = NULL;
+}
+
+/* The determinant of the linear part of a point map without its weight. */
+static void find_det(fmpz_poly_t out, const point_map *m) {
+    int d = m->dimension;
+    fmpz_poly_t a, b;
+    fmpz_poly_init(a);
+    fmpz_poly_init(b);
+    fmpz_poly_zero(out);
+    const fmpz_poly_struct *at[3] = {m->entry, m->entry + d + 1, m->entry + 2 * (d + 1)};
+    for (int k = 0; k < d; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        if (d == 2) {
+            fmpz_poly_mul(a, at[0] + k, at[1] + (1 - k));
+            (k == 0 ? fmpz_poly_add : fmpz_poly_sub)(out, out, a);
+            continue;
+        }
+        fmpz_poly_mul(a, at[1] + i, at[2] + j);
+        fmpz_poly_mul(b, at[1] + j, at[2] + i);
+        fmpz_poly_sub(a, a, b);
+        fmpz_poly_mul(a, a, at[0] + k);
+        fmpz_poly_add(out, out, a);
+    }
+    fmpz_poly_clear(a);
+    fmpz_poly_clear(b);
+}
+
+static int one_sign(const fmpz_poly_t p, const dyadic_interval *at) {
+    slong n = fmpz_poly_length(p);
+    fmpz *c = _fmpz_vec_init(n);
+    bernstein_from_poly(c, p, n - 1, at);
+    int same = 1;
+    for (slong k = 0; k < n; k++)
+        same = same && fmpz_sgn(c + k) == fmpz_sgn(c) && !fmpz_is_zero(c + k);
+    _fmpz_vec_clear(c, n);
+    return same;
+}
+
+/* The upper ends of the parts of an interval on which both have one sign. Both have no root there,
+ * so the parts end (proofs/claims.md C23). */
+static void put_signs(text *out, const motion_piece *piece, const fmpz_poly_t det,
+                      const dyadic_interval *at) {
+    if (one_sign(piece->forward.weight, at) && one_sign(det, at)) {
+        fmpq_t t, width;
+        fmpq_init(t);
+        fmpq_init(width);
+        dyadic_value(t, at->high, at->exponent);
+        fmpq_sub(width, piece->hi, piece->lo);
+        fmpq_mul(t, t, width);
+        fmpq_add(t, t, piece->lo);
+        text_put(out, " ");
+        text_rational(out, t);
+        fmpq_clear(t);
+        fmpq_clear(width);
+        return;
+    }
+    dyadic_interval left, right;
+    dyadic_interval_init(&left);
+    dyadic_interval_init(&right);
+    dyadic_interval_halves(&left, &right, at);
+    put_signs(out, piece, det, &left);
+    put_signs(out, piece, det, &right);
+    dyadic_interval_clear(&left);
+    dyadic_interval_clear(&right);
+}
+
+static void write_hash(text *out, const char *key, const unsigned char sha256[32]) {
+    text_format(out, "%s ", key);
+    for (int k = 0; k < 32; k++)
+        text_format(out, "%02x", sha256[k]);
+    text_put(out, "\n");
+}
+
+graze_status certify_head(text *out, graze_context *context, const certifier *c) {
+    const graze_options *o = &c->scene->options;
+    const graze_motion *m = c->scene->motion;
+    text_put(out, "graze-certificate 1\n");
+    write_hash(out, "solid-sha256", c->scene->solid->input.sha256);
+    write_hash(out, "motion-sha256", m->sha256);
+    write_hash(out, "scene-sha256", c->scene->sha256);
+    text_format(out, "dimension %d\n", m->dimension);
+    text_format(out, "operation %s\n", o->operation == GRAZE_UNSWEEP ? "unsweep" : "sweep");
+    text_format(out, "folds %s\n", o->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
+    text_put(out, c->with_contacts ? "contacts yes\nsigns " : "signs ");
+    text_rational(out, m->piece[0].lo);
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < m->piece_count && !status; k++) {
+        dyadic_interval unit;
+        fmpz_poly_t det;
+        dyadic_interval_init(&unit);
+        fmpz_poly_init(det);
+        dyadic_interval_set_si(&unit, 0, 1);
+        find_det(det, &m->piece[k].forward);
+        put_signs(out, &m->piece[k], det, &unit);
+        fmpz_poly_clear(det);
+        dyadic_interval_clear(&unit);
+        status = context_poll(context);
+    }
+    text_put(out, "\n");
+    return status;
+}

@@ -1,0 +1,311 @@
+/* The checker's tests, foreseen on polynomials of FLINT.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/certify/prove.h"
+
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+
+enum { UNKNOWN = 2 };
+
+/* Signs before, at and after the root, or UNKNOWN; 0 before or after: the polynomial is zero. */
+typedef struct profile {
+    int left, mid, right;
+} profile;
+
+static slong terms(const enclosure *e) {
+    return e->c->degree + 1;
+}
+
+void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c, int with_cells) {
+    *e = (enclosure){.solid = solid, .c = c, .with_cells = with_cells};
+    dyadic_interval_init(&e->at);
+    e->coefficients = _fmpz_vec_init((c->dimension + 1) * terms(e));
+    e->value = _fmpz_vec_init(terms(e));
+    e->out_of_memory = !control_init(&e->points, c->degree);
+}
+
+void enclosure_clear(enclosure *e) {
+    dyadic_interval_clear(&e->at);
+    _fmpz_vec_clear(e->coefficients, (e->c->dimension + 1) * terms(e));
+    _fmpz_vec_clear(e->value, terms(e));
+    for (int k = 0; k < KEPT_FORMS; k++)
+        _fmpz_vec_zero(e->kept[k].form, 16);
+    control_clear(&e->points);
+    free(e->near);
+}
+
+static void add_near(enclosure *e, uint32_t simplex) {
+    if (array_reserve(&e->near, &e->capacity, e->count + 1, sizeof *e->near))
+        e->near[e->count++] = simplex;
+    else
+        e->out_of_memory = 1;
+}
+
+/* So many near simplices that a shorter interval is cheaper; no bound in the end. */
+static size_t many(const enclosure *e) {
+    return (size_t)48 << (e->at.exponent < 60 ? e->at.exponent / 2 : 30);
+}
+
+static void search(enclosure *e, const box *b, size_t index) {
+    const tree_node *node = &e->solid->boxes.node[index];
+    if (e->count > many(e) || !box_meets(&node->box, b))
+        return;
+    if (!node->child) {
+        add_near(e, node->simplex);
+        return;
+    }
+    search(e, b, node->child);
+    search(e, b, node->child + 1);
+}
+
+/* A simplex that a proof failed at is likely to fail the next one, on a part of the interval. */
+static void put_suspect_first(enclosure *e) {
+    for (size_t k = 1; k < e->count; k++)
+        if (e->near[k] == e->suspect) {
+            e->near[k] = e->near[0];
+            e->near[0] = e->suspect;
+        }
+}
+
+static int suspect_at(enclosure *e, size_t k) {
+    e->suspect = e->near[k];
+    return 0;
+}
+
+/* The checker's boxes may be wider than ours by 2^-46 of a coordinate: look for more than it will
+ * find. Returns 0 where a coefficient of the weight is not positive, or simplices are many. */
+static int enclose(enclosure *e, const dyadic_interval *at) {
+    box b;
+    dyadic_interval_set(&e->at, at);
+    for (int i = 0; i <= e->c->dimension; i++)
+        bernstein_from_poly(e->coefficients + i * terms(e), &e->c->x[i], e->c->degree, at);
+    e->count = 0;
+    if (e->out_of_memory || !trajectory_bound(&b, e->c, e->coefficients))
+        return 0;
+    control_set(&e->points, e->c, e->coefficients);
+    for (int i = 0; i < e->c->dimension; i++) {
+        b.low[i] -= fabs(b.low[i]) * 0x1p-40;
+        b.high[i] += fabs(b.high[i]) * 0x1p-40;
+    }
+    search(e, &b, 0);
+    put_suspect_first(e);
+    return !e->out_of_memory && e->count <= many(e);
+}
+
+static void pull_back(fmpz_t out, const enclosure *e, const fmpz *form, slong k) {
+    fmpz_zero(out);
+    for (int i = 0; i <= e->c->dimension; i++)
+        fmpz_addmul(out, form + i, e->coefficients + i * terms(e) + k);
+}
+
+/* All strictly of one sign: that sign, else 0. */
+static int prove_one_sign(const fmpz *c, slong count) {
+    int sign = count > 0 ? fmpz_sgn(c) : 0;
+    for (slong k = 1; k < count && sign; k++)
+        if (fmpz_sgn(c + k) != sign)
+            sign = 0;
+    return sign;
+}
+
+static int strict(enclosure *e, const fmpz *form) {
+    for (slong k = 0; k < terms(e); k++) {
+        pull_back(e->value + k, e, form, k);
+        if (fmpz_is_zero(e->value + k) || fmpz_sgn(e->value + k) != fmpz_sgn(e->value))
+            return 0;
+    }
+    return fmpz_sgn(e->value);
+}
+
+static int not_negative(enclosure *e, const fmpz *form, int zero) {
+    for (slong k = 0; k < terms(e); k++) {
+        pull_back(e->value, e, form, k);
+        if (fmpz_sgn(e->value) < 0 || (zero && !fmpz_is_zero(e->value)))
+            return 0;
+    }
+    return 1;
+}
+
+/* The forms of near simplex k: proofs on one interval after another ask for those of few. */
+static kept_forms *forms_of(enclosure *e, size_t k) {
+    size_t simplex = e->near[k];
+    kept_forms *f = &e->kept[simplex % KEPT_FORMS];
+    if (f->simplex != simplex + 1) {
+        (void)solid_plane(f->form, e->solid, simplex);
+        f->simplex = simplex + 1;
+        f->sides = 0;
+    }
+    return f;
+}
+
+static const fmpz *prove_plane(enclosure *e, size_t k) {
+    return forms_of(e, k)->form;
+}
+
+static const fmpz *side_of(enclosure *e, size_t k, int side) {
+    kept_forms *f = forms_of(e, k);
+    fmpz *out = f->form + 4 * (side + 1);
+    if (!(f->sides >> side & 1))
+        solid_side(out, e->solid, e->near[k], f->form, side);
+    f->sides |= 1 << side;
+    return out;
+}
+
+static int cleared(enclosure *e, size_t k) {
+    if (control_clears(&e->points, e->solid, e->near[k]))
+        return 1;
+    if (strict(e, prove_plane(e, k)))
+        return 1;
+    for (int i = 0; i < e->c->dimension; i++)
+        if (strict(e, side_of(e, k, i)) < 0)
+            return 1;
+    return 0;
+}
+
+int prove_clear(enclosure *e, const dyadic_interval *at) {
+    if (!enclose(e, at))
+        return 0;
+    for (size_t k = 0; k < e->count; k++)
+        if (!cleared(e, k))
+            return suspect_at(e, k);
+    return 1;
+}
+
+/* Bernstein coefficients of p on the interval; a new vector of degree + 1. */
+static fmpz *coefficients_of(const fmpz_poly_t p, const dyadic_interval *at) {
+    fmpz *c = _fmpz_vec_init(fmpz_poly_length(p));
+    bernstein_from_poly(c, p, fmpz_poly_degree(p), at);
+    return c;
+}
+
+int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at) {
+    slong n = fmpz_poly_length(q), changes = 0;
+    fmpz *c = coefficients_of(q, at);
+    int last = 0, ends = !fmpz_is_zero(c) && !fmpz_is_zero(c + n - 1);
+    for (slong k = 0; k < n; k++) {
+        int sign = fmpz_sgn(c + k);
+        changes += sign && last && sign != last;
+        last = sign ? sign : last;
+    }
+    _fmpz_vec_clear(c, n);
+    return ends && changes == 1;
+}
+
+/* Signs of q beside its one root in the interval; +1 after it where the root is the lower end. */
+static void prove_signs_beside(int *left, int *right, const enclosure *e, const root_claim *claim) {
+    int rising = dyadic_sign(claim->q, claim->left ? e->at.low : e->at.high, e->at.exponent) *
+                 (claim->left ? -1 : 1);
+    *left = -rising;
+    *right = rising;
+}
+
+/* Without a root: at the beginning of the interval, within it, at its end. */
+static profile slide_profile(enclosure *e, const fmpz *form) {
+    int least = 1, most = -1, sign = 0;
+    profile out = {0, 0, 0};
+    for (slong k = 0; k < terms(e); k++) {
+        pull_back(e->value, e, form, k);
+        sign = fmpz_sgn(e->value);
+        least = sign < least ? sign : least;
+        most = sign > most ? sign : most;
+        out.left = k == 0 ? sign : out.left;
+    }
+    out.right = sign;
+    out.mid = least >= 0 ? most : most <= 0 ? least : UNKNOWN;
+    return out;
+}
+
+static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *form) {
+    if (!claim->q)
+        return slide_profile(e, form);
+    int sign = strict(e, form), q_left, q_right;
+    if (sign)
+        return (profile){sign, sign, sign};
+    profile out = {0, 0, 0};
+    fmpz_poly_t f, quotient;
+    fmpz_poly_init(f);
+    fmpz_poly_init(quotient);
+    trajectory_pullback(f, e->c, form);
+    if (!fmpz_poly_is_zero(f)) {
+        slong power = 0;
+        while (fmpz_poly_divides(quotient, f, claim->q)) {
+            fmpz_poly_swap(f, quotient);
+            power++;
+        }
+        fmpz *c = coefficients_of(f, &e->at);
+        sign = prove_one_sign(c, fmpz_poly_length(f));
+        _fmpz_vec_clear(c, fmpz_poly_length(f));
+        prove_signs_beside(&q_left, &q_right, e, claim);
+        out.left = sign ? sign * (power % 2 ? q_left : 1) : UNKNOWN;
+        out.mid = power ? 0 : UNKNOWN;
+        out.right = sign ? sign * (power % 2 ? q_right : 1) : UNKNOWN;
+    }
+    fmpz_poly_clear(f);
+    fmpz_poly_clear(quotient);
+    return out;
+}
+
+/* A bit for each place that has one of two signs: 1 before, 2 at, 4 after the root. */
+static unsigned places(profile p, int sign, int other) {
+    return (p.left == sign || p.left == other ? 1u : 0) |
+           (p.mid == sign || p.mid == other ? 2u : 0) |
+           (p.right == sign || p.right == other ? 4u : 0);
+}
+
+/* Add to `holds` the places where the simplex holds the trajectory. Returns 0 if it is not cleared
+ * where it must be. */
+static int meet(unsigned *holds, enclosure *e, const root_claim *claim, size_t k) {
+    profile p = profile_of(e, claim, prove_plane(e, k));
+    unsigned in = places(p, 0, 0), out = places(p, 1, -1);
+    for (int i = 0; i < e->c->dimension; i++) {
+        p = profile_of(e, claim, side_of(e, k, i));
+        out |= places(p, -1, -1);
+        in &= places(p, 0, 1);
+    }
+    *holds |= in;
+    unsigned sides = (claim->left ? 1u : 0) | (claim->right ? 4u : 0);
+    unsigned slid = (claim->left == 'B' ? 1u : 0) | (claim->right == 'B' ? 4u : 0);
+    unsigned told = e->with_cells ? slid | 2u : 0;
+    return !(sides & ~slid & ~out) && !(told & ~in & ~out);
+}
+
+/* One simplex holds the trajectory on the interval, and it is known of each where it does. */
+static int prove_cells(enclosure *e) {
+    root_claim claim = {'B', 'B', NULL};
+    unsigned holds = 0;
+    for (size_t k = 0; k < e->count; k++)
+        if (!cleared(e, k) && !meet(&holds, e, &claim, k))
+            return 0;
+    return (holds & 2u) != 0;
+}
+
+int prove_slide(enclosure *e, const dyadic_interval *at) {
+    if (!enclose(e, at))
+        return 0;
+    if (e->with_cells)
+        return prove_cells(e);
+    for (size_t k = 0; k < e->count; k++) {
+        int holds = not_negative(e, prove_plane(e, k), 1);
+        for (int i = 0; i < e->c->dimension && holds; i++)
+            holds = not_negative(e, side_of(e, k, i), 0);
+        if (holds)
+            return 1;
+    }
+    return 0;
+}
+
+int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim) {
+    unsigned holds = 0;
+    if (!enclose(e, at))
+        return 0;
+    for (size_t k = 0; k < e->count; k++)
+        if (!cleared(e, k) && !meet(&holds, e, &claim, k))
+            return suspect_at(e, k);
+    if ((claim.left == 'B' && !(holds & 1)) || (claim.right == 'B' && !(holds & 4)))
+        return 0;
+    int forced = claim.left && claim.right &&
+                 (claim.left == 'B' || claim.right == 'B' || claim.left != claim.right);
+    return forced || (holds & 2);
+}

@@ -1,0 +1,410 @@
+/* One row: the events of each piece of the motion, intervals around them, and the gaps between them
+ * cut until the checker's tests succeed.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/certify/row.h"
+
+#include <flint/fmpz_poly_factor.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/number/order.h"
+#include "decide/trace/candidates.h"
+#include "decide/trace/touch.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "input/solid/locate.h"
+#include "questions/certify/prove.h"
+#include "questions/certify/row_lines.h"
+
+enum { DEEPEST = 2000 };
+
+/* A time at which the trajectory is on the boundary and its state or cell changes: the root of q,
+ * in u. */
+typedef struct event {
+    fmpz_poly_t q;
+    dyadic_interval at, known; /* what is hinted; what isolates the time from the start */
+    int place;                 /* -1: u = 0; 1: u = 1; else 0 */
+    int irreducible;           /* q is known to be so */
+} event;
+
+typedef struct piece_row {
+    row_lines *lines;
+    graze_context *context;
+    const certifier *with;
+    trajectory c;
+    touches t;
+    enclosure e;
+    size_t count;
+    event *event;
+    char *gap; /* count + 1 letters: before the first event, between two, after the last */
+} piece_row;
+
+static graze_status row_no_memory(graze_context *context) {
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for a certificate");
+}
+
+/* ------------------------------------------------------------------------------------- events */
+
+/* Make q irreducible: what each pullback that is 0 at the time can be divided by. Returns 1 if it
+ * was not. */
+static int find_factor(event *v) {
+    fmpz_poly_factor_t factors;
+    slong degree = fmpz_poly_degree(v->q);
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor(factors, v->q);
+    for (slong k = 0; k < factors->num; k++)
+        if (dyadic_sign(factors->p + k, v->known.low, v->known.exponent) !=
+            dyadic_sign(factors->p + k, v->known.high, v->known.exponent))
+            fmpz_poly_set(v->q, factors->p + k);
+    fmpz_poly_factor_clear(factors);
+    v->irreducible = 1;
+    return fmpz_poly_degree(v->q) < degree;
+}
+
+static void set_linear(fmpz_poly_t q, const fmpq_t root) {
+    fmpz_t c;
+    fmpz_init(c);
+    fmpz_neg(c, fmpq_numref(root));
+    fmpz_poly_zero(q);
+    fmpz_poly_set_coeff_fmpz(q, 0, c);
+    fmpz_poly_set_coeff_fmpz(q, 1, fmpq_denref(root));
+    fmpz_clear(c);
+}
+
+static void event_set(event *v, const algebraic *time) {
+    fmpz_poly_init(v->q);
+    dyadic_interval_init(&v->at);
+    dyadic_interval_init(&v->known);
+    dyadic_interval_set_si(&v->at, 0, 1);
+    dyadic_interval_set_si(&v->known, 0, 1);
+    v->place = 0;
+    v->irreducible = algebraic_is_rational(time);
+    if (!v->irreducible) {
+        dyadic_interval_set(&v->known, &time->where);
+        fmpz_poly_set(v->q, time->poly);
+        return;
+    }
+    set_linear(v->q, time->value);
+    v->place = fmpq_is_zero(time->value) ? -1 : fmpq_is_one(time->value) ? 1 : 0;
+}
+
+/* The letter between ranks r and r + 1: B, or what one location finds. */
+static graze_status find_gap(char *out, piece_row *r, algebraic *from, algebraic *to) {
+    fmpq_t u;
+    graze_status status = GRAZE_OK;
+    fmpq_init(u);
+    if (from && to)
+        status = algebraic_between(u, r->context, from, to);
+    else if (to)
+        fmpq_zero(u);
+    else
+        fmpq_one(u);
+    if (status) {
+        fmpq_clear(u);
+        return status;
+    }
+    fmpz *x = _fmpz_vec_init(r->c.dimension + 1);
+    trajectory_at(x, &r->c, u);
+    graze_state state = solid_locate(r->with->solid, x);
+    *out = state == GRAZE_STATE_I ? 'I' : 'O';
+    _fmpz_vec_clear(x, r->c.dimension + 1);
+    fmpq_clear(u);
+    return state == GRAZE_STATE_I || state == GRAZE_STATE_O
+               ? GRAZE_OK
+               : context_fail(r->context, GRAZE_EINTERNAL,
+                              "the point between two contacts is neither inside nor outside");
+}
+
+static graze_status find_gaps(piece_row *r) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < r->t.count; k++)
+        for (size_t j = r->t.item[k].from; j < r->t.item[k].to; j++)
+            r->gap[j + 1] = 'B';
+    for (size_t k = 0; k <= r->count && !status; k++) {
+        algebraic *from = k > 0 ? &r->t.time.item[r->t.by_rank[k - 1]] : NULL;
+        algebraic *to = k < r->count ? &r->t.time.item[r->t.by_rank[k]] : NULL;
+        int is_gap = (k > 0 || r->count == 0 || r->event[0].place != -1) &&
+                     (k < r->count || r->count == 0 || r->event[k - 1].place != 1);
+        if (is_gap && r->gap[k] != 'B')
+            status = find_gap(&r->gap[k], r, from, to);
+    }
+    return status;
+}
+
+static graze_status find_events(piece_row *r) {
+    candidates list = {0, 0, NULL};
+    graze_status status = candidates_find(&list, r->context, r->with->solid, &r->c);
+    if (!status)
+        status = touches_find(&r->t, r->context, r->with->solid, &r->c, NULL, &list);
+    if (!status)
+        status = touches_order(&r->t, r->context);
+    free(list.item);
+    for (size_t k = 0; k < r->t.count && !status; k++)
+        r->count = r->t.item[k].to + 1 > r->count ? r->t.item[k].to + 1 : r->count;
+    r->event = calloc(r->count + 1, sizeof *r->event);
+    r->gap = calloc(r->count + 1, 1);
+    if (!r->event || !r->gap) {
+        r->count = 0;
+        return row_no_memory(r->context);
+    }
+    for (size_t k = 0; k < r->count; k++)
+        event_set(&r->event[k], &r->t.time.item[r->t.by_rank[k]]);
+    for (size_t k = 0; k < r->count && r->with->with_contacts; k++)
+        if (!r->event[k].irreducible)
+            (void)find_factor(
+                &r->event[k]); /* contacts have the polynomial that the trace gives them */
+    return status ? status : find_gaps(r);
+}
+
+/* ---------------------------------------------------------------------------------- intervals */
+
+static void halve(dyadic_interval *at, int upper) {
+    dyadic_interval left, right;
+    dyadic_interval_init(&left);
+    dyadic_interval_init(&right);
+    dyadic_interval_halves(&left, &right, at);
+    dyadic_interval_swap(at, upper ? &right : &left);
+    dyadic_interval_clear(&left);
+    dyadic_interval_clear(&right);
+}
+
+/* Both halves of two neighbouring quarters: the middle half. */
+static void keep_middle(dyadic_interval *at) {
+    fmpz_t width;
+    fmpz_init(width);
+    fmpz_sub(width, at->high, at->low);
+    fmpz_mul_2exp(at->low, at->low, 2);
+    fmpz_mul_2exp(at->high, at->high, 2);
+    fmpz_add(at->low, at->low, width);
+    fmpz_sub(at->high, at->high, width);
+    at->exponent += 2;
+    fmpz_clear(width);
+}
+
+/* Sign of a / 2^i - b / 2^j. */
+static int compare_ends(const fmpz_t a, ulong i, const fmpz_t b, ulong j) {
+    fmpz_t x, y;
+    fmpz_init(x);
+    fmpz_init(y);
+    fmpz_mul_2exp(x, a, j);
+    fmpz_mul_2exp(y, b, i);
+    int order = fmpz_cmp(x, y);
+    fmpz_clear(x);
+    fmpz_clear(y);
+    return order;
+}
+
+/* At most half of the interval, around the time. */
+static void narrow(event *v) {
+    if (v->place) {
+        halve(&v->at, v->place > 0);
+        return;
+    }
+    fmpz_t middle;
+    fmpz_init(middle);
+    ulong exponent = v->at.exponent + 1;
+    fmpz_add(middle, v->at.low, v->at.high);
+    int sign = 0;
+    if (compare_ends(middle, exponent, v->known.high, v->known.exponent) >= 0)
+        halve(&v->at, 0);
+    else if (compare_ends(middle, exponent, v->known.low, v->known.exponent) <= 0)
+        halve(&v->at, 1);
+    else if ((sign = dyadic_sign(v->q, middle, exponent)) == 0)
+        keep_middle(&v->at);
+    else
+        halve(&v->at, sign == dyadic_sign(v->q, v->known.low, v->known.exponent));
+    fmpz_clear(middle);
+}
+
+static int precedes(const event *v, const event *w) {
+    return compare_ends(v->at.high, v->at.exponent, w->at.low, w->at.exponent) < 0;
+}
+
+/* Strictly inside [0, 1], but for the end that is the time itself. */
+static int is_inside(const event *v) {
+    fmpz_t one;
+    fmpz_init_set_ui(one, 1);
+    int inside = (v->place == -1 || fmpz_sgn(v->at.low) > 0) &&
+                 (v->place == 1 || compare_ends(v->at.high, v->at.exponent, one, 0) < 0);
+    fmpz_clear(one);
+    return inside;
+}
+
+/* Why no interval could be proved. */
+static graze_status too_deep(const piece_row *r) {
+    if (r->e.out_of_memory)
+        return row_no_memory(r->context);
+    return context_fail(r->context, GRAZE_EINTERNAL,
+                        "a part of a trajectory cannot be certified in %d halvings", DEEPEST);
+}
+
+/* Narrow each event until it is alone and the claim about it can be proved. */
+static graze_status place_events(piece_row *r) {
+    for (size_t k = 0; k < r->count; k++)
+        for (int n = 0; !is_inside(&r->event[k]) ||
+                        (!r->event[k].place && !prove_isolated(r->event[k].q, &r->event[k].at));
+             n++) {
+            if (n > DEEPEST)
+                return too_deep(r);
+            narrow(&r->event[k]);
+        }
+    for (size_t k = 1; k < r->count; k++)
+        for (int n = 0; !precedes(&r->event[k - 1], &r->event[k]); n++) {
+            if (n > DEEPEST)
+                return too_deep(r);
+            narrow(&r->event[k - 1]);
+            narrow(&r->event[k]);
+        }
+    for (size_t k = 0; k < r->count; k++) {
+        event *v = &r->event[k];
+        root_claim claim = {r->gap[k], r->gap[k + 1], v->q};
+        if (v->place && (claim.left == 'B' || claim.right == 'B'))
+            continue; /* the slide's own interval says it */
+        for (int n = 0; !prove_root(&r->e, &v->at, claim); n++) {
+            if (n > DEEPEST)
+                return too_deep(r);
+            if (v->irreducible || !find_factor(v))
+                narrow(v);
+        }
+    }
+    return GRAZE_OK;
+}
+
+/* --------------------------------------------------------------------------------------- text */
+
+static void put_event(piece_row *r, const event *v, char left, char right) {
+    char kind[4] = {left, 'B', right, 0};
+    if (v->place) {
+        kind[0] = v->place < 0 ? 'B' : left;
+        kind[1] = v->place < 0 ? right : 'B';
+        kind[2] = 0;
+    }
+    row_lines_put(r->lines, kind, v->at.high, v->at.exponent, v->place ? NULL : v->q);
+}
+
+/* Claim a letter on [low, high] / 2^exponent, in as few parts as halving gives. */
+static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at, int depth) {
+    if (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at)) {
+        const char kind[2] = {letter, 0};
+        row_lines_put(r->lines, kind, at->high, at->exponent, NULL);
+        return GRAZE_OK;
+    }
+    graze_status status =
+        depth > DEEPEST || r->e.out_of_memory ? too_deep(r) : context_poll(r->context);
+    if (status)
+        return status;
+    dyadic_interval left, right;
+    dyadic_interval_init(&left);
+    dyadic_interval_init(&right);
+    dyadic_interval_halves(&left, &right, at);
+    status = put_gap(r, letter, &left, depth + 1);
+    if (!status)
+        status = put_gap(r, letter, &right, depth + 1);
+    dyadic_interval_clear(&left);
+    dyadic_interval_clear(&right);
+    return status;
+}
+
+/* [from, to] as a dyadic interval. */
+static void join(dyadic_interval *out, const fmpz_t from, ulong i, const fmpz_t to, ulong j) {
+    ulong e = i > j ? i : j;
+    fmpz_mul_2exp(out->low, from, e - i);
+    fmpz_mul_2exp(out->high, to, e - j);
+    out->exponent = e;
+}
+
+static graze_status put_piece(piece_row *r) {
+    graze_status status = GRAZE_OK;
+    dyadic_interval gap;
+    fmpz_t at, one;
+    ulong exponent = 0;
+    dyadic_interval_init(&gap);
+    fmpz_init(at);
+    fmpz_init_set_ui(one, 1);
+    for (size_t k = 0; k <= r->count && !status; k++) {
+        event *v = k < r->count ? &r->event[k] : NULL;
+        int held = v && v->place && (r->gap[k] == 'B' || r->gap[k + 1] == 'B');
+        if (v && held && v->place < 0)
+            continue;
+        if (!v || held)
+            join(&gap, at, exponent, one, 0);
+        else
+            join(&gap, at, exponent, v->at.low, v->at.exponent);
+        if (fmpz_cmp(gap.low, gap.high) < 0)
+            status = put_gap(r, r->gap[k], &gap, 0);
+        if (held)
+            break;
+        if (!v)
+            continue;
+        put_event(r, v, r->gap[k], r->gap[k + 1]);
+        fmpz_set(at, v->at.high);
+        exponent = v->at.exponent;
+    }
+    fmpz_clear(at);
+    fmpz_clear(one);
+    dyadic_interval_clear(&gap);
+    return status;
+}
+
+static graze_status certify_piece(row_lines *lines, graze_context *context, const certifier *with,
+                                  size_t index, const fmpq *point) {
+    const motion_piece *piece = &with->scene->motion->piece[index];
+    piece_row r = {.lines = lines, .context = context, .with = with};
+    lines->piece = piece;
+    trajectory_init(&r.c, with->scene->motion->dimension);
+    trajectory_set(&r.c, motion_tracing(piece, with->scene->options.operation), point);
+    touches_init(&r.t);
+    enclosure_init(&r.e, with->solid, &r.c, with->with_contacts);
+    graze_status status = find_events(&r);
+    if (!status)
+        status = place_events(&r);
+    if (!status)
+        status = put_piece(&r);
+    for (size_t k = 0; k < r.count; k++) {
+        fmpz_poly_clear(r.event[k].q);
+        dyadic_interval_clear(&r.event[k].at);
+        dyadic_interval_clear(&r.event[k].known);
+    }
+    free(r.event);
+    free(r.gap);
+    enclosure_clear(&r.e);
+    touches_clear(&r.t);
+    trajectory_clear(&r.c);
+    return status;
+}
+
+static void write_row(text *out, const certifier *c, const fmpq *point, const graze_trace *trace) {
+    const graze_verdict *v = &trace->verdict;
+    text_put(out, "row");
+    for (int k = 0; k < c->scene->motion->dimension; k++) {
+        text_put(out, " ");
+        text_rational(out, point + k);
+    }
+    text_format(out, " %s %s", trace->word, graze_pmc_name(v->pmc));
+    if (c->scene->options.operation == GRAZE_SWEEP) {
+        text_format(out, " %s ", graze_class_name(v->class_));
+        if (v->definition)
+            text_format(out, "%d", (int)v->definition);
+        else
+            text_put(out, "ext");
+        text_format(out, " %d %lu %lu %lu", (int)v->case_, (unsigned long)v->i, (unsigned long)v->t,
+                    verdict_k(trace->first, trace->last, v->i));
+    }
+    text_put(out, "\n");
+}
+
+graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point,
+                         const graze_trace *trace) {
+    const graze_motion *motion = c->scene->motion;
+    graze_status status = GRAZE_OK;
+    row_lines lines;
+    write_row(out, c, point, trace);
+    row_lines_init(&lines, out, c->with_contacts ? trace : NULL, motion);
+    for (size_t k = 0; k < motion->piece_count && !status; k++)
+        status = certify_piece(&lines, context, c, k, point);
+    if (!status && !out->failed && lines.trace && lines.said != trace->contact_count)
+        status = context_fail(context, GRAZE_EINTERNAL, "%zu contacts are certified; expected %zu",
+                              lines.said, trace->contact_count);
+    row_lines_clear(&lines);
+    return status;
+}

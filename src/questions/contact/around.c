@@ -1,0 +1,126 @@
+/* Searches the tree of boxes for the simplices next to a point.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/contact/around.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/rounding.h"
+
+/* The simplices whose boxes meet a box, and the smallest extent of these boxes. */
+typedef struct neighbours {
+    graze_context *context;
+    const graze_solid *solid;
+    box around;
+    uint32_t *item;
+    size_t count, capacity;
+    double extent;
+} neighbours;
+
+static graze_status search_around(neighbours *n, size_t index) {
+    const tree_node *node = &n->solid->boxes.node[index];
+    if (!box_meets(&node->box, &n->around))
+        return GRAZE_OK;
+    if (node->child) {
+        graze_status status = search_around(n, node->child);
+        return status ? status : search_around(n, node->child + 1);
+    }
+    n->extent = fmin(n->extent, box_extent(&node->box));
+    graze_status status = array_grow(n->context, &n->item, &n->capacity, n->count + 1,
+                                     sizeof *n->item, "the facets around a point");
+    if (!status)
+        n->item[n->count++] = node->simplex;
+    return status;
+}
+
+/* The box of half width `half` around the point, rounded outward. */
+static graze_status search_box(neighbours *n, const fmpq *point, const fmpq_t half) {
+    double unused;
+    fmpq_t side;
+    fmpq_init(side);
+    for (int i = 0; i < n->solid->input.dimension; i++) {
+        fmpq_sub(side, point + i, half);
+        rational_bounds(&n->around.low[i], &unused, side);
+        fmpq_add(side, point + i, half);
+        rational_bounds(&unused, &n->around.high[i], side);
+    }
+    fmpq_clear(side);
+    n->count = 0;
+    return search_around(n, 0);
+}
+
+/* A quarter of the smallest box at the point, or less, so that few others meet the box around it:
+ * any number above 0 is right. */
+static void choose_half(fmpq_t half, double extent) {
+    int exponent = 0;
+    if (extent > 0 && extent < INFINITY)
+        frexp(extent, &exponent);
+    fmpq_one(half);
+    if (exponent >= 3)
+        fmpq_mul_2exp(half, half, (ulong)(exponent - 3));
+    else
+        fmpq_div_2exp(half, half, (ulong)(3 - exponent));
+}
+
+/* The sides of the box as forms behind the planes of the list. */
+static void set_box_sides(plane_list *list, const fmpq *point, const fmpq_t half) {
+    size_t d = (size_t)list->dimension, first = list->count;
+    fmpq_t at;
+    fmpq_init(at);
+    for (size_t k = 0; k < 2 * d; k++) {
+        fmpz *form = list->form + (first + k) * (d + 1);
+        (k % 2 ? fmpq_add : fmpq_sub)(at, point + k / 2, half);
+        fmpz_set(form + k / 2, fmpq_denref(at));
+        fmpz_neg(form + d, fmpq_numref(at));
+        list->start[first + k + 1] = list->start[first];
+    }
+    list->count += 2 * d;
+    fmpq_clear(at);
+}
+
+/* Make room for 2d more planes; 0 when out of memory. */
+static int widen_planes(plane_list *list) {
+    size_t d = (size_t)list->dimension, more = 2 * d, used = list->count * (d + 1);
+    uint32_t *start = realloc(list->start, (list->count + more + 1) * sizeof *start);
+    if (!start)
+        return 0;
+    list->start = start;
+    fmpz *form = _fmpz_vec_init((slong)(used + more * (d + 1)));
+    _fmpz_vec_swap(form, list->form, (slong)used);
+    _fmpz_vec_clear(list->form, (slong)used);
+    list->form = form;
+    return 1;
+}
+
+static graze_status list_planes(plane_list *out, const neighbours *n) {
+    if (planes_find(out, n->solid, n->item, n->count) == 0) {
+        for (size_t k = 0; k < n->count; k++)
+            out->order[k] = n->item[out->order[k]];
+        if (widen_planes(out))
+            return GRAZE_OK;
+        planes_clear(out);
+    }
+    return context_fail(n->context, GRAZE_ESYSTEM, "out of memory for the planes around a point");
+}
+
+graze_status around_planes(plane_list *out, graze_context *context, const graze_solid *solid,
+                           const fmpq *point) {
+    neighbours n = {.context = context, .solid = solid, .extent = INFINITY};
+    fmpq_t half;
+    fmpq_init(half);
+    graze_status status = search_box(&n, point, half);
+    if (!status) {
+        choose_half(half, n.extent);
+        status = search_box(&n, point, half);
+    }
+    if (!status)
+        status = list_planes(out, &n);
+    if (!status)
+        set_box_sides(out, point, half);
+    fmpq_clear(half);
+    free(n.item);
+    return status;
+}

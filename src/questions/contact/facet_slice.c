@@ -1,0 +1,174 @@
+/* Cuts simplices of the boundary by the signs of g, exactly.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * What is left of a simplex is a convex polygon, which may be a segment or a point. Its point that
+ * is nearest to another is the foot in the simplex's plane if that is in it, else on its border.
+ */
+#include "questions/contact/facet_slice.h"
+
+#include <flint/fmpq_vec.h>
+
+/* Three corners, and at most one more for each cut. */
+enum { POLYGON_CORNERS = 8 };
+
+/* `normal` is the outward normal of the simplex, which has the first corners. */
+typedef struct polygon {
+    int dimension, count;
+    const speed *speed;
+    const fmpq *simplex[3];
+    fmpq *normal, *corner; /* d of each */
+} polygon;
+
+static fmpq *corner_of(const polygon *p, int k) {
+    return p->corner + (size_t)k * (size_t)p->dimension;
+}
+
+static void subtract(fmpq *out, const fmpq *a, const fmpq *b, int d) {
+    for (int i = 0; i < d; i++)
+        fmpq_sub(out + i, a + i, b + i);
+}
+
+static void outer_product(fmpq *out, const fmpq *a, const fmpq *b) {
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        fmpq_mul(out + i, a + j, b + k);
+        fmpq_submul(out + i, a + k, b + j);
+    }
+}
+
+static void find_normal(polygon *p) {
+    int d = p->dimension;
+    fmpq *a = _fmpq_vec_init(2 * d), *b = a + d;
+    subtract(a, p->simplex[1], p->simplex[0], d);
+    if (d == 2) {
+        fmpq_set(p->normal, a + 1);
+        fmpq_neg(p->normal + 1, a);
+    } else {
+        subtract(b, p->simplex[2], p->simplex[0], d);
+        outer_product(p->normal, a, b);
+    }
+    _fmpq_vec_clear(a, 2 * d);
+}
+
+/* g before t (0), and -g after it (1): not negative in the contact set. */
+static void condition(fmpq_t out, const polygon *p, int side, const fmpq *y) {
+    speed_along(out, p->speed, side, p->normal, y);
+    if (side)
+        fmpq_neg(out, out);
+}
+
+/* The point of the segment from a to b at which the condition, x at a and z at b, is 0. */
+static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x, const fmpq_t z,
+                         int d) {
+    fmpq_t part, step;
+    fmpq_init(part);
+    fmpq_init(step);
+    fmpq_sub(part, x, z);
+    fmpq_div(part, x, part);
+    for (int i = 0; i < d; i++) {
+        fmpq_sub(step, b + i, a + i);
+        fmpq_set(out + i, a + i);
+        fmpq_addmul(out + i, part, step);
+    }
+    fmpq_clear(part);
+    fmpq_clear(step);
+}
+
+/* Keep what has a condition that is not negative. */
+static void cut_polygon(polygon *p, int side) {
+    int d = p->dimension, kept = 0;
+    fmpq *out = _fmpq_vec_init(POLYGON_CORNERS * d);
+    fmpq_t here, next;
+    fmpq_init(here);
+    fmpq_init(next);
+    for (int k = 0; k < p->count; k++) {
+        const fmpq *a = corner_of(p, k), *b = corner_of(p, (k + 1) % p->count);
+        condition(here, p, side, a);
+        condition(next, p, side, b);
+        if (fmpq_sgn(here) >= 0) {
+            for (int i = 0; i < d; i++)
+                fmpq_set(out + kept * d + i, a + i);
+            kept++;
+        }
+        if (fmpq_sgn(here) * fmpq_sgn(next) < 0)
+            put_crossing(out + d * kept++, a, b, here, next, d);
+    }
+    fmpq_clear(here);
+    fmpq_clear(next);
+    _fmpq_vec_clear(p->corner, POLYGON_CORNERS * d);
+    p->corner = out;
+    p->count = kept;
+}
+
+/* Is a point of the simplex's plane in the triangle? */
+static int is_in_triangle(const polygon *p, const fmpq *y) {
+    fmpq *along = _fmpq_vec_init(9), *way = along + 3, *across = way + 3;
+    fmpq_t turn;
+    int inside = 1;
+    fmpq_init(turn);
+    for (int k = 0; k < 3 && inside; k++) {
+        subtract(along, p->simplex[(k + 1) % 3], p->simplex[k], 3);
+        subtract(way, y, p->simplex[k], 3);
+        outer_product(across, along, way);
+        _fmpq_vec_dot(turn, across, p->normal, 3);
+        inside = fmpq_sgn(turn) >= 0;
+    }
+    fmpq_clear(turn);
+    _fmpq_vec_clear(along, 9);
+    return inside;
+}
+
+static int holds_conditions(const polygon *p, const fmpq *y) {
+    fmpq_t value;
+    int holds = 1;
+    fmpq_init(value);
+    for (int side = 0; side < 2 && holds; side++)
+        if (p->speed->present[side]) {
+            condition(value, p, side, y);
+            holds = fmpq_sgn(value) >= 0;
+        }
+    fmpq_clear(value);
+    return holds;
+}
+
+/* Try the foot in the plane, if it is in the set. */
+static void try_foot(nearby *n, const polygon *p) {
+    fmpq *foot = _fmpq_vec_init(3);
+    fmpq_t height, square;
+    fmpq_init(height);
+    fmpq_init(square);
+    subtract(foot, p->simplex[0], n->from, 3);
+    _fmpq_vec_dot(height, foot, p->normal, 3);
+    _fmpq_vec_dot(square, p->normal, p->normal, 3);
+    fmpq_div(height, height, square);
+    for (int i = 0; i < 3; i++) {
+        fmpq_set(foot + i, n->from + i);
+        fmpq_addmul(foot + i, height, p->normal + i);
+    }
+    if (is_in_triangle(p, foot) && holds_conditions(p, foot))
+        nearby_try(n, foot);
+    fmpq_clear(height);
+    fmpq_clear(square);
+    _fmpq_vec_clear(foot, 3);
+}
+
+void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const speed *s) {
+    int d = s->dimension;
+    polygon p = {.dimension = d, .count = d, .speed = s, .normal = _fmpq_vec_init(d)};
+    p.corner = _fmpq_vec_init(POLYGON_CORNERS * d);
+    for (int k = 0; k < d; k++) {
+        p.simplex[k] = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d;
+        for (int i = 0; i < d; i++)
+            fmpq_set(corner_of(&p, k) + i, p.simplex[k] + i);
+    }
+    find_normal(&p);
+    for (int side = 0; side < 2; side++)
+        if (s->present[side])
+            cut_polygon(&p, side);
+    for (int k = 0; k < p.count; k++)
+        nearby_try_segment(n, corner_of(&p, k), corner_of(&p, (k + 1) % p.count));
+    if (d == 3 && p.count)
+        try_foot(n, &p);
+    _fmpq_vec_clear(p.corner, POLYGON_CORNERS * d);
+    _fmpq_vec_clear(p.normal, d);
+}

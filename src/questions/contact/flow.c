@@ -1,0 +1,171 @@
+/* Velocity and acceleration of the trajectory. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A c + b = P is constant: A'c + A c' + b' = 0 and A''c + 2 A'c' + A c'' + b'' = 0.
+ */
+#include "questions/contact/flow.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include "decide/trace/trajectory.h"
+
+/* Value and first two derivatives of a polynomial at u. */
+static void jet_of(fmpq *out, const fmpz_poly_struct *p, const fmpq_t u) {
+    fmpz_poly_t q;
+    fmpz_poly_init(q);
+    fmpz_poly_set(q, p);
+    for (int k = 0; k < 3; k++) {
+        fmpz_poly_evaluate_fmpq(out + k, q, u);
+        fmpz_poly_derivative(q, q);
+    }
+    fmpz_poly_clear(q);
+}
+
+/* First and second derivative of x / w from the values and derivatives of both. */
+static void quotient_derivatives(fmpq_t first, fmpq_t second, const fmpq *x, const fmpq *w) {
+    fmpq_t value;
+    fmpq_init(value);
+    fmpq_div(value, x, w);
+    fmpq_set(first, x + 1);
+    fmpq_submul(first, value, w + 1);
+    fmpq_div(first, first, w);
+    fmpq_set(second, x + 2);
+    fmpq_submul(second, first, w + 1);
+    fmpq_submul(second, first, w + 1);
+    fmpq_submul(second, value, w + 2);
+    fmpq_div(second, second, w);
+    fmpq_clear(value);
+}
+
+/* V = (M y)' and (M y)''. */
+static void body_velocity(fmpq *first, fmpq *second, const motion_piece *piece, const fmpq_t u,
+                          const fmpq *y) {
+    int d = piece->forward.dimension;
+    trajectory path;
+    fmpq *x = _fmpq_vec_init(3), *w = _fmpq_vec_init(3);
+    trajectory_init(&path, d);
+    trajectory_set(&path, &piece->forward, y);
+    jet_of(w, &path.x[d], u);
+    for (int i = 0; i < d; i++) {
+        jet_of(x, &path.x[i], u);
+        quotient_derivatives(first + i, second + i, x, w);
+    }
+    _fmpq_vec_clear(x, 3);
+    _fmpq_vec_clear(w, 3);
+    trajectory_clear(&path);
+}
+
+/* out = A' v. */
+static void turn_vector(fmpq *out, const motion_piece *piece, const fmpq_t u, const fmpq *v) {
+    const point_map *map = &piece->forward;
+    int d = map->dimension;
+    fmpq *x = _fmpq_vec_init(3), *w = _fmpq_vec_init(3), *ignored = _fmpq_vec_init(2);
+    jet_of(w, map->weight, u);
+    for (int i = 0; i < d; i++) {
+        fmpq_zero(out + i);
+        for (int j = 0; j < d; j++) {
+            jet_of(x, &map->entry[i * (d + 1) + j], u);
+            quotient_derivatives(ignored, ignored + 1, x, w);
+            fmpq_addmul(out + i, ignored, v + j);
+        }
+    }
+    _fmpq_vec_clear(x, 3);
+    _fmpq_vec_clear(w, 3);
+    _fmpq_vec_clear(ignored, 2);
+}
+
+/* out = L v, L the linear part of a map of d * (d + 1) entries. */
+static void apply_linear(fmpq *out, const fmpq *map, const fmpq *v, int d) {
+    for (int i = 0; i < d; i++) {
+        fmpq_zero(out + i);
+        for (int j = 0; j < d; j++)
+            fmpq_addmul(out + i, map + i * (d + 1) + j, v + j);
+    }
+}
+
+/* a += b */
+static void add_vector_to(fmpq *a, const fmpq *b, int d) {
+    for (int i = 0; i < d; i++)
+        fmpq_add(a + i, a + i, b + i);
+}
+
+static void negate_vector(fmpq *a, int d) {
+    for (int i = 0; i < d; i++)
+        fmpq_neg(a + i, a + i);
+}
+
+static int orientation_of(const fmpq *map, int d) {
+    fmpq_mat_t linear;
+    fmpq_t determinant;
+    fmpq_mat_init(linear, d, d);
+    fmpq_init(determinant);
+    for (int i = 0; i < d; i++)
+        for (int j = 0; j < d; j++)
+            fmpq_set(fmpq_mat_entry(linear, i, j), map + i * (d + 1) + j);
+    fmpq_mat_det(determinant, linear);
+    int sign = fmpq_sgn(determinant);
+    fmpq_mat_clear(linear);
+    fmpq_clear(determinant);
+    return sign;
+}
+
+/* Divide by the power of dt/du that derivatives by t want. */
+static void scale_to_time(flow *f, const motion_piece *piece) {
+    fmpq_t width;
+    fmpq_init(width);
+    fmpq_sub(width, piece->hi, piece->lo);
+    for (int i = 0; i < f->dimension; i++) {
+        fmpq_div(f->w + i, f->w + i, width);
+        for (int k = 0; k < 2; k++) {
+            fmpq_div(f->bend + i, f->bend + i, width);
+            fmpq_div(f->drift + i, f->drift + i, width);
+        }
+    }
+    fmpq_clear(width);
+}
+
+void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y) {
+    int d = piece->forward.dimension;
+    fmpq *inverse = _fmpq_vec_init(d * (d + 1)), *velocity = _fmpq_vec_init(d);
+    fmpq *second = _fmpq_vec_init(d), *turned = _fmpq_vec_init(d);
+    *out = (flow){.dimension = d,
+                  .w = _fmpq_vec_init(d),
+                  .bend = _fmpq_vec_init(d),
+                  .drift = _fmpq_vec_init(d)};
+    point_map_at(inverse, &piece->inverse, u);
+    body_velocity(velocity, second, piece, u, y);
+    apply_linear(out->w, inverse, velocity, d);
+    negate_vector(out->w, d);
+    /* drift = A^-1 (A'' y + b'' + A'w), bend = -A^-1 (A'' y + b'' + 2 A'w) */
+    turn_vector(turned, piece, u, out->w);
+    add_vector_to(second, turned, d);
+    apply_linear(out->drift, inverse, second, d);
+    add_vector_to(second, turned, d);
+    apply_linear(out->bend, inverse, second, d);
+    negate_vector(out->bend, d);
+    out->orientation = orientation_of(inverse, d);
+    scale_to_time(out, piece);
+    _fmpq_vec_clear(inverse, d * (d + 1));
+    _fmpq_vec_clear(velocity, d);
+    _fmpq_vec_clear(second, d);
+    _fmpq_vec_clear(turned, d);
+}
+
+void flow_clear(flow *f) {
+    if (!f->w)
+        return;
+    _fmpq_vec_clear(f->w, f->dimension);
+    _fmpq_vec_clear(f->bend, f->dimension);
+    _fmpq_vec_clear(f->drift, f->dimension);
+    *f = (flow){.w = NULL};
+}
+
+void flow_along(fmpq_t out, const fmpz *normal, const fmpq *vector, int dimension) {
+    fmpq_t term;
+    fmpq_init(term);
+    fmpq_zero(out);
+    for (int i = 0; i < dimension; i++) {
+        fmpq_mul_fmpz(term, vector + i, normal + i);
+        fmpq_add(out, out, term);
+    }
+    fmpq_clear(term);
+}

@@ -1,0 +1,171 @@
+/* Roles by the signs of g; at saddles and pinches by the directions that the germs leave open.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/contact/role.h"
+
+#include <flint/fmpz_vec.h>
+#include "questions/contact/around.h"
+#include "questions/topo/borders.h"
+#include "questions/topo/first_order.h"
+
+/* The signs of g on one side of t. */
+typedef struct g_signs {
+    int any, all_positive, all_negative, some_positive, some_negative;
+} g_signs;
+
+static g_signs signs_on(const graze_site *s, int side) {
+    g_signs out = {0, 1, 1, 0, 0};
+    for (size_t k = 0; k < s->germ_count; k++) {
+        if (s->germ[k].side != side)
+            continue;
+        int sign = fmpq_sgn(s->germ[k].g);
+        out.any = 1;
+        out.all_positive &= sign > 0;
+        out.all_negative &= sign < 0;
+        out.some_positive |= sign > 0;
+        out.some_negative |= sign < 0;
+    }
+    return out;
+}
+
+/* Does a direction of the body lie in the germ's cone, or in what is swept of it along a leading
+ * direction? */
+static graze_status is_in_germ(int *out, graze_context *context, germ *g, const fmpz *u) {
+    graze_state state = GRAZE_STATE_O;
+    graze_status status = cone_state(&state, &g->cone, context, u);
+    *out = state != GRAZE_STATE_O;
+    for (int k = 0; k < g->side_count && !status && !*out; k++) {
+        int in_interior;
+        status = cone_sweep(&in_interior, out, &g->cone, context, NULL, u, g->side[k].e);
+    }
+    return status;
+}
+
+/* Is a direction of the body in none of the germs? */
+static graze_status is_in_none(int *out, graze_context *context, germ_list *germs, const fmpz *u) {
+    int covered = 0;
+    graze_status status = GRAZE_OK;
+    for (size_t j = 0; j < germs->count && !status && !covered; j++)
+        status = is_in_germ(&covered, context, &germs->item[j], u);
+    *out = !status && !covered;
+    return status;
+}
+
+/* Does a leading direction point into the interior? Then all directions are covered. */
+static graze_status leads_inside(int *out, graze_context *context, germ_list *germs) {
+    graze_status status = GRAZE_OK;
+    *out = 0;
+    for (size_t j = 0; j < germs->count; j++)
+        for (int k = 0; k < germs->item[j].side_count && !status && !*out; k++) {
+            graze_state state = GRAZE_STATE_O;
+            status = cone_state(&state, &germs->item[j].cone, context, germs->item[j].side[k].e);
+            *out = state == GRAZE_STATE_I;
+        }
+    return status;
+}
+
+/* The outward normals and their sum: often one of them is open, and spares the arrangement. */
+static graze_status try_normals(int *found, graze_context *context, germ_list *germs,
+                                const neighborhood *p) {
+    int d = p->dimension;
+    fmpz *sum = _fmpz_vec_init(d);
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < p->count && !status && !*found; k++) {
+        _fmpz_vec_add(sum, sum, p->facet[k].normal, d);
+        status = is_in_none(found, context, germs, p->facet[k].normal);
+    }
+    if (!status && !*found)
+        status = is_in_none(found, context, germs, sum);
+    _fmpz_vec_clear(sum, d);
+    return status;
+}
+
+/* out = a direction about P, in the body; all germs carry it alike. */
+static void carry_direction(fmpz *out, const germ *g, const fmpz *direction) {
+    slong d = g->cone.dimension;
+    for (int i = 0; i < d; i++)
+        _fmpz_vec_dot(out + i, g->to_body + i * d, direction, d);
+}
+
+/* Is a direction in a cell of full dimension around ray r covered by none of the germs? */
+static graze_status look_for_open(int *found, graze_context *context, germ_list *germs,
+                                  const borders *b, size_t r) {
+    fmpz *cell;
+    size_t count;
+    graze_status status = GRAZE_OK;
+    borders_around(&cell, &count, b, r);
+    fmpz *u = _fmpz_vec_init(b->dimension);
+    for (size_t k = 0; k < count && !status && !*found; k += b->dimension == 2 ? 1 : 2) {
+        carry_direction(u, &germs->item[0], cell + k * (size_t)b->dimension);
+        status = is_in_none(found, context, germs, u);
+    }
+    _fmpz_vec_clear(u, b->dimension);
+    _fmpz_vec_clear(cell, (slong)count * b->dimension);
+    return status;
+}
+
+static graze_status look_everywhere(int *found, graze_context *context, germ_list *germs) {
+    borders b;
+    int refused = 0;
+    borders_init(&b, germs->item[0].cone.dimension);
+    graze_status status = borders_find(&b, &refused, context, germs);
+    if (!status && refused)
+        status = context_fail(context, GRAZE_ELIMIT,
+                              "more planes border what is covered about the point than the %d that "
+                              "are looked at",
+                              BORDER_PLANES);
+    for (size_t r = 0; r < b.ray_count && !status && !*found; r++)
+        status = look_for_open(found, context, germs, &b, r);
+    borders_clear(&b);
+    return status;
+}
+
+/* Do the germs beside t leave a direction open? */
+static graze_status look_at_germs(int *out, graze_context *context, const graze_site *s,
+                                  const plane_list *planes) {
+    germ_list germs;
+    graze_status status = GRAZE_OK;
+    germs_init(&germs);
+    int both = s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
+    for (int k = both; k < 2 && !status; k++)
+        if (s->side[k].present)
+            status = germs_at(&germs, context, s->scene, planes, s->world, s->side[k].piece,
+                              s->side[k].u);
+    int inside = 0;
+    if (!status)
+        status = leads_inside(&inside, context, &germs);
+    if (!status && !inside)
+        status = try_normals(out, context, &germs, &s->place);
+    if (!status && !inside && !*out)
+        status = look_everywhere(out, context, &germs);
+    germs_clear(&germs);
+    return status;
+}
+
+static graze_status is_open_at(int *out, graze_context *context, const graze_site *s) {
+    plane_list planes;
+    *out = 0;
+    graze_status status = around_planes(&planes, context, s->scene->solid, s->y);
+    if (status)
+        return status;
+    status = look_at_germs(out, context, s, &planes);
+    planes_clear(&planes);
+    return status;
+}
+
+graze_status role_decide(graze_role *out, graze_context *context, const graze_site *s) {
+    g_signs before = signs_on(s, -1), after = signs_on(s, 1);
+    int contact = 0;
+    graze_status status = GRAZE_OK;
+    if (s->place.kind == PLACE_OTHER)
+        status = is_open_at(&contact, context, s);
+    else if (s->place.kind == PLACE_REFLEX)
+        contact = !(after.any && after.some_positive) && !(before.any && before.some_negative);
+    else
+        contact = !(after.any && after.all_positive) && !(before.any && before.all_negative);
+    *out = contact                                     ? GRAZE_ROLE_CONTACT
+           : before.all_positive && after.all_positive ? GRAZE_ROLE_EGRESS
+           : before.all_negative && after.all_negative ? GRAZE_ROLE_INGRESS
+                                                       : GRAZE_ROLE_HIDDEN;
+    return status;
+}

@@ -1,0 +1,285 @@
+/* Sites: place, sides, germs of the facets, trace, role.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/contact/site.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "decide/trace/trajectory.h"
+#include "decide/verdict/classify.h"
+#include "questions/contact/role.h"
+#include "questions/contact/snap.h"
+#include "questions/contact/time_in_trace.h"
+#include "questions/contact/time_sides.h"
+
+static void begin_site(graze_site *s, const graze_scene *scene, const fmpq_t t, const fmpq *y) {
+    int d = scene->motion->dimension;
+    memset(s, 0, sizeof *s);
+    s->scene = scene;
+    s->dimension = d;
+    s->y = _fmpq_vec_init(d);
+    s->world = _fmpq_vec_init(d);
+    for (int i = 0; i < d; i++)
+        fmpq_set(s->y + i, y + i);
+    fmpq_init(s->t);
+    fmpq_set(s->t, t);
+    fmpq_init(s->shift);
+    for (int k = 0; k < 2; k++)
+        fmpq_init(s->side[k].u);
+}
+
+void site_clear(graze_site *s) {
+    _fmpq_vec_clear(s->y, s->dimension);
+    _fmpq_vec_clear(s->world, s->dimension);
+    fmpq_clear(s->t);
+    fmpq_clear(s->shift);
+    for (int k = 0; k < 2; k++) {
+        fmpq_clear(s->side[k].u);
+        flow_clear(&s->side[k].flow);
+    }
+    for (size_t k = 0; k < s->germ_count; k++) {
+        fmpq_clear(s->germ[k].g);
+        fmpq_clear(s->germ[k].drift);
+        fmpq_clear(s->germ[k].theta);
+    }
+    free(s->germ);
+    trace_clear(&s->trace);
+    time_destroy(s->itself);
+    neighborhood_clear(&s->place);
+}
+
+/* out = map at u of a point; `out` is not the point. */
+static void carry_point(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
+    int d = map->dimension;
+    fmpq *entry = _fmpq_vec_init(d * (d + 1));
+    point_map_at(entry, map, u);
+    for (int i = 0; i < d; i++) {
+        fmpq_set(out + i, entry + i * (d + 1) + d);
+        for (int j = 0; j < d; j++)
+            fmpq_addmul(out + i, entry + i * (d + 1) + j, point + j);
+    }
+    _fmpq_vec_clear(entry, d * (d + 1));
+}
+
+graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene *scene,
+                          const fmpq_t t) {
+    int d = scene->motion->dimension;
+    site_side side[2];
+    fmpq_init(side[0].u);
+    fmpq_init(side[1].u);
+    graze_status status = sides_find(side, context, scene->motion, t);
+    if (!status) {
+        const site_side *one = &side[!side[0].present];
+        fmpq *body = _fmpq_vec_init(d);
+        carry_point(body, &scene->motion->piece[one->piece].inverse, one->u, point);
+        for (int i = 0; i < d; i++)
+            fmpq_set(point + i, body + i);
+        _fmpq_vec_clear(body, d);
+    }
+    fmpq_clear(side[0].u);
+    fmpq_clear(side[1].u);
+    return status;
+}
+
+static void find_world(graze_site *s) {
+    const site_side *side = &s->side[!s->side[0].present];
+    carry_point(s->world, &s->scene->motion->piece[side->piece].forward, side->u, s->y);
+}
+
+/* Order and sign of the pullback of a facet's plane next to t, by its coefficients. */
+static void find_germ_order(site_germ *germ, const graze_site *s) {
+    const site_side *side = &s->side[germ->side > 0];
+    trajectory path;
+    fmpz_poly_t f;
+    fmpq_t value;
+    trajectory_init(&path, s->dimension);
+    fmpz_poly_init(f);
+    fmpq_init(value);
+    trajectory_set(&path, &s->scene->motion->piece[side->piece].inverse, s->world);
+    trajectory_pullback(f, &path, s->place.facet[germ->facet].form);
+    germ->order = fmpz_poly_is_zero(f) ? GRAZE_ORDER_VANISHES : 0;
+    while (germ->order >= 0 && fmpq_is_zero(value)) {
+        fmpz_poly_derivative(f, f);
+        germ->order++;
+        fmpz_poly_evaluate_fmpq(value, f, side->u);
+    }
+    germ->sign = fmpq_sgn(value);
+    if (germ->side < 0 && germ->order % 2 == 1)
+        germ->sign = -germ->sign;
+    trajectory_clear(&path);
+    fmpz_poly_clear(f);
+    fmpq_clear(value);
+}
+
+/* Is the piece the same on both sides of t? Then the first side has the flow of both. */
+static int is_within_piece(const graze_site *s) {
+    return s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
+}
+
+static const flow *flow_on(const graze_site *s, int side) {
+    return &s->side[side > 0 && !is_within_piece(s)].flow;
+}
+
+static void fill_germ(site_germ *germ, const graze_site *s, size_t facet, int side) {
+    const flow *f = flow_on(s, side);
+    const fmpz *normal = s->place.facet[facet].normal;
+    germ->facet = facet;
+    germ->side = side;
+    fmpq_init(germ->g);
+    fmpq_init(germ->drift);
+    fmpq_init(germ->theta);
+    flow_along(germ->g, normal, f->w, s->dimension);
+    fmpq_neg(germ->g, germ->g);
+    flow_along(germ->drift, normal, f->drift, s->dimension);
+    flow_along(germ->theta, normal, f->bend, s->dimension);
+    if (!fmpq_is_zero(germ->g)) {
+        germ->order = 1;
+        germ->sign = -side * fmpq_sgn(germ->g);
+    } else if (!fmpq_is_zero(germ->theta)) {
+        germ->order = 2;
+        germ->sign = fmpq_sgn(germ->theta);
+    } else {
+        find_germ_order(germ, s);
+    }
+}
+
+static graze_status find_germs(graze_site *s, graze_context *context) {
+    s->germ = calloc(2 * s->place.count, sizeof *s->germ);
+    if (!s->germ)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the facets at a point");
+    for (int k = 0; k < 2; k++)
+        if (s->side[k].present && !(k == 1 && is_within_piece(s)))
+            flow_make(&s->side[k].flow, &s->scene->motion->piece[s->side[k].piece], s->side[k].u,
+                      s->y);
+    for (size_t j = 0; j < s->place.count; j++)
+        for (int k = 0; k < 2; k++)
+            if (s->side[k].present)
+                fill_germ(&s->germ[s->germ_count++], s, j, k ? 1 : -1);
+    return GRAZE_OK;
+}
+
+/* theta, order and orientation where they mean something (proofs/envelope.md C61, C62). */
+static void find_slice(graze_site *s) {
+    const site_germ *germ = &s->germ[0];
+    graze_site_facts *f = &s->facts;
+    f->on_slice = s->place.kind == PLACE_FACET && !s->is_break && fmpq_is_zero(germ->g);
+    if (!f->on_slice)
+        return;
+    int turn = flow_on(s, germ->side)->orientation * -fmpq_sgn(germ->drift) * fmpq_sgn(germ->theta);
+    f->theta = fmpq_sgn(germ->theta);
+    f->order = germ->order;
+    f->orientation = turn > 0   ? GRAZE_ORIENTATION_PRESERVING
+                     : turn < 0 ? GRAZE_ORIENTATION_REVERSING
+                                : GRAZE_ORIENTATION_DEGENERATE;
+}
+
+/* The state on a side, from the signs of the pullbacks; only where the cone's kind tells. */
+static graze_state state_by_signs(const graze_site *s, int side) {
+    int outside = 0, inside = 0, count = 0, reflex = s->place.kind == PLACE_REFLEX;
+    for (size_t k = 0; k < s->germ_count; k++)
+        if (s->germ[k].side == side) {
+            outside += s->germ[k].sign > 0;
+            inside += s->germ[k].sign < 0;
+            count++;
+        }
+    if (count == 0)
+        return GRAZE_STATE_ABSENT;
+    if (reflex)
+        return inside ? GRAZE_STATE_I : outside == count ? GRAZE_STATE_O : GRAZE_STATE_B;
+    return outside ? GRAZE_STATE_O : inside == count ? GRAZE_STATE_I : GRAZE_STATE_B;
+}
+
+/* The trace and the germs say the same of the states beside t. */
+static graze_status check_states(const graze_site *s, graze_context *context) {
+    if (s->place.kind == PLACE_OTHER ||
+        (state_by_signs(s, -1) == s->facts.left && state_by_signs(s, 1) == s->facts.right))
+        return GRAZE_OK;
+    return context_fail(context, GRAZE_EINTERNAL,
+                        "the facets at a point and its trace disagree on the states beside a time");
+}
+
+/* Sides, place, point in the world and germs. */
+static graze_status begin_facts(graze_site *s, graze_context *context) {
+    graze_status status = sides_find(s->side, context, s->scene->motion, s->t);
+    if (!status)
+        status = neighborhood_locate(&s->place, context, s->scene->solid, s->y);
+    if (!status && !s->place.count)
+        status =
+            context_fail(context, GRAZE_EINPUT,
+                         "the point is not on the boundary of the solid; expected one that is");
+    if (status)
+        return status;
+    s->is_break = sides_break(s->side, s->scene->motion);
+    find_world(s);
+    s->facts.cell = s->place.cell;
+    return find_germs(s, context);
+}
+
+static graze_status fill_site(graze_site *s, graze_context *context, site_question asked) {
+    graze_status status = begin_facts(s, context);
+    if (!status && asked != SITE_ROLE)
+        status = classify_point(&s->trace, context, s->scene, (query_point){.rational = s->world},
+                                TRACE_CONTACTS);
+    if (!status && asked != SITE_ROLE)
+        status = (asked == SITE_ALL ? nearest_find : nearest_trim)(s, context);
+    if (!status && asked != SITE_ROLE)
+        status = check_states(s, context);
+    if (!status && asked != SITE_TRIM)
+        status = role_decide(&s->facts.role, context, s);
+    if (!status)
+        find_slice(s);
+    return status;
+}
+
+graze_status site_make_for(graze_site *out, graze_context *context, const graze_scene *scene,
+                           const fmpq_t t, const fmpq *y, site_question asked) {
+    begin_site(out, scene, t, y);
+    graze_status status = fill_site(out, context, asked);
+    if (status)
+        site_clear(out);
+    return status;
+}
+
+graze_status site_make(graze_site *out, graze_context *context, const graze_scene *scene,
+                       const fmpq_t t, const fmpq *y) {
+    return site_make_for(out, context, scene, t, y, SITE_ALL);
+}
+
+/* Where the cell has no contact: the point as it was. */
+static graze_status make_missed(graze_site *out, graze_context *context, const graze_scene *scene,
+                                const fmpq_t t, const fmpq *y, const graze_cell *cell) {
+    begin_site(out, scene, t, y);
+    graze_status status = sides_find(out->side, context, scene->motion, t);
+    if (status) {
+        site_clear(out);
+        return status;
+    }
+    find_world(out);
+    out->facts.cell = *cell;
+    out->snapped = out->missed = 1;
+    return GRAZE_OK;
+}
+
+graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,
+                       const fmpq_t t, const fmpq *y, const graze_cell *cell) {
+    nearby n;
+    nearby_init(&n, y, scene->motion->dimension);
+    graze_status status = snap_find(&n, context, scene, t, cell);
+    if (!status && n.found) {
+        status = site_make(out, context, scene, t, n.point);
+        n.found = !status;
+    }
+    if (n.found && cell->kind == GRAZE_CELL_VERTEX && out->facts.role != GRAZE_ROLE_CONTACT) {
+        site_clear(out);
+        n.found = 0;
+    }
+    if (n.found) {
+        fmpq_swap(out->shift, n.square);
+        out->snapped = 1;
+    } else if (!status) {
+        status = make_missed(out, context, scene, t, y, cell);
+    }
+    nearby_clear(&n);
+    return status;
+}

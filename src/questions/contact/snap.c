@@ -1,0 +1,101 @@
+/* Finds a cell by its name and what of it is in contact.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/contact/snap.h"
+
+#include "questions/contact/edge_run.h"
+#include "questions/contact/facet_slice.h"
+#include "questions/contact/time_sides.h"
+
+/* Is one of the input's names of the cell a simplex gives that one? */
+static int has_name(const graze_solid *solid, size_t simplex, unsigned zero,
+                    const graze_cell *cell) {
+    size_t count;
+    graze_cell given = solid_cell(solid, simplex, zero);
+    if (given.kind != cell->kind)
+        return 0;
+    const graze_cell *name = cell_names_of(&count, &solid->cut.names, &given);
+    for (size_t k = 0; k < count; k++)
+        if (cell_compare(&name[k], cell) == 0)
+            return 1;
+    return 0;
+}
+
+static const fmpq *corner_at(const graze_solid *solid, size_t simplex, int k) {
+    size_t d = (size_t)solid->input.dimension;
+    return solid->input.coordinates + solid->cut.item[simplex].vertex[k] * d;
+}
+
+/* The slices of the simplices of a facet; in E^2 of an edge. Returns how many it has. */
+static size_t try_facet(nearby *n, const graze_solid *solid, const graze_cell *cell,
+                        const speed *s) {
+    size_t found = 0;
+    for (size_t k = 0; k < solid->cut.count; k++)
+        if (has_name(solid, k, 0, cell)) {
+            facet_slice_try(n, solid, k, s);
+            found++;
+        }
+    return found;
+}
+
+/* The side forms that vanish at corner k. */
+static unsigned sides_at_corner(int k, int dimension) {
+    return dimension == 2 ? 1u << k : 1u << k | 1u << (k + 2) % 3;
+}
+
+static int try_vertex(nearby *n, const graze_solid *solid, const graze_cell *cell) {
+    int d = solid->input.dimension;
+    for (size_t s = 0; s < solid->cut.count; s++)
+        for (int k = 0; k < d; k++)
+            if (has_name(solid, s, sides_at_corner(k, d), cell)) {
+                nearby_try(n, corner_at(solid, s, k));
+                return 1;
+            }
+    return 0;
+}
+
+static graze_status try_edge(nearby *n, size_t *found, graze_context *context,
+                             const graze_solid *solid, const graze_cell *cell, const speed *s) {
+    for (size_t j = 0; j < solid->cut.count; j++)
+        for (int k = 0; k < 3; k++)
+            if (has_name(solid, j, 1u << k, cell)) {
+                *found = 1;
+                return edge_run_try(n, context, solid, corner_at(solid, j, k),
+                                    corner_at(solid, j, (k + 1) % 3), s);
+            }
+    return GRAZE_OK;
+}
+
+static graze_status try_cell(nearby *n, graze_context *context, const graze_scene *scene,
+                             const site_side side[2], const graze_cell *cell) {
+    const graze_solid *solid = scene->solid;
+    graze_status status = GRAZE_OK;
+    size_t found = 0;
+    speed s;
+    speed_make(&s, scene->motion, side);
+    if (cell->kind == GRAZE_CELL_VERTEX)
+        found = (size_t)try_vertex(n, solid, cell);
+    else if (cell->kind == GRAZE_CELL_EDGE && solid->input.dimension == 3)
+        status = try_edge(n, &found, context, solid, cell, &s);
+    else
+        found = try_facet(n, solid, cell, &s);
+    speed_clear(&s);
+    if (!status && !found)
+        status = context_fail(context, GRAZE_EINPUT,
+                              "the solid has no such cell; expected one of its %svertices",
+                              solid->input.dimension == 3 ? "faces, edges and " : "edges and ");
+    return status;
+}
+
+graze_status snap_find(nearby *n, graze_context *context, const graze_scene *scene, const fmpq_t t,
+                       const graze_cell *cell) {
+    site_side side[2];
+    fmpq_init(side[0].u);
+    fmpq_init(side[1].u);
+    graze_status status = sides_find(side, context, scene->motion, t);
+    if (!status)
+        status = try_cell(n, context, scene, side, cell);
+    fmpq_clear(side[0].u);
+    fmpq_clear(side[1].u);
+    return status;
+}

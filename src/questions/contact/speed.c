@@ -1,0 +1,62 @@
+/* Velocities of trajectories: w is affine in y, so d + 1 values give it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/contact/speed.h"
+
+#include <flint/fmpq_vec.h>
+#include <string.h>
+
+static void field_make(velocity_field *out, const motion_piece *piece, const fmpq_t u) {
+    int d = piece->forward.dimension;
+    fmpq *y = _fmpq_vec_init(d);
+    flow f;
+    *out = (velocity_field){d, _fmpq_vec_init(d), _fmpq_vec_init(d * d)};
+    flow_make(&f, piece, u, y);
+    for (int i = 0; i < d; i++)
+        fmpq_set(out->at_zero + i, f.w + i);
+    flow_clear(&f);
+    for (int j = 0; j < d; j++) {
+        fmpq_one(y + j);
+        flow_make(&f, piece, u, y);
+        for (int i = 0; i < d; i++)
+            fmpq_sub(out->slope + i * d + j, f.w + i, out->at_zero + i);
+        flow_clear(&f);
+        fmpq_zero(y + j);
+    }
+    _fmpq_vec_clear(y, d);
+}
+
+void speed_make(speed *out, const graze_motion *motion, const site_side side[2]) {
+    memset(out, 0, sizeof *out);
+    out->dimension = motion->dimension;
+    for (int k = 0; k < 2; k++) {
+        out->present[k] = side[k].present;
+        if (side[k].present)
+            field_make(&out->field[k], &motion->piece[side[k].piece], side[k].u);
+    }
+}
+
+void speed_clear(speed *s) {
+    int d = s->dimension;
+    for (int k = 0; k < 2; k++) {
+        if (!s->field[k].at_zero)
+            continue;
+        _fmpq_vec_clear(s->field[k].at_zero, d);
+        _fmpq_vec_clear(s->field[k].slope, d * d);
+    }
+    *s = (speed){.dimension = 0};
+}
+
+void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const fmpq *y) {
+    const velocity_field *f = &s->field[side];
+    int d = s->dimension;
+    fmpq_t w;
+    fmpq_init(w);
+    fmpq_zero(out);
+    for (int i = 0; i < d; i++) {
+        _fmpq_vec_dot(w, f->slope + i * d, y, d);
+        fmpq_add(w, w, f->at_zero + i);
+        fmpq_submul(out, w, normal + i);
+    }
+    fmpq_clear(w);
+}

@@ -1,0 +1,197 @@
+/* Times of the trace next to the time of a site. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Times of contact are ordered and alternate with gaps of one state, so only the ends of gaps next
+ * to t matter. Two of them, on either side, are compared by reflecting one at t.
+ */
+#include "questions/contact/time_in_trace.h"
+
+#include <stdlib.h>
+#include "base/number/order.h"
+
+/* *out: sign of a time of the trace minus t. */
+static graze_status compare_to_site(int *out, graze_context *context, graze_time *time,
+                                    const graze_site *s) {
+    const motion_piece *piece = &s->scene->motion->piece[time->piece];
+    algebraic own;
+    fmpq_t u, width;
+    fmpq_init(u);
+    fmpq_init(width);
+    algebraic_init(&own);
+    fmpq_sub(u, s->t, piece->lo);
+    fmpq_sub(width, piece->hi, piece->lo);
+    fmpq_div(u, u, width);
+    algebraic_set_rational(&own, u);
+    graze_status status = algebraic_compare(out, context, &time->u, &own);
+    algebraic_clear(&own);
+    fmpq_clear(u);
+    fmpq_clear(width);
+    return status;
+}
+
+/* The contact that holds t, and whether t is its beginning and its end. */
+static graze_status find_contact(size_t *out, int *begins, int *ends, graze_context *context,
+                                 const graze_site *s) {
+    for (size_t k = 0; k < s->trace.contact_count; k++) {
+        const contact *c = &s->trace.contact[k];
+        int from, to;
+        graze_status status = compare_to_site(&from, context, c->from, s);
+        if (!status)
+            status = compare_to_site(&to, context, c->to, s);
+        if (status)
+            return status;
+        *out = k;
+        *begins = from == 0;
+        *ends = to == 0;
+        if (from <= 0 && to >= 0)
+            return GRAZE_OK;
+    }
+    return context_fail(context, GRAZE_EINTERNAL,
+                        "the trajectory of a boundary point misses the boundary at its time");
+}
+
+/* scale x - shift, or shift - scale x: a canonical time moved, scaled by a positive integer. */
+static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scale,
+                       const fmpz_t shift, int reflect) {
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    fmpq_mul_fmpz(low, time->low, scale);
+    fmpq_mul_fmpz(high, time->high, scale);
+    fmpq_sub_fmpz(low, low, shift);
+    fmpq_sub_fmpz(high, high, shift);
+    if (reflect) {
+        fmpq_neg(low, low);
+        fmpq_neg(high, high);
+        fmpq_swap(low, high);
+    }
+    if (fmpq_equal(time->low, time->high)) {
+        algebraic_set_rational(out, low);
+    } else {
+        /* p((shift + X) / scale) or p((shift - X) / scale), times a power of the scale */
+        fmpz_poly_t linear;
+        fmpz_poly_init(linear);
+        fmpz_poly_set_coeff_fmpz(linear, 0, shift);
+        fmpz_poly_set_coeff_si(linear, 1, reflect ? -1 : 1);
+        fmpz_t power;
+        fmpz_init_set_ui(power, 1);
+        fmpz_poly_set(out->poly, time->poly);
+        for (slong k = fmpz_poly_degree(out->poly); k >= 0; k--) {
+            fmpz_mul(out->poly->coeffs + k, out->poly->coeffs + k, power);
+            fmpz_mul(power, power, scale);
+        }
+        fmpz_poly_compose(out->poly, out->poly, linear);
+        /* the ends are dyadic, and remain so when scaled and moved by integers */
+        fmpz_set(power, fmpz_cmp(fmpq_denref(low), fmpq_denref(high)) > 0 ? fmpq_denref(low)
+                                                                          : fmpq_denref(high));
+        out->where.exponent = fmpz_val2(power);
+        fmpq_mul_fmpz(low, low, power);
+        fmpq_mul_fmpz(high, high, power);
+        fmpz_set(out->where.low, fmpq_numref(low));
+        fmpz_set(out->where.high, fmpq_numref(high));
+        out->low_sign = dyadic_sign(out->poly, out->where.low, out->where.exponent);
+        fmpz_poly_clear(linear);
+        fmpz_clear(power);
+    }
+    fmpq_clear(low);
+    fmpq_clear(high);
+}
+
+/* The nearer of a time before t and one after it; NULL stands for none. */
+static graze_status nearer(const graze_time **out, graze_context *context, const graze_site *s,
+                           graze_time *before, graze_time *after) {
+    graze_status status = before ? time_canonicalise(before, context) : GRAZE_OK;
+    if (!status && after)
+        status = time_canonicalise(after, context);
+    *out = before ? before : after;
+    if (!before || !after || status)
+        return status;
+    algebraic back, forth;
+    int order = 0;
+    algebraic_init(&back);
+    algebraic_init(&forth);
+    moved_time(&back, before, fmpq_denref(s->t), fmpq_numref(s->t), 1);
+    moved_time(&forth, after, fmpq_denref(s->t), fmpq_numref(s->t), 0);
+    status = algebraic_compare(&order, context, &back, &forth);
+    *out = order <= 0 ? before : after;
+    algebraic_clear(&back);
+    algebraic_clear(&forth);
+    return status;
+}
+
+/* t as a time of its own, made once. */
+static graze_status own_time(const graze_time **out, graze_context *context, graze_site *s) {
+    if (!s->itself) {
+        const site_side *side = &s->side[!s->side[0].present];
+        algebraic u;
+        algebraic_init(&u);
+        algebraic_set_rational(&u, side->u);
+        s->itself = time_create(s->scene->motion, side->piece, &u);
+        algebraic_clear(&u);
+        if (!s->itself)
+            return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time");
+    }
+    *out = s->itself;
+    return time_canonicalise(s->itself, context);
+}
+
+/* Ends of the nearest gaps of state I before and after t, which is in contact k. */
+static void interiors_beside(graze_time **before, graze_time **after, const graze_site *s,
+                             size_t k) {
+    const graze_trace *trace = &s->trace;
+    *before = *after = NULL;
+    for (size_t j = k + 1; j-- > 0 && !*before;)
+        if (trace->contact[j].left == GRAZE_STATE_I)
+            *before = trace->contact[j].from;
+    for (size_t j = k; j < trace->contact_count && !*after; j++)
+        if (trace->contact[j].right == GRAZE_STATE_I)
+            *after = trace->contact[j].to;
+}
+
+/* The facts, and the contact that holds t; *is_instant: t is all of it. */
+static graze_status find_trim(graze_site *s, graze_context *context, size_t *k, int *is_instant) {
+    const graze_trace *trace = &s->trace;
+    int begins = 0, ends = 0;
+    graze_status status = find_contact(k, &begins, &ends, context, s);
+    if (status)
+        return status;
+    graze_site_facts *f = &s->facts;
+    f->left = begins ? trace->contact[*k].left : GRAZE_STATE_B;
+    f->right = ends ? trace->contact[*k].right : GRAZE_STATE_B;
+    *is_instant = begins && ends;
+    if (trace->verdict.pmc == GRAZE_IN)
+        f->trim = f->left == GRAZE_STATE_I || f->right == GRAZE_STATE_I ? GRAZE_TRIM_NEAR
+                                                                        : GRAZE_TRIM_FAR;
+    else
+        f->trim = !*is_instant                ? GRAZE_TRIM_SLIDES
+                  : trace->contact_count == 1 ? GRAZE_TRIM_SIMPLE
+                                              : GRAZE_TRIM_MEETS;
+    return GRAZE_OK;
+}
+
+graze_status nearest_trim(graze_site *s, graze_context *context) {
+    size_t k = 0;
+    int is_instant = 0;
+    return find_trim(s, context, &k, &is_instant);
+}
+
+graze_status nearest_find(graze_site *s, graze_context *context) {
+    const graze_trace *trace = &s->trace;
+    size_t k = 0;
+    int is_instant = 0;
+    graze_status status = find_trim(s, context, &k, &is_instant);
+    if (status)
+        return status;
+    int inside_near = s->facts.left == GRAZE_STATE_I || s->facts.right == GRAZE_STATE_I;
+    if (inside_near || !is_instant)
+        status = own_time(&s->near, context, s);
+    else
+        status = nearer(&s->near, context, s, k > 0 ? trace->contact[k - 1].to : NULL,
+                        k + 1 < trace->contact_count ? trace->contact[k + 1].from : NULL);
+    graze_time *before, *after;
+    interiors_beside(&before, &after, s, k);
+    if (!status && inside_near)
+        status = own_time(&s->near_in, context, s);
+    else if (!status)
+        status = nearer(&s->near_in, context, s, before, after);
+    return status;
+}

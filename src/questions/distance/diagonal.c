@@ -1,0 +1,84 @@
+/* The diagonal of S^0's box. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/distance/diagonal.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+
+/* Squares of sizes between these, and of what is much smaller, are doubles. */
+static const double LEAST_DIAGONAL = 0x1p-300, MOST_DIAGONAL = 0x1p300;
+
+/* sqrt of a sum of squares, rounded down. */
+static double length_down(const fmpq *low, const fmpq *high, int d) {
+    fmpq_t sum, side;
+    fmpz_t n, scale;
+    fmpq_init(sum);
+    fmpq_init(side);
+    fmpz_init(n);
+    fmpz_init(scale);
+    for (int i = 0; i < d; i++) {
+        fmpq_sub(side, high + i, low + i);
+        fmpq_mul(side, side, side);
+        fmpq_add(sum, sum, side);
+    }
+    /* floor(sqrt(sum 4^k)) with k such that it has 60 to 62 places */
+    slong k = 61 - ((slong)fmpz_bits(fmpq_numref(sum)) - (slong)fmpz_bits(fmpq_denref(sum))) / 2;
+    if (k >= 0)
+        fmpq_mul_2exp(sum, sum, 2 * (ulong)k);
+    else
+        fmpq_div_2exp(sum, sum, 2 * (ulong)-k);
+    fmpz_fdiv_q(n, fmpq_numref(sum), fmpq_denref(sum));
+    fmpz_sqrt(n, n);
+    slong bits = (slong)fmpz_bits(n);
+    slong cut = bits > 53 ? bits - 53 : 0;
+    fmpz_fdiv_q_2exp(n, n, (ulong)cut);
+    double out = ldexp(fmpz_get_d(n), (int)(cut - k));
+    fmpq_clear(sum);
+    fmpq_clear(side);
+    fmpz_clear(n);
+    fmpz_clear(scale);
+    return out;
+}
+
+/* Extend the box by the image of a vertex. */
+static void extend(fmpq *low, fmpq *high, const fmpq *map, const fmpq *vertex, int d, int first) {
+    fmpq_t value;
+    fmpq_init(value);
+    for (int i = 0; i < d; i++) {
+        fmpq_set(value, map + i * (d + 1) + d);
+        for (int j = 0; j < d; j++)
+            fmpq_addmul(value, map + i * (d + 1) + j, vertex + j);
+        if (first || fmpq_cmp(value, low + i) < 0)
+            fmpq_set(low + i, value);
+        if (first || fmpq_cmp(value, high + i) > 0)
+            fmpq_set(high + i, value);
+    }
+    fmpq_clear(value);
+}
+
+graze_status distance_diagonal(double *out, graze_context *context, const graze_scene *scene) {
+    const graze_solid *solid = scene->solid;
+    int d = scene->motion->dimension;
+    fmpq *map = _fmpq_vec_init(d * (d + 1)), *low = _fmpq_vec_init(d), *high = _fmpq_vec_init(d);
+    fmpq_t zero;
+    fmpq_init(zero);
+    point_map_at(map, &scene->motion->piece[0].forward, zero);
+    graze_status status = GRAZE_OK;
+    for (size_t s = 0; s < solid->cut.count && !status; s++) {
+        for (int c = 0; c < d; c++)
+            extend(low, high, map,
+                   solid->input.coordinates + (size_t)solid->cut.item[s].vertex[c] * d, d,
+                   s == 0 && c == 0);
+        if (s % 1024 == 1023)
+            status = context_poll(context);
+    }
+    *out = length_down(low, high, d);
+    fmpq_clear(zero);
+    _fmpq_vec_clear(map, d * (d + 1));
+    _fmpq_vec_clear(low, d);
+    _fmpq_vec_clear(high, d);
+    if (!status && !(*out >= LEAST_DIAGONAL && *out <= MOST_DIAGONAL))
+        status = context_fail(context, GRAZE_ELIMIT,
+                              "the diagonal of the solid's box at the start is beyond what "
+                              "distances are computed for; expected between 2^-300 and 2^300");
+    return status;
+}

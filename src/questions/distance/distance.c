@@ -1,0 +1,212 @@
+/* The exact answer chooses the search: the least distance over all times, or the greatest over the
+ * stays in the solid (for an unsweep outside it). SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/distance/distance.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/number/refine.h"
+#include "base/number/rounding.h"
+#include "questions/distance/greatest.h"
+#include "questions/distance/least.h"
+
+/* Contacts' times are narrowed to this many binary places, beyond those of the shortest arc. */
+enum { PLACES = 60 };
+
+/* Enclose a contact's time in its piece. */
+static graze_status narrow_time(fmpq_t low, fmpq_t high, graze_context *context,
+                                const graze_time *time, ulong places) {
+    algebraic x;
+    algebraic_init(&x);
+    algebraic_set(&x, &time->u);
+    graze_status status = GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    for (int step = 0; !status && !algebraic_is_rational(&x) && x.where.exponent < places; step++)
+        status = algebraic_narrow(context, &x, step, &gain);
+    algebraic_bounds(low, high, &x);
+    algebraic_clear(&x);
+    return status;
+}
+
+/* A contact's time is between v = low of one arc and v = high of the same or a later one. */
+typedef struct moment {
+    size_t low_arc, high_arc;
+    double low, high;
+} moment;
+
+/* The last arc of a piece that begins at u or before, and doubles about v. */
+static size_t find_arc(double *low, double *high, graze_context *context, const ground *base,
+                       size_t piece, const fmpq_t u) {
+    fmpq_t from, length, v;
+    size_t k = base->first[piece + 1];
+    fmpq_init(from);
+    fmpq_init(length);
+    fmpq_init(v);
+    do
+        (void)rational_from_double(from, context, base->arc[--k].from);
+    while (k > base->first[piece] && fmpq_cmp(from, u) > 0);
+    (void)rational_from_double(length, context, base->arc[k].length);
+    fmpq_sub(v, u, from);
+    fmpq_div(v, v, length);
+    rational_bounds(low, high, v);
+    *low = fmax(*low, 0);
+    *high = fmin(*high, 1);
+    fmpq_clear(from);
+    fmpq_clear(length);
+    fmpq_clear(v);
+    return k;
+}
+
+static graze_status enclose_moment(moment *out, graze_context *context, const ground *base,
+                                   const graze_time *time) {
+    fmpq_t low, high;
+    double unused;
+    fmpq_init(low);
+    fmpq_init(high);
+    graze_status status = narrow_time(low, high, context, time, PLACES + base->deepest);
+    out->low_arc = find_arc(&out->low, &unused, context, base, time->piece, low);
+    out->high_arc = find_arc(&unused, &out->high, context, base, time->piece, high);
+    fmpq_clear(low);
+    fmpq_clear(high);
+    return status;
+}
+
+/* The stretches of a stay between two moments, arc by arc. */
+static graze_status add_stay(stretch_of_time **list, size_t *count, graze_context *context,
+                             const moment *from, const moment *to) {
+    size_t arcs = to->high_arc - from->low_arc + 1;
+    stretch_of_time *grown = realloc(*list, (*count + arcs) * sizeof *grown);
+    if (!grown)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a distance");
+    *list = grown;
+    for (size_t k = from->low_arc; k <= to->high_arc; k++) {
+        double sure_from = k < from->high_arc ? INFINITY : k == from->high_arc ? from->high : 0;
+        double sure_to = k > to->low_arc ? -INFINITY : k == to->low_arc ? to->low : 1;
+        grown[(*count)++] = (stretch_of_time){.arc = k,
+                                              .from = k == from->low_arc ? from->low : 0,
+                                              .to = k == to->high_arc ? to->high : 1,
+                                              .sure_from = sure_from,
+                                              .sure_to = sure_to};
+    }
+    return GRAZE_OK;
+}
+
+/* All stretches at which the trace has the wanted state. */
+static graze_status find_stays(stretch_of_time **list, size_t *count, graze_context *context,
+                               const ground *base, const graze_trace *trace, graze_state wanted) {
+    size_t last = base->arc_count - 1;
+    moment from = {0, 0, 0, 0}, to;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k <= trace->contact_count && !status; k++) {
+        const contact *next = k < trace->contact_count ? &trace->contact[k] : NULL;
+        graze_state state = next ? next->left : trace->last;
+        to = (moment){last, last, 1, 1};
+        if (next)
+            status = enclose_moment(&to, context, base, next->from);
+        if (!status && state == wanted)
+            status = add_stay(list, count, context, &from, &to);
+        if (!status && next)
+            status = enclose_moment(&from, context, base, next->to);
+    }
+    return status;
+}
+
+static graze_status find_greatest(search *s, const graze_trace *trace, graze_state wanted) {
+    stretch_of_time *list = NULL;
+    size_t count = 0;
+    graze_status status = find_stays(&list, &count, s->context, s->base, trace, wanted);
+    if (!status)
+        status = search_greatest(s, list, count);
+    free(list);
+    return status;
+}
+
+/* A time of contact at an end of a stay: where no double is certainly in one. */
+static const graze_time *end_of_stay(const graze_trace *trace, graze_state wanted) {
+    for (size_t k = 0; k < trace->contact_count; k++)
+        if (trace->contact[k].left == wanted)
+            return trace->contact[k].from;
+    return NULL;
+}
+
+static void set_on(distance *out, const graze_trace *trace) {
+    *out = (distance){.at = trace->contact_count ? trace->contact[0].from : NULL};
+}
+
+/* Search, and give the bounds the sign of the answer. */
+static graze_status find_off(distance *out, search *s, const graze_scene *scene,
+                             const graze_trace *trace) {
+    int unsweep = scene->options.operation == GRAZE_UNSWEEP;
+    int negative = trace->verdict.pmc == GRAZE_IN, greatest = negative != unsweep;
+    graze_state wanted = unsweep ? GRAZE_STATE_O : GRAZE_STATE_I;
+    graze_status status = greatest ? find_greatest(s, trace, wanted) : search_least(s);
+    out->low = negative ? -s->high : s->low;
+    out->high = negative ? -s->low : s->high;
+    out->wide = !search_is_done(s, out->low, out->high);
+    const arc *of = &s->base->arc[s->arc];
+    out->piece = of->piece;
+    out->from = of->from;
+    out->length = of->length;
+    out->v = s->time;
+    out->at = greatest && !s->met ? end_of_stay(trace, wanted) : NULL;
+    return status;
+}
+
+graze_status distance_find(distance *out, graze_context *context, const graze_scene *scene,
+                           const fmpq *point, const graze_trace *trace, double tolerance) {
+    const ground *base;
+    search s;
+    double low[3], high[3];
+    *out = (distance){.low = 0};
+    if (trace->verdict.pmc == GRAZE_ON) {
+        set_on(out, trace);
+        return GRAZE_OK;
+    }
+    graze_status status = ground_of(&base, context, scene);
+    if (status)
+        return status;
+    for (int k = 0; k < scene->motion->dimension; k++)
+        rational_bounds(&low[k], &high[k], point + k);
+    search_begin(&s, context, base, low, high, tolerance);
+    status = find_off(out, &s, scene, trace);
+    search_end(&s);
+    return status;
+}
+
+int distance_is_certain(const distance *found, double motion_error) {
+    return found->low > motion_error || found->high < -motion_error;
+}
+
+/* From a piece's own parameter to the motion's. */
+static void to_motion(fmpq_t time, const motion_piece *piece) {
+    fmpq_t length;
+    fmpq_init(length);
+    fmpq_sub(length, piece->hi, piece->lo);
+    fmpq_mul(time, time, length);
+    fmpq_add(time, time, piece->lo);
+    fmpq_clear(length);
+}
+
+graze_status distance_contact_time(fmpq_t out, graze_context *context, const graze_time *time) {
+    fmpq_t high;
+    fmpq_init(high);
+    graze_status status = narrow_time(out, high, context, time, PLACES);
+    fmpq_clear(high);
+    to_motion(out, &time->motion->piece[time->piece]);
+    return status;
+}
+
+void distance_time(fmpq_t out, const distance *found, const graze_motion *motion) {
+    fmpq_t length, v;
+    fmpq_init(length);
+    fmpq_init(v);
+    /* All three are finite. */
+    (void)rational_from_double(out, NULL, found->from);
+    (void)rational_from_double(length, NULL, found->length);
+    (void)rational_from_double(v, NULL, found->v);
+    fmpq_addmul(out, length, v);
+    fmpq_clear(length);
+    fmpq_clear(v);
+    to_motion(out, &motion->piece[found->piece]);
+}

@@ -1,0 +1,172 @@
+/* Bounds from Bernstein coefficients. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/distance/gap.h"
+
+#include <math.h>
+#include "decide/filter/normal.h"
+#include "questions/distance/bernstein_square.h"
+
+#define U UNIT_ROUNDING
+#define SLACK FILTER_SLACK
+#define FLOOR FILTER_FLOOR
+
+/* A vector function of degree n over a weight: coordinate i of coefficient k at at[k][i]. */
+typedef struct gap {
+    int degree;
+    double at[WINDOW_ROOM + 1][3], weight[WINDOW_ROOM + 1];
+    double stray, least, most_w; /* errors of a coordinate; the weight is at least this, and its
+                                    coefficients are off by no more than that */
+} gap;
+
+/* The place against the point on a rigid piece, in the solid's space, to the degree of W. */
+static void gap_rigid(gap *out, const window *w, const double *q) {
+    int d = w->of->dimension;
+    out->degree = w->degree;
+    out->stray = w->stray;
+    out->least = w->least;
+    out->most_w = w->most_w;
+    for (int k = 0; k <= w->degree; k++) {
+        out->weight[k] = w->x[d][k];
+        for (int i = 0; i < 3; i++)
+            out->at[k][i] = i < d ? w->x[i][k] - q[i] * w->x[d][k] : 0;
+    }
+}
+
+/* The same on another piece, in the space of query points. */
+static void gap_placed(gap *out, const window *w, const double *q) {
+    int d = w->of->dimension;
+    const double *weight = w->place[d * (d + 1)];
+    out->degree = w->place_degree;
+    out->stray = w->place_stray;
+    out->least = w->place_least;
+    out->most_w = w->place_most_w;
+    for (int k = 0; k <= w->place_degree; k++) {
+        out->weight[k] = weight[k];
+        out->at[k][2] = 0;
+        for (int i = 0; i < d; i++) {
+            double sum = w->of->point[i] * weight[k] - w->place[i * (d + 1) + d][k];
+            for (int j = 0; j < d; j++)
+                sum -= w->place[i * (d + 1) + j][k] * q[j];
+            out->at[k][i] = sum;
+        }
+    }
+}
+
+static void gap_at(gap *out, const window *w, const double *q) {
+    if (w->of->rigid)
+        gap_rigid(out, w, q);
+    else
+        gap_placed(out, w, q);
+}
+
+/* From the gaps of the two ends to that of the moving place, one degree higher. */
+static void gap_join(gap *first, const gap *last) {
+    int n = first->degree;
+    for (int k = n + 1; k >= 0; k--) {
+        double a = k <= n ? (double)(n + 1 - k) / (n + 1) : 0, b = (double)k / (n + 1);
+        for (int i = 0; i < 3; i++)
+            first->at[k][i] =
+                (k <= n ? a * first->at[k][i] : 0) + (k > 0 ? b * last->at[k - 1][i] : 0);
+        first->weight[k] =
+            (k <= n ? a * first->weight[k] : 0) + (k > 0 ? b * last->weight[k - 1] : 0);
+    }
+    first->degree = n + 1;
+}
+
+/* The greatest |at| of the control points. */
+static double greatest(const gap *g) {
+    double most = 0;
+    for (int k = 0; k <= g->degree; k++)
+        most = larger(most, dot3(g->at[k], g->at[k]));
+    return sqrt(most) * ROUNDED_UP;
+}
+
+/* What errors of the weight may change a quotient by, relatively, and roundings of means. */
+static double weight_slack(const gap *g) {
+    double most = 0;
+    for (int k = 0; k <= g->degree; k++)
+        most = larger(most, g->weight[k]);
+    return 1 + SLACK * (g->most_w + (48 + 12 * g->degree) * U * most) / g->least;
+}
+
+double gap_most(const window *w, const double *q0, const double *q1) {
+    gap g, last;
+    double squares[SQUARE_ROOM], weights[SQUARE_ROOM], out = 0, control = 0;
+    gap_at(&g, w, q0);
+    if (w->from < w->to) {
+        gap_at(&last, w, q1);
+        gap_join(&g, &last);
+    }
+    double slack = weight_slack(&g), stray = 2 * g.stray / g.least;
+    for (int k = 0; k <= g.degree; k++)
+        control = larger(control, sqrt(dot3(g.at[k], g.at[k]) + FLOOR) / g.weight[k]);
+    if (g.degree > 0 && g.degree <= SQUARED + 1) {
+        double size = greatest(&g), error = SQUARE_ERROR * size * size + FLOOR;
+        square_vectors(squares, (const double(*)[3])g.at, g.degree);
+        square_numbers(weights, g.weight, g.degree);
+        for (int m = 0; m <= 2 * g.degree; m++)
+            out = larger(out, (squares[m] + error) / weights[m]);
+        control = smaller(control, sqrt(out));
+    }
+    out = (control * slack + stray) * ROUNDED_UP;
+    return out >= 0 ? out : INFINITY;
+}
+
+/* The way from a corner to the place, as the solid carries it, times the weight: to the degree of
+ * gap_at. */
+static void lever(gap *out, const window *w, const double *q, const double *corner) {
+    int d = w->of->dimension;
+    double edge[3] = {0, 0, 0};
+    for (int i = 0; i < d; i++)
+        edge[i] = q[i] - corner[i];
+    out->degree = w->of->rigid ? w->degree : w->place_degree;
+    for (int k = 0; k <= out->degree; k++)
+        for (int i = 0; i < 3; i++) {
+            double sum = 0;
+            for (int j = 0; j < d && i < d && !w->of->rigid; j++)
+                sum += w->place[i * (d + 1) + j][k] * edge[j];
+            out->at[k][i] = w->of->rigid ? edge[i] * w->x[d][k] : sum;
+            out->weight[k] = 0;
+        }
+}
+
+/* squares += 2 min(0, at . levers of all corners); the greatest lever. */
+static double add_levers(double *squares, const window *w, const gap *g, const double *q0,
+                         const double *q1, const double *corner, int count) {
+    double worst[SQUARE_ROOM] = {0}, product[SQUARE_ROOM], longest = 0;
+    for (int c = 0; c < count; c++) {
+        gap first, last;
+        lever(&first, w, q0, corner + c * w->of->dimension);
+        lever(&last, w, q1, corner + c * w->of->dimension);
+        gap_join(&first, &last);
+        longest = larger(longest, greatest(&first));
+        product_vectors(product, (const double(*)[3])g->at, (const double(*)[3])first.at,
+                        g->degree);
+        for (int m = 0; m <= 2 * g->degree; m++)
+            worst[m] = smaller(worst[m], product[m]);
+    }
+    for (int m = 0; m <= 2 * g->degree; m++)
+        squares[m] += 2 * worst[m];
+    return longest;
+}
+
+double gap_about(const window *w, const double *q0, const double *q1, const double *corner,
+                 int count) {
+    gap g, last;
+    double squares[SQUARE_ROOM], weights[SQUARE_ROOM], least = INFINITY;
+    gap_at(&g, w, q0);
+    gap_at(&last, w, q1);
+    if (g.degree >= SQUARED)
+        return 0;
+    gap_join(&g, &last);
+    square_vectors(squares, (const double(*)[3])g.at, g.degree);
+    square_numbers(weights, g.weight, g.degree);
+    double size = greatest(&g), stray = 2 * g.stray;
+    double lever_size = add_levers(squares, w, &g, q0, q1, corner, count);
+    double error = SLACK * (2 * size * stray + stray * stray +
+                            2 * (stray * lever_size + 2 * size * stray + 2 * stray * stray) +
+                            SQUARE_ERROR * size * (size + 2 * lever_size)) +
+                   FLOOR;
+    for (int m = 0; m <= 2 * g.degree; m++)
+        least = smaller(least, (squares[m] - error) / weights[m]);
+    return least > 0 ? sqrt(least) / weight_slack(&g) * ROUNDED_DOWN : 0;
+}

@@ -1,0 +1,184 @@
+/* The greatest distance to the boundary over stays of the trajectory.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Invariant (proofs/distance.md C72): at every time of the stretches that is in no window under way
+ * or put aside the distance is at most s->high; s->low is exceeded or met at s->time. Nothing but
+ * the end of the rounds depends on the tolerance.
+ */
+#include "questions/distance/greatest.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "decide/filter/normal.h"
+#include "questions/distance/gap.h"
+
+static const double SHORTEST = 0x1p-50;
+
+static const double *corners_of(const search *s, uint32_t simplex) {
+    int d = s->base->scene->motion->dimension;
+    return s->base->scene->solid->corners.at + (size_t)simplex * d * d;
+}
+
+/* Ask the boundary at a time; simplices near other times limit the search. 0 if the window is
+ * beyond doubles. */
+static int take_sample(time_sample *out, search *s, const stretch_of_time *of, const point_arc *p,
+                       double time, const time_sample *hint, int hints) {
+    stance at;
+    nearest found;
+    foot f;
+    const place root = {0};
+    out->time = time;
+    out->high = INFINITY;
+    out->simplex = 0;
+    if (!stance_make(&at, p, time))
+        return 0;
+    for (int k = 0; k < hints; k++) {
+        foot_find(&f, &at, corners_of(s, hint[k].simplex));
+        double high = gap_most(&at.at, f.q, f.q);
+        if (high < out->high) {
+            out->high = high;
+            out->simplex = hint[k].simplex;
+        }
+    }
+    nearest_boundary(&found, &at, &root, 1, out->high, &s->visits);
+    if (found.found && found.high < out->high) {
+        out->high = found.high;
+        out->simplex = found.simplex;
+    }
+    int sure = time >= of->sure_from && time <= of->sure_to;
+    if (sure && (!s->met || found.low > s->low)) {
+        s->met = 1;
+        s->low = found.low;
+        s->arc = of->arc;
+        s->time = time;
+    }
+    return 1;
+}
+
+/* No distance of the window is above this; the floor of its bounds. */
+static double window_most(double *floor, search *s, const point_arc *p,
+                          const time_sample *sample_of) {
+    window w;
+    stance first, last;
+    double most = INFINITY;
+    double from = sample_of[0].time, to = sample_of[2].time;
+    if (!window_make(&w, p, from, to) || !stance_make(&first, p, from) ||
+        !stance_make(&last, p, to))
+        return most;
+    *floor = search_floor(&w);
+    for (int k = 0; k < 3; k++) {
+        foot a, b;
+        s->visits++;
+        foot_find(&a, &first, corners_of(s, sample_of[k].simplex));
+        foot_find(&b, &last, corners_of(s, sample_of[k].simplex));
+        most = smaller(most, gap_most(&w, a.q, b.q));
+    }
+    return most;
+}
+
+static graze_status put_aside(search *s, const window_aside *window) {
+    graze_status status = array_grow(s->context, &s->window, &s->window_capacity,
+                                     s->window_count + 1, sizeof *s->window, "a distance");
+    if (!status)
+        s->window[s->window_count++] = *window;
+    return status;
+}
+
+static graze_status explore_greatest(search *s, const stretch_of_time *of, const point_arc *p,
+                                     const time_sample *first, const time_sample *last,
+                                     double known);
+
+/* Go on in the halves of a window between its first and last sample. */
+static graze_status cut_greatest(search *s, const stretch_of_time *of, const point_arc *p,
+                                 const time_sample *three, double most) {
+    graze_status status = GRAZE_OK;
+    if (three[2].time - three[0].time <= SHORTEST || search_is_over(s)) {
+        s->high = larger(s->high, most);
+        return GRAZE_OK;
+    }
+    int right_first = three[0].high < three[2].high;
+    for (int half = 0; half < 2 && !status; half++) {
+        const time_sample *at = &three[half == right_first ? 0 : 1];
+        status = explore_greatest(s, of, p, &at[0], &at[1], most);
+    }
+    return status;
+}
+
+/* Bound a window; `known` is the bound of the one that it is cut from. */
+static graze_status explore_greatest(search *s, const stretch_of_time *of, const point_arc *p,
+                                     const time_sample *first, const time_sample *last,
+                                     double known) {
+    window_aside here = {of, {*first, *first, *last}, known};
+    const time_sample ends[2] = {*first, *last};
+    double middle = first->time + (last->time - first->time) / 2, floor = 0;
+    if (take_sample(&here.sample[1], s, of, p, middle, ends, 2))
+        here.most = smaller(known, window_most(&floor, s, p, here.sample));
+    graze_status status = search_poll(s);
+    if (status)
+        return status;
+    if (here.most <= s->low + floor) {
+        s->high = larger(s->high, here.most);
+        return GRAZE_OK;
+    }
+    if (here.most < INFINITY && here.most <= s->low + s->step)
+        return put_aside(s, &here);
+    return cut_greatest(s, of, p, here.sample, here.most);
+}
+
+static graze_status begin_stretch(search *s, const stretch_of_time *of) {
+    point_arc p;
+    time_sample first, last;
+    graze_status status =
+        point_arc_make(&p, s->context, s->base, of->arc, s->point_low, s->point_high);
+    if (status)
+        return status;
+    (void)take_sample(&first, s, of, &p, of->from, NULL, 0);
+    (void)take_sample(&last, s, of, &p, of->to, &first, 1);
+    return explore_greatest(s, of, &p, &first, &last, INFINITY);
+}
+
+/* One round: half of what is not known is asked for. */
+static graze_status greatest_round(search *s) {
+    graze_status status = GRAZE_OK;
+    window_aside *was = s->window;
+    size_t count = s->window_count;
+    s->window = NULL;
+    s->window_count = s->window_capacity = 0;
+    for (size_t k = 0; k < count && !status; k++) {
+        point_arc p;
+        if (was[k].most <= s->low + s->step) {
+            status = put_aside(s, &was[k]);
+            continue;
+        }
+        status =
+            point_arc_make(&p, s->context, s->base, was[k].of->arc, s->point_low, s->point_high);
+        if (!status)
+            status = cut_greatest(s, was[k].of, &p, was[k].sample, was[k].most);
+    }
+    free(was);
+    return status;
+}
+
+static double most_aside(const search *s) {
+    double most = 0;
+    for (size_t k = 0; k < s->window_count; k++)
+        most = larger(most, s->window[k].most);
+    return most;
+}
+
+graze_status search_greatest(search *s, const stretch_of_time *stretch, size_t count) {
+    graze_status status = GRAZE_OK;
+    s->low = s->high = 0;
+    s->step = INFINITY;
+    for (size_t k = 0; k < count && !status; k++)
+        status = begin_stretch(s, &stretch[k]);
+    double most = most_aside(s);
+    while (!status && most > s->low && !search_is_done(s, s->low, most) && !search_is_over(s)) {
+        s->step = (most - s->low) / 2;
+        status = greatest_round(s);
+        most = most_aside(s);
+    }
+    s->high = larger(larger(s->high, most), s->low);
+    return status;
+}

@@ -1,0 +1,191 @@
+/* The ground is made under the lock of the scene's memo.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/distance/ground.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "questions/distance/bernstein_square.h"
+
+/* 1 if the linear part L of a map satisfies L^T L = W^2 I, as polynomials. */
+static int is_rigid(const point_map *map) {
+    int d = map->dimension, rigid = 1;
+    fmpz_poly_t sum, term, square;
+    fmpz_poly_init(sum);
+    fmpz_poly_init(term);
+    fmpz_poly_init(square);
+    fmpz_poly_sqr(square, map->weight);
+    for (int i = 0; i < d && rigid; i++)
+        for (int j = i; j < d && rigid; j++) {
+            fmpz_poly_zero(sum);
+            for (int k = 0; k < d; k++) {
+                fmpz_poly_mul(term, &map->entry[k * (d + 1) + i], &map->entry[k * (d + 1) + j]);
+                fmpz_poly_add(sum, sum, term);
+            }
+            rigid = i == j ? fmpz_poly_equal(sum, square) : fmpz_poly_is_zero(sum);
+        }
+    fmpz_poly_clear(sum);
+    fmpz_poly_clear(term);
+    fmpz_poly_clear(square);
+    return rigid;
+}
+
+/* Weights vary by no more than this on an arc. */
+static const double MOST_VARIATION = 0x1p10;
+/* Arcs are no shorter than 2^-DEEPEST, and begin at multiples of their length that doubles hold. */
+enum { DEEPEST = 900, MOST_BITS = 52 };
+
+const carrier *ground_tracing(const ground *g, size_t index) {
+    const arc *a = &g->arc[index];
+    return a->tracing.entry ? &a->tracing : &g->whole->piece[a->piece];
+}
+
+static void clear_arc(arc *a) {
+    carrier_clear(&a->tracing);
+    carrier_clear(&a->placing);
+}
+
+static void free_ground(void *value) {
+    ground *g = value;
+    for (size_t k = 0; k < g->arc_count; k++)
+        clear_arc(&g->arc[k]);
+    free(g->arc);
+    free(g->first);
+    free(g);
+}
+
+static int is_even(const carrier *c) {
+    double least = c->weight[0], most = least;
+    for (int k = 1; k <= c->degree; k++) {
+        least = c->weight[k] < least ? c->weight[k] : least;
+        most = c->weight[k] > most ? c->weight[k] : most;
+    }
+    return least * MOST_VARIATION >= most;
+}
+
+static graze_status no_memory_for_maps(graze_context *context) {
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for the maps of a motion");
+}
+
+static graze_status check_arc(graze_context *context, const arc *a, const carrier *tracing) {
+    if (!tracing->usable || (!a->rigid && !a->placing.usable))
+        return context_fail(context, GRAZE_ELIMIT,
+                            "piece %zu of the motion: a degree or a coefficient is beyond what "
+                            "distances are computed for; expected a degree of at most %d",
+                            a->piece, CARRIER_DEGREE);
+    if (!a->rigid && tracing->degree > SQUARED)
+        return context_fail(context, GRAZE_ELIMIT,
+                            "piece %zu of the motion: degree %d without being rigid is beyond "
+                            "what distances are computed for; expected at most %d",
+                            a->piece, tracing->degree, SQUARED);
+    return GRAZE_OK;
+}
+
+static graze_status keep_arc(ground *g, graze_context *context, const arc *a, ulong depth) {
+    graze_status status = array_grow(context, &g->arc, &g->arc_capacity, g->arc_count + 1,
+                                     sizeof *g->arc, "the maps of a motion");
+    if (status)
+        return status;
+    g->arc[g->arc_count++] = *a;
+    g->deepest = depth > g->deepest ? depth : g->deepest;
+    return context_poll(context);
+}
+
+static graze_status make_arcs(ground *g, graze_context *context, size_t piece, int rigid,
+                              const dyadic_interval *part);
+
+static graze_status make_halves(ground *g, graze_context *context, size_t piece, int rigid,
+                                const dyadic_interval *part) {
+    if (part->exponent == DEEPEST || fmpz_bits(part->low) >= MOST_BITS)
+        return context_fail(context, GRAZE_ELIMIT,
+                            "piece %zu of the motion: the common denominator of its matrix varies "
+                            "too much for distances; expected a piece cut where it is smallest",
+                            piece);
+    graze_status status = GRAZE_OK;
+    dyadic_interval half[2];
+    dyadic_interval_init(&half[0]);
+    dyadic_interval_init(&half[1]);
+    dyadic_interval_halves(&half[0], &half[1], part);
+    for (int k = 0; k < 2 && !status; k++)
+        status = make_arcs(g, context, piece, rigid, &half[k]);
+    dyadic_interval_clear(&half[0]);
+    dyadic_interval_clear(&half[1]);
+    return status;
+}
+
+/* Append the arcs of a part of a piece: itself or those of its halves. */
+static graze_status make_arcs(ground *g, graze_context *context, size_t piece, int rigid,
+                              const dyadic_interval *part) {
+    const motion_piece *of = &g->scene->motion->piece[piece];
+    graze_operation operation = g->scene->options.operation;
+    double length = ldexp(1, -(int)part->exponent);
+    int whole = part->exponent == 0;
+    arc a = {piece, fmpz_get_d(part->low) * length, length, rigid, {0}, {0}};
+    const carrier *tracing = whole ? &g->whole->piece[piece] : &a.tracing;
+    int made = whole || carrier_make_on(&a.tracing, motion_tracing(of, operation), part);
+    made = made && (rigid || carrier_make_on(&a.placing, motion_placing(of, operation), part));
+    graze_status status = made ? check_arc(context, &a, tracing) : no_memory_for_maps(context);
+    int even = !status && is_even(tracing) && (rigid || is_even(&a.placing));
+    if (even) {
+        status = keep_arc(g, context, &a, part->exponent);
+        if (!status)
+            return GRAZE_OK;
+    }
+    clear_arc(&a);
+    return status ? status : make_halves(g, context, piece, rigid, part);
+}
+
+static graze_status make_pieces(ground *g, graze_context *context) {
+    const graze_motion *motion = g->scene->motion;
+    graze_operation operation = g->scene->options.operation;
+    graze_status status = GRAZE_OK;
+    dyadic_interval unit;
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    for (size_t k = 0; k < motion->piece_count && !status; k++) {
+        g->first[k] = g->arc_count;
+        int rigid = is_rigid(motion_tracing(&motion->piece[k], operation));
+        status = make_arcs(g, context, k, rigid, &unit);
+    }
+    g->first[motion->piece_count] = g->arc_count;
+    dyadic_interval_clear(&unit);
+    return status;
+}
+
+static graze_status make_ground(scene_memo *memo, graze_context *context,
+                                const graze_scene *scene) {
+    if (!scene->solid->corners.at)
+        return context_fail(context, GRAZE_ELIMIT,
+                            "a coordinate of the solid is too large for distances; expected at "
+                            "most 2^200");
+    ground *made = calloc(1, sizeof *made);
+    size_t *first = calloc(scene->motion->piece_count + 1, sizeof *first);
+    if (!made || !first) {
+        free(made);
+        free(first);
+        return no_memory_for_maps(context);
+    }
+    made->scene = scene;
+    made->whole = &scene->filter.course;
+    made->first = first;
+    graze_status status = make_pieces(made, context);
+    if (status) {
+        free_ground(made);
+        return status;
+    }
+    memo->value = made;
+    memo->free = free_ground;
+    return GRAZE_OK;
+}
+
+graze_status ground_of(const ground **out, graze_context *context, const graze_scene *scene) {
+    scene_memo *memo = scene->ground;
+    graze_status status = GRAZE_OK;
+    pthread_mutex_lock(&memo->lock);
+    if (!memo->value)
+        status = make_ground(memo, context, scene);
+    *out = memo->value;
+    pthread_mutex_unlock(&memo->lock);
+    return status;
+}

@@ -1,0 +1,338 @@
+/* The least distance: windows of time with the nodes that may come nearer than is known.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Invariant (proofs/distance.md C71): every pair of a time and a place of the boundary is in a
+ * window under way with a node on its list, or put aside with a bound, or no nearer than s->low;
+ * s->high is reached. Nothing but the end of the rounds depends on the tolerance.
+ */
+#include "questions/distance/least.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "decide/filter/normal.h"
+#include "questions/distance/along.h"
+#include "questions/distance/gap.h"
+
+/* Shorter windows are not cut. */
+static const double SHORTEST = 0x1p-48;
+
+typedef struct look {
+    search *s;
+    const window *w;
+    const stance *mid;
+    stance *end;  /* two, at the window's ends, */
+    int has_ends; /* 1: made, 0: not needed so far, -1: beyond doubles */
+    double floor, travel;
+    int out_of_memory;
+} look;
+
+static double travel_of(const window *w) {
+    int d = w->of->dimension;
+    double most = 0;
+    for (int k = 1; k <= w->degree; k++)
+        for (int i = 0; i < d; i++)
+            most = larger(most, fabs(w->x[i][k] / w->x[d][k] - w->x[i][0] / w->x[d][0]));
+    return most;
+}
+
+static graze_status no_room(search *s) {
+    return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for a distance");
+}
+
+static void keep_pair(look *l, const pair_aside *pair) {
+    search *s = l->s;
+    if (array_reserve(&s->aside, &s->aside_capacity, s->aside_count + 1, sizeof *s->aside))
+        s->aside[s->aside_count++] = *pair;
+    else
+        l->out_of_memory = 1;
+}
+
+/* Drop a place that doubles bring no nearer, put one aside whose bound is good enough for the
+ * round; 0 if it is neither. */
+static int leave_out(look *l, const place *p) {
+    search *s = l->s;
+    if (p->low >= s->high - l->floor) {
+        s->low = smaller(s->low, p->low);
+        return 1;
+    }
+    pair_aside pair = {*p, (uint32_t)l->w->of->arc, l->w->from, l->w->to};
+    if (p->low >= s->high - s->step)
+        keep_pair(l, &pair);
+    return p->low >= s->high - s->step;
+}
+
+static int is_large(const look *l, const tree_node *node) {
+    return node->child && box_extent(&node->box) > l->travel;
+}
+
+static void keep_place(look *l, const place *p) {
+    search *s = l->s;
+    if (array_reserve(&s->list, &s->list_capacity, s->list_count + 1, sizeof *s->list))
+        s->list[s->list_count++] = *p;
+    else
+        l->out_of_memory = 1;
+}
+
+/* The bound from the places nearest at the window's ends. */
+static double low_about(look *l, const double *corner) {
+    const point_arc *p = l->w->of;
+    foot first, last;
+    if (!l->has_ends)
+        l->has_ends =
+            stance_make(&l->end[0], p, l->w->from) && stance_make(&l->end[1], p, l->w->to) ? 1 : -1;
+    if (l->has_ends < 0)
+        return 0;
+    foot_find(&first, &l->end[0], corner);
+    foot_find(&last, &l->end[1], corner);
+    return gap_about(l->w, first.q, last.q, corner, p->dimension);
+}
+
+static double simplex_low(look *l, uint32_t simplex) {
+    int d = l->mid->dimension;
+    const double *corner = l->s->base->scene->solid->corners.at + (size_t)simplex * d * d;
+    foot f;
+    foot_find(&f, l->mid, corner);
+    double low = gap_along(l->w, f.m, gap_corners(f.m, corner, d, d));
+    if (!(low >= l->s->high - larger(l->s->step, l->floor)) && !f.inner)
+        low = larger(low, low_about(l, corner));
+    return low;
+}
+
+static void ask_node(look *l, place here);
+
+/* A place that has its bound is kept for shorter windows, or asked by its halves. */
+static void enter_node(look *l, const place *p) {
+    const tree_node *node = &l->s->base->scene->solid->boxes.node[p->node];
+    if (is_large(l, node)) {
+        ask_node(l, (place){node->child, PLACE_SEEN, p->low});
+        ask_node(l, (place){node->child + 1, PLACE_SEEN, p->low});
+    } else {
+        keep_place(l, &(place){p->node, PLACE_NEW, p->low});
+    }
+}
+
+/* Bound a place, which is no nearer than what holds it. */
+static void ask_node(look *l, place here) {
+    const tree_node *node = &l->s->base->scene->solid->boxes.node[here.node];
+    double g[3], low;
+    if (leave_out(l, &here))
+        return;
+    if (here.state < PLACE_BOUNDED) {
+        l->s->visits++;
+        if (node->child) {
+            foot_of_box(g, l->mid, &node->box);
+            low = gap_along(l->w, g, gap_box(g, &node->box));
+        } else {
+            low = simplex_low(l, node->simplex);
+        }
+        here.low = larger(low, here.low);
+        here.state = is_large(l, node) ? PLACE_BOUNDED : PLACE_SMALL;
+        if (leave_out(l, &here))
+            return;
+    }
+    enter_node(l, &here);
+}
+
+/* Ask the boundary at the middle of the window; a smaller distance is remembered. Returns whether
+ * the left half is nearer to what is found. */
+static int ask_middle(search *s, const window *w, const stance *mid, double time, size_t first,
+                      size_t count) {
+    nearest found;
+    foot f;
+    int d = mid->dimension, n = w->degree;
+    nearest_boundary(&found, mid, s->list + first, count, s->high, &s->visits);
+    if (!found.found)
+        return 1;
+    if (found.high < s->high) {
+        s->high = found.high;
+        s->arc = w->of->arc;
+        s->time = time;
+    }
+    foot_find(&f, mid, s->base->scene->solid->corners.at + (size_t)found.simplex * d * d);
+    double left = 0, right = 0;
+    for (int i = 0; i < d; i++) {
+        double a = w->x[i][0] / w->x[d][0] - f.q[i], b = w->x[i][n] / w->x[d][n] - f.q[i];
+        left += a * a;
+        right += b * b;
+    }
+    return left <= right;
+}
+
+static graze_status explore_least(search *s, const point_arc *p, double from, double to,
+                                  size_t first, size_t count);
+
+static graze_status explore_halves(search *s, const point_arc *p, double from, double to,
+                                   size_t first, int left_first) {
+    double middle = from + (to - from) / 2;
+    size_t count = s->list_count - first;
+    for (int half = 0; half < 2; half++) {
+        int left = (half == 0) == left_first;
+        graze_status status =
+            explore_least(s, p, left ? from : middle, left ? middle : to, first, count);
+        if (status)
+            return status;
+    }
+    return GRAZE_OK;
+}
+
+/* Bound the nodes of a list over a window; those that are not good enough stand at the end of the
+ * list. */
+static graze_status bound_list(search *s, const point_arc *p, double from, double to, size_t first,
+                               size_t count, int *left_first) {
+    window w;
+    stance mid, end[2];
+    double time = from + (to - from) / 2;
+    int made = window_make(&w, p, from, to) && stance_make(&mid, p, time);
+    look l = {.s = s, .w = &w, .mid = &mid, .end = end};
+    if (made) {
+        l.floor = search_floor(&w);
+        l.travel = travel_of(&w);
+        if (s->list[first].state == PLACE_NEW)
+            *left_first = ask_middle(s, &w, &mid, time, first, count);
+    }
+    for (size_t k = first; k < first + count; k++) {
+        place here = s->list[k];
+        if (made && here.state == PLACE_NEW)
+            here.state = PLACE_SEEN;
+        if (made)
+            ask_node(&l, here);
+        else /* a weight that may vanish on the window: cut it */
+            keep_place(&l, &here);
+    }
+    s->visits += made ? 0 : 1 + count;
+    if (l.out_of_memory)
+        return no_room(s);
+    return search_poll(s);
+}
+
+/* Go on in the halves of a window with what stands at the end of the list. */
+static graze_status cut_least(search *s, const point_arc *p, double from, double to, size_t first,
+                              int left_first) {
+    if (s->list_count > first && to - from > SHORTEST && !search_is_over(s))
+        return explore_halves(s, p, from, to, first, left_first);
+    for (size_t k = first; k < s->list_count; k++)
+        s->low = smaller(s->low, s->list[k].low);
+    return GRAZE_OK;
+}
+
+static graze_status explore_least(search *s, const point_arc *p, double from, double to,
+                                  size_t first, size_t count) {
+    size_t mine = s->list_count;
+    int left_first = 1;
+    graze_status status = bound_list(s, p, from, to, first, count, &left_first);
+    if (!status)
+        status = cut_least(s, p, from, to, mine, left_first);
+    s->list_count = mine;
+    return status;
+}
+
+static int compare_pairs(const void *left, const void *right) {
+    const pair_aside *a = left, *b = right;
+    double x = a->place.low, y = b->place.low;
+    return x < y ? -1 : x > y ? 1 : a->arc < b->arc ? -1 : 1;
+}
+
+/* What the solid's box says about a whole arc. */
+static graze_status bound_arc(pair_aside *out, search *s, size_t index) {
+    point_arc p;
+    window w;
+    stance mid;
+    double g[3];
+    const box *root = &s->base->scene->solid->boxes.node[0].box;
+    *out = (pair_aside){.to = 1, .arc = (uint32_t)index};
+    graze_status status =
+        point_arc_make(&p, s->context, s->base, index, s->point_low, s->point_high);
+    if (status || !window_make(&w, &p, 0, 1) || !stance_make(&mid, &p, 0.5))
+        return status;
+    foot_of_box(g, &mid, root);
+    out->place.low = gap_along(&w, g, gap_box(g, root));
+    return status;
+}
+
+/* At first whole arcs with the whole boundary are aside, the nearest first. */
+static graze_status begin_rounds(search *s) {
+    size_t count = s->base->arc_count;
+    graze_status status = GRAZE_OK;
+    s->low = s->high = INFINITY;
+    s->list_count = s->aside_count = 0;
+    if (!array_reserve(&s->aside, &s->aside_capacity, count, sizeof *s->aside))
+        return no_room(s);
+    for (size_t k = 0; k < count && !status; k++)
+        status = bound_arc(&s->aside[k], s, k);
+    s->aside_count = count;
+    if (!status)
+        qsort(s->aside, count, sizeof *s->aside, compare_pairs);
+    return status;
+}
+
+/* Pairs of one window: those that the round asks for go on, the others stay aside. */
+static graze_status resume_window(search *s, const pair_aside *pair, size_t count) {
+    size_t mine = s->list_count;
+    int small = 1;
+    look l = {.s = s};
+    point_arc p;
+    for (size_t k = 0; k < count; k++) {
+        const place *here = &pair[k].place;
+        if (!(here->low >= s->high - s->step)) {
+            keep_place(&l, here);
+            small = small && here->state == PLACE_SMALL;
+        } else if (here->low < s->high) {
+            keep_pair(&l, &pair[k]);
+        }
+    }
+    if (l.out_of_memory)
+        return no_room(s);
+    if (s->list_count == mine)
+        return GRAZE_OK;
+    graze_status status =
+        point_arc_make(&p, s->context, s->base, pair->arc, s->point_low, s->point_high);
+    for (size_t k = mine; k < s->list_count && small; k++)
+        s->list[k].state = PLACE_NEW; /* of the halves */
+    if (!status && small)
+        status = cut_least(s, &p, pair->from, pair->to, mine, 1);
+    else if (!status)
+        status = explore_least(s, &p, pair->from, pair->to, mine, s->list_count - mine);
+    s->list_count = mine;
+    return status;
+}
+
+static int same_window(const pair_aside *a, const pair_aside *b) {
+    return a->arc == b->arc && a->from == b->from && a->to == b->to;
+}
+
+/* One round: half of what is not known is asked for. */
+static graze_status least_round(search *s) {
+    graze_status status = GRAZE_OK;
+    pair_aside *was = s->aside;
+    size_t count = s->aside_count;
+    s->aside = NULL;
+    s->aside_count = s->aside_capacity = 0;
+    for (size_t k = 0, end; k < count && !status; k = end) {
+        for (end = k + 1; end < count && same_window(&was[k], &was[end]);)
+            end++;
+        status = resume_window(s, was + k, end - k);
+    }
+    free(was);
+    return status;
+}
+
+static double least_aside(const search *s) {
+    double low = INFINITY;
+    for (size_t k = 0; k < s->aside_count; k++)
+        low = smaller(low, s->aside[k].place.low);
+    return low;
+}
+
+graze_status search_least(search *s) {
+    graze_status status = begin_rounds(s);
+    double low = least_aside(s);
+    while (!status && s->aside_count > 0 && !search_is_done(s, low, s->high) &&
+           !search_is_over(s)) {
+        s->step = (s->high - low) / 2;
+        status = least_round(s);
+        low = least_aside(s);
+    }
+    s->low = smaller(smaller(s->low, low), s->high);
+    return status;
+}

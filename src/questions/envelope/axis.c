@@ -1,0 +1,93 @@
+/* Roots merged in order, with samples between them. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/envelope/axis.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/number/bernstein.h"
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "base/number/sign.h"
+
+static void append_end(algebraic_list *list, slong value) {
+    fmpq_t end;
+    fmpq_init(end);
+    fmpq_set_si(end, value, 1);
+    algebraic_set_rational(algebraic_list_append(list), end);
+    fmpq_clear(end);
+}
+
+/* The list's numbers in order, equal ones once. */
+static graze_status order_points(axis *x, graze_context *context) {
+    size_t n = x->roots.count;
+    x->point = malloc(n * sizeof *x->point);
+    if (!x->point)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for roots");
+    for (size_t k = 0; k < n; k++)
+        x->point[k] = &x->roots.item[k];
+    graze_status status = algebraic_sort(x->point, n, context);
+    for (size_t k = 0; k < n && !status; k++) {
+        int order = -1;
+        if (x->count)
+            status = algebraic_compare(&order, context, x->point[x->count - 1], x->point[k]);
+        if (order != 0)
+            x->point[x->count++] = x->point[k];
+    }
+    return status;
+}
+
+graze_status axis_make(axis *out, graze_context *context, const fmpz_poly_struct *p, size_t count) {
+    dyadic_interval unit;
+    memset(out, 0, sizeof *out);
+    algebraic_list_init(&out->roots);
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    append_end(&out->roots, 0);
+    append_end(&out->roots, 1);
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < count && !status; k++)
+        if (!fmpz_poly_is_zero(p + k))
+            status = algebraic_roots(&out->roots, context, p + k, &unit);
+    dyadic_interval_clear(&unit);
+    if (!status)
+        status = order_points(out, context);
+    if (status)
+        return status;
+    out->sample = _fmpq_vec_init((slong)out->count);
+    for (size_t k = 1; k < out->count && !status; k++)
+        status = algebraic_between(out->sample + k, context, out->point[k - 1], out->point[k]);
+    return status;
+}
+
+void axis_clear(axis *x) {
+    if (x->sample)
+        _fmpq_vec_clear(x->sample, (slong)x->count);
+    free(x->point);
+    algebraic_list_clear(&x->roots);
+}
+
+graze_status axis_sign(int *out, graze_context *context, axis *x, const fmpz_poly_struct *p,
+                       size_t k) {
+    return algebraic_sign_at(out, context, p, x->point[k]);
+}
+
+int axis_sign_before(const axis *x, const fmpz_poly_struct *p, size_t k) {
+    return fmpz_poly_is_zero(p) ? 0 : rational_sign(p, x->sample + k);
+}
+
+int axis_one_sign(const fmpz_poly_struct *p) {
+    if (fmpz_poly_is_zero(p))
+        return 0;
+    dyadic_interval unit;
+    bernstein_form form;
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    bernstein_form_init(&form, p, fmpz_poly_degree(p), &unit);
+    int low = wide_sign(&form.c, 0), high = wide_sign(&form.c, form.c.count - 1);
+    int sign = low == high ? low : 0;
+    if (sign && bernstein_variations(&form) != 0)
+        sign = 0;
+    bernstein_form_clear(&form);
+    dyadic_interval_clear(&unit);
+    return sign;
+}

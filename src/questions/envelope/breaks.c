@@ -1,0 +1,221 @@
+/* Breaks, one side after the other. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Before the break contact and after it all g positive, or after it contact and before it all g
+ * negative. Values there are rational. The sides are told apart by `turn`: 1 for the first of
+ * these, -1 for the second, so that all g of the other side times `turn` are positive.
+ */
+#include "questions/envelope/breaks.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "questions/envelope/decomposition.h"
+
+/* Two pieces that meet, the one with contact and the other one. */
+typedef struct meeting_pieces {
+    graze_envelope *e;
+    size_t contact, other;
+    int turn; /* 1: contact before the break */
+} meeting_pieces;
+
+/* g at the break, on the side of contact or on the other one, times `turn`. */
+static void break_value(fmpz_t out, const meeting_pieces *m, int other, size_t facet,
+                        size_t vertex) {
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    derivatives_velocity(g, &m->e->field[other ? m->other : m->contact], facet, vertex);
+    int at_one = (m->turn > 0) != other;
+    fmpz_t u;
+    fmpz_init_set_si(u, at_one);
+    fmpz_poly_evaluate_fmpz(out, g, u);
+    fmpz_mul_si(out, out, m->turn);
+    fmpz_clear(u);
+    fmpz_poly_clear(g);
+}
+
+static int break_sign(const meeting_pieces *m, int other, size_t facet, size_t vertex) {
+    fmpz_t value;
+    fmpz_init(value);
+    break_value(value, m, other, facet, vertex);
+    int sign = fmpz_sgn(value);
+    fmpz_clear(value);
+    return sign;
+}
+
+/* The sign of g times `turn` next to the break on the side of contact. */
+static int sign_beside(const meeting_pieces *m, size_t facet, size_t vertex) {
+    fmpz_poly_t g;
+    fmpz_t u, value;
+    int sign = 0, flip = m->turn;
+    fmpz_poly_init(g);
+    fmpz_init_set_si(u, m->turn > 0);
+    fmpz_init(value);
+    derivatives_velocity(g, &m->e->field[m->contact], facet, vertex);
+    while (!sign && !fmpz_poly_is_zero(g)) {
+        fmpz_poly_evaluate_fmpz(value, g, u);
+        sign = fmpz_sgn(value) * flip;
+        flip = m->turn > 0 ? -flip : flip;
+        fmpz_poly_derivative(g, g);
+    }
+    fmpz_poly_clear(g);
+    fmpz_clear(u);
+    fmpz_clear(value);
+    return sign;
+}
+
+static int is_vertex_bad(const meeting_pieces *m, size_t vertex) {
+    const cell_complex *c = &m->e->cells;
+    int low = 1, high = -1, all = 1;
+    if (c->vertex[vertex].kind == PLACE_REFLEX || c->vertex[vertex].kind == PLACE_OTHER)
+        return 0;
+    for (size_t j = c->vertex_facets.start[vertex]; j < c->vertex_facets.start[vertex + 1] && all;
+         j++) {
+        size_t facet = c->vertex_facets.item[j];
+        int beside = sign_beside(m, facet, vertex);
+        low = beside < low ? beside : low;
+        high = beside > high ? beside : high;
+        all = break_sign(m, 1, facet, vertex) > 0;
+    }
+    return all && low <= 0 && high >= 0;
+}
+
+/* A linear function on an edge by its values at the ends; the zero of it as a place on [0, 1]. */
+typedef struct edge_function {
+    fmpz_t at_u, at_v;
+} edge_function;
+
+static int sign_along(const edge_function *f, const fmpq_t lambda) {
+    fmpq_t value, rest;
+    fmpq_init(value);
+    fmpq_init(rest);
+    fmpq_mul_fmpz(value, lambda, f->at_v);
+    fmpq_set_si(rest, 1, 1);
+    fmpq_sub(rest, rest, lambda);
+    fmpq_mul_fmpz(rest, rest, f->at_u);
+    fmpq_add(value, value, rest);
+    int sign = fmpq_sgn(value);
+    fmpq_clear(value);
+    fmpq_clear(rest);
+    return sign;
+}
+
+static int compare_edge_places(const void *left, const void *right) {
+    return fmpq_cmp(left, right);
+}
+
+/* Is there a place on the edge at which the first two functions have different signs and the last
+ * two are positive? Between zeros one place stands for all. */
+static int has_place(const edge_function f[4]) {
+    fmpq *place = _fmpq_vec_init(6);
+    slong count = 1;
+    int found = 0;
+    fmpq_t middle;
+    fmpq_init(middle);
+    for (int k = 0; k < 4; k++)
+        if (fmpz_sgn(f[k].at_u) * fmpz_sgn(f[k].at_v) < 0) {
+            fmpz_sub(fmpq_denref(place + count), f[k].at_u, f[k].at_v);
+            fmpz_set(fmpq_numref(place + count), f[k].at_u);
+            fmpq_canonicalise(place + count++);
+        }
+    fmpq_set_si(place + count++, 1, 1);
+    qsort(place, (size_t)count, sizeof *place, compare_edge_places);
+    for (slong k = 1; k < count && !found; k++) {
+        fmpq_add(middle, place + k - 1, place + k);
+        fmpq_div_2exp(middle, middle, 1);
+        found = sign_along(&f[0], middle) * sign_along(&f[1], middle) < 0 &&
+                sign_along(&f[2], middle) > 0 && sign_along(&f[3], middle) > 0;
+    }
+    fmpq_clear(middle);
+    _fmpq_vec_clear(place, 6);
+    return found;
+}
+
+/* A convex edge has two planes; facets of one plane have one g. */
+static int is_edge_bad(const meeting_pieces *m, size_t edge) {
+    const cell_complex *c = &m->e->cells;
+    const cell_edge *e = &c->edge[edge];
+    if (e->kind != PLACE_CONVEX)
+        return 0;
+    const size_t *facet = c->edge_facets.item + c->edge_facets.start[edge];
+    size_t last = c->edge_facets.start[edge + 1] - c->edge_facets.start[edge] - 1;
+    edge_function f[4];
+    for (int k = 0; k < 4; k++) {
+        fmpz_init(f[k].at_u);
+        fmpz_init(f[k].at_v);
+        break_value(f[k].at_u, m, k >= 2, facet[k % 2 ? last : 0], e->u);
+        break_value(f[k].at_v, m, k >= 2, facet[k % 2 ? last : 0], e->v);
+    }
+    int bad = has_place(f);
+    for (int k = 0; k < 4; k++) {
+        fmpz_clear(f[k].at_u);
+        fmpz_clear(f[k].at_v);
+    }
+    return bad;
+}
+
+/* Does a slice of the facet end on the edge, at the break, where g of the other side is positive?
+ * In E^2 the slice itself. */
+static int is_slice_bad(const meeting_pieces *m, size_t facet, size_t edge) {
+    const cell_edge *e = &m->e->cells.edge[edge];
+    fmpz_t u, v, other_u, other_v;
+    fmpz_init(u);
+    fmpz_init(v);
+    fmpz_init(other_u);
+    fmpz_init(other_v);
+    break_value(u, m, 0, facet, e->u);
+    break_value(v, m, 0, facet, e->v);
+    break_value(other_u, m, 1, facet, e->u);
+    break_value(other_v, m, 1, facet, e->v);
+    int ends = fmpz_sgn(u) * fmpz_sgn(v) < 0, sign = fmpz_sgn(u);
+    fmpz_mul(u, u, other_v);
+    fmpz_submul(u, v, other_u);
+    int bad = ends && fmpz_sgn(u) * sign > 0;
+    fmpz_clear(u);
+    fmpz_clear(v);
+    fmpz_clear(other_u);
+    fmpz_clear(other_v);
+    return bad;
+}
+
+/* A slice that ends so on an edge; or all of a facet that slides up to the break or from it. */
+static int is_facet_bad(const meeting_pieces *m, size_t facet) {
+    const cell_complex *c = &m->e->cells;
+    int bad = 0, still = m->e->still[m->contact * c->facet_count + facet];
+    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1] && !bad; j++) {
+        const cell_edge *e = &c->edge[c->facet_edges.item[j]];
+        bad = still ? break_sign(m, 1, facet, e->u) > 0 || break_sign(m, 1, facet, e->v) > 0
+                    : is_slice_bad(m, facet, c->facet_edges.item[j]);
+    }
+    return bad;
+}
+
+static graze_status judge_turn(const meeting_pieces *m, graze_context *context,
+                               const algebraic *start, size_t piece) {
+    const cell_complex *c = &m->e->cells;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < c->facet_count && !status; k++)
+        if (is_facet_bad(m, k))
+            status = judge_find(m->e, context, GRAZE_REASON_BREAK, &c->facet[k].name,
+                                &c->facet[k].name, piece, start);
+    for (size_t k = 0; k < c->edge_count && !status; k++)
+        if (is_edge_bad(m, k))
+            status = judge_find(m->e, context, GRAZE_REASON_BREAK, &NO_CELL, &c->edge[k].name,
+                                piece, start);
+    for (size_t k = 0; k < c->vertex_count && !status; k++)
+        if (is_vertex_bad(m, k))
+            status = judge_find(m->e, context, GRAZE_REASON_BREAK, &NO_CELL, &c->vertex[k].name,
+                                piece, start);
+    return status ? status : context_poll(context);
+}
+
+graze_status breaks_judge(graze_envelope *e, graze_context *context, size_t piece) {
+    algebraic start;
+    algebraic_init(&start);
+    graze_status status =
+        judge_find(e, context, GRAZE_REASON_PIECES, &NO_CELL, &NO_CELL, piece, &start);
+    for (int turn = 1; turn >= -1 && !status && judge_wants(e, GRAZE_REASON_BREAK); turn -= 2) {
+        meeting_pieces m = {e, turn > 0 ? piece - 1 : piece, turn > 0 ? piece : piece - 1, turn};
+        status = judge_turn(&m, context, &start, piece);
+    }
+    algebraic_clear(&start);
+    return status;
+}

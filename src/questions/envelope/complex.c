@@ -1,0 +1,343 @@
+/* Facets of simplices, vertices by position, and what lies in what, by location of each cell's
+ * middle. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/envelope/complex.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "input/solid/forms.h"
+#include "questions/envelope/edges.h"
+
+static graze_status no_room_for_cells(graze_context *context) {
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a boundary");
+}
+
+/* A vertex of the input, to be sorted by position. */
+typedef struct position {
+    const fmpq *at;
+    size_t vertex;
+    int dimension;
+} position;
+
+static int compare_positions(const void *left, const void *right) {
+    const position *a = left, *b = right;
+    for (int i = 0; i < a->dimension; i++) {
+        int order = fmpq_cmp(a->at + i, b->at + i);
+        if (order)
+            return order;
+    }
+    return 0;
+}
+
+/* The corners of all simplices, each vertex once. */
+static size_t list_corners(position *out, const cell_complex *c, size_t *seen) {
+    const simplices *cut = &c->solid->cut;
+    size_t d = (size_t)c->dimension, n = 0;
+    for (size_t s = 0; s < cut->count; s++)
+        for (size_t k = 0; k < d; k++) {
+            size_t v = cut->item[s].vertex[k];
+            if (!seen[v])
+                out[n++] = (position){c->solid->input.coordinates + v * d, v, c->dimension};
+            seen[v] = 1;
+        }
+    return n;
+}
+
+/* Number the positions of the corners: number[v] of a vertex, zeros before. */
+static graze_status number_positions(size_t *number, cell_complex *c, graze_context *context) {
+    size_t d = (size_t)c->dimension;
+    position *sorted = malloc(c->solid->input.vertex_count * sizeof *sorted);
+    if (!sorted)
+        return no_room_for_cells(context);
+    size_t n = list_corners(sorted, c, number);
+    qsort(sorted, n, sizeof *sorted, compare_positions);
+    c->at = _fmpq_vec_init((slong)(n * d));
+    c->vertex_capacity = n;
+    for (size_t k = 0; k < n; k++) {
+        if (k == 0 || compare_positions(&sorted[k - 1], &sorted[k]) != 0)
+            for (size_t i = 0; i < d; i++)
+                fmpq_set(c->at + d * c->vertex_count + i, sorted[k].at + i);
+        c->vertex_count += k == 0 || compare_positions(&sorted[k - 1], &sorted[k]) != 0;
+        number[sorted[k].vertex] = c->vertex_count - 1;
+    }
+    free(sorted);
+    return GRAZE_OK;
+}
+
+static graze_status find_corners(cell_complex *c, graze_context *context) {
+    const simplices *cut = &c->solid->cut;
+    size_t d = (size_t)c->dimension;
+    size_t *number = calloc(c->solid->input.vertex_count, sizeof *number);
+    c->corner = malloc(cut->count * d * sizeof *c->corner);
+    graze_status status =
+        number && c->corner ? number_positions(number, c, context) : no_room_for_cells(context);
+    for (size_t s = 0; s < cut->count && !status; s++)
+        for (size_t k = 0; k < d; k++)
+            c->corner[s * d + k] = number[cut->item[s].vertex[k]];
+    free(number);
+    return status;
+}
+
+static int compare_cell_facets(const void *left, const void *right) {
+    const cell_facet *a = left, *b = right;
+    int order = cell_compare(&a->name, &b->name);
+    for (int i = 0; i < 4 && order == 0; i++)
+        order = fmpz_cmp(a->form + i, b->form + i);
+    return order;
+}
+
+/* The facet of one simplex. */
+static void set_facet(cell_facet *f, const cell_complex *c, size_t simplex) {
+    int d = c->dimension;
+    fmpz_t content;
+    memset(f, 0, sizeof *f);
+    f->name = solid_cell(c->solid, simplex, 0);
+    f->first = simplex;
+    int facing = solid_plane(f->form, c->solid, simplex);
+    _fmpz_vec_scalar_mul_si(f->form, f->form, d + 1, facing);
+    fmpz_init(content);
+    _fmpz_vec_content(content, f->form, d);
+    _fmpz_vec_scalar_divexact_fmpz(f->normal, f->form, d, content);
+    fmpz_clear(content);
+}
+
+static void clear_facet(cell_facet *f) {
+    _fmpz_vec_zero(f->form, 4);
+    _fmpz_vec_zero(f->normal, 3);
+}
+
+/* Merge the facets of single simplices, sorted, into facets; their simplices go into `order`. */
+static void merge_facets(cell_complex *c, size_t count) {
+    for (size_t k = 0; k < count; k++) {
+        size_t simplex = c->facet[k].first;
+        if (k == 0 || compare_cell_facets(&c->facet[c->facet_count - 1], &c->facet[k]) != 0) {
+            if (k > c->facet_count) {
+                c->facet[c->facet_count] = c->facet[k];
+                memset(&c->facet[k], 0, sizeof c->facet[k]);
+            }
+            c->facet[c->facet_count].first = k;
+            c->facet_count++;
+        } else {
+            clear_facet(&c->facet[k]);
+        }
+        c->order[k] = simplex;
+        c->facet_of[simplex] = c->facet_count - 1;
+        c->facet[c->facet_count - 1].count = k + 1 - c->facet[c->facet_count - 1].first;
+    }
+}
+
+static graze_status find_facets(cell_complex *c, graze_context *context) {
+    size_t n = c->solid->cut.count;
+    c->facet = calloc(n, sizeof *c->facet);
+    c->order = malloc(n * sizeof *c->order);
+    c->facet_of = malloc(n * sizeof *c->facet_of);
+    if (!c->facet || !c->order || !c->facet_of)
+        return no_room_for_cells(context);
+    for (size_t s = 0; s < n; s++)
+        set_facet(&c->facet[s], c, s);
+    qsort(c->facet, n, sizeof *c->facet, compare_cell_facets);
+    merge_facets(c, n);
+    return GRAZE_OK;
+}
+
+/* The number of a facet that a place names. */
+static size_t facet_number(const cell_complex *c, const place_facet *wanted) {
+    cell_facet key;
+    memset(&key, 0, sizeof key);
+    key.name = wanted->name;
+    for (int i = 0; i < 4; i++)
+        key.form[i] = wanted->form[i]; /* borrowed */
+    const cell_facet *found =
+        bsearch(&key, c->facet, c->facet_count, sizeof *c->facet, compare_cell_facets);
+    return (size_t)(found - c->facet);
+}
+
+/* What grows while cells are located one after another. */
+typedef struct locating {
+    cell_complex *c;
+    graze_context *context;
+    cell_lists *lists;
+    size_t done, used, capacity;
+} locating;
+
+/* Locate a point of the next cell: its name, kind and facets. */
+static graze_status locate_next(graze_cell *name, place_kind *kind, locating *l, const fmpq *at) {
+    neighborhood found;
+    graze_status status = neighborhood_locate(&found, l->context, l->c->solid, at);
+    if (!status && !found.count)
+        status = context_fail(l->context, GRAZE_EINTERNAL, "a cell is not on the boundary");
+    if (!status)
+        status = array_grow(l->context, &l->lists->item, &l->capacity, l->used + found.count,
+                            sizeof *l->lists->item, "the facets at a cell");
+    for (size_t k = 0; k < found.count && !status; k++)
+        l->lists->item[l->used++] = facet_number(l->c, &found.facet[k]);
+    *name = found.cell;
+    *kind = found.kind;
+    l->lists->start[++l->done] = l->used;
+    neighborhood_clear(&found);
+    return status ? status : context_work(l->context, 10000);
+}
+
+static int compare_numbers(const void *left, const void *right) {
+    const size_t *a = left, *b = right;
+    return *a < *b ? -1 : *a > *b;
+}
+
+static void sort_lists(cell_lists *lists, size_t count) {
+    for (size_t k = 0; k < count; k++)
+        qsort(lists->item + lists->start[k], lists->start[k + 1] - lists->start[k],
+              sizeof *lists->item, compare_numbers);
+}
+
+static graze_status locate_vertices(cell_complex *c, graze_context *context) {
+    int d = c->dimension;
+    locating l = {.c = c, .context = context, .lists = &c->vertex_facets};
+    c->vertex = calloc(c->vertex_count, sizeof *c->vertex);
+    c->vertex_facets.start = calloc(c->vertex_count + 1, sizeof(size_t));
+    if (!c->vertex || !c->vertex_facets.start)
+        return no_room_for_cells(context);
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < c->vertex_count && !status; k++) {
+        cell_vertex *v = &c->vertex[k];
+        const fmpq *at = c->at + k * (size_t)d;
+        _fmpq_vec_get_fmpz_vec_fmpz(v->x, v->x + d, at, d);
+        status = locate_next(&v->name, &v->kind, &l, at);
+    }
+    if (!status)
+        sort_lists(&c->vertex_facets, c->vertex_count);
+    return status;
+}
+
+static graze_status locate_edges(cell_complex *c, graze_context *context) {
+    int d = c->dimension;
+    locating l = {.c = c, .context = context, .lists = &c->edge_facets};
+    c->edge_facets.start = calloc(c->edge_count + 1, sizeof(size_t));
+    if (!c->edge_facets.start)
+        return no_room_for_cells(context);
+    fmpq *middle = _fmpq_vec_init(d);
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < c->edge_count && !status; k++) {
+        cell_edge *e = &c->edge[k];
+        for (int i = 0; i < d; i++) {
+            fmpq_add(middle + i, c->at + e->u * (size_t)d + i, c->at + e->v * (size_t)d + i);
+            fmpq_div_2exp(middle + i, middle + i, 1);
+        }
+        status = locate_next(&e->name, &e->kind, &l, middle);
+    }
+    if (!status)
+        sort_lists(&c->edge_facets, c->edge_count);
+    _fmpq_vec_clear(middle, d);
+    return status;
+}
+
+/* The lists of `count` keys from pairs (key, item), items ascending: key_of(edge, j) for j = 0 up
+ * to the number of keys of an edge. */
+static graze_status invert_edges(cell_lists *out, graze_context *context, const cell_complex *c,
+                                 size_t count, int by_vertex) {
+    size_t total = by_vertex ? 2 * c->edge_count : c->edge_facets.start[c->edge_count];
+    out->start = calloc(count + 2, sizeof(size_t));
+    out->item = malloc((total + 1) * sizeof(size_t));
+    if (!out->start || !out->item)
+        return no_room_for_cells(context);
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t e = 0; e < c->edge_count; e++) {
+            const size_t ends[2] = {c->edge[e].u, c->edge[e].v};
+            const size_t *key = by_vertex ? ends : c->edge_facets.item + c->edge_facets.start[e];
+            size_t n = by_vertex ? 2 : c->edge_facets.start[e + 1] - c->edge_facets.start[e];
+            for (size_t j = 0; j < n; j++)
+                if (pass == 0)
+                    out->start[key[j] + 2]++;
+                else
+                    out->item[out->start[key[j] + 1]++] = e;
+        }
+        for (size_t k = 2; pass == 0 && k < count + 2; k++)
+            out->start[k] += out->start[k - 1];
+    }
+    return GRAZE_OK;
+}
+
+/* Vertices that rest within a facet: those in it that end no edge in it. `seen` of a facet: 1 + the
+ * last vertex that ends one. */
+static void list_lone_vertices(cell_lists *out, const cell_complex *c, size_t *seen, int count) {
+    for (size_t v = 0; v < c->vertex_count; v++) {
+        for (size_t i = c->vertex_edges.start[v]; i < c->vertex_edges.start[v + 1]; i++) {
+            size_t e = c->vertex_edges.item[i];
+            for (size_t j = c->edge_facets.start[e]; j < c->edge_facets.start[e + 1]; j++)
+                seen[c->edge_facets.item[j]] = v + 1;
+        }
+        for (size_t j = c->vertex_facets.start[v]; j < c->vertex_facets.start[v + 1]; j++) {
+            size_t facet = c->vertex_facets.item[j];
+            if (seen[facet] != v + 1 && count)
+                out->start[facet + 2]++;
+            else if (seen[facet] != v + 1)
+                out->item[out->start[facet + 1]++] = v;
+        }
+    }
+}
+
+static graze_status find_lone_vertices(cell_lists *out, graze_context *context,
+                                       const cell_complex *c) {
+    size_t *seen = calloc(c->facet_count, sizeof *seen);
+    out->start = calloc(c->facet_count + 2, sizeof(size_t));
+    out->item = malloc((c->vertex_facets.start[c->vertex_count] + 1) * sizeof(size_t));
+    if (!seen || !out->start || !out->item) {
+        free(seen);
+        return no_room_for_cells(context);
+    }
+    list_lone_vertices(out, c, seen, 1);
+    for (size_t k = 2; k < c->facet_count + 2; k++)
+        out->start[k] += out->start[k - 1];
+    list_lone_vertices(out, c, seen, 0);
+    free(seen);
+    return GRAZE_OK;
+}
+
+graze_status complex_make(cell_complex *out, graze_context *context, const graze_solid *solid) {
+    memset(out, 0, sizeof *out);
+    out->solid = solid;
+    out->dimension = solid->input.dimension;
+    graze_status status = find_corners(out, context);
+    if (!status)
+        status = find_facets(out, context);
+    if (!status)
+        status = edges_find(out, context);
+    if (!status)
+        status = locate_vertices(out, context);
+    if (!status)
+        status = locate_edges(out, context);
+    if (!status)
+        status = invert_edges(&out->facet_edges, context, out, out->facet_count, 0);
+    if (!status)
+        status = invert_edges(&out->vertex_edges, context, out, out->vertex_count, 1);
+    if (!status)
+        status = find_lone_vertices(&out->lone_vertices, context, out);
+    return status;
+}
+
+static void clear_lists(cell_lists *lists) {
+    free(lists->start);
+    free(lists->item);
+}
+
+void complex_clear(cell_complex *c) {
+    for (size_t k = 0; k < c->facet_count; k++)
+        clear_facet(&c->facet[k]);
+    for (size_t k = 0; c->vertex && k < c->vertex_count; k++)
+        _fmpz_vec_zero(c->vertex[k].x, 4);
+    free(c->facet);
+    free(c->vertex);
+    if (c->at)
+        _fmpq_vec_clear(c->at, (slong)(c->vertex_capacity * (size_t)c->dimension));
+    free(c->edge);
+    free(c->order);
+    free(c->corner);
+    free(c->facet_of);
+    clear_lists(&c->vertex_facets);
+    clear_lists(&c->edge_facets);
+    clear_lists(&c->facet_edges);
+    clear_lists(&c->vertex_edges);
+    clear_lists(&c->lone_vertices);
+}

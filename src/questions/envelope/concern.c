@@ -1,0 +1,120 @@
+/* Moments by the cells that their events name. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/envelope/concern.h"
+
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "input/soup/cell_names.h"
+
+static const graze_cell NO_SECOND = {0, 0, 0};
+
+static int compare_keys(const concern *a, const concern *b) {
+    int order = cell_compare(&a->first, &b->first);
+    return order ? order : cell_compare(&a->second, &b->second);
+}
+
+static int compare_concerns(const void *left, const void *right) {
+    const concern *a = left, *b = right;
+    int order = compare_keys(a, b);
+    return order ? order : a->moment < b->moment ? -1 : a->moment > b->moment;
+}
+
+/* A `g` concerns facet, vertex, and the edges of both; a saddle or meet its cell; else the facet.
+ */
+static void list_event(concern_list *list, const found_event *event, size_t moment) {
+    int by_cell = event->kind == GRAZE_EVENT_SADDLE || event->kind == GRAZE_EVENT_MEET;
+    if (!by_cell)
+        list->item[list->count++] = (concern){event->facet, NO_SECOND, moment};
+    if (by_cell || event->kind == GRAZE_EVENT_G)
+        list->item[list->count++] = (concern){event->cell, NO_SECOND, moment};
+    if (event->kind == GRAZE_EVENT_G)
+        list->item[list->count++] = (concern){event->facet, event->cell, moment};
+}
+
+graze_status concerns_make(concern_list *out, graze_context *context, const graze_envelope *e,
+                           const moment_list *moments) {
+    const event_list *events = &e->events;
+    *out = (concern_list){.item = malloc((3 * events->count + 1) * sizeof *out->item)};
+    if (!out->item)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the events of cells");
+    for (size_t k = 0; k < events->count; k++)
+        list_event(out, &events->item[k], moments->of_event[events->item[k].time]);
+    qsort(out->item, out->count, sizeof *out->item, compare_concerns);
+    return GRAZE_OK;
+}
+
+void concerns_clear(concern_list *list) {
+    free(list->item);
+}
+
+graze_status cuts_add(moment_cuts *cuts, graze_context *context, size_t moment) {
+    graze_status status = array_grow(context, &cuts->item, &cuts->capacity, cuts->count + 1,
+                                     sizeof *cuts->item, "the changes of a cell");
+    if (!status)
+        cuts->item[cuts->count++] = moment;
+    return status;
+}
+
+graze_status cuts_start(moment_cuts *cuts, graze_context *context, const moment_list *moments) {
+    graze_status status = GRAZE_OK;
+    cuts->count = 0;
+    for (size_t k = 0; k < moments->hard_count && !status; k++)
+        status = cuts_add(cuts, context, moments->hard[k]);
+    return status;
+}
+
+static int compare_moments(const void *left, const void *right) {
+    const size_t *a = left, *b = right;
+    return *a < *b ? -1 : *a > *b;
+}
+
+void cuts_sort(moment_cuts *cuts) {
+    size_t kept = 0;
+    qsort(cuts->item, cuts->count, sizeof *cuts->item, compare_moments);
+    for (size_t k = 0; k < cuts->count; k++)
+        if (kept == 0 || cuts->item[kept - 1] != cuts->item[k])
+            cuts->item[kept++] = cuts->item[k];
+    cuts->count = kept;
+}
+
+/* Add the moments of one key. */
+static graze_status add_concerns(moment_cuts *cuts, graze_context *context,
+                                 const concern_list *list, const graze_cell *first,
+                                 const graze_cell *second) {
+    concern key = {*first, *second, 0};
+    size_t low = 0, high = list->count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (compare_keys(&list->item[middle], &key) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    graze_status status = GRAZE_OK;
+    for (; low < list->count && compare_keys(&list->item[low], &key) == 0 && !status; low++)
+        status = cuts_add(cuts, context, list->item[low].moment);
+    return status;
+}
+
+graze_status concern_facet(moment_cuts *cuts, graze_context *context, const concern_list *list,
+                           const cell_complex *c, size_t facet) {
+    return add_concerns(cuts, context, list, &c->facet[facet].name, &NO_SECOND);
+}
+
+graze_status concern_edge(moment_cuts *cuts, graze_context *context, const concern_list *list,
+                          const cell_complex *c, size_t edge) {
+    const cell_edge *side = &c->edge[edge];
+    graze_status status = add_concerns(cuts, context, list, &side->name, &NO_SECOND);
+    for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++) {
+        const graze_cell *facet = &c->facet[c->edge_facets.item[j]].name;
+        if (!status)
+            status = add_concerns(cuts, context, list, facet, &c->vertex[side->u].name);
+        if (!status)
+            status = add_concerns(cuts, context, list, facet, &c->vertex[side->v].name);
+    }
+    return status;
+}
+
+graze_status concern_vertex(moment_cuts *cuts, graze_context *context, const concern_list *list,
+                            const cell_complex *c, size_t vertex) {
+    return add_concerns(cuts, context, list, &c->vertex[vertex].name, &NO_SECOND);
+}

@@ -1,0 +1,158 @@
+/* Phi_1 = -A^-1 (A' y + b'), and Phi_(k+1) = Delta Phi_k' - k Delta' Phi_k + Phi_k Phi_1.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/envelope/derivatives.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* out = a' b - a b' */
+static void wronskian(fmpz_poly_t out, const fmpz_poly_struct *a, const fmpz_poly_struct *b) {
+    fmpz_poly_t first, second;
+    fmpz_poly_init(first);
+    fmpz_poly_init(second);
+    fmpz_poly_derivative(first, a);
+    fmpz_poly_mul(first, first, b);
+    fmpz_poly_derivative(second, b);
+    fmpz_poly_mul(second, second, a);
+    fmpz_poly_sub(out, first, second);
+    fmpz_poly_clear(first);
+    fmpz_poly_clear(second);
+}
+
+static void add_field_product(fmpz_poly_struct *out, const fmpz_poly_struct *a,
+                              const fmpz_poly_struct *b) {
+    fmpz_poly_t product;
+    fmpz_poly_init(product);
+    fmpz_poly_mul(product, a, b);
+    fmpz_poly_add(out, out, product);
+    fmpz_poly_clear(product);
+}
+
+/* -A^-1 (N' W - N W'), N the forward map's entries and W its weight, over the inverse's weight
+ * times W^2. */
+static void set_velocity(derivatives *f, const motion_piece *piece) {
+    const point_map *to = &piece->forward, *back = &piece->inverse;
+    int d = f->dimension, columns = d + 1;
+    fmpz_poly_t rate;
+    fmpz_poly_init(rate);
+    for (int j = 0; j < d; j++)
+        for (int c = 0; c < columns; c++) {
+            wronskian(rate, to->weight, &to->entry[j * columns + c]);
+            for (int i = 0; i < d; i++)
+                add_field_product(&f->entry[0][i * columns + c], &back->entry[i * columns + j],
+                                  rate);
+        }
+    fmpz_poly_mul(&f->delta, to->weight, to->weight);
+    fmpz_poly_mul(&f->delta, &f->delta, back->weight);
+    fmpz_poly_clear(rate);
+}
+
+/* Divide Phi_1 and Delta by what all have in common; Delta stays positive. */
+static void reduce_velocity(derivatives *f) {
+    int n = f->dimension * (f->dimension + 1);
+    fmpz_poly_t common;
+    fmpz_poly_init(common);
+    fmpz_poly_set(common, &f->delta);
+    for (int k = 0; k < n; k++)
+        fmpz_poly_gcd(common, common, &f->entry[0][k]);
+    fmpz_poly_div(&f->delta, &f->delta, common);
+    fmpz_t value;
+    fmpz_init(value);
+    fmpz_poly_get_coeff_fmpz(value, &f->delta, 0);
+    if (fmpz_sgn(value) < 0) {
+        fmpz_poly_neg(common, common);
+        fmpz_poly_neg(&f->delta, &f->delta);
+    }
+    for (int k = 0; k < n; k++)
+        fmpz_poly_div(&f->entry[0][k], &f->entry[0][k], common);
+    fmpz_clear(value);
+    fmpz_poly_clear(common);
+}
+
+/* Phi_(k+1) of Phi_k, k >= 1. */
+static void set_next(derivatives *f, int k) {
+    int d = f->dimension, columns = d + 1;
+    fmpz_poly_t slope, term;
+    fmpz_poly_init(slope);
+    fmpz_poly_init(term);
+    fmpz_poly_derivative(slope, &f->delta);
+    fmpz_poly_scalar_mul_si(slope, slope, -k);
+    for (int i = 0; i < d; i++)
+        for (int c = 0; c < columns; c++) {
+            fmpz_poly_struct *out = &f->entry[k][i * columns + c];
+            const fmpz_poly_struct *row = &f->entry[k - 1][i * columns];
+            fmpz_poly_derivative(term, row + c);
+            add_field_product(out, term, &f->delta);
+            add_field_product(out, row + c, slope);
+            for (int j = 0; j < d; j++)
+                add_field_product(out, row + j, &f->entry[0][j * columns + c]);
+        }
+    fmpz_poly_clear(slope);
+    fmpz_poly_clear(term);
+}
+
+/* Phi_k of a vertex's homogeneous integers. */
+static void set_vertex(fmpz_poly_struct *out, const derivatives *f, int k, const fmpz *x) {
+    int d = f->dimension;
+    for (int i = 0; i < d; i++)
+        for (int c = 0; c <= d; c++)
+            fmpz_poly_scalar_addmul_fmpz(out + i, &f->entry[k][i * (d + 1) + c], x + c);
+}
+
+static size_t vertex_polynomials(const derivatives *f) {
+    return f->cells->vertex_count * FIELD_ORDERS * (size_t)f->dimension;
+}
+
+graze_status piece_field_make(derivatives *out, graze_context *context, const motion_piece *piece,
+                              const cell_complex *cells) {
+    out->cells = cells;
+    out->dimension = cells->dimension;
+    for (int k = 0; k < FIELD_ORDERS; k++)
+        for (int i = 0; i < POINT_MAP_ENTRIES; i++)
+            fmpz_poly_init(&out->entry[k][i]);
+    fmpz_poly_init(&out->delta);
+    size_t count = vertex_polynomials(out);
+    out->vertex = malloc(count * sizeof *out->vertex);
+    if (!out->vertex)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the speeds of vertices");
+    for (size_t k = 0; k < count; k++)
+        fmpz_poly_init(out->vertex + k);
+    set_velocity(out, piece);
+    reduce_velocity(out);
+    for (int k = 1; k < FIELD_ORDERS; k++)
+        set_next(out, k);
+    for (size_t v = 0; v < cells->vertex_count; v++)
+        for (int k = 0; k < FIELD_ORDERS; k++)
+            set_vertex(out->vertex + (v * FIELD_ORDERS + (size_t)k) * (size_t)out->dimension, out,
+                       k, cells->vertex[v].x);
+    return GRAZE_OK;
+}
+
+void derivatives_clear(derivatives *f) {
+    for (int k = 0; k < FIELD_ORDERS; k++)
+        for (int i = 0; i < POINT_MAP_ENTRIES; i++)
+            fmpz_poly_clear(&f->entry[k][i]);
+    fmpz_poly_clear(&f->delta);
+    for (size_t k = 0; f->vertex && k < vertex_polynomials(f); k++)
+        fmpz_poly_clear(f->vertex + k);
+    free(f->vertex);
+    f->vertex = NULL;
+}
+
+const fmpz_poly_struct *derivatives_at(const derivatives *f, int k, size_t vertex) {
+    return f->vertex + (vertex * FIELD_ORDERS + (size_t)(k - 1)) * (size_t)f->dimension;
+}
+
+void derivatives_along(fmpz_poly_t out, const derivatives *f, int k, size_t facet, size_t vertex) {
+    const fmpz_poly_struct *at = derivatives_at(f, k, vertex);
+    const fmpz *normal = f->cells->facet[facet].normal;
+    fmpz_poly_zero(out);
+    for (int i = 0; i < f->dimension; i++)
+        fmpz_poly_scalar_addmul_fmpz(out, at + i, normal + i);
+}
+
+void derivatives_velocity(fmpz_poly_t out, const derivatives *f, size_t facet, size_t vertex) {
+    derivatives_along(out, f, 1, facet, vertex);
+    fmpz_poly_neg(out, out);
+}

@@ -1,0 +1,349 @@
+/* Sides of simplices that bound facets, cut at the vertices in them and where they cross.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/envelope/edges.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/rounding.h"
+
+/* A side of a simplex from vertex u to vertex v, u < v. */
+typedef struct side {
+    size_t u, v, simplex;
+    int k;
+} side;
+
+/* A vertex in a side, `lambda` of the way from u to v. */
+typedef struct inner_vertex {
+    fmpq lambda;
+    size_t vertex;
+} inner_vertex;
+
+typedef struct edge_finder {
+    cell_complex *c;
+    graze_context *context;
+    size_t side_count;
+    side *side;          /* sorted by ends; in E^2 the simplices */
+    unsigned char *keep; /* of each simplex: bit k for a side k that bounds a facet */
+    size_t edge_capacity, inner_count, inner_capacity, corner_positions;
+    inner_vertex *inner; /* in the side at hand */
+} edge_finder;
+
+static int compare_sides(const void *left, const void *right) {
+    const side *a = left, *b = right;
+    if (a->u != b->u)
+        return a->u < b->u ? -1 : 1;
+    if (a->v != b->v)
+        return a->v < b->v ? -1 : 1;
+    return a->simplex < b->simplex ? -1 : a->simplex > b->simplex;
+}
+
+static void list_edge_sides(edge_finder *f) {
+    const cell_complex *c = f->c;
+    size_t d = (size_t)c->dimension, sides = d == 3 ? 3 : 1;
+    for (size_t s = 0; s < c->solid->cut.count; s++)
+        for (size_t k = 0; k < sides; k++) {
+            size_t a = c->corner[s * d + k], b = c->corner[s * d + (k + 1) % d];
+            f->side[f->side_count++] = (side){a < b ? a : b, a < b ? b : a, s, (int)k};
+        }
+    qsort(f->side, f->side_count, sizeof *f->side, compare_sides);
+}
+
+/* Two simplices of one facet on both sides: no edge. */
+static int is_diagonal(const edge_finder *f, size_t first, size_t end) {
+    return f->c->dimension == 3 && end - first == 2 &&
+           f->c->facet_of[f->side[first].simplex] == f->c->facet_of[f->side[first + 1].simplex];
+}
+
+/* Leave one entry for each edge. */
+static void keep_edges(edge_finder *f) {
+    size_t kept = 0;
+    for (size_t first = 0, end; first < f->side_count; first = end) {
+        for (end = first; end < f->side_count && f->side[end].u == f->side[first].u &&
+                          f->side[end].v == f->side[first].v;)
+            end++;
+        if (is_diagonal(f, first, end))
+            continue;
+        for (size_t k = first; k < end; k++)
+            f->keep[f->side[k].simplex] |= (unsigned char)(1u << f->side[k].k);
+        f->side[kept++] = f->side[first];
+    }
+    f->side_count = kept;
+}
+
+static const fmpq *at_vertex(const cell_complex *c, size_t v) {
+    return c->at + v * (size_t)c->dimension;
+}
+
+static void difference(fmpq *out, const fmpq *a, const fmpq *b, int d) {
+    for (int i = 0; i < d; i++)
+        fmpq_sub(out + i, a + i, b + i);
+}
+
+/* out = a x b; in E^2 its third coordinate. */
+static void cross_of(fmpq *out, const fmpq *a, const fmpq *b, int d) {
+    for (int i = d == 2 ? 2 : 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        fmpq_mul(out + i, a + j, b + k);
+        fmpq_submul(out + i, a + k, b + j);
+    }
+}
+
+static int is_zero_vector(const fmpq *a) {
+    return fmpq_is_zero(a) && fmpq_is_zero(a + 1) && fmpq_is_zero(a + 2);
+}
+
+static void dot_of(fmpq_t out, const fmpq *a, const fmpq *b) {
+    fmpq_zero(out);
+    for (int i = 0; i < 3; i++)
+        fmpq_addmul(out, a + i, b + i);
+}
+
+static graze_status add_inner(edge_finder *f, const fmpq_t lambda, size_t vertex) {
+    for (size_t k = 0; k < f->inner_count; k++)
+        if (f->inner[k].vertex == vertex)
+            return GRAZE_OK;
+    graze_status status = array_grow(f->context, &f->inner, &f->inner_capacity, f->inner_count + 1,
+                                     sizeof *f->inner, "the vertices in an edge");
+    if (status)
+        return status;
+    fmpq_init(&f->inner[f->inner_count].lambda);
+    fmpq_set(&f->inner[f->inner_count].lambda, lambda);
+    f->inner[f->inner_count++].vertex = vertex;
+    return GRAZE_OK;
+}
+
+/* Is 0 < x < 1? */
+static int is_within(const fmpq_t x) {
+    return fmpq_sgn(x) > 0 && fmpz_cmp(fmpq_numref(x), fmpq_denref(x)) < 0;
+}
+
+/* Take a vertex if it lies within the side. */
+static graze_status try_inner_vertex(edge_finder *f, const side *e, size_t vertex) {
+    int d = f->c->dimension;
+    graze_status status = GRAZE_OK;
+    if (vertex == e->u || vertex == e->v)
+        return GRAZE_OK;
+    fmpq *along = _fmpq_vec_init(9), *to = along + 3, *cross = along + 6;
+    difference(along, at_vertex(f->c, e->v), at_vertex(f->c, e->u), d);
+    difference(to, at_vertex(f->c, vertex), at_vertex(f->c, e->u), d);
+    cross_of(cross, along, to, d);
+    if (is_zero_vector(cross)) {
+        fmpq_t lambda, length;
+        fmpq_init(lambda);
+        fmpq_init(length);
+        dot_of(lambda, to, along);
+        dot_of(length, along, along);
+        fmpq_div(lambda, lambda, length);
+        if (is_within(lambda))
+            status = add_inner(f, lambda, vertex);
+        fmpq_clear(lambda);
+        fmpq_clear(length);
+    }
+    _fmpq_vec_clear(along, 9);
+    return status;
+}
+
+static int compare_points(const fmpq *a, const fmpq *b, int d) {
+    int order = 0;
+    for (int i = 0; i < d && order == 0; i++)
+        order = fmpq_cmp(a + i, b + i);
+    return order;
+}
+
+/* The corner at a point, or the first crossing where there is none. */
+static size_t corner_at_point(const edge_finder *f, const fmpq *point) {
+    size_t low = 0, high = f->corner_positions;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (compare_points(at_vertex(f->c, middle), point, f->c->dimension) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    int found = low < f->corner_positions &&
+                compare_points(at_vertex(f->c, low), point, f->c->dimension) == 0;
+    return found ? low : f->corner_positions;
+}
+
+/* The number of a crossing: that of the vertex there, or a new one. */
+static graze_status number_crossing(size_t *out, edge_finder *f, const fmpq *point) {
+    cell_complex *c = f->c;
+    int d = c->dimension;
+    for (*out = corner_at_point(f, point); *out < c->vertex_count; ++*out)
+        if (*out < f->corner_positions || compare_points(point, at_vertex(c, *out), d) == 0)
+            return GRAZE_OK;
+    size_t before = c->vertex_capacity;
+    graze_status status = array_grow(f->context, &c->at, &c->vertex_capacity, c->vertex_count + 1,
+                                     (size_t)d * sizeof *c->at, "the crossings of edges");
+    for (size_t k = before * (size_t)d; k < c->vertex_capacity * (size_t)d; k++)
+        fmpq_init(c->at + k);
+    for (int i = 0; i < d && !status; i++)
+        fmpq_set(c->at + c->vertex_count * (size_t)d + i, point + i);
+    c->vertex_count += !status;
+    return status;
+}
+
+/* Where the lines of two segments meet in one point, *lambda of the way along the first; 0 where
+ * they do not, or beyond the ends of either. `v`: room for 12 numbers. */
+static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side *e, size_t p,
+                       size_t q) {
+    int d = c->dimension, found = 0;
+    fmpq *along = v, *other = v + 3, *to = v + 6, *normal = v + 9;
+    fmpq_t mu, length;
+    fmpq_init(mu);
+    fmpq_init(length);
+    difference(along, at_vertex(c, e->v), at_vertex(c, e->u), d);
+    difference(other, at_vertex(c, q), at_vertex(c, p), d);
+    difference(to, at_vertex(c, p), at_vertex(c, e->u), d);
+    cross_of(normal, along, other, d);
+    dot_of(mu, to, normal);
+    if (!is_zero_vector(normal) && fmpq_is_zero(mu)) {
+        dot_of(length, normal, normal);
+        fmpq *side_of = _fmpq_vec_init(3);
+        cross_of(side_of, to, other, d);
+        dot_of(lambda, side_of, normal);
+        fmpq_div(lambda, lambda, length);
+        cross_of(side_of, to, along, d);
+        dot_of(mu, side_of, normal);
+        fmpq_div(mu, mu, length);
+        found = is_within(lambda) && is_within(mu);
+        _fmpq_vec_clear(side_of, 3);
+    }
+    fmpq_clear(mu);
+    fmpq_clear(length);
+    return found;
+}
+
+/* Take the point in which another edge crosses the side. */
+static graze_status try_crossing(edge_finder *f, const side *e, size_t p, size_t q) {
+    int d = f->c->dimension;
+    graze_status status = GRAZE_OK;
+    if (p == e->u || p == e->v || q == e->u || q == e->v)
+        return GRAZE_OK;
+    fmpq *v = _fmpq_vec_init(12);
+    fmpq_t lambda;
+    fmpq_init(lambda);
+    if (meet_within(lambda, v, f->c, e, p, q)) {
+        size_t vertex;
+        for (int i = 0; i < d; i++) {
+            fmpq_mul(v + i, v + i, lambda);
+            fmpq_add(v + i, v + i, at_vertex(f->c, e->u) + i);
+        }
+        status = number_crossing(&vertex, f, v);
+        if (!status)
+            status = add_inner(f, lambda, vertex);
+    }
+    _fmpq_vec_clear(v, 12);
+    fmpq_clear(lambda);
+    return status;
+}
+
+static graze_status try_touching(edge_finder *f, const side *e, size_t simplex) {
+    const cell_complex *c = f->c;
+    size_t d = (size_t)c->dimension;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < d && !status; k++)
+        status = try_inner_vertex(f, e, c->corner[simplex * d + k]);
+    for (size_t k = 0; k < d && d == 3 && !status; k++)
+        if (f->keep[simplex] >> k & 1)
+            status = try_crossing(f, e, c->corner[simplex * d + k],
+                                  c->corner[simplex * d + (k + 1) % d]);
+    return status;
+}
+
+static graze_status search_touching(edge_finder *f, const side *e, const box *around,
+                                    size_t index) {
+    const tree_node *node = &f->c->solid->boxes.node[index];
+    if (!box_meets(&node->box, around))
+        return GRAZE_OK;
+    if (!node->child)
+        return try_touching(f, e, node->simplex);
+    graze_status status = search_touching(f, e, around, node->child);
+    return status ? status : search_touching(f, e, around, node->child + 1);
+}
+
+static void box_of(box *out, const cell_complex *c, const side *e) {
+    *out = (box){{0}, {0}};
+    for (int i = 0; i < c->dimension; i++) {
+        double low, high;
+        rational_bounds(&out->low[i], &out->high[i], at_vertex(c, e->u) + i);
+        rational_bounds(&low, &high, at_vertex(c, e->v) + i);
+        out->low[i] = low < out->low[i] ? low : out->low[i];
+        out->high[i] = high > out->high[i] ? high : out->high[i];
+    }
+}
+
+static int compare_inner(const void *left, const void *right) {
+    const inner_vertex *a = left, *b = right;
+    return fmpq_cmp(&a->lambda, &b->lambda);
+}
+
+static graze_status append_edge(edge_finder *f, size_t a, size_t b) {
+    cell_complex *c = f->c;
+    graze_status status = array_grow(f->context, &c->edge, &f->edge_capacity, c->edge_count + 1,
+                                     sizeof *c->edge, "the edges of a boundary");
+    if (!status)
+        c->edge[c->edge_count++] = (cell_edge){.u = a < b ? a : b, .v = a < b ? b : a};
+    return status;
+}
+
+static graze_status cut_side(edge_finder *f, const side *e) {
+    box around;
+    f->inner_count = 0;
+    box_of(&around, f->c, e);
+    graze_status status = search_touching(f, e, &around, 0);
+    if (f->inner_count)
+        qsort(f->inner, f->inner_count, sizeof *f->inner, compare_inner);
+    size_t from = e->u;
+    for (size_t k = 0; k < f->inner_count; k++) {
+        if (!status)
+            status = append_edge(f, from, f->inner[k].vertex);
+        from = f->inner[k].vertex;
+        fmpq_clear(&f->inner[k].lambda);
+    }
+    return status ? status : append_edge(f, from, e->v);
+}
+
+static int order_of_edges(const void *left, const void *right) {
+    const cell_edge *a = left, *b = right;
+    if (a->u != b->u)
+        return a->u < b->u ? -1 : 1;
+    return a->v < b->v ? -1 : a->v > b->v;
+}
+
+/* Parts of different sides may be one edge. */
+static void drop_repeated(cell_complex *c) {
+    size_t kept = 0;
+    qsort(c->edge, c->edge_count, sizeof *c->edge, order_of_edges);
+    for (size_t k = 0; k < c->edge_count; k++)
+        if (kept == 0 || order_of_edges(&c->edge[kept - 1], &c->edge[k]) != 0)
+            c->edge[kept++] = c->edge[k];
+    c->edge_count = kept;
+}
+
+graze_status edges_find(cell_complex *c, graze_context *context) {
+    size_t n = c->solid->cut.count;
+    edge_finder f = {.c = c, .context = context, .corner_positions = c->vertex_count};
+    f.side = malloc(n * 3 * sizeof *f.side);
+    f.keep = calloc(n, 1);
+    graze_status status = f.side && f.keep
+                              ? GRAZE_OK
+                              : context_fail(context, GRAZE_ESYSTEM, "out of memory for edges");
+    if (!status) {
+        list_edge_sides(&f);
+        keep_edges(&f);
+    }
+    for (size_t k = 0; k < f.side_count && !status; k++) {
+        status = cut_side(&f, &f.side[k]);
+        if (!status)
+            status = context_work(context, 10000);
+    }
+    if (!status)
+        drop_repeated(c);
+    free(f.side);
+    free(f.keep);
+    free(f.inner);
+    return status;
+}

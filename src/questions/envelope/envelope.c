@@ -1,0 +1,109 @@
+/* Cells, fields, and what is gathered of each cell. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/envelope/envelope.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "questions/contact/time_sides.h"
+#include "questions/envelope/breaks.h"
+#include "questions/envelope/complex.h"
+#include "questions/envelope/decomposition.h"
+#include "questions/envelope/gather.h"
+#include "questions/envelope/saddle.h"
+#include "questions/envelope/singular.h"
+#include "questions/envelope/whole.h"
+
+static graze_status make_fields(graze_envelope *e, graze_context *context) {
+    const graze_motion *motion = e->scene->motion;
+    graze_status status = GRAZE_OK;
+    e->field = calloc(motion->piece_count, sizeof *e->field);
+    e->is_break = calloc(motion->piece_count, 1);
+    e->still = calloc(motion->piece_count, e->cells.facet_count);
+    if (!e->field || !e->is_break || !e->still)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the pieces of a motion");
+    for (size_t k = 0; k < motion->piece_count && !status; k++) {
+        site_side side[2] = {{.present = 1, .piece = k ? k - 1 : 0}, {.present = 1, .piece = k}};
+        e->is_break[k] = (unsigned char)(k > 0 && sides_break(side, motion));
+        status = piece_field_make(&e->field[k], context, &motion->piece[k], &e->cells);
+        e->piece_count++;
+        if (!status)
+            status = context_poll(context);
+    }
+    return status;
+}
+
+static graze_status gather_facet(graze_envelope *e, graze_context *context, size_t facet) {
+    const cell_complex *c = &e->cells;
+    graze_status status = GRAZE_OK;
+    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1] && !status;
+         j++)
+        status = gather_slice(e, context, facet, c->facet_edges.item[j]);
+    if (!status && c->dimension == 3)
+        status = singular_gather(e, context, facet);
+    return status;
+}
+
+static graze_status gather_edge(graze_envelope *e, graze_context *context, size_t edge) {
+    const cell_lists *lists = &e->cells.edge_facets;
+    graze_status status = GRAZE_OK;
+    for (size_t i = lists->start[edge]; i < lists->start[edge + 1]; i++)
+        for (size_t j = i + 1; j < lists->start[edge + 1] && !status; j++)
+            status = gather_meet(e, context, edge, lists->item[i], lists->item[j]);
+    return status;
+}
+
+static graze_status gather_vertex(graze_envelope *e, graze_context *context, size_t vertex) {
+    const cell_complex *c = &e->cells;
+    place_kind kind = c->vertex[vertex].kind;
+    graze_status status = GRAZE_OK;
+    for (size_t j = c->vertex_facets.start[vertex];
+         j < c->vertex_facets.start[vertex + 1] && !status; j++)
+        status = gather_corner(e, context, c->vertex_facets.item[j], vertex);
+    if (status || (kind != PLACE_REFLEX && kind != PLACE_OTHER))
+        return status;
+    status = saddle_gather(e, context, vertex);
+    return status ? status : saddle_judge(e, context, vertex);
+}
+
+static graze_status gather(graze_envelope *e, graze_context *context) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < e->cells.facet_count && !status; k++)
+        status = gather_whole(e, context, k);
+    for (size_t k = 0; k < e->cells.facet_count && !status; k++)
+        status = gather_facet(e, context, k);
+    for (size_t k = 0; k < e->cells.edge_count && !status; k++)
+        status = gather_edge(e, context, k);
+    for (size_t k = 0; k < e->cells.vertex_count && !status; k++)
+        status = gather_vertex(e, context, k);
+    for (size_t k = 1; k < e->piece_count && !status; k++)
+        if (e->is_break[k])
+            status = breaks_judge(e, context, k);
+    return status;
+}
+
+graze_status envelope_make(graze_envelope *out, graze_context *context, const graze_scene *scene) {
+    memset(out, 0, sizeof *out);
+    out->scene = scene;
+    out->found.reason = GRAZE_REASON_POSITIVE;
+    events_init(&out->events, scene->motion);
+    graze_status status = complex_make(&out->cells, context, scene->solid);
+    if (!status)
+        status = make_fields(out, context);
+    if (!status)
+        status = gather(out, context);
+    if (!status)
+        status = events_finish(&out->events, context);
+    if (status)
+        envelope_clear(out);
+    return status;
+}
+
+void envelope_clear(graze_envelope *e) {
+    for (size_t k = 0; k < e->piece_count; k++)
+        derivatives_clear(&e->field[k]);
+    free(e->field);
+    free(e->is_break);
+    free(e->still);
+    complex_clear(&e->cells);
+    events_clear(&e->events);
+    time_destroy(e->found.time);
+}

@@ -1,0 +1,142 @@
+/* Events in order of exact times. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/envelope/events.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/order.h"
+#include "input/soup/cell_names.h"
+
+void events_init(event_list *list, const graze_motion *motion) {
+    *list = (event_list){.motion = motion};
+}
+
+void events_clear(event_list *list) {
+    for (size_t k = 0; k < list->count; k++)
+        algebraic_clear(&list->item[k].u);
+    for (size_t k = 0; k < list->time_count; k++)
+        time_destroy(list->time[k]);
+    free(list->item);
+    free(list->time);
+}
+
+graze_status events_add(event_list *list, graze_context *context, const found_event *what,
+                        size_t piece, const algebraic *u) {
+    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
+                                     sizeof *list->item, "events");
+    if (status)
+        return status;
+    found_event *made = &list->item[list->count++];
+    *made = *what;
+    made->piece = piece;
+    algebraic_init(&made->u);
+    algebraic_set(&made->u, u);
+    return GRAZE_OK;
+}
+
+/* Of signs along a line of places, SIGN_NONE left out: are there two? */
+static int signs_differ(const int *sign, int count) {
+    int first = SIGN_NONE;
+    for (int k = 0; k < count; k++) {
+        if (sign[k] == SIGN_NONE)
+            continue;
+        if (first != SIGN_NONE && sign[k] != first)
+            return 1;
+        first = sign[k];
+    }
+    return 0;
+}
+
+graze_status events_watch(event_list *list, graze_context *context, const found_event *what,
+                          watch *past, size_t piece, const signs *s, watched_sign *sign) {
+    size_t last = s->x.count - 1;
+    watch left = piece > 0 ? *past : (watch){SIGN_NONE, SIGN_NONE};
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k <= last && !status; k++) {
+        int here = sign(signs_at(s, k));
+        int after = k < last ? sign(signs_before(s, k + 1)) : SIGN_NONE;
+        watch right = {k > 0 ? sign(signs_before(s, k)) : left.before, here};
+        if (k > 0)
+            left.at = SIGN_NONE;
+        if (k == last && piece + 1 < list->motion->piece_count) {
+            *past = right;
+            break;
+        }
+        const int places[] = {right.before, left.at, here, after};
+        if ((here != SIGN_NONE || left.at != SIGN_NONE) && signs_differ(places, 4)) {
+            found_event made = *what;
+            made.before = right.before;
+            made.after = after;
+            status = events_add(list, context, &made, piece, s->x.point[k]);
+        }
+    }
+    return status;
+}
+
+/* The order of events at one time. */
+static int compare_at_one_time(const void *left, const void *right) {
+    const found_event *a = left, *b = right;
+    if (a->time != b->time)
+        return a->time < b->time ? -1 : 1;
+    if (a->kind != b->kind)
+        return a->kind < b->kind ? -1 : 1;
+    const graze_cell *first[] = {&a->cell, &a->facet, &a->other};
+    const graze_cell *second[] = {&b->cell, &b->facet, &b->other};
+    for (int k = 0; k < 3; k++) {
+        int order = cell_compare(first[k], second[k]);
+        if (order)
+            return order;
+    }
+    return a->before != b->before ? a->before - b->before : a->after - b->after;
+}
+
+static graze_status add_event_time(event_list *list, graze_context *context, size_t piece,
+                                   const algebraic *u) {
+    list->time[list->time_count] = time_create(list->motion, piece, u);
+    if (!list->time[list->time_count])
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
+    list->time_count++;
+    return GRAZE_OK;
+}
+
+/* Number the times of the events of one piece, `where` pointers to them. */
+static graze_status number_times(event_list *list, graze_context *context, algebraic **where,
+                                 size_t count, size_t piece) {
+    graze_status status = algebraic_sort(where, count, context);
+    for (size_t k = 0; k < count && !status; k++) {
+        found_event *event = (found_event *)((char *)where[k] - offsetof(found_event, u));
+        int order = -1;
+        if (k > 0)
+            status = algebraic_compare(&order, context, where[k - 1], where[k]);
+        if (!status && order != 0)
+            status = add_event_time(list, context, piece, where[k]);
+        event->time = list->time_count - 1;
+    }
+    return status;
+}
+
+static int compare_event_pieces(const void *left, const void *right) {
+    const found_event *a = left, *b = right;
+    return a->piece < b->piece ? -1 : a->piece > b->piece;
+}
+
+graze_status events_finish(event_list *list, graze_context *context) {
+    algebraic **where = malloc((list->count + 1) * sizeof *where);
+    list->time = malloc((list->count + 1) * sizeof(graze_time *));
+    graze_status status = where && list->time
+                              ? GRAZE_OK
+                              : context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
+    if (list->count)
+        qsort(list->item, list->count, sizeof *list->item, compare_event_pieces);
+    for (size_t k = 0, first = 0; k < list->count && !status; k++) {
+        where[k - first] = &list->item[k].u;
+        if (k + 1 < list->count && list->item[k + 1].piece == list->item[k].piece)
+            continue;
+        status = number_times(list, context, where, k + 1 - first, list->item[k].piece);
+        first = k + 1;
+    }
+    free(where);
+    if (!status && list->count)
+        qsort(list->item, list->count, sizeof *list->item, compare_at_one_time);
+    return status;
+}

@@ -1,0 +1,135 @@
+/* A rational direction in the cell of the facets' planes that holds the velocity.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The state of a direction depends on its signs against the planes of the facets alone
+ * (proofs/claims.md C1). A rational velocity near the true one is brought into the planes that hold
+ * that one; near enough its other signs are right.
+ */
+#include "questions/envelope/inward.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "base/number/refine.h"
+#include "questions/contact/flow.h"
+#include "questions/topo/cone.h"
+#include "questions/topo/directions.h"
+#include "questions/topo/topo.h"
+
+/* Subtract from v its part along the vector b. */
+static void drop_part(fmpq *v, const fmpq *b, int d) {
+    fmpq_t part, length;
+    fmpq_init(part);
+    fmpq_init(length);
+    for (int i = 0; i < d; i++) {
+        fmpq_addmul(part, v + i, b + i);
+        fmpq_addmul(length, b + i, b + i);
+    }
+    if (!fmpq_is_zero(length)) {
+        fmpq_div(part, part, length);
+        for (int i = 0; i < d; i++)
+            fmpq_submul(v + i, b + i, part);
+    }
+    fmpq_clear(part);
+    fmpq_clear(length);
+}
+
+static int is_zero(const fmpq *v, int d) {
+    for (int i = 0; i < d; i++)
+        if (!fmpq_is_zero(v + i))
+            return 0;
+    return 1;
+}
+
+/* The velocity's direction at a rational parameter, without its parts along the normals of the
+ * facets whose sign is 0. */
+static void velocity_near(fmpq *w, const graze_envelope *e, size_t vertex, size_t piece,
+                          const fmpq_t u, const signed char *sign) {
+    const cell_complex *c = &e->cells;
+    int d = c->dimension, basis_count = 0;
+    const fmpz_poly_struct *p = derivatives_at(&e->field[piece], 1, vertex);
+    fmpq *basis = _fmpq_vec_init(d * d), *normal = _fmpq_vec_init(d);
+    for (int i = 0; i < d; i++)
+        fmpz_poly_evaluate_fmpq(w + i, p + i, u);
+    size_t first = c->vertex_facets.start[vertex];
+    for (size_t j = first; j < c->vertex_facets.start[vertex + 1] && basis_count < d; j++) {
+        if (sign[j - first] != 0)
+            continue;
+        for (int i = 0; i < d; i++)
+            fmpq_set_fmpz(normal + i, c->facet[c->vertex_facets.item[j]].normal + i);
+        for (int b = 0; b < basis_count; b++)
+            drop_part(normal, basis + b * d, d);
+        if (is_zero(normal, d))
+            continue;
+        for (int i = 0; i < d; i++)
+            fmpq_set(basis + basis_count * d + i, normal + i);
+        drop_part(w, normal, d);
+        basis_count++;
+    }
+    _fmpq_vec_clear(basis, d * d);
+    _fmpq_vec_clear(normal, d);
+}
+
+/* Are -n w of all facets of the signs? */
+static int has_speed_signs(const fmpq *w, const graze_envelope *e, size_t vertex,
+                           const signed char *sign) {
+    const cell_complex *c = &e->cells;
+    size_t first = c->vertex_facets.start[vertex];
+    int same = 1;
+    fmpq_t value;
+    fmpq_init(value);
+    for (size_t j = first; j < c->vertex_facets.start[vertex + 1] && same; j++) {
+        flow_along(value, c->facet[c->vertex_facets.item[j]].normal, w, c->dimension);
+        same = -fmpq_sgn(value) == sign[j - first];
+    }
+    fmpq_clear(value);
+    return same;
+}
+
+static graze_status find_direction(fmpz *out, const graze_envelope *e, graze_context *context,
+                                   size_t vertex, size_t piece, algebraic *u,
+                                   const signed char *sign) {
+    int d = e->cells.dimension;
+    graze_status status = GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    fmpq *w = _fmpq_vec_init(d);
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    for (;;) {
+        algebraic_bounds(low, high, u);
+        velocity_near(w, e, vertex, piece, low, sign);
+        if (has_speed_signs(w, e, vertex, sign))
+            break;
+        status = algebraic_narrow(context, u, CHEAP_HALVINGS, &gain);
+        if (status)
+            break;
+    }
+    direction_of_rationals(out, w, d);
+    _fmpq_vec_clear(w, d);
+    fmpq_clear(low);
+    fmpq_clear(high);
+    return status;
+}
+
+graze_status inward_decide(int *out, const graze_envelope *e, graze_context *context, size_t vertex,
+                           size_t piece, algebraic *u, const signed char *sign) {
+    int d = e->cells.dimension;
+    const plane_list *planes;
+    local_cone cone = {.count = 0};
+    fmpz *direction = _fmpz_vec_init(d);
+    *out = 0;
+    graze_status status = find_direction(direction, e, context, vertex, piece, u, sign);
+    if (!status)
+        status = topo_planes(&planes, context, e->scene);
+    if (!status)
+        status = cone_make(&cone, context, e->scene->solid, planes, e->cells.vertex[vertex].x);
+    for (int k = 0; k < 2 && !status && !*out; k++) {
+        graze_state state = GRAZE_STATE_O;
+        status = cone_state(&state, &cone, context, direction);
+        *out = !status && state == GRAZE_STATE_I;
+        _fmpz_vec_neg(direction, direction, d);
+    }
+    cone_clear(&cone);
+    _fmpz_vec_clear(direction, d);
+    return status;
+}

@@ -1,0 +1,199 @@
+/* Joints between moments: of each vertex and edge, which patches end at one place.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/envelope/joints.h"
+
+#include <stdlib.h>
+#include "questions/envelope/limits.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/snapshot.h"
+
+/* The places of one vertex or edge, between two moments; its joints begin at `first_joint`. */
+typedef struct joining {
+    graze_patches *p;
+    graze_context *context;
+    const patch_place *place;
+    size_t count, from, to, first_joint;
+    moment_cuts cuts;
+    member_set set;
+} joining;
+
+static int is_active(const joining *j, const patch_place *place) {
+    const patch *item = &j->p->item[place->patch];
+    return item->from <= j->from && j->to <= item->to;
+}
+
+/* What the patches of the set look like together: slices, runs and whole facets count. */
+static graze_chain_form form_of(const joining *j) {
+    int surfaces = 0;
+    for (size_t k = 0; k < j->set.count; k++) {
+        graze_curve_kind kind = j->p->item[j->set.item[k]].facts.kind;
+        surfaces += kind == GRAZE_CURVE_WHOLE ? 3 : kind != GRAZE_CURVE_POINT;
+    }
+    return j->p->envelope->cells.dimension == 2 || surfaces == 0 ? GRAZE_CHAIN_NONE
+           : surfaces == 1                                       ? GRAZE_CHAIN_OPEN
+           : surfaces == 2                                       ? GRAZE_CHAIN_CLOSED
+                                                                 : GRAZE_CHAIN_BRANCHING;
+}
+
+/* Is it the same set, in a joint that lasts until now? Then it lasts longer. */
+static int extends_joint(const joining *j) {
+    for (size_t k = j->first_joint; k < j->p->joint_count; k++) {
+        patch_joint *old = &j->p->joint[k];
+        size_t same = 0;
+        if (old->to != j->from || old->count != j->set.count)
+            continue;
+        while (same < old->count && j->p->member[old->first + same] == j->set.item[same])
+            same++;
+        if (same == old->count) {
+            old->to = j->to;
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* A joint of the set, if it is one: more than one patch, or in E^3 a slice or run alone. */
+static graze_status emit_set(joining *j) {
+    const cell_complex *c = &j->p->envelope->cells;
+    members_sort(&j->set);
+    graze_chain_form form = form_of(j);
+    if ((j->set.count < 2 && form == GRAZE_CHAIN_NONE) || extends_joint(j))
+        return GRAZE_OK;
+    const graze_cell *cell =
+        j->place->is_edge ? &c->edge[j->place->cell].name : &c->vertex[j->place->cell].name;
+    return joint_add(j->p, j->context, cell, form, j->from, j->to, &j->set);
+}
+
+static graze_status join_at_vertex(joining *j) {
+    graze_status status = GRAZE_OK;
+    j->set.count = 0;
+    for (size_t k = 0; k < j->count && !status; k++)
+        if (is_active(j, &j->place[k]))
+            status = members_add(&j->set, j->context, j->place[k].patch);
+    return status ? status : emit_set(j);
+}
+
+/* Whole facets with all of the edge. */
+static graze_status join_along_edge(joining *j) {
+    int whole = 0;
+    graze_status status = GRAZE_OK;
+    j->set.count = 0;
+    for (size_t k = 0; k < j->count && !status; k++)
+        if (j->place[k].facet == SIZE_MAX && is_active(j, &j->place[k])) {
+            whole |= j->p->item[j->place[k].patch].facts.kind == GRAZE_CURVE_WHOLE;
+            status = members_add(&j->set, j->context, j->place[k].patch);
+        }
+    return status || !whole ? status : emit_set(j);
+}
+
+/* How far along the edge g of a facet vanishes, from 0 to 1. */
+static void place_along(fmpq_t out, const snapshot *s, size_t edge, size_t facet) {
+    const cell_complex *c = &s->e->cells;
+    size_t d = (size_t)s->dimension;
+    fmpq_t other;
+    fmpq_init(other);
+    snapshot_g(out, s, facet, c->at + c->edge[edge].u * d);
+    snapshot_g(other, s, facet, c->at + c->edge[edge].v * d);
+    fmpq_sub(other, out, other);
+    fmpq_div(out, out, other);
+    fmpq_clear(other);
+}
+
+/* Patches that end at the place of entry `first`; `done` marks theirs. */
+static graze_status join_at_place(joining *j, const snapshot *s, size_t first,
+                                  unsigned char *done) {
+    graze_status status = GRAZE_OK;
+    fmpq_t here, there;
+    fmpq_init(here);
+    fmpq_init(there);
+    place_along(here, s, j->place->cell, j->place[first].facet);
+    j->set.count = 0;
+    for (size_t k = first; k < j->count && !status; k++) {
+        if (done[k] || j->place[k].facet == SIZE_MAX || !is_active(j, &j->place[k]))
+            continue;
+        place_along(there, s, j->place->cell, j->place[k].facet);
+        if (!fmpq_equal(here, there))
+            continue;
+        done[k] = 1;
+        status = members_add(&j->set, j->context, j->place[k].patch);
+    }
+    fmpq_clear(here);
+    fmpq_clear(there);
+    return status ? status : emit_set(j);
+}
+
+static graze_status join_within_edge(joining *j) {
+    snapshot s;
+    fmpq_t t;
+    unsigned char *done = calloc(j->count, 1);
+    if (!done)
+        return context_fail(j->context, GRAZE_ESYSTEM, "out of memory for the joints of patches");
+    fmpq_init(t);
+    graze_status status = moments_between(t, j->context, &j->p->moments, j->from, j->to);
+    if (!status) {
+        status = snapshot_make(&s, j->context, j->p->envelope, t);
+        for (size_t k = 0; k < j->count && !status; k++)
+            if (!done[k] && j->place[k].facet != SIZE_MAX && is_active(j, &j->place[k]))
+                status = join_at_place(j, &s, k, done);
+        snapshot_clear(&s);
+    }
+    fmpq_clear(t);
+    free(done);
+    return status;
+}
+
+/* The moments at which joints of the cell may change: ends of its patches; of an edge all that
+ * concern it. */
+static graze_status find_cuts(joining *j) {
+    graze_status status = GRAZE_OK;
+    j->cuts.count = 0;
+    for (size_t k = 0; k < j->count && !status; k++) {
+        status = cuts_add(&j->cuts, j->context, j->p->item[j->place[k].patch].from);
+        if (!status)
+            status = cuts_add(&j->cuts, j->context, j->p->item[j->place[k].patch].to);
+    }
+    if (!status && j->place->is_edge)
+        status = concern_edge(&j->cuts, j->context, &j->p->changes, &j->p->envelope->cells,
+                              j->place->cell);
+    if (!status)
+        cuts_sort(&j->cuts);
+    return status;
+}
+
+static graze_status join_cell(joining *j) {
+    graze_status status = find_cuts(j);
+    j->first_joint = j->p->joint_count;
+    for (size_t k = 1; k < j->cuts.count && !status; k++) {
+        j->from = j->cuts.item[k - 1];
+        j->to = j->cuts.item[k];
+        if (!j->place->is_edge) {
+            status = join_at_vertex(j);
+            continue;
+        }
+        status = join_along_edge(j);
+        if (!status)
+            status = join_within_edge(j);
+    }
+    return status ? status : context_work(j->context, 1000);
+}
+
+graze_status joints_find(graze_patches *p, graze_context *context) {
+    joining j = {.p = p, .context = context};
+    place_list places;
+    graze_status status = places_make(&places, context, p);
+    for (size_t first = 0, end; first < places.count && !status; first = end) {
+        j.place = &places.item[first];
+        for (end = first + 1; end < places.count && places.item[end].is_edge == j.place->is_edge &&
+                              places.item[end].cell == j.place->cell;)
+            end++;
+        j.count = end - first;
+        status = join_cell(&j);
+    }
+    if (!status)
+        status = limits_find(p, context, &places);
+    free(places.item);
+    free(j.cuts.item);
+    free(j.set.item);
+    return status;
+}

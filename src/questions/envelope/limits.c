@@ -1,0 +1,260 @@
+/* Limits of the places where patches end. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A patch ends on an edge u v at u + lambda (v - u), lambda = g_u / (g_u - g_v). At a moment lambda
+ * tends to 0 if g_u has a zero of higher order there than g_v, to 1 if of lower order, and if both
+ * are of order k, to the same expression of the derivatives of order k.
+ */
+#include "questions/envelope/limits.h"
+
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/sign.h"
+
+/* A place that a patch has at a moment, seen from the motion's piece `piece` at its parameter `u`.
+ */
+typedef struct limit_place {
+    int is_edge;
+    size_t cell, facet, patch, piece;
+    algebraic *u;
+    slong order;
+} limit_place;
+
+typedef struct limit_finder {
+    graze_patches *p;
+    graze_context *context;
+    const place_list *places;
+    size_t moment, piece; /* the piece after the moment */
+    int is_break;
+    algebraic before, after; /* parameters of the pieces before and after */
+    size_t count, capacity;
+    limit_place *item;
+    member_set set;
+} limit_finder;
+
+/* g of a facet at one end of an edge, differentiated `order` times. */
+static void derived_g(fmpz_poly_t out, const limit_finder *f, const limit_place *at, int at_v) {
+    const cell_edge *edge = &f->p->envelope->cells.edge[at->cell];
+    derivatives_velocity(out, &f->p->envelope->field[at->piece], at->facet,
+                         at_v ? edge->v : edge->u);
+    for (slong k = 0; k < at->order; k++)
+        fmpz_poly_derivative(out, out);
+}
+
+/* The order of the zero of g at one end of the edge. */
+static graze_status zero_order(slong *out, const limit_finder *f, const limit_place *at, int at_v) {
+    int sign = 0;
+    graze_status status = GRAZE_OK;
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    derived_g(g, f, at, at_v);
+    for (*out = 0; !status && !fmpz_poly_is_zero(g); ++*out) {
+        status = algebraic_sign_at(&sign, f->context, g, at->u);
+        if (sign)
+            break;
+        fmpz_poly_derivative(g, g);
+    }
+    fmpz_poly_clear(g);
+    return status;
+}
+
+/* A place on an edge becomes one of the edge's ends, or keeps within it. */
+static graze_status take_limit(const limit_finder *f, limit_place *at) {
+    const cell_edge *edge = &f->p->envelope->cells.edge[at->cell];
+    slong at_u = 0, at_v = 0;
+    graze_status status = zero_order(&at_u, f, at, 0);
+    if (!status)
+        status = zero_order(&at_v, f, at, 1);
+    if (status)
+        return status;
+    at->order = at_u;
+    if (at_u != at_v) {
+        at->is_edge = 0;
+        at->cell = at_u > at_v ? edge->u : edge->v;
+    }
+    return GRAZE_OK;
+}
+
+/* Where a patch ends at the moment: of one that ends then from the side before. */
+static graze_status place_at_moment(limit_place *out, limit_finder *f, const patch_place *place) {
+    int earlier = f->is_break && f->p->item[place->patch].to == f->moment;
+    *out = (limit_place){
+        place->is_edge, place->cell, place->facet, place->patch, f->piece, &f->after, 0};
+    if (earlier) {
+        out->piece = f->piece - 1;
+        out->u = &f->before;
+    }
+    return place->is_edge ? take_limit(f, out) : GRAZE_OK;
+}
+
+/* out = a_u b_v - a_v b_u of two places on one edge: 0 where they coincide. */
+static graze_status compare_within(int *out, limit_finder *f, const limit_place *a,
+                                   const limit_place *b) {
+    fmpz_poly_t at[4];
+    fmpq_t value[4];
+    for (int k = 0; k < 4; k++) {
+        fmpz_poly_init(at[k]);
+        fmpq_init(value[k]);
+        derived_g(at[k], f, k < 2 ? a : b, k == 1 || k == 2);
+    }
+    graze_status status = GRAZE_OK;
+    if (a->piece == b->piece) { /* 0 a_u, 1 a_v, 2 b_v, 3 b_u */
+        fmpz_poly_mul(at[0], at[0], at[2]);
+        fmpz_poly_mul(at[1], at[1], at[3]);
+        fmpz_poly_sub(at[0], at[0], at[1]);
+        status = algebraic_sign_at(out, f->context, at[0], a->u);
+    } else { /* at a break, where parameters are 1 and 0 */
+        for (int k = 0; k < 4; k++)
+            fmpz_poly_evaluate_fmpq(value[k], at[k], k < 2 ? a->u->value : b->u->value);
+        fmpq_mul(value[0], value[0], value[2]);
+        fmpq_mul(value[1], value[1], value[3]);
+        *out = fmpq_cmp(value[0], value[1]);
+    }
+    for (int k = 0; k < 4; k++) {
+        fmpz_poly_clear(at[k]);
+        fmpq_clear(value[k]);
+    }
+    return status;
+}
+
+static graze_status is_same_place(int *out, limit_finder *f, const limit_place *a,
+                                  const limit_place *b) {
+    int order = 0;
+    graze_status status = GRAZE_OK;
+    *out = a->is_edge == b->is_edge && a->cell == b->cell;
+    if (!*out || !a->is_edge || (a->facet == b->facet && a->piece == b->piece))
+        return GRAZE_OK;
+    status = compare_within(&order, f, a, b);
+    *out = order == 0;
+    return status;
+}
+
+/* Add the patches that go on at the place of `at`. */
+static graze_status add_passing(limit_finder *f, const limit_place *at) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = places_first(f->places, at->is_edge, at->cell); k < f->places->count && !status;
+         k++) {
+        const patch_place *place = &f->places->item[k];
+        const patch *item = &f->p->item[place->patch];
+        limit_place there;
+        int same = 0;
+        if (place->is_edge != at->is_edge || place->cell != at->cell)
+            break;
+        if (item->from >= f->moment || item->to <= f->moment ||
+            (place->is_edge && place->facet == SIZE_MAX))
+            continue;
+        status = place_at_moment(&there, f, place);
+        if (!status)
+            status = is_same_place(&same, f, at, &there);
+        if (!status && same)
+            status = members_add(&f->set, f->context, place->patch);
+    }
+    return status;
+}
+
+/* The joint at the place of entry `first`, whose patches are then marked by piece SIZE_MAX. */
+static graze_status join_limits(limit_finder *f, size_t first) {
+    const cell_complex *c = &f->p->envelope->cells;
+    limit_place at = f->item[first];
+    graze_status status = GRAZE_OK;
+    f->set.count = 0;
+    for (size_t k = first; k < f->count && !status; k++) {
+        int same = 0;
+        if (f->item[k].piece == SIZE_MAX)
+            continue;
+        status = is_same_place(&same, f, &at, &f->item[k]);
+        if (status || !same)
+            continue;
+        f->item[k].piece = SIZE_MAX;
+        status = members_add(&f->set, f->context, f->item[k].patch);
+    }
+    if (!status)
+        status = add_passing(f, &at);
+    members_sort(&f->set);
+    if (status || f->set.count < 2)
+        return status;
+    return joint_add(f->p, f->context,
+                     at.is_edge ? &c->edge[at.cell].name : &c->vertex[at.cell].name,
+                     GRAZE_CHAIN_NONE, f->moment, f->moment, &f->set);
+}
+
+/* A patch's end, by the moment at which the patch begins or ends. */
+typedef struct dated_place {
+    size_t moment, place;
+} dated_place;
+
+static int compare_dates(const void *left, const void *right) {
+    const dated_place *a = left, *b = right;
+    if (a->moment != b->moment)
+        return a->moment < b->moment ? -1 : 1;
+    return a->place < b->place ? -1 : a->place > b->place;
+}
+
+static void begin_moment(limit_finder *f, size_t moment) {
+    const graze_time *time = f->p->moments.time[moment];
+    f->moment = moment;
+    f->piece = time->piece;
+    algebraic_set(&f->after, &time->u);
+    f->is_break = algebraic_is_rational(&time->u) && fmpq_is_zero(time->u.value) &&
+                  f->p->envelope->is_break[time->piece];
+    f->count = 0;
+}
+
+/* The joints of one moment, from the entries of a list. */
+static graze_status join_moment(limit_finder *f, const dated_place *list, size_t count) {
+    graze_status status = GRAZE_OK;
+    begin_moment(f, list->moment);
+    for (size_t k = 0; k < count && !status; k++) {
+        const patch_place *place = &f->places->item[list[k].place];
+        if (place->is_edge && place->facet == SIZE_MAX)
+            continue;
+        status = array_grow(f->context, &f->item, &f->capacity, f->count + 1, sizeof *f->item,
+                            "the joints of patches");
+        if (!status)
+            status = place_at_moment(&f->item[f->count++], f, place);
+    }
+    for (size_t k = 0; k < f->count && !status; k++)
+        if (f->item[k].piece != SIZE_MAX)
+            status = join_limits(f, k);
+    return status ? status : context_work(f->context, 1000);
+}
+
+/* All ends of patches by their moments, but for the ends of the motion. */
+static size_t date_places(dated_place *out, const graze_patches *p, const place_list *places) {
+    size_t count = 0;
+    for (size_t k = 0; k < places->count; k++) {
+        const patch *item = &p->item[places->item[k].patch];
+        if (item->from > 0)
+            out[count++] = (dated_place){item->from, k};
+        if (item->to + 1 < p->moments.count)
+            out[count++] = (dated_place){item->to, k};
+    }
+    qsort(out, count, sizeof *out, compare_dates);
+    return count;
+}
+
+graze_status limits_find(graze_patches *p, graze_context *context, const place_list *places) {
+    limit_finder f = {.p = p, .context = context, .places = places};
+    dated_place *dated = malloc((2 * places->count + 1) * sizeof *dated);
+    if (!dated)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the joints of patches");
+    size_t count = date_places(dated, p, places);
+    graze_status status = GRAZE_OK;
+    fmpq_t one;
+    fmpq_init(one);
+    fmpq_one(one);
+    algebraic_init(&f.before);
+    algebraic_init(&f.after);
+    algebraic_set_rational(&f.before, one);
+    for (size_t first = 0, next; first < count && !status; first = next) {
+        for (next = first + 1; next < count && dated[next].moment == dated[first].moment;)
+            next++;
+        status = join_moment(&f, dated + first, next - first);
+    }
+    algebraic_clear(&f.before);
+    algebraic_clear(&f.after);
+    fmpq_clear(one);
+    free(dated);
+    free(f.item);
+    free(f.set.item);
+    return status;
+}

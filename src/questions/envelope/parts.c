@@ -1,0 +1,374 @@
+/* Parts of the curve of contact. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A slice is cut at the vertices and edges that it meets; a segment between two of them is within
+ * the facet if its middle is. On an edge contact changes at zeros of g only (proofs/events.md C79).
+ */
+#include "questions/envelope/parts.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "input/solid/forms.h"
+#include "questions/contact/site.h"
+#include "questions/envelope/within.h"
+
+/* A point in which a slice or run may end. */
+typedef struct slice_point {
+    fmpq at[3];
+    part_end end;
+} slice_point;
+
+/* One more part between two points, which are copied. */
+static graze_status add_curve_part(graze_curve *c, graze_context *context, graze_curve_kind kind,
+                                   const graze_cell *cell, size_t number, const slice_point *a,
+                                   const slice_point *b) {
+    graze_status status = array_grow(context, &c->part, &c->capacity, c->count + 1, sizeof *c->part,
+                                     "the parts of a curve");
+    if (status)
+        return status;
+    curve_part *made = &c->part[c->count++];
+    made->facts = (graze_curve_part){
+        .kind = kind, .cell = *cell, .theta_a = GRAZE_SIGN_ABSENT, .theta_b = GRAZE_SIGN_ABSENT};
+    made->number = number;
+    made->end[0] = a->end;
+    made->end[1] = b->end;
+    made->a = _fmpq_vec_init(c->dimension);
+    made->b = _fmpq_vec_init(c->dimension);
+    for (int i = 0; i < c->dimension; i++) {
+        fmpq_set(made->a + i, a->at + i);
+        fmpq_set(made->b + i, b->at + i);
+    }
+    return GRAZE_OK;
+}
+
+static const fmpq *vertex_at(const snapshot *s, size_t vertex) {
+    return s->e->cells.at + vertex * (size_t)s->dimension;
+}
+
+static void middle_of(fmpq *out, const fmpq *a, const fmpq *b, int d) {
+    for (int i = 0; i < d; i++) {
+        fmpq_add(out + i, a + i, b + i);
+        fmpq_div_2exp(out + i, out + i, 1);
+    }
+}
+
+typedef struct slice_points {
+    size_t count, capacity;
+    slice_point *item;
+} slice_points;
+
+static part_end end_at(size_t vertex) {
+    return (part_end){vertex, SIZE_MAX, SIZE_MAX};
+}
+
+static part_end end_within(size_t edge, size_t facet) {
+    return (part_end){SIZE_MAX, edge, facet};
+}
+
+static graze_status add_point(slice_points *list, graze_context *context, const fmpq *at,
+                              part_end end, int d) {
+    for (size_t k = 0; k < list->count; k++)
+        if (end.vertex != SIZE_MAX && list->item[k].end.vertex == end.vertex)
+            return GRAZE_OK;
+    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
+                                     sizeof *list->item, "the points of a slice");
+    if (status)
+        return status;
+    slice_point *made = &list->item[list->count++];
+    made->end = end;
+    for (int i = 0; i < 3; i++)
+        fmpq_init(made->at + i);
+    for (int i = 0; i < d; i++)
+        fmpq_set(made->at + i, at + i);
+    return GRAZE_OK;
+}
+
+static void clear_points(slice_points *list) {
+    for (size_t k = 0; k < list->count; k++)
+        for (int i = 0; i < 3; i++)
+            fmpq_clear(list->item[k].at + i);
+    free(list->item);
+}
+
+/* The vertices that rest within the facet and lie on its slice. */
+static graze_status meet_lone_vertices(slice_points *list, graze_context *context,
+                                       const snapshot *s, size_t facet) {
+    const cell_lists *lone = &s->e->cells.lone_vertices;
+    graze_status status = GRAZE_OK;
+    for (size_t j = lone->start[facet]; j < lone->start[facet + 1] && !status; j++) {
+        size_t v = lone->item[j];
+        if (snapshot_g_sign(s, facet, vertex_at(s, v)) == 0)
+            status = add_point(list, context, vertex_at(s, v), end_at(v), s->dimension);
+    }
+    return status;
+}
+
+/* The points in which the slice meets the edges of its facet; *off: some g is not 0. */
+static graze_status meet_edges(slice_points *list, int *off, graze_context *context,
+                               const snapshot *s, size_t facet) {
+    const cell_complex *c = &s->e->cells;
+    int d = s->dimension;
+    graze_status status = GRAZE_OK;
+    fmpq *zero = _fmpq_vec_init(d + 2), *g = zero + d;
+    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1] && !status;
+         j++) {
+        size_t edge = c->facet_edges.item[j];
+        const cell_edge *e = &c->edge[edge];
+        const size_t ends[] = {e->u, e->v};
+        for (int k = 0; k < 2; k++)
+            snapshot_g(g + k, s, facet, vertex_at(s, ends[k]));
+        for (int k = 0; k < 2 && !status; k++) {
+            *off |= !fmpq_is_zero(g + k);
+            if (fmpq_is_zero(g + k))
+                status = add_point(list, context, vertex_at(s, ends[k]), end_at(ends[k]), d);
+        }
+        if (!status && fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
+            snapshot_zero(zero, g, g + 1, vertex_at(s, e->u), vertex_at(s, e->v), d);
+            status = add_point(list, context, zero, end_within(edge, facet), d);
+        }
+    }
+    _fmpq_vec_clear(zero, d + 2);
+    return status ? status : meet_lone_vertices(list, context, s, facet);
+}
+
+static int compare_slice_points(const void *left, const void *right) {
+    const slice_point *a = left, *b = right;
+    int order = 0;
+    for (int i = 0; i < 3 && order == 0; i++)
+        order = fmpq_cmp(a->at + i, b->at + i);
+    return order;
+}
+
+/* Of points at one place the one of the first facet last. */
+static int compare_edge_points(const void *left, const void *right) {
+    const slice_point *a = left, *b = right;
+    int order = compare_slice_points(a, b);
+    return order                          ? order
+           : a->end.facet != b->end.facet ? (a->end.facet < b->end.facet ? 1 : -1)
+                                          : 0;
+}
+
+int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at) {
+    const cell_facet *f = &c->facet[facet];
+    int d = c->dimension, inside = 0;
+    fmpz *x = _fmpz_vec_init(3 * (d + 1)), *plane = x + d + 1, *side = plane + d + 1;
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, at, d);
+    for (size_t j = 0; j < f->count && !inside; j++) {
+        size_t simplex = c->order[f->first + j];
+        solid_plane(plane, c->solid, simplex);
+        inside = form_sign(plane, x, d) == 0;
+        for (int k = 0; k < d && inside; k++) {
+            solid_side(side, c->solid, simplex, plane, k);
+            inside = form_sign(side, x, d) >= 0;
+        }
+    }
+    _fmpz_vec_clear(x, 3 * (d + 1));
+    return inside;
+}
+
+/* Are two vertices the ends of one edge? */
+static int are_joined(const cell_complex *c, size_t a, size_t b) {
+    if (a == SIZE_MAX || b == SIZE_MAX)
+        return 0;
+    for (size_t j = c->vertex_edges.start[a]; j < c->vertex_edges.start[a + 1]; j++) {
+        const cell_edge *e = &c->edge[c->vertex_edges.item[j]];
+        if (e->u == b || e->v == b)
+            return 1;
+    }
+    return 0;
+}
+
+static graze_status add_slice(graze_curve *c, graze_context *context, const snapshot *s,
+                              size_t facet, const slice_point *a, const slice_point *b) {
+    graze_status status =
+        add_curve_part(c, context, GRAZE_CURVE_SLICE, &s->e->cells.facet[facet].name, facet, a, b);
+    if (status)
+        return status;
+    c->part[c->count - 1].facts.theta_a = snapshot_theta_sign(s, facet, a->at);
+    c->part[c->count - 1].facts.theta_b = snapshot_theta_sign(s, facet, b->at);
+    return GRAZE_OK;
+}
+
+static graze_status add_whole(graze_curve *c, graze_context *context, const snapshot *s,
+                              size_t facet) {
+    slice_point within = {.end = end_at(SIZE_MAX)};
+    for (int i = 0; i < 3; i++)
+        fmpq_init(within.at + i);
+    graze_status status = within_facet(within.at, context, &s->e->cells, facet);
+    if (!status)
+        status = add_curve_part(c, context, GRAZE_CURVE_WHOLE, &s->e->cells.facet[facet].name,
+                                facet, &within, &within);
+    for (int i = 0; i < 3; i++)
+        fmpq_clear(within.at + i);
+    return status;
+}
+
+/* Segments between the points of a slice, those within the facet. */
+static graze_status add_segments(graze_curve *c, graze_context *context, const snapshot *s,
+                                 size_t facet, const slice_points *list) {
+    const cell_complex *cells = &s->e->cells;
+    graze_status status = GRAZE_OK;
+    fmpq *middle = _fmpq_vec_init(3);
+    for (size_t k = 1; k < list->count && !status; k++) {
+        const slice_point *a = &list->item[k - 1], *b = &list->item[k];
+        middle_of(middle, a->at, b->at, 3);
+        if (!are_joined(cells, a->end.vertex, b->end.vertex) &&
+            parts_facet_holds(cells, facet, middle))
+            status = add_slice(c, context, s, facet, a, b);
+    }
+    _fmpq_vec_clear(middle, 3);
+    return status;
+}
+
+graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapshot *s,
+                            size_t facet) {
+    slice_points list = {.count = 0};
+    int off = 0;
+    graze_status status = meet_edges(&list, &off, context, s, facet);
+    if (!status && !off)
+        status = add_whole(c, context, s, facet);
+    else if (!status && s->dimension == 2)
+        for (size_t k = 0; k < list.count && !status; k++) {
+            if (list.item[k].end.vertex == SIZE_MAX)
+                status = add_slice(c, context, s, facet, &list.item[k], &list.item[k]);
+        }
+    else if (!status && list.count) {
+        qsort(list.item, list.count, sizeof *list.item, compare_slice_points);
+        status = add_segments(c, context, s, facet, &list);
+    }
+    clear_points(&list);
+    return status;
+}
+
+/* Is a point of the boundary a contact? By signs of g where they tell, else by its site. */
+static graze_status is_contact_point(int *out, graze_context *context, const snapshot *s,
+                                     place_kind kind, const size_t *facet, size_t count,
+                                     const fmpq *at) {
+    int low = 1, high = -1;
+    if (kind == PLACE_OTHER) {
+        graze_site site;
+        graze_status status = site_make_for(&site, context, s->e->scene, s->t, at, SITE_ROLE);
+        *out = !status && site.facts.role == GRAZE_ROLE_CONTACT;
+        if (!status)
+            site_clear(&site);
+        return status;
+    }
+    for (size_t k = 0; k < count; k++) {
+        int sign = snapshot_g_sign(s, facet[k], at);
+        low = sign < low ? sign : low;
+        high = sign > high ? sign : high;
+    }
+    *out = kind == PLACE_REFLEX ? low == 0 && high == 0 : low <= 0 && high >= 0;
+    return GRAZE_OK;
+}
+
+/* Where g of some facet of the edge vanishes in it, and its ends, in order from u to v. */
+static graze_status cut_edge(slice_points *list, graze_context *context, const snapshot *s,
+                             size_t edge) {
+    const cell_complex *c = &s->e->cells;
+    const cell_edge *e = &c->edge[edge];
+    const fmpq *u = vertex_at(s, e->u), *v = vertex_at(s, e->v);
+    int d = s->dimension;
+    fmpq *g = _fmpq_vec_init(d + 2), *zero = g + 2;
+    graze_status status = add_point(list, context, u, end_at(e->u), d);
+    for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1] && !status;
+         j++) {
+        snapshot_g(g, s, c->edge_facets.item[j], u);
+        snapshot_g(g + 1, s, c->edge_facets.item[j], v);
+        if (fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
+            snapshot_zero(zero, g, g + 1, u, v, d);
+            status = add_point(list, context, zero, end_within(edge, c->edge_facets.item[j]), d);
+        }
+    }
+    if (!status)
+        status = add_point(list, context, v, end_at(e->v), d);
+    _fmpq_vec_clear(g, d + 2);
+    if (!status)
+        qsort(list->item, list->count, sizeof *list->item, compare_edge_points);
+    return status;
+}
+
+/* The runs between the points of an edge, joined where the point between is a contact too. */
+static graze_status add_runs(graze_curve *c, graze_context *context, const snapshot *s, size_t edge,
+                             const slice_points *list) {
+    const cell_complex *cells = &s->e->cells;
+    const cell_edge *e = &cells->edge[edge];
+    const size_t *facet = cells->edge_facets.item + cells->edge_facets.start[edge];
+    size_t count = cells->edge_facets.start[edge + 1] - cells->edge_facets.start[edge];
+    size_t from = 0;
+    int open = 0;
+    graze_status status = GRAZE_OK;
+    fmpq *middle = _fmpq_vec_init(3);
+    for (size_t k = 0; k < list->count && !status; k++) {
+        int is_end = k == 0 || k + 1 == list->count, here = 0, next = 0;
+        if (k + 1 < list->count && compare_slice_points(&list->item[k], &list->item[k + 1]) == 0)
+            continue;
+        if (k + 1 < list->count) {
+            middle_of(middle, list->item[k].at, list->item[k + 1].at, 3);
+            status = is_contact_point(&next, context, s, e->kind, facet, count, middle);
+        }
+        if (!status)
+            status = is_contact_point(&here, context, s, e->kind, facet, count, list->item[k].at);
+        if (!status && open && !(next && here)) {
+            status = add_curve_part(c, context, GRAZE_CURVE_RUN, &e->name, edge, &list->item[from],
+                                    &list->item[k]);
+            open = 0;
+        } else if (!status && !open && !next && here && !is_end) {
+            status = add_curve_part(c, context, GRAZE_CURVE_POINT, &e->name, edge, &list->item[k],
+                                    &list->item[k]);
+        }
+        if (next && !open) {
+            open = 1;
+            from = k;
+        }
+    }
+    _fmpq_vec_clear(middle, 3);
+    return status;
+}
+
+graze_status parts_of_edge(graze_curve *c, graze_context *context, const snapshot *s, size_t edge) {
+    slice_points list = {.count = 0};
+    graze_status status = cut_edge(&list, context, s, edge);
+    if (!status)
+        status = add_runs(c, context, s, edge, &list);
+    clear_points(&list);
+    return status;
+}
+
+/* Is the point an end of a part? */
+static int is_end_of_part(const graze_curve *c, const fmpq *at) {
+    for (size_t k = 0; k < c->count; k++) {
+        int a = 1, b = 1;
+        for (int i = 0; i < c->dimension; i++) {
+            a = a && fmpq_equal(c->part[k].a + i, at + i);
+            b = b && fmpq_equal(c->part[k].b + i, at + i);
+        }
+        if (a || b)
+            return 1;
+    }
+    return 0;
+}
+
+graze_status parts_add_vertex(graze_curve *c, graze_context *context, const snapshot *s,
+                              size_t vertex) {
+    const cell_complex *cells = &s->e->cells;
+    size_t first = cells->vertex_facets.start[vertex];
+    int contact = 0;
+    graze_status status = is_contact_point(
+        &contact, context, s, cells->vertex[vertex].kind, cells->vertex_facets.item + first,
+        cells->vertex_facets.start[vertex + 1] - first, vertex_at(s, vertex));
+    if (status || !contact)
+        return status;
+    slice_point at = {.end = end_at(vertex)};
+    for (int i = 0; i < s->dimension; i++)
+        at.at[i] = vertex_at(s, vertex)[i]; /* borrowed */
+    return add_curve_part(c, context, GRAZE_CURVE_POINT, &cells->vertex[vertex].name, vertex, &at,
+                          &at);
+}
+
+graze_status parts_of_vertex(graze_curve *c, graze_context *context, const snapshot *s,
+                             size_t vertex) {
+    return is_end_of_part(c, vertex_at(s, vertex)) ? GRAZE_OK
+                                                   : parts_add_vertex(c, context, s, vertex);
+}

@@ -1,0 +1,260 @@
+/* Vertices that are not convex. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/envelope/saddle.h"
+
+#include <flint/fmpz_vec.h>
+#include "input/soup/cell_names.h"
+#include "questions/envelope/decomposition.h"
+#include "questions/envelope/enter.h"
+#include "questions/envelope/inward.h"
+#include "questions/topo/directions.h"
+
+static size_t other_end(const cell_edge *edge, size_t vertex) {
+    return edge->u == vertex ? edge->v : edge->u;
+}
+
+/* The direction of an edge from a vertex: 3 integers. */
+static void ray_of(fmpz *out, const cell_complex *c, size_t edge, size_t vertex) {
+    const fmpz *from = c->vertex[vertex].x, *to = c->vertex[other_end(&c->edge[edge], vertex)].x;
+    for (int i = 0; i < 3; i++) {
+        fmpz_mul(out + i, to + i, from + 3);
+        fmpz_submul(out + i, from + i, to + 3);
+    }
+}
+
+/* The normal of the plane of two edges at a vertex, the edge of the lower name first; 0 if they are
+ * parallel, or the plane is that of a facet there. */
+static int span_plane(fmpz *normal, const cell_complex *c, size_t vertex, size_t first,
+                      size_t second) {
+    fmpz *ray = _fmpz_vec_init(6);
+    int swap = cell_compare(&c->edge[first].name, &c->edge[second].name) > 0;
+    ray_of(ray, c, swap ? second : first, vertex);
+    ray_of(ray + 3, c, swap ? first : second, vertex);
+    directions_cross(normal, ray, ray + 3);
+    int found = !_fmpz_vec_is_zero(normal, 3);
+    for (size_t j = c->vertex_facets.start[vertex]; j < c->vertex_facets.start[vertex + 1]; j++)
+        found = found && !directions_parallel(normal, c->facet[c->vertex_facets.item[j]].normal);
+    _fmpz_vec_clear(ray, 6);
+    return found;
+}
+
+static int only_sign(const signed char *sign) {
+    return sign[0];
+}
+
+static graze_status gather_pair(graze_envelope *e, graze_context *context, size_t vertex,
+                                const fmpz *normal) {
+    found_event what = {.kind = GRAZE_EVENT_SADDLE, .cell = e->cells.vertex[vertex].name};
+    watch past = {SIGN_NONE, SIGN_NONE};
+    graze_status status = GRAZE_OK;
+    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
+        signs s;
+        signs_init(&s, 1, 1);
+        for (int i = 0; i < 3; i++)
+            fmpz_poly_scalar_addmul_fmpz(&s.p[0], derivatives_at(&e->field[piece], 1, vertex) + i,
+                                         normal + i);
+        status = signs_find(&s, context);
+        if (!status)
+            status = events_watch(&e->events, context, &what, &past, piece, &s, only_sign);
+        signs_clear(&s);
+    }
+    return status;
+}
+
+graze_status saddle_gather(graze_envelope *e, graze_context *context, size_t vertex) {
+    const cell_complex *c = &e->cells;
+    const size_t *edge = c->vertex_edges.item;
+    size_t start = c->vertex_edges.start[vertex], end = c->vertex_edges.start[vertex + 1];
+    graze_status status = GRAZE_OK;
+    if (c->dimension == 2)
+        return GRAZE_OK;
+    fmpz *normal = _fmpz_vec_init(3);
+    for (size_t i = start; i < end; i++)
+        for (size_t j = i + 1; j < end && !status; j++)
+            if (span_plane(normal, c, vertex, edge[i], edge[j]))
+                status = gather_pair(e, context, vertex, normal);
+    _fmpz_vec_clear(normal, 3);
+    return status;
+}
+
+/* A vertex on one piece. The signs are those of g of its facets there, then, edge by edge, those of
+ * g of the edge's facets at its other end. */
+typedef struct corner_view {
+    graze_envelope *e;
+    graze_context *context;
+    size_t vertex, piece;
+    signs s;
+} corner_view;
+
+static size_t facets_at(const cell_complex *c, size_t vertex) {
+    return c->vertex_facets.start[vertex + 1] - c->vertex_facets.start[vertex];
+}
+
+/* Calls a visitor's body for each edge at the vertex and each facet of it: position in the signs,
+ * edge, facet. */
+typedef struct corner_pair {
+    size_t position, edge, facet;
+} corner_pair;
+
+static int next_pair(corner_pair *p, const cell_complex *c, size_t vertex, size_t *j, size_t *k) {
+    for (; *j < c->vertex_edges.start[vertex + 1]; ++*j, *k = 0) {
+        size_t edge = c->vertex_edges.item[*j], first = c->edge_facets.start[edge];
+        if (first + *k < c->edge_facets.start[edge + 1]) {
+            p->position++;
+            p->edge = edge;
+            p->facet = c->edge_facets.item[first + (*k)++];
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static size_t pair_count(const cell_complex *c, size_t vertex) {
+    size_t count = 0;
+    for (size_t j = c->vertex_edges.start[vertex]; j < c->vertex_edges.start[vertex + 1]; j++)
+        count += c->edge_facets.start[c->vertex_edges.item[j] + 1] -
+                 c->edge_facets.start[c->vertex_edges.item[j]];
+    return count;
+}
+
+static graze_status view_corner(corner_view *v) {
+    const cell_complex *c = &v->e->cells;
+    const derivatives *f = &v->e->field[v->piece];
+    size_t n = facets_at(c, v->vertex), total = n + pair_count(c, v->vertex);
+    signs_init(&v->s, total, total);
+    for (size_t j = 0; j < n; j++)
+        derivatives_velocity(
+            &v->s.p[j], f, c->vertex_facets.item[c->vertex_facets.start[v->vertex] + j], v->vertex);
+    corner_pair p = {.position = n - 1};
+    size_t j = c->vertex_edges.start[v->vertex], k = 0;
+    while (next_pair(&p, c, v->vertex, &j, &k))
+        derivatives_velocity(&v->s.p[p.position], f, p.facet,
+                             other_end(&c->edge[p.edge], v->vertex));
+    return signs_find(&v->s, v->context);
+}
+
+/* The position of a facet among those of the vertex. */
+static size_t facet_place(const cell_complex *c, size_t vertex, size_t facet) {
+    size_t j = c->vertex_facets.start[vertex];
+    while (c->vertex_facets.item[j] != facet)
+        j++;
+    return j - c->vertex_facets.start[vertex];
+}
+
+/* Does a run on a convex edge reach the vertex, by signs at one place? */
+static int run_reaches(const corner_view *v, const signed char *sign) {
+    const cell_complex *c = &v->e->cells;
+    corner_pair p = {.position = facets_at(c, v->vertex) - 1, .edge = SIZE_MAX};
+    size_t j = c->vertex_edges.start[v->vertex], k = 0, edge = SIZE_MAX;
+    int low = 1, high = -1;
+    while (next_pair(&p, c, v->vertex, &j, &k)) {
+        if (p.edge != edge) {
+            low = 1;
+            high = -1;
+            edge = p.edge;
+        }
+        int here = sign[facet_place(c, v->vertex, p.facet)];
+        here = here ? here : sign[p.position];
+        low = here < low ? here : low;
+        high = here > high ? here : high;
+        if (c->edge[edge].kind == PLACE_CONVEX && low <= 0 && high >= 0 &&
+            k == c->edge_facets.start[edge + 1] - c->edge_facets.start[edge])
+            return 1;
+    }
+    return 0;
+}
+
+/* Of a facet with g = 0 at the vertex at point k: does its slice, next to the point, end on an edge
+ * at the vertex, and come to it? It does if g is not 0 all along that edge then (proofs/events.md
+ * C82). */
+static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at) {
+    const cell_complex *c = &v->e->cells;
+    const signed char *here = signs_at(&v->s, at);
+    corner_pair p = {.position = facets_at(c, v->vertex) - 1};
+    size_t j = c->vertex_edges.start[v->vertex], k = 0;
+    int comes = 0;
+    while (next_pair(&p, c, v->vertex, &j, &k)) {
+        if (p.facet != facet || here[p.position] == 0)
+            continue;
+        if (at > 0)
+            comes |= signs_before(&v->s, at)[own] * signs_before(&v->s, at)[p.position] < 0;
+        if (at + 1 < v->s.x.count)
+            comes |= signs_before(&v->s, at + 1)[own] * signs_before(&v->s, at + 1)[p.position] < 0;
+    }
+    return comes;
+}
+
+/* Does a slice reach the vertex, at point k, or before it? */
+static graze_status slice_reaches(int *out, const corner_view *v, size_t k, int before) {
+    const cell_complex *c = &v->e->cells;
+    const signed char *sign = before ? signs_before(&v->s, k) : signs_at(&v->s, k);
+    graze_status status = GRAZE_OK;
+    *out = 0;
+    for (size_t j = 0; j < facets_at(c, v->vertex) && !status && !*out; j++) {
+        size_t facet = c->vertex_facets.item[c->vertex_facets.start[v->vertex] + j];
+        if (sign[j] != 0)
+            continue;
+        *out = before ? enters_before(v->e, facet, v->vertex, v->piece, &v->s.x, k)
+                      : slice_comes(v, facet, j, k);
+        if (!*out && !before)
+            status = enters_at(out, v->e, v->context, facet, v->vertex, v->piece, &v->s.x, k);
+    }
+    return status;
+}
+
+/* Does the velocity or its opposite lead into the solid, at point k or before it? */
+static graze_status leads_in(int *out, const corner_view *v, size_t k, int before) {
+    const cell_complex *c = &v->e->cells;
+    const signed char *sign = before ? signs_before(&v->s, k) : signs_at(&v->s, k);
+    *out = 0;
+    for (size_t j = 0; j < facets_at(c, v->vertex); j++)
+        *out |= sign[j] != 0;
+    if (c->vertex[v->vertex].kind == PLACE_REFLEX || !*out)
+        return GRAZE_OK;
+    algebraic u;
+    algebraic_init(&u);
+    if (before)
+        algebraic_set_rational(&u, v->s.x.sample + k);
+    else
+        algebraic_set(&u, v->s.x.point[k]);
+    graze_status status = inward_decide(out, v->e, v->context, v->vertex, v->piece, &u, sign);
+    algebraic_clear(&u);
+    return status;
+}
+
+static graze_status judge_place(corner_view *v, size_t k, int before) {
+    graze_envelope *e = v->e;
+    const graze_cell *name = &e->cells.vertex[v->vertex].name;
+    int run = run_reaches(v, before ? signs_before(&v->s, k) : signs_at(&v->s, k));
+    int reaches = run, leads = 0;
+    graze_status status = run ? GRAZE_OK : slice_reaches(&reaches, v, k, before);
+    if (status || !reaches)
+        return status;
+    if (run)
+        status = judge_find(e, v->context, GRAZE_REASON_REACHES, &NO_CELL, name, v->piece,
+                            v->s.x.point[k]);
+    if (status || !judge_wants(e, GRAZE_REASON_VERTEX) ||
+        (!before && !judge_is_inner(e, v->piece, &v->s.x, k)))
+        return status;
+    status = leads_in(&leads, v, k, before);
+    if (status || !leads)
+        return status;
+    return before ? judge_find_before(e, v->context, GRAZE_REASON_VERTEX, &NO_CELL, name, v->piece,
+                                      &v->s.x, k)
+                  : judge_find(e, v->context, GRAZE_REASON_VERTEX, &NO_CELL, name, v->piece,
+                               v->s.x.point[k]);
+}
+
+graze_status saddle_judge(graze_envelope *e, graze_context *context, size_t vertex) {
+    graze_status status = GRAZE_OK;
+    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
+        corner_view v = {.e = e, .context = context, .vertex = vertex, .piece = piece};
+        status = view_corner(&v);
+        for (size_t k = 0; k < v.s.x.count && !status; k++) {
+            status = k > 0 ? judge_place(&v, k, 1) : GRAZE_OK;
+            if (!status)
+                status = judge_place(&v, k, 0);
+        }
+        signs_clear(&v.s);
+    }
+    return status;
+}

@@ -1,0 +1,117 @@
+/* Contact points by chance. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/envelope/sample.h"
+
+#include <flint/fmpq_vec.h>
+#include "base/number/order.h"
+#include "base/number/random.h"
+#include "questions/envelope/contact_curve.h"
+
+/* Is a time strictly within its piece? */
+static int is_inner_time(const graze_time *time) {
+    return !algebraic_is_rational(&time->u) ||
+           (!fmpq_is_zero(time->u.value) && !fmpq_is_one(time->u.value));
+}
+
+/* The numbers of times before and after a gap of the motion; those of ends of pieces are SIZE_MAX.
+ */
+typedef struct time_gap {
+    size_t piece, from, to;
+} time_gap;
+
+/* Gap `wanted` modulo the number of gaps. */
+static time_gap find_time_gap(const graze_envelope *e, unsigned long wanted) {
+    const event_list *list = &e->events;
+    size_t inner = 0;
+    for (size_t k = 0; k < list->time_count; k++)
+        inner += is_inner_time(list->time[k]) ? 1 : 0;
+    size_t left = wanted % (inner + e->piece_count);
+    time_gap gap = {0, SIZE_MAX, SIZE_MAX};
+    for (size_t k = 0; k < list->time_count; k++) {
+        if (!is_inner_time(list->time[k]))
+            continue;
+        for (; gap.piece < list->time[k]->piece; gap.piece++, gap.from = SIZE_MAX)
+            if (left-- == 0)
+                return gap;
+        gap.to = k;
+        if (left-- == 0)
+            return gap;
+        gap.from = k;
+        gap.to = SIZE_MAX;
+    }
+    for (; left > 0; left--, gap.from = SIZE_MAX)
+        gap.piece++;
+    return gap;
+}
+
+/* A rational parameter in a gap: between its ends, and by chance nearer to one of them. */
+static graze_status pick_parameter(fmpq_t out, graze_context *context, const graze_envelope *e,
+                                   const time_gap *gap, random_stream *r) {
+    algebraic low, high, middle;
+    algebraic_init(&low);
+    algebraic_init(&high);
+    algebraic_init(&middle);
+    fmpq_one(out);
+    algebraic_set_rational(&high, out);
+    if (gap->from != SIZE_MAX)
+        algebraic_set(&low, &e->events.time[gap->from]->u);
+    if (gap->to != SIZE_MAX)
+        algebraic_set(&high, &e->events.time[gap->to]->u);
+    graze_status status = algebraic_between(out, context, &low, &high);
+    for (size_t steps = random_below(r, 4); steps > 0 && !status; steps--) {
+        algebraic_set_rational(&middle, out);
+        status = random_below(r, 2) ? algebraic_between(out, context, &low, &middle)
+                                    : algebraic_between(out, context, &middle, &high);
+    }
+    algebraic_clear(&low);
+    algebraic_clear(&high);
+    algebraic_clear(&middle);
+    return status;
+}
+
+/* A point of a part by chance, not one of its ends if it has two. */
+static void pick_point(fmpq *out, const curve_part *part, int d, random_stream *r) {
+    fmpq_t lambda, step;
+    fmpq_init(lambda);
+    fmpq_init(step);
+    fmpq_set_si(lambda, (slong)random_below(r, 15) + 1, 16);
+    for (int i = 0; i < d; i++) {
+        fmpq_sub(step, part->b + i, part->a + i);
+        fmpq_mul(step, step, lambda);
+        fmpq_add(out + i, part->a + i, step);
+    }
+    fmpq_clear(lambda);
+    fmpq_clear(step);
+}
+
+graze_status sample_make(graze_site *out, int *found, graze_context *context,
+                         const graze_envelope *e, unsigned long seed, unsigned long index) {
+    int d = e->cells.dimension;
+    random_stream r;
+    graze_curve curve = {.count = 0};
+    fmpq_t t, width;
+    random_seed(&r, seed, index);
+    time_gap gap = find_time_gap(e, index);
+    const motion_piece *piece = &e->scene->motion->piece[gap.piece];
+    fmpq_init(t);
+    fmpq_init(width);
+    *found = 0;
+    graze_status status = pick_parameter(t, context, e, &gap, &r);
+    fmpq_sub(width, piece->hi, piece->lo);
+    fmpq_mul(t, t, width);
+    fmpq_add(t, t, piece->lo);
+    if (!status)
+        status = contact_curve_find(&curve, context, e, t);
+    if (!status) {
+        fmpq *y = _fmpq_vec_init(d);
+        if (curve.count) {
+            pick_point(y, &curve.part[random_below(&r, curve.count)], d, &r);
+            status = site_make(out, context, e->scene, t, y);
+            *found = !status;
+        }
+        _fmpq_vec_clear(y, d);
+        contact_curve_clear(&curve);
+    }
+    fmpq_clear(t);
+    fmpq_clear(width);
+    return status;
+}

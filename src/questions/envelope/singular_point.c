@@ -1,0 +1,276 @@
+/* The three functions are linear on the facet's plane. By their values at the corners of one
+ * triangle, barycentric coordinates of a common zero are the kernel of a 3 x 3 matrix of
+ * polynomials (proofs/events.md C80). Its determinant vanishes where there is one; where it
+ * vanishes all the time, the zero is a point that moves, or a line.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/envelope/singular_point.h"
+
+#include <stdlib.h>
+#include "base/number/sign.h"
+
+static void derivative_at(fmpz_poly_struct *out, const singular_view *v, int row, size_t vertex) {
+    derivatives_along(out, &v->e->field[v->piece], row + 1, v->facet, vertex);
+}
+
+/* The minors of rows a and b: their cross product. */
+static void set_minors(fmpz_poly_struct *out, const fmpz_poly_struct *a,
+                       const fmpz_poly_struct *b) {
+    fmpz_poly_t second;
+    fmpz_poly_init(second);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        fmpz_poly_mul(out + i, a + j, b + k);
+        fmpz_poly_mul(second, a + k, b + j);
+        fmpz_poly_sub(out + i, out + i, second);
+    }
+    fmpz_poly_clear(second);
+}
+
+/* Number of the facet's triangles, and the corners of one of them. */
+static size_t triangle_count(const singular_view *v) {
+    return v->e->cells.facet[v->facet].count;
+}
+
+static size_t triangle_at(const singular_view *v, size_t j) {
+    const cell_complex *c = &v->e->cells;
+    return c->order[c->facet[v->facet].first + j];
+}
+
+static const size_t *corners_at(const singular_view *v, size_t j) {
+    return v->e->cells.corner + triangle_at(v, j) * 3;
+}
+
+void singular_view_make(singular_view *out, const graze_envelope *e, graze_context *context,
+                        size_t facet, size_t piece) {
+    fmpz_poly_t term;
+    *out = (singular_view){.e = e, .context = context, .facet = facet, .piece = piece};
+    fmpz_poly_struct *p = out->p, *minor = out->p + SINGULAR_ROWS;
+    for (int k = 0; k < SINGULAR_SIGNS; k++)
+        fmpz_poly_init(p + k);
+    for (int row = 0; row < 3; row++)
+        for (int k = 0; k < 3; k++)
+            derivative_at(p + row * 3 + k, out, row, corners_at(out, 0)[k]);
+    set_minors(minor, p, p + 3);
+    set_minors(minor + 3, p, p + 6);
+    set_minors(minor + 6, p + 3, p + 6);
+    fmpz_poly_init(term);
+    for (int k = 0; k < 3; k++) {
+        fmpz_poly_mul(term, minor + k, p + 6 + k);
+        fmpz_poly_add(p + SINGULAR_DETERMINANT, p + SINGULAR_DETERMINANT, term);
+    }
+    fmpz_poly_clear(term);
+}
+
+void singular_view_clear(singular_view *v) {
+    for (int k = 0; k < SINGULAR_SIGNS; k++)
+        fmpz_poly_clear(v->p + k);
+}
+
+int singular_is_never(const singular_view *v) {
+    int sign = 0, same = 1;
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    for (size_t j = 0; j < 3 * triangle_count(v) && same; j++) {
+        derivative_at(g, v, 0, corners_at(v, j / 3)[j % 3]);
+        int here = axis_one_sign(g);
+        same = here != 0 && (j == 0 || here == sign);
+        sign = here;
+    }
+    fmpz_poly_clear(g);
+    return same;
+}
+
+int singular_is_lasting(const singular_view *v) {
+    return fmpz_poly_is_zero(v->p + SINGULAR_DETERMINANT);
+}
+
+/* The products of two rows: pair 0, 1 or 2. */
+static const fmpz_poly_struct *minors_of(const singular_view *v, int pair) {
+    return v->p + SINGULAR_ROWS + 3 * pair;
+}
+
+/* A point of the facet's plane by its barycentric coordinates: four homogeneous ones. */
+static void point_init(fmpz_poly_struct *point, const singular_view *v,
+                       const fmpz_poly_struct *weight) {
+    for (int i = 0; i < 4; i++) {
+        fmpz_poly_init(point + i);
+        for (int k = 0; k < 3; k++)
+            fmpz_poly_scalar_addmul_fmpz(point + i, weight + k,
+                                         v->e->cells.vertex[corners_at(v, 0)[k]].x + i);
+    }
+}
+
+static void point_clear(fmpz_poly_struct *point) {
+    for (int i = 0; i < 4; i++)
+        fmpz_poly_clear(point + i);
+}
+
+/* The form of side k of a triangle at a homogeneous point. */
+static void side_at(fmpz_poly_struct *out, const singular_view *v, size_t simplex, int k,
+                    const fmpz_poly_struct *point) {
+    fmpz form[8] = {0};
+    solid_plane(form, v->e->cells.solid, simplex);
+    solid_side(form + 4, v->e->cells.solid, simplex, form, k);
+    fmpz_poly_zero(out);
+    for (int i = 0; i < 4; i++)
+        fmpz_poly_scalar_addmul_fmpz(out, point + i, form + 4 + i);
+    for (int i = 0; i < 8; i++)
+        fmpz_clear(form + i);
+}
+
+/* Have two triangles of the facet the side k of triangle j? */
+static int is_shared_side(const singular_view *v, size_t j, int k) {
+    size_t a = corners_at(v, j)[k], b = corners_at(v, j)[(k + 1) % 3];
+    int shared = 0;
+    for (size_t i = 0; i < triangle_count(v); i++) {
+        const size_t *q = corners_at(v, i);
+        shared += (q[0] == a || q[1] == a || q[2] == a) && (q[0] == b || q[1] == b || q[2] == b);
+    }
+    return shared == 2;
+}
+
+/* Is a homogeneous point in the interior of triangle j, or within a side that another one has? */
+static graze_status is_point_in_triangle(int *out, const singular_view *v, algebraic *u, size_t j,
+                                         const fmpz_poly_struct *point) {
+    graze_status status = GRAZE_OK;
+    int zeros = 0;
+    fmpz_poly_t value;
+    fmpz_poly_init(value);
+    *out = 1;
+    for (int k = 0; k < 3 && !status && *out; k++) {
+        int sign = 0;
+        side_at(value, v, triangle_at(v, j), k, point);
+        status = algebraic_sign_at(&sign, v->context, value, u);
+        zeros += sign == 0;
+        *out = sign > 0 || (sign == 0 && is_shared_side(v, j, k));
+    }
+    *out = *out && zeros < 2;
+    fmpz_poly_clear(value);
+    return status;
+}
+
+/* Is the point of these barycentric coordinates at u in the facet? */
+static graze_status is_in_facet(int *out, const singular_view *v, algebraic *u,
+                                const fmpz_poly_struct *weight) {
+    fmpz_poly_struct point[4];
+    int side = 0;
+    point_init(point, v, weight);
+    *out = 0;
+    graze_status status = algebraic_sign_at(&side, v->context, point + 3, u);
+    for (int i = 0; i < 4 && side < 0; i++)
+        fmpz_poly_neg(point + i, point + i);
+    for (size_t j = 0; j < triangle_count(v) && side != 0 && !status && !*out; j++)
+        status = is_point_in_triangle(out, v, u, j, point);
+    point_clear(point);
+    return status;
+}
+
+/* Do the three values not all vanish at u? */
+static graze_status is_nonzero(int *out, const singular_view *v, algebraic *u,
+                               const fmpz_poly_struct *p) {
+    graze_status status = GRAZE_OK;
+    *out = 0;
+    for (int k = 0; k < 3 && !status && !*out; k++)
+        status = algebraic_sign_at(out, v->context, p + k, u);
+    *out = *out != 0;
+    return status;
+}
+
+/* Does the zero line of a row at u meet the interior of triangle j, or a side that another one has
+ * all along? */
+static graze_status is_line_in_triangle(int *out, const singular_view *v, algebraic *u, int row,
+                                        size_t j) {
+    graze_status status = GRAZE_OK;
+    int sign[3] = {0, 0, 0};
+    fmpz_poly_t value;
+    fmpz_poly_init(value);
+    for (int k = 0; k < 3 && !status; k++) {
+        derivative_at(value, v, row, corners_at(v, j)[k]);
+        status = algebraic_sign_at(&sign[k], v->context, value, u);
+    }
+    fmpz_poly_clear(value);
+    *out = 0;
+    for (int k = 0; k < 3 && !status; k++) {
+        int a = sign[k], b = sign[(k + 1) % 3];
+        *out = *out || a * b < 0 || (a == 0 && b == 0 && is_shared_side(v, j, k));
+    }
+    return status;
+}
+
+static graze_status is_line_in_facet(int *out, const singular_view *v, algebraic *u, int row) {
+    graze_status status = GRAZE_OK;
+    *out = 0;
+    for (size_t j = 0; j < triangle_count(v) && !status && !*out; j++)
+        status = is_line_in_triangle(out, v, u, row, j);
+    return status;
+}
+
+graze_status singular_exists(int *out, const singular_view *v, algebraic *u) {
+    int sign = 0, some = 0;
+    *out = 0;
+    graze_status status = algebraic_sign_at(&sign, v->context, v->p + SINGULAR_DETERMINANT, u);
+    if (status || sign != 0)
+        return status;
+    for (int pair = 0; pair < 3 && !status; pair++) {
+        status = is_nonzero(&some, v, u, minors_of(v, pair));
+        if (!status && some)
+            return is_in_facet(out, v, u, minors_of(v, pair));
+    }
+    for (int row = 0; row < 3 && !status; row++) {
+        status = is_nonzero(&some, v, u, v->p + 3 * row);
+        if (!status && some)
+            return is_line_in_facet(out, v, u, row);
+    }
+    *out = !status;
+    return status;
+}
+
+/* The first pair of rows that is not always parallel; 3 if there is none. */
+static int first_pair(const singular_view *v) {
+    for (int pair = 0; pair < 3; pair++)
+        for (int k = 0; k < 3; k++)
+            if (!fmpz_poly_is_zero(minors_of(v, pair) + k))
+                return pair;
+    return 3;
+}
+
+/* The sides of all triangles that no other one has, at the point that moves: `out` has 9 for each
+ * triangle. */
+static void fill_sides(fmpz_poly_struct *out, const singular_view *v, int pair) {
+    fmpz_poly_struct point[4];
+    point_init(point, v, minors_of(v, pair));
+    for (size_t j = 0; j < triangle_count(v); j++)
+        for (int k = 0; k < 3; k++)
+            if (!is_shared_side(v, j, k))
+                side_at(out + 9 * j + k, v, triangle_at(v, j), k, point);
+    point_clear(point);
+}
+
+/* The three functions at the corners of all triangles. */
+static void fill_corners(fmpz_poly_struct *out, const singular_view *v) {
+    for (size_t j = 0; j < triangle_count(v); j++)
+        for (int k = 0; k < 9; k++)
+            derivative_at(out + 9 * j + k, v, k / 3, corners_at(v, j)[k % 3]);
+}
+
+graze_status singular_axis(axis *out, const singular_view *v) {
+    if (!singular_is_lasting(v))
+        return axis_make(out, v->context, v->p + SINGULAR_DETERMINANT, 1);
+    size_t count = SINGULAR_DETERMINANT + 9 * triangle_count(v);
+    fmpz_poly_struct *p = flint_malloc(count * sizeof *p);
+    for (size_t k = 0; k < count; k++)
+        fmpz_poly_init(p + k);
+    for (size_t k = 0; k < SINGULAR_DETERMINANT; k++)
+        fmpz_poly_set(p + k, v->p + k);
+    int pair = first_pair(v);
+    if (pair < 3)
+        fill_sides(p + SINGULAR_DETERMINANT, v, pair);
+    else
+        fill_corners(p + SINGULAR_DETERMINANT, v);
+    graze_status status = axis_make(out, v->context, p, count);
+    for (size_t k = 0; k < count; k++)
+        fmpz_poly_clear(p + k);
+    flint_free(p);
+    return status;
+}

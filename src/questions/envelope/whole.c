@@ -1,0 +1,102 @@
+/* Facets whose g vanishes all over at single times. SPDX-License-Identifier: GPL-3.0-or-later */
+#include <stdlib.h>
+#include "base/number/sign.h"
+#include "questions/envelope/decomposition.h"
+#include "questions/envelope/whole.h"
+
+/* The common divisor of g at the corners of one simplex of the facet: 0 if g vanishes all the time.
+ */
+static void find_common(fmpz_poly_t out, const graze_envelope *e, size_t facet, size_t piece) {
+    const cell_complex *c = &e->cells;
+    size_t d = (size_t)c->dimension, simplex = c->order[c->facet[facet].first];
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    fmpz_poly_zero(out);
+    for (size_t k = 0; k < d; k++) {
+        derivatives_velocity(g, &e->field[piece], facet, c->corner[simplex * d + k]);
+        fmpz_poly_gcd(out, out, g);
+    }
+    fmpz_poly_clear(g);
+}
+
+/* Is theta of the facet negative at a corner, at a point? */
+static graze_status is_theta_negative(int *out, const graze_envelope *e, graze_context *context,
+                                      size_t facet, size_t piece, algebraic *u) {
+    const cell_complex *c = &e->cells;
+    size_t d = (size_t)c->dimension;
+    graze_status status = GRAZE_OK;
+    fmpz_poly_t theta;
+    fmpz_poly_init(theta);
+    *out = 0;
+    for (size_t j = 0; j < c->facet[facet].count * d && !status && !*out; j++) {
+        int sign = 0;
+        size_t simplex = c->order[c->facet[facet].first + j / d];
+        derivatives_along(theta, &e->field[piece], 2, facet, c->corner[simplex * d + j % d]);
+        status = algebraic_sign_at(&sign, context, theta, u);
+        *out = sign < 0;
+    }
+    fmpz_poly_clear(theta);
+    return status;
+}
+
+/* Does g of another facet of the edge not vanish at one of its ends? */
+static graze_status moves_across(int *out, const graze_envelope *e, graze_context *context,
+                                 size_t facet, size_t edge, size_t piece, algebraic *u) {
+    const cell_complex *c = &e->cells;
+    const size_t ends[] = {c->edge[edge].u, c->edge[edge].v};
+    graze_status status = GRAZE_OK;
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    *out = 0;
+    for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++)
+        for (int k = 0; k < 2 && c->edge_facets.item[j] != facet && !status && !*out; k++) {
+            derivatives_velocity(g, &e->field[piece], c->edge_facets.item[j], ends[k]);
+            status = algebraic_sign_at(out, context, g, u);
+        }
+    fmpz_poly_clear(g);
+    return status;
+}
+
+static graze_status judge_whole(graze_envelope *e, graze_context *context, size_t facet,
+                                size_t piece, axis *x, size_t k) {
+    const cell_complex *c = &e->cells;
+    const graze_cell *name = &c->facet[facet].name;
+    int found = 0;
+    graze_status status = is_theta_negative(&found, e, context, facet, piece, x->point[k]);
+    if (!status && found)
+        status = judge_find(e, context, GRAZE_REASON_THETA, name, name, piece, x->point[k]);
+    for (size_t j = c->facet_edges.start[facet];
+         j < c->facet_edges.start[facet + 1] && !status && judge_is_inner(e, piece, x, k); j++) {
+        size_t edge = c->facet_edges.item[j];
+        if (c->edge[edge].kind != PLACE_REFLEX)
+            continue;
+        status = moves_across(&found, e, context, facet, edge, piece, x->point[k]);
+        if (!status && found)
+            status = judge_find(e, context, GRAZE_REASON_REFLEX, name, &c->edge[edge].name, piece,
+                                x->point[k]);
+    }
+    return status;
+}
+
+graze_status gather_whole(graze_envelope *e, graze_context *context, size_t facet) {
+    graze_status status = GRAZE_OK;
+    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
+        fmpz_poly_t common;
+        fmpz_poly_init(common);
+        find_common(common, e, facet, piece);
+        e->still[piece * e->cells.facet_count + facet] = (unsigned char)fmpz_poly_is_zero(common);
+        if (fmpz_poly_degree(common) > 0) {
+            axis x;
+            status = axis_make(&x, context, common, 1);
+            for (size_t k = 0; k < x.count && !status; k++) {
+                int sign = 0;
+                status = axis_sign(&sign, context, &x, common, k);
+                if (!status && sign == 0 && !judge_is_break(e, piece, &x, k))
+                    status = judge_whole(e, context, facet, piece, &x, k);
+            }
+            axis_clear(&x);
+        }
+        fmpz_poly_clear(common);
+    }
+    return status;
+}

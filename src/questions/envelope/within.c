@@ -1,0 +1,46 @@
+/* Points on a conic: a line meets it twice at most, so finitely many vertices and edges leave one.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/envelope/within.h"
+
+#include <flint/fmpq_vec.h>
+
+/* The point in the interior of the facet's first simplex of barycentric weights 1, s, s^2. */
+static void point_within(fmpq *out, const cell_complex *c, size_t facet, slong s) {
+    int d = c->dimension;
+    const size_t *corner = c->corner + c->order[c->facet[facet].first] * (size_t)d;
+    slong weight = 1, sum = 0;
+    fmpz_t factor;
+    fmpq_t term;
+    fmpz_init(factor);
+    fmpq_init(term);
+    for (int i = 0; i < d; i++)
+        fmpq_zero(out + i);
+    for (int k = 0; k < d; k++, weight *= s) {
+        sum += weight;
+        fmpz_set_si(factor, weight);
+        for (int i = 0; i < d; i++) {
+            fmpq_mul_fmpz(term, c->at + corner[k] * (size_t)d + (size_t)i, factor);
+            fmpq_add(out + i, out + i, term);
+        }
+    }
+    fmpz_set_si(factor, sum);
+    for (int i = 0; i < d; i++)
+        fmpq_div_fmpz(out + i, out + i, factor);
+    fmpz_clear(factor);
+    fmpq_clear(term);
+}
+
+graze_status within_facet(fmpq *out, graze_context *context, const cell_complex *cells,
+                          size_t facet) {
+    graze_status status = GRAZE_OK;
+    int found = 0;
+    for (slong s = 1; !status && !found; s++) {
+        neighborhood at;
+        point_within(out, cells, facet, s);
+        status = neighborhood_locate(&at, context, cells->solid, out);
+        found = at.cell.kind == cells->facet[facet].name.kind;
+        neighborhood_clear(&at);
+    }
+    return status;
+}

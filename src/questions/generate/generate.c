@@ -1,0 +1,169 @@
+/* The generator: its times, its strata and their weights, the point of a row.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/generate.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "decide/scene/box.h"
+#include "questions/generate/level.h"
+
+/* Times drawn from, tries for one row, and rows tried before a stratum is given up. */
+enum { INSTANTS = 512, TIME_BITS = 10, TRIES = 200, TRIAL_ROWS = 24 };
+
+/* Rows of trials and of times: streams that no row of the table has. */
+static const uint64_t TRIAL_STREAM = UINT64_C(1) << 63, TIME_STREAM = UINT64_C(3) << 62;
+
+/* Times at random multiples of 2^-10 inside random pieces; the first ones simple, so that even few
+ * tries meet simple points. */
+static graze_status make_instants(struct graze_generator *g, graze_context *context) {
+    g->instants = malloc(INSTANTS * sizeof *g->instants);
+    if (!g->instants)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %d times", INSTANTS);
+    random_stream r;
+    fmpq_t u;
+    fmpq_init(u);
+    random_seed(&r, g->seed, TIME_STREAM);
+    for (int k = 0; k < INSTANTS; k++) {
+        size_t piece = random_below(&r, g->scene->motion->piece_count);
+        slong simple = 1 + (slong)random_below(&r, 3);
+        slong fine = 1 + (slong)random_below(&r, (1u << TIME_BITS) - 1);
+        if (k < INSTANTS / 8)
+            fmpq_set_si(u, simple, 4);
+        else
+            fmpq_set_si(u, fine, 1u << TIME_BITS);
+        instant_init(&g->instants[k], g->scene, piece, u);
+        g->instant_count++;
+    }
+    fmpq_clear(u);
+    return GRAZE_OK;
+}
+
+/* The start of every piece, and the end of the last. */
+static graze_status list_joints(struct graze_generator *g, graze_context *context) {
+    size_t pieces = g->scene->motion->piece_count;
+    g->joints = malloc((pieces + 1) * sizeof *g->joints);
+    if (!g->joints)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu break points", pieces);
+    fmpq_t u;
+    fmpq_init(u);
+    for (size_t k = 0; k < pieces; k++)
+        instant_init(&g->joints[g->joint_count++], g->scene, k, u);
+    fmpq_one(u);
+    instant_init(&g->joints[g->joint_count++], g->scene, pieces - 1, u);
+    fmpq_clear(u);
+    return GRAZE_OK;
+}
+
+static graze_status try_row(int *made, sample *out, graze_context *context,
+                            const struct graze_generator *g, graze_stratum stratum,
+                            random_stream *r) {
+    graze_status status = GRAZE_OK;
+    *made = 0;
+    for (int k = 0; k < TRIES && !*made && !status; k++) {
+        if (stratum == GRAZE_STRATUM_LEVEL)
+            status = level_try(made, out, context, g, r);
+        else
+            *made = stratum_try(out, g, stratum, r);
+    }
+    return status;
+}
+
+/* Does a trial make a point of the stratum? */
+static graze_status try_stratum(int *made, sample *s, graze_context *context,
+                                struct graze_generator *g, graze_stratum stratum) {
+    graze_status status = GRAZE_OK;
+    *made = 0;
+    if (stratum == GRAZE_STRATUM_LEVEL && g->weight[stratum]) {
+        status = levels_find(g, context);
+        *made = g->level_count > 0;
+        return status;
+    }
+    for (uint64_t row = 0; row < TRIAL_ROWS && !*made && g->weight[stratum] && !status; row++) {
+        random_stream r;
+        random_seed(&r, g->seed, TRIAL_STREAM + row);
+        status = try_row(made, s, context, g, stratum, &r);
+    }
+    return status;
+}
+
+/* Set the weight of strata that no trial makes to 0. */
+static graze_status try_strata(struct graze_generator *g, graze_context *context) {
+    sample s;
+    graze_status status = GRAZE_OK;
+    sample_init(&s);
+    for (int stratum = 0; stratum < GRAZE_STRATUM_COUNT && !status; stratum++) {
+        int made;
+        status = try_stratum(&made, &s, context, g, (graze_stratum)stratum);
+        if (!made)
+            g->weight[stratum] = 0;
+        g->total += g->weight[stratum];
+    }
+    sample_clear(&s);
+    if (status)
+        return status;
+    if (g->total == 0)
+        return context_fail(context, GRAZE_EUSE,
+                            "no stratum with a weight can be made for this scene; give weight to "
+                            "`random` or to others");
+    return context_poll(context);
+}
+
+graze_status generator_make(struct graze_generator *out, graze_context *context,
+                            const graze_scene *scene, uint64_t seed, const unsigned long *weights,
+                            int representable) {
+    memset(out, 0, sizeof *out);
+    out->scene = scene;
+    out->seed = seed;
+    out->representable = representable;
+    memcpy(out->weight, weights, sizeof out->weight);
+    for (int i = 0; i < 3; i++) {
+        fmpq_init(out->low + i);
+        fmpq_init(out->high + i);
+    }
+    graze_status status = scene_box(out->low, out->high, context, scene);
+    if (!status)
+        status = specials_find(&out->special, context, scene);
+    if (!status)
+        status = list_joints(out, context);
+    if (!status)
+        status = make_instants(out, context);
+    return status ? status : try_strata(out, context);
+}
+
+void generator_clear(struct graze_generator *g) {
+    for (int i = 0; i < 3; i++) {
+        fmpq_clear(g->low + i);
+        fmpq_clear(g->high + i);
+    }
+    specials_clear(&g->special);
+    for (size_t k = 0; k < g->instant_count; k++)
+        instant_clear(&g->instants[k]);
+    for (size_t k = 0; k < g->joint_count; k++)
+        instant_clear(&g->joints[k]);
+    free(g->instants);
+    free(g->joints);
+}
+
+static graze_stratum draw_stratum(const struct graze_generator *g, random_stream *r) {
+    size_t place = random_below(r, g->total);
+    int stratum = 0;
+    for (; place >= g->weight[stratum]; stratum++)
+        place -= g->weight[stratum];
+    return (graze_stratum)stratum;
+}
+
+/* Where a stratum makes no point for this row, another one is drawn; one of them made one in a
+ * trial.
+ */
+graze_status generator_sample(sample *out, graze_context *context, const struct graze_generator *g,
+                              uint64_t row) {
+    random_stream r;
+    graze_status status = GRAZE_OK;
+    random_seed(&r, g->seed, row);
+    for (int made = 0; !made && !status;)
+        status = try_row(&made, out, context, g, draw_stratum(g, &r), &r);
+    if (out->made.order == 0)
+        fmpq_zero(out->time);
+    return status;
+}

@@ -1,0 +1,215 @@
+/* Displaces contacts by a length of the decade that is drawn, and asks the distance itself whether
+ * the point is where it should be.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/level.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include "base/number/rounding.h"
+#include "decide/verdict/classify.h"
+#include "questions/distance/diagonal.h"
+#include "questions/distance/distance.h"
+
+/* Lengths are 1 + (j/64)^2 * 8 of the power of ten; places are multiples of a power of two below
+ * 2^-16 of the length; the enclosure is as narrow as 2^-8 of it. */
+enum { STEPS = 64, PLACE_BITS = 16, WIDTH_BITS = 8 };
+
+/* Decades from the diagonal's down that are looked for, and tries for one. */
+enum { DECADES_DOWN = 9, LEVEL_TRIES = 150 };
+
+/* 10^decade */
+static void power_of_ten(fmpq_t out, int decade) {
+    fmpz_t ten;
+    fmpz_init_set_ui(ten, 10);
+    fmpz_pow_ui(ten, ten, (ulong)(decade < 0 ? -decade : decade));
+    fmpq_set_fmpz(out, ten);
+    if (decade < 0)
+        fmpq_inv(out, out);
+    fmpz_clear(ten);
+}
+
+/* A length in the decade, small ones more often. */
+static graze_status draw_length(double *out, graze_context *context, int decade, random_stream *r) {
+    fmpq_t length, part;
+    slong j = 1 + (slong)random_below(r, STEPS - 1);
+    fmpq_init(length);
+    fmpq_init(part);
+    power_of_ten(length, decade);
+    fmpq_set_si(part, STEPS * STEPS + 8 * j * j, STEPS * STEPS);
+    fmpq_mul(length, length, part);
+    graze_status status = rational_nearest(out, context, length);
+    fmpq_clear(length);
+    fmpq_clear(part);
+    return status;
+}
+
+/* The number of binary places of points that are displaced by a length. */
+static long places_for(double length) {
+    int exponent;
+    (void)frexp(length, &exponent);
+    return PLACE_BITS - exponent;
+}
+
+/* Round down to so many binary places. */
+static void round_to_places(fmpq_t x, long places) {
+    fmpz_t whole;
+    fmpz_init(whole);
+    if (places >= 0)
+        fmpq_mul_2exp(x, x, (ulong)places);
+    else
+        fmpq_div_2exp(x, x, (ulong)-places);
+    fmpz_fdiv_q(whole, fmpq_numref(x), fmpq_denref(x));
+    fmpq_set_fmpz(x, whole);
+    if (places >= 0)
+        fmpq_div_2exp(x, x, (ulong)places);
+    else
+        fmpq_mul_2exp(x, x, (ulong)-places);
+    fmpz_clear(whole);
+}
+
+/* Move a point by a length along a direction, near enough: the distance is asked afterwards. */
+static graze_status move_along(fmpq *point, graze_context *context, const fmpq *normal, int d,
+                               double length) {
+    double n[3] = {0, 0, 0}, size = 0;
+    graze_status status = GRAZE_OK;
+    fmpq_t most, part;
+    fmpq_init(most);
+    fmpq_init(part);
+    for (int i = 0; i < d; i++) {
+        fmpq_abs(part, normal + i);
+        if (fmpq_cmp(part, most) > 0)
+            fmpq_set(most, part);
+    }
+    for (int i = 0; i < d && !status; i++) {
+        fmpq_div(part, normal + i, most);
+        status = rational_nearest(&n[i], context, part);
+        size += n[i] * n[i];
+    }
+    for (int i = 0; i < d && !status; i++) {
+        status = rational_from_double(part, context, n[i] / sqrt(size) * length);
+        fmpq_add(point + i, point + i, part);
+        round_to_places(point + i, places_for(length));
+    }
+    fmpq_clear(most);
+    fmpq_clear(part);
+    return status;
+}
+
+/* Trace a point; with a length enclose its distance too, that closely in proportion. */
+static graze_status measure(graze_pmc *pmc, distance *found, graze_context *context,
+                            const graze_scene *scene, const fmpq *point, double length) {
+    graze_trace trace;
+    graze_status status =
+        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
+    if (status)
+        return status;
+    *pmc = trace.verdict.pmc;
+    if (length > 0)
+        status = distance_find(found, context, scene, point, &trace, ldexp(length, -WIDTH_BITS));
+    trace_clear(&trace);
+    return status;
+}
+
+/* Is |s| certainly in the decade? */
+static int is_in_decade(const distance *found, graze_context *context, int decade) {
+    double low = fmin(fabs(found->low), fabs(found->high));
+    double high = fmax(fabs(found->low), fabs(found->high));
+    fmpq_t from, to, least, greatest;
+    fmpq_init(from);
+    fmpq_init(to);
+    fmpq_init(least);
+    fmpq_init(greatest);
+    power_of_ten(from, decade);
+    power_of_ten(to, decade + 1);
+    int fits = !rational_from_double(least, context, low) &&
+               !rational_from_double(greatest, context, high) && fmpq_cmp(least, from) >= 0 &&
+               fmpq_cmp(greatest, to) < 0;
+    fmpq_clear(from);
+    fmpq_clear(to);
+    fmpq_clear(least);
+    fmpq_clear(greatest);
+    return fits;
+}
+
+/* Once the contact is made: is it `on`, and is the point beside it in the decade? */
+static graze_status place_beside(int *made, sample *out, graze_context *context,
+                                 const struct graze_generator *g, const fmpq *normal, level where,
+                                 random_stream *r) {
+    double length;
+    distance found;
+    graze_pmc pmc, wanted = where.outward ? GRAZE_OUT : GRAZE_IN;
+    graze_status status = draw_length(&length, context, where.decade, r);
+    if (!status)
+        status = measure(&pmc, &found, context, g->scene, out->point, 0);
+    if (status || pmc != GRAZE_ON)
+        return status;
+    status = move_along(out->point, context, normal, g->scene->motion->dimension,
+                        where.outward ? length : -length);
+    if (status || !sample_is_kept(out, g))
+        return status;
+    status = measure(&pmc, &found, context, g->scene, out->point, length);
+    *made = !status && pmc == wanted && is_in_decade(&found, context, where.decade);
+    return status;
+}
+
+static graze_status try_level(int *made, sample *out, graze_context *context,
+                              const struct graze_generator *g, level where, random_stream *r) {
+    static const graze_stratum from[] = {GRAZE_STRATUM_FACE,  GRAZE_STRATUM_SLIDE,
+                                         GRAZE_STRATUM_START, GRAZE_STRATUM_END,
+                                         GRAZE_STRATUM_EDGE,  GRAZE_STRATUM_VERTEX};
+    fmpq *normal = _fmpq_vec_init(3);
+    graze_status status = GRAZE_OK;
+    *made = 0;
+    out->made = (graze_sample){.stratum = GRAZE_STRATUM_LEVEL};
+    if (stratum_contact(out, normal, g, from[random_below(r, sizeof from / sizeof *from)], r))
+        status = place_beside(made, out, context, g, normal, where, r);
+    out->made.outward = where.outward;
+    out->made.decade = where.decade;
+    _fmpq_vec_clear(normal, 3);
+    return status;
+}
+
+graze_status level_try(int *made, sample *out, graze_context *context,
+                       const struct graze_generator *g, random_stream *r) {
+    return try_level(made, out, context, g, g->levels[random_below(r, g->level_count)], r);
+}
+
+static graze_status look_for(int *found, graze_context *context, const struct graze_generator *g,
+                             level where, random_stream *r) {
+    sample s;
+    sample_init(&s);
+    graze_status status = GRAZE_OK;
+    *found = 0;
+    for (int k = 0; k < LEVEL_TRIES && !status && !*found; k++) {
+        status = try_level(found, &s, context, g, where, r);
+        if (!status)
+            status = context_poll(context);
+    }
+    sample_clear(&s);
+    return status;
+}
+
+graze_status levels_find(struct graze_generator *g, graze_context *context) {
+    double diagonal;
+    int deepest = 0, found;
+    random_stream r;
+    random_seed(&r, g->seed, LEVEL_STREAM);
+    graze_status status = distance_diagonal(&diagonal, context, g->scene);
+    if (status)
+        return status;
+    int top = (int)floor(log10(diagonal));
+    for (int k = 0; k <= DECADES_DOWN && !status; k++)
+        for (int outward = 0; outward < 2 && !status; outward++) {
+            level where = {top - k, outward};
+            if (outward && !deepest)
+                continue; /* no point lies that deep */
+            status = look_for(&found, context, g, where, &r);
+            deepest |= found && !outward;
+            if (found)
+                g->levels[g->level_count++] = where;
+            else if (deepest)
+                g->missing[g->missing_count++] = where;
+        }
+    return status;
+}

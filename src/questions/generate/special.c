@@ -1,0 +1,169 @@
+/* Normal velocities as polynomials in time, at the vertices of one simplex per plane.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/special.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_poly_factor.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "input/solid/planes.h"
+
+/* Planes times pieces looked at, and special instants kept. */
+enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512, FACTORED_DEGREE = 40 };
+
+/* The homogeneous position of a body point, d + 1 polynomials in u. */
+static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq *y) {
+    int d = map->dimension;
+    fmpz *x = _fmpz_vec_init(d + 1);
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, y, d);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_zero(&out[i]);
+        for (int j = 0; j <= d; j++)
+            fmpz_poly_scalar_addmul_fmpz(&out[i], &map->entry[i * (d + 1) + j], x + j);
+    }
+    fmpz_poly_scalar_mul_fmpz(&out[d], map->weight, x + d);
+    _fmpz_vec_clear(x, d + 1);
+}
+
+/* The derivative by u of the pullback of `form` along the trajectory of P = M(u) y, at u itself:
+ * zero where the normal velocity of y is zero. */
+static void normal_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece,
+                            const fmpz *form, const fmpq *y) {
+    const motion_piece *p = &scene->motion->piece[piece];
+    const point_map *tracing = motion_tracing(p, scene->options.operation);
+    int d = tracing->dimension;
+    fmpz_poly_struct place[4];
+    fmpz_poly_t derivative, row;
+    fmpz_poly_init(derivative);
+    fmpz_poly_init(row);
+    for (int i = 0; i <= d; i++)
+        fmpz_poly_init(&place[i]);
+    moving_point(place, motion_placing(p, scene->options.operation), y);
+    fmpz_poly_derivative(derivative, tracing->weight);
+    fmpz_poly_mul(out, derivative, &place[d]);
+    fmpz_poly_scalar_mul_fmpz(out, out, form + d);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_zero(row);
+        for (int j = 0; j <= d; j++) {
+            fmpz_poly_derivative(derivative, &tracing->entry[i * (d + 1) + j]);
+            fmpz_poly_mul(derivative, derivative, &place[j]);
+            fmpz_poly_add(row, row, derivative);
+        }
+        fmpz_poly_scalar_addmul_fmpz(out, row, form + i);
+    }
+    for (int i = 0; i <= d; i++)
+        fmpz_poly_clear(&place[i]);
+    fmpz_poly_clear(derivative);
+    fmpz_poly_clear(row);
+}
+
+static graze_status append_special(specials *out, graze_context *context, const graze_scene *scene,
+                                   size_t piece, const fmpq_t u, size_t simplex, int slides) {
+    graze_status status = array_grow(context, &out->item, &out->capacity, out->count + 1,
+                                     sizeof *out->item, "the special times");
+    if (status)
+        return status;
+    special *added = &out->item[out->count++];
+    instant_init(&added->when, scene, piece, u);
+    added->simplex = simplex;
+    added->slides = slides;
+    return GRAZE_OK;
+}
+
+/* The rational roots in (0, 1) of g, the common part of the vertices' normal velocities. */
+static graze_status append_common_roots(specials *out, graze_context *context,
+                                        const graze_scene *scene, size_t piece, size_t simplex,
+                                        const fmpz_poly_t g) {
+    graze_status status = GRAZE_OK;
+    fmpz_poly_factor_t factors;
+    fmpq_t u;
+    fmpz_poly_factor_init(factors);
+    fmpq_init(u);
+    fmpz_poly_factor(factors, g);
+    for (slong k = 0; k < factors->num && !status && out->count < MOST_SPECIALS; k++) {
+        if (fmpz_poly_degree(factors->p + k) != 1)
+            continue;
+        fmpq_set_fmpz_frac(u, factors->p[k].coeffs, factors->p[k].coeffs + 1);
+        fmpq_neg(u, u);
+        if (fmpq_sgn(u) > 0 && fmpq_cmp_ui(u, 1) < 0)
+            status = append_special(out, context, scene, piece, u, simplex, 0);
+    }
+    fmpz_poly_factor_clear(factors);
+    fmpq_clear(u);
+    return status;
+}
+
+static graze_status look_at(specials *out, graze_context *context, const graze_scene *scene,
+                            size_t piece, size_t simplex, const fmpz *plane) {
+    const graze_solid *solid = scene->solid;
+    int d = solid->input.dimension;
+    fmpz_poly_t common, velocity;
+    fmpq_t half;
+    fmpz_poly_init(common);
+    fmpz_poly_init(velocity);
+    fmpq_init(half);
+    fmpq_set_si(half, 1, 2);
+    for (int k = 0; k < d; k++) {
+        normal_velocity(velocity, scene, piece, plane,
+                        solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
+        fmpz_poly_gcd(common, common, velocity);
+    }
+    graze_status status = GRAZE_OK;
+    if (fmpz_poly_is_zero(common))
+        status = append_special(out, context, scene, piece, half, simplex, 1);
+    else if (fmpz_poly_degree(common) > 0 && fmpz_poly_degree(common) <= FACTORED_DEGREE)
+        status = append_common_roots(out, context, scene, piece, simplex, common);
+    fmpz_poly_clear(common);
+    fmpz_poly_clear(velocity);
+    fmpq_clear(half);
+    return status;
+}
+
+/* The first simplex of every plane, in the order of the simplices. */
+static graze_status look_at_planes(specials *out, graze_context *context, const graze_scene *scene,
+                                   const plane_list *planes, uint32_t *plane_from) {
+    size_t pieces = scene->motion->piece_count, seen = 0;
+    size_t stride = planes->count * pieces / MOST_PAIRS + 1;
+    size_t width = (size_t)planes->dimension + 1;
+    graze_status status = GRAZE_OK;
+    for (size_t p = 0; p < planes->count; p++)
+        plane_from[planes->order[planes->start[p]]] = (uint32_t)p + 1;
+    for (size_t s = 0; s < planes->simplex_count && !status; s++) {
+        if (!plane_from[s])
+            continue;
+        const fmpz *form = planes->form + (plane_from[s] - 1) * width;
+        for (size_t piece = 0; piece < pieces && !status && out->count < MOST_SPECIALS; piece++)
+            if (seen++ % stride == 0)
+                status = look_at(out, context, scene, piece, s, form);
+        if (!status)
+            status = context_poll(context);
+    }
+    return status;
+}
+
+graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene) {
+    const graze_solid *solid = scene->solid;
+    plane_list planes;
+    *out = (specials){.count = 0};
+    uint32_t *plane_from = calloc(solid->cut.count, sizeof *plane_from);
+    if (!plane_from || planes_find(&planes, solid, NULL, solid->cut.count)) {
+        free(plane_from);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of %zu simplices",
+                            solid->cut.count);
+    }
+    graze_status status = look_at_planes(out, context, scene, &planes, plane_from);
+    planes_clear(&planes);
+    free(plane_from);
+    if (status)
+        specials_clear(out);
+    return status;
+}
+
+void specials_clear(specials *list) {
+    for (size_t k = 0; k < list->count; k++)
+        instant_clear(&list->item[k].when);
+    free(list->item);
+    *list = (specials){.count = 0};
+}

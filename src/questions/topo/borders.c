@@ -1,0 +1,340 @@
+/* The planes of germs, their common rays, and the cells around a ray.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Planes may be added to an arrangement at will, so those of the coordinates are: then it has rays.
+ */
+#include "questions/topo/borders.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "questions/topo/directions.h"
+
+void borders_init(borders *b, int dimension) {
+    memset(b, 0, sizeof *b);
+    b->dimension = dimension;
+}
+
+static void clear_vectors(fmpz *vectors, size_t count, int dimension) {
+    for (size_t k = 0; k < count * (size_t)dimension; k++)
+        fmpz_clear(vectors + k);
+    free(vectors);
+}
+
+void borders_clear(borders *b) {
+    clear_vectors(b->plane, b->plane_count, b->dimension);
+    clear_vectors(b->ray, b->ray_count, b->dimension);
+}
+
+/* a turned to the left by a quarter, in E^2; `out` is not a. */
+static void turn_quarter(fmpz *out, const fmpz *a) {
+    fmpz_neg(out, a + 1);
+    fmpz_set(out + 1, a);
+}
+
+/* Append a copy unless it is there. */
+static graze_status add_vector(fmpz **list, size_t *count, size_t *capacity, graze_context *context,
+                               const fmpz *v, int d) {
+    for (size_t k = 0; k < *count; k++)
+        if (_fmpz_vec_equal(*list + k * (size_t)d, v, d))
+            return GRAZE_OK;
+    graze_status status = array_grow(context, list, capacity, (*count + 1) * (size_t)d,
+                                     sizeof **list, "the cells about a point");
+    if (status)
+        return status;
+    for (int i = 0; i < d; i++)
+        fmpz_init_set(*list + *count * (size_t)d + i, v + i);
+    ++*count;
+    return GRAZE_OK;
+}
+
+/* Add the plane with a normal, which is changed; none for 0. */
+static graze_status add_border(borders *b, graze_context *context, fmpz *normal) {
+    int d = b->dimension, sign = 0;
+    direction_reduce(normal, d);
+    for (int i = 0; i < d && !sign; i++)
+        sign = fmpz_sgn(normal + i);
+    if (!sign)
+        return GRAZE_OK;
+    if (sign < 0)
+        _fmpz_vec_neg(normal, normal, d);
+    return add_vector(&b->plane, &b->plane_count, &b->plane_capacity, context, normal, d);
+}
+
+/* Add a plane of a germ, from the body's directions to those about P. */
+static graze_status add_body_border(borders *b, graze_context *context, const germ *g,
+                                    const fmpz *normal) {
+    int d = b->dimension;
+    fmpz *n = _fmpz_vec_init(d);
+    for (int column = 0; column < d; column++)
+        for (int row = 0; row < d; row++)
+            fmpz_addmul(n + column, g->to_body + row * d + column, normal + row);
+    graze_status status = add_border(b, context, n);
+    _fmpz_vec_clear(n, d);
+    return status;
+}
+
+/* The planes that the edges of the cone sweep along e. A ray in which two planes of the cone meet
+ * holds no edge if neither it nor its opposite is on the boundary. */
+static graze_status add_swept_edges(borders *b, graze_context *context, germ *g, const fmpz *e) {
+    int d = b->dimension;
+    fmpz *ray = _fmpz_vec_init(d), *normal = _fmpz_vec_init(d);
+    graze_status status = GRAZE_OK;
+    if (d == 2) {
+        turn_quarter(normal, e);
+        status = add_body_border(b, context, g, normal);
+    }
+    for (size_t i = 0; d == 3 && i < g->cone.count && !status; i++)
+        for (size_t j = 0; j < i && !status; j++) {
+            graze_state state[2] = {GRAZE_STATE_O, GRAZE_STATE_O};
+            directions_cross(ray, g->cone.normal + 3 * i, g->cone.normal + 3 * j);
+            for (int k = 0; k < 2 && !status; k++) {
+                status = cone_state(&state[k], &g->cone, context, ray);
+                _fmpz_vec_neg(ray, ray, d);
+            }
+            directions_cross(normal, e, ray);
+            if (!status && (state[0] == GRAZE_STATE_B || state[1] == GRAZE_STATE_B))
+                status = add_body_border(b, context, g, normal);
+        }
+    _fmpz_vec_clear(ray, d);
+    _fmpz_vec_clear(normal, d);
+    return status;
+}
+
+/* The plane of a ray of the cone that is an edge and of the way that leaves it, in E^3. */
+static graze_status add_swept_ray(borders *b, graze_context *context, const germ *g,
+                                  const fmpz *ray, const fmpz *way) {
+    fmpz *normal = _fmpz_vec_init(3);
+    directions_cross(normal, ray, way);
+    graze_status status = add_body_border(b, context, g, normal);
+    _fmpz_vec_clear(normal, 3);
+    return status;
+}
+
+static graze_status add_germ_borders(borders *b, graze_context *context, germ *g) {
+    graze_status status = GRAZE_OK;
+    for (size_t j = 0; j < g->cone.count && !status; j++)
+        status = add_body_border(b, context, g, g->cone.normal + j * (size_t)b->dimension);
+    for (int s = 0; s < g->side_count && !status; s++) {
+        const germ_side *side = &g->side[s];
+        status = add_swept_edges(b, context, g, side->e);
+        if (!status && side->has_later)
+            status = add_swept_ray(b, context, g, side->e, side->later);
+    }
+    return status;
+}
+
+static graze_status add_axes(borders *b, graze_context *context) {
+    graze_status status = GRAZE_OK;
+    fmpz *axis = _fmpz_vec_init(b->dimension);
+    for (int i = 0; i < b->dimension && !status; i++) {
+        _fmpz_vec_zero(axis, b->dimension);
+        fmpz_one(axis + i);
+        status = add_border(b, context, axis);
+    }
+    _fmpz_vec_clear(axis, b->dimension);
+    return status;
+}
+
+/* Both rays in which planes i and j meet; in E^2 those of line i. */
+static graze_status add_rays(borders *b, graze_context *context, size_t i, size_t j) {
+    int d = b->dimension;
+    graze_status status = GRAZE_OK;
+    fmpz *ray = _fmpz_vec_init(d);
+    if (d == 2)
+        turn_quarter(ray, b->plane + i * 2);
+    else
+        directions_cross(ray, b->plane + i * 3, b->plane + j * 3);
+    direction_reduce(ray, d);
+    for (int k = 0; k < 2 && !status; k++) {
+        status = add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, ray, d);
+        _fmpz_vec_neg(ray, ray, d);
+    }
+    _fmpz_vec_clear(ray, d);
+    return status;
+}
+
+/* The rays of an arrangement; in E^2 each line has two. */
+static graze_status find_rays(borders *b, int *refused, graze_context *context) {
+    graze_status status = GRAZE_OK;
+    for (size_t i = 0; i < b->plane_count && !status && !*refused; i++) {
+        if (b->dimension == 2)
+            status = add_rays(b, context, i, i);
+        for (size_t j = 0; b->dimension == 3 && j < i && !status; j++)
+            status = add_rays(b, context, i, j);
+        *refused = b->ray_count > BORDER_RAYS;
+        if (!status)
+            status = context_poll(context);
+    }
+    return status;
+}
+
+graze_status borders_find(borders *b, int *refused, graze_context *context, germ_list *germs) {
+    graze_status status = add_axes(b, context);
+    *refused = 0;
+    for (size_t k = 0; k < germs->count && !status && !*refused; k++) {
+        status = add_germ_borders(b, context, &germs->item[k]);
+        *refused = b->plane_count > BORDER_PLANES;
+    }
+    return status || *refused ? status : find_rays(b, refused, context);
+}
+
+graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
+                             const local_cone *cone) {
+    slong d = cone->dimension;
+    *refused = 0;
+    fmpz *normal = _fmpz_vec_init(d);
+    graze_status status = add_axes(b, context);
+    for (size_t j = 0; j < cone->count && !status; j++) {
+        _fmpz_vec_set(normal, cone->normal + j * (size_t)d, d);
+        status = add_border(b, context, normal);
+    }
+    _fmpz_vec_clear(normal, d);
+    return status ? status : find_rays(b, refused, context);
+}
+
+/* Add those planes of `all` that contain a direction, and what spans all planes that do. */
+static graze_status keep_planes_through(borders *b, graze_context *context, const borders *all,
+                                        const fmpz *direction) {
+    graze_status status = GRAZE_OK;
+    fmpz *normal = _fmpz_vec_init(6), *axis = normal + 3;
+    fmpz_t at;
+    fmpz_init(at);
+    for (size_t p = 0; p < all->plane_count && !status; p++) {
+        _fmpz_vec_dot(at, all->plane + 3 * p, direction, 3);
+        _fmpz_vec_set(normal, all->plane + 3 * p, 3);
+        if (fmpz_is_zero(at))
+            status = add_border(b, context, normal);
+    }
+    for (int i = 0; i < 3 && !status; i++) {
+        _fmpz_vec_zero(axis, 3);
+        fmpz_one(axis + i);
+        directions_cross(normal, direction, axis);
+        status = add_border(b, context, normal);
+    }
+    _fmpz_vec_clear(normal, 6);
+    fmpz_clear(at);
+    return status;
+}
+
+graze_status borders_about(borders *b, graze_context *context, germ *g, const fmpz *direction) {
+    borders all;
+    fmpz to_world[9];
+    borders_init(&all, 3);
+    memcpy(to_world, g->to_body, sizeof to_world);
+    for (int i = 0; i < 9; i++)
+        g->to_body[i] = i % 4 == 0; /* in directions of the body itself */
+    graze_status status = add_germ_borders(&all, context, g);
+    memcpy(g->to_body, to_world, sizeof to_world);
+    if (!status)
+        status = keep_planes_through(b, context, &all, direction);
+    if (!status)
+        status = add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, direction, 3);
+    borders_clear(&all);
+    return status;
+}
+
+/* v + s w for a positive s so small that no plane off v is reached; times its denominator. */
+static void step_from_ray(fmpz *out, const borders *b, const fmpz *v, const fmpz *w) {
+    int d = b->dimension;
+    fmpq_t s, most;
+    fmpz_t at, slope;
+    fmpq_init(s);
+    fmpq_init(most);
+    fmpz_init(at);
+    fmpz_init(slope);
+    fmpq_one(most);
+    for (size_t p = 0; p < b->plane_count; p++) {
+        _fmpz_vec_dot(at, b->plane + p * (size_t)d, v, d);
+        _fmpz_vec_dot(slope, b->plane + p * (size_t)d, w, d);
+        if (fmpz_is_zero(at) || fmpz_is_zero(slope))
+            continue;
+        fmpq_set_fmpz_frac(s, at, slope);
+        fmpq_abs(s, s);
+        fmpq_div_2exp(s, s, 1);
+        if (fmpq_cmp(s, most) < 0)
+            fmpq_set(most, s);
+    }
+    _fmpz_vec_scalar_mul_fmpz(out, v, d, fmpq_denref(most));
+    _fmpz_vec_scalar_addmul_fmpz(out, w, d, fmpq_numref(most));
+    fmpq_clear(s);
+    fmpq_clear(most);
+    fmpz_clear(at);
+    fmpz_clear(slope);
+}
+
+/* The sign of det(v, a, b): is b to the left of a, seen against v? */
+static int turn_about_ray(const fmpz *v, const fmpz *a, const fmpz *b) {
+    fmpz cross[3] = {0, 0, 0};
+    fmpz_t det;
+    fmpz_init(det);
+    directions_cross(cross, a, b);
+    _fmpz_vec_dot(det, cross, v, 3);
+    int sign = fmpz_sgn(det);
+    for (int i = 0; i < 3; i++)
+        fmpz_clear(cross + i);
+    fmpz_clear(det);
+    return sign;
+}
+
+/* The next of `count` directions across the ray v after `from`, by the angle. At least two of them
+ * are independent, and with each there is its opposite. */
+static size_t next_around(const fmpz *v, const fmpz *across, size_t count, size_t from) {
+    size_t best = from;
+    for (size_t k = 0; k < count; k++)
+        if (turn_about_ray(v, across + 3 * from, across + 3 * k) > 0 &&
+            (best == from || turn_about_ray(v, across + 3 * k, across + 3 * best) > 0))
+            best = k;
+    return best;
+}
+
+/* Directions in the planes through the ray v, across it; room for two of each plane. */
+static size_t directions_across(fmpz *out, const borders *b, const fmpz *v) {
+    size_t count = 0;
+    fmpz_t at;
+    fmpz_init(at);
+    for (size_t p = 0; p < b->plane_count; p++) {
+        _fmpz_vec_dot(at, b->plane + 3 * p, v, 3);
+        if (!fmpz_is_zero(at))
+            continue;
+        directions_cross(out + 3 * count, v, b->plane + 3 * p);
+        _fmpz_vec_neg(out + 3 * (count + 1), out + 3 * count, 3);
+        count += 2;
+    }
+    fmpz_clear(at);
+    return count;
+}
+
+static void cells_around_in_space(fmpz **out, size_t *count, const borders *b, const fmpz *v) {
+    fmpz *across = _fmpz_vec_init((slong)b->plane_count * 6), *middle = _fmpz_vec_init(3);
+    size_t n = directions_across(across, b, v), at = 0;
+    *count = 2 * n;
+    *out = _fmpz_vec_init((slong)*count * 3);
+    for (size_t k = 0; k < n; k++) {
+        size_t next = next_around(v, across, n, at);
+        _fmpz_vec_add(middle, across + 3 * at, across + 3 * next, 3);
+        step_from_ray(*out + 6 * k, b, v, middle);
+        step_from_ray(*out + 6 * k + 3, b, v, across + 3 * next);
+        at = next;
+    }
+    _fmpz_vec_clear(across, (slong)b->plane_count * 6);
+    _fmpz_vec_clear(middle, 3);
+}
+
+void borders_around(fmpz **out, size_t *count, const borders *b, size_t r) {
+    const fmpz *v = b->ray + r * (size_t)b->dimension;
+    if (b->dimension == 3) {
+        cells_around_in_space(out, count, b, v);
+        return;
+    }
+    fmpz *w = _fmpz_vec_init(2);
+    *count = 2;
+    *out = _fmpz_vec_init(4);
+    turn_quarter(w, v);
+    step_from_ray(*out, b, v, w);
+    _fmpz_vec_neg(w, w, 2);
+    step_from_ray(*out + 2, b, v, w);
+    _fmpz_vec_clear(w, 2);
+}

@@ -1,0 +1,229 @@
+/* Local cones, by location next to the point. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Next to the point means: nearer than where the ray first meets a plane of a facet that does not
+ * pass through the point. The state is constant up to there.
+ */
+#include "questions/topo/cone.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_mat.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "input/solid/forms.h"
+#include "input/solid/locate.h"
+
+/* Does a facet of the plane contain the point, at which the plane's form is 0? */
+static int plane_holds_point(const local_cone *cone, size_t plane) {
+    int d = cone->dimension, found = 0;
+    const plane_list *list = cone->planes;
+    fmpz *side = _fmpz_vec_init(d + 1);
+    for (uint32_t k = list->start[plane]; k < list->start[plane + 1] && !found; k++) {
+        int inside = 1;
+        for (int s = 0; s < d && inside; s++) {
+            solid_side(side, cone->solid, list->order[k], list->form + plane * (size_t)(d + 1), s);
+            inside = form_sign(side, cone->at, d) >= 0;
+        }
+        found = inside;
+    }
+    _fmpz_vec_clear(side, d + 1);
+    return found;
+}
+
+/* 2^-nearest times a direction of b bits reaches no plane if b is taken from it. */
+static void note_distance(local_cone *cone, const fmpz_t value, const fmpz *normal) {
+    slong bits = FLINT_ABS(_fmpz_vec_max_bits(normal, cone->dimension));
+    cone->nearest = FLINT_MAX(cone->nearest, bits + 3 - (slong)fmpz_bits(value));
+}
+
+graze_status cone_make(local_cone *cone, graze_context *context, const graze_solid *solid,
+                       const plane_list *planes, const fmpz *at) {
+    slong d = planes->dimension;
+    memset(cone, 0, sizeof *cone);
+    cone->solid = solid;
+    cone->planes = planes;
+    cone->dimension = (int)d;
+    cone->at = _fmpz_vec_init(d + 1);
+    _fmpz_vec_set(cone->at, at, d + 1);
+    cone->normal = _fmpz_vec_init((slong)planes->count * d);
+    fmpz_t value;
+    fmpz_init(value);
+    for (size_t p = 0; p < planes->count; p++) {
+        const fmpz *form = planes->form + p * (size_t)(d + 1);
+        _fmpz_vec_dot(value, form, at, d + 1);
+        if (!fmpz_is_zero(value))
+            note_distance(cone, value, form);
+        else if (plane_holds_point(cone, p))
+            _fmpz_vec_set(cone->normal + cone->count++ * (size_t)d, form, d);
+    }
+    fmpz_clear(value);
+    return context_poll(context);
+}
+
+void cone_clear(local_cone *cone) {
+    if (!cone->planes)
+        return;
+    _fmpz_vec_clear(cone->at, cone->dimension + 1);
+    _fmpz_vec_clear(cone->normal, (slong)cone->planes->count * cone->dimension);
+    free(cone->known_item);
+}
+
+int cone_cell_dimension(const local_cone *cone) {
+    fmpz_mat_t normals;
+    fmpz_mat_init(normals, (slong)cone->count, cone->dimension);
+    for (size_t j = 0; j < cone->count; j++)
+        for (int i = 0; i < cone->dimension; i++)
+            fmpz_set(fmpz_mat_entry(normals, (slong)j, i),
+                     cone->normal + j * (size_t)cone->dimension + i);
+    int rank = (int)fmpz_mat_rank(normals);
+    fmpz_mat_clear(normals);
+    return cone->dimension - rank;
+}
+
+/* A point on the ray before any plane that does not pass through the cone's point. The ray meets
+ * one whose form has the value v there at |v| / |n . direction|, counted in units of the last
+ * coordinate, and |n . direction| < 2^(2 + bits of n + bits of direction). */
+static void point_beside(fmpz *out, const local_cone *cone, const fmpz *direction) {
+    slong d = cone->dimension, places = cone->nearest + FLINT_ABS(_fmpz_vec_max_bits(direction, d));
+    _fmpz_vec_scalar_mul_2exp(out, cone->at, d + 1, (ulong)FLINT_MAX(places, 0));
+    _fmpz_vec_add(out, out, direction, d);
+}
+
+static graze_status locate_beside(graze_state *out, const local_cone *cone, graze_context *context,
+                                  const fmpz *direction) {
+    fmpz *x = _fmpz_vec_init(cone->dimension + 1);
+    point_beside(x, cone, direction);
+    *out = solid_locate(cone->solid, x);
+    _fmpz_vec_clear(x, cone->dimension + 1);
+    if (*out == GRAZE_STATE_ABSENT)
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "the crossings of a ray beside a contact do not add up");
+    return context_poll(context);
+}
+
+int cone_knows(graze_state *out, const local_cone *cone, const signed char *signs) {
+    size_t width = cone->count + 1;
+    for (size_t k = 0; k < cone->known; k++)
+        if (memcmp(cone->known_item + k * width, signs, width - 1) == 0) {
+            *out = (graze_state)cone->known_item[k * width + width - 1];
+            return 1;
+        }
+    return 0;
+}
+
+graze_status cone_state(graze_state *out, local_cone *cone, graze_context *context,
+                        const fmpz *direction) {
+    size_t width = cone->count + 1;
+    graze_status status =
+        array_grow(context, &cone->known_item, &cone->known_capacity, (cone->known + 1) * width,
+                   sizeof *cone->known_item, "the directions of a cone");
+    if (status)
+        return status;
+    signed char *signs = cone->known_item + cone->known * width;
+    fmpz_t value;
+    fmpz_init(value);
+    for (size_t j = 0; j < cone->count; j++) {
+        _fmpz_vec_dot(value, cone->normal + j * (size_t)cone->dimension, direction,
+                      cone->dimension);
+        signs[j] = (signed char)fmpz_sgn(value);
+    }
+    fmpz_clear(value);
+    if (cone_knows(out, cone, signs))
+        return GRAZE_OK;
+    status = locate_beside(out, cone, context, direction);
+    signs[width - 1] = (signed char)*out;
+    cone->known += !status;
+    return status;
+}
+
+static int compare_cuts(const void *a, const void *b) {
+    return fmpq_cmp(a, b);
+}
+
+/* Add so much of the ray to w that its sign decides at every plane which is not along it. */
+static void add_ray(fmpz *w, const local_cone *cone, const fmpz *ray) {
+    slong d = cone->dimension;
+    fmpz_t at, most;
+    fmpz_init(at);
+    fmpz_init_set_ui(most, 1);
+    for (size_t j = 0; j < cone->count; j++) {
+        _fmpz_vec_dot(at, cone->normal + j * (size_t)d, w, d);
+        if (fmpz_cmpabs(at, most) > 0)
+            fmpz_abs(most, at);
+    }
+    fmpz_add_ui(most, most, 1);
+    _fmpz_vec_scalar_addmul_fmpz(w, ray, d, most);
+    fmpz_clear(at);
+    fmpz_clear(most);
+}
+
+/* The direction u + s e, times the denominator of s. */
+static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
+                               graze_context *context, const fmpz *ray, const fmpz *u,
+                               const fmpz *e, const fmpq_t s) {
+    graze_state state = GRAZE_STATE_O;
+    slong d = cone->dimension;
+    fmpz *w = _fmpz_vec_init(d);
+    _fmpz_vec_scalar_mul_fmpz(w, u, d, fmpq_denref(s));
+    _fmpz_vec_scalar_addmul_fmpz(w, e, d, fmpq_numref(s));
+    if (ray)
+        add_ray(w, cone, ray);
+    graze_status status = cone_state(&state, cone, context, w);
+    _fmpz_vec_clear(w, d);
+    *in_interior |= state == GRAZE_STATE_I;
+    *in_cone |= state != GRAZE_STATE_O;
+    return status;
+}
+
+/* The signs of u + s e change at the cuts alone: each cut, and a number in each gap. */
+graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
+                        const fmpz *ray, const fmpz *u, const fmpz *e) {
+    slong d = cone->dimension, count = 1;
+    fmpq *cut = _fmpq_vec_init((slong)cone->count + 1); /* 0 first */
+    fmpz_t a, b;
+    fmpq_t between;
+    fmpz_init(a);
+    fmpz_init(b);
+    fmpq_init(between);
+    for (size_t j = 0; j < cone->count; j++) {
+        _fmpz_vec_dot(a, cone->normal + j * (size_t)d, u, d);
+        _fmpz_vec_dot(b, cone->normal + j * (size_t)d, e, d);
+        fmpz_neg(b, b);
+        if (fmpz_sgn(a) * fmpz_sgn(b) > 0)
+            fmpq_set_fmpz_frac(cut + count++, a, b);
+    }
+    qsort(cut, (size_t)count, sizeof *cut, compare_cuts);
+    *in_interior = *in_cone = 0;
+    graze_status status = GRAZE_OK;
+    for (slong k = 0; k < count && !status && !*in_interior; k++) {
+        status = look_along(in_interior, in_cone, cone, context, ray, u, e, cut + k);
+        if (k + 1 < count) {
+            fmpq_add(between, cut + k, cut + k + 1);
+            fmpq_div_2exp(between, between, 1);
+        } else {
+            fmpq_add_si(between, cut + k, 1);
+        }
+        if (!status)
+            status = look_along(in_interior, in_cone, cone, context, ray, u, e, between);
+    }
+    _fmpq_vec_clear(cut, (slong)cone->count + 1);
+    fmpz_clear(a);
+    fmpz_clear(b);
+    fmpq_clear(between);
+    return status;
+}
+
+graze_status cone_meets_line(int *out, local_cone *cone, graze_context *context, const fmpz *u,
+                             const fmpz *e) {
+    slong d = cone->dimension;
+    int in_cone = 0;
+    fmpz *back = _fmpz_vec_init(d);
+    _fmpz_vec_neg(back, e, d);
+    graze_status status = cone_sweep(out, &in_cone, cone, context, NULL, u, e);
+    if (!status && !*out)
+        status = cone_sweep(out, &in_cone, cone, context, NULL, u, back);
+    _fmpz_vec_clear(back, d);
+    return status;
+}

@@ -1,0 +1,137 @@
+/* Parts of curves. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Two polynomials have a factor in common that depends on y only if they do so on each line x = c
+ * on which the degree in y of one of them does not drop; the same with x. Where a line shows none,
+ * modulo a prime, there is none.
+ */
+#include "questions/topo/coprime.h"
+
+#include <flint/fmpz_mpoly_factor.h>
+#include "base/number/modular.h"
+#include "questions/topo/eliminate.h"
+
+/* Square of the degree times bits of the coefficients up to which a curve is factored: a tenth of a
+ * second. */
+enum { FACTORED = 100000 };
+
+/* The line on which common factors are looked for. */
+enum { LINE = 1000003 };
+
+static ulong largest_bits(const fmpz_mpoly_t g) {
+    slong bits = fmpz_mpoly_max_bits(g);
+    return (ulong)FLINT_ABS(bits);
+}
+
+/* Has a curve with another one, or with its own derivative, certainly no common factor that depends
+ * on a variable? */
+static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variable,
+                         const fmpz_mpoly_ctx_t ring) {
+    sliced_curve s, other;
+    fmpz_poly_t f, g;
+    fmpz_t line;
+    if (fmpz_mpoly_degree_si(a, variable, ring) < 1 ||
+        (b && fmpz_mpoly_degree_si(b, variable, ring) < 1))
+        return 1;
+    fmpz_init_set_ui(line, LINE);
+    fmpz_poly_init(f);
+    fmpz_poly_init(g);
+    sliced_init(&s, a, variable, ring);
+    if (b)
+        sliced_init(&other, b, variable, ring);
+    else
+        sliced_init_derivative(&other, &s);
+    int whole = sliced_at(f, &s, line);
+    whole = sliced_at(g, &other, line) && whole;
+    int coprime = whole && polynomials_certainly_coprime(f, g);
+    sliced_clear(&s);
+    sliced_clear(&other);
+    fmpz_poly_clear(f);
+    fmpz_poly_clear(g);
+    fmpz_clear(line);
+    return coprime;
+}
+
+static int is_coprime(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const fmpz_mpoly_ctx_t ring) {
+    return is_coprime_in(a, b, RING_X, ring) && is_coprime_in(a, b, RING_Y, ring);
+}
+
+/* Is an exact common factor of this curve found in a fraction of a second? */
+static int is_bounded(const graze_context *context, const fmpz_mpoly_t g,
+                      const fmpz_mpoly_ctx_t ring) {
+    ulong degree = (ulong)fmpz_mpoly_total_degree_si(g, ring);
+    return degree * largest_bits(g) <= context->limits[GRAZE_LIMIT_BITS];
+}
+
+/* Squarefree parts of one curve, without common factors. */
+static graze_status split_curve(curve_list *out, int *refused, graze_context *context,
+                                const fmpz_mpoly_t curve) {
+    const fmpz_mpoly_ctx_struct *ring = out->ring;
+    ulong degree = (ulong)fmpz_mpoly_total_degree_si(curve, ring);
+    int small = degree * degree * largest_bits(curve) <= FACTORED;
+    fmpz_mpoly_factor_t factors;
+    graze_status status = GRAZE_OK;
+    if (!small && is_coprime(curve, NULL, ring))
+        return curves_append(out, context, curve);
+    if (!small && !is_bounded(context, curve, ring)) {
+        *refused = 1;
+        return GRAZE_OK;
+    }
+    fmpz_mpoly_factor_init(factors, ring);
+    if (!(small ? fmpz_mpoly_factor(factors, curve, ring)
+                : fmpz_mpoly_factor_squarefree(factors, curve, ring)))
+        status = context_fail(context, GRAZE_EINTERNAL, "a curve of a sweep is not factored");
+    for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring) && !status; k++)
+        status = curves_append(out, context, factors->poly + k);
+    fmpz_mpoly_factor_clear(factors, ring);
+    return status;
+}
+
+/* Take the common factor d out of part k and out of a curve coprime to all parts before it; d
+ * becomes a part. */
+static graze_status take_common(curve_list *parts, graze_context *context, size_t k,
+                                fmpz_mpoly_t curve, const fmpz_mpoly_t d) {
+    fmpz_mpoly_struct *part = &parts->item[k];
+    if (!fmpz_mpoly_divides(curve, curve, d, parts->ring) ||
+        !fmpz_mpoly_divides(part, part, d, parts->ring))
+        return context_fail(context, GRAZE_EINTERNAL, "a common factor of curves is none");
+    if (!fmpz_mpoly_is_fmpz(part, parts->ring))
+        return curves_append(parts, context, d);
+    fmpz_mpoly_set(part, d, parts->ring);
+    return GRAZE_OK;
+}
+
+/* Add a squarefree curve. */
+static graze_status refine(curve_list *parts, int *refused, graze_context *context,
+                           fmpz_mpoly_t curve) {
+    size_t count = parts->count;
+    graze_status status = GRAZE_OK;
+    fmpz_mpoly_t d;
+    fmpz_mpoly_init(d, parts->ring);
+    for (size_t k = 0; k < count && !status && !*refused; k++) {
+        if (fmpz_mpoly_is_fmpz(curve, parts->ring) ||
+            is_coprime(&parts->item[k], curve, parts->ring))
+            continue;
+        if (!is_bounded(context, curve, parts->ring) ||
+            !is_bounded(context, &parts->item[k], parts->ring))
+            *refused = 1;
+        else if (!fmpz_mpoly_gcd(d, &parts->item[k], curve, parts->ring))
+            status = context_fail(context, GRAZE_EINTERNAL, "a common factor is not found");
+        else if (!fmpz_mpoly_is_fmpz(d, parts->ring))
+            status = take_common(parts, context, k, curve, d);
+        if (!status)
+            status = context_poll(context);
+    }
+    fmpz_mpoly_clear(d, parts->ring);
+    return status || *refused ? status : curves_append(parts, context, curve);
+}
+
+graze_status coprime_add(curve_list *parts, int *refused, graze_context *context,
+                         const fmpz_mpoly_t curve) {
+    curve_list own;
+    curves_init(&own);
+    graze_status status = split_curve(&own, refused, context, curve);
+    for (size_t k = 0; k < own.count && !status && !*refused; k++)
+        status = refine(parts, refused, context, &own.item[k]);
+    curves_clear(&own);
+    return status;
+}

@@ -1,0 +1,108 @@
+/* Directions against germs. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/topo/cover.h"
+
+#include <flint/fmpz_vec.h>
+#include "questions/topo/signs.h"
+
+/* Is u + s e for a positive s a direction of the cell? Then u lies opposite to e; with e zero, is u
+ * such a direction itself? */
+static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
+    slong d = cone->dimension;
+    int opposite = 1;
+    size_t pivot = cone->count;
+    fmpz_t a, b, p, q;
+    fmpz_init(a);
+    fmpz_init(b);
+    fmpz_init(p);
+    fmpz_init(q);
+    for (size_t j = 0; j < cone->count && opposite; j++) {
+        const fmpz *n = cone->normal + j * (size_t)d;
+        _fmpz_vec_dot(a, n, u, d);
+        _fmpz_vec_dot(b, n, e, d);
+        if (pivot == cone->count && !fmpz_is_zero(b)) {
+            pivot = j;
+            fmpz_set(p, a);
+            fmpz_set(q, b);
+            opposite = fmpz_sgn(a) * fmpz_sgn(b) < 0;
+        }
+        opposite = opposite && fmpz_is_zero(a) == fmpz_is_zero(b);
+        if (pivot < cone->count) {
+            fmpz_mul(a, a, q);
+            fmpz_submul(a, b, p);
+            opposite = opposite && fmpz_is_zero(a);
+        }
+    }
+    fmpz_clear(a);
+    fmpz_clear(b);
+    fmpz_clear(p);
+    fmpz_clear(q);
+    return opposite;
+}
+
+/* Add what one side covers. */
+static graze_status cover_by_side(germ_cover *out, germ *g, const germ_side *side,
+                                  graze_context *context, const fmpz *u) {
+    int in_interior = 0, in_cone = 0;
+    graze_status status = cone_sweep(&in_interior, &in_cone, &g->cone, context, NULL, u, side->e);
+    out->open |= in_interior;
+    out->covered |= in_cone;
+    out->exact |= in_cone && side->exact;
+    if (!status && side->has_later) {
+        status = cone_sweep(&in_interior, &in_cone, &g->cone, context, side->e, u, side->later);
+        out->open |= in_interior;
+        out->covered |= in_cone;
+    }
+    out->tube |= side->tube && is_opposite(&g->cone, u, side->e);
+    return status;
+}
+
+/* Add what the solid covers at the time. */
+static graze_status cover_at_rest(germ_cover *out, germ *g, graze_context *context, const fmpz *u) {
+    graze_state state = GRAZE_STATE_O;
+    graze_status status = cone_state(&state, &g->cone, context, u);
+    out->open |= state == GRAZE_STATE_I;
+    out->exact |= state != GRAZE_STATE_O;
+    out->covered |= out->exact;
+    return status;
+}
+
+graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, const fmpz *u,
+                             int keeping_edge) {
+    static const fmpz none[3] = {0, 0, 0};
+    graze_status status = cover_at_rest(out, g, context, u);
+    for (int s = 0; s < g->side_count && !status; s++)
+        if (!keeping_edge || g->side[s].keeps_edge)
+            status = cover_by_side(out, g, &g->side[s], context, u);
+    out->tube |= g->covers_edge && is_opposite(&g->cone, u, none);
+    out->covered |= out->exact | out->open | out->tube;
+    return status;
+}
+
+graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
+                             const fmpz *direction, int part) {
+    slong d = g->cone.dimension;
+    if (g->root)
+        return out->covered ? GRAZE_OK
+                            : signs_cover_at_root(&out->covered, g, context, direction, part);
+    fmpz *u = _fmpz_vec_init(d);
+    for (int i = 0; i < d; i++)
+        _fmpz_vec_dot(u + i, g->to_body + i * d, direction, d);
+    graze_status status = part == GERM_WHOLE ? germ_cover_body(out, g, context, u, 0)
+                                             : cover_at_rest(out, g, context, u);
+    if (!status && part >= 0)
+        status = cover_by_side(out, g, &g->side[part], context, u);
+    _fmpz_vec_clear(u, d);
+    return status;
+}
+
+graze_status germs_cover(germ_cover *out, germ_list *list, graze_context *context,
+                         const fmpz *direction) {
+    graze_status status = GRAZE_OK;
+    *out = (germ_cover){0, 0, 0, 0};
+    for (size_t k = 0; k < list->count && !status && !(out->open && out->exact); k++)
+        status = germ_cover_part(out, &list->item[k], context, direction, GERM_WHOLE);
+    for (size_t k = 0; k < list->turn_count && !status && !out->covered; k++)
+        status = signs_cover_in_turn(&out->covered, &list->turn[k], &list->item[list->turn[k].germ],
+                                     context, direction);
+    return status;
+}

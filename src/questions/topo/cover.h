@@ -1,0 +1,30 @@
+/* What germs cover of the directions about the point.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_TOPO_COVER_H
+#define GRAZE_TOPO_COVER_H
+
+#include "questions/topo/germ.h"
+
+/** What the germs say about a direction. */
+typedef struct germ_cover {
+    int open;    /* it is covered, and so is a neighbourhood */
+    int tube;    /* the same, by the way of a trajectory through a pinch, or along an edge */
+    int exact;   /* it lies in a closed cone that is covered */
+    int covered; /* it lies in a cone that holds all that is covered */
+} germ_cover;
+
+/** Add what one germ covers of a direction of its body, with all sides or with those alone that
+ * keep the edge. */
+graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, const fmpz *u,
+                             int keeping_edge);
+
+/** Add what a part of a germ covers of a direction about the point. */
+graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
+                             const fmpz *direction, int part);
+
+/** What all germs cover of a direction about the point. */
+graze_status germs_cover(germ_cover *out, germ_list *list, graze_context *context,
+                         const fmpz *direction);
+
+#endif

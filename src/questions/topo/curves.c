@@ -1,0 +1,230 @@
+/* Curves of a scene, by resultants and discriminants with respect to time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A facet's line n pulled back to a piece is f(x, y, u) = a(u) x + b(u) y + c(u). A common factor
+ * of a, b and c has no root in [0, 1], where the map is invertible, and is divided out.
+ */
+#include "questions/topo/curves.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "base/number/isolate.h"
+#include "questions/topo/grid.h"
+
+/* Has a polynomial a root in [0, 1]? */
+static graze_status meets_piece(int *out, graze_context *context, const fmpz_poly_t p) {
+    graze_status status = GRAZE_OK;
+    *out = fmpz_poly_is_zero(p);
+    if (fmpz_poly_degree(p) < 1)
+        return status;
+    dyadic_interval piece;
+    algebraic_list roots;
+    dyadic_interval_init(&piece);
+    dyadic_interval_set_si(&piece, 0, 1);
+    algebraic_list_init(&roots);
+    status = algebraic_roots(&roots, context, p, &piece);
+    *out = roots.count > 0;
+    algebraic_list_clear(&roots);
+    dyadic_interval_clear(&piece);
+    return status;
+}
+
+/* What the walk over pieces, lines and vertices shares. */
+typedef struct curve_maker {
+    curve_list *list;
+    const char *refused;
+    graze_context *context;
+    const graze_scene *scene;
+    const plane_view *view;
+} curve_maker;
+
+static const char in_plane[] = "facets or edges come to lie in a plane through the point";
+
+/* Why a list is not whole: more curves, or a higher degree, than the limit. */
+static const char *too_many(const plane_view *view) {
+    return view->dimension == 2 ? "the scene has more than the 100000 curves that are looked at"
+                                : "the scene has more curves in a plane than are looked at";
+}
+
+static void refuse_degree(curve_maker *m, slong degree) {
+    int in_e2 = m->view->dimension == 2;
+    ulong most = in_e2 ? m->context->limits[GRAZE_LIMIT_CURVE] : SLICE_CURVE_DEGREE;
+    if (degree > 0 && (ulong)degree > most)
+        m->refused = in_e2
+                         ? "a curve of the scene has a higher degree than the limit `curve` allows"
+                         : "a curve in a plane has a higher degree than is looked at";
+}
+
+/* The line at u = 0 or 1. */
+static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
+    fmpz_mpoly_t curve;
+    fmpz_t when;
+    fmpz_init_set_si(when, u);
+    fmpz_mpoly_init(curve, m->list->ring);
+    pullback_at(curve, f, when, m->list->ring);
+    graze_status status = curves_append(m->list, m->context, curve);
+    fmpz_mpoly_clear(curve, m->list->ring);
+    fmpz_clear(when);
+    return status;
+}
+
+/* Where the pullback, of degree n >= 2 in time, has a double root, or vanishes. */
+static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slong n) {
+    fmpz_mpoly_t curve;
+    fmpz_mpoly_init(curve, m->list->ring);
+    graze_status status = grid_discriminant(curve, m->context, f, n, m->list->ring);
+    if (!status && fmpz_mpoly_is_zero(curve, m->list->ring))
+        status = context_fail(m->context, GRAZE_EINTERNAL,
+                              "the discriminant of an irreducible pullback vanishes");
+    if (!status)
+        status = curves_append(m->list, m->context, curve);
+    fmpz_mpoly_clear(curve, m->list->ring);
+    return status;
+}
+
+/* The pullback of a form without the factor that its coefficients share, and its degree in time. In
+ * E^2 the factor has no root on the piece. */
+static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *m,
+                                  const motion_piece *piece, const fmpz *form) {
+    int meets = 0;
+    fmpz_poly_t common;
+    fmpz_poly_init(common);
+    pullback_of_form(f, motion_tracing(piece, m->scene->options.operation), form, m->view);
+    *degree = pullback_reduce(f, common);
+    graze_status status = meets_piece(&meets, m->context, common);
+    if (meets)
+        m->refused = in_plane;
+    else
+        refuse_degree(m, *degree);
+    fmpz_poly_clear(common);
+    return status;
+}
+
+static graze_status add_curves_of_plane(curve_maker *m, const motion_piece *piece,
+                                        const fmpz *form) {
+    slong degree = 0;
+    pullback_form f;
+    pullback_init(&f);
+    graze_status status = make_pullback(&f, &degree, m, piece, form);
+    if (!status && !m->refused)
+        status = add_line_at(m, &f, 0);
+    if (!status && !m->refused && degree > 0)
+        status = add_line_at(m, &f, 1);
+    if (!status && !m->refused && degree > 1)
+        status = add_discriminant(m, &f, degree);
+    pullback_clear(&f);
+    return status;
+}
+
+/* Where two irreducible functions of x, y and time vanish at one time. */
+static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, const slong *degree) {
+    const fmpz_mpoly_ctx_struct *ring = m->list->ring;
+    graze_status status = GRAZE_OK;
+    fmpz_mpoly_t curve;
+    if (degree[0] == 0 && degree[1] > 0)
+        return add_line_at(m, f, 0);
+    if (degree[1] == 0 && degree[0] > 0)
+        return add_line_at(m, f + 1, 0);
+    if (degree[0] == 0)
+        return GRAZE_OK;
+    fmpz_mpoly_init(curve, ring);
+    status = grid_resultant(curve, m->context, f, degree[0], f + 1, degree[1], ring);
+    if (!status && fmpz_mpoly_is_zero(curve, ring))
+        m->refused = in_plane; /* one function twice, in E^3 alone */
+    else if (!status)
+        status = curves_append(m->list, m->context, curve);
+    fmpz_mpoly_clear(curve, ring);
+    return status;
+}
+
+/* The path of a vertex of E^2: x W - X and y W - Y, each without its factor in time alone. */
+static graze_status add_path(curve_maker *m, const motion_piece *piece, const fmpq *vertex) {
+    const point_map *map = motion_placing(piece, m->scene->options.operation);
+    fmpz scale[3] = {0, 0, 0};
+    slong degree[2];
+    pullback_form f[2];
+    fmpz_poly_t common;
+    fmpz_poly_init(common);
+    _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + 2, vertex, 2);
+    for (int row = 0; row < 2; row++) {
+        pullback_init(&f[row]);
+        fmpz_poly_scalar_mul_fmpz(&f[row].linear[row], map->weight, scale + 2);
+        for (int i = 0; i < 3; i++)
+            fmpz_poly_scalar_submul_fmpz(&f[row].linear[2], &map->entry[row * 3 + i], scale + i);
+        degree[row] = pullback_reduce(&f[row], common);
+        refuse_degree(m, degree[row]);
+    }
+    graze_status status = m->refused ? GRAZE_OK : add_common_zeros(m, f, degree);
+    for (int row = 0; row < 2; row++)
+        pullback_clear(&f[row]);
+    for (int i = 0; i < 3; i++)
+        fmpz_clear(scale + i);
+    fmpz_poly_clear(common);
+    return status;
+}
+
+/* The path of side k of a triangle of E^3, in the plane of the triangle and in that of its side
+ * form. */
+static graze_status add_edge_path(curve_maker *m, const motion_piece *piece, size_t triangle,
+                                  int k) {
+    fmpz *form = _fmpz_vec_init(8); /* two of 4 */
+    slong degree[2] = {0, 0};
+    pullback_form f[2];
+    graze_status status = GRAZE_OK;
+    (void)solid_plane(form, m->scene->solid, triangle);
+    solid_side(form + 4, m->scene->solid, triangle, form, k);
+    for (int i = 0; i < 2; i++) {
+        pullback_init(&f[i]);
+        if (!status && !m->refused)
+            status = make_pullback(&f[i], &degree[i], m, piece, form + 4 * i);
+    }
+    if (!status && !m->refused)
+        status = add_common_zeros(m, f, degree);
+    for (int i = 0; i < 2; i++)
+        pullback_clear(&f[i]);
+    _fmpz_vec_clear(form, 8);
+    return status;
+}
+
+static graze_status add_paths_of(curve_maker *m, const motion_piece *piece, size_t s) {
+    const graze_solid *solid = m->scene->solid;
+    size_t first = solid->cut.item[s].vertex[0];
+    graze_status status = GRAZE_OK;
+    /* Each vertex is where some facet begins. */
+    if (m->view->dimension == 2)
+        return add_path(m, piece, solid->input.coordinates + 2 * first);
+    for (int k = 0; k < 3 && !status && !m->refused; k++)
+        status = add_edge_path(m, piece, s, k);
+    return status;
+}
+
+static graze_status add_piece(curve_maker *m, const motion_piece *piece, const plane_list *planes) {
+    size_t form_size = (size_t)planes->dimension + 1;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < planes->count && !status && !m->refused; k++) {
+        status = add_curves_of_plane(m, piece, planes->form + form_size * k);
+        if (!status)
+            status = context_poll(m->context);
+    }
+    for (size_t s = 0; s < m->scene->solid->cut.count && !status && !m->refused; s++) {
+        status = add_paths_of(m, piece, s);
+        if (!status)
+            status = context_poll(m->context);
+    }
+    return status;
+}
+
+graze_status curves_of_scene(curve_list *list, const char **refused, graze_context *context,
+                             const graze_scene *scene, const plane_list *planes,
+                             const plane_view *view) {
+    const graze_motion *motion = scene->motion;
+    curve_maker m = {list, NULL, context, scene, view};
+    size_t each = 3 * (planes->count + scene->solid->cut.count);
+    size_t most = view->dimension == 2 ? CURVE_COUNT : SLICE_CURVE_COUNT;
+    m.refused = motion->piece_count > most / each ? too_many(view) : NULL;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < motion->piece_count && !status && !m.refused; k++)
+        status = add_piece(&m, &motion->piece[k], planes);
+    *refused = m.refused;
+    return status;
+}

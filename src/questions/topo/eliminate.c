@@ -1,0 +1,198 @@
+/* Resultants modulo primes of 62 bits, as many as a bound on the coefficients asks for.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A coefficient of the resultant is at most the resultant's absolute value somewhere on the unit
+ * circle, and that, by Hadamard, at most A^(deg b) B^(deg a), where A and B are the sums of the
+ * absolute values of all coefficients of a and b. Modulo each prime it is the polynomial through
+ * its values, at places where no degree drops. Between two primes the caller may cancel.
+ */
+#include "questions/topo/eliminate.h"
+
+#include <flint/fmpz_vec.h>
+#include <flint/nmod_poly.h>
+#include <flint/ulong_extras.h>
+#include <stdlib.h>
+
+/* Resultants of this many products of words, or fewer, are found at once. */
+enum { FEW_PRODUCTS = 20000 };
+
+static void sliced_allocate(sliced_curve *out, slong degree, slong total) {
+    out->degree = degree;
+    out->total = total;
+    out->coefficient = flint_malloc((size_t)(degree + 1) * sizeof *out->coefficient);
+    for (slong k = 0; k <= degree; k++)
+        fmpz_poly_init(out->coefficient + k);
+}
+
+void sliced_init(sliced_curve *out, const fmpz_mpoly_t g, int variable,
+                 const fmpz_mpoly_ctx_t ring) {
+    int other = variable == RING_X ? RING_Y : RING_X;
+    fmpz_t c;
+    fmpz_init(c);
+    sliced_allocate(out, fmpz_mpoly_degree_si(g, variable, ring),
+                    fmpz_mpoly_total_degree_si(g, ring));
+    for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
+        ulong e[RING_VARIABLES];
+        fmpz_mpoly_get_term_exp_ui(e, g, k, ring);
+        fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
+        fmpz_poly_set_coeff_fmpz(out->coefficient + e[variable], (slong)e[other], c);
+    }
+    fmpz_clear(c);
+}
+
+void sliced_init_derivative(sliced_curve *out, const sliced_curve *s) {
+    sliced_allocate(out, s->degree - 1, s->total - 1);
+    for (slong k = 1; k <= s->degree; k++)
+        fmpz_poly_scalar_mul_si(out->coefficient + k - 1, s->coefficient + k, k);
+}
+
+/* A polynomial as a curve that does not depend on the other variable. */
+static void sliced_init_constant(sliced_curve *out, const fmpz_poly_t f) {
+    sliced_allocate(out, fmpz_poly_degree(f), fmpz_poly_degree(f));
+    for (slong k = 0; k <= out->degree; k++)
+        fmpz_poly_set_fmpz(out->coefficient + k, fmpz_poly_get_coeff_ptr(f, k));
+}
+
+void sliced_clear(sliced_curve *s) {
+    for (slong k = 0; k <= s->degree; k++)
+        fmpz_poly_clear(s->coefficient + k);
+    flint_free(s->coefficient);
+}
+
+int sliced_at(fmpz_poly_t out, const sliced_curve *s, const fmpz_t at) {
+    fmpz_t value;
+    fmpz_init(value);
+    fmpz_poly_zero(out);
+    for (slong k = 0; k <= s->degree; k++) {
+        fmpz_poly_evaluate_fmpz(value, s->coefficient + k, at);
+        fmpz_poly_set_coeff_fmpz(out, k, value);
+    }
+    fmpz_clear(value);
+    return fmpz_poly_degree(out) == s->degree;
+}
+
+/* A curve modulo a prime. */
+typedef struct reduced_curve {
+    slong degree;
+    nmod_poly_struct *coefficient, at[1]; /* `at`: where the other variable is some number */
+} reduced_curve;
+
+static void reduced_init(reduced_curve *out, const sliced_curve *s, ulong prime) {
+    out->degree = s->degree;
+    out->coefficient = flint_malloc((size_t)(s->degree + 1) * sizeof *out->coefficient);
+    for (slong k = 0; k <= s->degree; k++) {
+        nmod_poly_init(out->coefficient + k, prime);
+        fmpz_poly_get_nmod_poly(out->coefficient + k, s->coefficient + k);
+    }
+    nmod_poly_init(out->at, prime);
+}
+
+static void reduced_clear(reduced_curve *r) {
+    for (slong k = 0; k <= r->degree; k++)
+        nmod_poly_clear(r->coefficient + k);
+    flint_free(r->coefficient);
+    nmod_poly_clear(r->at);
+}
+
+/* 0 if the degree drops there. */
+static int reduced_at(reduced_curve *r, ulong at) {
+    nmod_poly_zero(r->at);
+    for (slong k = r->degree; k >= 0; k--)
+        nmod_poly_set_coeff_ui(r->at, k, nmod_poly_evaluate_nmod(r->coefficient + k, at));
+    return nmod_poly_degree(r->at) == r->degree;
+}
+
+/* The resultant modulo a prime by n values; 0 if one of the leading coefficients is 0. */
+static int resultant_modulo(nmod_poly_t out, const sliced_curve *a, const sliced_curve *b, slong n,
+                            ulong prime) {
+    ulong *at = flint_malloc((size_t)n * sizeof *at), *value = flint_malloc((size_t)n * sizeof *at);
+    reduced_curve p, q;
+    reduced_init(&p, a, prime);
+    reduced_init(&q, b, prime);
+    int whole = !nmod_poly_is_zero(p.coefficient + p.degree) &&
+                !nmod_poly_is_zero(q.coefficient + q.degree);
+    slong k = 0;
+    for (ulong place = 0; k < n && whole; place++) {
+        if (!reduced_at(&p, place) || !reduced_at(&q, place))
+            continue;
+        at[k] = place;
+        value[k++] = nmod_poly_resultant(p.at, q.at);
+    }
+    if (whole)
+        nmod_poly_interpolate_nmod_vec(out, at, value, n);
+    reduced_clear(&p);
+    reduced_clear(&q);
+    flint_free(at);
+    flint_free(value);
+    return whole;
+}
+
+/* Bits of the sum of the absolute values of all coefficients. */
+static ulong bits_of_sum(const sliced_curve *s) {
+    fmpz_t sum;
+    fmpz_init(sum);
+    for (slong k = 0; k <= s->degree; k++)
+        for (slong i = 0; i < fmpz_poly_length(s->coefficient + k); i++) {
+            const fmpz *c = fmpz_poly_get_coeff_ptr(s->coefficient + k, i);
+            if (fmpz_sgn(c) < 0)
+                fmpz_sub(sum, sum, c);
+            else
+                fmpz_add(sum, sum, c);
+        }
+    ulong bits = fmpz_bits(sum);
+    fmpz_clear(sum);
+    return bits;
+}
+
+/* By n values, more than the degree of the resultant. */
+static graze_status resultant_by_primes(fmpz_poly_t out, graze_context *context,
+                                        const sliced_curve *a, const sliced_curve *b, slong n) {
+    ulong bits = (ulong)b->degree * bits_of_sum(a) + (ulong)a->degree * bits_of_sum(b) + 2;
+    ulong prime = (ulong)1 << 61;
+    ulong steps = (ulong)(a->degree + b->degree + 2); /* each with an inverse, like 50 products */
+    ulong work = (ulong)n * (steps * steps + 50 * steps + (ulong)n);
+    graze_status status = GRAZE_OK;
+    fmpz_t modulus;
+    fmpz_init_set_ui(modulus, 1);
+    fmpz_poly_zero(out);
+    while (fmpz_bits(modulus) <= bits && !status) {
+        nmod_poly_t residue;
+        prime = n_nextprime(prime, 0);
+        nmod_poly_init(residue, prime);
+        if (resultant_modulo(residue, a, b, n, prime)) {
+            fmpz_poly_CRT_ui(out, out, modulus, residue, 1);
+            fmpz_mul_ui(modulus, modulus, prime);
+        }
+        nmod_poly_clear(residue);
+        status = context_work(context, work + (ulong)n * (ulong)fmpz_size(modulus));
+    }
+    fmpz_clear(modulus);
+    return status;
+}
+
+graze_status eliminate(fmpz_poly_t out, graze_context *context, const sliced_curve *a,
+                       const sliced_curve *b) {
+    slong most = a->total * b->degree + b->total * a->degree - a->degree * b->degree;
+    return resultant_by_primes(out, context, a, b, most + 1);
+}
+
+graze_status resultant_of(fmpz_t out, graze_context *context, const fmpz_poly_t f,
+                          const fmpz_poly_t g) {
+    ulong n = (ulong)fmpz_poly_length(f), m = (ulong)fmpz_poly_length(g);
+    ulong words = (ulong)FLINT_MAX(fmpz_poly_max_limbs(f), fmpz_poly_max_limbs(g)) + 1;
+    if (n * m * words * (n + m) * words < FEW_PRODUCTS) {
+        fmpz_poly_resultant(out, f, g);
+        return GRAZE_OK;
+    }
+    sliced_curve a, b;
+    fmpz_poly_t value;
+    fmpz_poly_init(value);
+    sliced_init_constant(&a, f);
+    sliced_init_constant(&b, g);
+    graze_status status = resultant_by_primes(value, context, &a, &b, 1);
+    fmpz_poly_get_coeff_fmpz(out, value, 0);
+    sliced_clear(&a);
+    sliced_clear(&b);
+    fmpz_poly_clear(value);
+    return status;
+}

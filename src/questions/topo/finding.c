@@ -1,0 +1,59 @@
+/* Findings, and their names. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/topo/finding.h"
+
+const char *graze_topo_name(graze_topo topo) {
+    static const char *const name[] = {"none", "interior", "boundary", "exterior", "undecided"};
+    return (unsigned)topo < sizeof name / sizeof *name ? name[topo] : "none";
+}
+
+const char *graze_topo_level_name(graze_topo_level level) {
+    static const char *const name[] = {"none", "word", "L1", "L3", "exact", "tube", "LR", "L2"};
+    return (unsigned)level < sizeof name / sizeof *name ? name[level] : "none";
+}
+
+void finding_init(topo_finding *f) {
+    f->position = GRAZE_TOPO_NONE;
+    f->level = GRAZE_LEVEL_NONE;
+    f->reason = "";
+    f->has_witness = f->has_open = f->has_across = 0;
+    f->order = 0;
+    fmpq_init(&f->reach);
+    fmpq_init(&f->lift);
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(f->witness + k);
+        fmpz_init(f->direction + k);
+        fmpz_init(f->along[0] + k);
+        fmpz_init(f->along[1] + k);
+        fmpz_init(f->open + k);
+        fmpz_init(f->across + k);
+    }
+}
+
+void finding_clear(topo_finding *f) {
+    fmpq_clear(&f->reach);
+    fmpq_clear(&f->lift);
+    for (int k = 0; k < 3; k++) {
+        fmpq_clear(f->witness + k);
+        fmpz_clear(f->direction + k);
+        fmpz_clear(f->along[0] + k);
+        fmpz_clear(f->along[1] + k);
+        fmpz_clear(f->open + k);
+        fmpz_clear(f->across + k);
+    }
+}
+
+topo_witness finding_witness(const topo_finding *f) {
+    return f->level == GRAZE_LEVEL_L1   ? WITNESS_RAY
+           : f->level == GRAZE_LEVEL_L2 ? WITNESS_PATH
+                                        : WITNESS_SQUARE;
+}
+
+void finding_set(topo_finding *f, graze_topo position, graze_topo_level level) {
+    f->position = position;
+    f->level = level;
+}
+
+void finding_undecided(topo_finding *f, const char *reason) {
+    finding_set(f, GRAZE_TOPO_UNDECIDED, GRAZE_LEVEL_NONE);
+    f->reason = reason;
+}

@@ -1,0 +1,233 @@
+/* Germs of contacts. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The times at which the trajectory's cell changes, each with its cone and its two sides, and one
+ * time in each stretch between them during which it stays on the boundary; a few more where the
+ * solid turns meanwhile.
+ */
+#include "questions/topo/first_order.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/number/order.h"
+#include "decide/trace/candidates.h"
+#include "decide/trace/touch.h"
+#include "questions/topo/directions.h"
+#include "questions/topo/root.h"
+#include "questions/topo/sides.h"
+
+/* One piece of the motion. */
+typedef struct germ_maker {
+    germ_list *list;
+    graze_context *context;
+    const graze_scene *scene;
+    const plane_list *planes;
+    const point_map *map;
+    trajectory path;
+} germ_maker;
+
+/* The linear part of the inverse map at a time; its positive weight is left out. */
+static void set_to_body(germ *g, const germ_maker *m, const fmpq_t u) {
+    int d = m->map->dimension;
+    fmpq *entry = _fmpq_vec_init(d * d);
+    for (int i = 0; i < d * d; i++)
+        fmpz_poly_evaluate_fmpq(entry + i, &m->map->entry[i / d * (d + 1) + i % d], u);
+    direction_of_rationals(g->to_body, entry, d * d);
+    _fmpq_vec_clear(entry, d * d);
+}
+
+/* Way of the trajectory from its place x at time u, times a positive function, in powers of the
+ * time that has passed. */
+static void ways_from(fmpq_poly_t *way, const germ_maker *m, const fmpz *x, const fmpq_t u) {
+    int d = m->path.dimension;
+    fmpz_poly_t p;
+    fmpq_poly_t later;
+    fmpz_poly_init(p);
+    fmpq_poly_init(later);
+    fmpq_poly_set_coeff_fmpq(later, 0, u);
+    fmpq_poly_set_coeff_si(later, 1, 1);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_scalar_mul_fmpz(p, &m->path.x[i], x + d);
+        fmpz_poly_scalar_submul_fmpz(p, &m->path.x[d], x + i);
+        fmpq_poly_set_fmpz_poly(way[i], p);
+        fmpq_poly_compose(way[i], way[i], later);
+    }
+    fmpz_poly_clear(p);
+    fmpq_poly_clear(later);
+}
+
+/* Both sides inside [0, 1], and what they cover together. */
+static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_t u) {
+    int d = m->path.dimension, same_way = 0;
+    graze_status status = GRAZE_OK;
+    fmpq_poly_t way[3];
+    for (int i = 0; i < d; i++)
+        fmpq_poly_init(way[i]);
+    ways_from(way, m, x, u);
+    g->exact = planes_keep_directions(&same_way, &g->cone, m->map, &m->path);
+    if (!fmpq_is_one(u))
+        status = sides_add(g, m->context, m->map, way, same_way, 1);
+    if (!status && !fmpq_is_zero(u))
+        status = sides_add(g, m->context, m->map, way, same_way, -1);
+    for (int i = 0; i < d; i++)
+        fmpq_poly_clear(way[i]);
+    return status;
+}
+
+/* A germ at a rational time. */
+static graze_status add_germ(germ_maker *m, const fmpq_t u) {
+    int d = m->path.dimension;
+    germ *g = NULL;
+    graze_status status = germs_append(&g, m->list, m->context, m->map);
+    if (status)
+        return status;
+    fmpz *x = _fmpz_vec_init(d + 1);
+    g->has_time = 1;
+    fmpq_init(&g->time);
+    fmpq_set(&g->time, u);
+    trajectory_at(x, &m->path, u);
+    set_to_body(g, m, u);
+    status = cone_make(&g->cone, m->context, m->scene->solid, m->planes, x);
+    if (!status)
+        status = add_sides(m, g, x, u);
+    _fmpz_vec_clear(x, d + 1);
+    return status;
+}
+
+/* A germ at an irrational time. */
+static graze_status add_root(germ_maker *m, const algebraic *time, const fmpz_poly_t minimal) {
+    germ *g = NULL;
+    int found = 0;
+    germ_place place = {m->context, m->scene->solid, m->planes, m->map, &m->path};
+    graze_status status = germs_append(&g, m->list, m->context, m->map);
+    if (!status)
+        status = root_set_germ(&found, g, &place, time, minimal);
+    if (!status && !found) {
+        germs_drop_last(m->list);
+        germs_leave_open(m->list, "a contact at an irrational time is not looked at");
+    }
+    return status;
+}
+
+/* At a rational or an irrational time; at one of a high degree what is covered is not known. */
+static graze_status add_germ_at(germ_maker *m, const algebraic *time) {
+    fmpz_poly_t minimal;
+    fmpq_t u;
+    fmpq_init(u);
+    fmpz_poly_init(minimal);
+    graze_status status = GRAZE_OK;
+    if (algebraic_is_rational(time))
+        status = add_germ(m, time->value);
+    else if (!root_find_minimal(minimal, time))
+        germs_leave_open(m->list, "a contact is at an irrational time of a high degree");
+    else if (root_is_rational(u, minimal))
+        status = add_germ(m, u);
+    else
+        status = add_root(m, time, minimal);
+    fmpz_poly_clear(minimal);
+    fmpq_clear(u);
+    return status;
+}
+
+/* A germ between two times; `*u` is its time. */
+static graze_status add_germ_between(fmpq_t u, germ_maker *m, algebraic *from, algebraic *to) {
+    graze_status status = algebraic_between(u, m->context, from, to);
+    return status ? status : add_germ(m, u);
+}
+
+/* Two more in a stretch in which the solid turns. */
+static graze_status add_turn(germ_maker *m, const fmpq_t u, algebraic *from, algebraic *to) {
+    graze_status status = germs_append_turn(m->list, m->context, from, to);
+    algebraic middle;
+    fmpq_t v;
+    fmpq_init(v);
+    algebraic_init(&middle);
+    algebraic_set_rational(&middle, u);
+    if (!status)
+        status = add_germ_between(v, m, from, &middle);
+    if (!status)
+        status = add_germ_between(v, m, &middle, to);
+    algebraic_clear(&middle);
+    fmpq_clear(v);
+    return status;
+}
+
+/* A stretch between two neighbouring times, in one cell. */
+static graze_status add_stretch(germ_maker *m, algebraic *from, algebraic *to) {
+    fmpq_t u;
+    fmpq_init(u);
+    graze_status status = add_germ_between(u, m, from, to);
+    if (!status && !m->list->item[m->list->count - 1].exact)
+        status = add_turn(m, u, from, to);
+    fmpq_clear(u);
+    return status;
+}
+
+/* Does a touch last from one rank to another? */
+static int is_touched(const touches *t, size_t from, size_t to) {
+    for (size_t k = 0; k < t->count; k++)
+        if (t->item[k].from <= from && t->item[k].to >= to)
+            return 1;
+    return 0;
+}
+
+/* Ranks are those of touches_order. */
+static graze_status add_touches(germ_maker *m, const touches *t) {
+    size_t ranks = 0;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < t->count; k++)
+        ranks = t->item[k].to >= ranks ? t->item[k].to + 1 : ranks;
+    for (size_t r = 0; r < ranks && !status; r++) {
+        algebraic *time = &t->time.item[t->by_rank[r]];
+        if (is_touched(t, r, r))
+            status = add_germ_at(m, time);
+        if (!status && is_touched(t, r, r + 1))
+            status = add_stretch(m, time, &t->time.item[t->by_rank[r + 1]]);
+    }
+    return status;
+}
+
+static graze_status add_contacts_of_piece(germ_maker *m) {
+    candidates near = {0, 0, NULL};
+    touches t;
+    touches_init(&t);
+    graze_status status = candidates_find(&near, m->context, m->scene->solid, &m->path);
+    if (!status)
+        status = touches_find(&t, m->context, m->scene->solid, &m->path, NULL, &near);
+    if (!status)
+        status = touches_order(&t, m->context);
+    if (!status)
+        status = add_touches(m, &t);
+    touches_clear(&t);
+    free(near.item);
+    return status;
+}
+
+/* Go on with another piece. */
+static void take_piece(germ_maker *m, size_t piece, const fmpq *point) {
+    m->map = motion_tracing(&m->scene->motion->piece[piece], m->scene->options.operation);
+    trajectory_set(&m->path, m->map, point);
+}
+
+graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
+                        const plane_list *planes, const fmpq *point) {
+    germ_maker m = {.list = list, .context = context, .scene = scene, .planes = planes};
+    graze_status status = GRAZE_OK;
+    trajectory_init(&m.path, scene->motion->dimension);
+    for (size_t k = 0; k < scene->motion->piece_count && !status; k++) {
+        take_piece(&m, k, point);
+        status = add_contacts_of_piece(&m);
+    }
+    trajectory_clear(&m.path);
+    return status;
+}
+
+graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
+                      const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u) {
+    germ_maker m = {.list = list, .context = context, .scene = scene, .planes = planes};
+    trajectory_init(&m.path, scene->motion->dimension);
+    take_piece(&m, piece, point);
+    graze_status status = add_germ(&m, u);
+    trajectory_clear(&m.path);
+    return status;
+}

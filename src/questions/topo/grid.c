@@ -1,0 +1,178 @@
+/* Discriminants and resultants in time, by their values at places of a triangle.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A discriminant in time of degree n is homogeneous of degree 2 n - 2 in the coefficients, which
+ * are linear in x and y, and a resultant of degrees n and m of degree n + m. Such a polynomial is
+ * known by its values at (z_i, z_j), i + j at most its degree, z = 0, 1, -1, 2, -2, ...: Newton's
+ * divided differences, first in y, then in x, are integers. Between two values the caller may
+ * cancel.
+ */
+#include "questions/topo/grid.h"
+
+#include <flint/fmpz_vec.h>
+#include "questions/topo/eliminate.h"
+
+/* What is wanted: a discriminant, or with `g` a resultant. */
+typedef struct grid_maker {
+    graze_context *context;
+    const pullback_form *f, *g;
+    slong n, m, degree;
+    fmpz *value; /* (degree + 1)^2, row by row of one x; those beyond the triangle stay 0 */
+} grid_maker;
+
+static slong node(slong k) {
+    return k % 2 ? (k + 1) / 2 : -k / 2;
+}
+
+/* The function of time at a place. */
+static void function_at(fmpz_poly_t out, const pullback_form *f, slong x, slong y) {
+    fmpz_poly_t part;
+    fmpz_poly_init(part);
+    fmpz_poly_scalar_mul_si(out, &f->linear[0], x);
+    fmpz_poly_scalar_mul_si(part, &f->linear[1], y);
+    fmpz_poly_add(out, out, part);
+    fmpz_poly_add(out, out, &f->linear[2]);
+    fmpz_poly_clear(part);
+}
+
+/* out *= c^power */
+static void multiply_by_power(fmpz_t out, const fmpz_t c, slong power) {
+    fmpz_t p;
+    fmpz_init(p);
+    fmpz_pow_ui(p, c, (ulong)power);
+    fmpz_mul(out, out, p);
+    fmpz_clear(p);
+}
+
+/* The resultant of polynomials as ones of degrees n and m: the determinant of Sylvester's matrix.
+ * Where the degree of f is lower by one, a factor (-1)^m lead(g) is expanded from it, of g lead(f).
+ */
+static graze_status resultant_of_degrees(fmpz_t out, graze_context *context, const fmpz_poly_t f,
+                                         slong n, const fmpz_poly_t g, slong m) {
+    slong drop = n - fmpz_poly_degree(f), other = m - fmpz_poly_degree(g);
+    fmpz_zero(out);
+    if ((drop > 0 && other > 0) || fmpz_poly_is_zero(f) || fmpz_poly_is_zero(g))
+        return GRAZE_OK;
+    graze_status status = resultant_of(out, context, f, g);
+    multiply_by_power(out, fmpz_poly_lead(g), drop);
+    multiply_by_power(out, fmpz_poly_lead(f), other);
+    if (drop % 2 == 1 && m % 2 == 1)
+        fmpz_neg(out, out);
+    return status;
+}
+
+/* The discriminant of a polynomial as one of degree n: (-1)^(n (n - 1) / 2) Res(f, f') / lead(f);
+ * of a degree lower by one its own times the square of its leading coefficient, else 0. */
+static graze_status discriminant_of_degree(fmpz_t out, graze_context *context, const fmpz_poly_t f,
+                                           slong n) {
+    slong degree = fmpz_poly_degree(f);
+    graze_status status = GRAZE_OK;
+    fmpz_poly_t derivative;
+    fmpz_zero(out);
+    if (degree < n - 1)
+        return status;
+    fmpz_poly_init(derivative);
+    fmpz_poly_derivative(derivative, f);
+    status = resultant_of(out, context, f, derivative);
+    if (!status) {
+        fmpz_divexact(out, out, fmpz_poly_lead(f));
+        multiply_by_power(out, fmpz_poly_lead(f), 2 * (n - degree));
+        if (degree * (degree - 1) / 2 % 2 == 1)
+            fmpz_neg(out, out);
+    }
+    fmpz_poly_clear(derivative);
+    return status;
+}
+
+static graze_status value_at(fmpz_t out, const grid_maker *m, slong x, slong y) {
+    fmpz_poly_t f, g;
+    fmpz_poly_init(f);
+    fmpz_poly_init(g);
+    graze_status status = GRAZE_OK;
+    function_at(f, m->f, x, y);
+    if (m->g) {
+        function_at(g, m->g, x, y);
+        status = resultant_of_degrees(out, m->context, f, m->n, g, m->m);
+    } else {
+        status = discriminant_of_degree(out, m->context, f, m->n);
+    }
+    fmpz_poly_clear(f);
+    fmpz_poly_clear(g);
+    return status ? status : context_poll(m->context);
+}
+
+/* Values at the first `count` nodes, `step` apart, become divided differences. */
+static void divided_differences(fmpz *v, slong count, slong step) {
+    fmpz_t by;
+    fmpz_init(by);
+    for (slong order = 1; order < count; order++)
+        for (slong k = count - 1; k >= order; k--) {
+            fmpz_sub(v + k * step, v + k * step, v + (k - 1) * step);
+            fmpz_set_si(by, node(k) - node(k - order));
+            fmpz_divexact(v + k * step, v + k * step, by);
+        }
+    fmpz_clear(by);
+}
+
+/* Divided differences become coefficients of powers: Horner's rule from the last node on. */
+static void multiply_out(fmpz *v, slong count, slong step) {
+    fmpz_t by;
+    fmpz_init(by);
+    for (slong last = count - 2; last >= 0; last--)
+        for (slong k = last; k < count - 1; k++) {
+            fmpz_set_si(by, node(last));
+            fmpz_submul(v + k * step, by, v + (k + 1) * step);
+        }
+    fmpz_clear(by);
+}
+
+/* In y at each x, then in x. A difference of order j in y has the degree `degree` - j in x. */
+static graze_status find_coefficients(const grid_maker *m) {
+    slong width = m->degree + 1;
+    graze_status status = GRAZE_OK;
+    for (slong i = 0; i < width && !status; i++) {
+        divided_differences(m->value + i * width, width - i, 1);
+        status = context_poll(m->context);
+    }
+    for (slong j = 0; j < width && !status; j++) {
+        divided_differences(m->value + j, width - j, width);
+        multiply_out(m->value + j, width - j, width);
+        status = context_poll(m->context);
+    }
+    for (slong i = 0; i < width && !status; i++) {
+        multiply_out(m->value + i * width, width - i, 1);
+        status = context_poll(m->context);
+    }
+    return status;
+}
+
+static graze_status interpolate_grid(fmpz_mpoly_t out, grid_maker *m, const fmpz_mpoly_ctx_t ring) {
+    slong width = m->degree + 1;
+    graze_status status = GRAZE_OK;
+    m->value = _fmpz_vec_init(width * width);
+    for (slong i = 0; i < width && !status; i++)
+        for (slong j = 0; i + j < width && !status; j++)
+            status = value_at(m->value + i * width + j, m, node(i), node(j));
+    if (!status)
+        status = find_coefficients(m);
+    fmpz_mpoly_zero(out, ring);
+    for (slong i = 0; i < width && !status; i++)
+        for (slong j = 0; i + j < width; j++) {
+            ulong e[RING_VARIABLES] = {(ulong)i, (ulong)j};
+            fmpz_mpoly_set_coeff_fmpz_ui(out, m->value + i * width + j, e, ring);
+        }
+    _fmpz_vec_clear(m->value, width * width);
+    return status;
+}
+
+graze_status grid_discriminant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
+                               slong n, const fmpz_mpoly_ctx_t ring) {
+    grid_maker m = {.context = context, .f = f, .n = n, .degree = 2 * n - 2};
+    return interpolate_grid(out, &m, ring);
+}
+
+graze_status grid_resultant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
+                            slong n, const pullback_form *g, slong m, const fmpz_mpoly_ctx_t ring) {
+    grid_maker maker = {.context = context, .f = f, .g = g, .n = n, .m = m, .degree = n + m};
+    return interpolate_grid(out, &maker, ring);
+}

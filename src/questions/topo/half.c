@@ -1,0 +1,296 @@
+/* Germs below and above a plane: the forms of facets along it and of edges that pass in it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/topo/half.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "questions/topo/directions.h"
+#include "questions/topo/signs.h"
+
+/* A plane of a cone, carried to the places about the point: value + r . place, in powers of the
+ * time that has passed; of the value those of two powers, the others before are 0. */
+typedef struct plane_ways {
+    fmpq value[2];
+    fmpq normal[2][3];
+} plane_ways;
+
+static void ways_clear(plane_ways *w) {
+    for (int i = 0; i < 3; i++) {
+        fmpq_clear(w->normal[0] + i);
+        fmpq_clear(w->normal[1] + i);
+    }
+    for (int k = 0; k < 2; k++)
+        fmpq_clear(w->value + k);
+}
+
+/* The constant of plane j of a cone: its form vanishes at the cone's point. */
+static void constant_of_plane(fmpq_t out, const local_cone *cone, size_t j) {
+    fmpz_t at;
+    fmpz_init(at);
+    _fmpz_vec_dot(at, cone->normal + 3 * j, cone->at, 3);
+    fmpz_neg(at, at);
+    fmpq_set_fmpz_frac(out, at, cone->at + 3);
+    fmpz_clear(at);
+}
+
+/* Expand plane j of a germ at its time, the value in powers from `order` on. */
+static void ways_init(plane_ways *w, const germ *g, size_t j, slong order, const fmpq *point) {
+    static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    fmpz_poly_t p;
+    fmpq_poly_t sum, part, later;
+    fmpq_t c;
+    fmpz_poly_init(p);
+    fmpq_poly_init(sum);
+    fmpq_poly_init(part);
+    fmpq_poly_init(later);
+    fmpq_init(c);
+    for (int i = 0; i < 3; i++) {
+        fmpq_init(w->normal[0] + i);
+        fmpq_init(w->normal[1] + i);
+    }
+    for (int k = 0; k < 2; k++)
+        fmpq_init(w->value + k);
+    fmpq_poly_set_coeff_fmpq(later, 0, &g->time);
+    fmpq_poly_set_coeff_si(later, 1, 1);
+    constant_of_plane(c, &g->cone, j);
+    fmpq_poly_set_fmpz_poly(sum, g->map->weight);
+    fmpq_poly_scalar_mul_fmpq(sum, sum, c);
+    fmpz_poly_zero(p);
+    for (int row = 0; row < 3; row++)
+        fmpz_poly_scalar_addmul_fmpz(p, &g->map->entry[row * 4 + 3], g->cone.normal + 3 * j + row);
+    fmpq_poly_set_fmpz_poly(part, p);
+    fmpq_poly_add(sum, sum, part);
+    for (int i = 0; i < 3; i++) {
+        signs_pull_back(p, g->map, g->cone.normal + 3 * j, axis[i]);
+        fmpq_poly_set_fmpz_poly(part, p);
+        fmpq_poly_compose(part, part, later);
+        for (int k = 0; k < 2; k++)
+            fmpq_poly_get_coeff_fmpq(w->normal[k] + i, part, k);
+        fmpq_poly_set_fmpz_poly(part, p);
+        fmpq_poly_scalar_mul_fmpq(part, part, point + i);
+        fmpq_poly_add(sum, sum, part);
+    }
+    fmpq_poly_compose(sum, sum, later);
+    for (int k = 0; k < 2; k++)
+        fmpq_poly_get_coeff_fmpq(w->value + k, sum, order + k);
+    fmpz_poly_clear(p);
+    fmpq_poly_clear(sum);
+    fmpq_poly_clear(part);
+    fmpq_poly_clear(later);
+    fmpq_clear(c);
+}
+
+static void value_on(fmpq_t out, const fmpq *a, const fmpz *b) {
+    fmpq_t part;
+    fmpq_init(part);
+    fmpq_zero(out);
+    for (int i = 0; i < 3; i++) {
+        fmpq_mul_fmpz(part, a + i, b + i);
+        fmpq_add(out, out, part);
+    }
+    fmpq_clear(part);
+}
+
+/* A linear form on the plane by its values at the basis. */
+static void linear_on_plane(fmpq_poly_t out, const open_plane *h, const fmpq *normal) {
+    fmpq_t value;
+    fmpq_init(value);
+    fmpq_poly_zero(out);
+    for (int i = 0; i < 2; i++) {
+        value_on(value, normal, h->basis[i]);
+        fmpq_poly_set_coeff_fmpq(out, i, value);
+    }
+    fmpq_clear(value);
+}
+
+/* out = v |v|^(n - 1). */
+static void signed_power(fmpq_t out, const fmpq_t v, slong n) {
+    int sign = fmpq_sgn(v);
+    fmpq_pow_si(out, v, n);
+    if (sign < 0 && n % 2 == 0)
+        fmpq_neg(out, out);
+}
+
+/* A facet along the plane, met on a side with order n = m + 1 at least 2. With o the sign of f on
+ * the side, s that of its time and L = -o s r1 x: o (m / n)^m L^n / (n |g| (r0 N) |r0 N|^(m - 1)),
+ * where L is not negative. */
+static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
+                         const germ_side *side) {
+    slong n = side->order;
+    plane_ways w;
+    fmpq_t factor, scale;
+    if (n < 2)
+        return 0;
+    ways_init(&w, g, 0, n, h->point);
+    int f_sign = fmpq_sgn(w.value) * (n % 2 == 1 ? side->sign : 1);
+    fmpq_init(factor);
+    fmpq_init(scale);
+    linear_on_plane(out->turn, h, w.normal[1]);
+    if (f_sign * side->sign > 0)
+        fmpq_poly_neg(out->turn, out->turn);
+    out->has_turn = 1;
+    out->order = n - 1;
+    value_on(scale, w.normal[0], h->normal);
+    signed_power(scale, scale, n - 1);
+    fmpq_abs(factor, w.value);
+    fmpq_mul(scale, scale, factor);
+    fmpq_mul_si(scale, scale, f_sign * n);
+    fmpq_set_si(factor, n - 1, (ulong)n);
+    fmpq_pow_si(factor, factor, n - 1);
+    fmpq_div(factor, factor, scale);
+    fmpq_poly_pow(out->form, out->turn, (ulong)n);
+    fmpq_poly_scalar_mul_fmpq(out->form, out->form, factor);
+    fmpq_clear(factor);
+    fmpq_clear(scale);
+    ways_clear(&w);
+    return 1;
+}
+
+/* out = a p + b q, n of each. */
+static void combine_ways(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t b, const fmpq *q,
+                         slong n) {
+    fmpq_t part;
+    fmpq_init(part);
+    for (slong i = 0; i < n; i++) {
+        fmpq_mul(part, a, p + i);
+        fmpq_mul(out + i, b, q + i);
+        fmpq_add(out + i, out + i, part);
+    }
+    fmpq_clear(part);
+}
+
+/* With X = -p x / b and L = g X + r1 x, -X L^m / ((r0 N) |r0 N|^(m - 1)); X and L are handed over.
+ */
+static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *both,
+                         const plane_ways *p, slong order) {
+    fmpq_t factor;
+    fmpq_poly_t part;
+    fmpq_init(factor);
+    fmpq_poly_init(part);
+    linear_on_plane(out->reach, h, p->normal[0]);
+    fmpq_poly_scalar_div_fmpq(out->reach, out->reach, p->value);
+    fmpq_poly_neg(out->reach, out->reach);
+    fmpq_poly_scalar_mul_fmpq(part, out->reach, both->value + 1);
+    linear_on_plane(out->turn, h, both->normal[1]);
+    fmpq_poly_add(out->turn, out->turn, part);
+    fmpq_poly_pow(out->form, out->turn, (ulong)order);
+    fmpq_poly_mul(out->form, out->form, out->reach);
+    value_on(factor, both->normal[0], h->normal);
+    signed_power(factor, factor, order);
+    fmpq_neg(factor, factor);
+    fmpq_poly_scalar_div_fmpq(out->form, out->form, factor);
+    fmpq_clear(factor);
+    fmpq_poly_clear(part);
+}
+
+/* An edge met with an order on a side: the combination of two of its planes from which the time
+ * drops out to that order. 0 if its tangent plane is another one. */
+static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size_t other,
+                        slong order) {
+    plane_ways w[2], both;
+    fmpq_t a;
+    fmpz *across = _fmpz_vec_init(3);
+    fmpq_init(a);
+    ways_init(&w[0], g, 0, order, h->point);
+    ways_init(&w[1], g, other, order, h->point);
+    ways_init(&both, g, 0, order, h->point);
+    fmpq_neg(a, w[0].value);
+    combine_ways(both.value, w[1].value, w[0].value, a, w[1].value, 2);
+    for (int k = 0; k < 2; k++)
+        combine_ways(both.normal[k], w[1].value, w[0].normal[k], a, w[1].normal[k], 3);
+    direction_of_rationals(across, both.normal[0], 3);
+    int lies = directions_parallel(across, h->normal);
+    if (lies)
+        form_of_ways(out, h, &both, fmpq_is_zero(w[0].value) ? &w[1] : &w[0], order);
+    out->order = order;
+    fmpq_clear(a);
+    _fmpz_vec_clear(across, 3);
+    ways_clear(&w[0]);
+    ways_clear(&w[1]);
+    ways_clear(&both);
+    return lies;
+}
+
+/* One side of an edge: where s^m X is positive, s the sign of its time; with m even in two parts,
+ * L not negative, or `turned` not positive, and the form times s, or -s. */
+static int form_of_edge_side(half_germ *out, const open_plane *h, const germ *g, size_t other,
+                             const germ_side *side, int turned) {
+    int odd = side->order % 2 == 1, flips = (side->sign < 0) != turned;
+    if ((odd && turned) || !form_of_edge(out, h, g, other, side->order))
+        return 0;
+    out->has_reach = 1;
+    out->has_turn = !odd;
+    if (odd && side->sign < 0)
+        fmpq_poly_neg(out->reach, out->reach);
+    if (!odd && turned)
+        fmpq_poly_neg(out->turn, out->turn);
+    if (!odd && flips)
+        fmpq_poly_neg(out->form, out->form);
+    return 1;
+}
+
+/* Does a facet that holds the trajectory's place lie along the plane? */
+static int is_along_plane(const open_plane *h, const germ *g) {
+    fmpz *across = _fmpz_vec_init(3);
+    for (int column = 0; column < 3; column++)
+        for (int row = 0; row < 3; row++)
+            fmpz_addmul(across + column, g->to_body + 3 * row + column, g->cone.normal + row);
+    int along = directions_parallel(across, h->normal);
+    _fmpz_vec_clear(across, 3);
+    return along;
+}
+
+/* Its two sides are inside one piece and of an odd order. */
+static int is_inner_of_odd_order(const germ *g) {
+    return g->side_count == 2 && g->side[0].order % 2 == 1;
+}
+
+/* The order and the form of a germ in one way, if it has one. */
+static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int way) {
+    int cell = g->root || !g->has_time ? 0 : cone_cell_dimension(&g->cone);
+    int s = (way - 1) / 2, turned = way > 0 && way % 2 == 0;
+    size_t other = 1;
+    if (way > 0 && s >= g->side_count)
+        return 0;
+    out->order = 1;
+    if (cell == 2 && is_along_plane(h, g))
+        return way == 0 || (!turned && form_of_facet(out, h, g, &g->side[s]));
+    if (cell != 1 || (way == 0) != is_inner_of_odd_order(g))
+        return 0;
+    while (directions_parallel(g->cone.normal, g->cone.normal + 3 * other))
+        other++;
+    return way == 0 ? form_of_edge(out, h, g, other, g->side[0].order)
+                    : form_of_edge_side(out, h, g, other, &g->side[s], turned);
+}
+
+/* Is some direction on a side of the plane in the interior of a germ's cone? At an edge the leading
+ * direction lies in the plane. */
+static graze_status closes_side(int *out, const open_plane *h, graze_context *context, germ *g,
+                                int sign) {
+    graze_state state = GRAZE_STATE_O;
+    fmpz *u = _fmpz_vec_init(3);
+    graze_status status = GRAZE_OK;
+    for (int i = 0; i < 3; i++) {
+        _fmpz_vec_dot(u + i, g->to_body + 3 * i, h->normal, 3);
+        fmpz_mul_si(u + i, u + i, sign);
+    }
+    *out = 0;
+    if (cone_cell_dimension(&g->cone) == 1)
+        status = cone_meets_line(out, &g->cone, context, u, g->side[0].e);
+    else
+        status = cone_state(&state, &g->cone, context, u);
+    *out = *out || state == GRAZE_STATE_I;
+    _fmpz_vec_clear(u, 3);
+    return status;
+}
+
+graze_status half_of_germ(int *found, half_germ *out, const open_plane *h, graze_context *context,
+                          germ *g, int sign, int way) {
+    graze_status status = GRAZE_OK;
+    *found = 0;
+    out->above = sign > 0;
+    if (form_of_germ(out, h, g, way))
+        status = closes_side(found, h, context, g, sign);
+    return status;
+}

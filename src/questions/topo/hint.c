@@ -1,0 +1,95 @@
+/* Places at a few distances. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/topo/hint.h"
+
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include "decide/verdict/classify.h"
+#include "questions/topo/directions.h"
+
+typedef struct hint_maker {
+    graze_context *context;
+    const graze_scene *scene;
+    const fmpq *point;
+    fmpq *out;
+    slong exponent; /* the solid's width is about 2^exponent */
+    int found;
+} hint_maker;
+
+/* out = the point + 2^-places (v + 2^-places w), for vectors of a length near the solid's width; is
+ * it out? */
+static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
+    graze_verdict verdict;
+    fmpq_t step, bend;
+    fmpq_init(step);
+    fmpq_init(bend);
+    slong down = FLINT_MAX((slong)places - m->exponent, 0);
+    for (int k = 0; k < 3; k++) {
+        fmpq_set_fmpz(step, v + k);
+        fmpq_set_fmpz(bend, w + k);
+        fmpq_div_2exp(step, step, (ulong)(down + FLINT_ABS(_fmpz_vec_max_bits(v, 3))));
+        fmpq_div_2exp(bend, bend, (ulong)(2 * down + FLINT_ABS(_fmpz_vec_max_bits(w, 3)) + 3));
+        fmpq_add(step, step, bend);
+        fmpq_add(m->out + k, m->point + k, step);
+    }
+    graze_status status =
+        classify_verdict(&verdict, m->context, m->scene, (query_point){.rational = m->out});
+    m->found = !status && verdict.pmc == GRAZE_OUT;
+    fmpq_clear(step);
+    fmpq_clear(bend);
+    return status;
+}
+
+/* A direction alone, and with a bend to both sides of the plane. */
+static graze_status look_along_both(hint_maker *m, const fmpz *v, const fmpz *normal,
+                                    ulong places) {
+    graze_status status = GRAZE_OK;
+    fmpz *bend = _fmpz_vec_init(3);
+    for (slong sign = 0; sign < 3 && !status && !m->found; sign++) {
+        _fmpz_vec_scalar_mul_si(bend, normal, 3, sign == 2 ? -1 : sign);
+        if (sign == 0 || !_fmpz_vec_is_zero(normal, 3))
+            status = try_place(m, v, bend, places);
+    }
+    _fmpz_vec_clear(bend, 3);
+    return status;
+}
+
+/* The 26 directions to the places of a cube, each also as it falls into the plane if there is one.
+ */
+static graze_status look_about_point(hint_maker *m, const topo_finding *topo, ulong places) {
+    graze_status status = GRAZE_OK;
+    fmpz *v = _fmpz_vec_init(12), *normal = v + 3, *in_plane = v + 6, *other = v + 9;
+    if (topo->has_across)
+        _fmpz_vec_set(normal, topo->across, 3);
+    if (topo->has_open)
+        status = look_along_both(m, topo->open, normal, places);
+    for (slong k = 0; k < 27 && !status && !m->found; k++) {
+        fmpz_set_si(v, k % 3 - 1);
+        fmpz_set_si(v + 1, k / 3 % 3 - 1);
+        fmpz_set_si(v + 2, k / 9 - 1);
+        directions_cross(other, normal, v);
+        directions_cross(in_plane, normal, other);
+        if (!_fmpz_vec_is_zero(v, 3))
+            status = look_along_both(m, v, normal, places);
+        if (!status && !m->found && !_fmpz_vec_is_zero(in_plane, 3))
+            status = look_along_both(m, in_plane, normal, places);
+    }
+    _fmpz_vec_clear(v, 12);
+    return status;
+}
+
+graze_status hint_find(int *found, fmpq *out, ulong *places, graze_context *context,
+                       const graze_scene *scene, const fmpq *point, const topo_finding *topo) {
+    static const ulong scale[] = {100, 60, 40, 24, 16, 10, 6, 3};
+    hint_maker m = {.context = context, .scene = scene, .point = point, .out = out};
+    int exponent = 0;
+    double width = box_extent(&scene->solid->boxes.node[0].box);
+    (void)frexp(isfinite(width) ? width : 1, &exponent);
+    m.exponent = exponent;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < sizeof scale / sizeof *scale && !status && !m.found; k++) {
+        *places = scale[k];
+        status = look_about_point(&m, topo, *places);
+    }
+    *found = m.found;
+    return status;
+}

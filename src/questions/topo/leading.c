@@ -1,0 +1,277 @@
+/* Every cell of the arrangement is asked about once for each ray in its closure.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A cell of full dimension that nothing covers proves the boundary. Interior is proved if every
+ * cell is covered with a neighbourhood or has all full cells around it in exact closed cones.
+ */
+#include "questions/topo/leading.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "decide/verdict/classify.h"
+#include "questions/topo/borders.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/directions.h"
+#include "questions/topo/first_order.h"
+#include "questions/topo/ray.h"
+#include "questions/topo/second.h"
+#include "questions/topo/tubes.h"
+
+/* What proves the interior: open cones alone, exact closed ones too, tubes too. */
+enum { BY_OPEN, BY_EXACT, BY_TUBE, BY_COUNT };
+
+typedef struct leading_maker {
+    topo_finding *out;
+    graze_context *context;
+    const graze_scene *scene;
+    const fmpq *point;
+    germ_list germs;
+    borders borders;
+    int is_interior[BY_COUNT]; /* as far as has been looked at, by each level and those before it */
+    int open_rank;             /* of the directions that are not covered with a neighbourhood */
+    fmpz *open;                /* one of them, another, and their product */
+} leading_maker;
+
+/* The place of a ray is the witness if its reach is found and it is out. */
+static graze_status try_witness(leading_maker *m, const fmpz *direction) {
+    slong d = m->borders.dimension;
+    topo_finding *out = m->out;
+    graze_verdict verdict;
+    int found = 0;
+    graze_status status =
+        ray_find_reach(&found, &out->reach, m->context, m->scene, m->point, direction);
+    if (status || !found)
+        return status;
+    for (slong k = 0; k < d; k++) {
+        fmpq_mul_fmpz(out->witness + k, &out->reach, direction + k);
+        fmpq_add(out->witness + k, m->point + k, out->witness + k);
+    }
+    status =
+        classify_verdict(&verdict, m->context, m->scene, (query_point){.rational = out->witness});
+    out->has_witness = !status && verdict.pmc == GRAZE_OUT;
+    _fmpz_vec_set(out->direction, direction, d);
+    return status;
+}
+
+/* A direction near another one, with entries of about `bits` bits; near enough it is the same. */
+static void round_direction(fmpz *out, const fmpz *direction, slong d, slong bits) {
+    slong drop = FLINT_ABS(_fmpz_vec_max_bits(direction, d)) - bits;
+    for (slong k = 0; k < d; k++)
+        if (drop > 0)
+            fmpz_tdiv_q_2exp(out + k, direction + k, (ulong)drop);
+        else
+            fmpz_set(out + k, direction + k);
+    direction_reduce(out, d);
+}
+
+/* A direction beside another one, askew, so that facets seldom lie along it. */
+static void tilt_direction(fmpz *direction, slong d) {
+    static const slong askew[3] = {3, -5, 7}, many = 32;
+    for (slong k = 0; k < d; k++) {
+        fmpz_mul_si(direction + k, direction + k, many);
+        fmpz_add_si(direction + k, direction + k, askew[k]);
+    }
+    direction_reduce(direction, d);
+}
+
+/* Is a direction that nothing covers that of a witness? */
+static graze_status try_direction(leading_maker *m, const fmpz *direction) {
+    germ_cover cover = {0, 0, 0, 1};
+    graze_status status = GRAZE_OK;
+    if (!_fmpz_vec_is_zero(direction, m->borders.dimension))
+        status = germs_cover(&cover, &m->germs, m->context, direction);
+    return status || cover.covered ? status : try_witness(m, direction);
+}
+
+/* Nothing covers the direction: near enough all points are out. One of small numbers that nothing
+ * covers either is the witness, if there is one, or one beside it. */
+static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
+    static const slong bits[] = {2, 4, 8, 16, 64, WORD_MAX};
+    slong d = m->borders.dimension;
+    topo_finding *out = m->out;
+    graze_status status = GRAZE_OK;
+    fmpz *simple = _fmpz_vec_init(d);
+    for (size_t k = 0; k < sizeof bits / sizeof *bits && !status && !out->has_witness; k++) {
+        round_direction(simple, direction, d, bits[k]);
+        status = try_direction(m, simple);
+        if (status || out->has_witness)
+            break;
+        tilt_direction(simple, d);
+        status = try_direction(m, simple);
+    }
+    _fmpz_vec_clear(simple, d);
+    if (!status && out->has_witness)
+        finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L1);
+    else if (!status)
+        finding_undecided(out, "no witness of the boundary is found");
+    return status;
+}
+
+/* The first one that is found. */
+static void keep_open_direction(topo_finding *out, const fmpz *direction, int d) {
+    if (!out->has_open)
+        _fmpz_vec_set(out->open, direction, d);
+    out->has_open = 1;
+}
+
+/* Keep the plane of the directions that are not covered, in E^3. */
+static void note_open(leading_maker *m, const fmpz *direction) {
+    fmpz_t volume;
+    if (m->borders.dimension == 2 || m->open_rank == 3)
+        return;
+    fmpz_init(volume);
+    if (m->open_rank == 0 || (m->open_rank == 1 && !directions_parallel(m->open, direction)))
+        _fmpz_vec_set(m->open + 3 * m->open_rank++, direction, 3);
+    if (m->open_rank == 2) {
+        directions_cross(m->open + 6, m->open, m->open + 3);
+        _fmpz_vec_dot(volume, m->open + 6, direction, 3);
+        m->open_rank += !fmpz_is_zero(volume);
+    }
+    fmpz_clear(volume);
+}
+
+/* Is a cell covered with a neighbourhood, or do all full cells around it lie in exact cones? */
+static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
+    for (int by = 0; by < BY_COUNT; by++)
+        m->is_interior[by] = m->is_interior[by] && (cell->open || (by == BY_TUBE && cell->tube) ||
+                                                    (by >= BY_EXACT && all_exact));
+    return cell->open || cell->tube || all_exact;
+}
+
+/* A cell between ray r and another ray; one that is not covered lies in the plane of r and a
+ * direction in it. */
+static void note_between(leading_maker *m, const fmpz *ray, const fmpz *direction,
+                         const germ_cover *cell, int all_exact) {
+    if (note_cell(m, cell, all_exact))
+        return;
+    note_open(m, ray);
+    note_open(m, direction);
+}
+
+/* A full cell; `*here` is what covers it. */
+static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz *direction) {
+    graze_status status = germs_cover(here, &m->germs, m->context, direction);
+    if (status)
+        return status;
+    if (!here->covered && m->germs.bounded)
+        status = set_boundary(m, direction);
+    else if (!here->covered)
+        keep_open_direction(m->out, direction, m->borders.dimension);
+    if (!note_cell(m, here, here->exact))
+        m->open_rank = 3;
+    return status;
+}
+
+/* Look at the cells around ray r: full ones, in E^3 those between two of them, and the ray. */
+static graze_status look_around(leading_maker *m, size_t r) {
+    int d = m->borders.dimension, all_exact = 1;
+    fmpz *cell;
+    size_t count, step = d == 3 ? 2 : 1;
+    const fmpz *around = m->borders.ray + r * (size_t)d;
+    germ_cover ray, last, first = {0, 0, 0, 0}, here = first, between = first;
+    graze_status status = germs_cover(&ray, &m->germs, m->context, around);
+    borders_around(&cell, &count, &m->borders, r);
+    for (size_t k = 0; k < count && !status && m->out->position == GRAZE_TOPO_NONE; k += step) {
+        last = here;
+        status = look_at_full(&here, m, cell + k * (size_t)d);
+        if (d == 3 && k > 0)
+            note_between(m, around, cell + (k - 1) * (size_t)d, &between, last.exact && here.exact);
+        if (d == 3 && !status)
+            status = germs_cover(&between, &m->germs, m->context, cell + (k + 1) * (size_t)d);
+        all_exact = all_exact && here.exact;
+        first = k == 0 ? here : first;
+    }
+    if (d == 3)
+        note_between(m, around, cell + (count - 1) * (size_t)d, &between,
+                     here.exact && first.exact);
+    if (!note_cell(m, &ray, all_exact))
+        note_open(m, around);
+    _fmpz_vec_clear(cell, (slong)count * d);
+    return status;
+}
+
+/* On both sides of the plane of the directions that are left. If they do not cover it, that plane
+ * is kept, and a gap. */
+static graze_status look_at_second_order(int *covers, leading_maker *m) {
+    topo_finding *out = m->out;
+    plane_gap gap;
+    gap_init(&gap);
+    direction_reduce(m->open + 6, 3);
+    graze_status status = second_covers(covers, &gap, &m->germs, m->context, m->point, m->open + 6);
+    if (!status && !*covers && !out->has_open) {
+        _fmpz_vec_set(out->across, m->open + 6, 3);
+        out->has_across = 1;
+        out->order = gap.order;
+        fmpq_set(&out->lift, &gap.lift);
+        if (gap.order)
+            keep_open_direction(out, gap.along, 3);
+    }
+    gap_clear(&gap);
+    return status;
+}
+
+/* Look around all rays, as far as that can decide the point or tell the plane of what is left. */
+static graze_status look_at_rays(leading_maker *m) {
+    graze_status status = GRAZE_OK;
+    m->open_rank = m->out->has_open = 0;
+    for (int by = 0; by < BY_COUNT; by++)
+        m->is_interior[by] = 1;
+    for (size_t r = 0; r < m->borders.ray_count && !status && m->out->position == GRAZE_TOPO_NONE &&
+                       (m->germs.bounded || m->is_interior[BY_TUBE] ||
+                        (m->borders.dimension == 3 && m->open_rank < 3));
+         r++)
+        status = look_around(m, r);
+    return status;
+}
+
+/* Tubes are dear, and only what cones leave asks for them: they are found in a second round. */
+static graze_status look_again_with_tubes(leading_maker *m) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < m->germs.count && !status; k++)
+        if (!m->germs.item[k].root)
+            status = tubes_find(&m->germs.item[k], m->context);
+    return status ? status : look_at_rays(m);
+}
+
+static graze_status look_at_all(leading_maker *m) {
+    static const graze_topo_level level[] = {GRAZE_LEVEL_L1, GRAZE_LEVEL_EXACT, GRAZE_LEVEL_TUBE};
+    graze_status status = look_at_rays(m);
+    int by_second = 0;
+    if (!status && m->out->position == GRAZE_TOPO_NONE && !m->is_interior[BY_EXACT])
+        status = look_again_with_tubes(m);
+    if (status || m->out->position != GRAZE_TOPO_NONE)
+        return status;
+    for (int by = BY_TUBE; by >= 0; by--)
+        if (m->is_interior[by])
+            finding_set(m->out, GRAZE_TOPO_INTERIOR, level[by]);
+    if (m->open_rank == 2)
+        status = look_at_second_order(&by_second, m);
+    if (by_second)
+        finding_set(m->out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_L2);
+    else if (!m->is_interior[BY_TUBE])
+        finding_undecided(m->out, m->germs.bounded
+                                      ? "to first order the contacts close around the point, and "
+                                        "what is left is thinner than every cone"
+                                      : m->germs.reason);
+    return status;
+}
+
+graze_status leading_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                            const plane_list *planes, const fmpq *point) {
+    leading_maker m = {.out = out, .context = context, .scene = scene, .point = point};
+    int refused = 0;
+    germs_init(&m.germs);
+    borders_init(&m.borders, scene->motion->dimension);
+    m.open = _fmpz_vec_init(9);
+    graze_status status = germs_find(&m.germs, context, scene, planes, point);
+    if (!status)
+        status = borders_find(&m.borders, &refused, context, &m.germs);
+    if (!status && refused)
+        finding_undecided(out, "more planes border what the contacts cover than are looked at");
+    else if (!status)
+        status = look_at_all(&m);
+    _fmpz_vec_clear(m.open, 9);
+    borders_clear(&m.borders);
+    germs_clear(&m.germs);
+    return status;
+}

@@ -1,0 +1,235 @@
+/* Curves moved to a point, in parts, and the radius below all that happens to them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A polynomial g with g(0, 0) = c not 0 has no zero where the sum of its other terms stays below
+ * |c| in absolute value. Of those through the origin every event is a root of a polynomial in one
+ * variable: leading coefficient, discriminant, resultants, corners (proofs/topology.md C48).
+ */
+#include "questions/topo/near.h"
+
+#include <flint/fmpz_vec.h>
+#include "questions/topo/binary_places.h"
+#include "questions/topo/coprime.h"
+#include "questions/topo/eliminate.h"
+#include "questions/topo/shift.h"
+
+void near_init(near_curves *n) {
+    curves_init(&n->through);
+    n->places = 0;
+}
+
+void near_clear(near_curves *n) {
+    curves_clear(&n->through);
+}
+
+/* The exponents of x and y in term k. */
+static void exponents_of(ulong *out, const fmpz_mpoly_t g, slong k, const fmpz_mpoly_ctx_t ring) {
+    ulong all[RING_VARIABLES];
+    fmpz_mpoly_get_term_exp_ui(all, g, k, ring);
+    out[0] = all[RING_X];
+    out[1] = all[RING_Y];
+}
+
+/* A constant is the last term. */
+static int passes_origin(const fmpz_mpoly_t g, const fmpz_mpoly_ctx_t ring) {
+    ulong e[2];
+    exponents_of(e, g, fmpz_mpoly_length(g, ring) - 1, ring);
+    return e[0] + e[1] > 0;
+}
+
+/* What the steps share. */
+typedef struct near_maker {
+    near_curves *n;
+    int refused;
+    graze_context *context;
+} near_maker;
+
+/* Is the square smaller than the limit allows? */
+static void look_at_limit(near_maker *m) {
+    m->refused |= m->n->places > m->context->limits[GRAZE_LIMIT_BITS];
+}
+
+/* Make the square so small that p has no root in [-r, r] but 0; p not zero. */
+static void stay_below_roots(near_maker *m, const fmpz_poly_t p) {
+    places_below_roots(&m->n->places, p);
+    look_at_limit(m);
+}
+
+/* Make the square so small that a curve that is not 0 at the origin misses it. */
+static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
+    const fmpz_mpoly_ctx_struct *ring = m->n->through.ring;
+    slong length = fmpz_mpoly_length(g, ring);
+    fmpz_t c;
+    fmpz_init(c);
+    fmpz_mpoly_get_term_coeff_fmpz(c, g, length - 1, ring); /* the constant is the last one */
+    ulong constant = fmpz_bits(c);
+    for (slong k = 0; k < length - 1; k++) {
+        ulong e[2];
+        exponents_of(e, g, k, ring);
+        fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
+        places_for_term(&m->n->places, constant, fmpz_bits(c), e[0] + e[1], (ulong)length);
+    }
+    look_at_limit(m);
+    fmpz_clear(c);
+}
+
+/* Keep a part, in coordinates about the point, or stay clear of it. */
+static graze_status take_part(near_maker *m, const fmpz_mpoly_t part) {
+    curve_list *through = &m->n->through;
+    if (passes_origin(part, through->ring))
+        return curves_append(through, m->context, part);
+    stay_clear_of(m, part);
+    return GRAZE_OK;
+}
+
+/* g(x, x), or g(x, -x). */
+static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
+                        const fmpz_mpoly_ctx_t ring) {
+    fmpz_t c, sum;
+    fmpz_init(c);
+    fmpz_init(sum);
+    fmpz_poly_zero(out);
+    for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
+        ulong e[2];
+        exponents_of(e, g, k, ring);
+        slong power = (slong)(e[0] + e[1]);
+        fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
+        fmpz_poly_get_coeff_fmpz(sum, out, power);
+        if (falling && e[1] % 2 == 1)
+            fmpz_sub(sum, sum, c);
+        else
+            fmpz_add(sum, sum, c);
+        fmpz_poly_set_coeff_fmpz(out, power, sum);
+    }
+    fmpz_clear(c);
+    fmpz_clear(sum);
+}
+
+/* Stay clear of the meetings of two curves. */
+static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const sliced_curve *b) {
+    fmpz_poly_t event;
+    fmpz_poly_init(event);
+    graze_status status = eliminate(event, m->context, a, b);
+    if (!status && fmpz_poly_is_zero(event))
+        status = context_fail(m->context, GRAZE_EINTERNAL,
+                              "parts of curves of a sweep have a factor in common");
+    else if (!status)
+        stay_below_roots(m, event);
+    fmpz_poly_clear(event);
+    return status;
+}
+
+/* The events of a curve with itself: of its leading coefficient, which is all of it where it is
+ * free of the variable, and with its derivative. */
+static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
+    sliced_curve derivative;
+    stay_below_roots(m, a->coefficient + a->degree);
+    if (a->degree < 2 || m->refused)
+        return GRAZE_OK;
+    sliced_init_derivative(&derivative, a);
+    graze_status status = stay_below_event(m, a, &derivative);
+    sliced_clear(&derivative);
+    return status;
+}
+
+/* The events of curve k with itself and with those before it, as functions of `variable`. */
+static graze_status stay_below_meetings(near_maker *m, size_t k, int variable) {
+    const curve_list *c = &m->n->through;
+    sliced_curve a, b;
+    sliced_init(&a, &c->item[k], variable, c->ring);
+    graze_status status = stay_below_turns(m, &a);
+    for (size_t j = 0; j < k && a.degree > 0 && !status && !m->refused; j++) {
+        sliced_init(&b, &c->item[j], variable, c->ring);
+        if (b.degree > 0)
+            status = stay_below_event(m, &a, &b);
+        sliced_clear(&b);
+    }
+    sliced_clear(&a);
+    return status;
+}
+
+static void stay_below_corners(near_maker *m, size_t k) {
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    for (int falling = 0; falling < 2; falling++) {
+        on_diagonal(p, &m->n->through.item[k], falling, m->n->through.ring);
+        if (!fmpz_poly_is_zero(p))
+            stay_below_roots(m, p);
+    }
+    fmpz_poly_clear(p);
+}
+
+/* Those through the point in parts, where they are; of all others the distance. */
+static graze_status take_curves(near_maker *m, curve_list *parts, const curve_list *all,
+                                const fmpq *point) {
+    graze_status status = GRAZE_OK;
+    fmpz_mpoly_t g;
+    fmpz_mpoly_init(g, all->ring);
+    for (size_t k = 0; k < all->count && !status && !m->refused; k++) {
+        status = shift_curve(g, m->context, &all->item[k], point, all->ring);
+        if (status)
+            break;
+        if (passes_origin(g, all->ring))
+            status = coprime_add(parts, &m->refused, m->context, &all->item[k]);
+        else
+            stay_clear_of(m, g);
+    }
+    for (size_t k = 0; k < parts->count && !status && !m->refused; k++) {
+        status = shift_curve(g, m->context, &parts->item[k], point, all->ring);
+        if (!status)
+            status = take_part(m, g);
+    }
+    fmpz_mpoly_clear(g, all->ring);
+    return status;
+}
+
+graze_status near_make(near_curves *n, int *refused, graze_context *context, const curve_list *all,
+                       const fmpq *point) {
+    near_maker m = {n, 0, context};
+    curve_list parts;
+    curves_init(&parts);
+    graze_status status = take_curves(&m, &parts, all, point);
+    curves_clear(&parts);
+    for (size_t k = 0; k < n->through.count && !status && !m.refused; k++) {
+        stay_below_corners(&m, k);
+        for (int variable = 0; variable < 2 && !status && !m.refused; variable++)
+            status = stay_below_meetings(&m, k, variable);
+    }
+    *refused = m.refused;
+    return status;
+}
+
+/* One curve on a side, times a power of 2. */
+static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curves *n, int axis,
+                          int negative) {
+    ulong degree = (ulong)fmpz_mpoly_degree_si(g, axis, n->through.ring);
+    fmpz_t c, sum;
+    fmpz_init(c);
+    fmpz_init(sum);
+    fmpz_poly_zero(out);
+    for (slong k = 0; k < fmpz_mpoly_length(g, n->through.ring); k++) {
+        ulong e[2];
+        exponents_of(e, g, k, n->through.ring);
+        fmpz_mpoly_get_term_coeff_fmpz(c, g, k, n->through.ring);
+        fmpz_mul_2exp(c, c, n->places * (degree - e[axis]));
+        fmpz_poly_get_coeff_fmpz(sum, out, (slong)e[1 - axis]);
+        if (negative && e[axis] % 2 == 1)
+            fmpz_sub(sum, sum, c);
+        else
+            fmpz_add(sum, sum, c);
+        fmpz_poly_set_coeff_fmpz(out, (slong)e[1 - axis], sum);
+    }
+    fmpz_clear(c);
+    fmpz_clear(sum);
+}
+
+void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative) {
+    fmpz_poly_t one;
+    fmpz_poly_init(one);
+    fmpz_poly_set_ui(out, 1);
+    for (size_t k = 0; k < n->through.count; k++) {
+        curve_on_side(one, &n->through.item[k], n, axis, negative);
+        fmpz_poly_mul(out, out, one);
+    }
+    fmpz_poly_clear(one);
+}

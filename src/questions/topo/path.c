@@ -1,0 +1,77 @@
+/* Where a path stays clear of all curves in its plane. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * With z = p / q the place at s has the coordinates x = s^m, y = s^(m + 1) p / q: in a curve's
+ * polynomial that makes one of s, and up to its first root the path meets the curve nowhere.
+ */
+#include "questions/topo/path.h"
+
+#include "decide/verdict/classify.h"
+#include "questions/topo/binary_places.h"
+
+/* A curve along the path, times a power of q. */
+static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_finding *f,
+                          const fmpz_mpoly_ctx_t ring) {
+    slong most = fmpz_mpoly_degree_si(curve, RING_Y, ring);
+    fmpz_t c, power;
+    fmpz_poly_t term;
+    fmpz_init(c);
+    fmpz_init(power);
+    fmpz_poly_init(term);
+    fmpz_poly_zero(out);
+    for (slong k = 0; k < fmpz_mpoly_length(curve, ring); k++) {
+        ulong e[RING_VARIABLES];
+        fmpz_mpoly_get_term_exp_ui(e, curve, k, ring);
+        fmpz_mpoly_get_term_coeff_fmpz(c, curve, k, ring);
+        fmpz_pow_ui(power, fmpq_numref(&f->lift), e[RING_Y]);
+        fmpz_mul(c, c, power);
+        fmpz_pow_ui(power, fmpq_denref(&f->lift), (ulong)most - e[RING_Y]);
+        fmpz_mul(c, c, power);
+        fmpz_poly_zero(term);
+        fmpz_poly_set_coeff_fmpz(
+            term, f->order * (slong)e[RING_X] + (f->order + 1) * (slong)e[RING_Y], c);
+        fmpz_poly_add(out, out, term);
+    }
+    fmpz_clear(c);
+    fmpz_clear(power);
+    fmpz_poly_clear(term);
+}
+
+/* The place of the path at 2^-places is the witness if it is out. */
+static graze_status try_path(topo_finding *out, graze_context *context, const graze_scene *scene,
+                             const plane_view *view, ulong places) {
+    graze_verdict verdict;
+    fmpq xy[2] = {{1, 1}, {0, 1}};
+    fmpq_div_2exp(xy, xy, places * (ulong)out->order);
+    fmpq_div_2exp(xy + 1, &out->lift, places * (ulong)(out->order + 1));
+    view_point(out->witness, view, xy);
+    graze_status status =
+        classify_verdict(&verdict, context, scene, (query_point){.rational = out->witness});
+    if (!status && verdict.pmc == GRAZE_OUT) {
+        finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L2);
+        out->has_witness = 1;
+        fmpq_one(&out->reach);
+        fmpq_div_2exp(&out->reach, &out->reach, places);
+    }
+    for (int k = 0; k < 2; k++)
+        fmpq_clear(xy + k);
+    return status;
+}
+
+graze_status path_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                         const curve_list *curves, const plane_view *view) {
+    ulong places = 0;
+    int clear = 1;
+    graze_status status = GRAZE_OK;
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    for (size_t k = 0; k < curves->count && !status && clear; k++) {
+        curve_on_path(p, &curves->item[k], out, curves->ring);
+        clear = !fmpz_poly_is_zero(p);
+        if (clear)
+            places_below_roots(&places, p);
+        clear = clear && places <= context->limits[GRAZE_LIMIT_BITS];
+        status = context_poll(context);
+    }
+    fmpz_poly_clear(p);
+    return clear && !status ? try_path(out, context, scene, view, places) : status;
+}

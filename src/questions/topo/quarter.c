@@ -1,0 +1,50 @@
+/* Forms in the quarters of a plane. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/topo/quarter.h"
+
+#include "base/number/sign.h"
+
+void half_init(half_germ *half) {
+    fmpq_poly_init(half->form);
+    fmpq_poly_init(half->reach);
+    fmpq_poly_init(half->turn);
+    half->has_reach = half->has_turn = 0;
+}
+
+void half_clear(half_germ *half) {
+    fmpq_poly_clear(half->form);
+    fmpq_poly_clear(half->reach);
+    fmpq_poly_clear(half->turn);
+}
+
+void half_in_quarter(fmpz_poly_t out, const fmpq_poly_t form, slong degree, half_quarter quarter) {
+    fmpq_poly_t p;
+    fmpq_poly_init(p);
+    fmpq_poly_set(p, form);
+    if (quarter.swapped)
+        fmpq_poly_reverse(p, p, degree + 1);
+    fmpq_poly_get_numerator(out, p);
+    if (quarter.opposite && degree % 2 == 1)
+        fmpz_poly_neg(out, out);
+    fmpq_poly_clear(p);
+}
+
+graze_status half_is_valid(int *out, const half_germ *half, graze_context *context,
+                           half_quarter quarter, algebraic *at) {
+    int sign = 0;
+    graze_status status = GRAZE_OK;
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    *out = 1;
+    if (half->has_reach) {
+        half_in_quarter(p, half->reach, 1, quarter);
+        status = algebraic_sign_at(&sign, context, p, at);
+        *out = sign > 0;
+    }
+    if (half->has_turn && *out && !status) {
+        half_in_quarter(p, half->turn, 1, quarter);
+        status = algebraic_sign_at(&sign, context, p, at);
+        *out = sign >= 0;
+    }
+    fmpz_poly_clear(p);
+    return status;
+}

@@ -1,0 +1,273 @@
+/* The places of a ray against the facets they can meet, as functions linear in the way along it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A form pulled back to the place s of the ray is at(u) + s slope(u). What the place meets can
+ * change only where a facet's form has a double root, where it and a side form vanish at once, and
+ * at the ends of a piece: at finitely many u, which do not depend on s. There s = -at / slope, and
+ * `reach` is kept below all such positive numbers (proofs/closure.md C74).
+ */
+#include "questions/topo/ray.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/number/isolate.h"
+#include "base/number/sign.h"
+#include "decide/trace/candidates.h"
+#include "questions/topo/signs.h"
+
+/* Solids of more facets are looked at less far from the point. */
+enum { FEW_FACETS = 200, NEARER_PLACES = 10, FORMS = 4 };
+
+/* A form along the ray, and both its parts without the factor that they share. */
+typedef struct ray_form {
+    fmpz_poly_struct at, slope, common, plain_at, plain_slope;
+} ray_form;
+
+typedef struct ray_maker {
+    graze_context *context;
+    const graze_scene *scene;
+    const point_map *map; /* of the piece */
+    trajectory path;
+    fmpz *place;     /* of the point: d + 1 homogeneous integers */
+    fmpz *direction; /* d integers, over the same denominator */
+    fmpq *reach;
+    ulong places; /* by which it was made smaller */
+    int special;
+} ray_maker;
+
+static void ray_form_init(ray_form *f) {
+    fmpz_poly_init(&f->at);
+    fmpz_poly_init(&f->slope);
+    fmpz_poly_init(&f->common);
+    fmpz_poly_init(&f->plain_at);
+    fmpz_poly_init(&f->plain_slope);
+}
+
+static void ray_form_clear(ray_form *f) {
+    fmpz_poly_clear(&f->at);
+    fmpz_poly_clear(&f->slope);
+    fmpz_poly_clear(&f->common);
+    fmpz_poly_clear(&f->plain_at);
+    fmpz_poly_clear(&f->plain_slope);
+}
+
+static void ray_form_set(ray_form *f, const ray_maker *m, const fmpz *form) {
+    trajectory_pullback(&f->at, &m->path, form);
+    signs_pull_back(&f->slope, m->map, form, m->direction);
+    fmpz_poly_gcd(&f->common, &f->at, &f->slope);
+    fmpz_poly_zero(&f->plain_at);
+    fmpz_poly_zero(&f->plain_slope);
+    if (fmpz_poly_is_zero(&f->common))
+        return;
+    fmpz_poly_div(&f->plain_at, &f->at, &f->common);
+    fmpz_poly_div(&f->plain_slope, &f->slope, &f->common);
+}
+
+/* Does -at / slope not depend on time? */
+static int is_steady(const ray_form *f) {
+    return fmpz_poly_length(&f->plain_at) <= 1 && fmpz_poly_length(&f->plain_slope) <= 1;
+}
+
+/* Keep `reach` below the place at which the form vanishes at a time, if that is positive: up to
+ * there it has the sign that it has at 0. */
+static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time) {
+    int sign = 0, slope = 0, there = 0;
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    graze_status status = algebraic_sign_at(&sign, m->context, &f->plain_at, time);
+    if (!status && sign)
+        status = algebraic_sign_at(&slope, m->context, &f->plain_slope, time);
+    while (!status && sign * slope < 0 && there != sign && !m->special) {
+        fmpz_poly_scalar_mul_fmpz(p, &f->plain_at, fmpq_denref(m->reach));
+        fmpz_poly_scalar_addmul_fmpz(p, &f->plain_slope, fmpq_numref(m->reach));
+        status = algebraic_sign_at(&there, m->context, p, time);
+        if (there == sign)
+            continue;
+        ulong step = 1 + m->places / 8;
+        fmpq_div_2exp(m->reach, m->reach, step);
+        m->places += step;
+        m->special = m->places > m->context->limits[GRAZE_LIMIT_BITS];
+    }
+    fmpz_poly_clear(p);
+    return status;
+}
+
+static graze_status stay_below_all(ray_maker *m, const ray_form *form, algebraic *time) {
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k <= m->path.dimension && !status; k++)
+        status = stay_below(m, form + k, time);
+    return status;
+}
+
+/* At all roots of a polynomial in a window. */
+static graze_status stay_below_at_roots(ray_maker *m, const ray_form *form, const fmpz_poly_t p,
+                                        const dyadic_interval *window) {
+    if (fmpz_poly_degree(p) < 1)
+        return GRAZE_OK;
+    algebraic_list roots;
+    algebraic_list_init(&roots);
+    graze_status status = algebraic_roots(&roots, m->context, p, window);
+    for (size_t k = 0; k < roots.count && !status && !m->special; k++)
+        status = stay_below_all(m, form, &roots.item[k]);
+    algebraic_list_clear(&roots);
+    return status;
+}
+
+/* out = a d - b c. */
+static void cross_terms(fmpz_poly_t out, const fmpz_poly_t a, const fmpz_poly_t b,
+                        const fmpz_poly_t c, const fmpz_poly_t d) {
+    fmpz_poly_t other;
+    fmpz_poly_init(other);
+    fmpz_poly_mul(out, a, d);
+    fmpz_poly_mul(other, b, c);
+    fmpz_poly_sub(out, out, other);
+    fmpz_poly_clear(other);
+}
+
+/* Where the plane is met at a double root, or at a root that does not depend on the place. */
+static graze_status stay_below_plane(ray_maker *m, const ray_form *form,
+                                     const dyadic_interval *window) {
+    algebraic any;
+    fmpz_poly_t a, b, p;
+    fmpz_poly_init(a);
+    fmpz_poly_init(b);
+    fmpz_poly_init(p);
+    algebraic_init(&any);
+    graze_status status = GRAZE_OK;
+    if (is_steady(form)) {
+        status = stay_below(m, form, &any);
+        fmpz_poly_set(p, &form->common);
+    } else {
+        fmpz_poly_derivative(a, &form->at);
+        fmpz_poly_derivative(b, &form->slope);
+        cross_terms(p, a, b, &form->at, &form->slope);
+    }
+    if (!status)
+        status = stay_below_at_roots(m, form, p, window);
+    algebraic_clear(&any);
+    fmpz_poly_clear(a);
+    fmpz_poly_clear(b);
+    fmpz_poly_clear(p);
+    return status;
+}
+
+/* Where the plane and a side form vanish at once. */
+static graze_status stay_below_side(ray_maker *m, const ray_form *form, int side,
+                                    const dyadic_interval *window) {
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    cross_terms(p, &form->at, &form->slope, &form[side].at, &form[side].slope);
+    m->special = m->special || (fmpz_poly_is_zero(p) && !is_steady(form));
+    graze_status status = stay_below_at_roots(m, form, p, window);
+    fmpz_poly_clear(p);
+    return status;
+}
+
+/* At the ends of the piece that the window holds. */
+static graze_status stay_below_at_ends(ray_maker *m, const ray_form *form, const candidate *near) {
+    graze_status status = GRAZE_OK;
+    algebraic end;
+    fmpq_t u;
+    fmpq_init(u);
+    algebraic_init(&end);
+    for (slong k = 0; k < 2 && !status; k++) {
+        fmpq_set_si(u, k, 1);
+        algebraic_set_rational(&end, u);
+        if (k ? near->to == UINT32_C(1) << WINDOW_LEVELS : near->from == 0)
+            status = stay_below_all(m, form, &end);
+    }
+    algebraic_clear(&end);
+    fmpq_clear(u);
+    return status;
+}
+
+/* One simplex that the ray can meet in a window of time. */
+static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
+    int d = m->path.dimension;
+    fmpz *form = _fmpz_vec_init(2 * (d + 1)), *side = form + d + 1;
+    ray_form f[FORMS];
+    dyadic_interval window;
+    dyadic_interval_init(&window);
+    fmpz_set_ui(window.low, near->from);
+    fmpz_set_ui(window.high, near->to);
+    window.exponent = WINDOW_LEVELS;
+    for (int k = 0; k <= d; k++)
+        ray_form_init(&f[k]);
+    (void)solid_plane(form, m->scene->solid, near->simplex);
+    ray_form_set(&f[0], m, form);
+    for (int k = 0; k < d; k++) {
+        solid_side(side, m->scene->solid, near->simplex, form, k);
+        ray_form_set(&f[k + 1], m, side);
+    }
+    m->special = m->special || fmpz_poly_is_zero(&f[0].common);
+    graze_status status = m->special ? GRAZE_OK : stay_below_at_ends(m, f, near);
+    if (!status && !m->special)
+        status = stay_below_plane(m, f, &window);
+    for (int k = 1; k <= d && !status && !m->special; k++)
+        status = stay_below_side(m, f, k, &window);
+    for (int k = 0; k <= d; k++)
+        ray_form_clear(&f[k]);
+    dyadic_interval_clear(&window);
+    _fmpz_vec_clear(form, 2 * (d + 1));
+    return status ? status : context_poll(m->context);
+}
+
+/* The places up to the reach at hand are between two trajectories. */
+static graze_status stay_below_piece(ray_maker *m) {
+    int d = m->path.dimension;
+    candidates near = {0, 0, NULL};
+    trajectory far;
+    fmpz *end = _fmpz_vec_init(d + 1);
+    _fmpz_vec_scalar_mul_fmpz(end, m->place, d + 1, fmpq_denref(m->reach));
+    _fmpz_vec_scalar_addmul_fmpz(end, m->direction, d, fmpq_numref(m->reach));
+    trajectory_init(&far, d);
+    trajectory_carry(&m->path, m->map, m->place);
+    trajectory_carry(&far, m->map, end);
+    graze_status status =
+        candidates_find_between(&near, m->context, m->scene->solid, &m->path, &far);
+    for (size_t k = 0; k < near.count && !status && !m->special; k++)
+        status = stay_below_simplex(m, &near.item[k]);
+    trajectory_clear(&far);
+    _fmpz_vec_clear(end, d + 1);
+    free(near.item);
+    return status;
+}
+
+/* About the solid's width, less for one of many facets, if the direction were of length 1. */
+static void set_first_reach(fmpq_t reach, const graze_solid *solid, const fmpz *direction,
+                            slong d) {
+    int exponent = 0;
+    double width = box_extent(&solid->boxes.node[0].box);
+    (void)frexp(isfinite(width) ? width : 1, &exponent);
+    slong places = FLINT_ABS(_fmpz_vec_max_bits(direction, d)) - exponent;
+    places += solid->cut.count > FEW_FACETS ? NEARER_PLACES : 0;
+    fmpq_one(reach);
+    if (places > 0)
+        fmpq_div_2exp(reach, reach, (ulong)places);
+    else
+        fmpq_mul_2exp(reach, reach, (ulong)-places);
+}
+
+graze_status ray_find_reach(int *found, fmpq_t reach, graze_context *context,
+                            const graze_scene *scene, const fmpq *point, const fmpz *direction) {
+    const graze_motion *motion = scene->motion;
+    slong d = motion->dimension;
+    ray_maker m = {.context = context, .scene = scene, .reach = reach};
+    graze_status status = GRAZE_OK;
+    m.place = _fmpz_vec_init(2 * d + 1);
+    m.direction = m.place + d + 1;
+    _fmpq_vec_get_fmpz_vec_fmpz(m.place, m.place + d, point, d);
+    _fmpz_vec_scalar_mul_fmpz(m.direction, direction, d, m.place + d);
+    trajectory_init(&m.path, (int)d);
+    set_first_reach(reach, scene->solid, direction, d);
+    for (size_t k = 0; k < motion->piece_count && !status && !m.special; k++) {
+        m.map = motion_tracing(&motion->piece[k], scene->options.operation);
+        status = stay_below_piece(&m);
+    }
+    *found = !status && !m.special;
+    trajectory_clear(&m.path);
+    _fmpz_vec_clear(m.place, 2 * d + 1);
+    return status;
+}

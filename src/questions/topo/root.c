@@ -1,0 +1,268 @@
+/* Contacts at irrational times. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Numbers of Q(time) are polynomials modulo the minimal polynomial. Several of them are rational up
+ * to a common factor if their residues are multiples of one.
+ */
+#include "questions/topo/root.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_poly.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_poly_factor.h>
+#include <flint/fmpz_vec.h>
+#include "base/number/sign.h"
+#include "questions/topo/directions.h"
+#include "questions/topo/sides.h"
+
+/* Polynomials of a larger degree are not factored. */
+enum { FACTORED_DEGREE = 60 };
+
+int root_find_minimal(fmpz_poly_t out, const algebraic *time) {
+    int found = 0;
+    if (fmpz_poly_degree(time->poly) > FACTORED_DEGREE)
+        return 0;
+    fmpz_poly_factor_t factors;
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor(factors, time->poly);
+    for (slong k = 0; k < factors->num && !found; k++) {
+        found = algebraic_sign_before(factors->p + k, &time->where) != 0;
+        if (found)
+            fmpz_poly_set(out, factors->p + k);
+    }
+    fmpz_poly_factor_clear(factors);
+    return found;
+}
+
+int root_is_rational(fmpq_t out, const fmpz_poly_t minimal) {
+    if (fmpz_poly_degree(minimal) != 1)
+        return 0;
+    fmpz_t c;
+    fmpz_init(c);
+    fmpz_neg(c, fmpz_poly_get_coeff_ptr(minimal, 0));
+    fmpq_set_fmpz_frac(out, c, fmpz_poly_get_coeff_ptr(minimal, 1));
+    fmpz_clear(c);
+    return 1;
+}
+
+/* The residue of a polynomial as a multiple of another one; 0 if it is none. */
+static int multiple_of(fmpq_t out, const fmpq_poly_t residue, const fmpq_poly_t base) {
+    fmpq_t lead;
+    fmpq_poly_t multiple;
+    slong degree = fmpq_poly_degree(base);
+    fmpq_init(lead);
+    fmpq_poly_init(multiple);
+    fmpq_poly_get_coeff_fmpq(lead, base, degree);
+    fmpq_poly_get_coeff_fmpq(out, residue, degree);
+    fmpq_div(out, out, lead);
+    fmpq_poly_scalar_mul_fmpq(multiple, base, out);
+    int is_one = fmpq_poly_equal(multiple, residue);
+    fmpq_poly_clear(multiple);
+    fmpq_clear(lead);
+    return is_one;
+}
+
+/* Coprime integers in the ratio of the values of n polynomials at a time, times a positive number;
+ * *rational 0 if there are none. */
+static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_struct *p,
+                             graze_context *context, algebraic *time, const fmpz_poly_t minimal) {
+    int sign = 1;
+    graze_status status = GRAZE_OK;
+    fmpq *ratio = _fmpq_vec_init(n);
+    fmpq_poly_t modulus, residue, base;
+    fmpq_poly_init(modulus);
+    fmpq_poly_init(residue);
+    fmpq_poly_init(base);
+    fmpq_poly_set_fmpz_poly(modulus, minimal);
+    *rational = 1;
+    for (slong k = 0; k < n && *rational && !status; k++) {
+        fmpq_poly_set_fmpz_poly(residue, p + k);
+        fmpq_poly_rem(residue, residue, modulus);
+        if (fmpq_poly_is_zero(residue))
+            continue;
+        if (fmpq_poly_is_zero(base)) {
+            fmpq_poly_set(base, residue);
+            status = algebraic_sign_at(&sign, context, p + k, time);
+        }
+        *rational = multiple_of(ratio + k, residue, base);
+        if (sign < 0)
+            fmpq_neg(ratio + k, ratio + k);
+    }
+    direction_of_rationals(out, ratio, n);
+    fmpq_poly_clear(modulus);
+    fmpq_poly_clear(residue);
+    fmpq_poly_clear(base);
+    _fmpq_vec_clear(ratio, n);
+    return status;
+}
+
+/* The distances from the cone's planes, derived until one is not 0; *order is 0 if none is left. */
+static graze_status find_order(slong *order, germ *g, const germ_place *place) {
+    germ_root *root = g->root;
+    int left = 1, sign = 0;
+    graze_status status = GRAZE_OK;
+    *order = 0;
+    for (size_t j = 0; j < root->count; j++)
+        distance_from_plane(root->way + j, &g->cone, j, place->path);
+    while (left && !sign && !status) {
+        left = 0;
+        for (size_t j = 0; j < root->count; j++) {
+            fmpz_poly_derivative(root->way + j, root->way + j);
+            left = left || !fmpz_poly_is_zero(root->way + j);
+        }
+        for (size_t j = 0; j < root->count && !status && !sign; j++)
+            status = algebraic_sign_at(&sign, place->context, root->way + j, &root->time);
+        ++*order;
+    }
+    *order = sign ? *order : 0;
+    return status;
+}
+
+/* A direction whose products with the normals are these integers; 0 if there is none. */
+static int direction_with_products(fmpz *out, const local_cone *cone, const fmpz *product) {
+    slong d = cone->dimension, n = (slong)cone->count;
+    fmpq *x = _fmpq_vec_init(d);
+    fmpq_mat_t a, b, e;
+    fmpq_mat_init(a, n, d);
+    fmpq_mat_init(b, n, 1);
+    fmpq_mat_init(e, d, 1);
+    for (slong j = 0; j < n; j++) {
+        for (slong i = 0; i < d; i++)
+            fmpq_set_fmpz(fmpq_mat_entry(a, j, i), cone->normal + j * d + i);
+        fmpq_set_fmpz(fmpq_mat_entry(b, j, 0), product + j);
+    }
+    int found = fmpq_mat_can_solve(e, a, b);
+    for (slong i = 0; i < d; i++)
+        fmpq_set(x + i, fmpq_mat_entry(e, i, 0));
+    direction_of_rationals(out, x, d);
+    fmpq_mat_clear(a);
+    fmpq_mat_clear(b);
+    fmpq_mat_clear(e);
+    _fmpq_vec_clear(x, d);
+    return found;
+}
+
+/* The leading direction near the root: the derivative of the way from the cone's point, which lies
+ * on the same planes. */
+static void set_direction_near(germ *g, const germ_place *place, slong order, const fmpq_t near) {
+    int d = g->cone.dimension;
+    fmpq *x = _fmpq_vec_init(d);
+    fmpz_poly_t way;
+    fmpz_poly_init(way);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_scalar_mul_fmpz(way, &place->path->x[i], g->cone.at + d);
+        fmpz_poly_scalar_submul_fmpz(way, &place->path->x[d], g->cone.at + i);
+        for (slong k = 0; k < order; k++)
+            fmpz_poly_derivative(way, way);
+        fmpz_poly_evaluate_fmpq(x + i, way, near);
+    }
+    direction_of_rationals(g->side[0].e, x, d);
+    fmpz_poly_clear(way);
+    _fmpq_vec_clear(x, d);
+}
+
+/* The linear part of the inverse map, exactly if it is rational up to a factor, else near it. */
+static graze_status set_map_near(int *rational, germ *g, const germ_place *place,
+                                 const fmpz_poly_t minimal, const fmpq_t near) {
+    int d = place->map->dimension;
+    fmpz_poly_struct entry[9];
+    fmpq *value = _fmpq_vec_init(d * d);
+    for (int i = 0; i < d * d; i++)
+        entry[i] = place->map->entry[i / d * (d + 1) + i % d]; /* borrowed */
+    graze_status status =
+        ratio_of(rational, g->to_body, d * d, entry, place->context, &g->root->time, minimal);
+    for (int i = 0; i < d * d && !*rational; i++)
+        fmpz_poly_evaluate_fmpq(value + i, entry + i, near);
+    if (!*rational)
+        direction_of_rationals(g->to_body, value, d * d);
+    _fmpq_vec_clear(value, d * d);
+    return status;
+}
+
+/* The leading direction, exactly if it is rational up to a factor, else near it. *found is 0 if it
+ * runs along an edge that leaves a vertex of E^3, where more would have to be known. */
+static graze_status set_direction(int *rational, int *found, germ *g, const germ_place *place,
+                                  slong order, const fmpz_poly_t minimal, const fmpq_t near) {
+    germ_root *root = g->root;
+    slong n = (slong)root->count;
+    size_t along = 0;
+    graze_status status = GRAZE_OK;
+    fmpz *product = _fmpz_vec_init(n);
+    for (slong j = 0; j < n && !status; j++) {
+        int sign = 0;
+        status = algebraic_sign_at(&sign, place->context, root->way + j, &root->time);
+        along += sign == 0;
+    }
+    *found = along < 2;
+    if (!status)
+        status = ratio_of(rational, product, n, root->way, place->context, &root->time, minimal);
+    if (!status && *rational)
+        *rational = direction_with_products(g->side[0].e, &g->cone, product);
+    if (!status && !*rational)
+        set_direction_near(g, place, order, near);
+    _fmpz_vec_clear(product, n);
+    return status;
+}
+
+/* Both sides, alike but for the way's direction. */
+static void set_sides(germ *g, slong order) {
+    int d = g->cone.dimension;
+    g->side_count = 2;
+    g->side[0].order = g->side[1].order = order;
+    g->side[0].sign = 1;
+    g->side[1].sign = -1;
+    if (order % 2 == 1)
+        _fmpz_vec_neg(g->side[1].e, g->side[0].e, d);
+    else
+        _fmpz_vec_set(g->side[1].e, g->side[0].e, d);
+}
+
+/* The germ needs its root no more: like one at a rational time. */
+static void make_exact(germ *g, const germ_place *place) {
+    int same_way = 0, on_edge = g->cone.dimension == 3 && cone_cell_dimension(&g->cone) == 1;
+    g->exact = planes_keep_directions(&same_way, &g->cone, place->map, place->path);
+    for (int s = 0; s < g->side_count; s++) {
+        g->side[s].exact = same_way;
+        g->side[s].keeps_edge =
+            on_edge && (g->side[s].order == 1 || edge_keeps_direction(g, place->map));
+    }
+    germ_drop_root(g);
+}
+
+/* Everything but the cone. */
+static graze_status set_ways(int *found, germ *g, const germ_place *place,
+                             const fmpz_poly_t minimal, const fmpq_t near) {
+    int map_rational = 0, way_rational = 1;
+    slong order = 0;
+    graze_status status = set_map_near(&map_rational, g, place, minimal, near);
+    if (!status)
+        status = find_order(&order, g, place);
+    if (!status && order) {
+        status = set_direction(&way_rational, found, g, place, order, minimal, near);
+        set_sides(g, order);
+    }
+    if (!status && *found && map_rational && way_rational)
+        make_exact(g, place);
+    return status;
+}
+
+graze_status root_set_germ(int *found, germ *g, const germ_place *place, const algebraic *time,
+                           const fmpz_poly_t minimal) {
+    int d = place->map->dimension;
+    fmpz *x = _fmpz_vec_init(d + 1);
+    fmpq_t near;
+    algebraic at;
+    fmpq_init(near);
+    algebraic_init(&at);
+    algebraic_set(&at, time);
+    graze_status status = place_find(found, x, near, place, &at);
+    if (!status && *found)
+        status = cone_make(&g->cone, place->context, place->solid, place->planes, x);
+    if (!status && *found)
+        status = germ_make_root(g, place->context, &at);
+    if (!status && *found)
+        status = set_ways(found, g, place, minimal, near);
+    _fmpz_vec_clear(x, d + 1);
+    fmpq_clear(near);
+    algebraic_clear(&at);
+    return status;
+}

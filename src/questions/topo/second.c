@@ -1,0 +1,259 @@
+/* Germs below and above a plane as forms on it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * About the point a place is x + z N, x in the plane across N. A germ of an order m and a form Q of
+ * degree m + 1 covers below z < Q(x)^(1/m) up to smaller terms, above z > Q(x)^(1/m): both are of
+ * the order 1 + 1/m in |x|. Where at each x the first term of some germ below exceeds that of some
+ * germ above, they cover all of the plane's directions.
+ */
+#include "questions/topo/second.h"
+
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "base/number/sign.h"
+#include "questions/topo/directions.h"
+#include "questions/topo/half.h"
+
+typedef struct second_maker {
+    graze_context *context;
+    open_plane plane;
+    plane_gap *gap;
+    half_quarter quarter; /* at hand */
+    size_t count, capacity;
+    half_germ *item;
+} second_maker;
+
+/* Keep what a germ covers below the plane (sign -1), or above it. */
+static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
+    half_germ half;
+    int covers = 0;
+    half_init(&half);
+    graze_status status = half_of_germ(&covers, &half, &m->plane, m->context, g, sign, way);
+    if (!status && covers)
+        status = array_grow(m->context, &m->item, &m->capacity, m->count + 1, sizeof *m->item,
+                            "the contacts of a point");
+    if (!status && covers)
+        m->item[m->count++] = half;
+    else
+        half_clear(&half);
+    return status;
+}
+
+/* The first term of a germ below less that of one above, up to a root and a positive factor, in a
+ * quarter: the form of the larger order, or of equal ones the difference. */
+static void excess(fmpz_poly_t out, const half_germ *below, const half_germ *above,
+                   half_quarter quarter) {
+    slong order = FLINT_MAX(below->order, above->order);
+    fmpq_poly_t difference;
+    fmpq_poly_init(difference);
+    if (below->order == order)
+        fmpq_poly_set(difference, below->form);
+    if (above->order == order)
+        fmpq_poly_sub(difference, difference, above->form);
+    half_in_quarter(out, difference, order + 1, quarter);
+    fmpq_poly_clear(difference);
+}
+
+/* The sign of the excess of two germs at a number, if both say something there, else -1. */
+static graze_status excess_at(int *out, const second_maker *m, size_t i, size_t j, algebraic *at) {
+    int valid[2] = {1, 1};
+    fmpz_poly_t p;
+    *out = -1;
+    graze_status status = half_is_valid(&valid[0], &m->item[i], m->context, m->quarter, at);
+    if (!status && valid[0])
+        status = half_is_valid(&valid[1], &m->item[j], m->context, m->quarter, at);
+    if (status || !valid[0] || !valid[1])
+        return status;
+    fmpz_poly_init(p);
+    excess(p, &m->item[i], &m->item[j], m->quarter);
+    status = algebraic_sign_at(out, m->context, p, at);
+    fmpz_poly_clear(p);
+    return status;
+}
+
+/* The largest sign that an excess has at a number; -1 if there are none. */
+static graze_status largest_sign_at(int *out, const second_maker *m, algebraic *at) {
+    graze_status status = GRAZE_OK;
+    *out = -1;
+    for (size_t i = 0; i < m->count && !status && *out < 1; i++)
+        for (size_t j = 0; j < m->count && !status && *out < 1; j++) {
+            int sign = -1;
+            if (!m->item[i].above && m->item[j].above)
+                status = excess_at(&sign, m, i, j, at);
+            *out = FLINT_MAX(*out, sign);
+        }
+    return status;
+}
+
+/* Look at one number; `*sign` is the largest of the excesses. */
+static graze_status look_at_slope(int *out, int *sign, const second_maker *m, algebraic *at) {
+    graze_status status = largest_sign_at(sign, m, at);
+    *out = *out && *sign > 0;
+    return status;
+}
+
+/* Look at a number that ends a range: if it is rational, a gap may be there alone, also one that
+ * first terms do not show. */
+static graze_status look_at_end(int *out, const second_maker *m, algebraic *at) {
+    int sign = 0;
+    graze_status status = look_at_slope(out, &sign, m, at);
+    if (!status && sign <= 0 && !m->gap->order && algebraic_is_rational(at))
+        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->quarter, at->value);
+    return status;
+}
+
+/* Keep a gap at a number between two, that is not a simple one: planes along it seldom hold facets
+ * or edges. */
+static graze_status keep_gap(const second_maker *m, const fmpq_t low, algebraic *high) {
+    algebraic first;
+    fmpq_t b;
+    fmpq_init(b);
+    algebraic_init(&first);
+    algebraic_set_rational(&first, low);
+    graze_status status = algebraic_between(b, m->context, &first, high);
+    fmpq_sub(b, b, low);
+    fmpq_div_fmpz(b, b, &(fmpz){3});
+    fmpq_add(b, b, low);
+    if (!status)
+        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->quarter, b);
+    algebraic_clear(&first);
+    fmpq_clear(b);
+    return status;
+}
+
+/* Look between two numbers, and at the second one. */
+static graze_status look_from_to(int *out, const second_maker *m, algebraic *from, algebraic *to) {
+    algebraic middle;
+    int sign = 0;
+    fmpq_t between;
+    fmpq_init(between);
+    algebraic_init(&middle);
+    graze_status status = algebraic_between(between, m->context, from, to);
+    algebraic_set_rational(&middle, between);
+    if (!status)
+        status = look_at_slope(out, &sign, m, &middle);
+    if (!status && (sign < 0 || (sign == 0 && !m->gap->order)))
+        status = keep_gap(m, between, to);
+    if (!status)
+        status = look_at_end(out, m, to);
+    algebraic_clear(&middle);
+    fmpq_clear(between);
+    return status;
+}
+
+/* At the roots of all excesses in [-1, 1], at both ends, and between all of these. */
+static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_list *roots) {
+    algebraic last, next;
+    int order = 0;
+    fmpq_t end;
+    fmpq_init(end);
+    algebraic_init(&last);
+    algebraic_init(&next);
+    fmpq_set_si(end, -1, 1);
+    algebraic_set_rational(&last, end);
+    graze_status status = look_at_end(out, m, &last);
+    fmpq_one(end);
+    for (size_t k = 0; k <= roots->count && !status; k++) {
+        if (k < roots->count)
+            algebraic_set(&next, &roots->item[k]);
+        else
+            algebraic_set_rational(&next, end);
+        status = algebraic_compare(&order, m->context, &last, &next);
+        if (status || order == 0)
+            continue;
+        status = look_from_to(out, m, &last, &next);
+        algebraic_set(&last, &next);
+    }
+    algebraic_clear(&last);
+    algebraic_clear(&next);
+    fmpq_clear(end);
+    return status;
+}
+
+/* Multiply by what is not 0. */
+static void add_factor(fmpz_poly_t product, const fmpz_poly_t p) {
+    if (!fmpz_poly_is_zero(p))
+        fmpz_poly_mul(product, product, p);
+}
+
+/* All excesses in a quarter, and the forms on which it hangs who says something. */
+static void product_of_signs(fmpz_poly_t product, const second_maker *m) {
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    fmpz_poly_set_ui(product, 1);
+    for (size_t i = 0; i < m->count; i++) {
+        const half_germ *half = &m->item[i];
+        for (size_t j = 0; j < m->count; j++) {
+            if (half->above || !m->item[j].above)
+                continue;
+            excess(p, half, &m->item[j], m->quarter);
+            add_factor(product, p);
+        }
+        half_in_quarter(p, half->reach, 1, m->quarter);
+        if (half->has_reach)
+            add_factor(product, p);
+        half_in_quarter(p, half->turn, 1, m->quarter);
+        if (half->has_turn)
+            add_factor(product, p);
+    }
+    fmpz_poly_clear(p);
+}
+
+/* All directions of a quarter. */
+static graze_status look_at_quarter(int *out, const second_maker *m) {
+    fmpz_poly_t product;
+    dyadic_interval range;
+    algebraic_list roots;
+    fmpz_poly_init(product);
+    dyadic_interval_init(&range);
+    dyadic_interval_set_si(&range, -1, 1);
+    algebraic_list_init(&roots);
+    product_of_signs(product, m);
+    graze_status status = algebraic_roots(&roots, m->context, product, &range);
+    if (!status)
+        status = look_at_slopes(out, m, &roots);
+    fmpz_poly_clear(product);
+    dyadic_interval_clear(&range);
+    algebraic_list_clear(&roots);
+    return status;
+}
+
+/* Two directions that span the plane across the normal. */
+static void set_basis(second_maker *m) {
+    int k = 0;
+    fmpz *axis = _fmpz_vec_init(3);
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 3; j++)
+            fmpz_init(m->plane.basis[i] + j);
+    while (fmpz_is_zero(m->plane.normal + k))
+        k++;
+    fmpz_one(axis + (k + 1) % 3);
+    directions_cross(m->plane.basis[0], m->plane.normal, axis);
+    directions_cross(m->plane.basis[1], m->plane.normal, m->plane.basis[0]);
+    _fmpz_vec_clear(axis, 3);
+}
+
+graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_context *context,
+                           const fmpq *point, const fmpz *normal) {
+    second_maker m = {.context = context, .plane = {.point = point, .normal = normal}, .gap = gap};
+    graze_status status = GRAZE_OK;
+    set_basis(&m);
+    for (size_t k = 0; k < list->count && !status; k++)
+        for (int how = 0; how < 2 * HALF_WAYS && !status; how++)
+            status = add_half(&m, &list->item[k], how % 2 ? 1 : -1, how / 2);
+    *out = 1;
+    for (int k = 0; k < 4 && !status; k++) {
+        m.quarter = (half_quarter){k % 2, k / 2};
+        status = look_at_quarter(out, &m);
+    }
+    *out = *out && !status;
+    for (size_t k = 0; k < m.count; k++)
+        half_clear(&m.item[k]);
+    free(m.item);
+    for (int i = 0; i < 6; i++)
+        fmpz_clear(m.plane.basis[i / 3] + i % 3);
+    return status;
+}

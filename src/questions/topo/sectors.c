@@ -1,0 +1,138 @@
+/* Sectors between the borders of germs. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * What a germ covers changes only at rays of its arrangement (proofs/topology.md C46), two
+ * neighbours of which are less than half a turn apart: their sum lies between them.
+ */
+#include "questions/topo/sectors.h"
+
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "questions/topo/borders.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/signs.h"
+
+void sectors_clear(sector_list *list) {
+    if (list->ray)
+        _fmpz_vec_clear(list->ray, (slong)(4 * list->count));
+    *list = (sector_list){0, 0, NULL};
+}
+
+/* 0 to 3, counter-clockwise from the ray to the right, as the half-open quarters. */
+static int quarter_of(const fmpz *v) {
+    int x = fmpz_sgn(v), y = fmpz_sgn(v + 1);
+    return x > 0 && y >= 0 ? 0 : x <= 0 && y > 0 ? 1 : x < 0 ? 2 : 3;
+}
+
+static int compare_angles(const void *a, const void *b) {
+    const fmpz *v = a, *w = b;
+    int order = quarter_of(v) - quarter_of(w);
+    fmpz_t left, right;
+    if (order)
+        return order;
+    fmpz_init(left);
+    fmpz_init(right);
+    fmpz_mul(left, v + 1, w);
+    fmpz_mul(right, v, w + 1);
+    order = fmpz_cmp(left, right);
+    fmpz_clear(left);
+    fmpz_clear(right);
+    return order;
+}
+
+static graze_status ask_about(int *covered, graze_context *context, const sector_question *asked,
+                              const fmpz *direction) {
+    germ_cover cover = {0, 0, 0, 0};
+    graze_status status = GRAZE_OK;
+    if (asked->turn)
+        status = signs_cover_in_turn(&cover.covered, asked->turn,
+                                     &asked->list->item[asked->turn->germ], context, direction);
+    else if (asked->germ)
+        status = germ_cover_part(&cover, asked->germ, context, direction, asked->part);
+    else
+        status = germs_cover(&cover, asked->list, context, direction);
+    *covered = cover.covered != asked->open;
+    return status;
+}
+
+/* The sectors of which all cells between neighbouring rays are covered. */
+static void join_cells(sector_list *out, const fmpz *ray, const int *covered, size_t count) {
+    out->ray = _fmpz_vec_init((slong)(4 * count));
+    for (size_t k = 0; k < count; k++) {
+        size_t end = k;
+        if (!covered[k] || covered[(k + count - 1) % count])
+            continue;
+        while (covered[end % count])
+            end++;
+        _fmpz_vec_set(out->ray + 4 * out->count, ray + 2 * k, 2);
+        _fmpz_vec_set(out->ray + 4 * out->count + 2, ray + 2 * (end % count), 2);
+        out->count++;
+    }
+    for (size_t k = 4 * out->count; k < 4 * count; k++)
+        fmpz_clear(out->ray + k);
+}
+
+static graze_status find_between(sector_list *out, graze_context *context,
+                                 const sector_question *asked, const fmpz *ray, size_t count) {
+    graze_status status = GRAZE_OK;
+    int *covered = calloc(count, sizeof *covered);
+    if (!covered)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    fmpz *middle = _fmpz_vec_init(2);
+    out->all = 1;
+    for (size_t k = 0; k < count && !status; k++) {
+        _fmpz_vec_add(middle, ray + 2 * k, ray + 2 * ((k + 1) % count), 2);
+        status = ask_about(&covered[k], context, asked, middle);
+        out->all = out->all && covered[k];
+    }
+    if (!status && !out->all)
+        join_cells(out, ray, covered, count);
+    free(covered);
+    _fmpz_vec_clear(middle, 2);
+    return status;
+}
+
+/* Rays all around, of angles 4 atan(k / TURN_RAYS) and their opposites. */
+static void add_turn_rays(fmpz *ray) {
+    const slong n = TURN_RAYS / 4;
+    for (slong k = 0; k < TURN_RAYS; k++) {
+        slong half = k % n;
+        slong x = n * n - half * half, y = 2 * n * half;
+        slong quarter = k / n;
+        slong turned[4][2] = {{x, y}, {-y, x}, {-x, -y}, {y, -x}};
+        fmpz_set_si(ray + 2 * k, turned[quarter][0]);
+        fmpz_set_si(ray + 2 * k + 1, turned[quarter][1]);
+    }
+}
+
+/* Keep one ray of each direction; returns the number. */
+static size_t drop_equal_rays(fmpz *ray, size_t count) {
+    size_t kept = 0;
+    for (size_t k = 0; k < count; k++) {
+        if (kept && compare_angles(ray + 2 * (kept - 1), ray + 2 * k) == 0)
+            continue;
+        _fmpz_vec_swap(ray + 2 * kept, ray + 2 * k, 2);
+        kept++;
+    }
+    return kept;
+}
+
+graze_status sectors_find(sector_list *out, graze_context *context, const sector_question *asked) {
+    germ_list alone = {.count = 1, .capacity = 1, .item = asked->germ, .bounded = 1};
+    size_t more = !asked->germ && asked->list->turn_count ? TURN_RAYS : 0;
+    borders b;
+    int refused = 0;
+    borders_init(&b, 2);
+    graze_status status = borders_find(&b, &refused, context, asked->germ ? &alone : asked->list);
+    if (!status && !refused) {
+        size_t count = b.ray_count + more;
+        fmpz *ray = _fmpz_vec_init((slong)(2 * count));
+        _fmpz_vec_set(ray, b.ray, (slong)(2 * b.ray_count));
+        if (more)
+            add_turn_rays(ray + 2 * b.ray_count);
+        qsort(ray, count, 2 * sizeof *ray, compare_angles);
+        status = find_between(out, context, asked, ray, drop_equal_rays(ray, count));
+        _fmpz_vec_clear(ray, (slong)(2 * count));
+    }
+    borders_clear(&b);
+    return status;
+}

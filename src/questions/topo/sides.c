@@ -1,0 +1,179 @@
+/* Leading directions, from the coefficients of a trajectory.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/topo/sides.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "questions/topo/directions.h"
+
+/* Are two polynomials multiples of one another, or one of them 0? */
+static int are_proportional(const fmpz_poly_t p, const fmpz_poly_t q) {
+    if (fmpz_poly_is_zero(p) || fmpz_poly_is_zero(q))
+        return 1;
+    fmpz_poly_t a, b;
+    fmpz_poly_init(a);
+    fmpz_poly_init(b);
+    fmpz_poly_scalar_mul_fmpz(a, p, fmpz_poly_lead(q));
+    fmpz_poly_scalar_mul_fmpz(b, q, fmpz_poly_lead(p));
+    int same = fmpz_poly_equal(a, b);
+    fmpz_poly_clear(a);
+    fmpz_poly_clear(b);
+    return same;
+}
+
+/* Column `column` of a plane's normal, pulled back. */
+static void pull_back_column(fmpz_poly_t out, const point_map *map, const fmpz *normal,
+                             int column) {
+    int d = map->dimension;
+    fmpz_poly_zero(out);
+    for (int row = 0; row < d; row++)
+        fmpz_poly_scalar_addmul_fmpz(out, &map->entry[row * (d + 1) + column], normal + row);
+}
+
+/* Is a normal, pulled back, a constant one times a function of time, which is handed over? */
+static int keeps_direction(fmpz_poly_t factor, const point_map *map, const fmpz *normal) {
+    int same = 1;
+    fmpz_poly_t p;
+    fmpz_poly_init(p);
+    fmpz_poly_zero(factor);
+    for (int column = 0; column < map->dimension && same; column++) {
+        pull_back_column(p, map, normal, column);
+        same = are_proportional(p, factor);
+        if (fmpz_poly_is_zero(factor))
+            fmpz_poly_set(factor, p);
+    }
+    fmpz_poly_clear(p);
+    return same;
+}
+
+void distance_from_plane(fmpz_poly_t out, const local_cone *cone, size_t j,
+                         const trajectory *path) {
+    int d = cone->dimension;
+    fmpz *form = _fmpz_vec_init(d + 1);
+    fmpz_t at;
+    fmpz_init(at);
+    _fmpz_vec_dot(at, cone->normal + j * (size_t)d, cone->at, d);
+    _fmpz_vec_scalar_mul_fmpz(form, cone->normal + j * (size_t)d, d, cone->at + d);
+    fmpz_neg(form + d, at);
+    trajectory_pullback(out, path, form);
+    fmpz_clear(at);
+    _fmpz_vec_clear(form, d + 1);
+}
+
+int planes_keep_directions(int *same_way, const local_cone *cone, const point_map *map,
+                           const trajectory *path) {
+    enum { FACTOR, WAY, FIRST_FACTOR, FIRST_WAY, LEFT, RIGHT, POLYNOMIALS };
+    int keep = 1;
+    fmpz_poly_struct p[POLYNOMIALS];
+    for (int i = 0; i < POLYNOMIALS; i++)
+        fmpz_poly_init(p + i);
+    *same_way = 1;
+    for (size_t j = 0; j < cone->count && keep; j++) {
+        keep = keeps_direction(p + FACTOR, map, cone->normal + j * (size_t)cone->dimension);
+        distance_from_plane(p + WAY, cone, j, path);
+        fmpz_poly_mul(p + LEFT, p + WAY, p + FIRST_FACTOR);
+        fmpz_poly_mul(p + RIGHT, p + FIRST_WAY, p + FACTOR);
+        *same_way = *same_way && are_proportional(p + LEFT, p + RIGHT);
+        if (fmpz_poly_is_zero(p + FIRST_WAY) && !fmpz_poly_is_zero(p + WAY)) {
+            fmpz_poly_swap(p + FIRST_WAY, p + WAY);
+            fmpz_poly_swap(p + FIRST_FACTOR, p + FACTOR);
+        }
+    }
+    *same_way = *same_way && keep;
+    for (int i = 0; i < POLYNOMIALS; i++)
+        fmpz_poly_clear(p + i);
+    return keep;
+}
+
+static void coefficients_at(fmpz *out, fmpq_poly_t *way, slong k, int d) {
+    fmpq *c = _fmpq_vec_init(d);
+    for (int i = 0; i < d; i++)
+        fmpq_poly_get_coeff_fmpq(c + i, way[i], k);
+    direction_of_rationals(out, c, d);
+    _fmpq_vec_clear(c, d);
+}
+
+/* 1 if the vector lies in the cell's directions; else *planes counts the planes it is parallel to.
+ */
+static int is_in_cell(size_t *planes, const local_cone *cone, const fmpz *v) {
+    slong d = cone->dimension;
+    fmpz_t a;
+    fmpz_init(a);
+    *planes = 0;
+    for (size_t j = 0; j < cone->count; j++) {
+        _fmpz_vec_dot(a, cone->normal + j * (size_t)d, v, d);
+        *planes += fmpz_is_zero(a) != 0;
+    }
+    fmpz_clear(a);
+    return *planes == cone->count;
+}
+
+/* The first coefficient after the leading one that is not along it. */
+static void find_later(germ_side *side, fmpq_poly_t *way, slong length, int sign) {
+    slong at = 0;
+    for (slong k = side->order + 1; k < length && !at; k++) {
+        coefficients_at(side->later, way, k, 3);
+        at = directions_parallel(side->later, side->e) ? 0 : k;
+    }
+    side->has_later = at > 0;
+    if (sign < 0 && at % 2 == 1)
+        _fmpz_vec_neg(side->later, side->later, 3);
+}
+
+/* Its planes hold that direction throughout. */
+int edge_keeps_direction(const germ *g, const point_map *map) {
+    fmpz *world = _fmpz_vec_init(9), *normal = world + 3;
+    fmpz_poly_t sum, p;
+    int keeps = 1;
+    fmpz_poly_init(sum);
+    fmpz_poly_init(p);
+    for (size_t j = 0; j < 2; j++)
+        for (int column = 0; column < 3; column++)
+            for (int row = 0; row < 3; row++)
+                fmpz_addmul(normal + 3 * j + column, g->to_body + 3 * row + column,
+                            g->cone.normal + 3 * j + row);
+    directions_cross(world, normal, normal + 3);
+    for (size_t j = 0; j < g->cone.count && keeps; j++) {
+        fmpz_poly_zero(sum);
+        for (int column = 0; column < 3; column++) {
+            pull_back_column(p, map, g->cone.normal + 3 * j, column);
+            fmpz_poly_scalar_addmul_fmpz(sum, p, world + column);
+        }
+        keeps = fmpz_poly_is_zero(sum);
+    }
+    _fmpz_vec_clear(world, 9);
+    fmpz_poly_clear(sum);
+    fmpz_poly_clear(p);
+    return keeps;
+}
+
+graze_status sides_add(germ *g, graze_context *context, const point_map *map, fmpq_poly_t *way,
+                       int same_way, int sign) {
+    int d = map->dimension;
+    slong length = 0;
+    size_t planes = 0;
+    graze_state state = GRAZE_STATE_O;
+    graze_status status = GRAZE_OK;
+    germ_side *side = &g->side[g->side_count];
+    for (int i = 0; i < d; i++)
+        length = FLINT_MAX(length, fmpq_poly_length(way[i]));
+    for (slong k = 1; k < length && !side->order; k++) {
+        coefficients_at(side->e, way, k, d);
+        side->order = is_in_cell(&planes, &g->cone, side->e) ? 0 : k;
+    }
+    if (!side->order)
+        return GRAZE_OK;
+    g->side_count++;
+    side->sign = sign;
+    if (sign < 0 && side->order % 2 == 1)
+        _fmpz_vec_neg(side->e, side->e, d);
+    side->exact = same_way;
+    if (d == 3 && cone_cell_dimension(&g->cone) == 1)
+        side->keeps_edge = side->order == 1 || edge_keeps_direction(g, map);
+    if (planes >= 2 && !side->exact)
+        status = cone_state(&state, &g->cone, context, side->e);
+    if (state != GRAZE_STATE_O)
+        find_later(side, way, length, sign);
+    return status;
+}

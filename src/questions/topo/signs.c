@@ -1,0 +1,294 @@
+/* States by signs. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Every cell of the arrangement of a cone's planes has a rational direction; once all of these are
+ * known, so is the state of every vector of signs.
+ */
+#include "questions/topo/signs.h"
+
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "base/number/sign.h"
+#include "questions/topo/borders.h"
+
+void signs_pull_back(fmpz_poly_t out, const point_map *map, const fmpz *normal,
+                     const fmpz *direction) {
+    fmpz_t factor;
+    int d = map->dimension;
+    fmpz_init(factor);
+    fmpz_poly_zero(out);
+    for (int row = 0; row < d; row++)
+        for (int column = 0; column < d; column++) {
+            fmpz_mul(factor, normal + row, direction + column);
+            fmpz_poly_scalar_addmul_fmpz(out, &map->entry[row * (d + 1) + column], factor);
+        }
+    fmpz_clear(factor);
+}
+
+/* Ask about a direction in every cell, and about none. */
+static graze_status learn_all(local_cone *cone, graze_context *context) {
+    slong d = cone->dimension;
+    graze_state state;
+    int refused = 0;
+    borders b;
+    borders_init(&b, (int)d);
+    fmpz *none = _fmpz_vec_init(d);
+    graze_status status = cone_state(&state, cone, context, none);
+    if (!status)
+        status = borders_of_cone(&b, &refused, context, cone);
+    for (size_t r = 0; r < b.ray_count && !status && !refused; r++) {
+        fmpz *cell;
+        size_t count;
+        status = cone_state(&state, cone, context, b.ray + r * (size_t)d);
+        borders_around(&cell, &count, &b, r);
+        for (size_t k = 0; k < count && !status; k++)
+            status = cone_state(&state, cone, context, cell + k * (size_t)d);
+        _fmpz_vec_clear(cell, (slong)count * d);
+    }
+    _fmpz_vec_clear(none, d);
+    borders_clear(&b);
+    cone->knows_all = !status && !refused;
+    return status;
+}
+
+graze_status signs_state(graze_state *out, local_cone *cone, graze_context *context,
+                         const signed char *signs) {
+    graze_status status = GRAZE_OK;
+    if (cone_knows(out, cone, signs))
+        return GRAZE_OK;
+    if (!cone->knows_all)
+        status = learn_all(cone, context);
+    *out = GRAZE_STATE_B;
+    if (!status && cone->knows_all && !cone_knows(out, cone, signs))
+        status = context_fail(context, GRAZE_EINTERNAL, "a cell next to a contact is not found");
+    return status;
+}
+
+/* The distances u + s e of a germ's planes as functions of s: values of polynomials at the root. */
+typedef struct root_sweep {
+    germ *g;
+    graze_context *context;
+    size_t count;
+    fmpz_poly_struct *at, *way; /* of each plane; the sign of `way` is that of the side */
+    signed char *at_sign, *way_sign, *sign;
+    size_t *cut, cut_count; /* planes that are crossed at a positive s, in that order */
+    int *rank;              /* of each cut; equal ones are crossed together */
+} root_sweep;
+
+static void sweep_clear(root_sweep *s) {
+    for (size_t j = 0; s->at && j < s->count; j++)
+        fmpz_poly_clear(s->at + j);
+    free(s->at);
+    free(s->at_sign);
+    free(s->cut);
+    free(s->rank);
+}
+
+/* At the root: the directions of the planes' distances. */
+static graze_status sweep_init(root_sweep *s, germ *g, graze_context *context,
+                               const fmpz *direction) {
+    size_t n = g->cone.count;
+    graze_status status = GRAZE_OK;
+    *s = (root_sweep){.g = g, .context = context, .count = n, .way = g->root->way};
+    s->at = malloc((n + 1) * sizeof *s->at);
+    s->at_sign = calloc(3 * n + 1, 1);
+    s->cut = malloc((n + 1) * sizeof *s->cut);
+    s->rank = malloc((n + 1) * sizeof *s->rank);
+    for (size_t j = 0; s->at && j < n; j++)
+        fmpz_poly_init(s->at + j);
+    if (!s->at || !s->at_sign || !s->cut || !s->rank)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
+    s->way_sign = s->at_sign + n;
+    s->sign = s->way_sign + n;
+    for (size_t j = 0; j < n && !status; j++) {
+        int sign = 0;
+        signs_pull_back(s->at + j, g->map, g->cone.normal + j * (size_t)g->cone.dimension,
+                        direction);
+        status = algebraic_sign_at(&sign, context, s->at + j, &g->root->time);
+        s->at_sign[j] = (signed char)sign;
+        if (!status)
+            status = algebraic_sign_at(&sign, context, s->way + j, &g->root->time);
+        s->way_sign[j] = (signed char)sign;
+    }
+    return status;
+}
+
+/* Is plane j crossed before plane k (-1), together with it (0), or after it (1)? The one is crossed
+ * at -at_j / way_j, times `side`. */
+static graze_status compare_crossing_places(int *out, root_sweep *s, int side, size_t j, size_t k) {
+    fmpz_poly_t a, b;
+    fmpz_poly_init(a);
+    fmpz_poly_init(b);
+    fmpz_poly_mul(a, s->at + k, s->way + j);
+    fmpz_poly_mul(b, s->at + j, s->way + k);
+    fmpz_poly_sub(a, a, b);
+    graze_status status = algebraic_sign_at(out, s->context, a, &s->g->root->time);
+    *out *= side * s->way_sign[j] * s->way_sign[k];
+    fmpz_poly_clear(a);
+    fmpz_poly_clear(b);
+    return status;
+}
+
+/* Put the planes that are crossed on this side in order. */
+static graze_status order_crossings(root_sweep *s, int side) {
+    graze_status status = GRAZE_OK;
+    s->cut_count = 0;
+    for (size_t j = 0; j < s->count && !status; j++) {
+        size_t place = s->cut_count;
+        int order = -1, rank = 0;
+        if (s->at_sign[j] * s->way_sign[j] * side >= 0)
+            continue;
+        while (place > 0 && !status && order < 0) {
+            status = compare_crossing_places(&order, s, side, j, s->cut[place - 1]);
+            place -= order < 0;
+        }
+        rank = place == 0 ? 0 : s->rank[place - 1] + (order > 0);
+        int together = place > 0 && order == 0;
+        for (size_t k = s->cut_count; k > place; k--) {
+            s->cut[k] = s->cut[k - 1];
+            s->rank[k] = s->rank[k - 1] + !together;
+        }
+        s->cut[place] = j;
+        s->rank[place] = rank;
+        s->cut_count++;
+    }
+    return status;
+}
+
+/* The signs at the cuts of a rank, or, `beyond`, just beyond them. */
+static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank, int beyond) {
+    graze_state state = GRAZE_STATE_O;
+    for (size_t j = 0; j < s->count; j++)
+        s->sign[j] = s->at_sign[j] ? s->at_sign[j] : (signed char)(side * s->way_sign[j]);
+    for (size_t k = 0; k < s->cut_count && s->rank[k] <= rank; k++)
+        s->sign[s->cut[k]] = s->rank[k] < rank || beyond
+                                 ? (signed char)(side * s->way_sign[s->cut[k]])
+                                 : (signed char)0;
+    graze_status status = signs_state(&state, &s->g->cone, s->context, s->sign);
+    *covered = *covered || state != GRAZE_STATE_O;
+    return status;
+}
+
+/* All u + s e, s > 0, on one side: `side` is the sign of the way there. */
+static graze_status look_at_side(int *covered, root_sweep *s, int side) {
+    graze_status status = order_crossings(s, side);
+    int last = s->cut_count > 0 ? s->rank[s->cut_count - 1] : -1;
+    if (!status)
+        status = look_at_rank(covered, s, side, -1, 0);
+    for (int rank = 0; rank <= last && !status && !*covered; rank++)
+        for (int beyond = 0; beyond < 2 && !status; beyond++)
+            status = look_at_rank(covered, s, side, rank, beyond);
+    return status;
+}
+
+graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
+                                 const fmpz *direction, int part) {
+    root_sweep s;
+    graze_state state = GRAZE_STATE_O;
+    *covered = 0;
+    graze_status status = sweep_init(&s, g, context, direction);
+    if (!status)
+        status = signs_state(&state, &g->cone, context, s.at_sign);
+    *covered = state != GRAZE_STATE_O;
+    for (int k = 0; k < g->side_count && !status && !*covered; k++)
+        if (part == GERM_WHOLE || part == k)
+            status = look_at_side(covered, &s, k > 0 && g->side[k].order % 2 == 1 ? -1 : 1);
+    sweep_clear(&s);
+    return status;
+}
+
+/* The state at one time. */
+static graze_status look_at_time(int *covered, local_cone *cone, graze_context *context,
+                                 const fmpz_poly_struct *p, signed char *sign, algebraic *time) {
+    graze_state state = GRAZE_STATE_O;
+    graze_status status = GRAZE_OK;
+    for (size_t j = 0; j < cone->count && !status; j++) {
+        int at = 0;
+        status = algebraic_sign_at(&at, context, p + j, time);
+        sign[j] = (signed char)at;
+    }
+    if (!status)
+        status = signs_state(&state, cone, context, sign);
+    *covered = *covered || state != GRAZE_STATE_O;
+    return status;
+}
+
+/* Between two times. */
+static graze_status look_between(int *covered, local_cone *cone, graze_context *context,
+                                 const fmpz_poly_struct *p, signed char *sign, algebraic *from,
+                                 algebraic *to) {
+    algebraic middle;
+    fmpq_t u;
+    fmpq_init(u);
+    algebraic_init(&middle);
+    graze_status status = algebraic_between(u, context, from, to);
+    algebraic_set_rational(&middle, u);
+    if (!status)
+        status = look_at_time(covered, cone, context, p, sign, &middle);
+    algebraic_clear(&middle);
+    fmpq_clear(u);
+    return status;
+}
+
+/* At all roots inside the stretch, and between them. */
+static graze_status look_at_roots(int *covered, turning_stretch *t, local_cone *cone,
+                                  graze_context *context, const fmpz_poly_struct *p,
+                                  signed char *sign, algebraic_list *roots) {
+    algebraic *last = &t->from;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < roots->count && !status && !*covered; k++) {
+        int after = 0, before = 0;
+        status = algebraic_compare(&after, context, &roots->item[k], &t->from);
+        if (!status)
+            status = algebraic_compare(&before, context, &roots->item[k], &t->to);
+        if (status || after <= 0 || before >= 0)
+            continue;
+        status = look_between(covered, cone, context, p, sign, last, &roots->item[k]);
+        if (!status)
+            status = look_at_time(covered, cone, context, p, sign, &roots->item[k]);
+        last = &roots->item[k];
+    }
+    if (!status && !*covered)
+        status = look_between(covered, cone, context, p, sign, last, &t->to);
+    return status;
+}
+
+graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graze_context *context,
+                                 const fmpz *direction) {
+    local_cone *cone = &g->cone;
+    size_t n = cone->count;
+    fmpz_poly_struct *p = malloc((n + 1) * sizeof *p);
+    signed char *sign = malloc(n + 1);
+    fmpz_poly_t product;
+    dyadic_interval piece;
+    algebraic_list roots;
+    graze_status status =
+        p && sign ? GRAZE_OK
+                  : context_fail(context, GRAZE_ESYSTEM, "out of memory for a slide along a point");
+    fmpz_poly_init(product);
+    fmpz_poly_set_ui(product, 1);
+    dyadic_interval_init(&piece);
+    dyadic_interval_set_si(&piece, 0, 1);
+    algebraic_list_init(&roots);
+    *covered = 0;
+    for (size_t j = 0; j < n && !status; j++) {
+        fmpz_poly_init(p + j);
+        signs_pull_back(p + j, g->map, cone->normal + j * (size_t)cone->dimension, direction);
+        if (!fmpz_poly_is_zero(p + j))
+            fmpz_poly_mul(product, product, p + j);
+    }
+    if (!status) {
+        status = algebraic_roots(&roots, context, product, &piece);
+        if (!status)
+            status = look_at_roots(covered, t, cone, context, p, sign, &roots);
+        for (size_t j = 0; j < n; j++)
+            fmpz_poly_clear(p + j);
+    }
+    free(p);
+    free(sign);
+    fmpz_poly_clear(product);
+    dyadic_interval_clear(&piece);
+    algebraic_list_clear(&roots);
+    return status;
+}

@@ -1,0 +1,97 @@
+/* A few planes through a point of space, each looked at like the plane itself.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The planes lie askew, so that facets seldom come to lie in one. Where the contacts do not depend
+ * on a direction, a plane across it decides (proofs/topology.md C54).
+ */
+#include "questions/topo/slices.h"
+
+#include <flint/fmpz_vec.h>
+#include "questions/topo/curves.h"
+#include "questions/topo/directions.h"
+#include "questions/topo/first_order.h"
+#include "questions/topo/invariant.h"
+#include "questions/topo/path.h"
+#include "questions/topo/square.h"
+
+enum { SLICES = 3 };
+
+static const slong askew[SLICES][2][3] = {
+    {{3, 1, 2}, {-1, 4, 1}}, {{2, -5, 1}, {1, 1, 4}}, {{1, 2, -7}, {5, -2, 3}}};
+
+/* Look at the plane through the point along two directions, 6 integers; first along the finding's
+ * path, if that lies in it. */
+static graze_status look_in_plane(topo_finding *out, graze_context *context,
+                                  const graze_scene *scene, const plane_list *planes,
+                                  const fmpq *point, const fmpz *along, graze_topo_level level,
+                                  int has_path) {
+    plane_view view;
+    curve_list curves;
+    const char *refused = NULL;
+    fmpq origin[2] = {{0, 1}, {0, 1}};
+    view_init_through(&view, point, along, along + 3);
+    curves_init(&curves);
+    graze_status status = curves_of_scene(&curves, &refused, context, scene, planes, &view);
+    if (!status && !refused && has_path)
+        status = path_decide(out, context, scene, &curves, &view);
+    if (!status && !refused && !out->has_witness)
+        status = square_decide(out, context, scene, &curves, &view, origin, level);
+    curves_clear(&curves);
+    view_clear(&view);
+    return status;
+}
+
+/* A direction that stays parallel to all planes of all contacts, or 0. */
+static graze_status find_invariant(fmpz *out, graze_context *context, const graze_scene *scene,
+                                   const plane_list *planes, const fmpq *point) {
+    germ_list germs;
+    germs_init(&germs);
+    graze_status status = germs_find(&germs, context, scene, planes, point);
+    if (status || !germs.bounded || !invariant_direction(out, &germs))
+        _fmpz_vec_zero(out, 3);
+    germs_clear(&germs);
+    return status;
+}
+
+/* Does a plane along two directions, 6 integers, cross a third one? */
+static int crosses(const fmpz *along, const fmpz *direction) {
+    fmpz *normal = _fmpz_vec_init(3);
+    fmpz_t product;
+    fmpz_init(product);
+    directions_cross(normal, along, along + 3);
+    _fmpz_vec_dot(product, normal, direction, 3);
+    int does = !fmpz_is_zero(product);
+    fmpz_clear(product);
+    _fmpz_vec_clear(normal, 3);
+    return does;
+}
+
+static int is_decided(const topo_finding *f) {
+    return f->position == GRAZE_TOPO_INTERIOR || f->position == GRAZE_TOPO_BOUNDARY;
+}
+
+graze_status slices_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                           const plane_list *planes, const fmpq *point) {
+    const char *reason = out->reason;
+    fmpz *along = _fmpz_vec_init(9), *invariant = along + 6;
+    graze_status status = find_invariant(invariant, context, scene, planes, point);
+    int has_gap = out->order > 0;
+    for (int k = has_gap ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
+        for (int i = 0; i < 6; i++)
+            fmpz_set_si(along + i, askew[FLINT_MAX(k, 0)][i / 3][i % 3]);
+        if (k < 0)
+            _fmpz_vec_set(along + 3, out->across, 3);
+        if (k < 0 || (out->has_open && !has_gap))
+            _fmpz_vec_set(along, out->open, 3);
+        if (directions_parallel(along, along + 3))
+            continue;
+        status = look_in_plane(out, context, scene, planes, point, along,
+                               crosses(along, invariant) ? GRAZE_LEVEL_LR : GRAZE_LEVEL_L3, k < 0);
+    }
+    if (!status && !is_decided(out))
+        finding_undecided(out, reason);
+    else if (!status)
+        out->reason = "";
+    _fmpz_vec_clear(along, 9);
+    return status;
+}

@@ -1,0 +1,127 @@
+/* One trace in every gap that the curves leave on the sides of a square.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Within the square the curves through the point cut each quarter between the diagonals into
+ * sectors, which are connected and miss the boundary of the closed sweep: each lies in its interior
+ * or in its exterior, and every smaller square meets the same sectors (proofs/topology.md C49).
+ */
+#include "questions/topo/square.h"
+
+#include <flint/fmpz_vec.h>
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "decide/verdict/classify.h"
+#include "questions/topo/near.h"
+
+typedef struct square_maker {
+    topo_finding *out;
+    graze_context *context;
+    const graze_scene *scene;
+    const plane_view *view;
+    const fmpq *point;
+    graze_topo_level level;
+    near_curves near;
+    int axis, negative; /* the side at hand */
+} square_maker;
+
+/* The square on which the witness lies. */
+static void set_square(square_maker *m) {
+    topo_finding *out = m->out;
+    out->has_witness = 1;
+    fmpq_one(&out->reach);
+    fmpq_div_2exp(&out->reach, &out->reach, m->near.places);
+    for (int k = 0; k < 2; k++)
+        _fmpz_vec_set(out->along[k], m->view->along[k], m->view->dimension);
+}
+
+/* Trace the point of a side whose coordinate along it is `along`, from the centre. */
+static graze_status sample_at(square_maker *m, const fmpq_t along) {
+    graze_verdict verdict;
+    fmpq sample[2];
+    for (int k = 0; k < 2; k++)
+        fmpq_init(sample + k);
+    fmpq_set_si(sample + m->axis, m->negative ? -1 : 1, 1);
+    fmpq_div_2exp(sample + m->axis, sample + m->axis, m->near.places);
+    fmpq_set(sample + (1 - m->axis), along);
+    for (int k = 0; k < 2; k++)
+        fmpq_add(sample + k, sample + k, m->point + k);
+    view_point(m->out->witness, m->view, sample);
+    graze_status status = classify_verdict(&verdict, m->context, m->scene,
+                                           (query_point){.rational = m->out->witness});
+    if (!status && verdict.pmc == GRAZE_OUT) {
+        finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
+        set_square(m);
+    }
+    for (int k = 0; k < 2; k++)
+        fmpq_clear(sample + k);
+    return status;
+}
+
+/* The gap between two numbers, if there is one: at a corner a root may be an end of the side. */
+static graze_status sample_gap(square_maker *m, algebraic *low, algebraic *high) {
+    int sign = 0;
+    graze_status status = algebraic_compare(&sign, m->context, low, high);
+    if (status || sign == 0)
+        return status;
+    fmpq_t along;
+    fmpq_init(along);
+    status = algebraic_between(along, m->context, low, high);
+    if (!status)
+        status = sample_at(m, along);
+    fmpq_clear(along);
+    return status;
+}
+
+static graze_status sample_side(square_maker *m) {
+    fmpz_poly_t product;
+    dyadic_interval side;
+    algebraic end[2];
+    algebraic_list roots;
+    fmpz_poly_init(product);
+    dyadic_interval_init(&side);
+    dyadic_interval_set_si(&side, -1, 1);
+    side.exponent = m->near.places;
+    algebraic_list_init(&roots);
+    for (int k = 0; k < 2; k++) {
+        algebraic_init(&end[k]);
+        algebraic_set_dyadic(&end[k], k ? side.high : side.low, side.exponent);
+    }
+    near_side(product, &m->near, m->axis, m->negative);
+    graze_status status = algebraic_roots(&roots, m->context, product, &side);
+    for (size_t k = 0; k <= roots.count && !status && !m->out->has_witness; k++)
+        status = sample_gap(m, k ? &roots.item[k - 1] : &end[0],
+                            k < roots.count ? &roots.item[k] : &end[1]);
+    for (int k = 0; k < 2; k++)
+        algebraic_clear(&end[k]);
+    algebraic_list_clear(&roots);
+    dyadic_interval_clear(&side);
+    fmpz_poly_clear(product);
+    return status;
+}
+
+graze_status square_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                           const curve_list *curves, const plane_view *view, const fmpq *point,
+                           graze_topo_level level) {
+    square_maker m = {.out = out,
+                      .context = context,
+                      .scene = scene,
+                      .view = view,
+                      .point = point,
+                      .level = level};
+    int refused = 0;
+    near_init(&m.near);
+    graze_status status = near_make(&m.near, &refused, context, curves, point);
+    if (!status && refused)
+        finding_undecided(
+            out, "a curve passes nearer, or has more digits, than the limit `bits` allows");
+    for (int side = 0; side < 4 && !status && !refused && !out->has_witness; side++) {
+        m.axis = side / 2;
+        m.negative = side % 2;
+        status = sample_side(&m);
+    }
+    if (!status && !refused && !out->has_witness &&
+        (view->dimension == 2 || level == GRAZE_LEVEL_LR))
+        finding_set(out, GRAZE_TOPO_INTERIOR, level);
+    near_clear(&m.near);
+    return status;
+}

@@ -1,0 +1,143 @@
+/* Points near a place, moved to the planes of facets that contain it, until all signs are right.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/topo/stand_in.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_mat.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/number/refine.h"
+#include "base/number/sign.h"
+#include "input/solid/forms.h"
+
+/* The width 2^-FIRST_PLACES of an interval about a time in which a place is first looked for, and
+ * how often the exponent is doubled. */
+enum { FIRST_PLACES = 40, ATTEMPTS = 10 };
+
+/* A rational time near; the interval has about `places` binary places. */
+static graze_status time_near(fmpq_t out, graze_context *context, algebraic *time, ulong places) {
+    fmpq_t high;
+    graze_status status = GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    fmpq_init(high);
+    for (int step = 0; !status && !algebraic_is_rational(time) && time->where.exponent < places;
+         step++)
+        status = algebraic_narrow(context, time, step, &gain);
+    algebraic_bounds(out, high, time);
+    fmpq_add(out, out, high);
+    fmpq_div_2exp(out, out, 1);
+    fmpq_clear(high);
+    return status;
+}
+
+/* What is known about the trajectory's place at the time. */
+typedef struct place_finder {
+    const germ_place *place;
+    signed char *sign;    /* of its distances from all planes of facets */
+    const fmpz *basis[3]; /* forms of independent planes that contain it */
+    int rank;
+} place_finder;
+
+/* Keep a plane that contains the place if it is independent of those there are. */
+static void keep_independent(place_finder *f, const fmpz *form) {
+    int d = f->place->map->dimension;
+    fmpz_mat_t normals;
+    if (f->rank == d)
+        return;
+    f->basis[f->rank] = form;
+    fmpz_mat_init(normals, f->rank + 1, d);
+    for (int k = 0; k <= f->rank; k++)
+        for (int i = 0; i < d; i++)
+            fmpz_set(fmpz_mat_entry(normals, k, i), f->basis[k] + i);
+    f->rank = (int)fmpz_mat_rank(normals);
+    fmpz_mat_clear(normals);
+}
+
+static graze_status find_signs(place_finder *f, algebraic *time) {
+    const plane_list *planes = f->place->planes;
+    graze_status status = GRAZE_OK;
+    fmpz_poly_t distance;
+    fmpz_poly_init(distance);
+    for (size_t p = 0; p < planes->count && !status; p++) {
+        int sign = 0;
+        const fmpz *form = planes->form + p * (size_t)(planes->dimension + 1);
+        trajectory_pullback(distance, f->place->path, form);
+        status = algebraic_sign_at(&sign, f->place->context, distance, time);
+        f->sign[p] = (signed char)sign;
+        if (!status && sign == 0)
+            keep_independent(f, form);
+        if (!status)
+            status = context_poll(f->place->context);
+    }
+    fmpz_poly_clear(distance);
+    return status;
+}
+
+/* Move a point, d + 1 homogeneous integers, to the planes of the basis by a combination of their
+ * normals. */
+static void project(fmpz *x, const place_finder *f) {
+    int d = f->place->map->dimension;
+    fmpq *moved = _fmpq_vec_init(d);
+    fmpq_mat_t gram, rest;
+    fmpz_t value;
+    fmpz_init(value);
+    fmpq_mat_init(gram, f->rank, f->rank);
+    fmpq_mat_init(rest, f->rank, 1);
+    for (int i = 0; i < f->rank; i++) {
+        for (int j = 0; j < f->rank; j++) {
+            _fmpz_vec_dot(value, f->basis[i], f->basis[j], d);
+            fmpq_set_fmpz(fmpq_mat_entry(gram, i, j), value);
+        }
+        _fmpz_vec_dot(value, f->basis[i], x, d + 1);
+        fmpz_neg(value, value);
+        fmpq_set_fmpz_frac(fmpq_mat_entry(rest, i, 0), value, x + d);
+    }
+    (void)fmpq_mat_solve(rest, gram, rest); /* independent normals */
+    for (int i = 0; i < d; i++) {
+        fmpq_set_fmpz_frac(moved + i, x + i, x + d);
+        for (int k = 0; k < f->rank; k++) {
+            fmpq_t way;
+            fmpq_init(way);
+            fmpq_mul_fmpz(way, fmpq_mat_entry(rest, k, 0), f->basis[k] + i);
+            fmpq_add(moved + i, moved + i, way);
+            fmpq_clear(way);
+        }
+    }
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, moved, d);
+    _fmpq_vec_clear(moved, d);
+    fmpq_mat_clear(gram);
+    fmpq_mat_clear(rest);
+    fmpz_clear(value);
+}
+
+static int has_signs(const fmpz *x, const place_finder *f) {
+    const plane_list *planes = f->place->planes;
+    for (size_t p = 0; p < planes->count; p++)
+        if (form_sign(planes->form + p * (size_t)(planes->dimension + 1), x, planes->dimension) !=
+            f->sign[p])
+            return 0;
+    return 1;
+}
+
+graze_status place_find(int *found, fmpz *x, fmpq_t near, const germ_place *place,
+                        algebraic *time) {
+    place_finder f = {.place = place};
+    graze_status status = GRAZE_OK;
+    f.sign = malloc(place->planes->count + 1);
+    if (!f.sign)
+        return context_fail(place->context, GRAZE_ESYSTEM, "out of memory for a contact");
+    status = find_signs(&f, time);
+    *found = 0;
+    for (int k = 0; k < ATTEMPTS && !status && !*found; k++) {
+        status = time_near(near, place->context, time, (ulong)FIRST_PLACES << k);
+        if (status)
+            break;
+        trajectory_at(x, place->path, near);
+        project(x, &f);
+        *found = has_signs(x, &f);
+    }
+    free(f.sign);
+    return status;
+}

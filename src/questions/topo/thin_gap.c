@@ -1,0 +1,178 @@
+/* Heights between leading terms. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * At x the heights are Q(x)^(1/m) |x|^(1 + 1/m), so those of a larger m are the larger ones.
+ * Between 0 and them there may be room, or both sides are of smaller orders.
+ */
+#include "questions/topo/thin_gap.h"
+
+#include <flint/fmpz_vec.h>
+
+void gap_init(plane_gap *gap) {
+    fmpq_init(&gap->lift);
+    for (int k = 0; k < 3; k++)
+        fmpz_init(gap->along + k);
+    gap->order = 0;
+}
+
+void gap_clear(plane_gap *gap) {
+    fmpq_clear(&gap->lift);
+    for (int k = 0; k < 3; k++)
+        fmpz_clear(gap->along + k);
+}
+
+/* The form of a germ at the direction of the gap. */
+static void height_at(fmpq_t out, const half_germ *g, half_quarter quarter, const fmpq_t b) {
+    fmpq_poly_t form;
+    fmpq_t scale;
+    fmpq_init(scale);
+    fmpq_poly_init(form);
+    fmpq_poly_set(form, g->form);
+    if (quarter.swapped)
+        fmpq_poly_reverse(form, form, g->order + 2);
+    fmpq_poly_evaluate_fmpq(out, form, b);
+    fmpz_set(fmpq_numref(scale), fmpq_denref(b));
+    fmpq_pow_si(scale, scale, g->order + 1);
+    fmpq_mul(out, out, scale);
+    if (quarter.opposite && g->order % 2 == 0)
+        fmpq_neg(out, out);
+    fmpq_poly_clear(form);
+    fmpq_clear(scale);
+}
+
+/* Heights at one order, to its power: the largest below and the least above, as far as there are
+ * any. Those of smaller orders are 0 here, those of larger ones far away. */
+typedef struct height_range {
+    int has_low, has_high;
+    fmpq_t low, high;
+} height_range;
+
+static void take_height(height_range *r, int above, const fmpq_t height) {
+    int *has = above ? &r->has_high : &r->has_low;
+    fmpq *kept = above ? r->high : r->low;
+    if (!*has || fmpq_cmp(height, kept) * (above ? -1 : 1) > 0)
+        fmpq_set(kept, height);
+    *has = 1;
+}
+
+static graze_status find_range(height_range *r, graze_context *context, slong order,
+                               const half_germ *item, size_t count, half_quarter quarter,
+                               const fmpq_t b) {
+    graze_status status = GRAZE_OK;
+    algebraic at;
+    fmpq_t height;
+    fmpq_init(height);
+    algebraic_init(&at);
+    algebraic_set_rational(&at, b);
+    r->has_low = r->has_high = 0;
+    for (size_t k = 0; k < count && !status; k++) {
+        int valid = 0;
+        if (item[k].order <= order)
+            status = half_is_valid(&valid, &item[k], context, quarter, &at);
+        if (!valid)
+            continue;
+        fmpq_zero(height);
+        if (item[k].order == order)
+            height_at(height, &item[k], quarter, b);
+        take_height(r, item[k].above, height);
+    }
+    algebraic_clear(&at);
+    fmpq_clear(height);
+    return status;
+}
+
+/* With one end alone, or none, a range of the length of that and 1. */
+static void close_range(height_range *r) {
+    fmpq_t length;
+    fmpq_init(length);
+    if (!r->has_low && !r->has_high)
+        fmpq_zero(r->low);
+    fmpq_abs(length, r->has_high ? r->high : r->low);
+    fmpq_add_si(length, length, 1);
+    if (!r->has_high)
+        fmpq_add(r->high, r->low, length);
+    else if (!r->has_low)
+        fmpq_sub(r->low, r->high, length);
+    fmpq_clear(length);
+}
+
+/* out = v |v|^(order - 1). */
+static void signed_height(fmpq_t out, const fmpq_t v, slong order) {
+    int sign = fmpq_sgn(v);
+    fmpq_pow_si(out, v, order);
+    if (sign < 0 && order % 2 == 0)
+        fmpq_neg(out, out);
+}
+
+/* Is a height with its power between two numbers found, k / 2^places with an integer k? */
+static int find_dyadic(fmpq_t out, slong order, const fmpq_t low, const fmpq_t high, ulong places) {
+    int found = 0;
+    fmpz_t root;
+    fmpq_t power;
+    fmpz_init(root);
+    fmpq_init(power);
+    fmpq_mul_2exp(power, low, places * (ulong)order);
+    fmpz_tdiv_q(root, fmpq_numref(power), fmpq_denref(power));
+    fmpz_abs(root, root);
+    fmpz_root(root, root, order);
+    if (fmpq_sgn(low) < 0)
+        fmpz_neg(root, root);
+    fmpz_sub_ui(root, root, 2);
+    for (int k = 0; k < 5 && !found; k++) {
+        fmpz_add_ui(root, root, 1);
+        fmpq_set_fmpz(out, root);
+        fmpq_div_2exp(out, out, places);
+        signed_height(power, out, order);
+        found = fmpq_cmp(low, power) < 0 && fmpq_cmp(power, high) < 0;
+    }
+    fmpz_clear(root);
+    fmpq_clear(power);
+    return found;
+}
+
+/* In the middle half of the range. */
+static void set_lift(fmpq_t out, slong order, height_range *r) {
+    ulong places = 0;
+    fmpq_t quarter;
+    fmpq_init(quarter);
+    fmpq_sub(quarter, r->high, r->low);
+    fmpq_div_2exp(quarter, quarter, 2);
+    fmpq_add(r->low, r->low, quarter);
+    fmpq_sub(r->high, r->high, quarter);
+    while (!find_dyadic(out, order, r->low, r->high, places))
+        places++;
+    fmpq_clear(quarter);
+}
+
+/* The largest order below a bound, or 0. */
+static slong next_order(const half_germ *item, size_t count, slong bound) {
+    slong order = 0;
+    for (size_t k = 0; k < count; k++)
+        if (item[k].order < bound)
+            order = FLINT_MAX(order, item[k].order);
+    return order;
+}
+
+graze_status gap_set(plane_gap *gap, const open_plane *h, graze_context *context,
+                     const half_germ *item, size_t count, half_quarter quarter, const fmpq_t b) {
+    height_range r;
+    graze_status status = GRAZE_OK;
+    fmpq_init(r.low);
+    fmpq_init(r.high);
+    _fmpz_vec_scalar_mul_fmpz(gap->along, h->basis[quarter.swapped], 3, fmpq_denref(b));
+    _fmpz_vec_scalar_addmul_fmpz(gap->along, h->basis[!quarter.swapped], 3, fmpq_numref(b));
+    if (quarter.opposite)
+        _fmpz_vec_neg(gap->along, gap->along, 3);
+    gap->order = 0;
+    slong order = FLINT_MAX(next_order(item, count, WORD_MAX), 1);
+    for (; order > 0 && !gap->order && !status; order = next_order(item, count, order)) {
+        status = find_range(&r, context, order, item, count, quarter, b);
+        close_range(&r);
+        if (fmpq_cmp(r.low, r.high) < 0)
+            gap->order = order;
+    }
+    if (gap->order && !status)
+        set_lift(&gap->lift, gap->order, &r);
+    fmpq_clear(r.low);
+    fmpq_clear(r.high);
+    return status;
+}

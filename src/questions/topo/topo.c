@@ -1,0 +1,138 @@
+/* The levels in their order. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/topo/topo.h"
+
+#include <stdlib.h>
+#include "questions/topo/curves.h"
+#include "questions/topo/leading.h"
+#include "questions/topo/slices.h"
+#include "questions/topo/square.h"
+
+/* What all points of a scene share: its facets' planes, and its curves once they are needed. */
+typedef struct scene_shares {
+    plane_list planes;
+    int has_curves;
+    const char *refused;
+    ulong limit; /* that they were refused at */
+    curve_list curves;
+} scene_shares;
+
+static void free_shares(void *value) {
+    scene_shares *s = value;
+    planes_clear(&s->planes);
+    curves_clear(&s->curves);
+    free(s);
+}
+
+static graze_status make_shares(scene_memo *memo, graze_context *context,
+                                const graze_scene *scene) {
+    scene_shares *made = calloc(1, sizeof *made);
+    if (!made || planes_find(&made->planes, scene->solid, NULL, scene->solid->cut.count) != 0) {
+        free(made);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of a solid");
+    }
+    curves_init(&made->curves);
+    memo->value = made;
+    memo->free = free_shares;
+    return GRAZE_OK;
+}
+
+/* Curves that could not be made are tried again by the next point, those beyond a limit where it is
+ * higher. */
+static graze_status make_curves(scene_shares *s, graze_context *context, const graze_scene *scene) {
+    plane_view view;
+    view_init(&view);
+    graze_status status =
+        curves_of_scene(&s->curves, &s->refused, context, scene, &s->planes, &view);
+    view_clear(&view);
+    s->has_curves = !status && !s->refused;
+    s->limit = context->limits[GRAZE_LIMIT_CURVE];
+    if (!s->has_curves) {
+        curves_clear(&s->curves);
+        curves_init(&s->curves);
+    }
+    return status;
+}
+
+/* What is shared, with or without curves; it stays as it is until the scene ends. */
+static graze_status shares_of(const scene_shares **out, graze_context *context,
+                              const graze_scene *scene, int with_curves) {
+    scene_memo *memo = scene->memo;
+    graze_status status = GRAZE_OK;
+    pthread_mutex_lock(&memo->lock);
+    if (!memo->value)
+        status = make_shares(memo, context, scene);
+    scene_shares *s = memo->value;
+    if (!status && with_curves && !s->has_curves &&
+        (!s->refused || s->limit < context->limits[GRAZE_LIMIT_CURVE]))
+        status = make_curves(s, context, scene);
+    *out = s;
+    pthread_mutex_unlock(&memo->lock);
+    return status;
+}
+
+graze_status topo_planes(const plane_list **out, graze_context *context, const graze_scene *scene) {
+    const scene_shares *s = NULL;
+    graze_status status = shares_of(&s, context, scene, 0);
+    if (!status)
+        *out = &s->planes;
+    return status;
+}
+
+graze_status topo_by_leading(topo_finding *out, graze_context *context, const graze_scene *scene,
+                             const fmpq *point) {
+    const scene_shares *s = NULL;
+    graze_status status = shares_of(&s, context, scene, 0);
+    return status ? status : leading_decide(out, context, scene, &s->planes, point);
+}
+
+graze_status topo_by_curves(topo_finding *out, graze_context *context, const graze_scene *scene,
+                            const fmpq *point) {
+    const scene_shares *s = NULL;
+    graze_status status = shares_of(&s, context, scene, 1);
+    if (status)
+        return status;
+    if (s->refused) {
+        finding_undecided(out, s->refused);
+        return GRAZE_OK;
+    }
+    plane_view view;
+    view_init(&view);
+    status = square_decide(out, context, scene, &s->curves, &view, point, GRAZE_LEVEL_L3);
+    view_clear(&view);
+    return status;
+}
+
+static graze_status by_slices(topo_finding *out, graze_context *context, const graze_scene *scene,
+                              const fmpq *point) {
+    const scene_shares *s = NULL;
+    graze_status status = shares_of(&s, context, scene, 0);
+    return status ? status : slices_decide(out, context, scene, &s->planes, point);
+}
+
+/* An `on` point of a sweep. */
+static graze_status decide_on(topo_finding *out, graze_context *context, const graze_scene *scene,
+                              const fmpq *point) {
+    graze_status status = topo_by_leading(out, context, scene, point);
+    if (status || out->position != GRAZE_TOPO_UNDECIDED)
+        return status;
+    if (scene->motion->dimension == 3)
+        return by_slices(out, context, scene, point);
+    finding_set(out, GRAZE_TOPO_NONE, GRAZE_LEVEL_NONE);
+    out->reason = "";
+    return topo_by_curves(out, context, scene, point);
+}
+
+graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                         const fmpq *point, const graze_trace *trace) {
+    graze_pmc pmc = trace->verdict.pmc;
+    int unsweep = scene->options.operation == GRAZE_UNSWEEP;
+    if (pmc != GRAZE_ON || unsweep)
+        finding_set(out,
+                    pmc == GRAZE_IN    ? GRAZE_TOPO_INTERIOR
+                    : pmc == GRAZE_OUT ? GRAZE_TOPO_EXTERIOR
+                                       : GRAZE_TOPO_BOUNDARY,
+                    GRAZE_LEVEL_WORD);
+    else
+        return decide_on(out, context, scene, point);
+    return GRAZE_OK;
+}

@@ -1,0 +1,109 @@
+/* Tubes: directions looked at in circles about a leading direction, or about an edge.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/topo/tubes.h"
+
+#include <flint/fmpz_vec.h>
+#include "questions/topo/borders.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/directions.h"
+
+/* Across a line, or a plane, in which e lies: a normal of it and its opposite. */
+static graze_status look_to_both_sides(int *out, germ *g, graze_context *context,
+                                       const fmpz *normal, const fmpz *e) {
+    slong d = g->cone.dimension;
+    fmpz *other = _fmpz_vec_init(d);
+    _fmpz_vec_neg(other, normal, d);
+    graze_status status = cone_meets_line(out, &g->cone, context, normal, e);
+    if (!status && *out)
+        status = cone_meets_line(out, &g->cone, context, other, e);
+    _fmpz_vec_clear(other, d);
+    return status;
+}
+
+/* Around e, at a vertex of E^3: each cell of the circle of directions across it. */
+static graze_status look_about(int *out, germ *g, graze_context *context, const fmpz *e) {
+    borders b;
+    fmpz *cell;
+    size_t count;
+    borders_init(&b, 3);
+    graze_status status = borders_about(&b, context, g, e);
+    *out = !status;
+    if (!status) {
+        borders_around(&cell, &count, &b, 0);
+        for (size_t k = 0; k < count && !status && *out; k++)
+            status = cone_meets_line(out, &g->cone, context, cell + 3 * k, e);
+        _fmpz_vec_clear(cell, (slong)count * 3);
+    }
+    borders_clear(&b);
+    return status;
+}
+
+/* A direction of the cell, an edge of E^3. */
+static void direction_of_edge(fmpz *out, const local_cone *cone) {
+    _fmpz_vec_zero(out, 3);
+    for (size_t j = 1; j < cone->count && _fmpz_vec_is_zero(out, 3); j++)
+        directions_cross(out, cone->normal, cone->normal + 3 * j);
+}
+
+/* Do the lines along e and the cell meet the interior of the cone wherever they are off the one
+ * through the point? */
+static graze_status find_tube(germ *g, germ_side *side, graze_context *context, int cell) {
+    int d = g->cone.dimension;
+    fmpz *edge = _fmpz_vec_init(6), *normal = edge + 3;
+    graze_status status = GRAZE_OK;
+    if (d == 2 && cell == 0) {
+        fmpz_neg(normal, side->e + 1);
+        fmpz_set(normal + 1, side->e);
+        status = look_to_both_sides(&side->tube, g, context, normal, side->e);
+    } else if (d == 3 && cell == 1) {
+        direction_of_edge(edge, &g->cone);
+        directions_cross(normal, edge, side->e);
+        status = look_to_both_sides(&side->tube, g, context, normal, side->e);
+    } else if (d == 3 && cell == 0) {
+        status = look_about(&side->tube, g, context, side->e);
+    }
+    _fmpz_vec_clear(edge, 6);
+    return status;
+}
+
+/* Are all directions across the edge covered by what does not depend on the way along it? */
+static graze_status find_covered_edge(germ *g, graze_context *context) {
+    borders b;
+    fmpz *cell = NULL, *edge = _fmpz_vec_init(3);
+    size_t count = 0;
+    int covered = 1;
+    germ_cover last = {0, 0, 0, 0}, here = last;
+    borders_init(&b, 3);
+    direction_of_edge(edge, &g->cone);
+    graze_status status = borders_about(&b, context, g, edge);
+    if (!status)
+        borders_around(&cell, &count, &b, 0);
+    /* full cells at even places; once around and the first of them again */
+    for (size_t k = 0; k < count + 2 && !status && covered; k += 2) {
+        germ_cover between = {0, 0, 0, 0};
+        last = here;
+        here = (germ_cover){0, 0, 0, 0};
+        status = germ_cover_body(&here, g, context, cell + 3 * (k % count), 1);
+        if (!status && k > 0)
+            status = germ_cover_body(&between, g, context, cell + 3 * (k - 1), 1);
+        covered = here.open || here.tube || here.exact;
+        if (k > 0)
+            covered = covered && (between.open || between.tube || (last.exact && here.exact));
+    }
+    g->covers_edge = covered && !status;
+    _fmpz_vec_clear(cell, (slong)count * 3);
+    _fmpz_vec_clear(edge, 3);
+    borders_clear(&b);
+    return status;
+}
+
+graze_status tubes_find(germ *g, graze_context *context) {
+    int cell = cone_cell_dimension(&g->cone);
+    graze_status status = GRAZE_OK;
+    for (int s = 0; s < g->side_count && !status; s++)
+        status = find_tube(g, &g->side[s], context, cell);
+    if (!status && g->cone.dimension == 3 && cell == 1)
+        status = find_covered_edge(g, context);
+    return status;
+}
