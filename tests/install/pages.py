@@ -20,7 +20,7 @@ def commands_of(graze):
 
 def accepted(graze, command, folder):
     """{option: words it takes, or None} by the complaints about each option of the program."""
-    tables = {path: set(re.findall(r'\b(OPTION|FLAG|REPEATED)\("([a-z-]{2,})"', read(path))) for path in glob.glob("src/program/cli/*.c")}
+    tables = {path: set(re.findall(r'\b(OPTION|FLAG|REPEATED|FILE_READ|FILE_WRITTEN)\("([a-z-]{2,})"', read(path))) for path in glob.glob("src/program/cli/*.c")}
     own = {name for kind, name in tables[f"src/program/cli/{command}.c"]}
     names = set().union({("FLAG", "help")}, *tables.values())
     check(len(names) > 20 and own, f"long options of the program: {names}")

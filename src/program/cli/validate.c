@@ -76,7 +76,6 @@ typedef struct validation {
     lost_strata lost; /* of the points that were made */
     graze_context *context;
     graze_comparison *comparison;
-    output out;
 } validation;
 
 static char *joined_texts(const char *a, const char *b) {
@@ -161,97 +160,86 @@ static void put_validation_verdict(char *out, size_t size, const graze_compariso
 }
 
 /* The text between the quotes of a JSON string. */
-static void put_json_quoted(output *out, const char *text) {
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        char plain[] = {c < 0x20 || c > 126 ? '?' : *text, '\0'};
-        output_put(out, c == '"' ? "\\\"" : c == '\\' ? "\\\\" : plain);
+static void put_json_quoted(text *out, const char *string) {
+    for (; *string; string++) {
+        unsigned char c = (unsigned char)*string;
+        char plain[] = {c < 0x20 || c > 126 ? '?' : *string, '\0'};
+        text_put(out, c == '"' ? "\\\"" : c == '\\' ? "\\\\" : plain);
     }
 }
 
-static void put_json_text(output *out, const char *name, const char *value) {
-    output_put(out, "\"");
-    output_put(out, name);
-    output_put(out, "\": \"");
+static void put_json_text(text *out, const char *name, const char *value) {
+    text_format(out, "\"%s\": \"", name);
     put_json_quoted(out, value);
-    output_put(out, "\",\n");
+    text_put(out, "\",\n");
 }
 
 /* What no points were made of, if anything. */
-static void put_lost(validation *v, graze_comparison_format format) {
-    char *said = lost_strata_text(&v->lost);
-    if (said && *said && format == GRAZE_COMPARISON_JSON)
-        put_json_text(&v->out, "points", said);
-    if (said && *said && format == GRAZE_COMPARISON_TEXT) {
-        output_put(&v->out, "points: ");
-        output_put(&v->out, said);
-        output_put(&v->out, "\n");
-    }
+static void put_lost(text *out, const lost_strata *lost, graze_comparison_format format) {
+    char *said = lost_strata_text(lost);
+    if (!said)
+        out->failed = 1;
+    else if (*said && format == GRAZE_COMPARISON_JSON)
+        put_json_text(out, "points", said);
+    else if (*said && format == GRAZE_COMPARISON_TEXT)
+        text_format(out, "points: %s\n", said);
     free(said);
 }
 
-static void put_validated(output *out, const validate_options *o, const char *verdict) {
-    text head;
-    text_init(&head);
-    text_put(&head, "# Validation\n\ncommand: ");
-    text_code(&head, o->candidate);
-    text_put(&head, "\nsolid: ");
-    text_markdown(&head, o->classify.scene.solid);
-    text_put(&head, "\nmotion: ");
-    text_markdown(&head, o->classify.scene.motion);
-    text_format(&head, "\nverdict: %s\n", verdict);
-    if (head.failed)
-        out->error = ENOMEM;
-    else
-        output_put(out, head.data);
-    text_clear(&head);
+static void put_validated(text *out, const validate_options *o, const char *verdict) {
+    text_put(out, "# Validation\n\ncommand: ");
+    text_code(out, o->candidate);
+    text_put(out, "\nsolid: ");
+    text_markdown(out, o->classify.scene.solid);
+    text_put(out, "\nmotion: ");
+    text_markdown(out, o->classify.scene.motion);
+    text_format(out, "\nverdict: %s\n", verdict);
 }
 
 /* Whole numbers keep the locale's decimal comma out. */
-static void put_validation(validation *v, const validate_options *o, const char *body,
-                           graze_comparison_format format) {
+static void put_validation(text *out, const validation *v, const validate_options *o,
+                           const char *body, graze_comparison_format format) {
     graze_comparison_counts n = graze_comparison_count(v->comparison);
     unsigned long milliseconds = (unsigned long)(1000 * v->seconds + 0.5);
     unsigned long rate = milliseconds ? (unsigned long)((double)n.rows / v->seconds + 0.5) : 0;
-    char verdict[160], line[96];
+    char verdict[160];
     put_validation_verdict(verdict, sizeof verdict, &n);
     if (format == GRAZE_COMPARISON_JSON) {
-        output_put(&v->out, "{\n");
-        put_json_text(&v->out, "command", o->candidate);
-        put_json_text(&v->out, "solid", o->classify.scene.solid);
-        put_json_text(&v->out, "motion", o->classify.scene.motion);
-        put_json_text(&v->out, "verdict", verdict);
-        put_lost(v, format);
-        snprintf(line, sizeof line, "\"milliseconds\": %lu,\n\"rows-per-second\": %lu,\n",
-                 milliseconds, rate);
-        output_put(&v->out, line);
-        output_put(&v->out, "\"comparison\": ");
-        output_put(&v->out, body);
-        output_put(&v->out, "}\n");
+        text_put(out, "{\n");
+        put_json_text(out, "command", o->candidate);
+        put_json_text(out, "solid", o->classify.scene.solid);
+        put_json_text(out, "motion", o->classify.scene.motion);
+        put_json_text(out, "verdict", verdict);
+        put_lost(out, &v->lost, format);
+        text_format(out, "\"milliseconds\": %lu,\n\"rows-per-second\": %lu,\n", milliseconds, rate);
+        text_put(out, "\"comparison\": ");
+        text_put(out, body);
+        text_put(out, "}\n");
         return;
     }
-    put_validated(&v->out, o, verdict);
-    put_lost(v, format);
-    snprintf(line, sizeof line, "time: %lu.%03lu s, %lu rows a second\n\n", milliseconds / 1000,
-             milliseconds % 1000, rate);
-    output_put(&v->out, line);
-    output_put(&v->out, body);
+    put_validated(out, o, verdict);
+    put_lost(out, &v->lost, format);
+    text_format(out, "time: %lu.%03lu s, %lu rows a second\n\n", milliseconds / 1000,
+                milliseconds % 1000, rate);
+    text_put(out, body);
 }
 
-/* One report to a file NAME + suffix, or to standard output. */
-static int write_validation(validation *v, const validate_options *o, const char *suffix,
+/* One report to a file NAME + suffix, or to standard output; it is made whole before the file is
+ * opened. */
+static int write_validation(const validation *v, const validate_options *o, const char *suffix,
                             graze_comparison_format format) {
     char *body = NULL, *path = o->output ? joined_texts(o->output, suffix) : NULL;
-    graze_status made = graze_comparison_report(&body, v->context, v->comparison, format);
-    int status = complain_of(made, v->context);
-    if (!status && o->output && !path)
+    text report;
+    text_init(&report);
+    int status =
+        complain_of(graze_comparison_report(&body, v->context, v->comparison, format), v->context);
+    if (!status)
+        put_validation(&report, v, o, body, format);
+    if (!status && (report.failed || (o->output && !path)))
         status = complain(EXIT_IO, "out of memory");
     if (!status)
-        status = output_open(&v->out, path);
-    if (!status) {
-        put_validation(v, o, body, format);
-        status = output_close(&v->out);
-    }
+        status = output_text(path, report.data);
+    text_clear(&report);
     graze_free(body);
     free(path);
     return status;
