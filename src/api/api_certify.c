@@ -59,9 +59,9 @@ graze_status graze_certificate_head(char **out, graze_context *context,
 }
 
 /* Trace one point for its row of the certificate and, unless `table` is NULL, that of the table. */
-static graze_status certify_point(text *out, text *table, graze_context *context,
-                                  const certifier *c, const fmpq *point, graze_format format,
-                                  const char *rest) {
+static graze_status certify_point(text *out, text *table, row_totals *totals,
+                                  graze_context *context, const certifier *c, const fmpq *point,
+                                  graze_format format, const char *rest) {
     graze_trace trace;
     int with_contacts =
         c->with_contacts || (table && (format == GRAZE_FORMAT_JSONL || c->scene->tolerance > 0));
@@ -71,7 +71,7 @@ static graze_status certify_point(text *out, text *table, graze_context *context
     if (!status) {
         status = certify_row(out, context, c, point, &trace);
         if (!status && table)
-            status = api_trace_row(table, context, c->scene, point, &trace, format, rest);
+            status = api_trace_row(table, totals, context, c->scene, point, &trace, format, rest);
         trace_clear(&trace);
     }
     return !status && (out->failed || (table && table->failed))
@@ -102,10 +102,10 @@ static void hand_over_rows(char **out, size_t *out_length, text *t, size_t lengt
     *out_length = length;
 }
 
-graze_status graze_certificate_points(char **out, size_t *length, char **table,
-                                      size_t *table_length, size_t *done, graze_context *context,
-                                      const graze_certifier *certifier, graze_rationals points,
-                                      size_t n, graze_format format, const char *const *rest) {
+graze_status api_certificate_points(char **out, size_t *length, char **table, size_t *table_length,
+                                    size_t *done, row_totals *totals, graze_context *context,
+                                    const graze_certifier *certifier, graze_rationals points,
+                                    size_t n, graze_format format, const char *const *rest) {
     if (out)
         *out = NULL;
     if (table)
@@ -134,8 +134,8 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
     for (size_t k = 0; k < n && !status; k++) {
         status = api_point(point, context, certifier->inner.scene, points + k * d);
         if (!status)
-            status = certify_point(&certificate, table ? &rows : NULL, context, &certifier->inner,
-                                   point, format, rest ? rest[k] : NULL);
+            status = certify_point(&certificate, table ? &rows : NULL, totals, context,
+                                   &certifier->inner, point, format, rest ? rest[k] : NULL);
         whole = status ? whole : certificate.length;
         whole_rows = status ? whole_rows : rows.length;
         *done += !status;
@@ -145,4 +145,13 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
     if (table)
         hand_over_rows(table, table_length, &rows, whole_rows);
     return status;
+}
+
+graze_status graze_certificate_points(char **out, size_t *length, char **table,
+                                      size_t *table_length, size_t *done, graze_context *context,
+                                      const graze_certifier *certifier, graze_rationals points,
+                                      size_t n, graze_format format, const char *const *rest) {
+    row_totals unused = {0, 0};
+    return api_certificate_points(out, length, table, table_length, done, &unused, context,
+                                  certifier, points, n, format, rest);
 }

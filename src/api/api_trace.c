@@ -162,9 +162,9 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
     return report_header(out, context, scene, notes, columns);
 }
 
-graze_status api_trace_row(text *out, graze_context *context, const graze_scene *scene,
-                           const fmpq *point, const graze_trace *trace, graze_format format,
-                           const char *rest) {
+graze_status api_trace_row(text *out, row_totals *totals, graze_context *context,
+                           const graze_scene *scene, const fmpq *point, const graze_trace *trace,
+                           graze_format format, const char *rest) {
     graze_status status = GRAZE_OK;
     topo_finding found;
     finding_init(&found);
@@ -181,6 +181,10 @@ graze_status api_trace_row(text *out, graze_context *context, const graze_scene 
         report_json(out, scene, point, trace, topo, near);
     else if (status == GRAZE_OK)
         report_csv(out, scene, point, trace, rest, topo, near);
+    if (status == GRAZE_OK) {
+        totals->undecided += topo && found.position == GRAZE_TOPO_UNDECIDED;
+        totals->wide += near && space.wide;
+    }
     finding_clear(&found);
     return status;
 }
@@ -208,11 +212,12 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    row_totals totals = {0, 0};
     text t;
     text_init(&t);
     status = api_point(p, context, scene, point);
     if (!status)
-        status = api_trace_row(&t, context, scene, p, trace, format, rest);
+        status = api_trace_row(&t, &totals, context, scene, p, trace, format, rest);
     _fmpq_vec_clear(p, scene->motion->dimension);
     if (status) {
         text_clear(&t);
@@ -222,8 +227,9 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
 }
 
 /* Trace one point and add its row. */
-static graze_status report_point(text *out, graze_context *context, const graze_scene *scene,
-                                 const fmpq *point, graze_format format, const char *rest) {
+static graze_status report_point(text *out, row_totals *totals, graze_context *context,
+                                 const graze_scene *scene, const fmpq *point, graze_format format,
+                                 const char *rest) {
     graze_trace trace;
     int with_times = format == GRAZE_FORMAT_JSONL || scene->tolerance > 0;
     trace_detail detail = with_times                                    ? TRACE_CONTACTS
@@ -232,15 +238,16 @@ static graze_status report_point(text *out, graze_context *context, const graze_
     graze_status status =
         classify_point(&trace, context, scene, (query_point){.rational = point}, detail);
     if (!status) {
-        status = api_trace_row(out, context, scene, point, &trace, format, rest);
+        status = api_trace_row(out, totals, context, scene, point, &trace, format, rest);
         trace_clear(&trace);
     }
     return !status && out->failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : status;
 }
 
-graze_status graze_report_points(char **out, size_t *length, size_t *done, graze_context *context,
-                                 const graze_scene *scene, graze_rationals points, size_t n,
-                                 graze_format format, const char *const *rest) {
+graze_status api_report_points(char **out, size_t *length, size_t *done, row_totals *totals,
+                               graze_context *context, const graze_scene *scene,
+                               graze_rationals points, size_t n, graze_format format,
+                               const char *const *rest) {
     if (out)
         *out = NULL;
     if (length)
@@ -262,7 +269,7 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
     for (size_t k = 0; k < n && !status; k++) {
         status = api_point(point, context, scene, points + k * d);
         if (!status)
-            status = report_point(&t, context, scene, point, format, rest ? rest[k] : NULL);
+            status = report_point(&t, totals, context, scene, point, format, rest ? rest[k] : NULL);
         whole = status ? whole : t.length;
         *done += !status;
     }
@@ -275,6 +282,13 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
         text_clear(&t);
     }
     return status;
+}
+
+graze_status graze_report_points(char **out, size_t *length, size_t *done, graze_context *context,
+                                 const graze_scene *scene, graze_rationals points, size_t n,
+                                 graze_format format, const char *const *rest) {
+    row_totals unused = {0, 0};
+    return api_report_points(out, length, done, &unused, context, scene, points, n, format, rest);
 }
 
 graze_status graze_report_point(char **out, graze_context *context, const graze_scene *scene,

@@ -160,12 +160,37 @@ def left(graze, folder):
         check(os.listdir(temporary) == [] and os.listdir(own) == ["file"], script, os.listdir(temporary))
 
 
+NAMES = ["10", "2", "1x", "-3", "09", "9", "a|b<script>", "`x` [y](z)", "-x"]
+
+
+def markdown(graze, folder):
+    """What a column or a name says is shown in a report and is no mark of Markdown; strata stand in an order that does
+    not depend on that of the rows: numbers by value, then texts."""
+    motion = write(folder, "move.json", translation(["8*t", "0", "0"]))
+    shown = ["-3", "2", "09", "9", "10", "-x", "1x", "\\`x\\` \\[y\\](z)", "a\\|b&lt;script>"]
+    for names in (NAMES, NAMES[::-1]):
+        points = write(folder, "named.csv", "x,y,z,stratum\n" + "".join(f"{k},1,1,{name}\n" for k, name in enumerate(names)))
+        golden, mine = os.path.join(folder, "a|b.csv"), os.path.join(folder, "mine.csv")
+        run(graze, "classify", CUBE, motion, points, "--output", golden)
+        with open(golden, encoding="utf-8") as file:
+            write(folder, "mine.csv", file.read().replace(",in,", ",out,"))
+        out = run(graze, "compare", golden, mine)[1]
+        check("golden: " + golden.replace("a|b", "a\\|b") + "\n" in out, out[:300])
+        table = out[out.index("| stratum |"):].splitlines()[2:]
+        check([line.split(" |")[0].removeprefix("| ") for line in table[:len(shown)]] == shown, table[:12])
+        check("<script" not in out, out)
+    right = f"{graze} classify {{solid}} {{motion}} {{points}} --output {{out}} --limit line=9999999"
+    out = run(graze, "validate", CUBE, motion, "-n", 20, "--quiet", "--candidate", shlex.join(["sh", "-c", 'echo `true` >&2; "$0" "$@"']) + " " + right)[1]
+    check("\ncommand: ``" in out and "`true`" in out and "<script" not in out, out[:400])
+
+
 def main():
     graze = options(__doc__).graze
     with tempfile.TemporaryDirectory() as folder:
         rounded(graze, folder)
         strata(graze, folder)
         gone(graze, folder)
+        markdown(graze, folder)
         left(graze, folder)
     checks.finish()
 

@@ -167,7 +167,7 @@ def check_parts(checks, graze, points, scene, whole):
     checks.equal(graze.call("merge", "--quiet", forged).returncode, 3, "no part")
     begun = graze.write("wrong.csv", "".join(lines[:-2]).replace(",0,0,3/8", ",0,1,3/8"))
     out = graze.call("classify", *scene, points, *ask, "--resume", begun)
-    checks.holds(out.returncode == 3 and "an enclosure of the distance" in out.stderr, out.stderr)
+    checks.holds(out.returncode == 3 and "expected a table of this run" in out.stderr, out.stderr)
     for form in ("npy", "vtk"):
         out = graze.call("classify", *scene, points, *ask, "--format", form, "--output", graze.write("out." + form, ""))
         checks.equal(out.returncode, 0, form, out.stderr)
@@ -227,7 +227,7 @@ def check_certain(checks, graze, points, scene):
             checks.equal(f.read(), whole, "continued")
         wrong = graze.write("wrong.csv", "".join(lines[:-3 if more else -2]).replace("3/8,no", "3/8,yes"))
         out = graze.call("classify", *scene, points, *ask, *more, "--resume", wrong)
-        checks.holds(out.returncode == 3 and "in the column certain" in out.stderr, out.stderr)
+        checks.holds(out.returncode == 3 and "expected a table of this run" in out.stderr, out.stderr)
     fine = graze.call("classify", *scene, points, "--sdf", "1e-17r", "--motion-error", "1")
     checks.holds("rows is enclosed less closely" in fine.stderr, fine.stderr)
     out = graze.call("classify", *scene, points, "--motion-error", "1")

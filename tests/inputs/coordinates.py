@@ -122,10 +122,10 @@ def parts(graze, folder, form):
                for k, line in enumerate(pieces[0].read_text().splitlines(keepends=True))]
         (folder / "bad.csv").write_text("".join(bad))
         _, said = call(graze, "merge", folder / "bad.csv", pieces[1], status=3)
-        check("expected coordinates" in said, wrong, said)
+        check("bad.csv: was changed" in said, wrong, said)
     cut.write_text("".join(lines[:20]) + lines[20].replace(lines[20].split(",")[0], "7", 1) + lines[21])
     _, said = call(graze, "classify", *SPACE, path, *form, "--resume", cut, status=3)
-    check("expected this run's point, " in said, said)
+    check("cut.csv:21: `7," in said and "expected a table of this run" in said, said)
     again = call(graze, "classify", *SPACE, whole)[0]
     check(len(again.splitlines()) == len(lines) - 1 and "column" not in again, "as points", form)
     started = ranks(checks, graze, 3)

@@ -78,6 +78,23 @@ def split(table):
     return lines[:first], lines[first:last], lines[last:]
 
 
+def checksum(data):
+    """Of 64 bits (src/program/cli/formats.md, Tables): 8 bytes at a time, the first one lowest; the rest, filled with
+    zeros; the length."""
+    value, whole = 0, len(data) // 8 * 8
+    words = [int.from_bytes(data[k:k + 8], "little") for k in range(0, whole, 8)]
+    for word in (*words, int.from_bytes(data[whole:], "little"), len(data)):
+        value = (value ^ word) * 0x9e3779b97f4a7c15 % 2**64
+        value ^= value >> 32
+    return value
+
+
+def sealed(lines, complete, mark=b"# "):
+    """A part of these lines, its last two made anew."""
+    body = b"".join(lines)
+    return body + mark + b"bytes-checksum %016x\n" % checksum(body) + mark + b"complete %d\n" % complete
+
+
 def scenes(bench):
     """(name, the words of classify without POINTS, the words for the points, standard input)."""
     cube = ["classify", COMMON / "cube.off", COMMON / "move3.json"]

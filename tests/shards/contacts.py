@@ -133,7 +133,7 @@ def check_kept(bench):
     content = b"".join(head + rows[:3] + [b",".join(moved[:4] + [b"977"] + moved[5:])] + rows[4:9])
     path = bench.file("kept.csv", content)
     status, _, err = bench.run(*CUBE, by_place, "--resume", path, "--quiet")
-    bench.check(status == 3 and path.read_bytes() == content and b"this run's point" in err, "another x", status, err)
+    bench.check(status == 3 and path.read_bytes() == content and b"this run's: expected a table of this run" in err, "another x", status, err)
 
 
 if __name__ == "__main__":

@@ -59,9 +59,9 @@ def check_resume_refusals(bench):
     refused("a head of another version", other, half.replace(b"# graze ", b"# graze 9"), points)
     lines = text.splitlines(keepends=True)
     place = next(k for k, line in enumerate(lines) if line.startswith(b"p19,"))
-    refused("another point at the last row", b"its last row, 20, is not what this run makes of its point", half,
+    refused("another point at the last row", b"expected a table of this run that was not changed", half,
             bench.file("moved.csv", b"".join(lines[:place] + [b"p19,99,99,99,x\n"] + lines[place + 1:])))
-    refused("fewer points than rows", b"has 20 rows already, more than there are points", half,
+    refused("fewer points than rows", b"has more than the 19 rows for which there are points", half,
             bench.file("fewer.csv", b"".join(lines[:place])))
     refused("its own points", b"which is read; expected another file", text, bench.folder / "refused.csv", status=2)
 
@@ -100,7 +100,7 @@ def check_kept_rows(bench):
         path = bench.file("begun.csv", begun)
         other = bench.file("others.csv", b"".join(lines[:2] + [line] + lines[3:]))
         status, out, err = bench.run(*words, other, "--resume", path)
-        bench.check(status == 3 and out == b"" and b"as in a table of these points" in err and
+        bench.check(status == 3 and out == b"" and b"expected a table of this run that was not changed" in err and
                     path.read_bytes() == begun, f"the points have {what}", status, err)
 
 

@@ -12,7 +12,7 @@ import shlex
 import shutil
 import subprocess
 
-from bench import COMMON, SECONDS, altered, random_points, run_checks, scenes, split
+from bench import COMMON, SECONDS, altered, random_points, run_checks, scenes, sealed, split
 
 
 def check_shards(bench):
@@ -31,8 +31,9 @@ def check_shards(bench):
                 its_head.remove(f"# shard {index}/{count}\n".encode())
                 bench.check(its_head == head, f"{name}: head of shard {index}/{count}", its_head)
                 bench.check(its_rows == rows[index - 1::count], f"{name}: rows of shard {index}/{count}", its_rows)
-                bench.check(end[0] == b"# rows-of-all-shards %d\n" % len(rows) and
-                            end[2] == b"# complete %d\n" % len(its_rows), f"{name}: end of {index}/{count}", end)
+                bench.check(end[0] == b"# rows-of-all-shards %d\n" % len(rows) and len(end) == 4 and
+                            sealed([path.read_bytes()[:-len(end[2] + end[3])]], len(its_rows)) == path.read_bytes(),
+                            f"{name}: end of {index}/{count}", end)
                 parts.append(path)
             bench.random.shuffle(parts)
             bench.check(bench.good("merge", *parts) == whole, f"{name}: {count} shards merge into the whole")
@@ -56,11 +57,13 @@ def damaged(bench, table):
     k = bench.random.randrange(len(rows))
     yield "a row is lost", b"".join(head + rows[:k] + rows[k + 1:] + end)
     yield "a row is there twice", b"".join(head + rows[:k] + [rows[k]] + rows[k:] + end)
-    yield "it lost its end", b"".join(head + rows + end[:2])
+    yield "it lost its end", b"".join(head + rows + end[:3])
+    yield "it has no checksum", b"".join(head + rows + end[:2] + end[3:])
     yield "it is cut", table[:bench.random.randrange(len(b"".join(head)), len(table))]
-    yield "a count is another", b"".join(head + rows + end[:2] + [b"# complete %d\n" % (len(rows) + 1)])
-    yield "all shards have more rows", b"".join(head + rows + [b"# rows-of-all-shards 9999\n"] + end[1:])
-    yield "its points are others", b"".join(head + rows + end[:1] + [b"# points-checksum 0123456789abcdef\n"] + end[2:])
+    yield "a count is another", sealed(head + rows + end[:2], len(rows) + 1)
+    yield "its count is another", sealed(head + rows[:-1] + end[:2], len(rows))
+    yield "all shards have more rows", sealed(head + rows + [b"# rows-of-all-shards 9999\n", end[1]], len(rows))
+    yield "its points are others", sealed(head + rows + end[:1] + [b"# points-checksum 0123456789abcdef\n"], len(rows))
 
 
 def check_damage(bench):
@@ -83,9 +86,8 @@ def check_damage(bench):
             refused(f"{what} (part {at + 1}, turn {turn})", *(bad if k == at else parts[k] for k in range(3)))
     head, rows, end = split(parts[1].read_bytes())
     for what, row in altered(bench, rows, 3):
-        if what not in ("another x", "another last coordinate", "its neighbour"):  # only the points tell
-            bad = bench.file("bad.csv", b"".join(head + rows[:3] + [row] + rows[4:] + end))
-            refused(f"row 4 has {what}", parts[0], bad, parts[2])
+        bad = bench.file("bad.csv", b"".join(head + rows[:3] + [row] + rows[4:] + end))
+        refused(f"row 4 has {what}", parts[0], bad, parts[2])
     refused("a gap", parts[0], parts[2])
     refused("an overlap", *parts, parts[1])
     refused("one twice and one missing", parts[0], parts[2], parts[2])

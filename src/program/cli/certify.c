@@ -61,4 +61,5 @@ const command command_certify = {.name = "certify",
                                  .reads = 3,
                                  .inputs = 1,
                                  .help = certify_help,
+                                 .add_files = classify_add_record,
                                  .run = run_certify};

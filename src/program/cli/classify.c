@@ -4,6 +4,7 @@
 #include "program/cli/classify.h"
 
 #include "program/cli/values.h"
+#include "program/run/record.h"
 
 static const char classify_help[] =
     "graze classify SOLID MOTION POINTS: in, on, out and the class of each point, exactly\n"
@@ -93,6 +94,14 @@ static const option_entry classify_table[] = {
     OPTION("limit", classify_options, scene.context.limits, value_limit),
     {NULL, OPTION_FLAG, NULL, 0}};
 
+void classify_add_record(guard *g, const void *options, const operands *given) {
+    const classify_options *o = options;
+    (void)given;
+    if (o->output || o->resume)
+        guard_add(g, GUARD_WRITTEN, o->resume ? "resume" : "output",
+                  o->resume ? o->resume : o->output, RECORD_ENDING);
+}
+
 int classify_check_files(const classify_options *o) {
     if (o->resume && o->output)
         return complain(EXIT_USAGE, "--resume FILE writes to FILE; expected no --output beside it");
@@ -181,4 +190,5 @@ const command command_classify = {.name = "classify",
                                   .reads = 3,
                                   .inputs = 1,
                                   .help = classify_help,
+                                  .add_files = classify_add_record,
                                   .run = run_classify};

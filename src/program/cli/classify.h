@@ -14,6 +14,9 @@ extern const command command_classify;
  * and says what is wrong. */
 int classify_take(classify_options *o, const operands *given);
 
+/** Add the record of the rows (record.h), where one may be written. */
+void classify_add_record(guard *g, const void *options, const operands *given);
+
 /** Do --output and --resume go together? Returns an exit status and says what is wrong. */
 int classify_check_files(const classify_options *o);
 

@@ -78,4 +78,5 @@ const command command_contact = {.name = "contact",
                                  .reads = 3,
                                  .inputs = 1,
                                  .help = contact_help,
+                                 .add_files = classify_add_record,
                                  .run = run_contact};

@@ -60,7 +60,7 @@ static int compare_heads(const part *a, const part *b) {
         x += n + (x[n] == '\n');
         y += m + (y[m] == '\n');
     }
-    if (a->rows_of_all != b->rows_of_all || strcmp(a->checksum, b->checksum) != 0)
+    if (a->rows_of_all != b->rows_of_all || a->points != b->points)
         return complain(EXIT_INPUT,
                         "%s and %s were made from different points; expected parts of one run",
                         a->in.name, b->in.name);
@@ -121,15 +121,15 @@ static int copy_rows(merger *m, const merge_options *o) {
 
 /* The last lines. */
 static void put_counts(merger *m) {
-    char text[64];
+    char text[96];
+    const char *mark = result_mark(m->parts[0].kind);
     unsigned long undecided = 0;
     for (size_t k = 0; k < m->count; k++)
         undecided += m->parts[k].undecided;
-    snprintf(text, sizeof text, UNDECIDED_LINE "%lu\n", undecided);
-    if (part_has_topo(&m->parts[0]))
+    snprintf(text, sizeof text, "%s" UNDECIDED_LINE "%lu\n", mark, undecided);
+    if (m->parts[0].topo)
         output_put(&m->out, text);
-    snprintf(text, sizeof text, "%s" COMPLETE_LINE "%lu\n", result_mark(m->parts[0].form.kind),
-             m->parts[0].rows_of_all);
+    snprintf(text, sizeof text, "%s" COMPLETE_LINE "%lu\n", mark, m->parts[0].rows_of_all);
     output_put(&m->out, text);
 }
 

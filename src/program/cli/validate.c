@@ -131,6 +131,7 @@ static int make_golden(validation *v, const validate_options *o) {
     points.level = o->compare.has == GRAZE_HAS_SDF ? LEVEL_WEIGHT : 0;
     golden.points = points_of(v, o);
     golden.output = v->files[GOLDEN];
+    golden.transient = 1;
     int status = o->points ? EXIT_DONE : generate_run(&v->lost, &points);
     return status ? status : classify_run(&golden);
 }

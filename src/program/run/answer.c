@@ -8,35 +8,32 @@
 #include "program/run/site_answer.h"
 #include "program/run/status.h"
 
-int row_source_put_point(text *out, fault *f, const row_source *from, reader *r, mpq_t *point,
-                         int dimension, char separator, const block *b, size_t row) {
-    char place[32];
-    text where;
-    field tokens[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
-    for (int k = 0; !from->grid && k < dimension; k++)
-        tokens[k] = field_content(r->cut.item[from->columns->where[k]]);
-    if (from->coordinates.form != COORDINATES_DECIMAL)
-        return coordinates_put(out, f, &from->coordinates, r->context, point, dimension, separator,
-                               tokens, "");
-    snprintf(place, sizeof place, from->grid ? "row %lu" : ":%lu",
-             from->grid ? shard_place(from->part, b->before + row) + 1 : b->lines[row].number);
-    text_init(&where);
-    text_put(&where, from->grid ? "" : from->columns->name);
-    text_put(&where, place);
-    out->failed |= where.failed;
-    int status = coordinates_put(out, f, &from->coordinates, r->context, point, dimension,
-                                 separator, tokens, where.failed ? "" : where.data);
-    text_clear(&where);
-    return status;
+/* Name the place of a row for messages. */
+static void put_place(text *out, const row_source *from, const block *b, size_t row) {
+    if (from->grid)
+        text_format(out, "row %lu", shard_place(from->part, b->before + row) + 1);
+    else
+        text_format(out, "%s:%lu", from->columns->name, b->lines[row].number);
 }
 
 /* Write the coordinates of a run's point, unless its row has them already. */
 static int write_point(answerer *a, row_run *r, const block *b, size_t first, size_t n) {
+    const row_source *from = &a->task.source;
     int d = graze_scene_dimension(a->task.scene);
-    if (a->task.source.coordinates.form == COORDINATES_EXACT)
+    field tokens[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
+    text place;
+    if (from->coordinates.form == COORDINATES_EXACT)
         return EXIT_DONE;
-    int status = row_source_put_point(&a->written, &r->fault, &a->task.source, &a->reader,
-                                      a->points + n * (size_t)d, d, ',', b, first + n);
+    text_init(&place);
+    for (int k = 0; !from->grid && k < d; k++)
+        tokens[k] = field_content(a->reader.cut.item[from->columns->where[k]]);
+    if (from->coordinates.form == COORDINATES_DECIMAL)
+        put_place(&place, from, b, first + n);
+    a->written.failed |= place.failed;
+    int status =
+        coordinates_put(&a->written, &r->fault, &from->coordinates, a->reader.context,
+                        a->points + n * (size_t)d, d, tokens, place.data ? place.data : "");
+    text_clear(&place);
     if (!status)
         text_bytes(&a->written, "", 1);
     return status;
@@ -77,12 +74,12 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
         return site_answer(r, a->context, task->scene, &rows, task->format);
     }
     if (!task->certifier)
-        return graze_report_points(&table->text, &table->length, &r->done, a->context, task->scene,
-                                   a->points, n, task->format, rest);
-    return graze_certificate_points(&certificate->text, &certificate->length,
-                                    table ? &table->text : NULL, table ? &table->length : NULL,
-                                    &r->done, a->context, task->certifier, a->points, n,
-                                    task->format, rest);
+        return api_report_points(&table->text, &table->length, &r->done, &r->totals, a->context,
+                                 task->scene, a->points, n, task->format, rest);
+    return api_certificate_points(&certificate->text, &certificate->length,
+                                  table ? &table->text : NULL, table ? &table->length : NULL,
+                                  &r->done, &r->totals, a->context, task->certifier, a->points, n,
+                                  task->format, rest);
 }
 
 /* Rows of pmc alone of grid points, many decided together. */

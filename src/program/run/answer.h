@@ -40,15 +40,6 @@ typedef struct answerer {
     const char *rest[RUN_ROWS];
 } answerer;
 
-/**
- * Add the coordinates of a point that was just made, in the form of its source.
- * @param r      the reader with which it was read; not looked at of a grid
- * @param row    its place in the block
- * @return EXIT_DONE, or the status of the fault
- */
-int row_source_put_point(text *out, fault *f, const row_source *from, reader *r, mpq_t *point,
-                         int dimension, char separator, const block *b, size_t row);
-
 /** Make an answerer; answerer_clear frees it in either case. On failure says why. */
 int answerer_init(answerer *a, const answer_task *task);
 void answerer_clear(answerer *a);

@@ -4,6 +4,7 @@
 #ifndef GRAZE_RUN_BLOCK_H
 #define GRAZE_RUN_BLOCK_H
 
+#include "api/api_trace.h"
 #include "input/delimited/field.h"
 #include "program/run/lines.h"
 #include "program/run/status.h"
@@ -35,8 +36,9 @@ typedef struct line {
 
 /** Neighbouring rows answered by one thread, at the place of the first of them. */
 typedef struct row_run {
-    size_t taken; /* rows; 0 until a thread takes them */
-    size_t done;  /* rows the texts hold */
+    row_totals totals; /* of the rows that are done */
+    size_t taken;      /* rows; 0 until a thread takes them */
+    size_t done;       /* rows the texts hold */
     struct row_text {
         char *text; /* for graze_free; NULL where none is wanted */
         size_t length;
@@ -50,6 +52,7 @@ typedef struct block {
     char *bytes; /* the lines of a file, one after the other */
     size_t used, capacity;
     line lines[BLOCK_ROWS];
+    unsigned long long points[BLOCK_ROWS]; /* checksum of the points up to that row; 0 of a grid */
     row_run runs[BLOCK_ROWS];
     size_t next;         /* jobs: the first row that is not taken */
     size_t busy;         /* jobs: runs taken and not yet answered */

@@ -10,7 +10,6 @@
 #include "program/run/csv.h"
 #include "program/run/interrupt.h"
 #include "program/run/jobs.h"
-#include "program/run/kept.h"
 #include "program/run/outputs.h"
 #include "program/run/progress.h"
 #include "program/run/receipt.h"
@@ -70,24 +69,21 @@ static int fill_ring(run_state *s, const classify_options *o) {
     return EXIT_DONE;
 }
 
-/* Rows that continued files have are not made again; they are checked against their points. */
-static int check_kept_rows(run_state *s, const classify_options *o) {
-    unsigned long rows = results_skip(outputs_main(&s->out));
+/* Rows that the record of a continued file has are not made again; their points are read. */
+static int pass_kept_rows(run_state *s, const classify_options *o) {
+    unsigned long rows = outputs_skip(&s->out);
+    unsigned long long points = 0;
     int status = EXIT_DONE;
-    kept k[RESULT_KINDS];
-    for (int kind = 0; kind < RESULT_KINDS; kind++)
-        kept_init(&k[kind], s->l.context, source_of(s, o));
     while (!status && s->taken < rows && !s->ended) {
+        const block *b = s->ring[0];
         status = take_block(s, o, s->ring[0], rows - s->taken);
+        points = b->count ? b->points[b->count - 1] : points;
         if (!status && interrupt_signal())
             status = EXIT_SIGNAL;
-        for (int kind = 0; kind < RESULT_KINDS && !status; kind++)
-            if (outputs_wants(&s->out, (result_kind)kind))
-                status = kept_check(&k[kind], &s->out.file[kind], s->ring[0]);
     }
-    for (int kind = 0; kind < RESULT_KINDS; kind++)
-        kept_clear(&k[kind]);
-    return status;
+    if (status || !rows || s->read_status)
+        return status;
+    return outputs_pass(&s->out, s->taken, points);
 }
 
 /* Room for a block, and points that need not be waited for while rows are to be written. */
@@ -127,7 +123,7 @@ static int do_all_blocks(run_state *s, const classify_options *o) {
     progress_end(&s->progress, outputs_main(&s->out)->rows, portion_reached(s, o));
     if (!status && s->read_status)
         status = s->read_status == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(s->points));
-    return status ? status : results_end(outputs_main(&s->out));
+    return status ? status : outputs_check_end(&s->out);
 }
 
 static int make_ring(run_state *s, size_t size) {
@@ -178,7 +174,7 @@ static int prepare_run(run_state *s, const classify_options *o) {
         status = jobs_start(&s->jobs, o->threads, &task);
     if (!status)
         status = outputs_open(&s->out);
-    return status ? status : check_kept_rows(s, o);
+    return status ? status : pass_kept_rows(s, o);
 }
 
 /* Rows that a signal leaves under way go on until the process ends. */

@@ -44,12 +44,10 @@ static int put_decimal_coordinate(text *out, fault *f, const coordinate_options 
 }
 
 int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_context *context,
-                    mpq_t *point, int dimension, char separator, const field *tokens,
-                    const char *where) {
+                    mpq_t *point, int dimension, const field *tokens, const char *where) {
     int status = EXIT_DONE;
     for (int k = 0; k < dimension && !status; k++) {
-        if (k)
-            text_bytes(out, &separator, 1);
+        text_put(out, k ? "," : "");
         if (o->form == COORDINATES_AS_GIVEN) {
             text_bytes(out, tokens[k].start, tokens[k].length);
         } else if (o->form == COORDINATES_DECIMAL) {

@@ -30,13 +30,11 @@ void coordinates_note(char out[COORDINATES_NOTE], const coordinate_options *o);
 
 /**
  * Add a point's coordinates.
- * @param separator what stands between them
  * @param tokens a field for each coordinate, as it was read; for COORDINATES_AS_GIVEN alone
  * @return EXIT_DONE, or the status of the fault, whose message begins with `where`
  */
 int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_context *context,
-                    mpq_t *point, int dimension, char separator, const field *tokens,
-                    const char *where);
+                    mpq_t *point, int dimension, const field *tokens, const char *where);
 
 /**
  * Put other coordinates in front of the first `rows` rows of a table, in place of those that stand

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 #include "input/delimited/stream.h"
+#include "program/run/checksum.h"
 #include "program/run/npy.h"
 
 struct csv {
@@ -18,7 +19,7 @@ struct csv {
     columns_head head;
     shard part;
     unsigned long rows; /* of all shards, so far */
-    unsigned long long checksum;
+    checksum sum;
     unsigned long size; /* bytes of the file; 0 of a pipe */
     int is_array;       /* a .npy file, whose head is read with its first row */
     npy *array;
@@ -72,36 +73,28 @@ unsigned long csv_rows(const csv *c) {
 }
 
 unsigned long long csv_checksum(const csv *c) {
-    return c->checksum;
+    return checksum_value(&c->sum);
 }
 
 static int skipped(field text) {
     return (text.length && *text.start == '#') || field_trimmed(text).length == 0;
 }
 
-/* Checksum of 64 bits over a sequence of lines, against accidents: 8 bytes at a time, the first one
- * lowest, the line's length last. */
-static unsigned long long add_to_checksum(unsigned long long sum, field text) {
-    const unsigned char *at = (const unsigned char *)text.start;
-    for (size_t left = text.length; left; left -= left < 8 ? left : 8, at += 8) {
-        unsigned long long word = 0;
-        for (size_t k = 0; k < 8 && k < left; k++)
-            word |= (unsigned long long)at[k] << 8 * k;
-        sum = (sum ^ word) * 0x9e3779b97f4a7c15ULL;
-        sum ^= sum >> 32;
-    }
-    return (sum ^ text.length) * 0x9e3779b97f4a7c15ULL;
+static void add_to_checksum(csv *c, field line) {
+    checksum_add(&c->sum, line.start, line.length);
+    checksum_add(&c->sum, "\n", 1);
 }
 
 /* A row into the block, if it is the shard's. */
 static int take_row(csv *c, block *b, field text) {
     unsigned long row = c->rows++;
-    if (c->part.count > 1)
-        c->checksum = add_to_checksum(c->checksum, text);
+    add_to_checksum(c, text);
     if (row % c->part.count != c->part.index)
         return EXIT_DONE;
-    return block_add(b, text, c->in.line) ? EXIT_DONE
-                                          : fault_set(&c->fault, EXIT_IO, "out of memory");
+    if (!block_add(b, text, c->in.line))
+        return fault_set(&c->fault, EXIT_IO, "out of memory");
+    b->points[b->count - 1] = checksum_value(&c->sum);
+    return EXIT_DONE;
 }
 
 /* A line that is neither blank nor a comment; the first one fixes the columns. */
@@ -110,6 +103,8 @@ static int take_point_line(csv *c, block *b, field text) {
     if (!c->columns.count)
         status =
             columns_fix(&header, &c->fault, &c->columns, c->in.context, text, c->in.line, c->head);
+    if (!status && header)
+        add_to_checksum(c, text);
     return status || header ? status : take_row(c, b, text);
 }
 

@@ -34,7 +34,8 @@ const fault *csv_fault(const csv *c);
 const columns *csv_columns(const csv *c);
 /** How much of the file is read; unknown for a pipe. */
 portion csv_portion(const csv *c);
-/** Rows read so far, those of other shards too, and a checksum of their text. */
+/** Rows read so far, those of other shards too, and a checksum of the line of names and of their
+ * text. */
 unsigned long csv_rows(const csv *c);
 unsigned long long csv_checksum(const csv *c);
 

@@ -33,6 +33,7 @@ typedef struct classify_options {
     int times;               /* it gives the times and cells of contacts */
     int threads;             /* 0: one for each core */
     int quiet;               /* no progress */
+    int transient;           /* the files are not kept, and nothing is that a run may go on with */
 } classify_options;
 
 #endif

@@ -143,7 +143,7 @@ static int put_sample_point(maker *m, const coordinate_options *form, unsigned l
     text_init(&point);
     snprintf(where, sizeof where, "point %lu", row + 1);
     int status = coordinates_put(&point, &f, form, m->l.context, m->point,
-                                 graze_scene_dimension(m->l.scene), ',', NULL, where);
+                                 graze_scene_dimension(m->l.scene), NULL, where);
     if (!status) {
         output_bytes(&m->out, point.data, point.length);
         output_put(&m->out, ",");

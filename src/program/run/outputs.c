@@ -3,12 +3,13 @@
  */
 #include "program/run/outputs.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include "output/table/typed_read.h"
 #include "output/table/typed_write.h"
-#include "program/run/row.h"
 
 void outputs_init(outputs *out, const classify_options *o, const loaded *l) {
     out->o = o;
@@ -16,9 +17,6 @@ void outputs_init(outputs *out, const classify_options *o, const loaded *l) {
     for (int kind = 0; kind < RESULT_KINDS; kind++)
         out->file[kind].kind = (result_kind)kind;
     out->file[RESULT_CERTIFICATE].beside = !o->no_table;
-    out->file[RESULT_TABLE].counts_undecided = o->scene.scene.topo;
-    out->file[RESULT_TABLE].tolerance = graze_scene_sdf(l->scene);
-    out->file[RESULT_TABLE].certain = o->scene.scene.motion_error > 0;
     typed_init(&out->typed, l->context);
 }
 
@@ -40,15 +38,60 @@ static int export_lines(outputs *out, const char *text, size_t length) {
     return complain_of(typed_add(&out->typed, text, length), out->l->context);
 }
 
+/* A run whose rows a later one can go on with. */
+static int can_continue(const outputs *out) {
+    return out->o->no_table || (out->o->format.rows == GRAZE_FORMAT_CSV && !out->o->format.table);
+}
+
+/* The record beside a plain file; that of an earlier run is read, or taken away. */
+static int open_record(outputs *out) {
+    const classify_options *o = out->o;
+    const char *path = o->resume ? o->resume : o->output;
+    struct stat about;
+    if (!path || o->transient || !can_continue(out) || fstat(outputs_main(out)->out.fd, &about) != 0 ||
+        !S_ISREG(about.st_mode))
+        return EXIT_DONE;
+    int status = record_open(&out->beside, path);
+    int there = !status && o->resume && record_read(&out->at, &out->beside);
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        there = there && (!outputs_wants(out, (result_kind)kind) ||
+                          results_reach(&out->file[kind], &out->at.file[kind]));
+    if (!there)
+        memset(&out->at, 0, sizeof out->at);
+    if (!status && !o->resume)
+        record_remove(&out->beside);
+    return status;
+}
+
 int outputs_open(outputs *out) {
     const classify_options *o = out->o;
-    results *certificate = &out->file[RESULT_CERTIFICATE], *table = &out->file[RESULT_TABLE];
-    int status = results_open(outputs_main(out), out->l->context, o->output, o->resume);
-    if (status || !o->certificate)
-        return status;
-    status = results_open(certificate, out->l->context, o->certificate,
-                          o->resume ? o->certificate : NULL);
-    return status || !o->resume ? status : results_shorten(certificate, table->rows);
+    int status = results_open(outputs_main(out), o->output, o->resume);
+    if (!status && o->certificate)
+        status = results_open(&out->file[RESULT_CERTIFICATE], o->certificate,
+                              o->resume ? o->certificate : NULL);
+    return status ? status : open_record(out);
+}
+
+unsigned long outputs_skip(const outputs *out) {
+    return out->at.rows;
+}
+
+int outputs_pass(outputs *out, unsigned long rows, unsigned long long points) {
+    int status = EXIT_DONE;
+    if (rows < out->at.rows)
+        return complain(EXIT_INPUT,
+                        "%s: has %lu rows already, more than there are points; expected the points "
+                        "the %s was begun with",
+                        out->o->resume, out->at.rows, result_name(outputs_main(out)->kind));
+    if (points != out->at.points)
+        return complain(EXIT_INPUT,
+                        "%s: its first %lu rows are of other points; expected the points the %s "
+                        "was begun with",
+                        out->o->resume, rows, result_name(outputs_main(out)->kind));
+    for (int kind = 0; kind < RESULT_KINDS && !status; kind++)
+        if (outputs_wants(out, (result_kind)kind))
+            status = results_pass(&out->file[kind], &out->at.file[kind], rows);
+    return status;
 }
 
 /* Lines of the table's head beside those of the scene: malloc'ed, NULL when out of memory. */
@@ -156,7 +199,6 @@ static int put_run(outputs *out, result_kind kind, const row_run *run) {
     if (!is_exported(out, kind))
         return results_add(&out->file[kind], text->text, text->length, run->done);
     out->file[kind].rows += run->done;
-    results_count(&out->file[kind], text->text, text->length);
     return export_lines(out, text->text, text->length);
 }
 
@@ -175,6 +217,27 @@ static int put_rows(outputs *out, result_kind kind, const block *b) {
     return status;
 }
 
+/* These rows of a block are written. */
+static void record_rows(outputs *out, const block *b) {
+    size_t done = 0, r = 0;
+    for (int whole = 1; whole && r < b->count; r += b->runs[r].taken) {
+        const row_run *run = &b->runs[r];
+        done += run->done;
+        out->at.undecided += run->totals.undecided;
+        out->at.wide += run->totals.wide;
+        whole = run->taken && run->done == run->taken;
+    }
+    if (!done)
+        return;
+    out->at.rows += done;
+    out->at.points = b->points[done - 1];
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        if (outputs_wants(out, (result_kind)kind))
+            out->at.file[kind] = results_kept(&out->file[kind]);
+    out->recorded = 1;
+    record_write(&out->beside, &out->at, 0);
+}
+
 /* Why a block has rows without answers. */
 static int block_fault(const block *b) {
     for (size_t r = 0; r < b->count; r += b->runs[r].taken) {
@@ -191,7 +254,14 @@ int outputs_block(outputs *out, const block *b) {
     for (int kind = RESULT_KINDS - 1; kind >= 0 && !status && !outputs_failed(out); kind--)
         if (outputs_wants(out, (result_kind)kind))
             status = put_rows(out, (result_kind)kind, b);
+    if (!status && !outputs_failed(out))
+        record_rows(out, b);
     return status ? status : block_fault(b);
+}
+
+int outputs_check_end(const outputs *out) {
+    int main = out->o->no_table ? RESULT_CERTIFICATE : RESULT_TABLE;
+    return results_end(&out->file[main]);
 }
 
 int outputs_failed(const outputs *out) {
@@ -201,25 +271,40 @@ int outputs_failed(const outputs *out) {
     return 0;
 }
 
+/* A line at the end of a table or certificate. */
+static int put_last_line(outputs *out, result_kind kind, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static int put_last_line(outputs *out, result_kind kind, const char *format, ...) {
+    char line[96];
+    va_list values;
+    int length = snprintf(line, sizeof line, "%s", result_mark(kind));
+    va_start(values, format);
+    vsnprintf(line + length, sizeof line - (size_t)length, format, values);
+    va_end(values);
+    return is_exported(out, kind) ? export_lines(out, line, strlen(line))
+                                  : results_add(&out->file[kind], line, strlen(line), 0);
+}
+
+/* A shard's last lines match it with the others; `complete` is the last line of all. */
 static int put_last_lines(outputs *out, result_kind kind, unsigned long rows_of_all,
-                          unsigned long long checksum) {
-    char text[200] = "";
-    const char *mark = result_mark(kind);
-    results *file = &out->file[kind];
-    int length = 0;
-    if (file->counts_undecided)
-        length = snprintf(text, sizeof text, UNDECIDED_LINE "%lu\n", file->undecided);
-    if (out->o->shard.given)
-        length += snprintf(text + length, sizeof text - (size_t)length,
-                           "%s" SHARD_ROWS "%lu\n%s" SHARD_POINTS "%016llx\n", mark, rows_of_all,
-                           mark, checksum);
-    snprintf(text + length, sizeof text - (size_t)length, "%s" COMPLETE_LINE "%lu\n", mark,
-             file->rows);
-    if (is_exported(out, kind))
-        return export_lines(out, text, strlen(text));
-    output_put(&file->out, text);
-    output_flush(&file->out);
-    return EXIT_DONE;
+                          unsigned long long points) {
+    const results *file = &out->file[kind];
+    int status = EXIT_DONE;
+    if (kind == RESULT_TABLE && out->o->scene.scene.topo)
+        status = put_last_line(out, kind, UNDECIDED_LINE "%lu\n", out->at.undecided);
+    if (!status && out->o->shard.given)
+        status = put_last_line(out, kind, SHARD_ROWS "%lu\n", rows_of_all);
+    if (!status && out->o->shard.given)
+        status = put_last_line(out, kind, SHARD_POINTS "%016llx\n", points);
+    if (!status && out->o->shard.given)
+        status = put_last_line(out, kind, SHARD_BYTES "%016llx\n", checksum_value(&file->sum));
+    if (!status)
+        status = put_last_line(out, kind, COMPLETE_LINE "%lu\n", file->rows);
+    if (!status && !is_exported(out, kind))
+        status = results_end(file);
+    output_flush(&out->file[kind].out);
+    return status;
 }
 
 static void put_export_bytes(void *to, const char *bytes, size_t length) {
@@ -258,6 +343,8 @@ static void report_whole_rows(const outputs *out, int kind) {
 
 int outputs_close(outputs *out, int status) {
     int ended = status;
+    if (status && out->recorded)
+        record_write(&out->beside, &out->at, 1);
     for (int kind = RESULT_KINDS - 1; kind >= 0; kind--)
         if (outputs_wants(out, (result_kind)kind)) {
             int closed = results_close(&out->file[kind], ended);
@@ -265,20 +352,23 @@ int outputs_close(outputs *out, int status) {
         }
     if (!status && out->o->scene.scene.topo)
         complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided%s",
-                 out->file[RESULT_TABLE].undecided, out->file[RESULT_TABLE].rows,
-                 out->file[RESULT_TABLE].undecided ? "; graze explain --topo says why" : "");
+                 out->at.undecided, out->file[RESULT_TABLE].rows,
+                 out->at.undecided ? "; graze explain --topo says why" : "");
     if (!status && out->o->coordinates.digits)
         complain(EXIT_DONE,
                  "note: coordinates of more than %d digits are rounded; the answers are those of "
                  "the points before that",
                  out->o->coordinates.digits);
-    if (!status && out->file[RESULT_TABLE].wide)
+    if (!status && out->at.wide)
         complain(EXIT_DONE,
                  "note: the distance of %lu of %lu rows is enclosed less closely than asked for",
-                 out->file[RESULT_TABLE].wide, out->file[RESULT_TABLE].rows);
+                 out->at.wide, out->file[RESULT_TABLE].rows);
     for (int kind = 0; kind < RESULT_KINDS && status == EXIT_SIGNAL; kind++)
         if (outputs_wants(out, (result_kind)kind))
             report_whole_rows(out, kind);
+    if (!status)
+        record_remove(&out->beside);
+    record_close(&out->beside);
     typed_clear(&out->typed);
     return status;
 }

@@ -10,7 +10,7 @@
 #include "program/run/status.h"
 
 /* The last lines are within so many bytes of the end. */
-enum { TAIL = 256 };
+enum { TAIL = 512 };
 
 static int next_line(part *p, field *line) {
     return complain_of(stream_next(&p->in, line), p->in.context);
@@ -18,91 +18,67 @@ static int next_line(part *p, field *line) {
 
 /* The command that writes such a file. */
 static const char *command_of(const part *p) {
-    return p->form.sites ? "graze contact" : result_command(p->form.kind);
+    int sites = p->head.data && strstr(p->head.data, "\ntime,");
+    return sites ? "graze contact" : result_command(p->kind);
 }
 
-static int complain_of_row(const part *p) {
+static int complain_of_rows(const part *p) {
     return complain(EXIT_INPUT, "%s: has other rows than the %lu it counts", p->in.name, p->rows);
 }
 
-/* The expected form, where graze classify has not written the row, else NULL. */
-static const char *wrong(row_parts *parts, const part *p, field row) {
-    const char *expected = memchr(row.start, '\0', row.length)
-                               ? "no byte 0"
-                               : row_check(parts, &p->form, p->in.context, row);
-    if (expected)
-        return expected;
-    expected = row_point_is_written(parts->point, &p->form, p->in.context);
-    if (expected)
-        return expected;
-    if (p->form.others && fields_count(parts->rest) != p->form.others)
-        return "as many further columns as the column line has";
-    return NULL;
+/* Go on to the next line; the one before it belongs to the sum. */
+static int step(part *p) {
+    int status = next_line(p, &p->next);
+    return !status && p->next.start && !p->in.whole ? complain_of_rows(p) : status;
 }
 
-static int refuse_row(const part *p, const char *expected) {
-    return complain(EXIT_INPUT, "%s:%lu: is no row that %s writes; expected %s", p->in.name,
-                    p->in.line, command_of(p), expected);
+static void add_line(part *p, field line) {
+    checksum_add(&p->sum, line.start, line.length);
+    checksum_add(&p->sum, "\n", 1);
 }
 
-static void copy_line(output *out, field line) {
-    output_bytes(out, line.start, line.length + 1); /* its line end stands behind it */
-}
-
-/* The intervals and contacts of a certificate's row. */
-static int copy_intervals(part *p, output *out) {
-    int status = EXIT_DONE;
-    while (!status && !p->intervals.ended) {
-        field line;
-        status = next_line(p, &line);
-        if (status)
-            break;
-        if (!line.start || !p->in.whole)
-            return complain_of_row(p);
-        const char *expected = certified_line(&p->intervals, &p->form, line);
-        if (expected)
-            return refuse_row(p, expected);
-        copy_line(out, line);
-    }
-    return status;
+/* Copy the line at hand, whose end stands behind it. */
+static int copy_line(part *p, output *out) {
+    add_line(p, p->next);
+    output_bytes(out, p->next.start, p->next.length + 1);
+    return step(p);
 }
 
 int part_copy_row(part *p, output *out) {
-    field line;
-    row_parts parts;
-    int status = next_line(p, &line);
+    int status = p->next.start ? EXIT_DONE : step(p);
     if (status)
         return status;
-    if (!line.start || !p->in.whole || line_part_of(p->form.kind, line) == LINE_NOTE)
-        return complain_of_row(p);
-    const char *expected = wrong(&parts, p, line);
-    if (expected)
-        return refuse_row(p, expected);
-    p->undecided += (unsigned long)row_is_undecided(line);
-    copy_line(out, line);
-    if (p->form.kind == RESULT_TABLE)
-        return EXIT_DONE;
-    if (!certified_begin(&p->intervals, parts.word))
-        return complain(EXIT_IO, "out of memory");
-    return copy_intervals(p, out);
-}
-
-int part_has_topo(const part *p) {
-    return p->form.topo;
+    if (!p->next.start || line_part_of(p->kind, p->next) != LINE_ROW)
+        return complain_of_rows(p);
+    status = copy_line(p, out);
+    while (!status && p->next.start && line_part_of(p->kind, p->next) == LINE_OF_ROW)
+        status = copy_line(p, out);
+    return status;
 }
 
 int part_end(part *p) {
-    field line;
-    int status = next_line(p, &line);
-    if (status)
+    int status = p->next.start ? EXIT_DONE : step(p);
+    field value;
+    if (!status && p->next.start && line_part_of(p->kind, p->next) != LINE_NOTE)
+        return complain_of_rows(p);
+    while (!status && p->next.start && !line_note(&value, p->kind, p->next, SHARD_BYTES)) {
+        add_line(p, p->next);
+        status = step(p);
+    }
+    if (status || checksum_value(&p->sum) == p->bytes)
         return status;
-    return line_part_of(p->form.kind, line) == LINE_NOTE ? EXIT_DONE : complain_of_row(p);
+    return complain(EXIT_INPUT,
+                    "%s: was changed: its bytes have another checksum than its last lines say; "
+                    "expected a %s as %s wrote it",
+                    p->in.name, result_name(p->kind), command_of(p));
 }
 
 /* Take one line of the head; the one that names the shard is left out. */
 static int take_head(part *p, field line, int *named) {
     field name;
-    if (!*named && line_note(&name, p->form.kind, line, SHARD_LINE)) {
+    checksum_add(&p->sum, line.start, line.length);
+    checksum_add(&p->sum, "\n", p->in.whole);
+    if (!*named && line_note(&name, p->kind, line, SHARD_LINE)) {
         char text[32] = "";
         memcpy(text, name.start, name.length < sizeof text ? name.length : sizeof text - 1);
         *named = shard_read(&p->shard, text);
@@ -115,8 +91,8 @@ static int take_head(part *p, field line, int *named) {
 /* The first line says what the file is. */
 static int find_kind(part *p, field line) {
     field version;
-    p->form.kind = field_is(line, "graze-certificate 1") ? RESULT_CERTIFICATE : RESULT_TABLE;
-    if (p->form.kind == RESULT_TABLE && !field_behind(&version, line, "# graze "))
+    p->kind = field_is(line, "graze-certificate 1") ? RESULT_CERTIFICATE : RESULT_TABLE;
+    if (p->kind == RESULT_TABLE && !field_behind(&version, line, "# graze "))
         return complain(
             EXIT_INPUT,
             "%s: expected a table of graze classify or contact, or a certificate of graze certify",
@@ -137,7 +113,7 @@ static int read_head_lines(part *p, int *named) {
             break;
         if (memchr(line.start, '\0', line.length))
             return complain(EXIT_INPUT, "%s:%lu: a byte 0 in a text file", p->in.name, p->in.line);
-        ended = p->in.whole && line_ends_head(p->form.kind, line);
+        ended = p->in.whole && line_ends_head(p->kind, line);
         status = take_head(p, line, named);
     }
     return status;
@@ -145,7 +121,7 @@ static int read_head_lines(part *p, int *named) {
 
 static int read_head(part *p) {
     int named = 0, status = read_head_lines(p, &named);
-    result_kind kind = p->form.kind;
+    result_kind kind = p->kind;
     if (status)
         return status;
     if (p->in.line == 0)
@@ -155,44 +131,59 @@ static int read_head(part *p) {
                         "%s: has no line `%s" SHARD_LINE "i/n` in its head; expected a %s of %s "
                         "--shard i/n",
                         p->in.name, result_mark(kind), result_name(kind), command_of(p));
-    if (row_form_read(&p->form, kind, p->head.data ? p->head.data : ""))
-        return EXIT_DONE;
-    if (kind == RESULT_TABLE)
-        return complain(EXIT_INPUT,
-                        "%s:%lu: is not the column line of graze classify: expected coordinates "
-                        "and answers, and then the further columns",
-                        p->in.name, p->in.line);
-    return complain(EXIT_INPUT,
-                    "%s: its head has no line `dimension` or `signs`, as graze certify "
-                    "writes them",
-                    p->in.name);
+    return EXIT_DONE;
 }
 
-/* Take the value of last line `index`; 0 if it is no count. */
-static int take_last_line(part *p, int index, field value) {
-    size_t n = value.length;
-    if (index != 1)
-        return field_count(index ? &p->rows : &p->rows_of_all, value, ~0ul);
-    memcpy(p->checksum, value.start, n < sizeof p->checksum ? n : sizeof p->checksum - 1);
-    return 1;
+/* A checksum is 16 hexadecimal digits. */
+static int read_sum(unsigned long long *out, field value) {
+    *out = 0;
+    for (size_t k = 0; k < value.length; k++) {
+        const char *digits = "0123456789abcdef", *at = memchr(digits, value.start[k], 16);
+        if (!at)
+            return 0;
+        *out = *out << 4 | (unsigned long long)(at - digits);
+    }
+    return value.length == 16;
 }
 
-/* Read the last lines, of which there must be these three. *found counts them, and is -1 where
- * another stands among them. */
+/* The last lines; `undecided` stands where rows have positions. */
+enum { LAST_UNDECIDED, LAST_ROWS, LAST_POINTS, LAST_BYTES, LAST_COMPLETE, LAST_LINES };
+
+static int take_last_line(part *p, int which, field value) {
+    switch (which) {
+    case LAST_UNDECIDED:
+        p->topo = 1;
+        return field_count(&p->undecided, value, ~0ul);
+    case LAST_ROWS:
+        return field_count(&p->rows_of_all, value, ~0ul);
+    case LAST_POINTS:
+        return read_sum(&p->points, value);
+    case LAST_BYTES:
+        return read_sum(&p->bytes, value);
+    default:
+        return field_count(&p->rows, value, ~0ul);
+    }
+}
+
+/* Read the last lines. *found is their number; less where another stands among them. */
 static int read_last_lines(part *p, int *found) {
-    static const char *const key[3] = {SHARD_ROWS, SHARD_POINTS, COMPLETE_LINE};
+    static const char *const key[LAST_LINES] = {UNDECIDED_LINE, SHARD_ROWS, SHARD_POINTS,
+                                                SHARD_BYTES, COMPLETE_LINE};
     field line, value;
     int status = next_line(p, &line); /* perhaps a piece of one */
-    *found = 0;
-    while (!status && line.start && *found >= 0) {
+    *found = LAST_UNDECIDED;
+    while (!status && line.start) {
         status = next_line(p, &line);
         if (status || !line.start)
             break;
-        if (*found < 3 && p->in.whole && line_note(&value, p->form.kind, line, key[*found]) &&
-            take_last_line(p, *found, value))
-            ++*found;
-        else if (*found || memchr(line.start, '\0', line.length))
-            *found = -1;
+        int which = *found;
+        if (which == LAST_UNDECIDED && !line_note(&value, p->kind, line, UNDECIDED_LINE))
+            which = LAST_ROWS;
+        if (which < LAST_LINES && p->in.whole && line_note(&value, p->kind, line, key[which]) &&
+            take_last_line(p, which, value))
+            *found = which + 1;
+        else
+            *found = LAST_UNDECIDED;
     }
     return status;
 }
@@ -207,11 +198,11 @@ static int read_tail(part *p, long long size) {
         status = read_last_lines(p, &found);
     if (status)
         return status;
-    if (found != 3)
+    if (found != LAST_LINES)
         return complain(EXIT_INPUT,
-                        "%s: does not end with `%scomplete`: the run was interrupted; %s --resume "
-                        "continues it",
-                        p->in.name, result_mark(p->form.kind), command_of(p));
+                        "%s: does not end with `%sbytes-checksum` and `complete`: the run was "
+                        "interrupted, or an older graze made it; %s --resume continues it",
+                        p->in.name, result_mark(p->kind), command_of(p));
     unsigned long dealt = shard_rows(p->shard, p->rows_of_all);
     if (p->rows != dealt)
         return complain(EXIT_INPUT, "%s: counts %lu rows; expected %lu of %lu in all", p->in.name,
@@ -239,6 +230,5 @@ int part_open(part *p, graze_context *context, const char *path) {
 
 void part_close(part *p) {
     stream_close(&p->in);
-    certified_clear(&p->intervals);
     text_clear(&p->head);
 }

@@ -1,235 +1,198 @@
 /* Writes a table or a certificate, and continues one.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#define _GNU_SOURCE /* memrchr */
 #include "program/run/results.h"
 
-#include <limits.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include <errno.h>
 #include <string.h>
-#include "base/context/array.h"
-#include "program/run/enclosed.h"
-#include "program/run/row.h"
+#include <sys/stat.h>
+#include <unistd.h>
 #include "program/run/shard.h"
 #include "program/run/status.h"
 
-static int no_memory(void) {
-    return complain(EXIT_IO, "out of memory");
-}
+/* TAIL: the notes at the end of a file are shorter. */
+enum { PIECE = 1 << 16, TAIL = 512 };
 
-void results_count(results *t, const char *text, size_t length) {
-    while ((t->counts_undecided || t->tolerance > 0) && length) {
-        const char *newline = memchr(text, '\n', length);
-        size_t row = newline ? (size_t)(newline - text) : length, line = row + (newline != NULL);
-        t->undecided += t->counts_undecided && row_is_undecided((field){text, row});
-        t->wide += t->tolerance > 0 && enclosed_is_wide((field){text, row}, t->tolerance,
-                                                        t->counts_undecided + t->certain);
-        text += line;
-        length -= line;
+/* Read bytes that stand in the file. */
+static int read_piece(const results *t, char *to, size_t length, unsigned long long from) {
+    while (length) {
+        ssize_t n = pread(t->out.fd, to, length, (off_t)from);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0)
+            return complain(EXIT_IO, "%s: cannot be read: %s", t->resumed, strerror(errno));
+        if (n == 0)
+            return complain(EXIT_IO, "%s: another program has changed it", t->resumed);
+        to += n;
+        from += (unsigned long long)n;
+        length -= (size_t)n;
     }
-}
-
-/* Add a line to the head. */
-static int keep_head(results *t, field line) {
-    stream_copy_line(&t->head, &t->in, line);
-    if (t->head.failed)
-        return no_memory();
-    t->head_lines++;
-    t->head_whole = t->in.whole && line_ends_head(t->kind, line);
     return EXIT_DONE;
 }
 
-/* Add a line, with a newline, to the row that is kept. */
-static int keep_line(results *t, field line) {
-    size_t length = t->last_length + line.length + 1;
-    if (!array_reserve(&t->last, &t->last_room, length, 1))
-        return no_memory();
-    memcpy(t->last + t->last_length, line.start, line.length);
-    t->last[length - 1] = '\n';
-    t->last_length = length;
-    return EXIT_DONE;
+/* Find the end of the last whole line, from the file's end. */
+static int find_whole_lines(results *t) {
+    char piece[PIECE];
+    int status = EXIT_DONE;
+    for (t->there = t->size; t->there && !status;) {
+        size_t length = t->there < PIECE ? (size_t)t->there : PIECE;
+        status = read_piece(t, piece, length, t->there - length);
+        const char *last = status ? NULL : memrchr(piece, '\n', length);
+        if (last) {
+            t->there -= length - (size_t)(last + 1 - piece);
+            break;
+        }
+        t->there -= length;
+    }
+    return status;
 }
 
-/* Keep a row's first line in place of the row before it. */
-static int keep_row(results *t, field line, long long start) {
-    t->last_length = 0;
-    t->last_start = start;
-    t->rows++;
-    return keep_line(t, line);
+/* The last line of a text of whole lines, without its end. */
+static field last_line(const char *text, size_t length) {
+    const char *before = length > 1 ? memrchr(text, '\n', length - 1) : NULL;
+    size_t start = before ? (size_t)(before + 1 - text) : 0;
+    return (field){text + start, length - start - 1};
 }
 
-/* One line of the file, at byte `start`. */
-static int take_kept_line(results *t, field line, long long start, int *complete) {
+/* Leave out the notes at the end, which are written anew; `complete` is refused. */
+static int drop_notes(results *t) {
+    char tail[TAIL];
+    size_t length = t->there < TAIL ? (size_t)t->there : TAIL;
     field value;
-    if (!t->head_whole)
-        return keep_head(t, line);
-    if (!t->in.whole)
-        return EXIT_DONE;
-    switch (line_part_of(t->kind, line)) {
-    case LINE_ROW:
-        return keep_row(t, line, start);
-    case LINE_OF_ROW:
-        return t->last ? keep_line(t, line) : EXIT_DONE;
-    case LINE_NOTE:
-        break;
+    int status = read_piece(t, tail, length, t->there - length);
+    while (!status && length) {
+        field line = last_line(tail, length);
+        if (line_part_of(t->kind, line) != LINE_NOTE)
+            break;
+        if (!t->beside && line_note(&value, t->kind, line, COMPLETE_LINE))
+            return complain(EXIT_INPUT,
+                            "%s: is complete with its %.*s rows; expected an interrupted %s",
+                            t->resumed, FIELD_SHOWN(value), result_name(t->kind));
+        t->there -= line.length + 1;
+        length -= line.length + 1;
     }
-    *complete |= line_note(&value, t->kind, line, COMPLETE_LINE);
-    return EXIT_DONE;
+    return status;
 }
 
-/* Find out how far the file has come, at most to the end of row `most`, and go back to its first
- * row. */
-static int scan(results *t, unsigned long most) {
-    int status = EXIT_DONE, complete = 0;
-    for (;;) {
-        long long start = stream_tell(&t->in);
-        field line;
-        status = complain_of(stream_next(&t->in, &line), t->in.context);
-        if (status || !line.start)
-            break;
-        if (t->head_whole && t->rows == most && line_part_of(t->kind, line) == LINE_ROW)
-            break;
-        status = take_kept_line(t, line, start, &complete);
-        if (status)
-            break;
-    }
-    if (!status && complete && !t->beside)
-        status =
-            complain(EXIT_INPUT, "%s: is complete with its %lu rows; expected an interrupted %s",
-                     t->resumed, t->rows, result_name(t->kind));
-    if (status)
-        return status;
-    t->in.line = t->head_lines;
-    return complain_of(stream_seek(&t->in, (long long)t->head.length), t->in.context);
-}
-
-/* The file is locked before it is looked at. Closing any descriptor of it would end the lock. */
-static int open_resumed(results *t, graze_context *context) {
-    int status = complain_of(stream_open_own(&t->in, context, t->resumed, 0), context);
-    if (!status)
-        status = output_lock(&t->out);
-    return status ? status : scan(t, ULONG_MAX);
-}
-
-int results_shorten(results *t, unsigned long rows) {
-    if (t->rows < rows)
-        return complain(EXIT_INPUT, "%s: has %lu rows; expected the %lu of the table beside it",
-                        t->resumed, t->rows, rows);
-    if (t->rows == rows)
-        return EXIT_DONE;
-    t->rows = 0;
-    t->last_length = 0;
-    if (rows)
-        return scan(t, rows);
-    free(t->last);
-    t->last = NULL;
-    t->last_room = 0;
-    return EXIT_DONE;
-}
-
-int results_open(results *t, graze_context *context, const char *path, const char *resumed) {
+int results_open(results *t, const char *path, const char *resumed) {
+    struct stat about;
     t->resumed = resumed;
     int status = resumed ? output_continue(&t->out, resumed) : output_open(&t->out, path);
     t->opened = !status;
-    return status || !resumed ? status : open_resumed(t, context);
-}
-
-unsigned long results_skip(const results *t) {
-    return t->last ? t->rows - 1 : 0;
-}
-
-int results_next(results *t, field *line) {
-    int status = complain_of(stream_next(&t->in, line), t->in.context);
-    if (status)
+    if (status || !resumed)
         return status;
-    if (!line->start)
-        return complain(EXIT_IO, "%s: another program has changed it", t->resumed);
-    if (line_part_of(t->kind, *line) == LINE_NOTE)
-        return results_refuse(t, *line, "a row", (field){"", 0});
-    results_count(t, line->start, line->length);
-    return EXIT_DONE;
+    status = output_lock(&t->out);
+    if (!status && fstat(t->out.fd, &about) != 0)
+        status = complain(EXIT_IO, "%s: cannot be read: %s", resumed, strerror(errno));
+    t->size = status ? 0 : (unsigned long long)about.st_size;
+    if (!status)
+        status = find_whole_lines(t);
+    return status ? status : drop_notes(t);
 }
 
-int results_refuse(const results *t, field there, const char *expected, field here) {
+/* These bytes are the file's. */
+static void take(results *t, const char *text, size_t length) {
+    checksum_add(&t->sum, text, length);
+    for (const char *at = text; (at = memchr(at, '\n', length - (size_t)(at - text))); at++)
+        t->lines++;
+}
+
+int results_reach(const results *t, const struct kept_bytes *kept) {
+    return kept->length <= t->there;
+}
+
+int results_pass(results *t, const struct kept_bytes *kept, unsigned long rows) {
+    char piece[PIECE];
+    int status = EXIT_DONE;
+    while (t->sum.length < kept->length && !status) {
+        unsigned long long left = kept->length - t->sum.length;
+        size_t length = left < PIECE ? (size_t)left : PIECE;
+        status = read_piece(t, piece, length, t->sum.length);
+        if (!status)
+            take(t, piece, length);
+    }
+    if (!status && (t->sum.length != kept->length || checksum_value(&t->sum) != kept->sum))
+        status = complain(EXIT_INPUT,
+                          "%s: its first %lu rows are not those that were written; expected a %s "
+                          "that was not changed",
+                          t->resumed, rows, result_name(t->kind));
+    t->rows = rows;
+    if (!status && t->sum.length == t->there)
+        output_from(&t->out, (long long)t->there);
+    return status;
+}
+
+/* Name the line at which the file and this run differ: at byte `at` of a piece and of a text. */
+static int refuse(const results *t, const char *piece, const char *text, size_t at, size_t length) {
+    size_t start = at, n, m;
+    unsigned long line = t->lines + 1;
+    for (const char *k = text; (k = memchr(k, '\n', at - (size_t)(k - text))); k++)
+        line++;
+    while (start && text[start - 1] != '\n')
+        start--;
+    for (n = 0; start + n < length && piece[start + n] != '\n';)
+        n++;
+    for (m = 0; text[start + m] && text[start + m] != '\n';)
+        m++;
     return complain(EXIT_INPUT,
-                    "%s:%lu: `%.*s` stands there; expected %s%.*s, as in a %s of these points "
-                    "that was not changed",
-                    t->resumed, t->in.line, there.length < 200 ? (int)there.length : 200,
-                    there.start, expected, here.length < 200 ? (int)here.length : 200, here.start,
-                    result_name(t->kind));
+                    "%s:%lu: `%.*s` stands in the file and `%.*s` is this run's: expected a %s of "
+                    "this run that was not changed",
+                    t->resumed, line, (int)(n < 200 ? n : 200), piece + start,
+                    (int)(m < 200 ? m : 200), text + start, result_name(t->kind));
 }
 
-/* Name the line at which the head there and this run's differ. */
-static int complain_of_head(const results *t, const char *here) {
-    const char *there = t->head.data;
-    size_t left = t->head.length;
-    unsigned long number = 1;
-    for (;; number++) {
-        size_t n = strcspn(here, "\n"), m = 0;
-        while (m < left && there[m] != '\n')
-            m++;
-        if (n != m || memcmp(here, there, n) != 0 || !here[n])
-            return complain(
-                EXIT_INPUT,
-                "%s:%lu: `%.*s` stands in the file and `%.*s` is this run's: expected a "
-                "%s of this run",
-                t->resumed, number, (int)(m < 200 ? m : 200), there, (int)(n < 200 ? n : 200), here,
-                result_name(t->kind));
-        here += n + 1;
-        m += m < left;
-        there += m;
-        left -= m;
+/* See that the next bytes of the file are those of a text. */
+static int compare(results *t, const char *text, size_t length) {
+    char piece[PIECE];
+    while (length) {
+        size_t part = length < PIECE ? length : PIECE, at = 0;
+        int status = read_piece(t, piece, part, t->sum.length);
+        if (status)
+            return status;
+        while (at < part && piece[at] == text[at])
+            at++;
+        if (at < part)
+            return refuse(t, piece, text, at, part);
+        take(t, text, part);
+        text += part;
+        length -= part;
     }
-}
-
-int results_begin(results *t, const char *head) {
-    size_t length = strlen(head);
-    if (t->resumed) {
-        size_t there = t->head.length;
-        int same = t->head_whole ? there == length : there < length;
-        if (!same || (there && memcmp(t->head.data, head, there) != 0))
-            return complain_of_head(t, head);
-        if (t->last)
-            return EXIT_DONE;
-        output_from(&t->out, t->head_whole ? (long long)length : 0);
-        if (t->head_whole)
-            return EXIT_DONE;
-    }
-    output_bytes(&t->out, head, length);
     return EXIT_DONE;
 }
 
 int results_add(results *t, const char *text, size_t length, unsigned long rows) {
-    if (t->last && rows && stream_tell(&t->in) != t->last_start) {
-        field line;
-        int status = results_next(t, &line);
-        return status ? status : results_refuse(t, line, "the last row", (field){"", 0});
-    }
-    if (t->last && rows) {
-        if (length < t->last_length || memcmp(text, t->last, t->last_length) != 0)
-            return complain(
-                EXIT_INPUT,
-                "%s: its last row, %lu, is not what this run makes of its point; expected "
-                "the points the %s was begun with",
-                t->resumed, t->rows, result_name(t->kind));
-        output_from(&t->out, t->last_start);
-        free(t->last);
-        t->last = NULL;
-        t->rows--;
-    }
-    output_bytes(&t->out, text, length);
-    results_count(t, text, length);
+    unsigned long long left = t->there > t->sum.length ? t->there - t->sum.length : 0;
+    size_t there = left < length ? (size_t)left : length;
+    int status = there ? compare(t, text, there) : EXIT_DONE;
+    if (status)
+        return status;
+    if (there && t->sum.length == t->there)
+        output_from(&t->out, (long long)t->there);
+    output_bytes(&t->out, text + there, length - there);
+    checksum_add(&t->sum, text + there, length - there);
     t->rows += rows;
     return EXIT_DONE;
 }
 
-int results_end(results *t) {
-    if (!t->last)
+int results_begin(results *t, const char *head) {
+    size_t length = strlen(head);
+    if (t->there < length) /* of a head, the piece of a line counts too */
+        t->there = t->size < length ? t->size : length;
+    return results_add(t, head, length, 0);
+}
+
+int results_end(const results *t) {
+    if (t->sum.length >= t->there)
         return EXIT_DONE;
     return complain(EXIT_INPUT,
-                    "%s: has %lu rows already, more than there are points; expected the points "
-                    "the %s was begun with",
+                    "%s: has more than the %lu rows for which there are points; expected the "
+                    "points the %s was begun with",
                     t->resumed, t->rows, result_name(t->kind));
+}
+
+struct kept_bytes results_kept(const results *t) {
+    return (struct kept_bytes){t->sum.length, checksum_value(&t->sum)};
 }
 
 int results_close(results *t, int status) {
@@ -237,9 +200,5 @@ int results_close(results *t, int status) {
         int closed = output_close(&t->out);
         status = closed ? closed : status;
     }
-    if (t->resumed)
-        stream_close(&t->in);
-    text_clear(&t->head);
-    free(t->last);
     return status;
 }

@@ -9,11 +9,14 @@
 #define GRAZE_RUN_SHARD_H
 
 /** Notes (lines.h) that a shard's table or certificate has and a whole one lacks: the shard, in the
- * head; and before the last line the number of rows of all shards, and a checksum of their points
- * (0 for a grid). */
+ * head; and before the last line the number of rows of all shards, a checksum of their points
+ * (0 for a grid), and one of all bytes before it. */
 #define SHARD_LINE "shard "
 #define SHARD_ROWS "rows-of-all-shards "
 #define SHARD_POINTS "points-checksum "
+#define SHARD_BYTES "bytes-checksum "
+/** Before these, in a table with positions: how many are undecided. */
+#define UNDECIDED_LINE "undecided "
 /** The last line, with the number of rows. */
 #define COMPLETE_LINE "complete "
 
