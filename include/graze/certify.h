@@ -55,6 +55,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_certificate_row(char **out, graze_con
  * for graze_free too; this and `table_length` are NULL where no table is wanted
  * @param[out] table_length bytes of that text
  * @param[out] done   number of points: n, or on failure the index of the point that failed
+ * @param[out] totals what the table's rows say together, or NULL
  * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
  * @param format      of the table's rows
  * @param rest        further columns of each point for the table, entries may be NULL; or NULL
@@ -62,8 +63,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_certificate_row(char **out, graze_con
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_certificate_points(
     char **out, size_t *length, char **table, size_t *table_length, size_t *done,
-    graze_context *context, const graze_certifier *certifier, graze_rationals points, size_t n,
-    graze_format format, const char *const *rest);
+    graze_row_totals *totals, graze_context *context, const graze_certifier *certifier,
+    graze_rationals points, size_t n, graze_format format, const char *const *rest);
 
 #ifdef __cplusplus
 }

@@ -72,19 +72,27 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_contex
                                                         const graze_scene *scene,
                                                         graze_rationals point, graze_format format,
                                                         const char *rest);
+/** What rows say together. */
+typedef struct graze_row_totals {
+    unsigned long undecided; /**< positions relative to the closed sweep */
+    unsigned long wide;      /**< enclosures wider than was asked for */
+} graze_row_totals;
+
 /**
  * Trace n points and write their rows one after the other, as graze_report_point does for one.
  * @param[out] out    rows of the first *done points as one text for graze_free, also if a later
  * point fails; NULL if *done is 0
  * @param[out] length bytes of the text
  * @param[out] done   number of rows written: n, or on failure the index of the point that failed
+ * @param[out] totals what the rows written say together, or NULL
  * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
  * @param rest        further columns of each point, entries may be NULL; or NULL
  * @return as graze_report_point
  */
-GRAZE_API GRAZE_CHECKED graze_status graze_report_points(
-    char **out, size_t *length, size_t *done, graze_context *context, const graze_scene *scene,
-    graze_rationals points, size_t n, graze_format format, const char *const *rest);
+GRAZE_API GRAZE_CHECKED graze_status
+graze_report_points(char **out, size_t *length, size_t *done, graze_row_totals *totals,
+                    graze_context *context, const graze_scene *scene, graze_rationals points,
+                    size_t n, graze_format format, const char *const *rest);
 
 /** Binary form of a table. */
 typedef enum graze_export {

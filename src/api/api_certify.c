@@ -59,7 +59,7 @@ graze_status graze_certificate_head(char **out, graze_context *context,
 }
 
 /* Trace one point for its row of the certificate and, unless `table` is NULL, that of the table. */
-static graze_status certify_point(text *out, text *table, row_totals *totals,
+static graze_status certify_point(text *out, text *table, graze_row_totals *totals,
                                   graze_context *context, const certifier *c, const fmpq *point,
                                   graze_format format, const char *rest) {
     graze_trace trace;
@@ -87,8 +87,8 @@ graze_status graze_certificate_row(char **out, graze_context *context,
         return api_misuse(context, "graze_certificate_row",
                           "out, context, certifier and point must not be NULL");
     size_t length, done;
-    return graze_certificate_points(out, &length, NULL, NULL, &done, context, certifier, point, 1,
-                                    GRAZE_FORMAT_CSV, NULL);
+    return graze_certificate_points(out, &length, NULL, NULL, &done, NULL, context, certifier,
+                                    point, 1, GRAZE_FORMAT_CSV, NULL);
 }
 
 /* Hand over the first `length` bytes, those of whole rows. */
@@ -102,10 +102,13 @@ static void hand_over_rows(char **out, size_t *out_length, text *t, size_t lengt
     *out_length = length;
 }
 
-graze_status api_certificate_points(char **out, size_t *length, char **table, size_t *table_length,
-                                    size_t *done, row_totals *totals, graze_context *context,
-                                    const graze_certifier *certifier, graze_rationals points,
-                                    size_t n, graze_format format, const char *const *rest) {
+graze_status graze_certificate_points(char **out, size_t *length, char **table,
+                                      size_t *table_length, size_t *done, graze_row_totals *totals,
+                                      graze_context *context, const graze_certifier *certifier,
+                                      graze_rationals points, size_t n, graze_format format,
+                                      const char *const *rest) {
+    if (totals)
+        *totals = (graze_row_totals){0, 0};
     if (out)
         *out = NULL;
     if (table)
@@ -145,13 +148,4 @@ graze_status api_certificate_points(char **out, size_t *length, char **table, si
     if (table)
         hand_over_rows(table, table_length, &rows, whole_rows);
     return status;
-}
-
-graze_status graze_certificate_points(char **out, size_t *length, char **table,
-                                      size_t *table_length, size_t *done, graze_context *context,
-                                      const graze_certifier *certifier, graze_rationals points,
-                                      size_t n, graze_format format, const char *const *rest) {
-    row_totals unused = {0, 0};
-    return api_certificate_points(out, length, table, table_length, done, &unused, context,
-                                  certifier, points, n, format, rest);
 }

@@ -162,7 +162,7 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
     return report_header(out, context, scene, notes, columns);
 }
 
-graze_status api_trace_row(text *out, row_totals *totals, graze_context *context,
+graze_status api_trace_row(text *out, graze_row_totals *totals, graze_context *context,
                            const graze_scene *scene, const fmpq *point, const graze_trace *trace,
                            graze_format format, const char *rest) {
     graze_status status = GRAZE_OK;
@@ -181,7 +181,7 @@ graze_status api_trace_row(text *out, row_totals *totals, graze_context *context
         report_json(out, scene, point, trace, topo, near);
     else if (status == GRAZE_OK)
         report_csv(out, scene, point, trace, rest, topo, near);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK && totals) {
         totals->undecided += topo && found.position == GRAZE_TOPO_UNDECIDED;
         totals->wide += near && space.wide;
     }
@@ -212,12 +212,11 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *p = _fmpq_vec_init(scene->motion->dimension);
-    row_totals totals = {0, 0};
     text t;
     text_init(&t);
     status = api_point(p, context, scene, point);
     if (!status)
-        status = api_trace_row(&t, &totals, context, scene, p, trace, format, rest);
+        status = api_trace_row(&t, NULL, context, scene, p, trace, format, rest);
     _fmpq_vec_clear(p, scene->motion->dimension);
     if (status) {
         text_clear(&t);
@@ -227,7 +226,7 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
 }
 
 /* Trace one point and add its row. */
-static graze_status report_point(text *out, row_totals *totals, graze_context *context,
+static graze_status report_point(text *out, graze_row_totals *totals, graze_context *context,
                                  const graze_scene *scene, const fmpq *point, graze_format format,
                                  const char *rest) {
     graze_trace trace;
@@ -244,10 +243,12 @@ static graze_status report_point(text *out, row_totals *totals, graze_context *c
     return !status && out->failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : status;
 }
 
-graze_status api_report_points(char **out, size_t *length, size_t *done, row_totals *totals,
-                               graze_context *context, const graze_scene *scene,
-                               graze_rationals points, size_t n, graze_format format,
-                               const char *const *rest) {
+graze_status graze_report_points(char **out, size_t *length, size_t *done, graze_row_totals *totals,
+                                 graze_context *context, const graze_scene *scene,
+                                 graze_rationals points, size_t n, graze_format format,
+                                 const char *const *rest) {
+    if (totals)
+        *totals = (graze_row_totals){0, 0};
     if (out)
         *out = NULL;
     if (length)
@@ -284,13 +285,6 @@ graze_status api_report_points(char **out, size_t *length, size_t *done, row_tot
     return status;
 }
 
-graze_status graze_report_points(char **out, size_t *length, size_t *done, graze_context *context,
-                                 const graze_scene *scene, graze_rationals points, size_t n,
-                                 graze_format format, const char *const *rest) {
-    row_totals unused = {0, 0};
-    return api_report_points(out, length, done, &unused, context, scene, points, n, format, rest);
-}
-
 graze_status graze_report_point(char **out, graze_context *context, const graze_scene *scene,
                                 graze_rationals point, graze_format format, const char *rest) {
     if (out)
@@ -299,7 +293,7 @@ graze_status graze_report_point(char **out, graze_context *context, const graze_
         return api_misuse(context, "graze_report_point",
                           "out, context, scene and point must not be NULL");
     size_t length, done;
-    return graze_report_points(out, &length, &done, context, scene, point, 1, format, &rest);
+    return graze_report_points(out, &length, &done, NULL, context, scene, point, 1, format, &rest);
 }
 
 static void put_in_text(void *to, const char *bytes, size_t length) {

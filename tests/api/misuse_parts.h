@@ -85,15 +85,15 @@ static void tables(bench *b) {
     const graze_scene *s = b->s.scene;
     size_t length, done = 77;
     const graze_format csv = GRAZE_FORMAT_CSV;
-    WRONG(graze_report_points(NULL, &length, &done, c, s, b->point, 1, csv, NULL));
-    WRONG_OUT(char, graze_report_points(&out, NULL, &done, c, s, b->point, 1, csv, NULL));
+    WRONG(graze_report_points(NULL, &length, &done, NULL, c, s, b->point, 1, csv, NULL));
+    WRONG_OUT(char, graze_report_points(&out, NULL, &done, NULL, c, s, b->point, 1, csv, NULL));
     assert_int_equal(done, 0);
-    WRONG_LENGTH(graze_report_points(&out, &length, NULL, c, s, b->point, 1, csv, NULL));
-    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, s, b->point, 1, csv, NULL));
-    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, NULL, b->point, 1, csv, NULL));
-    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, s, NULL, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, NULL, NULL, c, s, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, NULL, s, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, NULL, b->point, 1, csv, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, s, NULL, 1, csv, NULL));
     WRONG_LENGTH(
-        graze_report_points(&out, &length, &done, c, s, b->point, 1, (graze_format)2, NULL));
+        graze_report_points(&out, &length, &done, NULL, c, s, b->point, 1, (graze_format)2, NULL));
     WRONG(graze_report_export(NULL, &length, c, "", 0, GRAZE_EXPORT_NPY));
     WRONG_OUT(char, graze_report_export(&out, NULL, c, "", 0, GRAZE_EXPORT_NPY));
     WRONG_LENGTH(graze_report_export(&out, &length, NULL, "", 0, GRAZE_EXPORT_NPY));
@@ -221,8 +221,8 @@ static void certificates(bench *b) {
     WRONG_OUT(char, graze_certificate_head(&out, c, NULL));
     WRONG_OUT(char, graze_certificate_row(&out, c, NULL, b->point));
     size_t length, done;
-    WRONG_LENGTH(graze_certificate_points(&out, &length, NULL, NULL, &done, c, NULL, b->point, 1,
-                                          GRAZE_FORMAT_CSV, NULL));
+    WRONG_LENGTH(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, c, NULL, b->point,
+                                          1, GRAZE_FORMAT_CSV, NULL));
     HARMLESS(graze_certifier_destroy, CALLS(graze_certifier_destroy(NULL)));
 }
 
@@ -382,7 +382,7 @@ static void positions(bench *b) {
     graze_scene *pmc_alone = NULL;
     size_t length, done;
     assert_int_equal(graze_scene_create(&pmc_alone, c, b->s.solid, b->s.motion, &both), GRAZE_OK);
-    WRONG_LENGTH(graze_report_points(&out, &length, &done, c, pmc_alone, b->point, 1,
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, pmc_alone, b->point, 1,
                                      GRAZE_FORMAT_JSONL, NULL));
     graze_scene_destroy(pmc_alone);
     HARMLESS(graze_topo_name, graze_topo_name((graze_topo)-1)[0] == 'n');

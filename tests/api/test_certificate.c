@@ -38,7 +38,7 @@ static void check_points(graze_context *context, const graze_certifier *c,
             strcat(whole[1], one);
             graze_free(one);
         }
-        assert_int_equal(graze_certificate_points(&out, &length, &table, &table_length, &done,
+        assert_int_equal(graze_certificate_points(&out, &length, &table, &table_length, &done, NULL,
                                                   context, c, p, POINTS, (graze_format)f, rest),
                          GRAZE_OK);
         assert_int_equal(done, POINTS);
@@ -49,14 +49,14 @@ static void check_points(graze_context *context, const graze_certifier *c,
         graze_free(out);
         graze_free(table);
     }
-    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, context, c, p,
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, context, c, p,
                                               POINTS, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_OK);
     assert_string_equal(out, whole[0]);
     graze_free(out);
     mpz_set_si(mpq_denref(p[5]), -1);
-    assert_int_equal(graze_certificate_points(&out, &length, &table, &table_length, &done, context,
-                                              c, p, POINTS, GRAZE_FORMAT_CSV, NULL),
+    assert_int_equal(graze_certificate_points(&out, &length, &table, &table_length, &done, NULL,
+                                              context, c, p, POINTS, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_EUSE);
     assert_int_equal(done, 1);
     assert_int_equal(strlen(out), length);
@@ -65,24 +65,24 @@ static void check_points(graze_context *context, const graze_certifier *c,
     assert_null(strchr(table, '\n')[1] ? table : NULL);
     graze_free(out);
     graze_free(table);
-    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, context, c, NULL, 0,
-                                              GRAZE_FORMAT_CSV, NULL),
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, context, c,
+                                              NULL, 0, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_OK);
     assert_null(out);
-    assert_int_equal(graze_certificate_points(&out, &length, &table, NULL, &done, context, c, p, 1,
-                                              GRAZE_FORMAT_CSV, NULL),
+    assert_int_equal(graze_certificate_points(&out, &length, &table, NULL, &done, NULL, context, c,
+                                              p, 1, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_EUSE);
-    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, context, c, NULL, 1,
-                                              GRAZE_FORMAT_CSV, NULL),
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, context, c,
+                                              NULL, 1, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_EUSE);
-    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, context, c, p, 1,
-                                              (graze_format)2, NULL),
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, context, c, p,
+                                              1, (graze_format)2, NULL),
                      GRAZE_EUSE);
-    assert_int_equal(graze_certificate_points(NULL, &length, NULL, NULL, &done, context, c, p, 1,
-                                              GRAZE_FORMAT_CSV, NULL),
+    assert_int_equal(graze_certificate_points(NULL, &length, NULL, NULL, &done, NULL, context, c, p,
+                                              1, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_EUSE);
-    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, NULL, context, c, p, 1,
-                                              GRAZE_FORMAT_CSV, NULL),
+    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, NULL, NULL, context, c, p,
+                                              1, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_EUSE);
     for (int k = 0; k < 3 * POINTS; k++) {
         if (k == 5)

@@ -65,9 +65,9 @@ static void null_is_wrong_use(void **state) {
                      GRAZE_EUSE);
     assert_int_equal(graze_report_point(&text, s.context, s.scene, NULL, GRAZE_FORMAT_CSV, NULL),
                      GRAZE_EUSE);
-    assert_int_equal(
-        graze_report_points(&text, &length, NULL, s.context, s.scene, x, 1, GRAZE_FORMAT_CSV, NULL),
-        GRAZE_EUSE);
+    assert_int_equal(graze_report_points(&text, &length, NULL, NULL, s.context, s.scene, x, 1,
+                                         GRAZE_FORMAT_CSV, NULL),
+                     GRAZE_EUSE);
     assert_int_equal(graze_report_explain(&text, s.context, s.scene, x, NULL), GRAZE_EUSE);
     assert_int_equal(graze_time_decimal(&text, s.context, NULL, 5), GRAZE_EUSE);
     assert_int_equal(graze_number_parse(x[0], s.context, NULL, 0), GRAZE_EUSE);

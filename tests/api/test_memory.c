@@ -247,8 +247,8 @@ static void open_bench(bench *b) {
     mpq_set_si(b->point[3], 1, 2);
     assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size,id"),
                      GRAZE_OK);
-    assert_int_equal(graze_report_points(&rows, &length, &done, b->s.context, b->s.scene, b->point,
-                                         2, GRAZE_FORMAT_CSV, rest),
+    assert_int_equal(graze_report_points(&rows, &length, &done, NULL, b->s.context, b->s.scene,
+                                         b->point, 2, GRAZE_FORMAT_CSV, rest),
                      GRAZE_OK);
     b->table = malloc(strlen(head) + length + 32);
     strcat(strcat(strcpy(b->table, head), rows), "# complete 2\n");
@@ -287,7 +287,7 @@ static graze_status make_report(char **out, size_t *length, bench *b, int kind) 
     *out = NULL;
     *length = 0;
     if (kind == 0)
-        return graze_report_points(out, length, &done, b->s.context, b->s.scene, b->point, 1,
+        return graze_report_points(out, length, &done, NULL, b->s.context, b->s.scene, b->point, 1,
                                    GRAZE_FORMAT_JSONL, NULL);
     if (kind < 3)
         return graze_report_export(out, length, b->s.context, b->table, strlen(b->table),

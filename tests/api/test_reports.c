@@ -158,7 +158,7 @@ static void rows_of_many_points(void **state) {
     mpq_set_ui(p[3], 2, 1);
     mpq_set_si(p[4], -1, 1);
     mpq_set_si(p[5], -1, 1);
-    assert_int_equal(graze_report_points(&text, &length, &done, s.context, s.scene, p, 3,
+    assert_int_equal(graze_report_points(&text, &length, &done, NULL, s.context, s.scene, p, 3,
                                          GRAZE_FORMAT_CSV, rest),
                      GRAZE_OK);
     assert_string_equal(text, all);
@@ -169,21 +169,21 @@ static void rows_of_many_points(void **state) {
                      GRAZE_OK);
     assert_string_equal(text, inside);
     graze_free(text);
-    assert_int_equal(graze_report_points(&text, &length, &done, s.context, s.scene, NULL, 0,
+    assert_int_equal(graze_report_points(&text, &length, &done, NULL, s.context, s.scene, NULL, 0,
                                          GRAZE_FORMAT_JSONL, NULL),
                      GRAZE_OK);
     assert_null(text);
     assert_int_equal(length + done, 0);
     mpz_set_ui(mpq_numref(p[2]), 15); /* 15/3 is not in lowest terms */
-    assert_int_equal(graze_report_points(&text, &length, &done, s.context, s.scene, p, 3,
+    assert_int_equal(graze_report_points(&text, &length, &done, NULL, s.context, s.scene, p, 3,
                                          GRAZE_FORMAT_CSV, rest),
                      GRAZE_EUSE);
     assert_string_equal(text, inside);
     assert_int_equal(done, 1);
     graze_free(text);
-    assert_int_equal(
-        graze_report_points(&text, &length, &done, s.context, s.scene, p, 3, (graze_format)5, rest),
-        GRAZE_EUSE);
+    assert_int_equal(graze_report_points(&text, &length, &done, NULL, s.context, s.scene, p, 3,
+                                         (graze_format)5, rest),
+                     GRAZE_EUSE);
     assert_null(text);
     for (int k = 0; k < 6; k++)
         mpq_clear(p[k]);

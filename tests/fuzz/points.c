@@ -141,8 +141,8 @@ static int say(char *out[4], graze_verdict *v, graze_context *context, const gra
     EXPECT(graze_report_row(&out[2], context, scene, point, trace, GRAZE_FORMAT_CSV, "x") ==
            GRAZE_OK);
     const char *rest[] = {"x"};
-    EXPECT(graze_report_points(&out[3], &length, &done, context, scene, point, 1, GRAZE_FORMAT_CSV,
-                               rest) == GRAZE_OK);
+    EXPECT(graze_report_points(&out[3], &length, &done, NULL, context, scene, point, 1,
+                               GRAZE_FORMAT_CSV, rest) == GRAZE_OK);
     EXPECT(graze_report_point(&one, context, scene, point, GRAZE_FORMAT_CSV, "x") == GRAZE_OK);
     EXPECT(strcmp(one, out[2]) == 0);
     graze_free(one);

@@ -74,12 +74,12 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
         return site_answer(r, a->context, task->scene, &rows, task->format);
     }
     if (!task->certifier)
-        return api_report_points(&table->text, &table->length, &r->done, &r->totals, a->context,
-                                 task->scene, a->points, n, task->format, rest);
-    return api_certificate_points(&certificate->text, &certificate->length,
-                                  table ? &table->text : NULL, table ? &table->length : NULL,
-                                  &r->done, &r->totals, a->context, task->certifier, a->points, n,
-                                  task->format, rest);
+        return graze_report_points(&table->text, &table->length, &r->done, &r->totals, a->context,
+                                   task->scene, a->points, n, task->format, rest);
+    return graze_certificate_points(&certificate->text, &certificate->length,
+                                    table ? &table->text : NULL, table ? &table->length : NULL,
+                                    &r->done, &r->totals, a->context, task->certifier, a->points, n,
+                                    task->format, rest);
 }
 
 /* Rows of pmc alone of grid points, many decided together. */

@@ -4,7 +4,7 @@
 #ifndef GRAZE_RUN_BLOCK_H
 #define GRAZE_RUN_BLOCK_H
 
-#include "api/api_trace.h"
+#include "graze.h"
 #include "input/delimited/field.h"
 #include "program/run/lines.h"
 #include "program/run/status.h"
@@ -36,9 +36,9 @@ typedef struct line {
 
 /** Neighbouring rows answered by one thread, at the place of the first of them. */
 typedef struct row_run {
-    row_totals totals; /* of the rows that are done */
-    size_t taken;      /* rows; 0 until a thread takes them */
-    size_t done;       /* rows the texts hold */
+    graze_row_totals totals; /* of the rows that are done */
+    size_t taken;            /* rows; 0 until a thread takes them */
+    size_t done;             /* rows the texts hold */
     struct row_text {
         char *text; /* for graze_free; NULL where none is wanted */
         size_t length;

@@ -48,8 +48,8 @@ static int open_record(outputs *out) {
     const classify_options *o = out->o;
     const char *path = o->resume ? o->resume : o->output;
     struct stat about;
-    if (!path || o->transient || !can_continue(out) || fstat(outputs_main(out)->out.fd, &about) != 0 ||
-        !S_ISREG(about.st_mode))
+    if (!path || o->transient || !can_continue(out) ||
+        fstat(outputs_main(out)->out.fd, &about) != 0 || !S_ISREG(about.st_mode))
         return EXIT_DONE;
     int status = record_open(&out->beside, path);
     int there = !status && o->resume && record_read(&out->at, &out->beside);

@@ -27,25 +27,25 @@ static int complain_of_rows(const part *p) {
 }
 
 /* Go on to the next line; the one before it belongs to the sum. */
-static int step(part *p) {
+static int go_on(part *p) {
     int status = next_line(p, &p->next);
     return !status && p->next.start && !p->in.whole ? complain_of_rows(p) : status;
 }
 
-static void add_line(part *p, field line) {
+static void sum_line(part *p, field line) {
     checksum_add(&p->sum, line.start, line.length);
     checksum_add(&p->sum, "\n", 1);
 }
 
 /* Copy the line at hand, whose end stands behind it. */
 static int copy_line(part *p, output *out) {
-    add_line(p, p->next);
+    sum_line(p, p->next);
     output_bytes(out, p->next.start, p->next.length + 1);
-    return step(p);
+    return go_on(p);
 }
 
 int part_copy_row(part *p, output *out) {
-    int status = p->next.start ? EXIT_DONE : step(p);
+    int status = p->next.start ? EXIT_DONE : go_on(p);
     if (status)
         return status;
     if (!p->next.start || line_part_of(p->kind, p->next) != LINE_ROW)
@@ -57,13 +57,13 @@ int part_copy_row(part *p, output *out) {
 }
 
 int part_end(part *p) {
-    int status = p->next.start ? EXIT_DONE : step(p);
+    int status = p->next.start ? EXIT_DONE : go_on(p);
     field value;
     if (!status && p->next.start && line_part_of(p->kind, p->next) != LINE_NOTE)
         return complain_of_rows(p);
     while (!status && p->next.start && !line_note(&value, p->kind, p->next, SHARD_BYTES)) {
-        add_line(p, p->next);
-        status = step(p);
+        sum_line(p, p->next);
+        status = go_on(p);
     }
     if (status || checksum_value(&p->sum) == p->bytes)
         return status;

@@ -7,7 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
-static double clock_seconds(void) {
+double clock_seconds(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;

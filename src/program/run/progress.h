@@ -17,6 +17,9 @@ typedef struct progress {
     unsigned long before; /* the portion done at the start */
 } progress;
 
+/** Seconds of the monotonic clock. */
+double clock_seconds(void);
+
 /** Begin, where `rows` rows are there already; `quiet` shows nothing. */
 void progress_start(progress *p, int quiet, unsigned long rows, portion reached);
 /** Show how many rows are there now, at most once a second. */

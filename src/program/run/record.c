@@ -7,21 +7,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
+#include "program/run/progress.h"
 #include "program/run/status.h"
 
 static const char first_words[] = "graze kept 1 ";
 enum { LINE_MOST = 256 };
 
-static double clock_seconds(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* The line, without its own checksum. */
-static int put_values(char line[LINE_MOST], const record *r) {
+static int put_record(char line[LINE_MOST], const record *r) {
     const struct kept_bytes *table = &r->file[RESULT_TABLE],
                             *certificate = &r->file[RESULT_CERTIFICATE];
     return snprintf(line, LINE_MOST,
@@ -80,7 +74,7 @@ int record_read(record *out, const record_file *f) {
                &out->rows, &out->undecided, &out->wide, &out->points, &table->length, &table->sum,
                &certificate->length, &certificate->sum, &sum) != 9)
         return 0;
-    int length = put_values(same, out);
+    int length = put_record(same, out);
     return strncmp(text, same, (size_t)length) == 0 && sum == sum_of(same, length);
 }
 
@@ -92,7 +86,7 @@ void record_write(record_file *f, const record *r, int now) {
     if (f->fd < 0)
         f->fd = open(f->path, O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     f->written = time;
-    int length = put_values(line, r);
+    int length = put_record(line, r);
     length +=
         snprintf(line + length, LINE_MOST - (size_t)length, " sum %016llx\n", sum_of(line, length));
     ssize_t ignored = f->fd < 0 ? 0 : pwrite(f->fd, line, (size_t)length, 0);

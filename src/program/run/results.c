@@ -124,7 +124,8 @@ int results_pass(results *t, const struct kept_bytes *kept, unsigned long rows) 
 }
 
 /* Name the line at which the file and this run differ: at byte `at` of a piece and of a text. */
-static int refuse(const results *t, const char *piece, const char *text, size_t at, size_t length) {
+static int refuse_line(const results *t, const char *piece, const char *text, size_t at,
+                       size_t length) {
     size_t start = at, n, m;
     unsigned long line = t->lines + 1;
     for (const char *k = text; (k = memchr(k, '\n', at - (size_t)(k - text))); k++)
@@ -153,7 +154,7 @@ static int compare(results *t, const char *text, size_t length) {
         while (at < part && piece[at] == text[at])
             at++;
         if (at < part)
-            return refuse(t, piece, text, at, part);
+            return refuse_line(t, piece, text, at, part);
         take(t, text, part);
         text += part;
         length -= part;

@@ -323,7 +323,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_comparison_report": (c_int, [_OUT, c_void_p, c_void_p, c_int]),
     "graze_report_header": (c_int, [_OUT, c_void_p, c_void_p, c_char_p, c_char_p]),
     "graze_report_points": (c_int, [_OUT, _SIZE_OUT, _SIZE_OUT, c_void_p, c_void_p, c_void_p,
-                                    c_size_t, c_int, c_void_p]),
+                                    c_void_p, c_size_t, c_int, c_void_p]),
     "graze_report_explain": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "mpq_init": (None, [c_void_p]),
     "mpq_clear": (None, [c_void_p]),

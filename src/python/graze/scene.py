@@ -311,8 +311,8 @@ class Scene:
             text, length, done = ctypes.c_void_p(), ctypes.c_size_t(), ctypes.c_size_t()
             status = context.call(
                 library().graze_report_points, ctypes.byref(text), ctypes.byref(length),
-                ctypes.byref(done), context.pointer, self._handle.pointer, rationals.at(start),
-                count, kind, None)
+                ctypes.byref(done), None, context.pointer, self._handle.pointer,
+                rationals.at(start), count, kind, None)
             rows = take_text(text, length.value).split("\n")[:-1] if text else []
             context.check(status, f"point {first + done.value}: ")
             pieces[first] = rows
