@@ -59,14 +59,14 @@ static int name_value(double *out, const char *name) {
     return *first >= '0' && *first <= '9' && !*end;
 }
 
-/* Numbers by value, then the others. */
+/* No name, then numbers by value, then the others. */
 static int by_name(const void *a, const void *b) {
     const char *x = ((const group *)a)->name, *y = ((const group *)b)->name;
     double m, n;
     int first = name_value(&m, x), second = name_value(&n, y);
-    if (first != second)
+    if (first != second && *x && *y)
         return second - first;
-    if (first && m != n)
+    if (first && second && m != n)
         return m < n ? -1 : 1;
     return strcmp(x, y);
 }
