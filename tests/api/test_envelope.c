@@ -26,7 +26,7 @@ static void events(void **state) {
     assert_int_equal(mpq_cmp_ui(when, 1, 1), 0);
     assert_int_equal(graze_envelope_event_count(e), 4);
     graze_event event = graze_envelope_event(e, 0);
-    assert_true(event.kind == GRAZE_EVENT_G && event.before == -1 && event.after == 1);
+    assert_true(event.kind == GRAZE_EVENT_REACH && event.before == -1 && event.after == 1);
     assert_true(event.facet.kind == GRAZE_CELL_EDGE && event.facet.a == 0 && event.facet.b == 3);
     assert_true(event.cell.kind == GRAZE_CELL_VERTEX && event.cell.a == 0 && event.other.kind == 0);
     assert_ptr_equal(event.time, graze_envelope_event(e, 3).time);
@@ -36,7 +36,7 @@ static void events(void **state) {
     assert_non_null(strstr(text, "\ntime,kind,facet,cell,before,after\n"));
     graze_free(text);
     assert_int_equal(graze_envelope_row(&text, s.context, e, 0), GRAZE_OK);
-    assert_string_equal(text, "1,g,edge 0-3,vertex 0,-,+\n");
+    assert_string_equal(text, "1,reach,edge 0-3,vertex 0,-,+\n");
     graze_free(text);
     assert_int_equal(graze_envelope_row(&text, s.context, e, 4), GRAZE_EUSE);
     assert_null(text);
@@ -170,8 +170,8 @@ static void wrong_calls(void **state) {
 
 static void names(void **state) {
     (void)state;
-    static const char *const kinds[] = {"none",  "saddle", "g",        "meet",
-                                        "theta", "turn",   "singular", "none"};
+    static const char *const kinds[] = {"none", "saddle", "reach",    "meet",
+                                        "cusp", "turn",   "singular", "none"};
     static const char *const answers[] = {"none", "yes", "no", "borderline", "none"};
     static const char *const parts[] = {"none", "slice", "run", "point", "whole", "none"};
     static const char *const forms[] = {"none", "closed", "open", "branching", "none"};

@@ -14,7 +14,7 @@ static const char envelope_help[] =
     "point stays away in time from the solid's interior.\n"
     "\n"
     "  --events FILE        a table of all events, with exact times: time,kind,facet,cell,before,\n"
-    "                       after; kinds are saddle, g, meet, theta, turn, singular\n"
+    "                       after; kinds are saddle, reach, meet, cusp, turn, singular\n"
     "  --at T,... --curve FILE   the contact points at times within the motion: slices, runs, "
     "points\n"
     "                       and whole facets with their ends, verdicts and chains\n"

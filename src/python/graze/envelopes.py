@@ -27,7 +27,7 @@ _NO_SIGN = 2
 class Event:
     """A time at which the contact points change, as a row of `graze envelope --events`.
 
-    `kind` is `saddle`, `g`, `meet`, `theta`, `turn` or `singular`. `other` is the second facet of a
+    `kind` is `saddle`, `reach`, `meet`, `cusp`, `turn` or `singular`. `other` is the second facet of a
     `meet`. `before` and `after` are signs, None beyond an end of the motion and for `singular`.
     """
 
