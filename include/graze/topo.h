@@ -27,11 +27,9 @@ typedef enum graze_topo_level {
     GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
     GRAZE_LEVEL_FIRST_ORDER = 2, /**< leading directions at the contacts (topology.md C46) */
     GRAZE_LEVEL_CURVES = 3, /**< the curves near the point, in a plane (topology.md C49, C50) */
-    GRAZE_LEVEL_CLOSED_CONES =
-        4,                 /**< these, with closed cones that are covered exactly (C46, C51) */
-    GRAZE_LEVEL_EDGES = 5, /**< these, with ways through pinches and along edges (C52) */
-    GRAZE_LEVEL_SECTION =
-        6, /**< the section across a direction that contacts do not depend on (C54) */
+    GRAZE_LEVEL_CLOSED_CONES = 4, /**< these, with closed cones covered exactly (C46, C51) */
+    GRAZE_LEVEL_EDGES = 5,        /**< these, with ways through pinches and along edges (C52) */
+    GRAZE_LEVEL_SECTION = 6,      /**< across a direction that contacts do not depend on (C54) */
     GRAZE_LEVEL_LEADING_TERMS = 7 /**< both sides of a plane, by leading terms (C55, gaps.md C88) */
 } graze_topo_level;
 
@@ -40,8 +38,8 @@ typedef struct graze_topology graze_topology;
 
 /** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_topo_name(graze_topo topo);
-/** "word", "first_order", "closed_cones", "edges", "leading_terms", "section" or "curves", else
- * "none". Static. */
+/** "word", "first_order", "closed_cones", "edges", "leading_terms", "section" or
+ * "curves", else "none". Static. */
 GRAZE_API const char *graze_topo_level_name(graze_topo_level level);
 
 /**

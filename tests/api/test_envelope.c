@@ -20,7 +20,7 @@ static void events(void **state) {
     assert_int_equal(graze_envelope_create(&e, s.context, s.scene), GRAZE_OK);
     graze_envelope_facts f = graze_envelope_get(e);
     assert_true(f.facets == 4 && f.edges == 0 && f.vertices == 4);
-    assert_true(f.decomposable == GRAZE_DECOMPOSABLE_BORDERLINE && f.reason == GRAZE_REASON_PIECES);
+    assert_true(f.decomposable == GRAZE_DECOMPOSABLE_UNDECIDED && f.reason == GRAZE_REASON_PIECES);
     assert_true(f.facet.kind == 0 && f.cell.kind == 0);
     assert_int_equal(graze_time_rational(when, f.time), 1);
     assert_int_equal(mpq_cmp_ui(when, 1, 1), 0);
@@ -172,7 +172,7 @@ static void names(void **state) {
     (void)state;
     static const char *const kinds[] = {"none", "saddle", "reach",    "meet",
                                         "cusp", "turn",   "singular", "none"};
-    static const char *const answers[] = {"none", "yes", "no", "borderline", "none"};
+    static const char *const answers[] = {"none", "yes", "no", "undecided", "none"};
     static const char *const parts[] = {"none", "slice", "run", "point", "whole", "none"};
     static const char *const forms[] = {"none", "closed", "open", "branching", "none"};
     for (int k = 0; k < 8; k++)

@@ -46,7 +46,7 @@ class Values(unittest.TestCase):
     def test_motion_error(self):
         """|s| > 1/2 in two rows; widened by 1/2 all values are within."""
         report = self.compare(motion_error=0.5).report
-        self.assertEqual((report["uncertain"], report["apart"], report["errors-of-sdf"]["within"]), (2, 2, 4))
+        self.assertEqual((report["undecided-by-motion-error"], report["undecided"], report["errors-of-sdf"]["within"]), (2, 2, 4))
 
     def test_refusals(self):
         for name, bad in (("sdf_tolerance", -1), ("motion_error", 0), ("sdf_tolerance", float("nan")),

@@ -103,10 +103,10 @@ class Answers(unittest.TestCase):
         scene = graze.Scene(plain.solid, plain.motion, sdf="1e-6r", motion_error=F(3, 4))
         points = [(5, F(5, 2), 1), (5, 1, 1), (5, 1, 2)]
         rows = [row.split(",") for row in scene.rows(points)]
-        self.assertEqual([row[-1] for row in rows], ["no", "yes", "no"])
+        self.assertEqual([row[-1] for row in rows], ["undecided", "yes", "undecided"])
         for row, s in zip(rows, (F(1, 2), -1, 0)):
             self.assertTrue(F(row[-4]) <= s <= F(row[-3]) and F(row[-3]) - F(row[-4]) <= F("3.5e-6"), row)
-        self.assertEqual([json.loads(row)["certain"] for row in scene.rows(points, "jsonl")], ["no", "yes", "no"])
+        self.assertEqual([json.loads(row)["certain"] for row in scene.rows(points, "jsonl")], ["undecided", "yes", "undecided"])
         lines = scene.table(points).splitlines()
         self.assertTrue(lines[-5].endswith(",word,sdf_low,sdf_high,sdf_t,certain"), lines)
         self.assertEqual([line.split(",") for line in lines[-4:-1]], rows)

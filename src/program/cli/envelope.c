@@ -10,7 +10,7 @@ static const char envelope_help[] =
     "\n"
     "At a time the contact points are a slice of each facet, where the boundary's speed along its\n"
     "normal is 0, and runs on convex edges. Prints how many events there are of each kind, and\n"
-    "whether the envelope is decomposable, yes, no or borderline, and why: whether every contact\n"
+    "whether the envelope is decomposable, yes, no or undecided, and why: whether every contact\n"
     "point stays away in time from the solid's interior.\n"
     "\n"
     "  --events FILE        a table of all events, with exact times: time,kind,facet,cell,before,\n"

@@ -44,7 +44,7 @@ class Event:
 class Envelope:
     """All events in order of time, and whether the envelope is decomposable.
 
-    `decomposable` is `yes`, `no` or `borderline`, `reason` says why in words; `facet`, `cell` and
+    `decomposable` is `yes`, `no` or `undecided`, `reason` says why in words; `facet`, `cell` and
     `time` are where and when, None where it is about no cell or time. `facets`, `edges` and
     `vertices` are numbers of cells by position.
     """

@@ -26,8 +26,8 @@ const char *graze_decomposable_name(graze_decomposable decomposable) {
         return "yes";
     case GRAZE_DECOMPOSABLE_NO:
         return "no";
-    case GRAZE_DECOMPOSABLE_BORDERLINE:
-        return "borderline";
+    case GRAZE_DECOMPOSABLE_UNDECIDED:
+        return "undecided";
     default:
         return "none";
     }
