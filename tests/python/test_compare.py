@@ -58,6 +58,15 @@ class Values(unittest.TestCase):
         with self.assertRaises(ValueError):
             self.compare(truth="inside")
 
+    def test_positions(self):
+        """A position that is none is refused by name, and no reason to leave its row out."""
+        with open(self.golden, "w", encoding="utf-8") as f:
+            f.write("x,y,pmc,topo\n4,1,on,unknown\n# complete 1\n")
+        with open(self.mine, "w", encoding="utf-8") as f:
+            f.write("x,y,pmc\n4,1,on\n")
+        with self.assertRaisesRegex(graze.InputError, "topo: 'unknown' is no answer; expected interior, boundary or undecided"):
+            graze.compare(self.golden, self.mine, question="closed")
+
 
 class Contacts(unittest.TestCase):
     """The front of [0, 1]^2 moving by 8 along x: its points are egress, uncovered later; those of the top slide."""
