@@ -229,6 +229,7 @@ def check_certain(checks, graze, points, scene):
             wrong = graze.write("wrong.csv", "".join(lines[:-3 if more else -2]).replace("3/8,undecided", "3/8," + word))
             out = graze.call("classify", *scene, points, *ask, *more, "--resume", wrong)
             checks.holds(out.returncode == 3 and "expected a table of this run" in out.stderr, out.stderr)
+            checks.holds(f"3/8,{word}" in out.stderr and "3/8,undecided" in out.stderr, word, "both words", out.stderr)
     fine = graze.call("classify", *scene, points, "--sdf", "1e-17r", "--motion-error", "1")
     checks.holds("rows is enclosed less closely" in fine.stderr, fine.stderr)
     out = graze.call("classify", *scene, points, "--motion-error", "1")
