@@ -15,7 +15,7 @@ typedef enum graze_question {
     GRAZE_QUESTION_OPEN = 0,  /**< the open sweep: pmc as Graze gives it */
     GRAZE_QUESTION_CLOSED = 1 /**< the closed sweep, which has the `on` points as members: `on` with
                                    topo `interior` counts as `in`; without a column topo, `on` rows
-                                   that may be seams are counted apart. Only pmc is compared */
+                                   that may be seams are undecided. Only pmc is compared */
 } graze_question;
 
 /** Meaning of `on` for candidates that only have in and out. */
@@ -54,14 +54,15 @@ typedef struct graze_compare_options {
                                     wrong. NULL: values are reported, not judged. Signs have no
                                     tolerance */
     const char *motion_error;  /**< a positive number: enclosures are widened by it; rows whose sign
-                                    is not certain then are apart (proofs/distance.md C73). Only pmc
-                                    and sdf are compared. NULL: none */
+                                    is not certain then are undecided (proofs/distance.md C73). Only
+                                    pmc and sdf are compared. NULL: none */
 } graze_compare_options;
 
-/** Counts of rows: rows = agree + wrong + apart + missing; `extra` rows are in the candidate only.
+/** Counts of rows: rows = agree + wrong + undecided + missing; `extra` rows are in the candidate
+ * only.
  */
 typedef struct graze_comparison_counts {
-    unsigned long rows, agree, wrong, apart, missing, extra;
+    unsigned long rows, agree, wrong, undecided, missing, extra;
 } graze_comparison_counts;
 
 /** Form of a report. */

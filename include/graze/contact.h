@@ -125,11 +125,11 @@ GRAZE_API const graze_trace *graze_site_trace(const graze_site *site);
 GRAZE_API size_t graze_site_germ_count(const graze_site *site);
 /**
  * Facet and side `index`, zeros past the end. With n the facet's outward normal of coprime
- * integers, g = n A^-1 (A' y + b'), its derivative by t at fixed y, and theta, the second
- * derivative of n c.
- * @param[out] g, drift, theta initialised; unchanged past the end
+ * integers, the speed g = n A^-1 (A' y + b'), the drift g_t, its derivative by t at fixed y, and
+ * theta, the second derivative of n c.
+ * @param[out] speed, drift, theta initialised; unchanged past the end
  */
-GRAZE_API graze_site_germ graze_site_germ_at(mpq_t g, mpq_t drift, mpq_t theta,
+GRAZE_API graze_site_germ graze_site_germ_at(mpq_t speed, mpq_t drift, mpq_t theta,
                                              const graze_site *site, size_t index);
 
 /** Head of a table of contact points: as graze_report_header. For sites of graze_site_snap

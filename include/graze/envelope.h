@@ -18,11 +18,11 @@ extern "C" {
 /** What changes at an event. Zero is never an answer. */
 typedef enum graze_event_kind {
     GRAZE_EVENT_NONE = 0,
-    GRAZE_EVENT_SADDLE = 1,  /**< det(velocity, two edge rays) at a vertex that is not convex */
-    GRAZE_EVENT_G = 2,       /**< g of a facet at a vertex in it */
-    GRAZE_EVENT_MEET = 3,    /**< on an edge: g of one facet where the slice of another ends */
-    GRAZE_EVENT_THETA = 4,   /**< theta where a slice ends */
-    GRAZE_EVENT_TURN = 5,    /**< g_t where a slice ends */
+    GRAZE_EVENT_SADDLE = 1, /**< det(velocity, two edge rays) at a vertex that is not convex */
+    GRAZE_EVENT_REACH = 2,  /**< the slice of a facet reaches a vertex in it: g there */
+    GRAZE_EVENT_MEET = 3,   /**< slices of two facets end at one point of an edge: g of one there */
+    GRAZE_EVENT_CUSP = 4,   /**< the envelope has a cusp where a slice ends: theta there */
+    GRAZE_EVENT_TURN = 5,   /**< the end of a slice turns back on its edge: g_t there */
     GRAZE_EVENT_SINGULAR = 6 /**< a contact of order 4 or more within a facet (E^3) */
 } graze_event_kind;
 /** Is the least distance in time between a contact and the solid's interior positive ([AMS]
@@ -31,7 +31,7 @@ typedef enum graze_decomposable {
     GRAZE_DECOMPOSABLE_NONE = 0,
     GRAZE_DECOMPOSABLE_YES = 1,
     GRAZE_DECOMPOSABLE_NO = 2,
-    GRAZE_DECOMPOSABLE_BORDERLINE = 3 /**< not decided */
+    GRAZE_DECOMPOSABLE_UNDECIDED = 3 /**< neither is proved */
 } graze_decomposable;
 /** Why. Zero is never an answer. */
 typedef enum graze_decomposable_reason {
@@ -40,9 +40,9 @@ typedef enum graze_decomposable_reason {
     GRAZE_REASON_REFLEX = 2, /**< no: a slice crosses a reflex edge (E^2: reaches a corner) */
     GRAZE_REASON_BREAK = 3, /**< no: at a break, contact on one side, into the solid on the other */
     GRAZE_REASON_VERTEX = 4,  /**< no: a slice or run reaches a vertex and enters the solid there */
-    GRAZE_REASON_PIECES = 5,  /**< borderline: the motion has a break */
-    GRAZE_REASON_ZERO = 6,    /**< borderline: theta is not positive on a closed slice */
-    GRAZE_REASON_REACHES = 7, /**< borderline: a slice or run reaches a reflex edge or a vertex that
+    GRAZE_REASON_PIECES = 5,  /**< undecided: the motion has a break */
+    GRAZE_REASON_ZERO = 6,    /**< undecided: theta is not positive on a closed slice */
+    GRAZE_REASON_REACHES = 7, /**< undecided: a slice or run reaches a reflex edge or a vertex that
                                  is not convex */
     GRAZE_REASON_POSITIVE = 8 /**< yes: none of these */
 } graze_decomposable_reason;
@@ -101,9 +101,9 @@ typedef struct graze_curve_part {
 
 typedef struct graze_curve graze_curve;
 
-/** "saddle", "g", "meet", "theta", "turn" or "singular", else "none". Static. */
+/** "saddle", "reach", "meet", "cusp", "turn" or "singular", else "none". Static. */
 GRAZE_API const char *graze_event_kind_name(graze_event_kind kind);
-/** "yes", "no" or "borderline", else "none". Static. */
+/** "yes", "no" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_decomposable_name(graze_decomposable decomposable);
 /** A reason as a phrase, else "none". Static. */
 GRAZE_API const char *graze_decomposable_reason_name(graze_decomposable_reason reason);

@@ -23,14 +23,14 @@ typedef enum graze_topo {
 } graze_topo;
 /** Level that decided the position. */
 typedef enum graze_topo_level {
-    GRAZE_LEVEL_NONE = 0,  /**< undecided */
-    GRAZE_LEVEL_WORD = 1,  /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
-    GRAZE_LEVEL_L1 = 2,    /**< leading directions at the contacts (topology.md C46) */
-    GRAZE_LEVEL_L3 = 3,    /**< the curves near the point, in a plane (topology.md C49, C50) */
-    GRAZE_LEVEL_EXACT = 4, /**< L1 with closed cones that are covered exactly (C46, C51) */
-    GRAZE_LEVEL_TUBE = 5,  /**< these, with ways through pinches and along edges (C52) */
-    GRAZE_LEVEL_LR = 6, /**< the section across a direction that contacts do not depend on (C54) */
-    GRAZE_LEVEL_L2 = 7  /**< both sides of a plane, by leading terms (C55, gaps.md C88) */
+    GRAZE_LEVEL_NONE = 0, /**< none decides it */
+    GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
+    GRAZE_LEVEL_FIRST_ORDER = 2, /**< leading directions at the contacts (topology.md C46) */
+    GRAZE_LEVEL_CURVES = 3, /**< the curves near the point, in a plane (topology.md C49, C50) */
+    GRAZE_LEVEL_CLOSED_CONES = 4, /**< these, with closed cones covered exactly (C46, C51) */
+    GRAZE_LEVEL_EDGES = 5,        /**< these, with ways through pinches and along edges (C52) */
+    GRAZE_LEVEL_SECTION = 6,      /**< across a direction that contacts do not depend on (C54) */
+    GRAZE_LEVEL_LEADING_TERMS = 7 /**< both sides of a plane, by leading terms (C55, gaps.md C88) */
 } graze_topo_level;
 
 /** Verdict on one point. */
@@ -38,7 +38,8 @@ typedef struct graze_topology graze_topology;
 
 /** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_topo_name(graze_topo topo);
-/** "word", "L1", "exact", "tube", "L2", "LR" or "L3", else "none". Static. */
+/** "word", "first_order", "closed_cones", "edges", "leading_terms", "section" or
+ * "curves", else "none". Static. */
 GRAZE_API const char *graze_topo_level_name(graze_topo_level level);
 
 /**
@@ -68,17 +69,17 @@ GRAZE_API const char *graze_topology_reason(const graze_topology *topology);
  */
 GRAZE_API int graze_topology_witness(mpq_t *out, const graze_topology *topology);
 /**
- * The ray on which the witness lies, where L1 decides: the points P + s direction with 0 < s <=
- * epsilon are all `out`, and the witness is that at epsilon (closure.md C74).
+ * The ray on which the witness lies, where first order decides: the points P + s direction with 0 <
+ * s <= epsilon are all `out`, and the witness is that at epsilon (closure.md C74).
  * @param[out] direction d initialised rationals, integers
  * @param[out] epsilon   initialised
  * @return 1, or 0 with both unchanged
  */
 GRAZE_API int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_topology *topology);
 /**
- * The path on which the witness lies, where L2 decides, in space: the points P + s^m direction +
- * s^(m + 1) z normal with 0 < s <= epsilon are all `out`, and the witness is that at epsilon
- * (gaps.md C88).
+ * The path on which the witness lies, where leading terms decide, in space: the points P + s^m
+ * direction + s^(m + 1) z normal with 0 < s <= epsilon are all `out`, and the witness is that at
+ * epsilon (gaps.md C88).
  * @param[out] direction d initialised rationals, integers; `normal` is orthogonal to it
  * @param[out] normal    the same
  * @param[out] z         initialised
@@ -89,8 +90,8 @@ GRAZE_API int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_to
 GRAZE_API int graze_topology_path(mpq_t *direction, mpq_t *normal, mpq_t z, size_t *order,
                                   mpq_t epsilon, const graze_topology *topology);
 /**
- * The square on which the witness lies, where LR or L3 decides: it is P + x a + y b with |x| and
- * |y| at most rho, one of them rho, and every smaller square holds such a point too.
+ * The square on which the witness lies, where a section or curves decide: it is P + x a + y b with
+ * |x| and |y| at most rho, one of them rho, and every smaller square holds such a point too.
  * @param[out] along 2 d initialised rationals, integers: a, then b
  * @param[out] rho   initialised
  * @return 1, or 0 with both unchanged

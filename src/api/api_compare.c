@@ -53,9 +53,9 @@ void graze_comparison_destroy(graze_comparison *comparison) {
 graze_comparison_counts graze_comparison_count(const graze_comparison *comparison) {
     graze_comparison_counts counts = {0, 0, 0, 0, 0, 0};
     if (comparison)
-        counts =
-            (graze_comparison_counts){comparison->rows,  comparison->agree,   comparison->wrong,
-                                      comparison->apart, comparison->missing, comparison->extra};
+        counts = (graze_comparison_counts){comparison->rows,    comparison->agree,
+                                           comparison->wrong,   comparison->undecided,
+                                           comparison->missing, comparison->extra};
     return counts;
 }
 

@@ -115,7 +115,7 @@ size_t graze_site_germ_count(const graze_site *site) {
     return site ? site->germ_count : 0;
 }
 
-graze_site_germ graze_site_germ_at(mpq_t g, mpq_t drift, mpq_t theta, const graze_site *site,
+graze_site_germ graze_site_germ_at(mpq_t speed, mpq_t drift, mpq_t theta, const graze_site *site,
                                    size_t index) {
     graze_site_germ out;
     memset(&out, 0, sizeof out);
@@ -126,8 +126,8 @@ graze_site_germ graze_site_germ_at(mpq_t g, mpq_t drift, mpq_t theta, const graz
     out.side = germ->side;
     out.order = germ->order;
     out.sign = germ->sign;
-    if (g && drift && theta) {
-        api_rational_out(g, germ->g);
+    if (speed && drift && theta) {
+        api_rational_out(speed, germ->speed);
         api_rational_out(drift, germ->drift);
         api_rational_out(theta, germ->theta);
     }

@@ -39,7 +39,7 @@ void graze_envelope_destroy(graze_envelope *envelope) {
 
 static graze_decomposable answer_of(graze_decomposable_reason reason) {
     return reason == GRAZE_REASON_POSITIVE ? GRAZE_DECOMPOSABLE_YES
-           : reason >= GRAZE_REASON_PIECES ? GRAZE_DECOMPOSABLE_BORDERLINE
+           : reason >= GRAZE_REASON_PIECES ? GRAZE_DECOMPOSABLE_UNDECIDED
                                            : GRAZE_DECOMPOSABLE_NO;
 }
 

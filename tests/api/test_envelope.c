@@ -20,13 +20,13 @@ static void events(void **state) {
     assert_int_equal(graze_envelope_create(&e, s.context, s.scene), GRAZE_OK);
     graze_envelope_facts f = graze_envelope_get(e);
     assert_true(f.facets == 4 && f.edges == 0 && f.vertices == 4);
-    assert_true(f.decomposable == GRAZE_DECOMPOSABLE_BORDERLINE && f.reason == GRAZE_REASON_PIECES);
+    assert_true(f.decomposable == GRAZE_DECOMPOSABLE_UNDECIDED && f.reason == GRAZE_REASON_PIECES);
     assert_true(f.facet.kind == 0 && f.cell.kind == 0);
     assert_int_equal(graze_time_rational(when, f.time), 1);
     assert_int_equal(mpq_cmp_ui(when, 1, 1), 0);
     assert_int_equal(graze_envelope_event_count(e), 4);
     graze_event event = graze_envelope_event(e, 0);
-    assert_true(event.kind == GRAZE_EVENT_G && event.before == -1 && event.after == 1);
+    assert_true(event.kind == GRAZE_EVENT_REACH && event.before == -1 && event.after == 1);
     assert_true(event.facet.kind == GRAZE_CELL_EDGE && event.facet.a == 0 && event.facet.b == 3);
     assert_true(event.cell.kind == GRAZE_CELL_VERTEX && event.cell.a == 0 && event.other.kind == 0);
     assert_ptr_equal(event.time, graze_envelope_event(e, 3).time);
@@ -36,7 +36,7 @@ static void events(void **state) {
     assert_non_null(strstr(text, "\ntime,kind,facet,cell,before,after\n"));
     graze_free(text);
     assert_int_equal(graze_envelope_row(&text, s.context, e, 0), GRAZE_OK);
-    assert_string_equal(text, "1,g,edge 0-3,vertex 0,-,+\n");
+    assert_string_equal(text, "1,reach,edge 0-3,vertex 0,-,+\n");
     graze_free(text);
     assert_int_equal(graze_envelope_row(&text, s.context, e, 4), GRAZE_EUSE);
     assert_null(text);
@@ -170,9 +170,9 @@ static void wrong_calls(void **state) {
 
 static void names(void **state) {
     (void)state;
-    static const char *const kinds[] = {"none",  "saddle", "g",        "meet",
-                                        "theta", "turn",   "singular", "none"};
-    static const char *const answers[] = {"none", "yes", "no", "borderline", "none"};
+    static const char *const kinds[] = {"none", "saddle", "reach",    "meet",
+                                        "cusp", "turn",   "singular", "none"};
+    static const char *const answers[] = {"none", "yes", "no", "undecided", "none"};
     static const char *const parts[] = {"none", "slice", "run", "point", "whole", "none"};
     static const char *const forms[] = {"none", "closed", "open", "branching", "none"};
     for (int k = 0; k < 8; k++)

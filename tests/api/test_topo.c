@@ -95,7 +95,7 @@ static void positions(void **state) {
     assert_true(a.position == GRAZE_TOPO_EXTERIOR && a.level == GRAZE_LEVEL_WORD);
     a = ask(&s, "5", "2"); /* the top edge slides along it */
     assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level > GRAZE_LEVEL_WORD && a.has_witness);
-    assert_true(a.has_ray == (a.level == GRAZE_LEVEL_L1) && a.has_square == !a.has_ray);
+    assert_true(a.has_ray == (a.level == GRAZE_LEVEL_FIRST_ORDER) && a.has_square == !a.has_ray);
     assert_string_equal(a.reason, "");
     scene_close(&s);
     scene_open(&s, seam, NULL);
@@ -106,7 +106,7 @@ static void positions(void **state) {
     scene_close(&s);
     scene_open(&s, thin_gap, NULL);
     a = ask(&s, "0", "0");
-    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level == GRAZE_LEVEL_L3);
+    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level == GRAZE_LEVEL_CURVES);
     assert_true(a.has_witness && a.has_square && !a.has_ray);
     scene_close(&s);
 }
@@ -148,7 +148,7 @@ static void path(void **state) {
     assert_int_equal(graze_trace_create(&trace, context, made, p), GRAZE_OK);
     assert_int_equal(graze_trace_topo(&topology, context, made, p, trace), GRAZE_OK);
     assert_int_equal(graze_topology_position(topology), GRAZE_TOPO_BOUNDARY);
-    assert_int_equal(graze_topology_level(topology), GRAZE_LEVEL_L2);
+    assert_int_equal(graze_topology_level(topology), GRAZE_LEVEL_LEADING_TERMS);
     assert_true(graze_topology_witness(witness, topology));
     assert_false(graze_topology_ray(x, epsilon, topology));
     assert_false(graze_topology_square(x, epsilon, topology));
@@ -219,8 +219,8 @@ static void names(void **state) {
     assert_string_equal(graze_topo_name(GRAZE_TOPO_NONE), "none");
     assert_string_equal(graze_topo_name((graze_topo)9), "none");
     assert_string_equal(graze_topo_level_name(GRAZE_LEVEL_WORD), "word");
-    assert_string_equal(graze_topo_level_name(GRAZE_LEVEL_L1), "L1");
-    assert_string_equal(graze_topo_level_name(GRAZE_LEVEL_L3), "L3");
+    assert_string_equal(graze_topo_level_name(GRAZE_LEVEL_FIRST_ORDER), "first_order");
+    assert_string_equal(graze_topo_level_name(GRAZE_LEVEL_CURVES), "curves");
     assert_string_equal(graze_topo_level_name((graze_topo_level)9), "none");
 }
 

@@ -123,10 +123,10 @@ def is_certain(row, eta):
 
 
 def expect_counts(rows, tolerance, eta, outside):
-    n = {"rows": len(rows), "agree": 0, "wrong": 0, "missing": 0, "apart": 0, "uncertain": 0}
+    n = {"rows": len(rows), "agree": 0, "wrong": 0, "missing": 0, "undecided": 0, "undecided-by-motion-error": 0}
     for row in rows:
         certain = is_certain(row, eta)
-        n["uncertain"] += not certain
+        n["undecided-by-motion-error"] += not certain
         if row["value"] is None:
             n["missing"] += 1
             continue
@@ -135,7 +135,7 @@ def expect_counts(rows, tolerance, eta, outside):
         if (certain and sign(row["value"]) != row["pmc"]) or (judged and miss > tolerance):
             n["wrong"] += 1
         else:
-            n["agree" if certain else "apart"] += 1
+            n["agree" if certain else "undecided"] += 1
     return n
 
 
@@ -217,7 +217,7 @@ def check_scene(graze, folder):
         checks.equal(json.loads(done.stdout)["wrong"], wrong, tolerance)
     done = harness.run([graze, *ask, "--motion-error", "0.6"], 300)
     report = json.loads(done.stdout)
-    checks.equal([done.returncode, report["apart"], report["uncertain"]], [0, 3, 3], "|s| <= 0.6 three times")
+    checks.equal([done.returncode, report["undecided"], report["undecided-by-motion-error"]], [0, 3, 3], "|s| <= 0.6 three times")
     plain = harness.run([graze, *ask[:1], path["plain.csv"], *ask[2:], "--sdf-tolerance", "1"], 300)
     checks.holds(plain.returncode == 3 and "has no columns sdf_low and sdf_high" in plain.stderr, plain.stderr)
     done = harness.run([graze, *ask[:1], path["plain.csv"], *ask[2:]], 300)

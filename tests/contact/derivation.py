@@ -134,7 +134,7 @@ def check_facets(checks, record, solid, motion, sides, t, y, *where):
         name, = cell_set([f["facet"]])
         which = {"+": 1, "-": -1}[f["side"]]
         order = None if f["order"] == "inf" else f["order"]
-        got[(name, which)] = (F(f["g"]), F(f["theta"]), order, {"+": 1, "0": 0, "-": -1}[f["sign"]])
+        got[(name, which)] = (F(f["speed"]), F(f["theta"]), order, {"+": 1, "0": 0, "-": -1}[f["sign"]])
     checks.equal(got, want, *where, "facets")
 
 
@@ -183,7 +183,7 @@ def check_slice(checks, tally, record, solid, motion, sides, t, y, *where):
         order, _ = oracle.order_and_sign(beside[0][1], here[0], motion.map(y, t), t, 1)
         want = ("+" if theta > 0 else "-" if theta < 0 else "0", "inf" if order is None else order, turn)
         tally[("slice",) + want] += 1
-        checks.equal({F(f["g_t"]) for f in record["facets"]}, {g_t}, *where, "g_t")
+        checks.equal({F(f["drift"]) for f in record["facets"]}, {g_t}, *where, "g_t")
     checks.equal((record["theta"], record["contact_order"], record["orientation"]), want, *where, "slice")
 
 

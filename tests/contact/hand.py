@@ -177,7 +177,7 @@ def check_case(checks, graze, number, case):
         checks.equal(row[name], want, *where, name)
     record = json.loads(graze.call("contact", *files, contacts, "--format", "jsonl").stdout)
     if facets is not None:
-        checks.equal([(f["g"], f["g_t"], f["theta"]) for f in record["facets"]], facets, *where, "facets")
+        checks.equal([(f["speed"], f["drift"], f["theta"]) for f in record["facets"]], facets, *where, "facets")
 
 
 def check_carried(checks, graze):

@@ -205,13 +205,13 @@ def check_heads(checks, graze, points, scene):
 
 def check_certain(checks, graze, points, scene):
     """|s| > ETA, of points that are 1, 5, 1, 0, 1/3 and 1/2 away."""
-    for eta, certain in (("1/4", "yes yes yes no yes yes"), ("0.4", "yes yes yes no no yes"), ("3/4", "yes yes yes no no no"),
-                         ("1", "no yes no no no no"), ("100", "no no no no no no")):
+    for eta, beyond in (("1/4", "111011"), ("0.4", "111001"), ("3/4", "111000"), ("1", "010000"), ("100", "000000")):
+        certain = ["undecided" if k == "0" else "yes" for k in beyond]
         ask = ("--quiet", "--sdf", "1e-9", "--motion-error", eta)
         out = graze.call("classify", *scene, points, *ask)
-        checks.equal([row["certain"] for row in rows_of(out.stdout)], certain.split(), eta)
+        checks.equal([row["certain"] for row in rows_of(out.stdout)], certain, eta)
         lines = graze.call("classify", *scene, points, *ask, "--format", "jsonl").stdout.splitlines()
-        checks.equal([json.loads(line)["certain"] for line in lines], certain.split(), eta)
+        checks.equal([json.loads(line)["certain"] for line in lines], certain, eta)
     ask = ("--quiet", "--sdf", "1e-9", "--motion-error", "0.4")
     for more in ((), ("--topo",)):
         whole = graze.call("classify", *scene, points, *ask, *more).stdout
@@ -225,9 +225,11 @@ def check_certain(checks, graze, points, scene):
         graze.call("classify", *scene, points, *ask, *more, "--resume", begun)
         with open(begun, encoding="utf-8") as f:
             checks.equal(f.read(), whole, "continued")
-        wrong = graze.write("wrong.csv", "".join(lines[:-3 if more else -2]).replace("3/8,no", "3/8,yes"))
-        out = graze.call("classify", *scene, points, *ask, *more, "--resume", wrong)
-        checks.holds(out.returncode == 3 and "expected a table of this run" in out.stderr, out.stderr)
+        for word in ("yes", "no"):
+            wrong = graze.write("wrong.csv", "".join(lines[:-3 if more else -2]).replace("3/8,undecided", "3/8," + word))
+            out = graze.call("classify", *scene, points, *ask, *more, "--resume", wrong)
+            checks.holds(out.returncode == 3 and "expected a table of this run" in out.stderr, out.stderr)
+            checks.holds(f"3/8,{word}" in out.stderr and "3/8,undecided" in out.stderr, word, "both words", out.stderr)
     fine = graze.call("classify", *scene, points, "--sdf", "1e-17r", "--motion-error", "1")
     checks.holds("rows is enclosed less closely" in fine.stderr, fine.stderr)
     out = graze.call("classify", *scene, points, "--motion-error", "1")
@@ -269,7 +271,7 @@ def check_grid(checks, graze, scene):
         if any(beyond):
             square = sum(b * b for b in beyond)
             checks.holds(0 <= low and low * low <= square <= high * high and high - low <= F(1, 10 ** 7), row)
-            checks.equal(row["certain"], "yes" if square > F(1, 64) else "no", row)
+            checks.equal(row["certain"], "yes" if square > F(1, 64) else "undecided", row)
         else:
             s = -min([F(1)] + [min(x, top - x) for x, top in zip(p, (10, 2, 2))])
             checks.holds(low <= s <= high and high - low <= F(1, 10 ** 7), row)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""Times of `theta` by the Jacobian of the envelope's own parametrisation, which PARI's gp takes symbolically.
+"""Times of `cusp` by the Jacobian of the envelope's own parametrisation, which PARI's gp takes symbolically.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -118,7 +118,7 @@ def main():
     script, wanted = GP, {}
     for d, motions in ((2, PLANE), (3, SPACE)):
         for name, motion in motions.items():
-            rows = [r for r in table_of(graze, checks, f"{name}{d}", motion, d) if r["kind"] == "theta" and r["before"] and r["after"]]
+            rows = [r for r in table_of(graze, checks, f"{name}{d}", motion, d) if r["kind"] == "cusp" and r["before"] and r["after"]]
             for facet, cell, line, tag in calls(f"{name}{d}", motion, d):
                 script += line
                 wanted[tag] = [When(r["time"]) for r in rows if (r["facet"], r["cell"]) == (facet, cell)]

@@ -97,7 +97,7 @@ class View:
 
 def corners(view, series, facets, p, q):
     """The series of g of the facets at the ends of an edge: where these change a slice may end."""
-    keys = [("g", name, oracle.lowest(view.sides, x)) for name in facets for x in (p, q)]
+    keys = [("reach", name, oracle.lowest(view.sides, x)) for name in facets for x in (p, q)]
     return [series[key] for key in keys if key in series]
 
 
@@ -118,14 +118,14 @@ def check_time(checks, tally, view, series, seen, t, *where):
             checks.equal(seen.setdefault(key, found), found, *where, key, "has no event", str(t), str(piece))
     for name, p, facets in view.vertices:
         for side in facets:
-            check(("g", side.name, name), sign(view.g(side, t, p)))
+            check(("reach", side.name, name), sign(view.g(side, t, p)))
     for name, p, q, facets in view.edges:
         if sum(n == name for n, *_ in view.edges) > 1:
             continue
         ends = {side.name: view.end(side, t, p, q) for side in facets}
         for side in facets:
             if ends[side.name]:
-                key = ("theta", side.name, name)
+                key = ("cusp", side.name, name)
                 found = sign(view.phi(side, t, ends[side.name][1], 2)[2])
                 if key in series:
                     check_series(checks, tally, series, key, t, found, corners(view, series, [side.name], p, q), *where)
@@ -235,7 +235,7 @@ def main():
         run_scene(checks, tally, graze, args.random, name, solid, motion)
     for key, number in sorted(tally.items(), key=str):
         print(*key, number)
-    for kind in ("g", "theta", "turn", "meet"):
+    for kind in ("reach", "cusp", "turn", "meet"):
         checks.holds(tally["events", kind], "there are events of each kind", kind)
     checks.finish()
 

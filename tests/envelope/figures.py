@@ -53,12 +53,12 @@ def outlines(middle, outer, times):
 
 
 def crossings(time_of):
-    """`g` of each facet at its three corners, at time_of(signs) = (time, sign after)."""
+    """`reach` of each facet at its three corners, at time_of(signs) = (time, sign after)."""
     out = Counter()
     for k, signs in enumerate(SIGNS):
         time, after = time_of(*signs)
         for axis, s in zip("xyz", signs):
-            out["g", f"face {k}", f"vertex {CORNER[axis, s]}", time, "+-"[after > 0], "-+"[after > 0]] += 1
+            out["reach", f"face {k}", f"vertex {CORNER[axis, s]}", time, "+-"[after > 0], "-+"[after > 0]] += 1
     return out
 
 

@@ -41,10 +41,10 @@ MIRRORED_BLOCK = "POLYGON ((-2 -1, -4 -1, -4 1, -2 1, -2 -1))\n"
 # g of y = 1 is (2x - 4t)/(1+t^2), of y = -1 its opposite; of x = 2 it is 2 (y + t^2 - 1)/(1+t^2), of x = 4 its opposite. So
 # g is 0 at the corners (2, 1), (4, 1) at t = 0 and, of y = 1 and y = -1, at the left corners at t = 1. Where g = 0, y = 1 -
 # t^2, theta of x = 2 is 4 (2 - 3t - t^3)/(1+t^2)^2, of x = 4 it is 4 (t^3 + 3t - 4)/(1+t^2)^2, 0 at t = 1.
-ALONG = [("0", "g", "edge 1-2", "vertex 2", "", "-"), ("0", "g", "edge 0-3", "vertex 3", "", "+"),
-         ("root(-2 3 0 1;0;1)", "theta", "edge 0-3", "edge 0-3", "+", "-"),
-         ("1", "g", "edge 0-1", "vertex 0", "-", ""), ("1", "g", "edge 2-3", "vertex 3", "+", ""),
-         ("1", "theta", "edge 1-2", "edge 1-2", "-", "")]
+ALONG = [("0", "reach", "edge 1-2", "vertex 2", "", "-"), ("0", "reach", "edge 0-3", "vertex 3", "", "+"),
+         ("root(-2 3 0 1;0;1)", "cusp", "edge 0-3", "edge 0-3", "+", "-"),
+         ("1", "reach", "edge 0-1", "vertex 0", "-", ""), ("1", "reach", "edge 2-3", "vertex 3", "+", ""),
+         ("1", "cusp", "edge 1-2", "edge 1-2", "-", "")]
 
 CASES = [
     # Turning about the origin: g of x = 2 is 0 at (2, 0) all the time, of x = 4 at (4, 0), of the others never. theta < 0 on x = 4.
@@ -55,42 +55,42 @@ CASES = [
     # All g are constant and not 0; the edge run that ends at the notch meets the upper part.
     (contact.L_PRISM, moves(3, (0, 4, shift("t", "t", "t"))), "no", VERTEX, []),
     # The same along y: the notch's faces slide, and so does the edge between them; nothing moves across it.
-    (contact.L_PRISM, moves(3, (0, 4, shift("0", "t", "0"))), "borderline",
+    (contact.L_PRISM, moves(3, (0, 4, shift("0", "t", "0"))), "undecided",
      "a slice or run reaches a reflex edge or a vertex that is not convex", []),
     # Along x the floor of the notch slides towards its wall.
     (contact.L_PRISM, moves(3, (0, 4, shift("t", "0", "0"))), "no", REFLEX, []),
     # b' = (1, t): only the edge from (-2, -3) to the notch (0, -1), normal (1, -1), has g = 1 - t = 0, at t = 1, with theta = 1 >
     # 0 everywhere. There the other edge at the notch has g = -2.
     (contact.DART, moves(2, ("1/2", "3/2", shift("t", "t^2/2"))), "no", VERTEX,
-     [("1", "g", "edge 1-2", "vertex 1", "+", "-"), ("1", "g", "edge 1-2", "vertex 2", "+", "-")]),
+     [("1", "reach", "edge 1-2", "vertex 1", "+", "-"), ("1", "reach", "edge 1-2", "vertex 2", "+", "-")]),
     # Up to it the notch is reached at the end alone, and nothing enters.
-    (contact.DART, moves(2, ("1/2", "1", shift("t", "t^2/2"))), "borderline",
+    (contact.DART, moves(2, ("1/2", "1", shift("t", "t^2/2"))), "undecided",
      "a slice or run reaches a reflex edge or a vertex that is not convex",
-     [("1", "g", "edge 1-2", "vertex 1", "+", ""), ("1", "g", "edge 1-2", "vertex 2", "+", "")]),
+     [("1", "reach", "edge 1-2", "vertex 1", "+", ""), ("1", "reach", "edge 1-2", "vertex 2", "+", "")]),
     # Past it none is 0.
     (contact.DART, moves(2, ("5/4", "3/2", shift("t", "t^2/2"))), "yes", None, []),
     # b' = (1, t), to the other side: theta of the edge is b''(1, -1) = -1 for t^2/2 with the opposite sign.
     (contact.DART, moves(2, ("1/2", "3/2", shift("t", "2*t-t^2/2"))), "no", THETA,
-     [("1", "g", "edge 1-2", "vertex 1", "-", "+"), ("1", "g", "edge 1-2", "vertex 2", "-", "+")]),
+     [("1", "reach", "edge 1-2", "vertex 1", "-", "+"), ("1", "reach", "edge 1-2", "vertex 2", "-", "+")]),
     # A square slides along x all the time; there and back; to the right and on, slower: a jump of velocity but of no sign.
     (contact.SQUARE, contact.RIGHT, "yes", None, []),
     (contact.SQUARE, contact.STAND, "yes", None, []),
-    (contact.SQUARE, contact.BACK, "borderline", PIECES,
-     [("1", "g", "edge 0-3", "vertex 0", "-", "+"), ("1", "g", "edge 1-2", "vertex 1", "+", "-"),
-      ("1", "g", "edge 1-2", "vertex 2", "+", "-"), ("1", "g", "edge 0-3", "vertex 3", "-", "+")]),
-    (contact.SQUARE, contact.ON, "borderline", PIECES, []),
+    (contact.SQUARE, contact.BACK, "undecided", PIECES,
+     [("1", "reach", "edge 0-3", "vertex 0", "-", "+"), ("1", "reach", "edge 1-2", "vertex 1", "+", "-"),
+      ("1", "reach", "edge 1-2", "vertex 2", "+", "-"), ("1", "reach", "edge 0-3", "vertex 3", "-", "+")]),
+    (contact.SQUARE, contact.ON, "undecided", PIECES, []),
     (contact.SQUARE, moves(2, (0, 1, shift("8*t", "0")), (1, 2, shift("8*t", "0"))), "yes", None, []),
     # The top slides along x until it moves up, into the points that slid on it.
     (contact.SQUARE, moves(2, (0, 1, shift("8*t", "0")), (1, 2, shift("8", "8*t-8"))), "no", BREAK,
-     [("1", "g", edge, vertex, before, after) for vertex, edge, before, after in
+     [("1", "reach", edge, vertex, before, after) for vertex, edge, before, after in
       (("vertex 0", "edge 0-1", "0", "-"), ("vertex 0", "edge 0-3", "-", "0"), ("vertex 1", "edge 0-1", "0", "-"),
        ("vertex 1", "edge 1-2", "+", "0"), ("vertex 2", "edge 1-2", "+", "0"), ("vertex 2", "edge 2-3", "0", "+"),
        ("vertex 3", "edge 0-3", "-", "0"), ("vertex 3", "edge 2-3", "0", "+"))]),
     # The edge x = y = 2 is a run at first, g = 1 and -1 beside it; then both are 1, and of z = 0, 2 it is 0 all the time.
     (CUBE, moves(3, (0, 1, shift("t", "-t", "0")), (1, 2, shift("t", "t-2", "0"))), "no", BREAK, set()),
     # The front comes to rest at t = 1 and then moves on: no contact of the front before, egress after.
-    (contact.SQUARE, moves(2, (0, 1, shift("2*t-t^2", "0")), (1, 2, shift("t", "0"))), "borderline", PIECES,
-     [("1", "g", edge, vertex, sign, sign) for vertex, edge, sign in
+    (contact.SQUARE, moves(2, (0, 1, shift("2*t-t^2", "0")), (1, 2, shift("t", "0"))), "undecided", PIECES,
+     [("1", "reach", edge, vertex, sign, sign) for vertex, edge, sign in
       (("vertex 0", "edge 0-3", "-"), ("vertex 1", "edge 1-2", "+"), ("vertex 2", "edge 1-2", "+"), ("vertex 3", "edge 0-3", "-"))]),
     # phi of the top is P_z - r - t X with r = -t + t^4: g = X - 1 + 4t^3, theta = -12 t^2, third derivative -24 t. At t = 0 the line
     # X = 1 has order 4; the slab to X = 1 has it on its edge only, the one from X = 1 on as well; from 0 to 2 within.
@@ -102,7 +102,7 @@ CASES = [
      {("0", "singular", "face 0", "face 0", "", ""), ("0", "singular", "face 1", "face 1", "", "")}),
     (FAR_SLAB, moves(3, (-1, 1, sheared("t", "t^2", "1", "t^4-t^2/2-t/2"))), None, None, set()),
     # The whole top has order 4 at t = 0; theta = -12 t^2 is not negative there. y = 0, 2 slide.
-    (CUBE, moves(3, (-1, 1, shift("t", "0", "t^4"))), "borderline", ZERO,
+    (CUBE, moves(3, (-1, 1, shift("t", "0", "t^4"))), "undecided", ZERO,
      {("0", "singular", "face 0", "face 0", "", ""), ("0", "singular", "face 1", "face 1", "", "")}),
     # Moved up by t, then turned about the x axis: c of (x, 0, 0) is (x, -t, 0), all of it in the bottom. That line leaves the bottom
     # at its lowest corner, (4, -1/2); at t = 1/3 and 3/7 it passes others.

@@ -75,7 +75,7 @@ def mirrored(row):
 
 
 def backwards(row):
-    row = turned(row, ("saddle", "g", "meet"))
+    row = turned(row, ("saddle", "reach", "meet"))
     return (laws.opposite_time(row[0]),) + row[1:4] + (row[5], row[4])
 
 

@@ -20,7 +20,7 @@ from scenes import plane_scenes, space_scenes
 from solids import Polygon
 
 SCENES, TIMES, POINTS, LIMITS = 14, 3, 12, 6
-FACET_KINDS = ("g", "theta", "turn", "singular")
+FACET_KINDS = ("reach", "cusp", "turn", "singular")
 
 
 class Tables:
@@ -69,7 +69,7 @@ def concerns(event, cell):
     """Does the event name the facet or vertex, or meet on the edge?"""
     if event["kind"] in ("saddle", "meet"):
         return event["cell"] == cell
-    return event["facet"] == cell or (event["kind"] == "g" and event["cell"] == cell)
+    return event["facet"] == cell or (event["kind"] == "reach" and event["cell"] == cell)
 
 
 def check_intervals(checks, t, name, d):
@@ -80,7 +80,7 @@ def check_intervals(checks, t, name, d):
         checks.equal(inside, set(), name, row, "events in a patch")
         checks.equal({b for b in t.breaks if row["from"] != b != row["to"] and low < t.order[b] < high} & t.hard, set(), name, row)
         if row["cell"].startswith("edge") and d == 3:
-            continue  # a `g` of a facet beside the edge, at an end of it
+            continue  # a `reach` of a facet beside the edge, at an end of it
         named = {e["time"] for e in t.events if concerns(e, row["cell"])} | {t.start, t.end} | t.breaks
         checks.holds(row["from"] in named and row["to"] in named, name, row, "its ends name the cell")
 

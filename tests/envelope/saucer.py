@@ -135,7 +135,7 @@ def check_adjacency(checks, graze, files):
     outer = Counter(r["orientation"] for r in rows if r["kind"] == "slice" and r["theta_a"] == r["theta_b"] == "+")
     checks.holds(outer["preserving"] > 2 and outer["reversing"] > 2, "orientations where theta > 0", dict(outer))
     # On the dish over (1, 0) a slice is at y = sin a - p. It passes the corner (2, -1, 0), where g = -2 - 2 sin a + 2 p falls, as t^4 - 4t - 1 = 0.
-    passed = [r for r in table(events) if (r["kind"], r["facet"], r["cell"]) == ("g", "face 17", "vertex 23")]
+    passed = [r for r in table(events) if (r["kind"], r["facet"], r["cell"]) == ("reach", "face 17", "vertex 23")]
     checks.equal([(r["time"], r["before"], r["after"]) for r in passed], [("root(-1 -4 0 0 1;-1;0)", "+", "-")], "corner")
 
 

@@ -131,7 +131,7 @@ def check_witness(checks, name, witness, record, point):
     if witness:
         way = [float(Fraction(x)) - p for x, p in zip(record["topo_witness"], point)]
         checks.holds(near(witness[0], angle(way)), name, "the arrow", witness, way)
-        checks.equal(witness[1], record["topo_level"] != "L1", name, "dashed")
+        checks.equal(witness[1], record["topo_level"] != "first_order", name, "dashed")
 
 
 def check_colours(checks, name, rings):

@@ -14,7 +14,7 @@
 static void look_at(graze_context *context, const graze_comparison *c) {
     char *text = NULL, *json = NULL;
     graze_comparison_counts n = graze_comparison_count(c);
-    EXPECT(n.rows == n.agree + n.wrong + n.apart + n.missing);
+    EXPECT(n.rows == n.agree + n.wrong + n.undecided + n.missing);
     EXPECT(graze_comparison_report(&text, context, c, GRAZE_COMPARISON_TEXT) == GRAZE_OK);
     EXPECT(graze_comparison_report(&json, context, c, GRAZE_COMPARISON_JSON) == GRAZE_OK);
     EXPECT(*text && fuzz_is_json(json, strlen(json)));

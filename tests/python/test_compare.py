@@ -46,7 +46,7 @@ class Values(unittest.TestCase):
     def test_motion_error(self):
         """|s| > 1/2 in two rows; widened by 1/2 all values are within."""
         report = self.compare(motion_error=0.5).report
-        self.assertEqual((report["uncertain"], report["apart"], report["errors-of-sdf"]["within"]), (2, 2, 4))
+        self.assertEqual((report["undecided-by-motion-error"], report["undecided"], report["errors-of-sdf"]["within"]), (2, 2, 4))
 
     def test_refusals(self):
         for name, bad in (("sdf_tolerance", -1), ("motion_error", 0), ("sdf_tolerance", float("nan")),
@@ -57,6 +57,15 @@ class Values(unittest.TestCase):
             graze.compare(self.golden, self.mine, sdf_tolerance=1)
         with self.assertRaises(ValueError):
             self.compare(truth="inside")
+
+    def test_positions(self):
+        """A position that is none is refused by name, and no reason to leave its row out."""
+        with open(self.golden, "w", encoding="utf-8") as f:
+            f.write("x,y,pmc,topo\n4,1,on,unknown\n# complete 1\n")
+        with open(self.mine, "w", encoding="utf-8") as f:
+            f.write("x,y,pmc\n4,1,on\n")
+        with self.assertRaisesRegex(graze.InputError, "topo: 'unknown' is no answer; expected interior, boundary or undecided"):
+            graze.compare(self.golden, self.mine, question="closed")
 
 
 class Contacts(unittest.TestCase):

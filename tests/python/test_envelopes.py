@@ -19,7 +19,7 @@ class Envelopes(unittest.TestCase):
         envelope = graze.Scene(BLOCK, TURN).envelope()
         self.assertEqual((envelope.decomposable, envelope.facets, envelope.edges, envelope.vertices), ("no", 4, 0, 4))
         self.assertEqual(envelope.reason, "theta is negative on a slice")
-        event, = [e for e in envelope.events if e.kind == "theta" and e.before and e.after]
+        event, = [e for e in envelope.events if e.kind == "cusp" and e.before and e.after]
         self.assertEqual((str(event.facet), str(event.cell), event.other, event.before, event.after),
                          ("edge 0-3", "edge 0-3", None, 1, -1))
         self.assertEqual(list(event.time.coefficients), [-2, 3, 0, 1])

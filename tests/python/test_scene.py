@@ -46,7 +46,7 @@ class Answers(unittest.TestCase):
         self.assertEqual(scene.topology((5, 1, 1)), ("interior", "word", "") + 8 * (None,))
         self.assertEqual(scene.topology((5, 3, 1)).position, "exterior")
         found = scene.topology((5, 1, 2))
-        self.assertEqual((found.position, found.level, found.reason), ("boundary", "L1", ""))
+        self.assertEqual((found.position, found.level, found.reason), ("boundary", "first_order", ""))
         self.assertEqual(scene.trace(found.witness).verdict.pmc, Pmc.OUT)
         self.assertGreater(found.witness[2], 2)
         self.assertEqual(found.witness, tuple(p + found.epsilon * u for p, u in zip((5, 1, 2), found.direction)))
@@ -72,7 +72,7 @@ class Answers(unittest.TestCase):
         solid, motion = common.case("closed-roofs-open")[:2]
         scene = graze.Scene(solid, motion)
         found = scene.topology((0, 0, 0))
-        self.assertEqual((found.position, found.level, found.order, found.plane, found.rho), ("boundary", "L2", 1, None, None))
+        self.assertEqual((found.position, found.level, found.order, found.plane, found.rho), ("boundary", "leading_terms", 1, None, None))
         for k in (0, 1, 60):
             s = found.epsilon / 2 ** k
             place = tuple(s * u + s ** 2 * found.z * n for u, n in zip(found.direction, found.normal))
@@ -103,10 +103,10 @@ class Answers(unittest.TestCase):
         scene = graze.Scene(plain.solid, plain.motion, sdf="1e-6r", motion_error=F(3, 4))
         points = [(5, F(5, 2), 1), (5, 1, 1), (5, 1, 2)]
         rows = [row.split(",") for row in scene.rows(points)]
-        self.assertEqual([row[-1] for row in rows], ["no", "yes", "no"])
+        self.assertEqual([row[-1] for row in rows], ["undecided", "yes", "undecided"])
         for row, s in zip(rows, (F(1, 2), -1, 0)):
             self.assertTrue(F(row[-4]) <= s <= F(row[-3]) and F(row[-3]) - F(row[-4]) <= F("3.5e-6"), row)
-        self.assertEqual([json.loads(row)["certain"] for row in scene.rows(points, "jsonl")], ["no", "yes", "no"])
+        self.assertEqual([json.loads(row)["certain"] for row in scene.rows(points, "jsonl")], ["undecided", "yes", "undecided"])
         lines = scene.table(points).splitlines()
         self.assertTrue(lines[-5].endswith(",word,sdf_low,sdf_high,sdf_t,certain"), lines)
         self.assertEqual([line.split(",") for line in lines[-4:-1]], rows)

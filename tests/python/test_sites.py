@@ -24,7 +24,7 @@ class Sites(unittest.TestCase):
         self.assertEqual((site.theta, site.order, site.orientation), (1, 2, "reversing"))
         self.assertEqual((site.left, site.right, site.near, site.near_in), ("O", "O", F(4, 5), F(4, 5)))
         self.assertEqual((site.point, site.trace.word, str(site.cell)), ((F(8, 5), F(41, 20)), "OBOBI", "edge 0-3"))
-        self.assertEqual([(f.side, f.g, f.g_t, f.theta, f.order, f.sign) for f in site.facets],
+        self.assertEqual([(f.side, f.speed, f.drift, f.theta, f.order, f.sign) for f in site.facets],
                          [(-1, 0, F(8, 5), F(24, 25), 2, 1), (1, 0, F(8, 5), F(24, 25), 2, 1)])
 
     def test_ends(self):
@@ -72,5 +72,5 @@ class Sites(unittest.TestCase):
             row = json.loads(line)
             site = scene.site(row["time"], row["body"])
             self.assertEqual((row["role"], row["status"], row["word"]), (site.role, site.status, site.trace.word))
-            self.assertEqual([(F(f["g"]), F(f["g_t"]), F(f["theta"])) for f in row["facets"]],
-                             [(f.g, f.g_t, f.theta) for f in site.facets])
+            self.assertEqual([(F(f["speed"]), F(f["drift"]), F(f["theta"])) for f in row["facets"]],
+                             [(f.speed, f.drift, f.theta) for f in site.facets])

@@ -49,7 +49,7 @@ def main():
         if not answers:
             continue
         record, want = answers[0].record, "interior" if n % 2 == 0 and a > 0 else "boundary"
-        checks.equal((record["pmc"], record["topo"], record.get("topo_level")), ("on", want, "L3"), name,
+        checks.equal((record["pmc"], record["topo"], record.get("topo_level")), ("on", want, "curves"), name,
                      record.get("topo_reason"))
         places = [(k, (s * F(1, 2 ** k), -F(1, 4 ** k) + a * (s * F(1, 2 ** k)) ** n / 2)) for k in SCALES for s in (1, -1)]
         found = graze.classify(name + " near", tips, motion(n, a, turns), [p for _, p in places]) or []

@@ -192,14 +192,14 @@ def main():
             checks.holds(record["topo"] in (want, "undecided"), *where, record["topo"])
         if record["topo"] == "boundary":
             check_witness(checks, graze, f"orders {number}", (solid, motion), mapped((F(0), F(0), F(0))), record)
-            by_path += record["topo_level"] == "L2" and record["topo_order"] > 1
+            by_path += record["topo_level"] == "leading_terms" and record["topo_order"] > 1
         if want == "interior" and low:
             places = [p for s in SCALES for p in probes(low, high, m, F(1, 2 ** s))]
             found = graze.classify(f"probes {number}", solid, motion, places) or []
             checks.equal({a.record["pmc"] for a in found} - {"in", "on"}, set(), *where, "probes that are out")
     for key, count in sorted(seen.items(), key=str):
         print(*key, count)
-    by_terms = sum(n for key, n in seen.items() if key[0] > 1 and key[2:] == ("interior", "L2"))
+    by_terms = sum(n for key, n in seen.items() if key[0] > 1 and key[2:] == ("interior", "leading_terms"))
     checks.holds(by_terms > 10, f"{by_terms} are interior by terms of higher orders")
     checks.holds(by_path > 10, f"{by_path} are boundary with a path of a higher order")
     checks.finish()

@@ -28,8 +28,8 @@ MAP = [[1, 0, 1], [-1, 1, 1], [0, 1, 3]]
 BACK = [[2, 1, -1], [3, 3, -2], [-1, -1, 1]]
 # Levels that the examples were chosen for: a direction left open or covered with its neighbourhood, closed cones, a way
 # through a pinch and along its edge, a section where contacts are at irrational times or of second order.
-LEVELS = {"5": "L1", "34": "L1", "42": "L1", "17": "exact", "35": "exact", "20": "tube", "28": "L2", "29": "LR",
-          "30": "LR", "31": "LR"}
+LEVELS = {"5": "first_order", "34": "first_order", "42": "first_order", "17": "closed_cones", "35": "closed_cones",
+          "20": "edges", "28": "leading_terms", "29": "section", "30": "section", "31": "section"}
 
 
 SOLIDS = ["q2", "dd", "ll", "tt", "bl", "bar"]
@@ -126,7 +126,7 @@ def generated(graze, solid, motion, seed):
 
 
 def check_witness(checks, graze, name, point, witness):
-    """By L1 the witness is out, and from there down towards the point all in its direction."""
+    """By first order the witness is out, and from there down towards the point all in its direction."""
     tag = name.replace(" ", "_")
     files = [os.path.join(graze.keep or graze.folder.name, tag + suffix) for suffix in (".off", ".json")]
     places = [tuple(p + (q - p) / 2 ** k for p, q in zip(point, witness)) for k in (0, 8, 40, 120, 400)]
@@ -170,7 +170,7 @@ def main():
             checks.equal(record["pmc"], "on", name, bottom)
             checks.equal(record["topo"], position, name, bottom, record.get("topo_reason"))
             checks.equal("topo_witness" in record, position == "boundary", name, bottom, "witness")
-            if record.get("topo_level") == "L1":
+            if record.get("topo_level") == "first_order":
                 check_witness(checks, graze, f"prism {name} {bottom}", there[0], [F(x) for x in record["topo_witness"]])
             seen[position, record.get("topo_level", "undecided")] += 1
             if bottom < 0 and name in LEVELS:

@@ -118,8 +118,8 @@ def main():
                 checks.equal(scales, set(SCALES), *where, "scales of the probes that are out")
     for key, count in sorted(seen.items(), key=str):
         print(*key, count)
-    checks.holds(seen["interior", "interior", "L2"] > 20, "few are interior by second order")
-    checks.holds(seen["boundary", "boundary", "L2"] > 20, "few are boundary")
+    checks.holds(seen["interior", "interior", "leading_terms"] > 20, "few are interior by second order")
+    checks.holds(seen["boundary", "boundary", "leading_terms"] > 20, "few are boundary")
     checks.finish()
 
 

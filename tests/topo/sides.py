@@ -139,7 +139,7 @@ def main():
             checks.equal({a.record["pmc"] for a in found} - {"in", "on"}, set(), *where, "probes that are out")
     for key, count in sorted(seen.items(), key=str):
         print(*key, count)
-    by_sides = sum(n for key, n in seen.items() if key[3:] == ("interior", "L2"))
+    by_sides = sum(n for key, n in seen.items() if key[3:] == ("interior", "leading_terms"))
     checks.holds(by_sides >= 10, f"{by_sides} are interior by the sides")
     by_paths = sum(n for key, n in seen.items() if key[0] == "edges" and key[2:4] == ("boundary", "boundary"))
     checks.holds(by_paths >= 10, f"{by_paths} are on the boundary")

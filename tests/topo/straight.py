@@ -130,7 +130,7 @@ def check_shares(checks, seen):
         decided = total - sum(n for key, n in of.items() if key[2] == "undecided")
         checks.holds(seams >= SEAMS * total > 0, "space" if space else "plane", f"{seams} seams of {total}")
         boundary = {key[2] for key in of if key[1] == "boundary"}
-        checks.holds(boundary <= {"L1", "undecided"}, f"a direction is the witness of all on the boundary: {boundary}")
+        checks.holds(boundary <= {"first_order", "undecided"}, f"a direction is the witness of all on the boundary: {boundary}")
         checks.holds(decided >= (SPACE_DECIDED if space else 1) * total, f"{decided} of {total} decided")
 
 

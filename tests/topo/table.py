@@ -97,9 +97,9 @@ def check_undecided(checks, graze):
 def check_explain(checks, graze):
     """The same in words: example 7, 17b and 54."""
     said = graze.call("explain", *SQUARE, "0", "1", "--topo").stdout
-    checks.holds("it is `boundary`, by level `L1`." in said and "A point that is out: (" in said, said)
+    checks.holds("it is `boundary`, by level `first_order`." in said and "A point that is out: (" in said, said)
     said = graze.call("explain", *SQUARE, "4", "1", "--topo").stdout
-    checks.holds("it is `interior`, by level `exact`." in said and "that is out" not in said, said)
+    checks.holds("it is `interior`, by level `closed_cones`." in said and "that is out" not in said, said)
     checks.holds("That is, closed cones that contacts cover exactly fill all directions about P" in said, said)
     roofs = os.path.join(EXAMPLES, "solids", "crossed_roofs.off"), os.path.join(EXAMPLES, "motions", "roofs_54.json")
     said = graze.call("explain", *roofs, "0", "0", "0", "--topo").stdout

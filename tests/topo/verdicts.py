@@ -60,7 +60,7 @@ POSITIONS = {
 }
 # What proves the position of neighbours that were chosen for it: by closed cones alone the opposite of the way from the
 # pinch stays open, as the way bends.
-LEVELS = {"20 from its pinch on": "tube"}
+LEVELS = {"20 from its pinch on": "edges"}
 TINY = F(1, 2 ** 100)
 
 

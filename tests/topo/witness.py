@@ -4,8 +4,9 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
-By L1 a witness is the point + epsilon * direction, by L2 on a path of a higher order: from epsilon down all are `out`, also
-next to a part that passes 2^-100 away, which epsilon must stay below. By LR and L3 it lies on a square whose half side is rho. Near a point that is
+By first order a witness is the point + epsilon * direction, by leading terms on a path of a higher order: from epsilon
+down all are `out`, also next to a part that passes 2^-100 away, which epsilon must stay below. By a section and by curves
+it lies on a square whose half side is rho. Near a point that is
 interior nothing is `out` below some distance. Truths are those of verdicts.py, and derived here.
 """
 import csv
@@ -87,7 +88,7 @@ def golden(checks, graze):
                 check_witness(checks, graze, f"{name} {row['id']}", files, point, answers[0].record)
                 seen[len(point), answers[0].record["topo_level"]] += 1
     print("golden:", dict(seen))
-    for kind in ((2, "L1"), (2, "L3"), (3, "L2")):
+    for kind in ((2, "first_order"), (2, "curves"), (3, "leading_terms")):
         checks.holds(seen[kind], "a golden row with a witness by", kind)
 
 

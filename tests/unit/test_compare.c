@@ -36,21 +36,22 @@ static graze_comparison_counts compare(const graze_compare_options *options) {
     if (status)
         fail_msg("%s", graze_context_message(context));
     graze_comparison_counts n = graze_comparison_count(c);
-    if (n.rows != n.agree + n.wrong + n.apart + n.missing)
-        fail_msg("%lu rows are not %lu + %lu + %lu + %lu", n.rows, n.agree, n.wrong, n.apart,
+    if (n.rows != n.agree + n.wrong + n.undecided + n.missing)
+        fail_msg("%lu rows are not %lu + %lu + %lu + %lu", n.rows, n.agree, n.wrong, n.undecided,
                  n.missing);
     graze_comparison_destroy(c);
     return n;
 }
 
 static void expect(const graze_compare_options *options, unsigned long agree, unsigned long wrong,
-                   unsigned long apart, unsigned long missing, unsigned long extra) {
+                   unsigned long undecided, unsigned long missing, unsigned long extra) {
     graze_comparison_counts n = compare(options);
-    if (n.agree != agree || n.wrong != wrong || n.apart != apart || n.missing != missing ||
+    if (n.agree != agree || n.wrong != wrong || n.undecided != undecided || n.missing != missing ||
         n.extra != extra)
-        fail_msg("agree %lu wrong %lu apart %lu missing %lu extra %lu; right: %lu %lu %lu %lu %lu",
-                 n.agree, n.wrong, n.apart, n.missing, n.extra, agree, wrong, apart, missing,
-                 extra);
+        fail_msg(
+            "agree %lu wrong %lu undecided %lu missing %lu extra %lu; right: %lu %lu %lu %lu %lu",
+            n.agree, n.wrong, n.undecided, n.missing, n.extra, agree, wrong, undecided, missing,
+            extra);
 }
 
 #define HEAD "x,y,pmc,class,definition,case,i,t,word\n"
@@ -107,7 +108,7 @@ static void distances(void **state) {
 }
 
 /* The closed question: `topo` decides where it stands; else one contact at an instant in a face is
- * on the boundary for certain and any other `on` row is apart. */
+ * on the boundary for certain and any other `on` row is undecided. */
 static void closed_question(void **state) {
     (void)state;
     graze_compare_options o = {.question = GRAZE_QUESTION_CLOSED};
@@ -131,6 +132,28 @@ static void closed_question(void **state) {
     expect(&o, 0, 1, 6, 0, 0);
     o.question = GRAZE_QUESTION_OPEN;
     expect(&o, 1, 6, 0, 0, 0);
+}
+
+/* A position that is none of an `on` point is refused by name, and no reason to leave a row out. */
+static void closed_question_of_other_words(void **state) {
+    (void)state;
+    static const char *const words[] = {"unknown", "borderline", "exterior", "Interior"};
+    graze_compare_options o = {.question = GRAZE_QUESTION_CLOSED};
+    write_file(candidate_path, "x,y,pmc\n1,0,on\n2,0,on\n");
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+        char table[200], said[200];
+        snprintf(table, sizeof table,
+                 "x,y,pmc,i,t,word,topo\n1,0,on,0,1,OBO,boundary\n2,0,on,0,1,OBO,%s\n"
+                 "# complete 2\n",
+                 words[k]);
+        snprintf(said, sizeof said,
+                 "topo: '%s' is no answer; expected interior, boundary or undecided for `on`",
+                 words[k]);
+        write_file(golden_path, table);
+        graze_comparison *c = NULL;
+        assert_int_equal(graze_compare(&c, context, golden_path, candidate_path, &o), GRAZE_EINPUT);
+        assert_non_null(strstr(graze_context_message(context), said));
+    }
 }
 
 /* In space an edge is no face. */
@@ -400,6 +423,7 @@ int main(void) {
         cmocka_unit_test(distances),
         cmocka_unit_test(closed_question),
         cmocka_unit_test(closed_question_in_space),
+        cmocka_unit_test(closed_question_of_other_words),
         cmocka_unit_test(rows_missing_and_extra),
         cmocka_unit_test(ids_match),
         cmocka_unit_test(contact_points),

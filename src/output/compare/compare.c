@@ -134,20 +134,20 @@ static graze_status count_groups(graze_comparison *c, const run *r, const table_
     return status;
 }
 
-/* Count a golden row: missing, wrong, apart or agreeing. */
+/* Count a golden row: missing, wrong, undecided or agreeing. */
 static graze_status count_row(graze_comparison *c, const run *r, const table_row *golden,
                               const table_row *candidate, const judgement *j,
                               const valuation *value) {
-    char what = !candidate ? 'm' : j->any_wrong ? 'w' : j->apart ? 'p' : 'a';
+    char what = !candidate ? 'm' : j->any_wrong ? 'w' : j->undecided ? 'u' : 'a';
     c->rows++;
     c->missing += what == 'm';
     c->wrong += what == 'w';
-    c->apart += what == 'p';
+    c->undecided += what == 'u';
     c->agree += what == 'a';
     for (int k = 0; candidate && k < JUDGED_COUNT; k++)
         c->column_wrong[k] += (unsigned long)j->wrong[k];
     graze_status status = count_groups(c, r, golden, what, value);
-    return status || what == 'a' || what == 'p' ? status : show(c, r, golden, candidate);
+    return status || what == 'a' || what == 'u' ? status : show(c, r, golden, candidate);
 }
 
 static graze_status count_contacts(graze_comparison *c, run *r, const table_row *golden,
@@ -170,15 +170,17 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
     if (!status && candidate)
         status = answer_read(&given, &r->candidate, candidate, c->judged,
                              c->options.has == GRAZE_HAS_SDF);
+    if (!status)
+        status = judged_position(c, &r->golden, golden, right.pmc);
     valuation value = {.certain = 1};
     if (!status && c->enclosed)
         status = valuation_read(&value, c, &r->golden, golden, &r->candidate, candidate, right.pmc);
     if (status)
         return status;
     judgement j = judge(c, &r->golden, golden, &right, &given, &value);
-    c->uncertain += !value.certain;
-    if (j.apart && candidate)
-        c->apart_answers[given.pmc]++;
+    c->undecided_by_motion += !value.certain;
+    if (j.undecided && candidate)
+        c->undecided_answers[given.pmc]++;
     else if (c->judged[JUDGED_PMC])
         c->confusion.pmc[j.truth][candidate ? given.pmc : 3]++;
     if (c->judged[JUDGED_CLASS])

@@ -1,8 +1,8 @@
 /* Comparison of a golden table with the table of a candidate.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Invariant of a finished comparison: rows = agree + wrong + apart + missing, and every tally adds
- * up to the rows that have a value for it.
+ * Invariant of a finished comparison: rows = agree + wrong + undecided + missing, and every tally
+ * adds up to the rows that have a value for it.
  */
 #ifndef GRAZE_COMPARE_COMPARE_H
 #define GRAZE_COMPARE_COMPARE_H

@@ -86,10 +86,10 @@ struct graze_comparison {
     int enclosed;              /* these are read */
     fmpq_t tolerance, eta;     /* of values, and of the motion */
     char *explain_options;     /* of `graze explain`, with a blank before each */
-    unsigned long rows, agree, wrong, apart, missing, extra;
+    unsigned long rows, agree, wrong, undecided, missing, extra;
     unsigned long column_wrong[JUDGED_COUNT];
-    unsigned long apart_answers[3]; /* the candidate's, for rows that are apart */
-    unsigned long uncertain;        /* rows whose sign the motion error leaves open */
+    unsigned long undecided_answers[3]; /* the candidate's, for such rows */
+    unsigned long undecided_by_motion;  /* rows that the motion error leaves undecided */
     errors values;
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */

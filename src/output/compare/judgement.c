@@ -122,17 +122,27 @@ static int surely_boundary(const table *t, const table_row *row) {
     return one && in_face && instant && table_field(t, row, COLUMN_K).length == 0;
 }
 
+graze_status judged_position(const graze_comparison *c, const table *golden, const table_row *row,
+                             int pmc) {
+    static const char *const positions[] = {"interior", "boundary", "undecided"};
+    field topo = table_field(golden, row, COLUMN_TOPO);
+    int read = c->options.question == GRAZE_QUESTION_CLOSED && pmc == PMC_ON && topo.length > 0;
+    if (!read || index_of(topo, positions, 3) >= 0)
+        return GRAZE_OK;
+    return judged_no_answer(golden, row, COLUMN_TOPO, "interior, boundary or undecided for `on`");
+}
+
 /* The golden pmc under the question. */
-static int truth_of(int *apart, const graze_comparison *c, const table *t, const table_row *row,
+static int truth_of(int *undecided, const graze_comparison *c, const table *t, const table_row *row,
                     int pmc) {
-    *apart = 0;
+    *undecided = 0;
     if (c->options.question == GRAZE_QUESTION_OPEN || pmc != PMC_ON)
         return pmc;
     field topo = table_field(t, row, COLUMN_TOPO);
     if (field_is(topo, "interior"))
         return PMC_IN;
     if (!field_is(topo, "boundary"))
-        *apart = topo.length > 0 || !surely_boundary(t, row);
+        *undecided = topo.length > 0 || !surely_boundary(t, row);
     return PMC_ON;
 }
 
@@ -150,10 +160,10 @@ static int pmc_wrong(graze_on_as on_as, int truth, int given) {
 judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
                 const answer *right, const answer *given, const valuation *value) {
     judgement j = {{0}, 0, 0, 0};
-    j.truth = truth_of(&j.apart, c, golden, row, right->pmc);
-    j.apart |= !value->certain;
+    j.truth = truth_of(&j.undecided, c, golden, row, right->pmc);
+    j.undecided |= !value->certain;
     j.wrong[JUDGED_PMC] =
-        c->judged[JUDGED_PMC] && !j.apart && pmc_wrong(c->options.on_as, j.truth, given->pmc);
+        c->judged[JUDGED_PMC] && !j.undecided && pmc_wrong(c->options.on_as, j.truth, given->pmc);
     j.wrong[JUDGED_CLASS] = c->judged[JUDGED_CLASS] && right->class_ != given->class_;
     j.wrong[JUDGED_I] = c->judged[JUDGED_I] && right->i != given->i;
     j.wrong[JUDGED_T] = c->judged[JUDGED_T] && right->t != given->t;

@@ -20,9 +20,9 @@ typedef struct answer {
 typedef struct judgement {
     int wrong[JUDGED_COUNT];
     int any_wrong;
-    int apart; /* the golden answer is `on`, and the closed sweep may hold the point inside; or it
-                  is not certain */
-    int truth; /* the golden pmc under the question asked */
+    int undecided; /* the golden answer is `on`, and the closed sweep may hold the point inside; or
+                      the motion error leaves it undecided */
+    int truth;     /* the golden pmc under the question asked */
 } judgement;
 
 /** The column with this index among those judged. */
@@ -37,6 +37,11 @@ graze_status judged_word(const table *t, const table_row *row);
  * @return GRAZE_EINPUT a field that is no answer */
 graze_status answer_read(answer *out, const table *t, const table_row *row, const int *judged,
                          int sdf);
+
+/** Check the position of a golden `on` row, which the closed question asks for; it may be empty.
+ * @return GRAZE_EINPUT a field that is none */
+graze_status judged_position(const graze_comparison *c, const table *golden, const table_row *row,
+                             int pmc);
 
 /** Judge a pair of rows. */
 judgement judge(const graze_comparison *c, const table *golden, const table_row *row,

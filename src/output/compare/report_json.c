@@ -34,7 +34,7 @@ static void put_json_summary(yajl_gen g, const graze_comparison *c) {
     put_json_count(g, "agree", c->agree);
     put_json_count(g, "wrong", c->wrong);
     put_json_count(g, "missing", c->missing);
-    put_json_count(g, "apart", c->apart);
+    put_json_count(g, "undecided", c->undecided);
     put_json_count(g, "extra", c->extra);
     put_key_text(g, "wrong-by-column");
     yajl_gen_map_open(g);
@@ -42,10 +42,10 @@ static void put_json_summary(yajl_gen g, const graze_comparison *c) {
         if (c->judged[k])
             put_json_count(g, judged_name(k), c->column_wrong[k]);
     yajl_gen_map_close(g);
-    put_key_text(g, "apart-answers");
+    put_key_text(g, "undecided-answers");
     yajl_gen_map_open(g);
     for (int k = 0; k < 3; k++)
-        put_json_count(g, pmc_words[k], c->apart_answers[k]);
+        put_json_count(g, pmc_words[k], c->undecided_answers[k]);
     yajl_gen_map_close(g);
 }
 
@@ -71,7 +71,7 @@ static void put_json_group(yajl_gen g, const char *name, const group *one) {
     put_json_count(g, "rows", one->rows);
     put_json_count(g, "wrong", one->wrong);
     put_json_count(g, "missing", one->missing);
-    put_json_count(g, "apart", one->apart);
+    put_json_count(g, "undecided", one->undecided);
     yajl_gen_map_close(g);
 }
 

@@ -81,10 +81,10 @@ static void put_summary(text *out, const graze_comparison *c) {
             text_format(out, " %s", judged_name(k));
     text_format(out, "%s\n\n",
                 c->options.has == GRAZE_HAS_SDF ? " (from the sign of sdf, negative inside)" : "");
-    text_format(out,
-                "| rows | agree | wrong | missing | apart | extra |\n|--:|--:|--:|--:|--:|--:|\n");
+    text_format(
+        out, "| rows | agree | wrong | missing | undecided | extra |\n|--:|--:|--:|--:|--:|--:|\n");
     text_format(out, "| %lu | %lu | %lu | %lu | %lu | %lu |\n\n", c->rows, c->agree, c->wrong,
-                c->missing, c->apart, c->extra);
+                c->missing, c->undecided, c->extra);
     text_put(out, "wrong: ");
     put_share(out, c->wrong, c->rows);
     text_put(out, " of the rows");
@@ -95,10 +95,11 @@ static void put_summary(text *out, const graze_comparison *c) {
     if (comparison_hint(c))
         text_format(out, "hint: %s\n", comparison_hint(c));
     if (c->options.question == GRAZE_QUESTION_CLOSED)
-        text_format(out,
-                    "apart: `on` rows that may be seams, where the closed sweep goes on around the "
-                    "point; answered in %lu, on %lu, out %lu\n",
-                    c->apart_answers[0], c->apart_answers[1], c->apart_answers[2]);
+        text_format(
+            out,
+            "undecided: `on` rows that may be seams, where the closed sweep goes on around the "
+            "point; answered in %lu, on %lu, out %lu\n",
+            c->undecided_answers[0], c->undecided_answers[1], c->undecided_answers[2]);
     put_values(out, c);
     put_sites_by_column(out, c);
 }
@@ -127,15 +128,15 @@ static void put_group(text *out, const char *name, const group *g) {
     text_markdown(out, *name ? name : "-");
     text_format(out, " | %lu | %lu | ", g->rows, g->wrong);
     put_share(out, g->wrong, g->rows);
-    text_format(out, " | %lu | %lu |\n", g->missing, g->apart);
+    text_format(out, " | %lu | %lu |\n", g->missing, g->undecided);
 }
 
 static void put_tally(text *out, grouping by, const tally *t) {
     if (!t->count)
         return;
-    text_format(out,
-                "\n| %s | rows | wrong | share | missing | apart |\n|---|--:|--:|--:|--:|--:|\n",
-                grouping_title(by));
+    text_format(
+        out, "\n| %s | rows | wrong | share | missing | undecided |\n|---|--:|--:|--:|--:|--:|\n",
+        grouping_title(by));
     for (size_t k = 0; k < t->count; k++)
         put_group(out, t->groups[k].name, &t->groups[k]);
     put_group(out, "(others)", &t->others);

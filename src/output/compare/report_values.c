@@ -59,10 +59,10 @@ void put_values(text *out, const graze_comparison *c) {
     const graze_compare_options *o = &c->options;
     if (o->motion_error)
         text_format(out,
-                    "motion error: %s; rows whose answer is not certain: %lu, apart; the candidate "
+                    "motion error: %s; rows whose answer it leaves undecided: %lu; the candidate "
                     "has in %lu, on %lu, out %lu there\n",
-                    o->motion_error, c->uncertain, c->apart_answers[0], c->apart_answers[1],
-                    c->apart_answers[2]);
+                    o->motion_error, c->undecided_by_motion, c->undecided_answers[0],
+                    c->undecided_answers[1], c->undecided_answers[2]);
     if (!c->valued)
         return;
     text_format(out, "values: sdf against the enclosures of the exact distance%s; truth: %s; ",
@@ -143,7 +143,7 @@ static void put_json_errors_by(yajl_gen g, const graze_comparison *c) {
 void put_json_values(yajl_gen g, const graze_comparison *c) {
     if (c->options.motion_error) {
         put_named(g, "motion-error", c->options.motion_error);
-        put_json_count(g, "uncertain", c->uncertain);
+        put_json_count(g, "undecided-by-motion-error", c->undecided_by_motion);
     }
     if (!c->valued)
         return;

@@ -46,7 +46,7 @@ graze_status tally_add(tally *t, graze_context *context, field name, char status
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     g->rows++;
     g->wrong += status == 'w';
-    g->apart += status == 'p';
+    g->undecided += status == 'u';
     g->missing += status == 'm';
     return GRAZE_OK;
 }

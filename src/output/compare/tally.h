@@ -12,7 +12,7 @@ enum { MOST_GROUPS = 1000 };
 
 typedef struct group {
     char *name;
-    unsigned long rows, wrong, apart, missing;
+    unsigned long rows, wrong, undecided, missing;
     errors *values; /* NULL: none */
 } group;
 
@@ -22,7 +22,8 @@ typedef struct tally {
     group others;
 } tally;
 
-/** Count a row under its group. `status` is 'a' (agree), 'w' (wrong), 'p' (apart) or 'm' (missing).
+/** Count a row under its group. `status` is 'a' (agree), 'w' (wrong), 'u' (undecided) or 'm'
+ * (missing).
  * @param value the error of its value, or NULL
  * @return GRAZE_ESYSTEM */
 graze_status tally_add(tally *t, graze_context *context, field name, char status,

@@ -7,27 +7,27 @@
 static const char *meaning_of(const topo_finding *topo) {
     int interior = topo->position == GRAZE_TOPO_INTERIOR;
     switch (topo->level) {
-    case GRAZE_LEVEL_L1:
+    case GRAZE_LEVEL_FIRST_ORDER:
         return interior ? "to first order the contacts cover every direction about P, each with "
                           "those near it"
                         : "to first order no contact covers the direction from P to the point "
                           "below: all points near enough in it are out";
-    case GRAZE_LEVEL_EXACT:
+    case GRAZE_LEVEL_CLOSED_CONES:
         return "closed cones that contacts cover exactly fill all directions about P, with what is "
                "covered to first order";
-    case GRAZE_LEVEL_TUBE:
+    case GRAZE_LEVEL_EDGES:
         return "the contacts cover every direction about P to first order, with the ways that pass "
                "between parts or along an edge";
-    case GRAZE_LEVEL_L2:
+    case GRAZE_LEVEL_LEADING_TERMS:
         return interior
                    ? "contacts close on both sides of a plane through P and, by their leading "
                      "terms, overlap in each of its directions"
                    : "contacts close on both sides of a plane through P, but leave a gap in it "
                      "that is thinner than every cone";
-    case GRAZE_LEVEL_LR:
+    case GRAZE_LEVEL_SECTION:
         return "near P nothing depends on one direction; every part into which curves cut a small "
                "square across it was looked at";
-    case GRAZE_LEVEL_L3:
+    case GRAZE_LEVEL_CURVES:
         return "every part into which curves cut a small square about P was looked at";
     default:
         return NULL;

@@ -48,6 +48,10 @@ void report_distance_time(text *out, const graze_scene *scene, const distance *f
     fmpq_clear(time);
 }
 
+const char *report_certainty(const distance *found, double motion_error) {
+    return distance_is_certain(found, motion_error) ? "yes" : "undecided";
+}
+
 void report_distance(text *out, const graze_scene *scene, const distance *found) {
     char low[BOUND_ROOM], high[BOUND_ROOM];
     report_bound(low, found->low, 0);
@@ -55,7 +59,7 @@ void report_distance(text *out, const graze_scene *scene, const distance *found)
     text_format(out, ",%s,%s,", low, high);
     report_distance_time(out, scene, found);
     if (scene->options.motion_error > 0)
-        text_put(out, distance_is_certain(found, scene->options.motion_error) ? ",yes" : ",no");
+        text_format(out, ",%s", report_certainty(found, scene->options.motion_error));
 }
 
 void explain_distance(text *out, const graze_scene *scene, const distance *found) {

@@ -21,6 +21,9 @@ void report_width(char out[BOUND_ROOM], double value, int up);
  */
 void report_distance_time(text *out, const graze_scene *scene, const distance *found);
 
+/** Does the answer stay with every motion within the error? "yes", or "undecided". Static. */
+const char *report_certainty(const distance *found, double motion_error);
+
 /** A comma and the columns: three, and with a motion error whether the answer is certain. */
 void report_distance(text *out, const graze_scene *scene, const distance *found);
 

@@ -125,8 +125,7 @@ static void json_row(json_writer *w, const graze_scene *scene, const fmpq *point
     if (found)
         json_distance(w, scene, found);
     if (found && scene->options.motion_error > 0)
-        json_text(w, "certain",
-                  distance_is_certain(found, scene->options.motion_error) ? "yes" : "no");
+        json_text(w, "certain", report_certainty(found, scene->options.motion_error));
     if (topo)
         json_topo(w, topo, scene->motion->dimension);
     json_check(w, yajl_gen_map_close(w->gen));

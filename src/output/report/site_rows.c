@@ -166,8 +166,8 @@ static void json_facets(json_writer *w, const graze_site *site) {
         json_string(w, "facet");
         json_cell(w, &site->place.facet[germ->facet].name);
         json_text(w, "side", sign_name(germ->side));
-        json_rational(w, "g", germ->g);
-        json_rational(w, "g_t", germ->drift);
+        json_rational(w, "speed", germ->speed);
+        json_rational(w, "drift", germ->drift);
         json_rational(w, "theta", germ->theta);
         json_order(w, "order", germ->order);
         json_text(w, "sign", sign_name(germ->sign));

@@ -153,7 +153,7 @@ static int compare_answers(validation *v, const validate_options *o) {
 static void put_validation_verdict(char *out, size_t size, const graze_comparison_counts *n) {
     if (n->wrong + n->missing + n->extra == 0)
         snprintf(out, size, "no difference in %lu rows%s", n->rows,
-                 n->apart ? ", those apart not judged" : "");
+                 n->undecided ? ", the undecided ones not judged" : "");
     else
         snprintf(out, size,
                  "differs from the exact answer: %lu of %lu rows wrong, %lu missing, %lu extra",

@@ -38,7 +38,7 @@ class Comparison(NamedTuple):
         return self.text
 
     def __repr__(self) -> str:
-        keys = ("rows", "agree", "wrong", "missing", "apart", "extra")
+        keys = ("rows", "agree", "wrong", "missing", "undecided", "extra")
         return "<graze.Comparison: " + ", ".join(f"{self.report[k]} {k}" for k in keys) + ">"
 
 
@@ -71,7 +71,7 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
             table of `classify --sdf`, its errors are reported (`report["errors-of-sdf"]`).
         truth: `pseudo`: the values of all points are judged; `outside`: those of `out` points.
         sdf_tolerance: a number: values that miss the enclosure by more are wrong. Signs have none.
-        motion_error: a number: rows whose answer a motion within it may change are apart.
+        motion_error: a number: rows whose answer a motion within it may change are undecided.
         show: how many disagreements are kept.
         solid, motion: names of files for the commands that explain them.
         round: `none`, `binary64` or `binary32`: round points and times of both tables first.

@@ -27,7 +27,7 @@ _NO_SIGN = 2
 class Event:
     """A time at which the contact points change, as a row of `graze envelope --events`.
 
-    `kind` is `saddle`, `g`, `meet`, `theta`, `turn` or `singular`. `other` is the second facet of a
+    `kind` is `saddle`, `reach`, `meet`, `cusp`, `turn` or `singular`. `other` is the second facet of a
     `meet`. `before` and `after` are signs, None beyond an end of the motion and for `singular`.
     """
 
@@ -44,7 +44,7 @@ class Event:
 class Envelope:
     """All events in order of time, and whether the envelope is decomposable.
 
-    `decomposable` is `yes`, `no` or `borderline`, `reason` says why in words; `facet`, `cell` and
+    `decomposable` is `yes`, `no` or `undecided`, `reason` says why in words; `facet`, `cell` and
     `time` are where and when, None where it is about no cell or time. `facets`, `edges` and
     `vertices` are numbers of cells by position.
     """

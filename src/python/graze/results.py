@@ -69,10 +69,10 @@ class Topology(NamedTuple):
     """Where a point lies relative to the closed sweep.
 
     `position` is `interior`, `boundary`, `exterior` or `undecided`, `level` what decided it (`word`,
-    `L1`, `exact`, `tube`, `L2`, `LR`, `L3`,
-    else `none`), `reason` why it is undecided, else "". `witness` is a point that is
-    `out`, for an `on` point that is `boundary`. By L1 it is point + epsilon * direction, and all
-    nearer ones are `out` too. By L2 it is point + s**order * direction + s**(order + 1) * z * normal with
+    `first_order`, `closed_cones`, `edges`, `leading_terms`, `section`, `curves`, else `none`),
+    `reason` why it is undecided, else "". `witness` is a point that is `out`, for an `on` point that
+    is `boundary`. By first order it is point + epsilon * direction, and all nearer ones are `out`
+    too. By leading terms it is point + s**order * direction + s**(order + 1) * z * normal with
     s = `epsilon`, and all with 0 < s < epsilon are `out` too. Else it is point + x a + y b with (a, b) = `plane` and x or y of size
     `rho`, none larger, and every smaller square has such a point too.
     """

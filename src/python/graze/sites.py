@@ -20,17 +20,17 @@ from .times import Time
 class SiteFacet:
     """A facet through a site on one side of its time, -1 before it and 1 after it.
 
-    With n the outward normal of coprime integers, `g` is n A^-1 (A'y + b'), `g_t` its derivative by
-    time at fixed y, `theta` the second derivative of n c(t). `order` and `sign` are those of
-    n c(t) - d next to the time; order -1 and sign 0 where that vanishes.
+    With n the outward normal of coprime integers, `speed` is n A^-1 (A'y + b'), `drift` its
+    derivative by time at fixed y, `theta` the second derivative of n c(t). `order` and `sign` are
+    those of n c(t) - d next to the time; order -1 and sign 0 where that vanishes.
     """
 
     facet: Cell
     side: int
     order: int
     sign: int
-    g: Fraction
-    g_t: Fraction
+    speed: Fraction
+    drift: Fraction
     theta: Fraction
 
 

@@ -18,7 +18,7 @@ static g_signs signs_on(const graze_site *s, int side) {
     for (size_t k = 0; k < s->germ_count; k++) {
         if (s->germ[k].side != side)
             continue;
-        int sign = fmpq_sgn(s->germ[k].g);
+        int sign = fmpq_sgn(s->germ[k].speed);
         out.any = 1;
         out.all_positive &= sign > 0;
         out.all_negative &= sign < 0;

@@ -39,7 +39,7 @@ void site_clear(graze_site *s) {
         flow_clear(&s->side[k].flow);
     }
     for (size_t k = 0; k < s->germ_count; k++) {
-        fmpq_clear(s->germ[k].g);
+        fmpq_clear(s->germ[k].speed);
         fmpq_clear(s->germ[k].drift);
         fmpq_clear(s->germ[k].theta);
     }
@@ -126,16 +126,16 @@ static void fill_germ(site_germ *germ, const graze_site *s, size_t facet, int si
     const fmpz *normal = s->place.facet[facet].normal;
     germ->facet = facet;
     germ->side = side;
-    fmpq_init(germ->g);
+    fmpq_init(germ->speed);
     fmpq_init(germ->drift);
     fmpq_init(germ->theta);
-    flow_along(germ->g, normal, f->w, s->dimension);
-    fmpq_neg(germ->g, germ->g);
+    flow_along(germ->speed, normal, f->w, s->dimension);
+    fmpq_neg(germ->speed, germ->speed);
     flow_along(germ->drift, normal, f->drift, s->dimension);
     flow_along(germ->theta, normal, f->bend, s->dimension);
-    if (!fmpq_is_zero(germ->g)) {
+    if (!fmpq_is_zero(germ->speed)) {
         germ->order = 1;
-        germ->sign = -side * fmpq_sgn(germ->g);
+        germ->sign = -side * fmpq_sgn(germ->speed);
     } else if (!fmpq_is_zero(germ->theta)) {
         germ->order = 2;
         germ->sign = fmpq_sgn(germ->theta);
@@ -163,7 +163,7 @@ static graze_status find_germs(graze_site *s, graze_context *context) {
 static void find_slice(graze_site *s) {
     const site_germ *germ = &s->germ[0];
     graze_site_facts *f = &s->facts;
-    f->on_slice = s->place.kind == PLACE_FACET && !s->is_break && fmpq_is_zero(germ->g);
+    f->on_slice = s->place.kind == PLACE_FACET && !s->is_break && fmpq_is_zero(germ->speed);
     if (!f->on_slice)
         return;
     int turn = flow_on(s, germ->side)->orientation * -fmpq_sgn(germ->drift) * fmpq_sgn(germ->theta);

@@ -18,13 +18,13 @@ typedef struct site_side {
     flow flow;
 } site_side;
 
-/** A facet through y on one side of t: g, its derivative by t at fixed y, the second derivative
- * theta of the pullback by t, with the primitive outward normal; and order and sign of the pullback
- * next to t, 0 and GRAZE_ORDER_VANISHES where it vanishes. */
+/** A facet through y on one side of t: the speed g, the drift, its derivative by t at fixed y, the
+ * second derivative theta of the pullback by t, with the primitive outward normal; and order and
+ * sign of the pullback next to t, 0 and GRAZE_ORDER_VANISHES where it vanishes. */
 typedef struct site_germ {
     size_t facet; /* of place.facet */
     int side;     /* -1 before t, +1 after it */
-    fmpq_t g, drift, theta;
+    fmpq_t speed, drift, theta;
     int order, sign;
 } site_germ;
 

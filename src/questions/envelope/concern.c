@@ -18,15 +18,16 @@ static int compare_concerns(const void *left, const void *right) {
     return order ? order : a->moment < b->moment ? -1 : a->moment > b->moment;
 }
 
-/* A `g` concerns facet, vertex, and the edges of both; a saddle or meet its cell; else the facet.
+/* A `reach` concerns facet, vertex, and the edges of both; a saddle or meet its cell; else the
+ * facet.
  */
 static void list_event(concern_list *list, const found_event *event, size_t moment) {
     int by_cell = event->kind == GRAZE_EVENT_SADDLE || event->kind == GRAZE_EVENT_MEET;
     if (!by_cell)
         list->item[list->count++] = (concern){event->facet, NO_SECOND, moment};
-    if (by_cell || event->kind == GRAZE_EVENT_G)
+    if (by_cell || event->kind == GRAZE_EVENT_REACH)
         list->item[list->count++] = (concern){event->cell, NO_SECOND, moment};
-    if (event->kind == GRAZE_EVENT_G)
+    if (event->kind == GRAZE_EVENT_REACH)
         list->item[list->count++] = (concern){event->facet, event->cell, moment};
 }
 

@@ -5,12 +5,12 @@ const char *graze_event_kind_name(graze_event_kind kind) {
     switch (kind) {
     case GRAZE_EVENT_SADDLE:
         return "saddle";
-    case GRAZE_EVENT_G:
-        return "g";
+    case GRAZE_EVENT_REACH:
+        return "reach";
     case GRAZE_EVENT_MEET:
         return "meet";
-    case GRAZE_EVENT_THETA:
-        return "theta";
+    case GRAZE_EVENT_CUSP:
+        return "cusp";
     case GRAZE_EVENT_TURN:
         return "turn";
     case GRAZE_EVENT_SINGULAR:
@@ -26,8 +26,8 @@ const char *graze_decomposable_name(graze_decomposable decomposable) {
         return "yes";
     case GRAZE_DECOMPOSABLE_NO:
         return "no";
-    case GRAZE_DECOMPOSABLE_BORDERLINE:
-        return "borderline";
+    case GRAZE_DECOMPOSABLE_UNDECIDED:
+        return "undecided";
     default:
         return "none";
     }

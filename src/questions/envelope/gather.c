@@ -65,7 +65,7 @@ static graze_status judge_corner(graze_envelope *e, graze_context *context, size
 }
 
 graze_status gather_corner(graze_envelope *e, graze_context *context, size_t facet, size_t vertex) {
-    found_event what = {.kind = GRAZE_EVENT_G,
+    found_event what = {.kind = GRAZE_EVENT_REACH,
                         .facet = e->cells.facet[facet].name,
                         .cell = e->cells.vertex[vertex].name};
     watch g = {SIGN_NONE, SIGN_NONE}, theta = g;
@@ -78,10 +78,10 @@ graze_status gather_corner(graze_envelope *e, graze_context *context, size_t fac
         int stays = fmpz_poly_is_zero(&s.p[CORNER_G]);
         s.rooted = stays ? 2 : 1;
         status = signs_find(&s, context);
-        what.kind = GRAZE_EVENT_G;
+        what.kind = GRAZE_EVENT_REACH;
         if (!status)
             status = events_watch(&e->events, context, &what, &g, piece, &s, corner_g);
-        what.kind = GRAZE_EVENT_THETA;
+        what.kind = GRAZE_EVENT_CUSP;
         if (!status)
             status = events_watch(&e->events, context, &what, &theta, piece, &s,
                                   stays ? corner_theta : no_sign);
@@ -172,7 +172,7 @@ graze_status gather_slice(graze_envelope *e, graze_context *context, size_t face
         signs_init(&s, SLICE_SIGNS, SLICE_SIGNS);
         int ends = set_slice(&s, &e->field[piece], facet, &e->cells.edge[edge]);
         status = signs_find(&s, context);
-        what.kind = GRAZE_EVENT_THETA;
+        what.kind = GRAZE_EVENT_CUSP;
         if (!status)
             status = events_watch(&e->events, context, &what, &theta, piece, &s, slice_theta);
         what.kind = GRAZE_EVENT_TURN;

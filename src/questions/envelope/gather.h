@@ -6,7 +6,7 @@
 
 #include "questions/envelope/envelope_record.h"
 
-/** `g` at a vertex of a facet, and `theta` where the slice ends at it all the time. */
+/** `reach` at a vertex of a facet, and `cusp` where the slice ends at it all the time. */
 graze_status gather_corner(graze_envelope *e, graze_context *context, size_t facet, size_t vertex);
 /** `theta` and `turn` where the slice of a facet ends on an edge in it; in E^2 the slice itself. */
 graze_status gather_slice(graze_envelope *e, graze_context *context, size_t facet, size_t edge);

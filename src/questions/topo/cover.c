@@ -52,7 +52,7 @@ static graze_status cover_by_side(germ_cover *out, germ *g, const germ_side *sid
         out->open |= in_interior;
         out->covered |= in_cone;
     }
-    out->tube |= side->tube && is_opposite(&g->cone, u, side->e);
+    out->edge_way |= side->edge_way && is_opposite(&g->cone, u, side->e);
     return status;
 }
 
@@ -73,8 +73,8 @@ graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, c
     for (int s = 0; s < g->side_count && !status; s++)
         if (!keeping_edge || g->side[s].keeps_edge)
             status = cover_by_side(out, g, &g->side[s], context, u);
-    out->tube |= g->covers_edge && is_opposite(&g->cone, u, none);
-    out->covered |= out->exact | out->open | out->tube;
+    out->edge_way |= g->covers_edge && is_opposite(&g->cone, u, none);
+    out->covered |= out->exact | out->open | out->edge_way;
     return status;
 }
 

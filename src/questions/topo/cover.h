@@ -8,10 +8,10 @@
 
 /** What the germs say about a direction. */
 typedef struct germ_cover {
-    int open;    /* it is covered, and so is a neighbourhood */
-    int tube;    /* the same, by the way of a trajectory through a pinch, or along an edge */
-    int exact;   /* it lies in a closed cone that is covered */
-    int covered; /* it lies in a cone that holds all that is covered */
+    int open;     /* it is covered, and so is a neighbourhood */
+    int edge_way; /* the same, by the way of a trajectory through a pinch, or along an edge */
+    int exact;    /* it lies in a closed cone that is covered */
+    int covered;  /* it lies in a cone that holds all that is covered */
 } germ_cover;
 
 /** Add what one germ covers of a direction of its body, with all sides or with those alone that

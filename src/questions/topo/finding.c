@@ -7,7 +7,8 @@ const char *graze_topo_name(graze_topo topo) {
 }
 
 const char *graze_topo_level_name(graze_topo_level level) {
-    static const char *const name[] = {"none", "word", "L1", "L3", "exact", "tube", "LR", "L2"};
+    static const char *const name[] = {"none",         "word",  "first_order", "curves",
+                                       "closed_cones", "edges", "section",     "leading_terms"};
     return (unsigned)level < sizeof name / sizeof *name ? name[level] : "none";
 }
 
@@ -43,9 +44,9 @@ void finding_clear(topo_finding *f) {
 }
 
 topo_witness finding_witness(const topo_finding *f) {
-    return f->level == GRAZE_LEVEL_L1   ? WITNESS_RAY
-           : f->level == GRAZE_LEVEL_L2 ? WITNESS_PATH
-                                        : WITNESS_SQUARE;
+    return f->level == GRAZE_LEVEL_FIRST_ORDER     ? WITNESS_RAY
+           : f->level == GRAZE_LEVEL_LEADING_TERMS ? WITNESS_PATH
+                                                   : WITNESS_SQUARE;
 }
 
 void finding_set(topo_finding *f, graze_topo position, graze_topo_level level) {

@@ -18,9 +18,10 @@ typedef struct topo_finding {
     graze_topo_level level;
     const char *reason; /* static */
     int has_witness;
-    fmpq witness[3];   /* a point that is `out` */
-    fmpq reach;        /* L1, L2: all places of a path are up to the witness, which is at it */
-    fmpz direction[3]; /* L1: of the path, a ray */
+    fmpq witness[3]; /* a point that is `out` */
+    fmpq reach; /* first order, leading terms: all places of a path are up to the witness, which is
+                   at it */
+    fmpz direction[3]; /* first order: of the path, a ray */
     fmpz along[2][3];  /* else half the side of the square on which the witness lies, in E^3 in the
                           plane along these, in their lengths */
     int has_open;

@@ -17,7 +17,7 @@ typedef struct germ_side {
     int exact;     /* what it covers is exactly the closed cone that is swept along e */
     int has_later; /* e runs along an edge that leaves the vertex, and `later` leaves the edge */
     fmpz later[3];
-    int tube;       /* the opposite of e is covered with a neighbourhood */
+    int edge_way;   /* the opposite of e is covered with a neighbourhood */
     int keeps_edge; /* d = 3: what it covers does not depend on the way along the cell's edge */
 } germ_side;
 

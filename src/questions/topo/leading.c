@@ -15,10 +15,10 @@
 #include "questions/topo/first_order.h"
 #include "questions/topo/ray.h"
 #include "questions/topo/second.h"
-#include "questions/topo/tubes.h"
+#include "questions/topo/edge_ways.h"
 
-/* What proves the interior: open cones alone, exact closed ones too, tubes too. */
-enum { BY_OPEN, BY_EXACT, BY_TUBE, BY_COUNT };
+/* What proves the interior: open cones alone, exact closed ones too, ways along edges too. */
+enum { BY_FIRST_ORDER, BY_CLOSED_CONES, BY_EDGES, BY_COUNT };
 
 typedef struct leading_maker {
     topo_finding *out;
@@ -101,7 +101,7 @@ static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     }
     _fmpz_vec_clear(simple, d);
     if (!status && out->has_witness)
-        finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L1);
+        finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_FIRST_ORDER);
     else if (!status)
         finding_undecided(out, "no witness of the boundary is found");
     return status;
@@ -133,9 +133,10 @@ static void note_open(leading_maker *m, const fmpz *direction) {
 /* Is a cell covered with a neighbourhood, or do all full cells around it lie in exact cones? */
 static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
     for (int by = 0; by < BY_COUNT; by++)
-        m->is_interior[by] = m->is_interior[by] && (cell->open || (by == BY_TUBE && cell->tube) ||
-                                                    (by >= BY_EXACT && all_exact));
-    return cell->open || cell->tube || all_exact;
+        m->is_interior[by] =
+            m->is_interior[by] && (cell->open || (by == BY_EDGES && cell->edge_way) ||
+                                   (by >= BY_CLOSED_CONES && all_exact));
+    return cell->open || cell->edge_way || all_exact;
 }
 
 /* A cell between ray r and another ray; one that is not covered lies in the plane of r and a
@@ -217,38 +218,39 @@ static graze_status look_at_rays(leading_maker *m) {
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] = 1;
     for (size_t r = 0; r < m->borders.ray_count && !status && m->out->position == GRAZE_TOPO_NONE &&
-                       (m->germs.bounded || m->is_interior[BY_TUBE] ||
+                       (m->germs.bounded || m->is_interior[BY_EDGES] ||
                         (m->borders.dimension == 3 && m->open_rank < 3));
          r++)
         status = look_around(m, r);
     return status;
 }
 
-/* Tubes are dear, and only what cones leave asks for them: they are found in a second round. */
-static graze_status look_again_with_tubes(leading_maker *m) {
+/* Ways along edges are dear, and only what cones leave asks for them: a second round. */
+static graze_status look_again_along_edges(leading_maker *m) {
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < m->germs.count && !status; k++)
         if (!m->germs.item[k].root)
-            status = tubes_find(&m->germs.item[k], m->context);
+            status = edge_ways_find(&m->germs.item[k], m->context);
     return status ? status : look_at_rays(m);
 }
 
 static graze_status look_at_all(leading_maker *m) {
-    static const graze_topo_level level[] = {GRAZE_LEVEL_L1, GRAZE_LEVEL_EXACT, GRAZE_LEVEL_TUBE};
+    static const graze_topo_level level[] = {GRAZE_LEVEL_FIRST_ORDER, GRAZE_LEVEL_CLOSED_CONES,
+                                             GRAZE_LEVEL_EDGES};
     graze_status status = look_at_rays(m);
     int by_second = 0;
-    if (!status && m->out->position == GRAZE_TOPO_NONE && !m->is_interior[BY_EXACT])
-        status = look_again_with_tubes(m);
+    if (!status && m->out->position == GRAZE_TOPO_NONE && !m->is_interior[BY_CLOSED_CONES])
+        status = look_again_along_edges(m);
     if (status || m->out->position != GRAZE_TOPO_NONE)
         return status;
-    for (int by = BY_TUBE; by >= 0; by--)
+    for (int by = BY_EDGES; by >= 0; by--)
         if (m->is_interior[by])
             finding_set(m->out, GRAZE_TOPO_INTERIOR, level[by]);
     if (m->open_rank == 2)
         status = look_at_second_order(&by_second, m);
     if (by_second)
-        finding_set(m->out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_L2);
-    else if (!m->is_interior[BY_TUBE])
+        finding_set(m->out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_LEADING_TERMS);
+    else if (!m->is_interior[BY_EDGES])
         finding_undecided(m->out, m->germs.bounded
                                       ? "to first order the contacts close around the point, and "
                                         "what is left is thinner than every cone"

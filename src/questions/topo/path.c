@@ -47,7 +47,7 @@ static graze_status try_path(topo_finding *out, graze_context *context, const gr
     graze_status status =
         classify_verdict(&verdict, context, scene, (query_point){.rational = out->witness});
     if (!status && verdict.pmc == GRAZE_OUT) {
-        finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_L2);
+        finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_LEADING_TERMS);
         out->has_witness = 1;
         fmpq_one(&out->reach);
         fmpq_div_2exp(&out->reach, &out->reach, places);

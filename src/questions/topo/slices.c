@@ -86,7 +86,8 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
         if (directions_parallel(along, along + 3))
             continue;
         status = look_in_plane(out, context, scene, planes, point, along,
-                               crosses(along, invariant) ? GRAZE_LEVEL_LR : GRAZE_LEVEL_L3, k < 0);
+                               crosses(along, invariant) ? GRAZE_LEVEL_SECTION : GRAZE_LEVEL_CURVES,
+                               k < 0);
     }
     if (!status && !is_decided(out))
         finding_undecided(out, reason);

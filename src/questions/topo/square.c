@@ -120,7 +120,7 @@ graze_status square_decide(topo_finding *out, graze_context *context, const graz
         status = sample_side(&m);
     }
     if (!status && !refused && !out->has_witness &&
-        (view->dimension == 2 || level == GRAZE_LEVEL_LR))
+        (view->dimension == 2 || level == GRAZE_LEVEL_SECTION))
         finding_set(out, GRAZE_TOPO_INTERIOR, level);
     near_clear(&m.near);
     return status;

@@ -10,8 +10,8 @@
 /**
  * Look around a point that lies in the closed sweep, in a plane (proofs/topology.md C49, C50): it
  * is on the boundary if a sample is out; else, if the plane decides, in the interior.
- * @param level the level found, LR only if the plane decides, as E^2 does; in another plane of E^3
- * without a sample that is out the finding stays as it was
+ * @param level the level found, the section only if the plane decides, as E^2 does; in another
+ * plane of E^3 without a sample that is out the finding stays as it was
  * @param curves those of the scene in the view, whole
  * @param point  its 2 coordinates in the view
  */

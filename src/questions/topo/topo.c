@@ -97,7 +97,7 @@ graze_status topo_by_curves(topo_finding *out, graze_context *context, const gra
     }
     plane_view view;
     view_init(&view);
-    status = square_decide(out, context, scene, &s->curves, &view, point, GRAZE_LEVEL_L3);
+    status = square_decide(out, context, scene, &s->curves, &view, point, GRAZE_LEVEL_CURVES);
     view_clear(&view);
     return status;
 }

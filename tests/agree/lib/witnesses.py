@@ -8,9 +8,9 @@ from fractions import Fraction as F
 
 # Halvings of epsilon, down to 2^-400 of it.
 HALVINGS = [*range(48), *range(48, 401, 8)]
-KEYS = {"L1": {"topo_direction", "topo_epsilon"},
-        "L2": {"topo_direction", "topo_normal", "topo_order", "topo_z", "topo_epsilon"},
-        "L3": {"topo_rho"}, "LR": {"topo_rho"}}
+KEYS = {"first_order": {"topo_direction", "topo_epsilon"},
+        "leading_terms": {"topo_direction", "topo_normal", "topo_order", "topo_z", "topo_epsilon"},
+        "curves": {"topo_rho"}, "section": {"topo_rho"}}
 
 
 def integers(values):
@@ -53,19 +53,19 @@ def check_witness(checks, graze, name, files, point, record):
     coordinate, or None where that is on a square."""
     level, point = record["topo_level"], [F(x) for x in point]
     keys = {key for key in record if key.startswith("topo_")} - {"topo_level", "topo_witness"}
-    plane = {"topo_plane"} if level in ("L3", "LR") and len(point) == 3 else set()
+    plane = {"topo_plane"} if level in ("curves", "section") and len(point) == 3 else set()
     checks.equal(keys, KEYS.get(level, set()) | plane, name, level)
     if keys != KEYS.get(level, set()) | plane:
         return None
     witness = tuple(F(x) for x in record["topo_witness"])
-    if level in ("L3", "LR"):
+    if level in ("curves", "section"):
         check_square(checks, name, point, record)
         check_out(checks, graze, name, files, [witness], record)
         return None
-    place, epsilon = (ray if level == "L1" else path)(point, record), F(record["topo_epsilon"])
+    place, epsilon = (ray if level == "first_order" else path)(point, record), F(record["topo_epsilon"])
     checks.holds(epsilon > 0, name, "epsilon")
     checks.equal(place(epsilon), witness, name, "the witness at epsilon")
-    if level == "L2":
+    if level == "leading_terms":
         x, normal = integers(record["topo_direction"]), integers(record["topo_normal"])
         checks.equal(sum(p * q for p, q in zip(x, normal)), 0, name, "x across N")
         checks.holds(any(x) and any(normal) and record["topo_order"] > 0, name, "x, N and m are not 0")

@@ -1,7 +1,7 @@
-/* Tubes: directions looked at in circles about a leading direction, or about an edge.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Ways through pinches and along edges: directions in circles about a leading direction, or about
+ * an edge. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/tubes.h"
+#include "questions/topo/edge_ways.h"
 
 #include <flint/fmpz_vec.h>
 #include "questions/topo/borders.h"
@@ -48,20 +48,20 @@ static void direction_of_edge(fmpz *out, const local_cone *cone) {
 
 /* Do the lines along e and the cell meet the interior of the cone wherever they are off the one
  * through the point? */
-static graze_status find_tube(germ *g, germ_side *side, graze_context *context, int cell) {
+static graze_status find_edge_way(germ *g, germ_side *side, graze_context *context, int cell) {
     int d = g->cone.dimension;
     fmpz *edge = _fmpz_vec_init(6), *normal = edge + 3;
     graze_status status = GRAZE_OK;
     if (d == 2 && cell == 0) {
         fmpz_neg(normal, side->e + 1);
         fmpz_set(normal + 1, side->e);
-        status = look_to_both_sides(&side->tube, g, context, normal, side->e);
+        status = look_to_both_sides(&side->edge_way, g, context, normal, side->e);
     } else if (d == 3 && cell == 1) {
         direction_of_edge(edge, &g->cone);
         directions_cross(normal, edge, side->e);
-        status = look_to_both_sides(&side->tube, g, context, normal, side->e);
+        status = look_to_both_sides(&side->edge_way, g, context, normal, side->e);
     } else if (d == 3 && cell == 0) {
-        status = look_about(&side->tube, g, context, side->e);
+        status = look_about(&side->edge_way, g, context, side->e);
     }
     _fmpz_vec_clear(edge, 6);
     return status;
@@ -87,9 +87,9 @@ static graze_status find_covered_edge(germ *g, graze_context *context) {
         status = germ_cover_body(&here, g, context, cell + 3 * (k % count), 1);
         if (!status && k > 0)
             status = germ_cover_body(&between, g, context, cell + 3 * (k - 1), 1);
-        covered = here.open || here.tube || here.exact;
+        covered = here.open || here.edge_way || here.exact;
         if (k > 0)
-            covered = covered && (between.open || between.tube || (last.exact && here.exact));
+            covered = covered && (between.open || between.edge_way || (last.exact && here.exact));
     }
     g->covers_edge = covered && !status;
     _fmpz_vec_clear(cell, (slong)count * 3);
@@ -98,11 +98,11 @@ static graze_status find_covered_edge(germ *g, graze_context *context) {
     return status;
 }
 
-graze_status tubes_find(germ *g, graze_context *context) {
+graze_status edge_ways_find(germ *g, graze_context *context) {
     int cell = cone_cell_dimension(&g->cone);
     graze_status status = GRAZE_OK;
     for (int s = 0; s < g->side_count && !status; s++)
-        status = find_tube(g, &g->side[s], context, cell);
+        status = find_edge_way(g, &g->side[s], context, cell);
     if (!status && g->cone.dimension == 3 && cell == 1)
         status = find_covered_edge(g, context);
     return status;
