@@ -108,7 +108,8 @@ static const char *sealed_file(const char *name, const section *s) {
     char *copy = malloc(s->size + 1);
     if (!copy)
         abort();
-    memcpy(copy, s->data, s->size);
+    if (s->size)
+        memcpy(copy, s->data, s->size);
     seal(copy, s->size);
     const char *path = fuzz_file(name, (const uint8_t *)copy, s->size);
     free(copy);

@@ -165,6 +165,8 @@ static int compare(results *t, const char *text, size_t length) {
 int results_add(results *t, const char *text, size_t length, unsigned long rows) {
     unsigned long long left = t->there > t->sum.length ? t->there - t->sum.length : 0;
     size_t there = left < length ? (size_t)left : length;
+    if (!length) /* a run whose first row has no answer has no text */
+        return EXIT_DONE;
     int status = there ? compare(t, text, there) : EXIT_DONE;
     if (status)
         return status;
