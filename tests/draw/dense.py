@@ -3,11 +3,12 @@
 """Pictures of dense meshes.
 
 A drum with many sides has two rims that are sharp and no other edge; its slice is one closed line; a torus of 80,000
-triangles fits in 2 MB. Faces that are drawn as pixels have the colours of those drawn as paths. The scale bar has
+triangles fits in 2 MB. Triangles of one plane are one face. Faces that are drawn as pixels have the colours of those drawn as paths. The scale bar has
 the length that its number says, measured against the solid.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import collections
+import itertools
 import math
 import os
 import re
@@ -129,6 +130,23 @@ def test_edges(graze, folder):
     check(other < 60, "edges off the rims", other)
 
 
+def test_faces(graze, folder):
+    """The lid of a coarse drum is one face, though twelve triangles: no line meets its middle, and no triangle of
+    another position comes between those of one."""
+    solid = off(os.path.join(folder, "drum.off"), *drum(12))
+    motion = write(os.path.join(folder, "move.json"), MOVE % "1")
+    root = draw(graze, solid, motion, os.path.join(folder, "lid.svg"), "--times", "3", "-p", "9,9,9")
+    ends = collections.Counter()
+    for p in paths(group(root, "trajectories")):
+        if p.get("fill", "none") == "none" and p.get("class") is None:
+            ends.update((x, y) for _, x, y in corners(p))
+    check(len(ends) >= 12 + 7 and max(ends.values()) <= 6, "lines that meet in one point", ends.most_common(3))
+    fills = [p.get("fill") for p in paths(group(root, "positions")) if p.get("shape-rendering") == "crispEdges"]
+    lids = {fill for fill, count in collections.Counter(fills).items() if count >= 12}
+    order = [fill for fill, _ in itertools.groupby(fill for fill in fills if fill in lids)]
+    check(len(lids) == len(order) == 3, "the lids are painted one after the other", order)
+
+
 def test_size(graze, folder):
     solid = off(os.path.join(folder, "torus.off"), *torus(400, 100))
     motion = write(os.path.join(folder, "move.json"), MOVE % "5")
@@ -190,6 +208,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         test_outline(graze, folder)
         test_edges(graze, folder)
+        test_faces(graze, folder)
         test_size(graze, folder)
         test_pixels(graze, folder)
         test_bar(graze, folder)

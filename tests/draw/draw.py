@@ -30,6 +30,7 @@ from harness import ROOT, Checks, options  # noqa: E402
 SVG = "{http://www.w3.org/2000/svg}"
 COLOURS = {"regular": "#56b4e9", "fold": "#e69f00", "fold_boundary": "#0072b2", "boundary": "#d55e00",
            "exterior": "#ffffff", "in": "#56b4e9", "on": "#d55e00", "out": "#ffffff"}
+RECTANGLE = re.compile(r"M([\d.]+) ([\d.]+)H([\d.]+)V([\d.]+)H\1z")
 ENVIRONMENT = dict(os.environ)
 checks = Checks()
 check = checks.holds
@@ -78,15 +79,19 @@ class Cells:
         self.low = [F(n) for n in g.get("data-low").split()]
         self.side = F(g.get("data-side"))
         self.frame = [int(n) for n in g.get("data-frame").split()]
-        self.colour = {}
+        self.parts = int(g.get("data-parts"))
+        self.colour, self.part = {}, {}
         for path in g.iter(SVG + "path"):
-            for run in re.findall(r"M([\d.]+) ([\d.]+)H([\d.]+)V([\d.]+)H\1z", path.get("d")):
-                self.fill([float(n) for n in run], path.get("fill"))
+            for run in RECTANGLE.findall(path.get("d")):
+                self.fill(self.colour, 1, [float(n) for n in run], path.get("fill"))
+        for path in group(root, "parts").iter(SVG + "path"):
+            for run in RECTANGLE.findall(path.get("d")):
+                self.fill(self.part, self.parts, [float(n) for n in run], path.get("fill"))
 
-    def centre(self, i, j):
+    def centre(self, i, j, parts=1):
         point = list(self.low)
-        point[self.axes[0]] += (i + F(1, 2)) * self.side
-        point[self.axes[1]] += (j + F(1, 2)) * self.side
+        point[self.axes[0]] += (i + F(1, 2)) * self.side / parts
+        point[self.axes[1]] += (j + F(1, 2)) * self.side / parts
         if self.section:
             return [o + point[0] * u + point[1] * v for o, u, v in zip(*self.section)]
         return point
@@ -96,15 +101,23 @@ class Cells:
         x, y, width, height = self.frame
         return (x + (i + .5) * width / self.count[0], y + height - (j + .5) * height / self.count[1])
 
-    def fill(self, box, colour):
-        x0, y0, x1, y1 = box
-        for j in range(self.count[1]):
-            if not y0 < self.pixel(0, j)[1] < y1:
-                continue
-            for i in range(self.count[0]):
-                if x0 < self.pixel(i, j)[0] < x1:
-                    check((i, j) not in self.colour, "two colours on one cell", i, j)
-                    self.colour[i, j] = colour
+    def fill(self, colours, parts, box, colour):
+        """Give cells of the grid that is `parts` times as fine, whose centres are in the box, a colour."""
+        x, y, width, height = self.frame
+        along, up = width / self.count[0] / parts, height / self.count[1] / parts
+        for j in range(round((y + height - box[3]) / up), round((y + height - box[1]) / up)):
+            for i in range(round((box[0] - x) / along), round((box[2] - x) / along)):
+                check((i, j) not in colours, "two colours on one cell", i, j)
+                colours[i, j] = colour
+
+    def split(self):
+        """The cells that have a neighbour, also across a corner, of another colour."""
+        for i in range(self.count[0]):
+            for j in range(self.count[1]):
+                around = {self.colour.get((u, v), "#ffffff") for u in range(max(i - 1, 0), min(i + 2, self.count[0]))
+                          for v in range(max(j - 1, 0), min(j + 2, self.count[1]))}
+                if len(around) > 1:
+                    yield i, j
 
 
 def read_png(path):
@@ -151,6 +164,21 @@ def check_png(path, cells, want, name):
     return width, height
 
 
+def check_parts(graze, cells, name, options, column):
+    """Each part of a cell at a border has the class of its own centre, no other cell has parts."""
+    n, split = cells.parts, list(cells.split())
+    places = [(i * n + u, j * n + v) for i, j in split for u in range(n) for v in range(n)]
+    check(n % 2 == 1 and n > 1 and split, name, "parts", n, len(split))
+    check(set(cells.part) <= set(places), name, "parts of cells at no border", set(cells.part) - set(places))
+    solid, motion, _ = files(name)
+    text = "".join(",".join(map(str, cells.centre(i, j, n))) + "\n" for i, j in places)
+    rows = table(graze, solid, motion, "-", *options, text=text.encode())
+    check(len(rows) == len(places), name, "rows", len(rows))
+    for (i, j), row in zip(places, rows):
+        got = cells.part.get((i, j), cells.colour.get((i // n, j // n), "#ffffff"))
+        check(got == COLOURS[row[column]], name, "part", i, j, got, "is not", row[column])
+
+
 def check_cells(graze, folder, name, grid, options, unsweep=False, png=False):
     solid, motion, points = files(name)
     drawn = {}
@@ -173,6 +201,7 @@ def check_cells(graze, folder, name, grid, options, unsweep=False, png=False):
     for place, colour in want.items():
         got = cells.colour.get(place, "#ffffff")
         check(got == colour, name, "cell", place, "centre", *map(str, cells.centre(*place)), got, "is not", colour)
+    check_parts(graze, cells, name, scene_options, "pmc" if unsweep else "class")
     if png:
         size = check_png(drawn["png"], cells, want, name)
         check(size == (2 * int(root.get("width")), 2 * int(root.get("height"))), name, "size of the PNG", size)

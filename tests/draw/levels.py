@@ -79,23 +79,29 @@ def check_colours(root, cells, s, step):
 
 
 def corner(cells, i, j):
-    """The pixel of the corner that cells (i - 1, j - 1) and (i, j) share."""
+    """The pixel of the corner that parts (i - 1, j - 1) and (i, j) share."""
     x, y, width, height = cells.frame
-    return x + i * width / cells.count[0], y + height - j * height / cells.count[1]
+    return x + i * width / cells.count[0] / cells.parts, y + height - j * height / cells.count[1] / cells.parts
 
 
 def check_border(root, cells, s):
-    def sign(place):
-        return (s[place] > 0) - (s[place] < 0)
+    """It runs between parts; those of a cell whose neighbours are on one side are on that side."""
+    def sign(value):
+        return (value > 0) - (value < 0)
 
     def edge(a, b):
         return tuple(sorted(tuple(round(v, 1) for v in p) for p in (a, b)))
 
-    wanted = set()
+    n, signs = cells.parts, {}
     for i, j in s:
-        if i and sign((i - 1, j)) != sign((i, j)):
+        around = {sign(s[u, v]) for u in (i - 1, i, i + 1) for v in (j - 1, j, j + 1) if (u, v) in s}
+        for u, v in [(i * n + u, j * n + v) for u in range(n) for v in range(n)]:
+            signs[u, v] = sign(distance(*cells.centre(u, v, n))) if len(around) > 1 else sign(s[i, j])
+    wanted = set()
+    for i, j in signs:
+        if i and signs[i - 1, j] != signs[i, j]:
             wanted.add(edge(corner(cells, i, j), corner(cells, i, j + 1)))
-        if j and sign((i, j - 1)) != sign((i, j)):
+        if j and signs[i, j - 1] != signs[i, j]:
             wanted.add(edge(corner(cells, i, j), corner(cells, i + 1, j)))
     paths = [p for p in group(root, "levels").iter(SVG + "path") if p.get("class") == "border"]
     drawn = {edge(a, b) for p in paths for a, b in segments(p.get("d"))}

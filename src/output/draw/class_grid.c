@@ -45,6 +45,7 @@ graze_status cells_layout(cells *out, graze_context *context, int dimension, con
                           const fmpq *low, const fmpq *high, const fmpq_t plane,
                           unsigned long longer, int coarse) {
     memset(out, 0, sizeof *out);
+    out->parts = 1;
     out->dimension = dimension;
     out->axis[0] = axis[0];
     out->axis[1] = axis[1];
@@ -83,26 +84,29 @@ void cells_clear(cells *c) {
     _fmpq_vec_clear(c->low, c->dimension);
     fmpq_clear(c->side);
     free(c->tone);
+    free(c->split);
+    free(c->part);
     free(c->distance);
     memset(c, 0, sizeof *c);
 }
 
-/* low + (index + 1/2) side along axis k */
-static void set_centre(fmpq_t out, const cells *c, int k, size_t index) {
+/* low + (index + 1/2) side / parts along axis k */
+static void set_centre(fmpq_t out, const cells *c, int k, size_t parts, size_t index) {
     fmpz_t halves;
     fmpz_init_set_ui(halves, 2 * index + 1);
     fmpq_mul_fmpz(out, c->side, halves);
-    fmpq_div_2exp(out, out, 1);
+    fmpz_set_ui(halves, 2 * parts);
+    fmpq_div_fmpz(out, out, halves);
     fmpq_add(out, out, c->low + c->axis[k]);
     fmpz_clear(halves);
 }
 
-void cells_centre(fmpq *out, const cells *c, size_t i, size_t j) {
+void cells_centre(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
     fmpq *at = c->section ? _fmpq_vec_init(2) : out;
     for (int k = 0; k < c->dimension; k++)
         fmpq_set(at + k, c->low + k);
-    set_centre(at + c->axis[0], c, 0, i);
-    set_centre(at + c->axis[1], c, 1, j);
+    set_centre(at + c->axis[0], c, 0, parts, i);
+    set_centre(at + c->axis[1], c, 1, parts, j);
     if (!c->section)
         return;
     section_point(out, c->section, at);
@@ -116,7 +120,7 @@ graze_status cells_classify(cells *c, graze_context *context, const graze_scene 
     for (size_t j = 0; j < c->count[1] && !status; j++) {
         status = context_poll(context);
         for (size_t i = 0; i < c->count[0] && !status; i++) {
-            cells_centre(point, c, i, j);
+            cells_centre(point, c, 1, i, j);
             status = classify_verdict(&verdict, context, scene, (query_point){.rational = point});
             if (!status)
                 c->tone[j * c->count[0] + i] = (unsigned char)tone_of(&verdict);
@@ -146,9 +150,10 @@ void cells_corner(double out[3], const cells *c, double horizontal, double verti
     }
 }
 
-static void add_rectangle(drawn_path *out, const cells *c, const panel *p, size_t i, size_t j,
-                          size_t length) {
-    double cell_x = p->width / (double)c->count[0], cell_y = p->height / (double)c->count[1];
+void cells_rectangle(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
+                     size_t j, size_t length) {
+    double cell_x = p->width / (double)(c->count[0] * parts);
+    double cell_y = p->height / (double)(c->count[1] * parts);
     double x = p->x + (double)i * cell_x, y = p->y + p->height - (double)(j + 1) * cell_y;
     drawn_path_to(out, 'M', x, y);
     drawn_path_to(out, 'L', x + (double)length * cell_x, y);
@@ -164,7 +169,7 @@ void cells_path(drawn_path *out, const cells *c, const panel *p, tone t) {
             for (from = i; i < c->count[0] && row[i] == t;)
                 i++;
             if (i > from)
-                add_rectangle(out, c, p, from, j, i - from);
+                cells_rectangle(out, c, p, 1, from, j, i - from);
             else
                 i++;
         }
@@ -177,8 +182,8 @@ const char *cells_axes(const cells *c) {
 
 void cells_attributes(text *out, const cells *c, const panel *p) {
     const char *names = cells_axes(c);
-    text_format(out, "data-axes=\"%c %c\" data-count=\"%zu %zu\" data-low=\"", names[c->axis[0]],
-                names[c->axis[1]], c->count[0], c->count[1]);
+    text_format(out, "data-axes=\"%c %c\" data-count=\"%zu %zu\" data-parts=\"%zu\" data-low=\"",
+                names[c->axis[0]], names[c->axis[1]], c->count[0], c->count[1], c->parts);
     for (int k = 0; k < c->dimension; k++) {
         text_put(out, k ? " " : "");
         text_rational(out, c->low + k);

@@ -2,11 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The centres are rationals and the classification is exact; nothing is said about the rest of a
- * cell.
+ * cell. Cells at borders are split into parts, each classified at its own centre (cell_parts.h).
  */
 #ifndef GRAZE_DRAW_CLASS_GRID_H
 #define GRAZE_DRAW_CLASS_GRID_H
 
+#include <stdint.h>
 #include "decide/scene/scene.h"
 #include "output/draw/panel.h"
 #include "output/draw/section.h"
@@ -44,8 +45,12 @@ typedef struct cells {
     int dimension;          /* 2 with a section, whose u and v they are */
     const section *section; /* borrowed; NULL: the plane of two axes */
     fmpq_t side;
-    unsigned char *tone;           /* row by row, i running fastest */
-    double *distance;              /* likewise, of the centres; NULL: not asked */
+    unsigned char *tone; /* row by row, i running fastest */
+    size_t parts;        /* of a split cell along each side, odd; 1: no cell is split */
+    uint32_t *split;     /* one a cell: 0, or the number of its block of parts, from 1 */
+    size_t split_count;
+    unsigned char *part;           /* tones of the parts, block by block, row by row */
+    double *distance;              /* of the cells' centres; NULL: not asked */
     double step;                   /* between levels: */
     int step_digit, step_exponent; /* 1, 2, 5 or 10, times this power of ten */
 } cells;
@@ -65,8 +70,9 @@ graze_status cells_layout(cells *out, graze_context *context, int dimension, con
                           unsigned long longer, int coarse);
 void cells_clear(cells *c);
 
-/** The centre of a cell, in room for three rationals. */
-void cells_centre(fmpq *out, const cells *c, size_t i, size_t j);
+/** The centre of cell (i, j) of the grid whose cells are `parts` times as small, in room for three
+ * rationals. */
+void cells_centre(fmpq *out, const cells *c, size_t parts, size_t i, size_t j);
 
 /** Classify all centres. */
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene);
@@ -79,6 +85,10 @@ extent cells_extent(const cells *c);
 void cells_corner(double out[3], const cells *c, double horizontal, double vertical);
 /** Add the cells of a tone as rectangles, one for each run of them along a row. */
 void cells_path(drawn_path *out, const cells *c, const panel *p, tone t);
+/** Add the rectangle of `length` neighbouring cells from (i, j) on, of the grid whose cells are
+ * `parts` times as small. */
+void cells_rectangle(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
+                     size_t j, size_t length);
 
 /** Their layout as attributes of SVG: exact numbers, from which the centres follow. */
 void cells_attributes(text *out, const cells *c, const panel *p);

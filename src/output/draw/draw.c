@@ -3,110 +3,13 @@
  */
 #include "output/draw/draw.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "decide/scene/box.h"
 #include "output/draw/levels.h"
 #include "output/draw/picture_kind.h"
+#include "output/draw/request_cells.h"
 #include "output/draw/views.h"
-
-/* The scene's box with a margin of 1/16 of its longest side. */
-static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
-                              const graze_scene *scene) {
-    int d = scene->motion->dimension;
-    graze_status status = scene_box(low, high, context, scene);
-    fmpq_t margin, side;
-    fmpq_init(margin);
-    fmpq_init(side);
-    for (int k = 0; k < d; k++) {
-        fmpq_sub(side, high + k, low + k);
-        if (fmpq_cmp(side, margin) > 0)
-            fmpq_set(margin, side);
-    }
-    fmpq_div_2exp(margin, margin, 4);
-    for (int k = 0; k < d; k++) {
-        fmpq_sub(low + k, low + k, margin);
-        fmpq_add(high + k, high + k, margin);
-    }
-    fmpq_clear(margin);
-    fmpq_clear(side);
-    return status;
-}
-
-/* The cells of an oblique plane: u and v are their axes. */
-static graze_status lay_out_section(picture *p, graze_context *context, const fmpq *low,
-                                    const fmpq *high) {
-    static const int axis[2] = {0, 1};
-    const draw_request *request = p->request;
-    fmpq *least = _fmpq_vec_init(2), *most = _fmpq_vec_init(2), *middle = _fmpq_vec_init(3);
-    fmpq_t place;
-    fmpq_init(place);
-    for (int k = 0; k < 3; k++) {
-        fmpq_add(middle + k, low + k, high + k);
-        fmpq_div_2exp(middle + k, middle + k, 1);
-    }
-    _fmpq_vec_dot(place, request->normal, middle, 3);
-    if (request->plane)
-        fmpq_set(place, request->plane);
-    section_make(&p->section, request->normal, place);
-    graze_status status = GRAZE_OK;
-    if (!section_extent(least, most, &p->section, low, high))
-        status = context_fail(context, GRAZE_EUSE, "the plane does not pass through the box");
-    fmpq_zero(place);
-    if (!status)
-        status = cells_layout(&p->cells, context, 2, axis, least, most, place, request->grid,
-                              request->by_distance);
-    p->cells.section = &p->section;
-    fmpq_clear(place);
-    _fmpq_vec_clear(least, 2);
-    _fmpq_vec_clear(most, 2);
-    _fmpq_vec_clear(middle, 3);
-    return status;
-}
-
-static graze_status lay_out_cells(picture *p, graze_context *context, const fmpq *low,
-                                  const fmpq *high) {
-    const draw_request *request = p->request;
-    int d = p->scene->motion->dimension, axis[2] = {0, 1};
-    fmpq_t place;
-    fmpq_init(place);
-    if (d == 3) {
-        axis[0] = request->plane_axis == 0;
-        axis[1] = request->plane_axis == 2 ? 1 : 2;
-        fmpq_add(place, low + request->plane_axis, high + request->plane_axis);
-        fmpq_div_2exp(place, place, 1);
-        if (request->plane)
-            fmpq_set(place, request->plane);
-    }
-    graze_status status = cells_layout(&p->cells, context, d, axis, low, high, place, request->grid,
-                                       request->by_distance);
-    fmpq_clear(place);
-    return status;
-}
-
-/* Lay out and classify the cells. */
-static graze_status make_cells(picture *p, graze_context *context) {
-    const draw_request *request = p->request;
-    int d = p->scene->motion->dimension;
-    fmpq *low = _fmpq_vec_init(d), *high = _fmpq_vec_init(d);
-    graze_status status = GRAZE_OK;
-    if (!request->low)
-        status = roomy_box(low, high, context, p->scene);
-    for (int k = 0; k < d && request->low; k++) {
-        fmpq_set(low + k, request->low + k);
-        fmpq_set(high + k, request->high + k);
-    }
-    if (!status)
-        status = (request->normal ? lay_out_section : lay_out_cells)(p, context, low, high);
-    _fmpq_vec_clear(low, d);
-    _fmpq_vec_clear(high, d);
-    if (status)
-        return status;
-    return request->by_distance ? cells_measure(&p->cells, context, p->scene)
-                                : cells_classify(&p->cells, context, p->scene);
-}
 
 /* S at times spread evenly over the motion, both ends included. */
 static graze_status make_positions(picture *p, graze_context *context) {
@@ -165,6 +68,9 @@ static graze_status make_legend(picture *p, graze_context *context) {
     legend *l = &p->legend;
     for (size_t k = 0; k < count; k++)
         l->tones[p->cells.tone[k]] = 1;
+    count = p->cells.split_count * p->cells.parts * p->cells.parts;
+    for (size_t k = 0; k < count; k++)
+        l->tones[p->cells.part[k]] = 1;
     l->by_distance = p->request->by_distance;
     for (int t = TONE_INNER; l->by_distance && t < TONE_COUNT; t++)
         made &= band_text(l->band[t - TONE_INNER], &p->cells, (tone)t);
@@ -230,7 +136,7 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
     const char *title = p->request->title ? p->request->title : "";
     size_t outside = views_outside(p);
-    char missing[64] = "", remark[480];
+    char missing[64] = "", parts[64] = "", remark[480];
     text plane;
     text_init(&plane);
     if (p->cells.section) {
@@ -240,11 +146,15 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     if (outside)
         snprintf(missing, sizeof missing, " · %zu of %zu points outside the picture", outside,
                  p->request->point_count);
-    snprintf(
-        remark, sizeof remark, "%zu × %zu cells, each %s of its centre%s%s · graze " GRAZE_VERSION,
-        p->cells.count[0], p->cells.count[1],
-        p->request->by_distance ? "on the exact side and by the distance" : "in the exact class",
-        plane.failed || !p->cells.section ? "" : plane.data, missing);
+    if (p->cells.split_count)
+        snprintf(parts, sizeof parts, ", at borders in %zu × %zu parts", p->cells.parts,
+                 p->cells.parts);
+    snprintf(remark, sizeof remark,
+             "%zu × %zu cells%s, each %s of its centre%s%s · graze " GRAZE_VERSION,
+             p->cells.count[0], p->cells.count[1], parts,
+             p->request->by_distance ? "on the exact side and by the distance"
+                                     : "in the exact class",
+             plane.failed || !p->cells.section ? "" : plane.data, missing);
     text_clear(&plane);
     layout l = lay_out(p, title, remark);
     canvas *c;
@@ -266,7 +176,7 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
     picture p = {.scene = scene, .request = request};
     graze_status status = canvas_check(context, file);
     if (!status)
-        status = make_cells(&p, context);
+        status = request_cells(&p.cells, &p.section, context, scene, request);
     if (!status)
         status = make_positions(&p, context);
     if (!status)

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "decide/verdict/classify.h"
+#include "output/draw/cell_parts.h"
 #include "output/report/decimal_time.h"
 #include "questions/distance/distance.h"
 
@@ -62,7 +63,7 @@ graze_status cells_measure(cells *c, graze_context *context, const graze_scene *
     fmpq *point = _fmpq_vec_init(3);
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < count && !status; k++) {
-        cells_centre(point, c, k % c->count[0], k / c->count[0]);
+        cells_centre(point, c, 1, k % c->count[0], k / c->count[0]);
         status = measure_point(&c->tone[k], &c->distance[k], context, scene, point, width);
         if (!status)
             status = context_poll(context);
@@ -108,32 +109,32 @@ void level_path(drawn_path *out, const cells *c, const panel *p, int k) {
         }
 }
 
-/* The answer that a cell's tone belongs to. */
-static tone cell_side(const cells *c, size_t i, size_t j) {
-    unsigned char t = c->tone[j * c->count[0] + i];
-    return t >= TONE_OUTER ? TONE_OUT : t >= TONE_INNER ? TONE_IN : (tone)t;
-}
-
-/* The corner of cells from which (i, j) cells lie to the left and below. */
+/* The corner at the lower left of cell (i, j) of the finer grid. */
 static void border_to(drawn_path *out, const cells *c, const panel *p, char verb, size_t i,
                       size_t j) {
-    double at[2];
-    level_pixel(at, c, p, (double)i - .5, (double)j - .5);
+    double at[2], parts = (double)c->parts;
+    level_pixel(at, c, p, (double)i / parts - .5, (double)j / parts - .5);
     drawn_path_to(out, verb, at[0], at[1]);
 }
 
+/* The borders of a cell of the finer grid to its left and lower neighbour. */
+static void add_borders(drawn_path *out, const cells *c, const panel *p, size_t i, size_t j) {
+    tone side = parts_side(c, i, j);
+    if (i && parts_side(c, i - 1, j) != side) {
+        border_to(out, c, p, 'M', i, j);
+        border_to(out, c, p, 'L', i, j + 1);
+    }
+    if (j && parts_side(c, i, j - 1) != side) {
+        border_to(out, c, p, 'M', i, j);
+        border_to(out, c, p, 'L', i + 1, j);
+    }
+}
+
 void border_path(drawn_path *out, const cells *c, const panel *p) {
-    for (size_t j = 0; j < c->count[1]; j++)
-        for (size_t i = 0; i < c->count[0]; i++) {
-            if (i && cell_side(c, i - 1, j) != cell_side(c, i, j)) {
-                border_to(out, c, p, 'M', i, j);
-                border_to(out, c, p, 'L', i, j + 1);
-            }
-            if (j && cell_side(c, i, j - 1) != cell_side(c, i, j)) {
-                border_to(out, c, p, 'M', i, j);
-                border_to(out, c, p, 'L', i + 1, j);
-            }
-        }
+    size_t n = c->parts;
+    for (size_t k = 0; k < c->count[0] * c->count[1]; k++)
+        for (size_t part = 0; c->split[k] && part < n * n; part++)
+            add_borders(out, c, p, k % c->count[0] * n + part % n, k / c->count[0] * n + part / n);
 }
 
 int level_text(char out[LEVEL_ROOM], const cells *c, int k) {

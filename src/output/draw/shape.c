@@ -1,4 +1,4 @@
-/* Vertices at a time, outlines, slices, and faces painted from the back to the front.
+/* Vertices at a time, outlines and slices.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/shape.h"
@@ -6,10 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "output/draw/chain.h"
-#include "output/draw/raster.h"
-#include "output/draw/shown_edges.h"
 
 /* Map all vertices by d rows of d + 1 numbers. */
 static graze_status place_vertices(shape *out, graze_context *context, const graze_solid *solid,
@@ -143,152 +140,4 @@ void shape_slice(drawn_path *out, const shape *s, const panel *p, const double n
     if (segments)
         chain_path(out, segments, n, nodes_apart(cut->count));
     free(segments);
-}
-
-/* A face turned towards the onlooker. */
-typedef struct face {
-    double depth;
-    size_t shape, simplex;
-    double light; /* 0 ... 1 */
-} face;
-
-static int nearer_later(const void *a, const void *b) {
-    const face *f = a, *g = b;
-    if (f->depth != g->depth)
-        return f->depth < g->depth ? -1 : 1;
-    if (f->shape != g->shape)
-        return f->shape < g->shape ? -1 : 1;
-    return f->simplex < g->simplex ? -1 : f->simplex > g->simplex;
-}
-
-static void toward_onlooker(double out[3], const projection *look) {
-    const double *a = look->row[0], *b = look->row[1];
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-/* Look at a face; 0 if it is turned away. The light comes from the onlooker's left shoulder. */
-static int see(face *out, const shape *s, size_t simplex, const projection *look) {
-    double toward[3], side[2][3], normal[3], length = 0, facing = 0, lit = 0;
-    const uint32_t *vertex = s->solid->cut.item[simplex].vertex;
-    const double *at[3];
-    toward_onlooker(toward, look);
-    for (int k = 0; k < 3; k++)
-        at[k] = s->at + 3 * (size_t)vertex[k];
-    out->depth = 0;
-    for (int k = 0; k < 3; k++) {
-        side[0][k] = at[1][k] - at[0][k];
-        side[1][k] = at[2][k] - at[0][k];
-        out->depth += toward[k] * (at[0][k] + at[1][k] + at[2][k]);
-    }
-    for (int k = 0; k < 3; k++) {
-        int l = (k + 1) % 3, m = (k + 2) % 3;
-        normal[k] = side[0][l] * side[1][m] - side[0][m] * side[1][l];
-        normal[k] = s->reflected ? -normal[k] : normal[k];
-        length += normal[k] * normal[k];
-        facing += normal[k] * toward[k];
-        lit += normal[k] * (.75 * toward[k] - .35 * look->row[0][k] + .55 * look->row[1][k]);
-    }
-    out->light = fmax(lit / sqrt(length), 0);
-    return facing > 0;
-}
-
-static unsigned shade(unsigned colour, double light) {
-    double share = .62 + .38 * light;
-    unsigned out = 0;
-    for (int shift = 16; shift >= 0; shift -= 8)
-        out |= (unsigned)((colour >> shift & 255) * share) << shift;
-    return PAINT(out);
-}
-
-/* How faces are painted: as paths, or where they are many as pixels. */
-typedef struct brush {
-    canvas *canvas;
-    const panel *panel;
-    const edge_list *edges;
-    raster pixels; /* without `pixel`: paths */
-} brush;
-
-static void paint_path(const brush *b, const style *plain, const style *line, const double x[3],
-                       const double y[3], unsigned sides) {
-    drawn_path area = {NULL, 0, 0, 0}, edges = {NULL, 0, 0, 0};
-    for (int k = 0; k < 3; k++)
-        drawn_path_to(&area, k ? 'L' : 'M', x[k], y[k]);
-    drawn_path_to(&area, 'z', 0, 0);
-    for (int k = 0; k < 3; k++)
-        if (sides >> k & 1) {
-            drawn_path_to(&edges, 'M', x[k], y[k]);
-            drawn_path_to(&edges, 'L', x[(k + 1) % 3], y[(k + 1) % 3]);
-        }
-    canvas_path(b->canvas, &area, plain, NULL);
-    canvas_path(b->canvas, &edges, line, NULL);
-    drawn_path_clear(&area);
-    drawn_path_clear(&edges);
-}
-
-static void paint_pixels(brush *b, const style *plain, const style *line, double x[3], double y[3],
-                         unsigned sides) {
-    for (int k = 0; k < 3; k++) {
-        x[k] -= b->panel->x;
-        y[k] -= b->panel->y;
-    }
-    raster_triangle(&b->pixels, x, y, plain->fill, plain->faintness);
-    for (int k = 0; k < 3; k++) {
-        const double from[2] = {x[k], y[k]}, to[2] = {x[(k + 1) % 3], y[(k + 1) % 3]};
-        if (sides >> k & 1)
-            raster_line(&b->pixels, from, to, line->stroke, line->faintness);
-    }
-}
-
-static void paint_face(brush *b, const shape *s, const finish *how, const face *f) {
-    const simplex *from = &s->solid->cut.item[f->simplex];
-    double x[3], y[3];
-    for (int k = 0; k < 3; k++)
-        panel_map(&x[k], &y[k], b->panel, s->at + 3 * (size_t)from->vertex[k]);
-    const style plain = {
-        .fill = shade(how->colour, f->light), .faintness = how->faintness, .crisp = 1};
-    const style line = {
-        .stroke = shade(how->colour, -.6), .width = .6, .faintness = how->faintness};
-    unsigned sides = how->edges ? b->edges->sides[f->simplex] : 0;
-    if (b->pixels.pixel)
-        paint_pixels(b, &plain, &line, x, y, sides);
-    else
-        paint_path(b, &plain, &line, x, y, sides);
-}
-
-static graze_status paint_faces(brush *b, graze_context *context, const shape *shapes,
-                                const finish *finishes, const face *faces, size_t count) {
-    enum { MOST_PATHS = 2000 };
-    if (count > MOST_PATHS && !raster_init(&b->pixels, b->panel))
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
-    for (size_t k = 0; k < count; k++)
-        paint_face(b, &shapes[faces[k].shape], &finishes[faces[k].shape], &faces[k]);
-    if (b->pixels.pixel)
-        raster_draw(b->canvas, &b->pixels, b->panel);
-    raster_clear(&b->pixels);
-    return GRAZE_OK;
-}
-
-graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes,
-                          const finish *finishes, size_t count, const panel *p) {
-    size_t n = 0, per_shape = shapes[0].solid->cut.count;
-    edge_list edges;
-    graze_status status = edges_make(&edges, context, shapes[0].solid);
-    face *faces = calloc(per_shape, count * sizeof *faces);
-    if (!status && !faces)
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
-    for (size_t s = 0; s < count && !status; s++)
-        for (size_t f = 0; f < per_shape; f++) {
-            faces[n].shape = s;
-            faces[n].simplex = f;
-            n += (size_t)see(&faces[n], &shapes[s], f, &p->look);
-        }
-    if (!status) {
-        brush b = {c, p, &edges, {0, 0, NULL}};
-        qsort(faces, n, sizeof *faces, nearer_later);
-        status = paint_faces(&b, context, shapes, finishes, faces, n);
-    }
-    free(faces);
-    edges_clear(&edges);
-    return status;
 }

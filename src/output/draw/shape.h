@@ -34,15 +34,4 @@ void shape_rings(drawn_path *out, const shape *s, const panel *p);
 void shape_slice(drawn_path *out, const shape *s, const panel *p, const double normal[3],
                  double place);
 
-/** Paint of the faces of a shape. */
-typedef struct finish {
-    unsigned colour; /* 0xRRGGBB, in full light */
-    double faintness;
-    int edges; /* draw the boundary's edges, of a dense mesh the sharp ones */
-} finish;
-
-/** Paint the faces of shapes in E^3 that are turned towards the onlooker, the far ones first. */
-graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes,
-                          const finish *finishes, size_t count, const panel *p);
-
 #endif

@@ -10,9 +10,9 @@
 #include <string.h>
 
 /* From so many triangles on a mesh is dense; its edges are shown where the surface bends by more
- * than 30 degrees. */
+ * than 30 degrees, those of others where it bends at all. */
 enum { DENSE = 2000 };
-static const double least_cosine = 0.866;
+static const double cosine_dense = 0.866, cosine_flat = 1 - 1e-12;
 
 static int compare_edges(const void *a, const void *b) {
     const shown_edge *e = a, *f = b;
@@ -43,14 +43,27 @@ static void unit_normal(double out[3], const graze_solid *solid, uint32_t simple
         out[k] /= sqrt(length);
 }
 
-/* Two sides alone that make a nearly flat edge; an edge with other than two is shown. */
-static int bends_little(const graze_solid *solid, const shown_edge *e, size_t count) {
+/* The cosine of the angle at which the two sides of an edge bend; -1 where it has other than two.
+ */
+static double bend(const graze_solid *solid, const shown_edge *e, size_t count) {
     double a[3], b[3];
     if (count != 2)
-        return 0;
+        return -1;
     unit_normal(a, solid, e[0].simplex);
     unit_normal(b, solid, e[1].simplex);
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > least_cosine;
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static uint32_t least_of_face(uint32_t *face, uint32_t simplex) {
+    while (face[simplex] != simplex)
+        simplex = face[simplex] = face[face[simplex]];
+    return simplex;
+}
+
+static void join_faces(uint32_t *face, uint32_t a, uint32_t b) {
+    a = least_of_face(face, a);
+    b = least_of_face(face, b);
+    face[a > b ? a : b] = a > b ? b : a;
 }
 
 static size_t list_sides(shown_edge *out, const graze_solid *solid) {
@@ -58,37 +71,50 @@ static size_t list_sides(shown_edge *out, const graze_solid *solid) {
     for (size_t s = 0; s < solid->cut.count; s++) {
         const simplex *from = &solid->cut.item[s];
         for (int k = 0; k < 3; k++)
-            if (!(from->diagonal >> k & 1))
-                out[n++] = (shown_edge){from->vertex[k], from->vertex[(k + 1) % 3], (uint32_t)s,
-                                        (unsigned char)k};
+            out[n++] = (shown_edge){from->vertex[k], from->vertex[(k + 1) % 3], (uint32_t)s,
+                                    (unsigned char)k, from->diagonal >> k & 1};
     }
     return n;
 }
 
+/* An edge of `count` sides: shown, or within a face. */
+static void take_edge(edge_list *out, const graze_solid *solid, const shown_edge *e, size_t count) {
+    double cosine = bend(solid, e, count);
+    if (cosine > cosine_flat)
+        join_faces(out->face, e[0].simplex, e[1].simplex);
+    if (e->diagonal || cosine > (solid->cut.count >= DENSE ? cosine_dense : cosine_flat))
+        return;
+    for (size_t i = 0; i < count; i++)
+        out->sides[e[i].simplex] |= (unsigned char)(1u << e[i].side);
+    out->item[out->count++] = *e;
+}
+
 graze_status edges_make(edge_list *out, graze_context *context, const graze_solid *solid) {
+    size_t n = solid->cut.count;
     memset(out, 0, sizeof *out);
-    out->sides = calloc(solid->cut.count, 1);
-    out->item = calloc(3 * solid->cut.count, sizeof *out->item);
-    if (!out->sides || !out->item)
+    out->sides = calloc(n, 1);
+    out->face = calloc(n, sizeof *out->face);
+    out->item = calloc(3 * n, sizeof *out->item);
+    if (!out->sides || !out->face || !out->item)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the edges of a picture");
-    size_t n = list_sides(out->item, solid);
-    int dense = solid->cut.count >= DENSE;
+    for (size_t s = 0; s < n; s++)
+        out->face[s] = (uint32_t)s;
+    n = list_sides(out->item, solid);
     if (n)
         qsort(out->item, n, sizeof *out->item, compare_edges);
     for (size_t k = 0, next; k < n; k = next) {
         for (next = k + 1; next < n && same_edge(&out->item[k], &out->item[next]);)
             next++;
-        if (dense && bends_little(solid, out->item + k, next - k))
-            continue;
-        for (size_t i = k; i < next; i++)
-            out->sides[out->item[i].simplex] |= (unsigned char)(1u << out->item[i].side);
-        out->item[out->count++] = out->item[k];
+        take_edge(out, solid, out->item + k, next - k);
     }
+    for (size_t s = 0; s < solid->cut.count; s++)
+        out->face[s] = least_of_face(out->face, (uint32_t)s);
     return GRAZE_OK;
 }
 
 void edges_clear(edge_list *e) {
     free(e->item);
     free(e->sides);
-    *e = (edge_list){NULL, 0, NULL};
+    free(e->face);
+    *e = (edge_list){NULL, 0, NULL, NULL};
 }

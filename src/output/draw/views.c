@@ -7,9 +7,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "output/draw/cell_parts.h"
 #include "output/draw/labels.h"
 #include "output/draw/levels.h"
 #include "output/draw/range.h"
+#include "output/draw/shape_paint.h"
 #include "output/report/decimal_time.h"
 
 static int is_plane(const picture *p) {
@@ -153,6 +155,15 @@ static void draw_cells(canvas *c, const picture *p) {
         drawn_path runs = {NULL, 0, 0, 0};
         if (t != TONE_EXTERIOR && t != TONE_OUT)
             cells_path(&runs, &p->cells, &p->classes, (tone)t);
+        canvas_path(c, &runs, &area, tone_name((tone)t));
+        drawn_path_clear(&runs);
+    }
+    canvas_end(c);
+    canvas_begin(c, "parts", NULL);
+    for (int t = TONE_REGULAR; t < TONE_COUNT; t++) {
+        const style area = {.fill = PAINT(tone_colour((tone)t))};
+        drawn_path runs = {NULL, 0, 0, 0};
+        parts_path(&runs, &p->cells, &p->classes, (tone)t);
         canvas_path(c, &runs, &area, tone_name((tone)t));
         drawn_path_clear(&runs);
     }

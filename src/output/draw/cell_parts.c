@@ -1,0 +1,118 @@
+/* Split cells: which ones, their tones, runs of parts.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/cell_parts.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "decide/verdict/classify.h"
+
+/* Bands of the distance belong to answers. */
+static tone tone_side(unsigned char t) {
+    return t >= TONE_OUTER ? TONE_OUT : t >= TONE_INNER ? TONE_IN : (tone)t;
+}
+
+static size_t parts_for(const cells *c) {
+    enum { MOST = 7, FINEST = 2600 };
+    size_t longer = c->count[0] > c->count[1] ? c->count[0] : c->count[1];
+    size_t parts = FINEST / longer < MOST ? FINEST / longer : MOST;
+    return parts < 3 ? 1 : parts - (parts % 2 == 0);
+}
+
+static int is_at_border(const cells *c, size_t i, size_t j) {
+    tone own = tone_side(c->tone[j * c->count[0] + i]);
+    for (size_t v = j ? j - 1 : 0; v <= j + 1 && v < c->count[1]; v++)
+        for (size_t u = i ? i - 1 : 0; u <= i + 1 && u < c->count[0]; u++)
+            if (tone_side(c->tone[v * c->count[0] + u]) != own)
+                return 1;
+    return 0;
+}
+
+static graze_status choose_split(cells *c, graze_context *context) {
+    c->split = calloc(c->count[0] * c->count[1], sizeof *c->split);
+    if (!c->split)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
+    for (size_t j = 0; j < c->count[1] && c->parts > 1; j++)
+        for (size_t i = 0; i < c->count[0]; i++)
+            if (is_at_border(c, i, j))
+                c->split[j * c->count[0] + i] = (uint32_t)++c->split_count;
+    size_t block = c->parts * c->parts;
+    if (c->split_count > context->limits[GRAZE_LIMIT_GRID] / block)
+        return context_limit(context, GRAZE_LIMIT_GRID, "the parts of cells of a picture");
+    c->part = calloc(c->split_count * block + 1, 1);
+    return c->part
+               ? GRAZE_OK
+               : context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
+}
+
+/* The tone of a part. A measured cell's distance is not that of its part: on the cell's side the
+ * part has the cell's band, else the nearest. */
+static tone part_tone(const cells *c, size_t cell, const graze_verdict *v) {
+    if (!c->distance)
+        return tone_of(v);
+    tone side = (tone)(TONE_IN - 1 + (int)v->pmc), own = (tone)c->tone[cell];
+    return side == tone_side((unsigned char)own) ? own
+           : side == TONE_IN                     ? TONE_INNER
+           : side == TONE_OUT                    ? TONE_OUTER
+                                                 : side;
+}
+
+static graze_status classify_block(cells *c, graze_context *context, const graze_scene *scene,
+                                   size_t cell) {
+    size_t n = c->parts, i = cell % c->count[0] * n, j = cell / c->count[0] * n;
+    unsigned char *block = c->part + (c->split[cell] - 1) * n * n;
+    fmpq *point = _fmpq_vec_init(3);
+    graze_verdict verdict;
+    graze_status status = context_poll(context);
+    for (size_t k = 0; k < n * n && !status; k++) {
+        cells_centre(point, c, n, i + k % n, j + k / n);
+        status = classify_verdict(&verdict, context, scene, (query_point){.rational = point});
+        if (!status)
+            block[k] = (unsigned char)part_tone(c, cell, &verdict);
+    }
+    _fmpq_vec_clear(point, 3);
+    return status;
+}
+
+graze_status parts_classify(cells *c, graze_context *context, const graze_scene *scene) {
+    c->parts = parts_for(c);
+    graze_status status = choose_split(c, context);
+    for (size_t k = 0; k < c->count[0] * c->count[1] && !status; k++)
+        if (c->split[k])
+            status = classify_block(c, context, scene, k);
+    return status;
+}
+
+static unsigned char tone_at(const cells *c, size_t i, size_t j) {
+    size_t n = c->parts, cell = j / n * c->count[0] + i / n;
+    if (!c->split[cell])
+        return c->tone[cell];
+    return c->part[((c->split[cell] - 1) * n + j % n) * n + i % n];
+}
+
+tone parts_side(const cells *c, size_t i, size_t j) {
+    return tone_side(tone_at(c, i, j));
+}
+
+/* A part of the tone whose cell has another one. */
+static int differs(const cells *c, size_t i, size_t j, tone t) {
+    size_t n = c->parts;
+    return c->tone[j / n * c->count[0] + i / n] != t && tone_at(c, i, j) == t;
+}
+
+void parts_path(drawn_path *out, const cells *c, const panel *p, tone t) {
+    size_t n = c->parts;
+    for (size_t j = 0; j < c->count[1] * n && c->split_count; j++)
+        for (size_t i = 0, from; i < c->count[0] * n;) {
+            if (!c->split[j / n * c->count[0] + i / n]) {
+                i += n;
+                continue;
+            }
+            for (from = i; i < c->count[0] * n && differs(c, i, j, t);)
+                i++;
+            if (i > from)
+                cells_rectangle(out, c, p, n, from, j, i - from);
+            else
+                i++;
+        }
+}

@@ -1,0 +1,103 @@
+/* The plane and the box of a request, and its cells in them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/request_cells.h"
+
+#include <flint/fmpq_vec.h>
+#include "decide/scene/box.h"
+#include "output/draw/cell_parts.h"
+#include "output/draw/levels.h"
+
+/* The scene's box with a margin of 1/16 of its longest side. */
+static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
+                              const graze_scene *scene) {
+    int d = scene->motion->dimension;
+    graze_status status = scene_box(low, high, context, scene);
+    fmpq_t margin, side;
+    fmpq_init(margin);
+    fmpq_init(side);
+    for (int k = 0; k < d; k++) {
+        fmpq_sub(side, high + k, low + k);
+        if (fmpq_cmp(side, margin) > 0)
+            fmpq_set(margin, side);
+    }
+    fmpq_div_2exp(margin, margin, 4);
+    for (int k = 0; k < d; k++) {
+        fmpq_sub(low + k, low + k, margin);
+        fmpq_add(high + k, high + k, margin);
+    }
+    fmpq_clear(margin);
+    fmpq_clear(side);
+    return status;
+}
+
+/* The cells of an oblique plane: u and v are their axes. */
+static graze_status lay_out_section(cells *out, section *oblique, graze_context *context,
+                                    const draw_request *request, const fmpq *low,
+                                    const fmpq *high) {
+    static const int axis[2] = {0, 1};
+    fmpq *least = _fmpq_vec_init(2), *most = _fmpq_vec_init(2), *middle = _fmpq_vec_init(3);
+    fmpq_t place;
+    fmpq_init(place);
+    for (int k = 0; k < 3; k++) {
+        fmpq_add(middle + k, low + k, high + k);
+        fmpq_div_2exp(middle + k, middle + k, 1);
+    }
+    _fmpq_vec_dot(place, request->normal, middle, 3);
+    if (request->plane)
+        fmpq_set(place, request->plane);
+    section_make(oblique, request->normal, place);
+    graze_status status = GRAZE_OK;
+    if (!section_extent(least, most, oblique, low, high))
+        status = context_fail(context, GRAZE_EUSE, "the plane does not pass through the box");
+    fmpq_zero(place);
+    if (!status)
+        status = cells_layout(out, context, 2, axis, least, most, place, request->grid,
+                              request->by_distance);
+    out->section = oblique;
+    fmpq_clear(place);
+    _fmpq_vec_clear(least, 2);
+    _fmpq_vec_clear(most, 2);
+    _fmpq_vec_clear(middle, 3);
+    return status;
+}
+
+static graze_status lay_out_cells(cells *out, graze_context *context, const draw_request *request,
+                                  int d, const fmpq *low, const fmpq *high) {
+    int axis[2] = {0, 1};
+    fmpq_t place;
+    fmpq_init(place);
+    if (d == 3) {
+        axis[0] = request->plane_axis == 0;
+        axis[1] = request->plane_axis == 2 ? 1 : 2;
+        fmpq_add(place, low + request->plane_axis, high + request->plane_axis);
+        fmpq_div_2exp(place, place, 1);
+        if (request->plane)
+            fmpq_set(place, request->plane);
+    }
+    graze_status status =
+        cells_layout(out, context, d, axis, low, high, place, request->grid, request->by_distance);
+    fmpq_clear(place);
+    return status;
+}
+
+graze_status request_cells(cells *out, section *oblique, graze_context *context,
+                           const graze_scene *scene, const draw_request *request) {
+    int d = scene->motion->dimension;
+    fmpq *low = _fmpq_vec_init(d), *high = _fmpq_vec_init(d);
+    graze_status status = GRAZE_OK;
+    if (!request->low)
+        status = roomy_box(low, high, context, scene);
+    for (int k = 0; k < d && request->low; k++) {
+        fmpq_set(low + k, request->low + k);
+        fmpq_set(high + k, request->high + k);
+    }
+    if (!status)
+        status = request->normal ? lay_out_section(out, oblique, context, request, low, high)
+                                 : lay_out_cells(out, context, request, d, low, high);
+    _fmpq_vec_clear(low, d);
+    _fmpq_vec_clear(high, d);
+    if (!status)
+        status = (request->by_distance ? cells_measure : cells_classify)(out, context, scene);
+    return status ? status : parts_classify(out, context, scene);
+}
