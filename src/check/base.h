@@ -1,8 +1,5 @@
-/* What every part of graze-check uses: how it ends, memory, words, numbers, files, SHA-256.
+/* What every part of graze-check uses: arrays, work, words, numbers, files, SHA-256.
  * SPDX-License-Identifier: MIT
- *
- * graze-check ends at the first thing that is wrong: status 1, refuted; status 2, could not check.
- * There is no other way past a test that has not succeeded. What is made once is kept until then.
  */
 #ifndef CHECK_BASE_H
 #define CHECK_BASE_H
@@ -10,8 +7,7 @@
 #include <gmp.h>
 #include <stddef.h>
 #include <stdio.h>
-
-enum { VERIFIED = 0, REFUTED = 1, NOT_CHECKED = 2 };
+#include "ends.h"
 
 /** Caps. Past one of them the status is 2. */
 enum {
@@ -27,13 +23,6 @@ enum {
     NUMBER_WORK = 1 << 12
 };
 
-/** Write `graze-check: refuted: MESSAGE`, or `not checked`, and end with this status. */
-_Noreturn void end_with(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
-#define refute(...) end_with(REFUTED, __VA_ARGS__)
-#define give_up(...) end_with(NOT_CHECKED, __VA_ARGS__)
-/** Where only the system, or this program, can be at fault. */
-#define must(holds, ...) ((holds) ? (void)0 : give_up(__VA_ARGS__))
-
 /** Begin to count work: MOST_WORK is left. */
 void work_begin(void);
 /** A step of proofs/certificate.md K14 follows: so much more is left, MOST_WORK at most. */
@@ -41,8 +30,6 @@ void work_allow(size_t more);
 /** A product, a quotient or a common divisor of a and b follows; gives up if too little is left. */
 void work_on(const mpz_t a, const mpz_t b);
 
-/** As realloc, for count items; gives up without memory. */
-void *grow(void *old, size_t count, size_t size);
 /** Make room for one more item than `count`, doubling. */
 void *room_for(void *items, size_t count, size_t *room, size_t size);
 /** Integers that are zero, for integers_free. */

@@ -1,10 +1,11 @@
 /* How graze-check ends, and memory.
  * SPDX-License-Identifier: MIT
  */
-#include "base.h"
+#include "ends.h"
 
 #include <stdarg.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 void end_with(int status, const char *format, ...) {

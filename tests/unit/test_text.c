@@ -4,6 +4,7 @@
  */
 #include "../lib/harness.h"
 #include <string.h>
+#include "base/number/json.h"
 #include "base/number/text.h"
 
 static void check_put(void (*put)(text *, const char *), const char *string, const char *expected) {
@@ -35,8 +36,45 @@ static void test_code(void **state) {
     check_put(text_code, "two\nlines", "`two lines`");
 }
 
+static void check_json(int pretty, const char *expected) {
+    text t;
+    fmpq_t value;
+    text_init(&t);
+    fmpq_init(value);
+    fmpq_set_si(value, -3, 2);
+    json_writer w = {.out = &t, .pretty = pretty};
+    json_open(&w, NULL, '{');
+    json_text(&w, "a\"b", "\x01\x1f\n\t\"\\/\x7f\xc3\xa9");
+    json_open(&w, "list", '[');
+    json_count(&w, NULL, 7);
+    json_rational(&w, NULL, value);
+    json_text(&w, NULL, NULL);
+    json_close(&w, ']');
+    json_open(&w, "none", '[');
+    json_close(&w, ']');
+    json_integer(&w, "z", fmpq_numref(value));
+    json_number(&w, "n", "1.5");
+    json_close(&w, '}');
+    assert_false(t.failed);
+    assert_string_equal(t.data, expected);
+    json_owned(&w, "lost", NULL);
+    assert_true(t.failed);
+    fmpq_clear(value);
+    text_clear(&t);
+}
+
+/* RFC 8259: quotation mark, reverse solidus and control characters are escaped, nothing else is. */
+static void test_json(void **state) {
+    (void)state;
+    check_json(0, "{\"a\\\"b\":\"\\u0001\\u001F\\n\\t\\\"\\\\/\x7f\xc3\xa9\","
+                  "\"list\":[7,\"-3/2\",null],\"none\":[],\"z\":\"-3\",\"n\":1.5}");
+    check_json(1, "{\n  \"a\\\"b\": \"\\u0001\\u001F\\n\\t\\\"\\\\/\x7f\xc3\xa9\",\n"
+                  "  \"list\": [\n    7,\n    \"-3/2\",\n    null\n  ],\n"
+                  "  \"none\": [\n\n  ],\n  \"z\": \"-3\",\n  \"n\": 1.5\n}\n");
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_markdown),
-                                       cmocka_unit_test(test_code)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_markdown), cmocka_unit_test(test_code),
+                                       cmocka_unit_test(test_json)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -106,6 +106,20 @@ void text_count(text *t, unsigned long value) {
     text_bytes(t, at, (size_t)(digits + sizeof digits - at));
 }
 
+void text_integer(text *t, const fmpz_t value) {
+    if (text_reserve(t, fmpz_sizeinbase(value, 10) + 1)) {
+        fmpz_get_str(t->data + t->length, 10, value);
+        t->length += strlen(t->data + t->length);
+    }
+}
+
+void text_coefficients(text *t, const fmpz_poly_t p) {
+    for (slong k = 0; k < fmpz_poly_length(p); k++) {
+        text_put(t, k ? " " : "");
+        text_integer(t, fmpz_poly_get_coeff_ptr(p, k));
+    }
+}
+
 void text_rational(text *t, const fmpq_t value) {
     if (text_reserve(t, rational_room(value)))
         t->length += rational_write(t->data + t->length, value);

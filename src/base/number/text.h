@@ -4,6 +4,7 @@
 #define GRAZE_NUMBER_TEXT_H
 
 #include <flint/fmpq.h>
+#include <flint/fmpz_poly.h>
 #include "base/context/context.h"
 
 /** A NUL-terminated text. Once memory has run short `failed` is set and nothing more is added. */
@@ -22,6 +23,10 @@ void text_put(text *t, const char *string);
 void text_format(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /** A count in decimal digits. */
 void text_count(text *t, unsigned long value);
+/** An integer. */
+void text_integer(text *t, const fmpz_t value);
+/** The coefficients of a polynomial, the constant one first, with blanks between them. */
+void text_coefficients(text *t, const fmpz_poly_t p);
 /** An integer or a ratio in lowest terms. */
 void text_rational(text *t, const fmpq_t value);
 /** A user's text as Markdown shows it, in a cell of a table too: what Markdown or HTML would take

@@ -1,67 +1,53 @@
 /* The canonical text of a scene and its SHA-256 (hash.h defines the text).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The text is hashed as it is written and never held as a whole.
+ * The text is hashed line by line and never held as a whole.
  */
 #include "decide/scene/hash.h"
 
 #include <flint/fmpz_vec.h>
 #include <sha256.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include "base/number/rational.h"
+#include "base/number/text.h"
 #include "input/solid/forms.h"
 
 typedef struct hasher {
     SHA2_CTX sha;
-    int failed; /* out of memory on the way */
+    text line; /* the one being written */
 } hasher;
 
-static void hash_text(hasher *h, const char *text) {
-    SHA256Update(&h->sha, (const uint8_t *)text, strlen(text));
-}
-
-static void hash_owned(hasher *h, char *text) {
-    if (text)
-        hash_text(h, text);
-    else
-        h->failed = 1;
-    free(text);
+static void end_hashed_line(hasher *h) {
+    text_put(&h->line, "\n");
+    if (!h->line.failed)
+        SHA256Update(&h->sha, (const uint8_t *)h->line.data, h->line.length);
+    h->line.length = 0;
 }
 
 static void put_rational(hasher *h, const fmpq_t value) {
-    hash_text(h, " ");
-    hash_owned(h, rational_text(value));
+    text_put(&h->line, " ");
+    text_rational(&h->line, value);
 }
 
 static void put_index(hasher *h, size_t value) {
-    char text[24];
-    snprintf(text, sizeof text, " %zu", value);
-    hash_text(h, text);
+    text_put(&h->line, " ");
+    text_count(&h->line, value);
 }
 
 static void hash_poly(hasher *h, const char *tag, const fmpz_poly_t poly) {
-    fmpq_t value;
-    fmpq_init(value);
-    hash_text(h, tag);
-    for (slong k = 0; k < fmpz_poly_length(poly); k++) {
-        fmpz_poly_get_coeff_fmpz(fmpq_numref(value), poly, k);
-        put_rational(h, value);
-    }
-    hash_text(h, "\n");
-    fmpq_clear(value);
+    text_put(&h->line, tag);
+    text_put(&h->line, fmpz_poly_is_zero(poly) ? "" : " ");
+    text_coefficients(&h->line, poly);
+    end_hashed_line(h);
 }
 
 static void put_facet(hasher *h, const soup *s, size_t facet) {
-    hash_text(h, "f");
+    text_put(&h->line, "f");
     for (size_t cycle = s->facet_start[facet]; cycle < s->facet_start[facet + 1]; cycle++) {
         if (cycle > s->facet_start[facet])
-            hash_text(h, " |");
+            text_put(&h->line, " |");
         for (size_t k = s->cycle_start[cycle]; k < s->cycle_start[cycle + 1]; k++)
             put_index(h, s->index[k]);
     }
-    hash_text(h, "\n");
+    end_hashed_line(h);
 }
 
 /* Do these simplices lie in more than one plane? */
@@ -86,10 +72,10 @@ static void put_fans(hasher *h, const graze_solid *solid) {
         if (next - first == 1 || !in_planes(solid, first, next - first))
             continue;
         for (size_t s = first; s < next; s++) {
-            hash_text(h, "t");
+            text_put(&h->line, "t");
             for (int k = 0; k < 3; k++)
                 put_index(h, cut->item[s].vertex[k]);
-            hash_text(h, "\n");
+            end_hashed_line(h);
         }
     }
 }
@@ -97,12 +83,13 @@ static void put_fans(hasher *h, const graze_solid *solid) {
 static void put_solid(hasher *h, const graze_solid *solid) {
     const soup *s = &solid->input;
     size_t d = (size_t)s->dimension;
-    hash_text(h, d == 2 ? "d 2\n" : "d 3\n");
+    text_put(&h->line, d == 2 ? "d 2" : "d 3");
+    end_hashed_line(h);
     for (size_t v = 0; v < s->vertex_count; v++) {
-        hash_text(h, "v");
+        text_put(&h->line, "v");
         for (size_t k = 0; k < d; k++)
             put_rational(h, s->coordinates + v * d + k);
-        hash_text(h, "\n");
+        end_hashed_line(h);
     }
     for (size_t f = 0; f < s->facet_count; f++)
         put_facet(h, s, f);
@@ -114,10 +101,10 @@ static void put_motion(hasher *h, const graze_motion *motion) {
     int d = motion->dimension;
     for (size_t p = 0; p < motion->piece_count; p++) {
         const motion_piece *piece = &motion->piece[p];
-        hash_text(h, "p");
+        text_put(&h->line, "p");
         put_rational(h, piece->lo);
         put_rational(h, piece->hi);
-        hash_text(h, "\n");
+        end_hashed_line(h);
         for (int k = 0; k < d * (d + 1); k++)
             hash_poly(h, "m", &piece->forward.entry[k]);
         hash_poly(h, "w", piece->forward.weight);
@@ -127,10 +114,12 @@ static void put_motion(hasher *h, const graze_motion *motion) {
 graze_status scene_hash(unsigned char out[32], graze_context *context, const graze_solid *solid,
                         const graze_motion *motion) {
     hasher h;
-    h.failed = 0;
+    text_init(&h.line);
     SHA256Init(&h.sha);
     put_solid(&h, solid);
     put_motion(&h, motion);
     SHA256Final(out, &h.sha);
-    return h.failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
+    int failed = h.line.failed;
+    text_clear(&h.line);
+    return failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
 }

@@ -6,20 +6,17 @@
  */
 #include "input/read/stl.h"
 
-#include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
+#include "base/context/slots.h"
 #include "base/number/rounding.h"
 #include "input/read/token_lines.h"
 
 enum { HEADER = 84, RECORD = 50 };
 
-/* Vertices by position: an open-addressed table of vertex numbers + 1. */
 typedef struct merger {
     soup *s;
     graze_context *context;
-    size_t size; /* power of two, more than twice the vertices */
-    size_t *slot;
+    slots positions; /* of the vertices */
     fmpq point[3];
 } merger;
 
@@ -33,49 +30,35 @@ static uint64_t stl_hash(const fmpq *point) {
     return hash ^ hash >> 29;
 }
 
-/* The slot of a position: of the vertex there, or the free one where it belongs. */
-static size_t *stl_slot(const merger *m, const fmpq *point) {
-    size_t k = stl_hash(point) & (m->size - 1);
-    while (m->slot[k] != 0) {
-        const fmpq *other = m->s->coordinates + 3 * (m->slot[k] - 1);
-        if (fmpq_equal(other, point) && fmpq_equal(other + 1, point + 1) &&
-            fmpq_equal(other + 2, point + 2)) {
+/* The vertex at m->point, or SLOTS_NONE. */
+static size_t find_vertex(const merger *m, uint64_t hash) {
+    size_t at = 0, vertex;
+    while ((vertex = slots_next(&m->positions, hash, &at)) != SLOTS_NONE) {
+        const fmpq *there = m->s->coordinates + 3 * vertex;
+        if (fmpq_equal(there, m->point) && fmpq_equal(there + 1, m->point + 1) &&
+            fmpq_equal(there + 2, m->point + 2)) {
             break;
         }
-        k = (k + 1) & (m->size - 1);
     }
-    return m->slot + k;
-}
-
-static graze_status enlarge(merger *m) {
-    free(m->slot);
-    m->size = m->size == 0 ? 1024 : 2 * m->size;
-    m->slot = calloc(m->size, sizeof *m->slot);
-    if (m->slot == NULL) {
-        return context_fail(m->context, GRAZE_ESYSTEM, "no memory to merge %zu vertices",
-                            m->s->vertex_count);
-    }
-    for (size_t v = 0; v < m->s->vertex_count; v++) {
-        *stl_slot(m, m->s->coordinates + 3 * v) = v + 1;
-    }
-    return GRAZE_OK;
+    return vertex;
 }
 
 /* Append m->point to the last cycle, as a new vertex if its position is new. */
 static graze_status add_corner(merger *m) {
-    graze_status status = GRAZE_OK;
-    if (2 * (m->s->vertex_count + 1) > m->size) {
-        status = enlarge(m);
+    uint64_t hash = stl_hash(m->point);
+    size_t vertex = find_vertex(m, hash);
+    if (vertex == SLOTS_NONE) {
+        vertex = m->s->vertex_count;
+        graze_status status = soup_add_vertex(m->s, m->context, m->point);
+        if (status == GRAZE_OK && !slots_add(&m->positions, hash)) {
+            status = context_fail(m->context, GRAZE_ESYSTEM, "no memory to merge %zu vertices",
+                                  m->s->vertex_count);
+        }
+        if (status != GRAZE_OK) {
+            return status;
+        }
     }
-    if (status != GRAZE_OK) {
-        return status;
-    }
-    size_t *slot = stl_slot(m, m->point);
-    if (*slot == 0) {
-        status = soup_add_vertex(m->s, m->context, m->point);
-        *slot = status == GRAZE_OK ? m->s->vertex_count : 0;
-    }
-    return status == GRAZE_OK ? soup_add_index(m->s, m->context, *slot - 1) : status;
+    return soup_add_index(m->s, m->context, vertex);
 }
 
 static graze_status begin_facet(merger *m) {
@@ -241,7 +224,7 @@ graze_status read_stl(soup *s, graze_context *context, const char *path, const c
         fmpq_init(m.point + k);
     }
     graze_status status = read_either(&m, path, text, length);
-    free(m.slot);
+    slots_clear(&m.positions);
     for (int k = 0; k < 3; k++) {
         fmpq_clear(m.point + k);
     }

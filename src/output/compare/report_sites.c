@@ -1,7 +1,6 @@
 /* Contact points in reports. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/compare/report_sites.h"
 
-#include "output/compare/json_put.h"
 #include "output/compare/judgement.h"
 
 static void put_lacking(text *out, const graze_comparison *c, int whose, const char *name) {
@@ -36,23 +35,21 @@ void put_sites_by_column(text *out, const graze_comparison *c) {
                         c->rows - c->missing - c->column_wrong[k], c->column_wrong[k]);
 }
 
-static void put_json_names(yajl_gen g, const char *name, const graze_comparison *c, int whose) {
-    put_key_text(g, name);
-    yajl_gen_array_open(g);
+static void put_json_names(json_writer *w, const char *name, const graze_comparison *c, int whose) {
+    json_open(w, name, '[');
     for (int k = 0; k < JUDGED_COUNT; k++)
         if (c->lacking[k] == whose)
-            put_key_text(g, judged_name(k));
-    yajl_gen_array_close(g);
+            json_text(w, NULL, judged_name(k));
+    json_close(w, ']');
 }
 
-void put_json_sites(yajl_gen g, const graze_comparison *c) {
+void put_json_sites(json_writer *w, const graze_comparison *c) {
     if (!c->contacts)
         return;
-    put_key_text(g, "matched-by");
-    yajl_gen_array_open(g);
+    json_open(w, "matched-by", '[');
     for (size_t k = 0; k < c->key.count; k++)
-        put_key_text(g, column_name(c->key.at[k]));
-    yajl_gen_array_close(g);
-    put_json_names(g, "not-in-candidate", c, 1);
-    put_json_names(g, "not-in-golden", c, 2);
+        json_text(w, NULL, column_name(c->key.at[k]));
+    json_close(w, ']');
+    put_json_names(w, "not-in-candidate", c, 1);
+    put_json_names(w, "not-in-golden", c, 2);
 }

@@ -4,7 +4,7 @@
 #ifndef GRAZE_COMPARE_REPORT_SITES_H
 #define GRAZE_COMPARE_REPORT_SITES_H
 
-#include <yajl/yajl_gen.h>
+#include "base/number/json.h"
 #include "output/compare/comparison.h"
 
 /** By what rows are matched, and which columns are not judged. */
@@ -13,6 +13,6 @@ void put_sites(text *out, const graze_comparison *c);
 void put_sites_by_column(text *out, const graze_comparison *c);
 
 /** The same as members of a JSON object; what is wrong by column stands there anyway. */
-void put_json_sites(yajl_gen g, const graze_comparison *c);
+void put_json_sites(json_writer *w, const graze_comparison *c);
 
 #endif

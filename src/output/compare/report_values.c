@@ -3,8 +3,6 @@
  */
 #include "output/compare/report_values.h"
 
-#include "output/compare/json_put.h"
-
 static const struct quantile {
     const char *name;
     unsigned long per_mille;
@@ -90,68 +88,64 @@ void put_values_by(text *out, const graze_comparison *c) {
     }
 }
 
-static void put_ceiling(yajl_gen g, const char *name, ceiling c) {
+static void put_ceiling(json_writer *w, const char *name, ceiling c) {
     char number[CEILING_ROOM];
     ceiling_text(number, c);
-    put_named(g, name, number);
+    json_text(w, name, number);
 }
 
 /* The members of an object of errors. */
-static void put_json_errors(yajl_gen g, const graze_comparison *c, const errors *e) {
-    put_json_count(g, "values", e->rows);
-    put_json_count(g, "within", values_within(e));
-    put_json_count(g, "over", e->over);
-    put_json_count(g, "under", e->under);
+static void put_json_errors(json_writer *w, const graze_comparison *c, const errors *e) {
+    json_count(w, "values", e->rows);
+    json_count(w, "within", values_within(e));
+    json_count(w, "over", e->over);
+    json_count(w, "under", e->under);
     if (c->options.sdf_tolerance)
-        put_json_count(g, "beyond", e->beyond);
-    put_key_text(g, "quantiles");
-    yajl_gen_map_open(g);
+        json_count(w, "beyond", e->beyond);
+    json_open(w, "quantiles", '{');
     for (int k = 0; k < QUANTILES; k++)
-        put_ceiling(g, quantiles[k].name, errors_quantile(e, quantiles[k].per_mille));
-    yajl_gen_map_close(g);
-    put_ceiling(g, "largest", e->largest);
-    put_ceiling(g, "largest-over", e->largest_over);
+        put_ceiling(w, quantiles[k].name, errors_quantile(e, quantiles[k].per_mille));
+    json_close(w, '}');
+    put_ceiling(w, "largest", e->largest);
+    put_ceiling(w, "largest-over", e->largest_over);
 }
 
-static void put_json_group_errors(yajl_gen g, const graze_comparison *c, const char *name,
+static void put_json_group_errors(json_writer *w, const graze_comparison *c, const char *name,
                                   const group *one) {
     if (!one->values)
         return;
-    yajl_gen_map_open(g);
-    put_named(g, "value", name);
-    put_json_errors(g, c, one->values);
-    yajl_gen_map_close(g);
+    json_open(w, NULL, '{');
+    json_text(w, "value", name);
+    put_json_errors(w, c, one->values);
+    json_close(w, '}');
 }
 
-static void put_json_errors_by(yajl_gen g, const graze_comparison *c) {
-    put_key_text(g, "by");
-    yajl_gen_map_open(g);
+static void put_json_errors_by(json_writer *w, const graze_comparison *c) {
+    json_open(w, "by", '{');
     for (int b = 0; b < SHOWN_BY; b++) {
         const tally *t = &c->tallies[shown_by[b]];
         if (!c->grouped[shown_by[b]])
             continue;
-        put_key_text(g, grouping_name(shown_by[b]));
-        yajl_gen_array_open(g);
+        json_open(w, grouping_name(shown_by[b]), '[');
         for (size_t k = 0; k < t->count; k++)
-            put_json_group_errors(g, c, t->groups[k].name, &t->groups[k]);
-        put_json_group_errors(g, c, "(others)", &t->others);
-        yajl_gen_array_close(g);
+            put_json_group_errors(w, c, t->groups[k].name, &t->groups[k]);
+        put_json_group_errors(w, c, "(others)", &t->others);
+        json_close(w, ']');
     }
-    yajl_gen_map_close(g);
+    json_close(w, '}');
 }
 
-void put_json_values(yajl_gen g, const graze_comparison *c) {
+void put_json_values(json_writer *w, const graze_comparison *c) {
     if (c->options.motion_error) {
-        put_named(g, "motion-error", c->options.motion_error);
-        put_json_count(g, "undecided-by-motion-error", c->undecided_by_motion);
+        json_text(w, "motion-error", c->options.motion_error);
+        json_count(w, "undecided-by-motion-error", c->undecided_by_motion);
     }
     if (!c->valued)
         return;
-    put_key_text(g, "errors-of-sdf");
-    yajl_gen_map_open(g);
-    put_named(g, "truth", truth_name(c));
-    put_named(g, "tolerance", c->options.sdf_tolerance);
-    put_json_errors(g, c, &c->values);
-    put_json_errors_by(g, c);
-    yajl_gen_map_close(g);
+    json_open(w, "errors-of-sdf", '{');
+    json_text(w, "truth", truth_name(c));
+    json_text(w, "tolerance", c->options.sdf_tolerance);
+    put_json_errors(w, c, &c->values);
+    put_json_errors_by(w, c);
+    json_close(w, '}');
 }

@@ -4,7 +4,7 @@
 #ifndef GRAZE_COMPARE_REPORT_VALUES_H
 #define GRAZE_COMPARE_REPORT_VALUES_H
 
-#include <yajl/yajl_gen.h>
+#include "base/number/json.h"
 #include "output/compare/comparison.h"
 
 /** What was asked, and the errors of all values. */
@@ -13,6 +13,6 @@ void put_values(text *out, const graze_comparison *c);
 void put_values_by(text *out, const graze_comparison *c);
 
 /** The same as members of a JSON object; both in one call. */
-void put_json_values(yajl_gen g, const graze_comparison *c);
+void put_json_values(json_writer *w, const graze_comparison *c);
 
 #endif

@@ -24,12 +24,7 @@ static void put_page_time(text *out, const graze_time *time) {
     out->failed |= !decimal;
     text_format(out, "[\"%s\",\"", decimal ? decimal : "");
     free(decimal);
-    for (slong k = 0; k < fmpz_poly_length(time->poly); k++) {
-        char *digits = fmpz_get_str(NULL, 10, time->poly->coeffs + k);
-        text_put(out, k ? " " : "");
-        text_put(out, digits);
-        flint_free(digits);
-    }
+    text_coefficients(out, time->poly);
     text_put(out, "\",\"");
     text_rational(out, time->low);
     text_put(out, "\",\"");

@@ -44,15 +44,6 @@ static void put_undecided(text *t, const topo_finding *topo) {
                 "than every cone.\n");
 }
 
-static void put_direction(text *t, const fmpz *v, int dimension) {
-    for (int k = 0; k < dimension; k++) {
-        char *digits = fmpz_get_str(NULL, 10, v + k);
-        text_format(t, "%s%s", k ? ", " : "(", digits);
-        flint_free(digits);
-    }
-    text_put(t, ")");
-}
-
 /* Up to what number of a path's or square's places something holds. */
 static void put_reach(text *t, const char *before, const topo_finding *topo) {
     text_put(t, before);
@@ -62,19 +53,19 @@ static void put_reach(text *t, const char *before, const topo_finding *topo) {
 
 static void put_path(text *t, const topo_finding *topo) {
     text_format(t, "). So are all points P + s^%ld ", (long)topo->order);
-    put_direction(t, topo->open, 3);
+    closings_vector(t, topo->open, 3);
     text_format(t, " + s^%ld (", (long)topo->order + 1);
     text_rational(t, &topo->lift);
     text_put(t, ") ");
-    put_direction(t, topo->across, 3);
+    closings_vector(t, topo->across, 3);
     put_reach(t, " with 0 < s <= ", topo);
 }
 
 static void put_square(text *t, const topo_finding *topo, int dimension) {
     text_put(t, "). Every smaller square than its own, P + x ");
-    put_direction(t, topo->along[0], dimension);
+    closings_vector(t, topo->along[0], dimension);
     text_put(t, " + y ");
-    put_direction(t, topo->along[1], dimension);
+    closings_vector(t, topo->along[1], dimension);
     put_reach(t,
               " with the larger of |x|, |y|\nbelow its value there, has such a point too; that "
               "value is ",
@@ -96,7 +87,7 @@ static void put_witness(text *t, const topo_finding *topo, int dimension) {
         break;
     default:
         text_put(t, "). So are all points P + s ");
-        put_direction(t, topo->direction, dimension);
+        closings_vector(t, topo->direction, dimension);
         put_reach(t, " with 0 < s <= ", topo);
     }
 }

@@ -28,12 +28,12 @@ void closings_form(text *t, const fmpz *normal, int dimension) {
     for (int k = 0; k < dimension; k++) {
         if (fmpz_is_zero(normal + k))
             continue;
-        char *digits = fmpz_get_str(NULL, 10, normal + k);
         text_put(t, first ? "" : " + ");
-        if (!fmpz_is_one(normal + k))
-            text_format(t, "%s ", digits);
+        if (!fmpz_is_one(normal + k)) {
+            text_integer(t, normal + k);
+            text_put(t, " ");
+        }
         text_format(t, "d%c", "xyz"[k]);
-        flint_free(digits);
         first = 0;
     }
 }
@@ -65,11 +65,10 @@ void closings_place(text *t, const graze_scene *scene, const germ *g) {
     fmpq_clear(time);
 }
 
-static void put_ray(text *t, const fmpz *v, int dimension) {
+void closings_vector(text *t, const fmpz *v, int dimension) {
     for (int k = 0; k < dimension; k++) {
-        char *digits = fmpz_get_str(NULL, 10, v + k);
-        text_format(t, "%s%s", k ? ", " : "(", digits);
-        flint_free(digits);
+        text_put(t, k ? ", " : "(");
+        text_integer(t, v + k);
     }
     text_put(t, ")");
 }
@@ -105,9 +104,9 @@ static graze_status put_in_plane(const closings_maker *m, germ *g) {
     graze_status status = sectors_find(&found, m->context, &asked);
     for (size_t k = 0; k < found.count && !status; k++) {
         text_put(m->t, k ? ", and from " : "counter-clockwise from ");
-        put_ray(m->t, found.ray + 4 * k, 2);
+        closings_vector(m->t, found.ray + 4 * k, 2);
         text_put(m->t, " to ");
-        put_ray(m->t, found.ray + 4 * k + 2, 2);
+        closings_vector(m->t, found.ray + 4 * k + 2, 2);
     }
     text_put(m->t, found.all ? "all directions" : found.count ? "" : "no sector");
     sectors_clear(&found);

@@ -4,26 +4,24 @@
 
 #include "output/report/json_rows.h"
 
-#include <string.h>
 #include "base/number/rational.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/enclosure.h"
-#include "output/report/json_writer.h"
+#include "output/report/json_values.h"
 
 static void json_contact(json_writer *w, const contact *c) {
     graze_kind kind = verdict_kind(c->left, c->right);
-    json_check(w, yajl_gen_map_open(w->gen));
+    json_open(w, NULL, '{');
     json_text(w, "kind", kind == GRAZE_INTERSECTION ? "intersection" : "tangency");
     json_state(w, "left", c->left);
     json_state(w, "right", c->right);
     json_time(w, "from", c->from);
     json_time(w, "to", c->to);
-    json_string(w, "features");
-    json_check(w, yajl_gen_array_open(w->gen));
+    json_open(w, "features", '[');
     for (size_t k = 0; k < c->cell_count; k++)
-        json_cell(w, &c->cell[k]);
-    json_check(w, yajl_gen_array_close(w->gen));
-    json_check(w, yajl_gen_map_close(w->gen));
+        json_cell(w, NULL, &c->cell[k]);
+    json_close(w, ']');
+    json_close(w, '}');
 }
 
 static void json_verdict(json_writer *w, const graze_scene *scene, const graze_verdict *v) {
@@ -41,22 +39,17 @@ static void json_verdict(json_writer *w, const graze_scene *scene, const graze_v
 }
 
 /* A list of integers. */
-static void json_integers(json_writer *w, const fmpz *v, int count) {
-    json_check(w, yajl_gen_array_open(w->gen));
-    for (int k = 0; k < count; k++) {
-        char *digits = fmpz_get_str(NULL, 10, v + k);
-        json_string(w, digits);
-        flint_free(digits);
-    }
-    json_check(w, yajl_gen_array_close(w->gen));
+static void json_integers(json_writer *w, const char *key, const fmpz *v, int count) {
+    json_open(w, key, '[');
+    for (int k = 0; k < count; k++)
+        json_integer(w, NULL, v + k);
+    json_close(w, ']');
 }
 
 /* The path P + s^order along + s^(order + 1) lift across on which a witness lies. */
 static void json_path(json_writer *w, const topo_finding *topo) {
-    json_string(w, "topo_direction");
-    json_integers(w, topo->open, 3);
-    json_string(w, "topo_normal");
-    json_integers(w, topo->across, 3);
+    json_integers(w, "topo_direction", topo->open, 3);
+    json_integers(w, "topo_normal", topo->across, 3);
     json_count(w, "topo_order", (unsigned long)topo->order);
     json_rational(w, "topo_z", &topo->lift);
 }
@@ -68,14 +61,12 @@ static void json_witness(json_writer *w, const topo_finding *topo, int dimension
     if (kind == WITNESS_PATH) {
         json_path(w, topo);
     } else if (kind == WITNESS_RAY) {
-        json_string(w, "topo_direction");
-        json_integers(w, topo->direction, dimension);
+        json_integers(w, "topo_direction", topo->direction, dimension);
     } else if (dimension == 3) {
-        json_string(w, "topo_plane");
-        json_check(w, yajl_gen_array_open(w->gen));
+        json_open(w, "topo_plane", '[');
         for (int k = 0; k < 2; k++)
-            json_integers(w, topo->along[k], dimension);
-        json_check(w, yajl_gen_array_close(w->gen));
+            json_integers(w, NULL, topo->along[k], dimension);
+        json_close(w, ']');
     }
     json_rational(w, kind == WITNESS_SQUARE ? "topo_rho" : "topo_epsilon", &topo->reach);
 }
@@ -93,8 +84,7 @@ static void json_topo(json_writer *w, const topo_finding *topo, int dimension) {
 static void json_bound(json_writer *w, const char *key, double bound, int up) {
     char decimal[BOUND_ROOM];
     report_bound(decimal, bound, up);
-    json_string(w, key);
-    json_check(w, yajl_gen_number(w->gen, decimal, strlen(decimal)));
+    json_number(w, key, decimal);
 }
 
 static void json_distance(json_writer *w, const graze_scene *scene, const distance *found) {
@@ -111,42 +101,23 @@ static void json_distance(json_writer *w, const graze_scene *scene, const distan
     fmpq_clear(time);
 }
 
-static void json_row(json_writer *w, const graze_scene *scene, const fmpq *point,
-                     const graze_trace *trace, const topo_finding *topo, const distance *found) {
-    json_check(w, yajl_gen_map_open(w->gen));
-    json_point(w, "point", point, scene->motion->dimension);
-    json_verdict(w, scene, &trace->verdict);
-    json_text(w, "word", trace->word);
-    json_string(w, "contacts");
-    json_check(w, yajl_gen_array_open(w->gen));
-    for (size_t k = 0; k < trace->contact_count; k++)
-        json_contact(w, &trace->contact[k]);
-    json_check(w, yajl_gen_array_close(w->gen));
-    if (found)
-        json_distance(w, scene, found);
-    if (found && scene->options.motion_error > 0)
-        json_text(w, "certain", report_certainty(found, scene->options.motion_error));
-    if (topo)
-        json_topo(w, topo, scene->motion->dimension);
-    json_check(w, yajl_gen_map_close(w->gen));
-}
-
-/* 0 when memory runs out within yajl. */
-static int put_line(json_writer *w, const graze_scene *scene, const fmpq *point,
-                    const graze_trace *trace, const topo_finding *topo, const distance *found) {
-    json_memory_init(&w->memory);
-    if (setjmp(w->memory.short_of) != 0)
-        return 0;
-    json_begin(w);
-    json_row(w, scene, point, trace, topo, found);
-    return !w->failed;
-}
-
 void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
                  const topo_finding *topo, const distance *found) {
     json_writer w = {.out = out};
-    if (!put_line(&w, scene, point, trace, topo, found))
-        out->failed = 1;
-    json_memory_clear(&w.memory);
+    json_open(&w, NULL, '{');
+    json_point(&w, "point", point, scene->motion->dimension);
+    json_verdict(&w, scene, &trace->verdict);
+    json_text(&w, "word", trace->word);
+    json_open(&w, "contacts", '[');
+    for (size_t k = 0; k < trace->contact_count; k++)
+        json_contact(&w, &trace->contact[k]);
+    json_close(&w, ']');
+    if (found)
+        json_distance(&w, scene, found);
+    if (found && scene->options.motion_error > 0)
+        json_text(&w, "certain", report_certainty(found, scene->options.motion_error));
+    if (topo)
+        json_topo(&w, topo, scene->motion->dimension);
+    json_close(&w, '}');
     text_put(out, "\n");
 }

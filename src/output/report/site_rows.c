@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "base/number/rational.h"
 #include "output/report/decimal_time.h"
-#include "output/report/json_writer.h"
+#include "output/report/json_values.h"
 #include "output/report/table_text.h"
 
 graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,
@@ -47,12 +47,8 @@ void report_put_time(text *t, const graze_time *time) {
     if (time && time_is_rational(time)) {
         text_rational(t, time->low);
     } else if (time) {
-        for (slong k = 0; k < fmpz_poly_length(time->poly); k++) {
-            char *digits = fmpz_get_str(NULL, 10, time->poly->coeffs + k);
-            text_put(t, k ? " " : "root(");
-            text_put(t, digits);
-            flint_free(digits);
-        }
+        text_put(t, "root(");
+        text_coefficients(t, time->poly);
         text_put(t, ";");
         text_rational(t, time->low);
         text_put(t, ";");
@@ -126,18 +122,6 @@ void report_contact_csv(text *out, const graze_site *site, const char *rest) {
     text_put(out, "\n");
 }
 
-static void json_null(json_writer *w, const char *key) {
-    json_string(w, key);
-    json_check(w, yajl_gen_null(w->gen));
-}
-
-static void json_time_or_null(json_writer *w, const char *key, const graze_time *time) {
-    if (time)
-        json_time(w, key, time);
-    else
-        json_null(w, key);
-}
-
 static void json_order(json_writer *w, const char *key, int order) {
     if (order == GRAZE_ORDER_VANISHES)
         json_text(w, key, "inf");
@@ -147,9 +131,9 @@ static void json_order(json_writer *w, const char *key, int order) {
 
 static void json_slice(json_writer *w, const graze_site_facts *f) {
     if (!f->on_slice) {
-        json_null(w, "theta");
-        json_null(w, "contact_order");
-        json_null(w, "orientation");
+        json_text(w, "theta", NULL);
+        json_text(w, "contact_order", NULL);
+        json_text(w, "orientation", NULL);
         return;
     }
     json_text(w, "theta", sign_name(f->theta));
@@ -158,22 +142,20 @@ static void json_slice(json_writer *w, const graze_site_facts *f) {
 }
 
 static void json_facets(json_writer *w, const graze_site *site) {
-    json_string(w, "facets");
-    json_check(w, yajl_gen_array_open(w->gen));
+    json_open(w, "facets", '[');
     for (size_t k = 0; k < site->germ_count; k++) {
         const site_germ *germ = &site->germ[k];
-        json_check(w, yajl_gen_map_open(w->gen));
-        json_string(w, "facet");
-        json_cell(w, &site->place.facet[germ->facet].name);
+        json_open(w, NULL, '{');
+        json_cell(w, "facet", &site->place.facet[germ->facet].name);
         json_text(w, "side", sign_name(germ->side));
         json_rational(w, "speed", germ->speed);
         json_rational(w, "drift", germ->drift);
         json_rational(w, "theta", germ->theta);
         json_order(w, "order", germ->order);
         json_text(w, "sign", sign_name(germ->sign));
-        json_check(w, yajl_gen_map_close(w->gen));
+        json_close(w, '}');
     }
-    json_check(w, yajl_gen_array_close(w->gen));
+    json_close(w, ']');
 }
 
 static void json_answers(json_writer *w, const graze_site *site) {
@@ -184,8 +166,8 @@ static void json_answers(json_writer *w, const graze_site *site) {
     json_state(w, "right", f->right);
     json_text(w, "trimmed", is_trimmed(f) ? "yes" : "no");
     json_text(w, "status", graze_trim_name(f->trim));
-    json_time_or_null(w, "near", site->near);
-    json_time_or_null(w, "near_in", site->near_in);
+    json_time(w, "near", site->near);
+    json_time(w, "near_in", site->near_in);
     json_text(w, "word", site->trace.word);
 }
 
@@ -195,43 +177,26 @@ static void json_no_answers(json_writer *w) {
                                         "left", "right",   "trimmed",       "status",
                                         "near", "near_in", "word"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
-        json_null(w, names[k]);
-}
-
-static void json_site(json_writer *w, const graze_site *site) {
-    const graze_site_facts *f = &site->facts;
-    json_check(w, yajl_gen_map_open(w->gen));
-    json_rational(w, "time", site->t);
-    json_point(w, "body", site->y, site->dimension);
-    json_point(w, "point", site->world, site->dimension);
-    json_string(w, "cell");
-    json_cell(w, &f->cell);
-    if (site->missed)
-        json_no_answers(w);
-    else
-        json_answers(w, site);
-    if (site->missed)
-        json_null(w, "shift");
-    else if (site->snapped)
-        json_rational(w, "shift", site->shift);
-    json_facets(w, site);
-    json_check(w, yajl_gen_map_close(w->gen));
-}
-
-/* 0 when memory runs out within yajl. */
-static int put_site(json_writer *w, const graze_site *site) {
-    json_memory_init(&w->memory);
-    if (setjmp(w->memory.short_of) != 0)
-        return 0;
-    json_begin(w);
-    json_site(w, site);
-    return !w->failed;
+        json_text(w, names[k], NULL);
 }
 
 void report_contact_json(text *out, const graze_site *site) {
     json_writer w = {.out = out};
-    if (!put_site(&w, site))
-        out->failed = 1;
-    json_memory_clear(&w.memory);
+    const graze_site_facts *f = &site->facts;
+    json_open(&w, NULL, '{');
+    json_rational(&w, "time", site->t);
+    json_point(&w, "body", site->y, site->dimension);
+    json_point(&w, "point", site->world, site->dimension);
+    json_cell(&w, "cell", &f->cell);
+    if (site->missed)
+        json_no_answers(&w);
+    else
+        json_answers(&w, site);
+    if (site->missed)
+        json_text(&w, "shift", NULL);
+    else if (site->snapped)
+        json_rational(&w, "shift", site->shift);
+    json_facets(&w, site);
+    json_close(&w, '}');
     text_put(out, "\n");
 }

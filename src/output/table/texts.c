@@ -1,4 +1,4 @@
-/* Numbers texts by a hash table with linear steps.
+/* Numbers texts by their hashes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/table/texts.h"
@@ -10,7 +10,7 @@
 void texts_clear(texts *t) {
     text_clear(&t->bytes);
     free(t->end);
-    free(t->slot);
+    slots_clear(&t->numbers);
     *t = (texts){0};
 }
 
@@ -27,40 +27,24 @@ static uint64_t hash_of(field one) {
     return hash ^ hash >> 32;
 }
 
-/* The slot that holds a text, or the empty one where it would go. */
-static uint32_t *slot_of(const texts *t, field one) {
-    size_t at = hash_of(one) & (t->slots - 1);
-    while (t->slot[at] && !field_equal(texts_at(t, t->slot[at] - 1), one))
-        at = (at + 1) & (t->slots - 1);
-    return &t->slot[at];
-}
-
-static int grow_text_slots(texts *t) {
-    size_t slots = t->slots ? 2 * t->slots : 128;
-    uint32_t *slot = calloc(slots, sizeof *slot);
-    if (!slot)
+static int keep_text(texts *t, field one, uint64_t hash) {
+    if (t->count == UINT32_MAX ||
+        !array_reserve(&t->end, &t->capacity, t->count + 1, sizeof *t->end))
         return 0;
-    free(t->slot);
-    t->slot = slot;
-    t->slots = slots;
-    for (size_t k = 0; k < t->count; k++)
-        *slot_of(t, texts_at(t, (uint32_t)k)) = (uint32_t)k + 1;
+    text_bytes(&t->bytes, one.start, one.length);
+    text_bytes(&t->bytes, "\n", 1);
+    if (t->bytes.failed || !slots_add(&t->numbers, hash))
+        return 0;
+    t->end[t->count++] = t->bytes.length;
     return 1;
 }
 
 int texts_number(uint32_t *out, texts *t, field one) {
-    if ((2 * t->count == t->slots && !grow_text_slots(t)) ||
-        !array_reserve(&t->end, &t->capacity, t->count + 1, sizeof *t->end))
-        return 0;
-    uint32_t *slot = slot_of(t, one);
-    if (!*slot) {
-        text_bytes(&t->bytes, one.start, one.length);
-        text_bytes(&t->bytes, "\n", 1);
-        if (t->bytes.failed || t->count == UINT32_MAX)
-            return 0;
-        t->end[t->count++] = t->bytes.length;
-        *slot = (uint32_t)t->count;
-    }
-    *out = *slot - 1;
-    return 1;
+    uint64_t hash = hash_of(one);
+    size_t at = 0, number;
+    do
+        number = slots_next(&t->numbers, hash, &at);
+    while (number != SLOTS_NONE && !field_equal(texts_at(t, (uint32_t)number), one));
+    *out = (uint32_t)(number == SLOTS_NONE ? t->count : number);
+    return number != SLOTS_NONE || keep_text(t, one, hash);
 }

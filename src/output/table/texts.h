@@ -4,7 +4,7 @@
 #ifndef GRAZE_TABLE_TEXTS_H
 #define GRAZE_TABLE_TEXTS_H
 
-#include <stdint.h>
+#include "base/context/slots.h"
 #include "base/number/text.h"
 #include "input/delimited/field.h"
 
@@ -13,8 +13,7 @@ typedef struct texts {
     text bytes;  /* one text after another, each with a newline behind it */
     size_t *end; /* of each text in the bytes, behind its newline */
     size_t count, capacity;
-    uint32_t *slot; /* of a hash table: number + 1, or 0; at most half in use */
-    size_t slots;   /* a power of two */
+    slots numbers;
 } texts;
 
 void texts_clear(texts *t);

@@ -11,12 +11,6 @@ int interrupt_watch(void);
 /** The signal that came, or 0. Any thread may ask. */
 int interrupt_signal(void);
 
-/** Wait until `fd` can be read or a signal has come. */
-void interrupt_wait(int fd);
-
-/** 1 if `fd` can be read without waiting. */
-int interrupt_ready(int fd);
-
 /** Report the signal that came and die of it, so that the shell sees it. */
 void interrupt_die(void);
 

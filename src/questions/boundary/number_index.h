@@ -4,16 +4,14 @@
 #ifndef GRAZE_BOUNDARY_NUMBER_INDEX_H
 #define GRAZE_BOUNDARY_NUMBER_INDEX_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include "base/context/slots.h"
 
 /** Keys with a byte each. Zeroed: empty. */
 typedef struct number_index {
     uint64_t *key;
     unsigned char *value;
     size_t count, capacity;
-    size_t *slot; /* index + 1, or 0; a power of two of them, at most half in use */
-    size_t slots;
+    slots places; /* of the keys */
 } number_index;
 
 void number_index_clear(number_index *t);

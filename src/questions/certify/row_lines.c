@@ -62,10 +62,8 @@ static void to_parameter(fmpz_poly_t out, const motion_piece *piece, const fmpz_
 }
 
 static void line_poly(text *out, const fmpz_poly_t q) {
-    for (slong k = 0; k < fmpz_poly_length(q); k++) {
-        text_put(out, " ");
-        text_owned(out, fmpz_get_str(NULL, 10, fmpz_poly_get_coeff_ptr(q, k)));
-    }
+    text_put(out, " ");
+    text_coefficients(out, q);
 }
 
 /* The root of q in [l->start, end]: a number if q is linear. */

@@ -1,87 +1,56 @@
 /* Names of events, answers and reasons. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/context/names.h"
 #include "graze/envelope.h"
 
 const char *graze_event_kind_name(graze_event_kind kind) {
-    switch (kind) {
-    case GRAZE_EVENT_SADDLE:
-        return "saddle";
-    case GRAZE_EVENT_REACH:
-        return "reach";
-    case GRAZE_EVENT_MEET:
-        return "meet";
-    case GRAZE_EVENT_CUSP:
-        return "cusp";
-    case GRAZE_EVENT_TURN:
-        return "turn";
-    case GRAZE_EVENT_SINGULAR:
-        return "singular";
-    default:
-        return "none";
-    }
+    static const char *const names[] = {
+        [GRAZE_EVENT_SADDLE] = "saddle", [GRAZE_EVENT_REACH] = "reach",
+        [GRAZE_EVENT_MEET] = "meet",     [GRAZE_EVENT_CUSP] = "cusp",
+        [GRAZE_EVENT_TURN] = "turn",     [GRAZE_EVENT_SINGULAR] = "singular",
+    };
+    return name_at(names, sizeof names / sizeof *names, (size_t)kind);
 }
 
 const char *graze_decomposable_name(graze_decomposable decomposable) {
-    switch (decomposable) {
-    case GRAZE_DECOMPOSABLE_YES:
-        return "yes";
-    case GRAZE_DECOMPOSABLE_NO:
-        return "no";
-    case GRAZE_DECOMPOSABLE_UNDECIDED:
-        return "undecided";
-    default:
-        return "none";
-    }
+    static const char *const names[] = {
+        [GRAZE_DECOMPOSABLE_YES] = "yes",
+        [GRAZE_DECOMPOSABLE_NO] = "no",
+        [GRAZE_DECOMPOSABLE_UNDECIDED] = "undecided",
+    };
+    return name_at(names, sizeof names / sizeof *names, (size_t)decomposable);
 }
 
 const char *graze_decomposable_reason_name(graze_decomposable_reason reason) {
-    switch (reason) {
-    case GRAZE_REASON_THETA:
-        return "theta is negative on a slice";
-    case GRAZE_REASON_REFLEX:
-        return "a slice crosses a reflex edge";
-    case GRAZE_REASON_BREAK:
-        return "contact on one side of a break, into the solid on the other";
-    case GRAZE_REASON_VERTEX:
-        return "a slice or run reaches a vertex and enters the solid there";
-    case GRAZE_REASON_PIECES:
-        return "the motion has a break";
-    case GRAZE_REASON_ZERO:
-        return "theta is not positive on a closed slice";
-    case GRAZE_REASON_REACHES:
-        return "a slice or run reaches a reflex edge or a vertex that is not convex";
-    case GRAZE_REASON_POSITIVE:
-        return "theta is positive on all slices, none of them and no run reaches a reflex edge or "
-               "a "
-               "vertex that is not convex";
-    default:
-        return "none";
-    }
+    static const char *const names[] = {
+        [GRAZE_REASON_THETA] = "theta is negative on a slice",
+        [GRAZE_REASON_REFLEX] = "a slice crosses a reflex edge",
+        [GRAZE_REASON_BREAK] = "contact on one side of a break, into the solid on the other",
+        [GRAZE_REASON_VERTEX] = "a slice or run reaches a vertex and enters the solid there",
+        [GRAZE_REASON_PIECES] = "the motion has a break",
+        [GRAZE_REASON_ZERO] = "theta is not positive on a closed slice",
+        [GRAZE_REASON_REACHES] =
+            "a slice or run reaches a reflex edge or a vertex that is not convex",
+        [GRAZE_REASON_POSITIVE] = "theta is positive on all slices, none of them and no run "
+                                  "reaches a reflex edge or a vertex that is not convex",
+    };
+    return name_at(names, sizeof names / sizeof *names, (size_t)reason);
 }
 
 const char *graze_curve_kind_name(graze_curve_kind kind) {
-    switch (kind) {
-    case GRAZE_CURVE_SLICE:
-        return "slice";
-    case GRAZE_CURVE_RUN:
-        return "run";
-    case GRAZE_CURVE_POINT:
-        return "point";
-    case GRAZE_CURVE_WHOLE:
-        return "whole";
-    default:
-        return "none";
-    }
+    static const char *const names[] = {
+        [GRAZE_CURVE_SLICE] = "slice",
+        [GRAZE_CURVE_RUN] = "run",
+        [GRAZE_CURVE_POINT] = "point",
+        [GRAZE_CURVE_WHOLE] = "whole",
+    };
+    return name_at(names, sizeof names / sizeof *names, (size_t)kind);
 }
 
 const char *graze_chain_form_name(graze_chain_form form) {
-    switch (form) {
-    case GRAZE_CHAIN_CLOSED:
-        return "closed";
-    case GRAZE_CHAIN_OPEN:
-        return "open";
-    case GRAZE_CHAIN_BRANCHING:
-        return "branching";
-    default:
-        return "none";
-    }
+    static const char *const names[] = {
+        [GRAZE_CHAIN_CLOSED] = "closed",
+        [GRAZE_CHAIN_OPEN] = "open",
+        [GRAZE_CHAIN_BRANCHING] = "branching",
+    };
+    return name_at(names, sizeof names / sizeof *names, (size_t)form);
 }

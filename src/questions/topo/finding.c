@@ -1,15 +1,17 @@
 /* Findings, and their names. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/finding.h"
 
+#include "base/context/names.h"
+
 const char *graze_topo_name(graze_topo topo) {
     static const char *const name[] = {"none", "interior", "boundary", "exterior", "undecided"};
-    return (unsigned)topo < sizeof name / sizeof *name ? name[topo] : "none";
+    return name_at(name, sizeof name / sizeof *name, (size_t)topo);
 }
 
 const char *graze_topo_level_name(graze_topo_level level) {
     static const char *const name[] = {"none",         "word",  "first_order", "curves",
                                        "closed_cones", "edges", "section",     "leading_terms"};
-    return (unsigned)level < sizeof name / sizeof *name ? name[level] : "none";
+    return name_at(name, sizeof name / sizeof *name, (size_t)level);
 }
 
 void finding_init(topo_finding *f) {

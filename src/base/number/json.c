@@ -1,0 +1,106 @@
+/* Writes JSON. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/number/json.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void put_line(json_writer *w) {
+    if (w->pretty)
+        text_put(w->out, "\n");
+}
+
+static void put_indent(json_writer *w) {
+    for (int k = 0; k < w->depth && w->pretty; k++)
+        text_put(w->out, "  ");
+}
+
+static void put_string(text *out, const char *string) {
+    static const char plain[] = "\"\\\b\f\n\r\t", escaped[] = "\"\\bfnrt";
+    text_put(out, "\"");
+    while (*string) {
+        size_t n = 0;
+        while ((unsigned char)string[n] >= ' ' && string[n] != '"' && string[n] != '\\')
+            n++;
+        text_bytes(out, string, n);
+        string += n;
+        const char *known = *string ? strchr(plain, *string) : NULL;
+        if (known)
+            text_bytes(out, (const char[]){'\\', escaped[known - plain]}, 2);
+        else if (*string)
+            text_format(out, "\\u%04X", (unsigned)(unsigned char)*string);
+        string += *string != '\0';
+    }
+    text_put(out, "\"");
+}
+
+/* Everything in front of a value. */
+static void begin_value(json_writer *w, const char *key) {
+    if (w->members) {
+        text_put(w->out, ",");
+        put_line(w);
+    }
+    put_indent(w);
+    w->members = 1;
+    if (key) {
+        put_string(w->out, key);
+        text_put(w->out, w->pretty ? ": " : ":");
+    }
+}
+
+void json_open(json_writer *w, const char *key, char bracket) {
+    begin_value(w, key);
+    text_bytes(w->out, &bracket, 1);
+    put_line(w);
+    w->depth++;
+    w->members = 0;
+}
+
+void json_close(json_writer *w, char bracket) {
+    w->depth--;
+    w->members = 1;
+    put_line(w);
+    put_indent(w);
+    text_bytes(w->out, &bracket, 1);
+    if (!w->depth)
+        put_line(w);
+}
+
+void json_text(json_writer *w, const char *key, const char *value) {
+    begin_value(w, key);
+    if (value)
+        put_string(w->out, value);
+    else
+        text_put(w->out, "null");
+}
+
+void json_count(json_writer *w, const char *key, unsigned long value) {
+    begin_value(w, key);
+    text_count(w->out, value);
+}
+
+void json_number(json_writer *w, const char *key, const char *digits) {
+    begin_value(w, key);
+    text_put(w->out, digits);
+}
+
+void json_rational(json_writer *w, const char *key, const fmpq_t value) {
+    begin_value(w, key);
+    text_put(w->out, "\"");
+    text_rational(w->out, value);
+    text_put(w->out, "\"");
+}
+
+void json_integer(json_writer *w, const char *key, const fmpz_t value) {
+    begin_value(w, key);
+    text_put(w->out, "\"");
+    text_integer(w->out, value);
+    text_put(w->out, "\"");
+}
+
+void json_owned(json_writer *w, const char *key, char *value) {
+    if (value)
+        json_text(w, key, value);
+    else
+        w->out->failed = 1;
+    free(value);
+}

@@ -1,0 +1,36 @@
+/* Values of JSON, written one after another into a text.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * A value in an object has a key, one in a list or on top has none (NULL). Counts are JSON numbers,
+ * exact numbers are strings.
+ */
+#ifndef GRAZE_NUMBER_JSON_H
+#define GRAZE_NUMBER_JSON_H
+
+#include "base/number/text.h"
+
+/** Begun as {.out = text}; out->failed once memory has run short. With `pretty` each member stands
+ * on a line of its own, indented by two blanks a level, and a newline ends the whole. */
+typedef struct json_writer {
+    text *out;
+    int pretty, depth;
+    int members; /* 1 once the innermost list or object has one */
+} json_writer;
+
+/** Begin an object, '{', or a list, '['. */
+void json_open(json_writer *w, const char *key, char bracket);
+/** End the innermost one, by '}' or ']'. */
+void json_close(json_writer *w, char bracket);
+
+/** A string; NULL: null. */
+void json_text(json_writer *w, const char *key, const char *value);
+void json_count(json_writer *w, const char *key, unsigned long value);
+/** A number as its digits stand. */
+void json_number(json_writer *w, const char *key, const char *digits);
+/** An exact number, as a string. */
+void json_rational(json_writer *w, const char *key, const fmpq_t value);
+void json_integer(json_writer *w, const char *key, const fmpz_t value);
+/** A malloc'ed string, which is freed; NULL stands for memory that ran short. */
+void json_owned(json_writer *w, const char *key, char *value);
+
+#endif

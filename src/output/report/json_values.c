@@ -1,0 +1,55 @@
+/* Cells, states, times and points as JSON. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/report/json_values.h"
+
+#include "output/report/decimal_time.h"
+
+enum { APPROX_DIGITS = 17 };
+
+void json_state(json_writer *w, const char *key, graze_state state) {
+    json_text(w, key,
+              state == GRAZE_STATE_ABSENT ? NULL
+              : state == GRAZE_STATE_I    ? "I"
+              : state == GRAZE_STATE_B    ? "B"
+                                          : "O");
+}
+
+static void put_root(json_writer *w, const char *key, const graze_time *time) {
+    json_open(w, key, '{');
+    json_open(w, "poly", '[');
+    for (slong k = 0; k < fmpz_poly_length(time->poly); k++)
+        json_integer(w, NULL, fmpz_poly_get_coeff_ptr(time->poly, k));
+    json_close(w, ']');
+    json_rational(w, "lo", time->low);
+    json_rational(w, "hi", time->high);
+    json_owned(w, "approx", decimal_of_time(NULL, time, APPROX_DIGITS));
+    json_close(w, '}');
+}
+
+void json_time(json_writer *w, const char *key, const graze_time *time) {
+    if (!time)
+        json_text(w, key, NULL);
+    else if (time_is_rational(time))
+        json_rational(w, key, time->low);
+    else
+        put_root(w, key, time);
+}
+
+void json_cell(json_writer *w, const char *key, const graze_cell *cell) {
+    json_open(w, key, '{');
+    if (cell->kind == GRAZE_CELL_EDGE) {
+        json_open(w, "edge", '[');
+        json_count(w, NULL, cell->a);
+        json_count(w, NULL, cell->b);
+        json_close(w, ']');
+    } else {
+        json_count(w, cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
+    }
+    json_close(w, '}');
+}
+
+void json_point(json_writer *w, const char *key, const fmpq *point, int dimension) {
+    json_open(w, key, '[');
+    for (int k = 0; k < dimension; k++)
+        json_rational(w, NULL, point + k);
+    json_close(w, ']');
+}

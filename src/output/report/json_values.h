@@ -1,0 +1,19 @@
+/* Answers as values of JSON (src/program/cli/formats.md, JSON Lines).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_REPORT_JSON_VALUES_H
+#define GRAZE_REPORT_JSON_VALUES_H
+
+#include "base/number/json.h"
+#include "decide/trace/trace.h"
+
+/** A cell as an object. */
+void json_cell(json_writer *w, const char *key, const graze_cell *cell);
+/** "I", "B", "O", or null beyond an end of the motion. */
+void json_state(json_writer *w, const char *key, graze_state state);
+/** A time (src/program/cli/formats.md, TIME); makes it canonical. NULL: null. */
+void json_time(json_writer *w, const char *key, const graze_time *time);
+/** A list of rationals. */
+void json_point(json_writer *w, const char *key, const fmpq *point, int dimension);
+
+#endif
