@@ -71,6 +71,12 @@ def spread(terms, seed):
     return "+".join(f"{rng.randint(1, 99)}e-{rng.randint(1, 4990)}*t^{k}" for k in range(terms))
 
 
+def dense(terms, digits, seed):
+    """Coefficients between -1 and 1 of so many digits, and none at 0."""
+    rng = random.Random(seed)
+    return "+".join(f"({rng.randint(-10 ** digits, 10 ** digits)}e-{digits})*t^{k}" for k in range(1, terms))
+
+
 def quotient(terms, power):
     return f"({uneven(terms, power)})/({uneven(terms + 1, power)})"
 
@@ -180,6 +186,15 @@ BOMBS = [
     # A path that turns at times of all sizes; the box may be larger: an answer.
     Bomb("work-of-a-draft-of-a-box", "work", CHECK, {"move.json": slid(f"({spread(200, 1)})/({spread(200, 2)})", "0", "0")},
          None, 0, "legal"),
+    # A motion within all limits, of which a point takes milliseconds: many points, or the events of all facets.
+    Bomb("work-of-an-envelope", "work", "envelope {cube.off} {long.json}",
+         {"long.json": moved('{"quaternion": ["10+' + '", "'.join(dense(46, 400, k) for k in range(4)) + '"]}')},
+         "--limit work=1000000000000000"),
+    Bomb("work-of-a-picture", "work", "draw {cube.off} {long.json} -o {o.svg}",
+         {"o.svg": "", "long.json": slid(*(dense(201, 900, k) for k in range(3)))},
+         "--limit work=1000000000000000"),
+    Bomb("work-of-a-boundary", "work", "boundary {cube.off} {long.json} --depth 6", {"long.json": slid(*(dense(201, 900, k) for k in range(3)))},
+         "--limit work=1000000000000000"),
     # Two roots that are no 2^-300000 apart; (x, y, z) = (0, 1, 1) meets the cube's face at both.
     Bomb("bits-of-close-roots", "bits", "classify --jobs 1 {cube.off} {close.json} {points.csv}",
          {"close.json": moved('{"translate": ["t^100-2*(10^900*t-1)^2", 0, 0]}'), "points.csv": "0,1,1\n"},

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # suite
 """The progress line of graze classify: on standard error where it is a terminal, and nowhere else.
+Commands without rows to count show the seconds they have worked, and a signal ends them.
 And a row that comes through a pipe is answered before the next one is asked for.
 
 The rows come slower than one a second, so that the line must appear before the end; the counts it
@@ -10,8 +11,10 @@ import os
 import pathlib
 import re
 import select
+import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
@@ -71,6 +74,47 @@ def shown_on_terminal(graze, pair, plain_table):
     yield "the table is the same", plain_table == table and b"# complete" in table, plain_table
 
 
+# Each works for minutes: pieces past any tolerance's need, and a motion of degree 200.
+LONG = (("motion joints", "motion joints turn:36000:1,2,3 --tolerance 1e-12 --limit pieces=100000000 "
+                          "--limit work=1000000000000000"),
+        ("draw", "draw {cube} {long} -o {out} --grid 2000 --limit work=1000000000000000"),
+        ("boundary", "boundary {cube} {long} --depth 7 --limit work=1000000000000000"))
+
+
+def work_and_end(graze, words, pair):
+    """(exit status, what was shown, seconds from the signal to the end): a signal after the line has come twice."""
+    child = subprocess.Popen([graze, *words], stdout=subprocess.DEVNULL, stderr=pair[1])
+    shown, end = b"", time.monotonic() + SECONDS
+    while shown.count(b"working") < 2 and time.monotonic() < end:
+        if select.select([pair[0]], [], [], 1)[0]:
+            shown += os.read(pair[0], 65536)
+    began = time.monotonic()
+    child.send_signal(signal.SIGINT)
+    status = child.wait(timeout=SECONDS)
+    return status, shown, time.monotonic() - began
+
+
+def seconds_shown(graze, checks):
+    """The same of commands that count no rows."""
+    with tempfile.TemporaryDirectory(prefix="graze-progress-") as folder:
+        path = {"cube": str(COMMON / "cube.off"), "long": f"{folder}/long.json", "out": f"{folder}/o.svg"}
+        rows = ["+".join(f"({(-1) ** k}/{k + i}{'7' * 30})*t^{k}" for k in range(1, 201)) for i in range(3)]
+        with open(path["long"], "w", encoding="utf-8") as file:
+            file.write('{"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"translate": ["%s", "%s", "%s"]}}]}' % tuple(rows))
+        for name, line in LONG:
+            pair = terminal(checks)
+            if not pair:
+                return
+            try:
+                status, shown, seconds = work_and_end(graze, [word.format(**path) for word in line.split()], pair)
+            finally:
+                os.close(pair[1])
+                os.close(pair[0])
+            counts = [int(n) for n in re.findall(rb"\rworking, (\d+) s", shown)]
+            yield f"{name} shows its seconds, from the second one on", len(counts) > 1 and counts[0] >= 2 and counts == sorted(set(counts)), shown
+            yield f"a signal ends {name} within 3 s", status == -signal.SIGINT and seconds < 3, (status, seconds)
+
+
 def promises(graze, checks):
     """The same of all runs."""
     plain_status, plain_table, plain_shown = classify(graze, subprocess.PIPE)
@@ -79,6 +123,7 @@ def promises(graze, checks):
         yield from shown_on_terminal(graze, pair, plain_table)
     yield "a run without a terminal ends well", plain_status == 0, plain_status
     yield "without a terminal nothing is shown", plain_shown == b"", plain_shown
+    yield from seconds_shown(graze, checks)
     early, late = answer_of_half(graze)
     yield "a row is answered before more is read", b"\n70,80,90,out," in early, early
     yield "half a row waits for its rest", b"71," not in early and late.startswith(b"71,81,91,out,"), late

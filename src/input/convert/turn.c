@@ -152,13 +152,14 @@ static graze_status by_chain(conversion *out, graze_context *context, const targ
     half_angle_dyadic(&end, f, turn->square, bits);
     half_angle_error(error, &end, f, turn->square);
     text_put(&out->motion, "{\"dimension\": 3,\n\"pieces\": [\n");
-    chain_pieces(&out->motion, goal, turn, &bits, 1, quarters_above(context, turn));
+    status =
+        chain_pieces(&out->motion, context, goal, turn, &bits, 1, quarters_above(context, turn));
     text_put(&out->motion, "\n]}\n");
     report_turn(&out->report, goal, turn, &end, error);
     mpfr_clear(error);
     half_angle_clear(&end);
     fmpq_clear(f);
-    return GRAZE_OK;
+    return status;
 }
 
 graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,

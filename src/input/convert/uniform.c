@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include "input/motion/motion_read.h"
 
+enum { PIECE_WORK = 10000 }; /* of context_work, for the angles of a joint in a piece */
+
 void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n) {
     fmpz_t factor;
     fmpz_init_set_ui(factor, k);
@@ -40,8 +42,8 @@ unsigned long quarters_above(const graze_context *context, const joint *j) {
 
 /* An upper bound, radians, of how far a joint's angle is from uniform in the first `count` of the
  * pieces: the larger error at the ends of a piece, and the sway between them. */
-static void turn_error(mpfr_t out, const joint *j, slong bits, unsigned long pieces,
-                       unsigned long count) {
+static graze_status turn_error(mpfr_t out, graze_context *context, const joint *j, slong bits,
+                               unsigned long pieces, unsigned long count) {
     half_angle from, to;
     fmpq_t f;
     mpfr_t ends, end, sway;
@@ -51,7 +53,9 @@ static void turn_error(mpfr_t out, const joint *j, slong bits, unsigned long pie
     mpfr_inits2(ANGLE_BITS, ends, end, sway, (mpfr_ptr)0);
     mpfr_set_zero(ends, 1);
     mpfr_set_zero(out, 1);
-    for (unsigned long k = 0; k <= count; k++) {
+    graze_status status = GRAZE_OK;
+    for (unsigned long k = 0; k <= count && !status; k++) {
+        status = context_work(context, PIECE_WORK);
         turn_fraction(f, j, k, pieces);
         half_angle_dyadic(&to, f, j->square, bits);
         half_angle_error(end, &to, f, j->square);
@@ -68,6 +72,7 @@ static void turn_error(mpfr_t out, const joint *j, slong bits, unsigned long pie
     fmpq_clear(f);
     half_angle_clear(&to);
     half_angle_clear(&from);
+    return status;
 }
 
 /* The advance as a multiple of the axis: exact where the length is rational, else dyadic. */
@@ -217,12 +222,16 @@ static void put_chain_piece(text *out, const target *goal, const joint *joints, 
     text_put(out, "]}}");
 }
 
-void chain_pieces(text *out, const target *goal, const joint *joints, const slong *bits,
-                  size_t count, unsigned long pieces) {
-    for (unsigned long k = 0; k < pieces; k++) {
+graze_status chain_pieces(text *out, graze_context *context, const target *goal,
+                          const joint *joints, const slong *bits, size_t count,
+                          unsigned long pieces) {
+    graze_status status = GRAZE_OK;
+    for (unsigned long k = 0; k < pieces && !status; k++) {
         text_put(out, k ? ",\n" : "");
         put_chain_piece(out, goal, joints, bits, count, k, pieces);
+        status = context_work(context, PIECE_WORK * count);
     }
+    return status;
 }
 
 /* Whether the first piece, which begins without a turn and so has the shortest numbers, leaves the
@@ -249,21 +258,24 @@ static graze_status check_work(graze_context *context, const target *goal, const
 
 /* The sum of all joints' errors of displacement, upwards, in the first `few` of the pieces; each
  * one's angle goes into `angles`. */
-static void total_error(mpfr_t out, mpfr_t *angles, const joint *joints, const slong *bits,
-                        size_t count, unsigned long pieces, unsigned long few) {
+static graze_status total_error(mpfr_t out, mpfr_t *angles, graze_context *context,
+                                const joint *joints, const slong *bits, size_t count,
+                                unsigned long pieces, unsigned long few) {
+    graze_status status = GRAZE_OK;
     mpfr_t part;
     mpfr_init2(part, ANGLE_BITS);
     mpfr_set_zero(out, 1);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count && !status; i++) {
         if (joints[i].is_slide)
             continue;
-        turn_error(angles[i], joints + i, bits[i], pieces, few);
+        status = turn_error(angles[i], context, joints + i, bits[i], pieces, few);
         mpfr_mul(part, angles[i], joints[i].reach, MPFR_RNDU);
         mpfr_add(out, out, part, MPFR_RNDU);
         advance_error(part, joints + i, bits[i]);
         mpfr_add(out, out, part, MPFR_RNDU);
     }
     mpfr_clear(part);
+    return status;
 }
 
 static int exceeds(const mpfr_t error, const fmpq_t tolerance) {
@@ -292,17 +304,16 @@ static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, mpfr_t *a
             return context_limit(context, GRAZE_LIMIT_PIECES,
                                  "a motion as near to the uniform one as the tolerance asks");
         graze_status status = context_poll(context);
-        if (status)
-            return status;
-        total_error(error, angles, joints, bits, count, *pieces, 1);
-        if (exceeds(error, goal->tolerance))
+        if (!status)
+            status = total_error(error, angles, context, joints, bits, count, *pieces, 1);
+        if (!status && exceeds(error, goal->tolerance))
             continue;
-        status = check_work(context, goal, joints, bits, count, *pieces);
-        if (status)
+        if (!status)
+            status = check_work(context, goal, joints, bits, count, *pieces);
+        if (!status)
+            status = total_error(error, angles, context, joints, bits, count, *pieces, *pieces);
+        if (status || !exceeds(error, goal->tolerance))
             return status;
-        total_error(error, angles, joints, bits, count, *pieces, *pieces);
-        if (!exceeds(error, goal->tolerance))
-            return GRAZE_OK;
     }
 }
 
@@ -342,7 +353,7 @@ graze_status convert_joints(conversion *out, graze_context *context, const targe
         status = refine_pieces(&pieces, error, angles, context, goal, joints, bits, count);
     if (!status) {
         text_format(&out->motion, "{\"dimension\": %d,\n\"pieces\": [\n", goal->dimension);
-        chain_pieces(&out->motion, goal, joints, bits, count, pieces);
+        status = chain_pieces(&out->motion, context, goal, joints, bits, count, pieces);
         text_put(&out->motion, "\n]}\n");
         report_joints(&out->report, goal, joints, angles, error, count, pieces);
     }

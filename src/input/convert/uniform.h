@@ -13,9 +13,11 @@ graze_status convert_joints(conversion *out, graze_context *context, const targe
 
 /** Write the pieces of a chain cut into `pieces` equal parts of [0, 1], one text of `pieces`.
  * @param bits of each joint's angles, `count` of them
+ * @return GRAZE_ECANCELED
  */
-void chain_pieces(text *out, const target *goal, const joint *joints, const slong *bits,
-                  size_t count, unsigned long pieces);
+graze_status chain_pieces(text *out, graze_context *context, const target *goal,
+                          const joint *joints, const slong *bits, size_t count,
+                          unsigned long pieces);
 /** f for the functions of angle.h at the part k/n of a joint's turn. */
 void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n);
 /** ceil(|degrees| / 90) and at least 1, or 0 where that exceeds the limit `pieces`. */

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include "decide/scene/box.h"
+#include "decide/scene/demand.h"
 #include "output/draw/cell_parts.h"
 #include "output/draw/levels.h"
 
@@ -97,6 +98,9 @@ graze_status request_cells(cells *out, section *oblique, graze_context *context,
                                  : lay_out_cells(out, context, request, d, low, high);
     _fmpq_vec_clear(low, d);
     _fmpq_vec_clear(high, d);
+    if (!status)
+        status = demand_check(context, scene, (double)out->count[0] * (double)out->count[1],
+                              "the cells of a picture");
     if (!status)
         status = (request->by_distance ? cells_measure : cells_classify)(out, context, scene);
     return status ? status : parts_classify(out, context, scene);

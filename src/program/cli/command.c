@@ -12,6 +12,7 @@
 #include <string.h>
 #include "program/run/output.h"
 #include "program/run/status.h"
+#include "program/run/waiting.h"
 
 enum { HELP = 256, FIRST_OPTION };
 
@@ -143,6 +144,14 @@ int command_guard(const command *c, const void *options, const operands *given) 
     return status;
 }
 
+/* Commands with --quiet count their rows. */
+static int counts_rows(const command *c) {
+    for (const option_entry *e = c->options; e->name; e++)
+        if (strcmp(e->name, "quiet") == 0)
+            return 1;
+    return 0;
+}
+
 int command_run(const command *c, int argc, char **argv) {
     operands given;
     void *options = malloc(c->size + !c->size);
@@ -152,8 +161,11 @@ int command_run(const command *c, int argc, char **argv) {
     status = command_read(&given, options, &help, c, argc, argv);
     if (!status && !help)
         status = command_guard(c, options, &given);
+    if (!counts_rows(c))
+        waiting_start();
     if (!status)
         status = help ? output_text(NULL, c->help) : c->run(options, &given);
+    waiting_clear();
     operands_clear(&given);
     free(options);
     return status;

@@ -10,6 +10,7 @@
 #include "program/run/load.h"
 #include "program/run/numbers.h"
 #include "program/run/output.h"
+#include "program/run/waiting.h"
 
 static const char motion_help[] =
     "graze motion KIND ...: an exact motion file from angles or poses, its error proved and "
@@ -405,8 +406,10 @@ static int write_motion(const job *j) {
     int status = EXIT_DONE;
     if (report)
         status = output_text(report, j->report);
-    else
+    else {
+        waiting_clear();
         fputs(j->report, stderr);
+    }
     return status ? status : output_text(j->o->output, j->json);
 }
 

@@ -5,9 +5,11 @@
 
 #include <string.h>
 #include "program/run/interrupt.h"
+#include "program/run/waiting.h"
 
 static int signal_came(void *data) {
     (void)data;
+    waiting_show();
     return interrupt_signal() != 0;
 }
 

@@ -11,12 +11,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "program/run/status.h"
+#include "program/run/waiting.h"
 
 int output_open(output *out, const char *path) {
     out->fd = STDOUT_FILENO;
     out->name = path ? path : "standard output";
     out->error = 0;
     out->used = out->open_line = 0;
+    waiting_clear();
     if (!path)
         return EXIT_DONE;
     out->fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

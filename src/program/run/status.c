@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include "program/run/waiting.h"
 
 /* The name of the limit that a message names as `the limit NAME=`; NULL if it names none. */
 static const char *limit_named(const char *message) {
@@ -35,6 +36,7 @@ int complain(int status, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
+    waiting_clear();
     const char *limit = status == EXIT_LIMIT ? limit_named(message) : NULL;
     if (limit)
         fprintf(stderr, "graze: %s; --limit %s=V raises it\n", message, limit);

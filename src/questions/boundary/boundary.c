@@ -7,6 +7,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "decide/scene/box.h"
+#include "decide/scene/demand.h"
 #include "questions/boundary/bisect.h"
 #include "questions/boundary/contacts.h"
 #include "questions/boundary/refine_cells.h"
@@ -69,6 +70,9 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
     graze_status status = set_box(b, context, low, high);
     if (!status && options->contacts >= options->budget)
         status = boundary_refuse_budget(context, b, options->contacts);
+    if (!status)
+        status = demand_check(context, scene, (double)boundary_least_points(b, options->contacts),
+                              "the points of a boundary");
     if (!status)
         status = boundary_contacts(context, b, options->contacts, options->seed);
     if (!status)

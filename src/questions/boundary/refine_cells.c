@@ -137,14 +137,17 @@ static graze_status work_to(graze_context *context, struct graze_boundary *b, un
     return status;
 }
 
+unsigned long long boundary_least_points(const struct graze_boundary *b, unsigned long contacts) {
+    unsigned long long side = (1ULL << b->coarse) + 1;
+    return contacts + (b->dimension == 3 ? side * side * side : side * side);
+}
+
 graze_status boundary_refuse_budget(graze_context *context, const struct graze_boundary *b,
                                     unsigned long contacts) {
-    unsigned long long side = (1ULL << b->coarse) + 1, need = contacts;
-    need += b->dimension == 3 ? side * side * side : side * side;
     return context_fail(context, GRAZE_EUSE,
                         "a budget of %lu points is less than the coarse level %u and the contact "
                         "points need; expected %llu or more",
-                        b->budget, b->coarse, need);
+                        b->budget, b->coarse, boundary_least_points(b, contacts));
 }
 
 static graze_status start_cells(graze_context *context, struct graze_boundary *b) {

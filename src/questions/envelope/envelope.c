@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "decide/scene/demand.h"
 #include "questions/contact/time_sides.h"
 #include "questions/envelope/breaks.h"
 #include "questions/envelope/complex.h"
@@ -11,6 +12,19 @@
 #include "questions/envelope/saddle.h"
 #include "questions/envelope/singular.h"
 #include "questions/envelope/whole.h"
+
+/* Roots are sought of minors and products of these functions: many for each facet. Facets, like
+ * pieces, are as many as the file has, and not counted. */
+static graze_status check_demand(graze_context *context, const derivatives *field) {
+    enum { FUNCTIONS = 128 };
+    double demand = 0;
+    for (int k = 0; k < FIELD_ORDERS; k++)
+        for (int i = 0; i < field->dimension * (field->dimension + 1); i++)
+            demand += FUNCTIONS * demand_of_roots(&field->entry[k][i]);
+    return demand > (double)context->limits[GRAZE_LIMIT_WORK]
+               ? context_limit(context, GRAZE_LIMIT_WORK, "the events of an envelope")
+               : GRAZE_OK;
+}
 
 static graze_status make_fields(graze_envelope *e, graze_context *context) {
     const graze_motion *motion = e->scene->motion;
@@ -25,6 +39,8 @@ static graze_status make_fields(graze_envelope *e, graze_context *context) {
         e->is_break[k] = (unsigned char)(k > 0 && sides_break(side, motion));
         status = piece_field_make(&e->field[k], context, &motion->piece[k], &e->cells);
         e->piece_count++;
+        if (!status)
+            status = check_demand(context, &e->field[k]);
         if (!status)
             status = context_poll(context);
     }
