@@ -63,6 +63,8 @@ typedef struct graze_compare_options {
  */
 typedef struct graze_comparison_counts {
     unsigned long rows, agree, wrong, undecided, missing, extra;
+    unsigned long wrong_as[4]; /**< rows that are wrong under each graze_on_as */
+    int has_no_on;             /**< 1: golden rows are `on`, and the candidate never answers it */
 } graze_comparison_counts;
 
 /** Form of a report. */
@@ -74,11 +76,14 @@ typedef enum graze_comparison_format {
 typedef struct graze_comparison graze_comparison;
 
 /**
- * Compare a candidate's table with a golden one, row by row. Rows are matched by order; the check
- * is the column `id` if both tables have it, else the point, rounded as the context says. Missing
- * rows and extra rows are skipped and counted; hashes in the `#` lines of both tables must agree.
- * Both tables are streamed: at most 1000 rows of each are in memory, and with rounding at most 160
- * MB of digests of golden points.
+ * Compare a candidate's table with a golden one, row by row. Rows are matched by the column `id` if
+ * both tables have it (numbers by value), in any order; else by the point, rounded as the context
+ * says; where that leaves rows of both without a counterpart and both have as many, by order, if
+ * the points differ by no more than rounding explains, and by order alone where the candidate has
+ * no points. Missing rows and extra rows are counted; hashes in the `#` lines of both tables must
+ * agree. Tables in the same order are streamed: at most 1000 rows of each are in memory, else the
+ * candidate's, and with rounding at most 160 MB of digests of golden points. Pipes are read once,
+ * which takes the same order.
  * Tables of graze contact are compared where both are such tables: the key of a row is its time and
  * its point (bx, by, bz, else x, y, z), rows stand in any order, those of one key in theirs, and
  * the candidate's are all in memory. Each column is judged that both have; options but show, solid,
@@ -97,7 +102,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_compare(graze_comparison **out, graze
                                                    const graze_compare_options *options);
 /** Free a comparison. NULL is allowed. */
 GRAZE_API void graze_comparison_destroy(graze_comparison *comparison);
-/** Counts of a comparison; the tables differ if wrong + missing + extra > 0. Zeros for NULL. */
+/** Counts of a comparison; the tables differ if wrong + missing + extra > 0, and while rows are
+ * missing nothing is said of the candidate's answers. Zeros for NULL. */
 GRAZE_API graze_comparison_counts graze_comparison_count(const graze_comparison *comparison);
 /** A disagreement that was kept. Texts are borrowed from the comparison. */
 typedef struct graze_disagreement {

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdlib.h>
+#include <string.h>
 #include "api/api.h"
 #include "base/context/environment.h"
 #include "output/compare/compare.h"
@@ -51,11 +52,17 @@ void graze_comparison_destroy(graze_comparison *comparison) {
 }
 
 graze_comparison_counts graze_comparison_count(const graze_comparison *comparison) {
-    graze_comparison_counts counts = {0, 0, 0, 0, 0, 0};
-    if (comparison)
-        counts = (graze_comparison_counts){comparison->rows,    comparison->agree,
-                                           comparison->wrong,   comparison->undecided,
-                                           comparison->missing, comparison->extra};
+    graze_comparison_counts counts = {0};
+    if (!comparison)
+        return counts;
+    counts.rows = comparison->rows;
+    counts.agree = comparison->agree;
+    counts.wrong = comparison->wrong;
+    counts.undecided = comparison->undecided;
+    counts.missing = comparison->missing;
+    counts.extra = comparison->extra;
+    memcpy(counts.wrong_as, comparison->wrong_as, sizeof counts.wrong_as);
+    counts.has_no_on = comparison_has_no_on(comparison);
     return counts;
 }
 

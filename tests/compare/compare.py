@@ -8,12 +8,14 @@ compiled and judged on points whose answers are evident.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import json
+import math
 import os
 import random
 import shlex
 import shutil
 import sys
 import tempfile
+from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
@@ -137,27 +139,84 @@ def explanations(graze, folder, golden, names, rows, scene):
         check(status == 0 and row["word"] in text, one, text, said)
 
 
+def compared(graze, golden, candidate):
+    """Status and JSON report, or what was said."""
+    status, out, said = run(graze, "compare", golden, candidate, "--format", "json")
+    return status, json.loads(out) if status in (0, 1) else said
+
+
 def order_of_rows(graze, folder, golden, names, rows):
+    """Rows find one another in any order, by id or by point; through a pipe, which is read once, in one order."""
     candidate = os.path.join(folder, "candidate.csv")
     shuffled = list(rows)
     random.Random(1).shuffle(shuffled)
-    for table in (shuffled, list(reversed(rows))):
-        write_table(candidate, names, table)
-        status, _, said = run(graze, "compare", golden, candidate)
-        check(status == 3 and "in another order" in said, status, said)
+    for table in (shuffled, list(reversed(rows)), rows):
+        for columns in (names, [n for n in names if n != "id"]):
+            write_table(candidate, columns, table)
+            status, told = compared(graze, golden, candidate)
+            check(status == 0 and told["agree"] == len(rows) and told["missing"] == told["extra"] == 0, status, told)
+            check(told["matched-by"] == ("id" if "id" in columns else "point"), told["matched-by"])
+    write_table(candidate, [n for n in names if n != "id"], shuffled)
+    with open(candidate, encoding="utf-8") as file:
+        done = harness.run([graze, "compare", golden, "-"], 60, input=file.read())
+    check(done.returncode == 3 and "in another order; expected the same order, or files" in done.stderr, done.stderr)
     write_table(candidate, names, [r for r in rows for _ in (0, 1)])
-    status, out, said = run(graze, "compare", golden, candidate, "--format", "json")
-    # A point that the golden table holds twice can be matched in more than one way.
-    found = json.loads(out)
-    check(status == 1 and found["extra"] - found["missing"] == len(rows), "every row twice", status, out[:300], said)
-    status, out, said = run(graze, "compare", golden, golden, "--format", "json")
-    check(status == 0 and json.loads(out)["agree"] == len(rows), "itself", status, said)
+    status, told = compared(graze, golden, candidate)
+    check(status == 1 and told["extra"] == len(rows) and told["missing"] == 0, "every row twice", status, told)
+    status, told = compared(graze, golden, golden)
+    check(status == 0 and told["agree"] == len(rows), "itself", status, told)
     with open(golden, encoding="utf-8") as file:
         text = file.read()
     write_table(candidate, names, rows, head=text[:text.index("x,y")].replace("solid-sha256 ",
                                                                              "solid-sha256 0"))
-    status, _, said = run(graze, "compare", golden, candidate)
+    status, said = compared(graze, golden, candidate)
     check(status == 3 and "solid-sha256" in said, status, said)
+
+
+def written_otherwise(graze, folder, golden, names, rows):
+    """What programs make of coordinates and ids: doubles an ulp off, six digits, no points at all, ids as floats. Rows match
+    by id, else by order; where points are others they are not matched."""
+    candidate, axes = os.path.join(folder, "candidate.csv"), [n for n in names if n in ("x", "y", "z")]
+    off = [dict(r, **{a: repr(math.nextafter(float(F(r[a])), math.inf)) for a in axes}) for r in rows]
+    short = [dict(r, **{a: "%.6g" % float(F(r[a])) for a in axes}) for r in rows]
+    floats = [dict(r, id="%.18e" % float(r["id"])) for r in rows]
+    for table, columns, by in ((off, axes + ["pmc"], "order"), (short, axes + ["pmc"], "order"), (rows, ["pmc"], "order"),
+                               (off, axes + ["id", "pmc"], "id"), (short[::-1], axes + ["id", "pmc"], "id"),
+                               (floats[::-1], ["id", "word"], "id")):
+        write_table(candidate, columns, table)
+        status, told = compared(graze, golden, candidate)
+        check(status == 0 and told["agree"] == len(rows) and told["matched-by"] == by, columns, by, status, told)
+    step = max(abs(F(o[a]) - F(r[a])) for o, r in zip(off, rows) for a in axes)
+    write_table(candidate, axes + ["pmc"], off)
+    told = compared(graze, golden, candidate)[1]
+    check(told["rows-with-other-coordinates"] == len(rows) and step <= F(told["largest-difference"]) <= step * F(1001, 1000), told, step)
+    write_table(candidate, axes + ["pmc"], off[::-1])
+    status, told = compared(graze, golden, candidate)
+    check(status in (1, 3) and (status == 3 and "no row is one of" in told or told["missing"] > 0), "reversed, rounded", told)
+    write_table(candidate, axes + ["id", "pmc"], [dict(r, id=s["id"]) for r, s in zip(rows, rows[1:] + rows[:1])])
+    status, said = compared(graze, golden, candidate)
+    check(status == 3 and "has other points under the ids of" in said, "ids of the next rows", said)
+    write_table(candidate, ["pmc"], rows[1:])
+    status, said = compared(graze, golden, candidate)
+    check(status == 3 and f"{len(rows) - 1} rows, and no columns" in said, "a row less", said)
+
+
+def conventions(graze, folder, golden, names, rows):
+    """A candidate without `on`: the figures under each convention are those of runs with that convention."""
+    candidate, axes = os.path.join(folder, "candidate.csv"), [n for n in names if n in ("x", "y", "z")]
+    write_table(candidate, axes + ["pmc"], [dict(r, pmc="in" if k % 3 else "out") for k, r in enumerate(rows)])
+    counts = {way: json.loads(run(graze, "compare", golden, candidate, "--on-as", way, "--format", "json")[1])
+              for way in ("on", "any", "in", "out")}
+    wrong = {way: told["wrong"] for way, told in counts.items()}
+    check(all(told["wrong-by-convention"] == wrong for told in counts.values()), wrong, counts["on"]["wrong-by-convention"])
+    check(wrong["any"] < wrong["in"] < wrong["on"] and wrong["any"] < wrong["out"], wrong)
+    text = run(graze, "compare", golden, candidate)[1]
+    shown = ", ".join(f"`--on-as {way}`: {count}" for way, count in wrong.items())
+    on = sum(r["pmc"] == "on" for r in rows)
+    check(f"conventions: {on} golden rows are `on`, which the candidate never answers; rows wrong with {shown}\n" in text, text[:800])
+    once = [dict(r, pmc="on" if k == 0 else "in") for k, r in enumerate(rows)]
+    write_table(candidate, axes + ["pmc"], once)
+    check("conventions" not in run(graze, "compare", golden, candidate)[1], "a candidate with one `on`")
 
 
 def long_tables(graze, folder, count, memory):
@@ -243,6 +302,8 @@ def main():
                 figures(graze, folder, golden, names, rows, args.seed + round_)
             explanations(graze, folder, golden, names, rows, scene)
             order_of_rows(graze, folder, golden, names, rows)
+            written_otherwise(graze, folder, golden, names, rows)
+            conventions(graze, folder, golden, names, rows)
         long_tables(graze, folder, 300000,
                     memory=0 if args.sanitizers else 180 << 20)
         candidates(graze, folder)

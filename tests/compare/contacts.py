@@ -67,6 +67,16 @@ class Runs:
         return done.returncode, json.loads(done.stdout) if done.returncode < 2 else done.stderr
 
 
+def without_id(path):
+    """Contact points without the id by which their rows would be matched."""
+    with open(path, encoding="utf-8") as file:
+        lines = [line.split(",") for line in file if not line.startswith("#")]
+    if "id" in lines[0]:
+        at = lines[0].index("id")
+        with open(path, "w", encoding="utf-8") as file:
+            file.writelines(",".join(line[:at] + line[at + 1:]) for line in lines)
+
+
 def make(graze, folder, scene):
     """Contact points of a scene, moved and by chance, with and without contact."""
     solid, motion = (os.path.join(CASES, f) for f in scene)
@@ -76,6 +86,7 @@ def make(graze, folder, scene):
                      "--quiet", "-o", made], ["contact", solid, motion, made, "--snap", "--quiet", "-o", golden]):
         done = harness.run([graze, *command], 60)
         check(done.returncode == 0, command, done.stderr)
+        without_id(made)
     return distinct(golden)
 
 

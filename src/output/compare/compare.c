@@ -35,7 +35,9 @@ static graze_status check_rounding(graze_comparison *c, run *r, const char *path
     return match_rounding(r->context, &r->golden, path, &c->key, columns, count);
 }
 
-static graze_status start(graze_comparison *c, run *r, const char *golden, const char *candidate) {
+/* Open both tables and choose columns and a key; without a key rows match by order. */
+static graze_status start(graze_comparison *c, run *r, const char *golden, const char *candidate,
+                          match_way way) {
     graze_status status = table_open(&r->golden, r->context, golden);
     if (!status)
         status = table_open(&r->candidate, r->context, candidate);
@@ -46,7 +48,8 @@ static graze_status start(graze_comparison *c, run *r, const char *golden, const
         status = comparison_no_memory(r->context);
     if (status)
         return status;
-    match_start(&r->match, r->context, &r->golden, &r->candidate, &c->key, c->contacts);
+    c->way = !c->key.count ? MATCH_ORDER : c->contacts ? MATCH_INDEXED : way;
+    match_start(&r->match, r->context, &r->golden, &r->candidate, &c->key, c->way, c->contacts);
     for (int g = 0; g < GROUPING_COUNT; g++)
         c->grouped[g] = grouping_is_of(c, &r->golden, (grouping)g);
     return check_rounding(c, r, golden);
@@ -146,13 +149,15 @@ static graze_status count_row(graze_comparison *c, const run *r, const table_row
     c->agree += what == 'a';
     for (int k = 0; candidate && k < JUDGED_COUNT; k++)
         c->column_wrong[k] += (unsigned long)j->wrong[k];
+    for (int k = 0; candidate && k < CONVENTIONS; k++)
+        c->wrong_as[k] += (unsigned long)j->wrong_as[k];
     graze_status status = count_groups(c, r, golden, what, value);
     return status || what == 'a' || what == 'u' ? status : show(c, r, golden, candidate);
 }
 
 static graze_status count_contacts(graze_comparison *c, run *r, const table_row *golden,
                                    const table_row *candidate) {
-    judgement j = {{0}, 0, 0, 0};
+    judgement j = {{0}, 0, {0}, 0, 0};
     valuation none = {.certain = 1};
     graze_status status = sites_judge(j.wrong, c, &r->golden, golden, &r->candidate, candidate);
     for (int k = 0; k < JUDGED_COUNT; k++)
@@ -178,6 +183,8 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
     if (status)
         return status;
     judgement j = judge(c, &r->golden, golden, &right, &given, &value);
+    c->golden_on += candidate && j.truth == PMC_ON;
+    c->answered_on += given.pmc == PMC_ON;
     c->undecided_by_motion += !value.certain;
     if (j.undecided && candidate)
         c->undecided_answers[given.pmc]++;
@@ -207,12 +214,21 @@ static graze_status count_all(graze_comparison *c, run *r) {
     }
 }
 
-static graze_status finish_comparison(const run *r) {
+/* Say how far points are apart that order alone has matched. */
+static void note_drift(graze_comparison *c, const drift *d) {
+    c->drifted = d->rows;
+    c->drift = ceiling_of(d->farthest);
+}
+
+/* Check a run through both tables, and find the way that may match more rows. */
+static graze_status finish_comparison(graze_comparison *c, const run *r, match_way *better) {
     if (!r->golden.complete)
         return context_fail_in(r->context, GRAZE_EINPUT, r->golden.in.name, 0,
                                "ends after %lu rows without `# complete`; expected a whole table",
                                r->golden.rows);
-    return match_finish(&r->match);
+    *better = match_better(&r->match);
+    note_drift(c, &r->match.drift);
+    return *better == c->way ? match_finish(&r->match) : GRAZE_OK;
 }
 
 static int copy_names(graze_comparison *c, const char *golden, const char *candidate) {
@@ -223,8 +239,10 @@ static int copy_names(graze_comparison *c, const char *golden, const char *candi
     return c->golden && c->candidate && c->solid && c->motion;
 }
 
-graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
-                             const char *candidate, const graze_compare_options *options) {
+/* Compare with rows matched in one way. */
+static graze_status compare_by(graze_comparison *out, graze_context *context, const char *golden,
+                               const char *candidate, const graze_compare_options *options,
+                               match_way *way) {
     if (options)
         out->options = *options;
     out->rounding = context->rounding;
@@ -236,17 +254,29 @@ graze_status comparison_make(graze_comparison *out, graze_context *context, cons
     if (!r)
         return comparison_no_memory(context);
     r->context = context;
-    graze_status status = start(out, r, golden, candidate);
+    graze_status status = start(out, r, golden, candidate, *way);
     if (!status)
         status = count_all(out, r);
     if (!status)
-        status = finish_comparison(r);
+        status = finish_comparison(out, r, way);
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_sort(&out->tallies[g]);
     match_clear(&r->match);
     table_close(&r->golden);
     table_close(&r->candidate);
     free(r);
+    return status;
+}
+
+graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
+                             const char *candidate, const graze_compare_options *options) {
+    match_way way = MATCH_STREAMED;
+    graze_status status = compare_by(out, context, golden, candidate, options, &way);
+    while (!status && way != out->way) {
+        comparison_clear(out);
+        memset(out, 0, sizeof *out);
+        status = compare_by(out, context, golden, candidate, options, &way);
+    }
     return status;
 }
 

@@ -20,3 +20,7 @@ const char *grouping_title(grouping g) {
            : g == BY_SDF    ? "sdf (the power of ten below its size)"
                             : grouping_name(g);
 }
+
+int comparison_has_no_on(const graze_comparison *c) {
+    return c->judged[JUDGED_PMC] && c->golden_on && !c->answered_on;
+}

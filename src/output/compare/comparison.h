@@ -6,7 +6,7 @@
 
 #include "base/number/text.h"
 #include "graze/compare.h"
-#include "output/compare/key.h"
+#include "output/compare/match.h"
 #include "output/compare/tally.h"
 
 /** Answers that are judged, in the order of their columns; those of points and those of contact
@@ -53,6 +53,9 @@ typedef enum grouping {
 extern const char *const pmc_words[3];
 enum { PMC_IN, PMC_ON, PMC_OUT };
 
+/** Conventions for `on`, by graze_on_as. */
+enum { CONVENTIONS = GRAZE_ON_AS_OUT + 1 };
+
 /** The name of a grouping, and a longer one for the head of a table. Static. */
 const char *grouping_name(grouping g);
 const char *grouping_title(grouping g);
@@ -78,8 +81,11 @@ struct graze_comparison {
     char *golden, *candidate, *solid, *motion; /* names */
     char *golden_columns, *candidate_columns;  /* their column lines */
     int contacts;                              /* 1: tables of contact points */
-    row_key key;                               /* by which rows are matched */
-    int judged[JUDGED_COUNT];                  /* 1: the candidate answers this */
+    row_key key;                               /* by which rows are matched, */
+    match_way way;                             /* and how */
+    unsigned long drifted;     /* rows matched by order alone whose points differ, */
+    ceiling drift;             /* and the largest difference of a coordinate */
+    int judged[JUDGED_COUNT];  /* 1: the candidate answers this */
     int lacking[JUDGED_COUNT]; /* of contact points: 1 the candidate, 2 the golden table alone does
                                   not have the column */
     int valued;                /* values are compared with the golden enclosures */
@@ -88,8 +94,10 @@ struct graze_comparison {
     char *explain_options;     /* of `graze explain`, with a blank before each */
     unsigned long rows, agree, wrong, undecided, missing, extra;
     unsigned long column_wrong[JUDGED_COUNT];
-    unsigned long undecided_answers[3]; /* the candidate's, for such rows */
-    unsigned long undecided_by_motion;  /* rows that the motion error leaves undecided */
+    unsigned long wrong_as[CONVENTIONS];  /* rows that each convention would call wrong */
+    unsigned long golden_on, answered_on; /* rows of either table; golden ones with an answer */
+    unsigned long undecided_answers[3];   /* the candidate's, for such rows */
+    unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
     errors values;
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
@@ -97,5 +105,8 @@ struct graze_comparison {
     size_t shown, shown_capacity;
     disagreement *disagreements;
 };
+
+/** Does the candidate never answer `on`, though golden rows are? */
+int comparison_has_no_on(const graze_comparison *c);
 
 #endif

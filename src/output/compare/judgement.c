@@ -159,11 +159,10 @@ static int pmc_wrong(graze_on_as on_as, int truth, int given) {
 
 judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
                 const answer *right, const answer *given, const valuation *value) {
-    judgement j = {{0}, 0, 0, 0};
+    judgement j = {{0}, 0, {0}, 0, 0};
     j.truth = truth_of(&j.undecided, c, golden, row, right->pmc);
     j.undecided |= !value->certain;
-    j.wrong[JUDGED_PMC] =
-        c->judged[JUDGED_PMC] && !j.undecided && pmc_wrong(c->options.on_as, j.truth, given->pmc);
+    int pmc = c->judged[JUDGED_PMC] && !j.undecided;
     j.wrong[JUDGED_CLASS] = c->judged[JUDGED_CLASS] && right->class_ != given->class_;
     j.wrong[JUDGED_I] = c->judged[JUDGED_I] && right->i != given->i;
     j.wrong[JUDGED_T] = c->judged[JUDGED_T] && right->t != given->t;
@@ -171,5 +170,9 @@ judgement judge(const graze_comparison *c, const table *golden, const table_row 
     j.wrong[JUDGED_SDF] = c->judged[JUDGED_SDF] && value->judged && value->error.beyond;
     for (int k = 0; k < JUDGED_COUNT; k++)
         j.any_wrong |= j.wrong[k];
+    for (int k = 0; k < CONVENTIONS; k++)
+        j.wrong_as[k] = j.any_wrong || (pmc && pmc_wrong((graze_on_as)k, j.truth, given->pmc));
+    j.wrong[JUDGED_PMC] = pmc && pmc_wrong(c->options.on_as, j.truth, given->pmc);
+    j.any_wrong |= j.wrong[JUDGED_PMC];
     return j;
 }

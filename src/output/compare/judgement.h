@@ -20,6 +20,7 @@ typedef struct answer {
 typedef struct judgement {
     int wrong[JUDGED_COUNT];
     int any_wrong;
+    int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
     int undecided; /* the golden answer is `on`, and the closed sweep may hold the point inside; or
                       the motion error leaves it undecided */
     int truth;     /* the golden pmc under the question asked */

@@ -11,22 +11,25 @@
 
 static const row_key the_id = {1, 1, {COLUMN_ID}};
 
+/* Longer ids are texts, whatever they look like. */
+enum { LONGEST_NUMBER = 40 };
+
 static int both_have_id(const table *golden, const table *candidate) {
     return golden->where[COLUMN_ID] >= 0 && candidate->where[COLUMN_ID] >= 0;
 }
 
+void key_of_axes(row_key *out, const table *golden, const table *candidate) {
+    size_t count = candidate->dimension >= golden->dimension ? (size_t)golden->dimension : 0;
+    *out = (row_key){0, count, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
+}
+
 graze_status key_of_points(row_key *out, const table *golden, const table *candidate) {
     int dimension = golden->dimension;
-    *out = (row_key){0, (size_t)dimension, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
+    key_of_axes(out, golden, candidate);
     if (both_have_id(golden, candidate)) {
         *out = the_id;
         return GRAZE_OK;
     }
-    if (!candidate->dimension || candidate->dimension < dimension)
-        return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "no columns %s, and no id that the golden table has too; expected "
-                               "one of them, to match rows by",
-                               dimension == 2 ? "x, y" : "x, y, z");
     if (candidate->dimension > dimension)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
                                "a column z; expected x and y, as the golden table has dimension 2");
@@ -99,12 +102,34 @@ static graze_status put_key_number(text *out, fmpq_t value, const table *t, cons
     return GRAZE_OK;
 }
 
-/* All numbers of the key, parted by blanks. */
+/* Is an id a number as tables have it that were read as doubles: 7, 7.0 or 7.000e+00? Not 7e0,
+ * which may be the digits of a hash. */
+static int is_id_number(field f) {
+    int exponent = memchr(f.start, 'e', f.length) || memchr(f.start, 'E', f.length);
+    return f.length <= LONGEST_NUMBER && rational_is_token(f.start, f.length) &&
+           !memchr(f.start, '/', f.length) && (!exponent || memchr(f.start, '.', f.length));
+}
+
+/* An id as it is written, the value of a number. */
+static void put_id(text *out, const table *t, const table_row *row) {
+    field f = table_field(t, row, COLUMN_ID);
+    fmpq_t value;
+    fmpq_init(value);
+    if (is_id_number(f) && table_number(value, t->in.context, f) == GRAZE_OK)
+        text_rational(out, value);
+    else
+        text_bytes(out, f.start, f.length);
+    fmpq_clear(value);
+}
+
+/* All numbers of the key, parted by blanks, or the id. */
 static graze_status put_key(text *out, const row_key *key, const table *t, const table_row *row) {
     graze_status status = GRAZE_OK;
     fmpq_t value;
     fmpq_init(value);
-    for (size_t k = 0; !status && k < key->count; k++) {
+    if (key->by_id)
+        put_id(out, t, row);
+    for (size_t k = 0; !status && k < key->count && !key->by_id; k++) {
         status = put_key_number(out, value, t, row, key->at[k]);
         text_put(out, " ");
     }
@@ -116,12 +141,6 @@ static graze_status put_key(text *out, const row_key *key, const table *t, const
 graze_status key_make(table_row *row, const row_key *key, const table *t) {
     if (row->keyed)
         return GRAZE_OK;
-    if (key->by_id) {
-        field f = table_field(t, row, COLUMN_ID);
-        row->key = digest_of(f.start, f.length);
-        row->keyed = 1;
-        return GRAZE_OK;
-    }
     text bytes;
     text_init(&bytes);
     graze_status status = put_key(&bytes, key, t, row);

@@ -1,21 +1,23 @@
-/* Matches rows by order, with the point or an id as check.
+/* Matches rows in order, by an index of their keys, or by order alone.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Where the next rows differ, the nearest pair of equal rows ahead is found, so that the fewest
- * rows are without a counterpart. If there is none, the golden table goes on alone until it comes
- * to a row of the candidate's window.
+ * Where the next rows of a stream differ, the nearest pair of equal rows ahead is found, so that
+ * the fewest rows are without a counterpart. If there is none, the golden table goes on alone until
+ * it comes to a row of the candidate's window.
  */
 #include "output/compare/match.h"
 
 #include "base/context/context.h"
 
 void match_start(match *m, graze_context *context, table *golden, table *candidate,
-                 const row_key *key, int any_order) {
+                 const row_key *key, match_way way, int sites) {
     m->context = context;
     m->golden.table = golden;
     m->candidate.table = candidate;
     m->key = *key;
-    m->any_order = any_order;
+    m->way = way;
+    m->sites = sites;
+    drift_init(&m->drift, golden, candidate);
 }
 
 void match_clear(match *m) {
@@ -24,6 +26,8 @@ void match_clear(match *m) {
         table_row_clear(&m->candidate.rows[k]);
     }
     row_index_clear(&m->index);
+    if (m->context)
+        drift_clear(&m->drift);
 }
 
 static table_row *row_at(row_window *w, size_t k) {
@@ -68,7 +72,7 @@ static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
     for (size_t k = 0; k < m->key.count && *same; k++)
         *same = field_equal(table_field(m->golden.table, g, m->key.at[k]),
                             table_field(m->candidate.table, c, m->key.at[k]));
-    if (*same || m->key.by_id)
+    if (*same)
         return GRAZE_OK;
     graze_status status = key_make(g, &m->key, m->golden.table);
     if (!status)
@@ -125,9 +129,15 @@ static graze_status alone(match *m, row_window *w, const table_row **out) {
     return status;
 }
 
+/* Count a pair, and the difference of its points where something else has matched them. */
+static graze_status pair(match *m, const table_row *golden, const table_row *candidate) {
+    m->pairs++;
+    int unseen = m->way == MATCH_ORDER || (m->key.by_id && !m->sites);
+    return unseen ? drift_add(&m->drift, golden, candidate) : GRAZE_OK;
+}
+
 /* The next golden row with one of the candidate that has its key, then the rest of these. */
-static graze_status next_of_any_order(match *m, const table_row **golden,
-                                      const table_row **candidate) {
+static graze_status next_indexed(match *m, const table_row **golden, const table_row **candidate) {
     graze_status status = fill(m, &m->golden, 1);
     if (!status && !m->indexed)
         status = row_index_read(&m->index, m->candidate.table, &m->key);
@@ -146,53 +156,87 @@ static graze_status next_of_any_order(match *m, const table_row **golden,
         return status;
     *golden = row;
     drop(&m->golden);
-    *(*candidate ? &m->pairs : &m->missing_count) += 1;
-    return GRAZE_OK;
+    m->missing_count += !*candidate;
+    return *candidate ? pair(m, row, *candidate) : GRAZE_OK;
+}
+
+/* Hand out the first rows of both windows together. */
+static graze_status together(match *m, const table_row **golden, const table_row **candidate) {
+    *golden = row_at(&m->golden, 0);
+    *candidate = row_at(&m->candidate, 0);
+    drop(&m->golden);
+    drop(&m->candidate);
+    return pair(m, *golden, *candidate);
 }
 
 graze_status match_next(match *m, const table_row **golden, const table_row **candidate) {
     *golden = *candidate = NULL;
-    if (m->any_order)
-        return next_of_any_order(m, golden, candidate);
+    if (m->way == MATCH_INDEXED)
+        return next_indexed(m, golden, candidate);
     int same = 0;
     graze_status status = GRAZE_OK;
     if (!m->skip_golden && !m->skip_candidate) {
         status = fill(m, &m->golden, 1);
         if (!status)
             status = fill(m, &m->candidate, 1);
-        if (!status && m->golden.count && m->candidate.count)
+        int both = m->golden.count && m->candidate.count;
+        same = both && m->way == MATCH_ORDER;
+        if (!status && both && !same)
             status = same_row(&same, m, row_at(&m->golden, 0), row_at(&m->candidate, 0));
-        if (!status && !same && m->golden.count && m->candidate.count)
+        if (!status && both && !same)
             status = resynchronise(m);
     }
     if (status)
         return status;
-    if (same) {
-        *golden = row_at(&m->golden, 0);
-        *candidate = row_at(&m->candidate, 0);
-        drop(&m->golden);
-        drop(&m->candidate);
-        m->pairs++;
-        return GRAZE_OK;
-    }
+    if (same)
+        return together(m, golden, candidate);
     if (m->skip_golden || (m->golden.count && !m->skip_candidate))
         return alone(m, &m->golden, golden);
     return m->candidate.count ? alone(m, &m->candidate, candidate) : GRAZE_OK;
 }
 
+static int another_order(const match *m) {
+    return m->missing_count && m->missing_count == m->extra_count &&
+           digest_equal(m->missing, m->extra);
+}
+
+match_way match_better(const match *m) {
+    const table *golden = m->golden.table, *candidate = m->candidate.table;
+    int repeatable = stream_repeatable(&golden->in) && stream_repeatable(&candidate->in);
+    int left = m->way == MATCH_ORDER ? m->key.count && !drift_is_small(&m->drift)
+                                     : m->missing_count && m->extra_count;
+    if (!left || !repeatable || m->way == MATCH_INDEXED)
+        return m->way;
+    int by_order = m->way == MATCH_STREAMED && !m->key.by_id && golden->rows == candidate->rows;
+    return by_order && !another_order(m) ? MATCH_ORDER : MATCH_INDEXED;
+}
+
 graze_status match_finish(const match *m) {
     const table *golden = m->golden.table, *candidate = m->candidate.table;
+    if (!m->key.count && golden->rows != candidate->rows)
+        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "%lu rows, and no columns %s or id by which they are matched with "
+                               "the %lu of %s; expected as many, or such columns",
+                               candidate->rows, golden->dimension == 2 ? "x, y" : "x, y, z",
+                               golden->rows, golden->in.name);
     if (!m->pairs && m->missing_count && m->extra_count)
         return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
                                "no row is one of %s; expected the same %s; "
                                "where coordinates were rounded, a comparison that rounds them too "
                                "(binary64), or a column id in both tables",
                                golden->in.name,
-                               m->any_order ? "times and points" : "points in the same order");
-    if (!m->any_order && m->missing_count && m->missing_count == m->extra_count &&
-        digest_equal(m->missing, m->extra))
+                               m->key.by_id                  ? "ids"
+                               : m->key.at[0] == COLUMN_TIME ? "times and points"
+                                                             : "points");
+    if (m->key.by_id && !drift_is_small(&m->drift))
         return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has the rows of %s in another order; expected the same order",
+                               "has other points under the ids of %s; expected the id that stands "
+                               "beside each point",
+                               golden->in.name);
+    if (m->way == MATCH_STREAMED && another_order(m))
+        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
+                               "has the rows of %s in another order; expected the same order, or "
+                               "files instead of pipes",
                                golden->in.name);
     return GRAZE_OK;
 }

@@ -1,17 +1,22 @@
 /* Matches the rows of the candidate with those of the golden table.
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Points: both tables have the same rows in the same order, but for rows that are missing or extra.
- * Rows ahead are read only where the next ones differ, and at most MATCH_AHEAD of them.
- * Contact points: rows stand in any order; those of the candidate are in memory.
  */
 #ifndef GRAZE_COMPARE_MATCH_H
 #define GRAZE_COMPARE_MATCH_H
 
+#include "output/compare/drift.h"
 #include "output/compare/key.h"
 #include "output/compare/row_index.h"
 
 enum { MATCH_AHEAD = 1000 };
+
+/** Ways to match rows. */
+typedef enum match_way {
+    MATCH_STREAMED, /* equal keys in the same order, but for rows that are missing or extra; rows
+                       ahead are read only where the next ones differ, at most MATCH_AHEAD */
+    MATCH_INDEXED,  /* equal keys in any order; the candidate's rows are in memory */
+    MATCH_ORDER     /* the first row with the first one, and so on, whatever their keys */
+} match_way;
 
 /** Rows read and not yet matched, oldest first, in a ring. */
 typedef struct row_window {
@@ -24,18 +29,20 @@ typedef struct row_window {
 typedef struct match {
     graze_context *context;
     row_key key;
-    int any_order; /* 1: rows stand in any order, and those of the candidate are in `index` */
-    int indexed;   /* 1: they have been read */
+    match_way way;
+    int indexed; /* 1: the candidate's rows are in `index` */
     row_index index;
+    int sites;   /* 1: rows are contact points */
+    drift drift; /* of pairs that were not matched by their points */
     row_window golden, candidate;
     size_t skip_golden, skip_candidate; /* rows to hand out alone before the next pair */
     digest missing, extra;              /* sums of the keys of rows handed out alone */
     unsigned long pairs, missing_count, extra_count;
 } match;
 
-/** Start a matching by a key. */
+/** Start a matching. match_clear in any case, of a zeroed one too. */
 void match_start(match *m, graze_context *context, table *golden, table *candidate,
-                 const row_key *key, int any_order);
+                 const row_key *key, match_way way, int sites);
 void match_clear(match *m);
 
 /**
@@ -45,8 +52,12 @@ void match_clear(match *m);
  */
 graze_status match_next(match *m, const table_row **golden, const table_row **candidate);
 
-/** Check a matching at its end. GRAZE_EINPUT: no row has a counterpart, or the rows without one are
- * the same on both sides, in another order. */
+/** At the end of a matching: the way that may give more rows a counterpart, or the same one. */
+match_way match_better(const match *m);
+
+/** Check a matching at its end. GRAZE_EINPUT: no row has a counterpart; the rows without one are
+ * the same on both sides, in another order; rows without keys are not as many; an id has another
+ * point. */
 graze_status match_finish(const match *m);
 
 #endif

@@ -7,6 +7,7 @@
 #include "output/compare/report_json.h"
 
 #include "output/compare/judgement.h"
+#include "output/compare/report_rows.h"
 #include "output/compare/report_sites.h"
 #include "output/compare/report_text.h"
 #include "output/compare/report_values.h"
@@ -25,6 +26,7 @@ static void put_json_summary(json_writer *w, const graze_comparison *c) {
     json_text(w, "on-as", on_as[c->options.on_as]);
     json_text(w, "candidate-has", c->options.has == GRAZE_HAS_SDF ? "sdf" : "columns");
     json_text(w, "round", graze_rounding_name(c->rounding));
+    put_json_rows(w, c);
     json_count(w, "rows", c->rows);
     json_count(w, "agree", c->agree);
     json_count(w, "wrong", c->wrong);

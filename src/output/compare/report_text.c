@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "output/compare/judgement.h"
+#include "output/compare/report_rows.h"
 #include "output/compare/report_sites.h"
 #include "output/compare/report_values.h"
 
@@ -32,13 +33,6 @@ char *explain_command(const graze_comparison *c, const disagreement *d) {
     put_word(&command, c->motion);
     text_format(&command, " %s%s", d->point, c->explain_options);
     return text_take(&command);
-}
-
-/* A share with two digits, rounded to nearest, from whole numbers: it does not depend on the
- * locale. */
-static void put_share(text *out, unsigned long part, unsigned long whole) {
-    unsigned long long hundredths = whole ? (20000ull * part + whole) / (2ull * whole) : 0;
-    text_format(out, "%llu.%02llu %%", hundredths / 100, hundredths % 100);
 }
 
 /* Numbers that were rounded on the way leave rows on both sides without a counterpart. */
@@ -75,6 +69,7 @@ static void put_summary(text *out, const graze_comparison *c) {
         text_format(out, "question: %s sweep; `on` counts as %s; rounding: %s\n",
                     c->options.question == GRAZE_QUESTION_CLOSED ? "closed" : "open",
                     on_as[c->options.on_as], graze_rounding_name(c->rounding));
+    put_matched(out, c);
     text_put(out, "judged:");
     for (int k = 0; k < JUDGED_COUNT; k++)
         if (c->judged[k])
@@ -85,13 +80,8 @@ static void put_summary(text *out, const graze_comparison *c) {
         out, "| rows | agree | wrong | missing | undecided | extra |\n|--:|--:|--:|--:|--:|--:|\n");
     text_format(out, "| %lu | %lu | %lu | %lu | %lu | %lu |\n\n", c->rows, c->agree, c->wrong,
                 c->missing, c->undecided, c->extra);
-    text_put(out, "wrong: ");
-    put_share(out, c->wrong, c->rows);
-    text_put(out, " of the rows");
-    for (int k = 0; k < JUDGED_COUNT; k++)
-        if (c->judged[k])
-            text_format(out, "; %s %lu", judged_name(k), c->column_wrong[k]);
-    text_put(out, "\n");
+    put_wrong_rows(out, c);
+    put_conventions(out, c);
     if (comparison_hint(c))
         text_format(out, "hint: %s\n", comparison_hint(c));
     if (c->options.question == GRAZE_QUESTION_CLOSED)

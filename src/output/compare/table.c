@@ -7,6 +7,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/file.h"
+#include "base/number/rational.h"
 
 static const char *const column_names[COLUMN_COUNT] = {
     "x",     "y",       "z",      "id",      "pmc",           "class",       "definition",
@@ -29,6 +30,14 @@ const char *note_name(note n) {
 
 field table_field(const table *t, const table_row *row, column c) {
     return t->where[c] < 0 ? (field){"", 0} : field_content(row->cut.item[t->where[c]]);
+}
+
+graze_status table_number(fmpq_t out, graze_context *context, field f) {
+    graze_rounding asked = context->rounding;
+    context->rounding = GRAZE_ROUND_NONE;
+    graze_status status = rational_parse(out, context, f.start, f.length);
+    context->rounding = asked;
+    return status;
 }
 
 digest digest_of(const char *bytes, size_t length) {

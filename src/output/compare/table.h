@@ -7,6 +7,7 @@
 #ifndef GRAZE_COMPARE_TABLE_H
 #define GRAZE_COMPARE_TABLE_H
 
+#include <flint/fmpq.h>
 #include <stdint.h>
 #include <stdio.h>
 #include "input/delimited/field.h"
@@ -119,6 +120,9 @@ char *table_row_text(const table_row *row);
 
 /** A field of a row; empty where the table has no such column. */
 field table_field(const table *t, const table_row *row, column c);
+
+/** A number as it is written, whatever rounding the context asks for. Those of rational_parse. */
+graze_status table_number(fmpq_t out, graze_context *context, field f);
 
 /** The digest of bytes. */
 digest digest_of(const char *bytes, size_t length);

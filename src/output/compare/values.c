@@ -8,16 +8,6 @@
 
 #include <stdio.h>
 #include <string.h>
-#include "base/number/rational.h"
-
-/* A number as it is written, whatever rounding the context asks for. */
-static graze_status exact_number(fmpq_t out, graze_context *context, field f) {
-    graze_rounding asked = context->rounding;
-    context->rounding = GRAZE_ROUND_NONE;
-    graze_status status = rational_parse(out, context, f.start, f.length);
-    context->rounding = asked;
-    return status;
-}
 
 /* A number of an option, 0 where there is none. Its sign is at least `least`. */
 static graze_status read_amount(fmpq_t out, graze_context *context, const char *name,
@@ -25,7 +15,7 @@ static graze_status read_amount(fmpq_t out, graze_context *context, const char *
     fmpq_zero(out);
     if (!value)
         return GRAZE_OK;
-    graze_status status = exact_number(out, context, (field){value, strlen(value)});
+    graze_status status = table_number(out, context, (field){value, strlen(value)});
     if (!status && fmpq_sgn(out) < least)
         status = context_fail(context, GRAZE_EINPUT, "%.40s; expected a number %s", value,
                               least ? "above 0" : "from 0 up");
@@ -73,7 +63,7 @@ static int has_sign(const enclosure *e, int pmc) {
 
 static graze_status read_bound(fmpq_t out, const table *t, const table_row *row, column which) {
     field f = table_field(t, row, which);
-    graze_status status = exact_number(out, t->in.context, f);
+    graze_status status = table_number(out, t->in.context, f);
     if (status)
         context_at(t->in.context, status, "%s", column_name(which));
     return status ? context_in(t->in.context, status, t->in.name, row->line) : status;

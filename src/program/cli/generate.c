@@ -11,9 +11,10 @@ static const char generate_help[] =
     "\n"
     "A point is P = M(t) y with y on the boundary and t rational, so that its trajectory is at y "
     "at\n"
-    "the time t. Columns: the point, stratum, order of the contact (slide: in the facet's plane\n"
-    "for good), cell of y, time t, and for displaced points k and side: by 2^-k along the normal,\n"
-    "out or in. The same seed gives the same bytes everywhere.\n"
+    "the time t. Columns: the point, id (its row), stratum, order of the contact (slide: in the\n"
+    "facet's plane for good), cell of y, time t, and for displaced points k and side: by 2^-k "
+    "along\n"
+    "the normal, out or in. The same seed gives the same bytes everywhere.\n"
     "\n"
     "  -n N                 how many points (needed)\n"
     "  --seed K             any whole number (needed)\n"
@@ -28,6 +29,7 @@ static const char generate_help[] =
     "  --coordinates exact|decimal  of the points: integers and ratios (default), or finite\n"
     "                       decimals, which all points that a double holds have\n"
     "  --digits N           round these to N digits where they are longer\n"
+    "  --plain              names and rows alone, no lines that begin with #\n"
     "  --output FILE        write there instead of to standard output\n"
     "  --round, --triangulate, --overlap, --operation, --limit, --quiet   as in graze classify\n"
     "\n"
@@ -49,6 +51,7 @@ static const option_entry generate_table[] = {
     OPTION("representable", generate_given, run.representable, value_binary64),
     OPTION("coordinates", generate_given, run.coordinates.form, value_coordinates),
     OPTION("digits", generate_given, run.coordinates.digits, value_digits),
+    FLAG("plain", generate_given, run.plain, value_flag),
     FILE_WRITTEN("output", generate_given, run.output),
     OPTION("o", generate_given, run.output, value_text),
     OPTION("round", generate_given, run.scene.context.rounding, value_rounding),

@@ -9,15 +9,13 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "base/number/text.h"
 #include "program/cli/commands.h"
 #include "program/cli/compare.h"
+#include "program/cli/validation_report.h"
 #include "program/cli/values.h"
 #include "program/run/candidate.h"
-#include "program/run/generate.h"
 #include "program/run/memory.h"
 #include "program/run/numbers.h"
-#include "program/run/output.h"
 
 static const char validate_help[] =
     "graze validate SOLID MOTION --candidate 'CMD {solid} {motion} {points} {out}'\n"
@@ -31,9 +29,18 @@ static const char validate_help[] =
     "nothing is expanded. Each placeholder is a word of its own. Its standard output goes to\n"
     "standard error. For a pipeline: sh -c 'mine <\"$1\" >\"$2\"' sh {points} {out}\n"
     "\n"
+    "{points} has a line of names and rows, without lines that begin with #: x, y (and z), id, "
+    "then\n"
+    "the columns of graze generate. In the environment: GRAZE_DIMENSION, GRAZE_ROWS, GRAZE_SEED,\n"
+    "GRAZE_BOX (of the points: the lowest corner, the highest). Rows of {out} are matched by id, "
+    "in\n"
+    "any order; else by order, if there are as many; else by coordinates.\n"
+    "\n"
     "  -n N, --seed K       how many points (10000), and their seed (1)\n"
     "  --strata, --representable   as in graze generate; with --candidate-has sdf also points\n"
     "                       of the stratum level, unless strata are named\n"
+    "  --coordinates exact|decimal, --digits N   of the points: decimals with --representable,\n"
+    "                       which readers of CSV take for numbers; else integers and ratios\n"
     "  --points FILE        these points instead\n"
     "  --timeout V          seconds the candidate may take (3600)\n"
     "  --keep DIR           leave points.csv, golden.csv, candidate.csv there\n"
@@ -50,38 +57,7 @@ static const char validate_help[] =
 /* The weight of the stratum `level` among the default ones, where values are compared. */
 enum { LEVEL_WEIGHT = 30 };
 
-enum { POINTS, GOLDEN, ANSWERS, FILE_COUNT };
-
 static const char *const file_names[FILE_COUNT] = {"/points.csv", "/golden.csv", "/candidate.csv"};
-
-typedef struct validate_options {
-    const char *candidate;
-    const char *points; /* NULL: points are generated */
-    const char *keep;   /* NULL: a folder that goes when all is done */
-    const char *output;
-    unsigned long timeout; /* seconds; 0: an hour */
-    seed_value seed;
-    generate_options generate;
-    classify_options classify;
-    graze_compare_options compare;
-    graze_comparison_format format;
-} validate_options;
-
-typedef struct validation {
-    char *folder;
-    int temporary;           /* the folder goes when all is done */
-    char *files[FILE_COUNT]; /* in the folder */
-    char **words;
-    double seconds;
-    lost_strata lost; /* of the points that were made */
-    graze_context *context;
-    graze_comparison *comparison;
-} validation;
-
-static char *joined_texts(const char *a, const char *b) {
-    char *text = malloc(strlen(a) + strlen(b) + 1);
-    return text ? strcat(strcpy(text, a), b) : NULL;
-}
 
 /* The folder for the files: the one to keep, or a fresh one. */
 static int make_work_folder(validation *v, const validate_options *o) {
@@ -119,20 +95,50 @@ static const char *points_of(const validation *v, const validate_options *o) {
     return o->points ? o->points : v->files[POINTS];
 }
 
+/* The facts about points that were made. */
+static int tell_candidate(const validation *v, const validate_options *o) {
+    const char *names[] = {"GRAZE_DIMENSION", "GRAZE_ROWS", "GRAZE_SEED", "GRAZE_BOX"};
+    char numbers[3][24];
+    const char *values[] = {numbers[0], numbers[1], numbers[2], v->made.box};
+    int status = EXIT_DONE;
+    snprintf(numbers[0], sizeof *numbers, "%d", v->made.dimension);
+    snprintf(numbers[1], sizeof *numbers, "%lu", validated_count(o));
+    snprintf(numbers[2], sizeof *numbers, "%llu", validated_seed(o));
+    for (int k = 0; k < 4 && !status; k++)
+        status = candidate_tell(names[k], values[k]);
+    return status;
+}
+
+/* Run the candidate; ratios are the likely reason where one fails that reads floats. */
+static int run_candidate(validation *v, const validate_options *o) {
+    int ratios = !o->points && !o->generate.representable &&
+                 o->generate.coordinates.form != COORDINATES_DECIMAL;
+    int status = o->points ? EXIT_DONE : tell_candidate(v, o);
+    if (!status)
+        status = candidate_run(&v->seconds, v->words, o->timeout ? o->timeout : 3600,
+                               ratios ? "; its points have ratios such as 1/3, those of "
+                                        "--representable binary64 are decimals"
+                                      : "");
+    return status ? status : candidate_wrote(v->words[0], v->files[ANSWERS]);
+}
+
 /* Points and golden table, as graze generate and graze classify make them. */
 static int make_golden(validation *v, const validate_options *o) {
     generate_options points = o->generate;
     classify_options golden = o->classify;
     points.scene = golden.scene;
-    points.count = points.count ? points.count : 10000;
-    points.seed = o->seed.given ? o->seed.seed : 1;
+    points.count = validated_count(o);
+    points.seed = validated_seed(o);
     points.output = v->files[POINTS];
     points.quiet = golden.quiet;
+    points.plain = 1;
+    if (points.coordinates.form == COORDINATES_UNSET)
+        points.coordinates.form = points.representable ? COORDINATES_DECIMAL : COORDINATES_EXACT;
     points.level = o->compare.has == GRAZE_HAS_SDF ? LEVEL_WEIGHT : 0;
     golden.points = points_of(v, o);
     golden.output = v->files[GOLDEN];
     golden.transient = 1;
-    int status = o->points ? EXIT_DONE : generate_run(&v->lost, &points);
+    int status = o->points ? EXIT_DONE : generate_run(&v->made, &points);
     return status ? status : classify_run(&golden);
 }
 
@@ -150,111 +156,6 @@ static int compare_answers(validation *v, const validate_options *o) {
         v->context);
 }
 
-static void put_validation_verdict(char *out, size_t size, const graze_comparison_counts *n) {
-    if (n->wrong + n->missing + n->extra == 0)
-        snprintf(out, size, "no difference in %lu rows%s", n->rows,
-                 n->undecided ? ", the undecided ones not judged" : "");
-    else
-        snprintf(out, size,
-                 "differs from the exact answer: %lu of %lu rows wrong, %lu missing, %lu extra",
-                 n->wrong, n->rows, n->missing, n->extra);
-}
-
-/* The text between the quotes of a JSON string. */
-static void put_json_quoted(text *out, const char *string) {
-    for (; *string; string++) {
-        unsigned char c = (unsigned char)*string;
-        char plain[] = {c < 0x20 || c > 126 ? '?' : *string, '\0'};
-        text_put(out, c == '"' ? "\\\"" : c == '\\' ? "\\\\" : plain);
-    }
-}
-
-static void put_json_text(text *out, const char *name, const char *value) {
-    text_format(out, "\"%s\": \"", name);
-    put_json_quoted(out, value);
-    text_put(out, "\",\n");
-}
-
-/* What no points were made of, if anything. */
-static void put_lost(text *out, const lost_strata *lost, graze_comparison_format format) {
-    char *said = lost_strata_text(lost);
-    if (!said)
-        out->failed = 1;
-    else if (*said && format == GRAZE_COMPARISON_JSON)
-        put_json_text(out, "points", said);
-    else if (*said && format == GRAZE_COMPARISON_TEXT)
-        text_format(out, "points: %s\n", said);
-    free(said);
-}
-
-static void put_validated(text *out, const validate_options *o, const char *verdict) {
-    text_put(out, "# Validation\n\ncommand: ");
-    text_code(out, o->candidate);
-    text_put(out, "\nsolid: ");
-    text_markdown(out, o->classify.scene.solid);
-    text_put(out, "\nmotion: ");
-    text_markdown(out, o->classify.scene.motion);
-    text_format(out, "\nverdict: %s\n", verdict);
-}
-
-/* Whole numbers keep the locale's decimal comma out. */
-static void put_validation(text *out, const validation *v, const validate_options *o,
-                           const char *body, graze_comparison_format format) {
-    graze_comparison_counts n = graze_comparison_count(v->comparison);
-    unsigned long milliseconds = (unsigned long)(1000 * v->seconds + 0.5);
-    unsigned long rate = milliseconds ? (unsigned long)((double)n.rows / v->seconds + 0.5) : 0;
-    char verdict[160];
-    put_validation_verdict(verdict, sizeof verdict, &n);
-    if (format == GRAZE_COMPARISON_JSON) {
-        text_put(out, "{\n");
-        put_json_text(out, "command", o->candidate);
-        put_json_text(out, "solid", o->classify.scene.solid);
-        put_json_text(out, "motion", o->classify.scene.motion);
-        put_json_text(out, "verdict", verdict);
-        put_lost(out, &v->lost, format);
-        text_format(out, "\"milliseconds\": %lu,\n\"rows-per-second\": %lu,\n", milliseconds, rate);
-        text_put(out, "\"comparison\": ");
-        text_put(out, body);
-        text_put(out, "}\n");
-        return;
-    }
-    put_validated(out, o, verdict);
-    put_lost(out, &v->lost, format);
-    text_format(out, "time: %lu.%03lu s, %lu rows a second\n\n", milliseconds / 1000,
-                milliseconds % 1000, rate);
-    text_put(out, body);
-}
-
-/* One report to a file NAME + suffix, or to standard output; it is made whole before the file is
- * opened. */
-static int write_validation(const validation *v, const validate_options *o, const char *suffix,
-                            graze_comparison_format format) {
-    char *body = NULL, *path = o->output ? joined_texts(o->output, suffix) : NULL;
-    text report;
-    text_init(&report);
-    int status =
-        complain_of(graze_comparison_report(&body, v->context, v->comparison, format), v->context);
-    if (!status)
-        put_validation(&report, v, o, body, format);
-    if (!status && (report.failed || (o->output && !path)))
-        status = complain(EXIT_IO, "out of memory");
-    if (!status)
-        status = output_text(path, report.data);
-    text_clear(&report);
-    graze_free(body);
-    free(path);
-    return status;
-}
-
-static int report_validation(validation *v, const validate_options *o) {
-    graze_comparison_counts n = graze_comparison_count(v->comparison);
-    int status = o->output ? write_validation(v, o, ".md", GRAZE_COMPARISON_TEXT)
-                           : write_validation(v, o, "", o->format);
-    if (!status && o->output)
-        status = write_validation(v, o, ".json", GRAZE_COMPARISON_JSON);
-    return status ? status : n.wrong + n.missing + n.extra ? EXIT_NO : EXIT_DONE;
-}
-
 static int validate(validation *v, const validate_options *o) {
     int status = make_work_folder(v, o);
     if (status)
@@ -267,12 +168,10 @@ static int validate(validation *v, const validate_options *o) {
     if (!status && unlink(v->files[ANSWERS]) != 0 && errno != ENOENT)
         status = complain(EXIT_IO, "%s: cannot be removed: %s", v->files[ANSWERS], strerror(errno));
     if (!status)
-        status = candidate_run(&v->seconds, v->words, o->timeout ? o->timeout : 3600);
-    if (!status)
-        status = candidate_wrote(v->words[0], v->files[ANSWERS]);
+        status = run_candidate(v, o);
     if (!status)
         status = compare_answers(v, o);
-    return status ? status : report_validation(v, o);
+    return status ? status : validation_report(v, o);
 }
 
 static void add_validation_files(guard *g, const void *options, const operands *given) {
@@ -298,6 +197,8 @@ static const option_entry validate_table[] = {
     OPTION("seed", validate_options, seed, value_seed),
     OPTION("strata", validate_options, generate.strata, value_text),
     OPTION("representable", validate_options, generate.representable, value_binary64),
+    OPTION("coordinates", validate_options, generate.coordinates.form, value_coordinates),
+    OPTION("digits", validate_options, generate.coordinates.digits, value_digits),
     FILE_READ("points", validate_options, points),
     OPTION("timeout", validate_options, timeout, value_seconds),
     OPTION("keep", validate_options, keep, value_text),
@@ -340,12 +241,18 @@ static int run_validate(void *options, const operands *given) {
         return complain(EXIT_USAGE, "validate takes SOLID, MOTION and --candidate; see graze "
                                     "validate --help");
     if (o->points &&
-        (o->generate.count || o->seed.given || o->generate.strata || o->generate.representable))
-        return complain(EXIT_USAGE, "--points takes the place of -n, --seed, --strata and "
-                                    "--representable");
+        (o->generate.count || o->seed.given || o->generate.strata || o->generate.representable ||
+         o->generate.coordinates.digits || o->generate.coordinates.form != COORDINATES_UNSET))
+        return complain(EXIT_USAGE, "--points takes the place of -n, --seed, --strata, "
+                                    "--representable, --coordinates and --digits");
     if (o->points && strcmp(o->points, "-") == 0)
         return complain(EXIT_USAGE, "--points -: expected a file, it is read twice");
+    if (o->generate.coordinates.form == COORDINATES_AS_GIVEN)
+        return complain(EXIT_USAGE, "--coordinates as-given: expected exact or decimal; points "
+                                    "that are made are not given");
     int status = compare_check(&o->compare);
+    if (!status)
+        status = coordinates_check(&o->generate.coordinates);
     if (!status)
         status = choose_enclosures(o);
     if (status)
@@ -364,6 +271,7 @@ static int run_validate(void *options, const operands *given) {
     for (int k = 0; k < FILE_COUNT; k++)
         free(v->files[k]);
     free(v->folder);
+    generated_clear(&v->made);
     graze_comparison_destroy(v->comparison);
     graze_context_destroy(v->context);
     graze_thread_finish();
@@ -373,6 +281,7 @@ static int run_validate(void *options, const operands *given) {
 
 static const validate_options ten_shown = {.classify.shard.part = {0, 1},
                                            .classify.scene.scene.size = sizeof(graze_options),
+                                           .generate.coordinates.form = COORDINATES_UNSET,
                                            .compare.show = 10};
 
 const command command_validate = {.name = "validate",

@@ -142,8 +142,8 @@ static void end_candidate(pid_t child) {
 }
 
 /* Look every millisecond: a wait that blocks could miss a signal that comes just before it. */
-static int wait_for_candidate(double *seconds, const char *name, pid_t child,
-                              unsigned long timeout) {
+static int wait_for_candidate(double *seconds, const char *name, pid_t child, unsigned long timeout,
+                              const char *hint) {
     const struct timespec pause = {0, 1000000};
     struct timespec begin;
     int state = 0;
@@ -165,19 +165,23 @@ static int wait_for_candidate(double *seconds, const char *name, pid_t child,
         return complain(EXIT_INPUT, "the candidate %s was ended by signal %d", name,
                         WTERMSIG(state));
     if (WEXITSTATUS(state))
-        return complain(EXIT_INPUT, "the candidate %s ended with status %d; expected 0", name,
-                        WEXITSTATUS(state));
+        return complain(EXIT_INPUT, "the candidate %s ended with status %d; expected 0%s", name,
+                        WEXITSTATUS(state), hint);
     return EXIT_DONE;
 }
 
-int candidate_run(double *seconds, char **words, unsigned long timeout) {
+int candidate_tell(const char *name, const char *value) {
+    return setenv(name, value, 1) == 0 ? EXIT_DONE : complain(EXIT_IO, "out of memory");
+}
+
+int candidate_run(double *seconds, char **words, unsigned long timeout, const char *hint) {
     pid_t child;
     int error = start_candidate(&child, words);
     *seconds = 0;
     if (error)
         return complain(EXIT_INPUT, "the candidate %s cannot be run: %s", words[0],
                         strerror(error));
-    return wait_for_candidate(seconds, words[0], child, timeout);
+    return wait_for_candidate(seconds, words[0], child, timeout, hint);
 }
 
 int candidate_wrote(const char *name, const char *path) {

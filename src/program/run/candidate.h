@@ -22,13 +22,17 @@ typedef struct candidate_paths {
 int candidate_split(char ***words, const char *command, const candidate_paths *paths);
 void candidate_free(char **words);
 
+/** Put a fact into the environment of the candidate. EXIT_IO. */
+int candidate_tell(const char *name, const char *value);
+
 /**
  * Run the words and wait, at most `timeout` seconds. Its standard output goes to the standard error
  * of graze.
  * @param[out] seconds of the clock, from start to end
+ * @param hint behind the message on a status other than 0; may be empty
  * @return EXIT_INPUT it cannot be run, fails or takes too long; EXIT_SIGNAL
  */
-int candidate_run(double *seconds, char **words, unsigned long timeout);
+int candidate_run(double *seconds, char **words, unsigned long timeout, const char *hint);
 
 /** Whether a file, or a link to one, is at `path` that can be read; a FIFO could be waited on for
  * ever.

@@ -10,7 +10,8 @@
 typedef enum coordinate_form {
     COORDINATES_EXACT,
     COORDINATES_AS_GIVEN,
-    COORDINATES_DECIMAL
+    COORDINATES_DECIMAL,
+    COORDINATES_UNSET /* the command chooses */
 } coordinate_form;
 
 /** Zeroed: integers and ratios in lowest terms. */

@@ -12,14 +12,17 @@
 #include "program/run/progress.h"
 
 typedef struct maker {
-    lost_strata lost;
+    generated made;
     loaded l;
     graze_generator *generator;
     unsigned long weights[GRAZE_STRATUM_COUNT];
-    mpq_t point[3], time;
+    mpq_t point[3], time, low[3], high[3]; /* low, high: of the box */
     output out;
     int opened;
 } maker;
+
+/* Of a coordinate of the box that goes to a candidate. */
+enum { BOX_DIGITS = 17 };
 
 /* NAME=W of a list; `length` characters. */
 static int read_stratum_weight(unsigned long *weights, const char *text, size_t length) {
@@ -62,18 +65,30 @@ static int read_strata(unsigned long *weights, const generate_options *o) {
 
 static void put_points_box(maker *m) {
     int d = graze_scene_dimension(m->l.scene);
-    mpq_t high[3];
-    for (int i = 0; i < 3; i++)
-        mpq_init(high[i]);
-    graze_generator_box(m->point, high, m->generator);
     output_put(&m->out, "# box");
     for (int i = 0; i < 2 * d; i++) {
         output_put(&m->out, i == 0 ? " " : ",");
-        output_number(&m->out, i < d ? m->point[i] : high[i - d]);
+        output_number(&m->out, i < d ? m->low[i] : m->high[i - d]);
     }
     output_put(&m->out, "\n");
-    for (int i = 0; i < 3; i++)
-        mpq_clear(high[i]);
+}
+
+/* The box for those who read no ratios. */
+static int note_box(maker *m) {
+    int d = m->made.dimension = graze_scene_dimension(m->l.scene), status = EXIT_DONE;
+    text box;
+    text_init(&box);
+    graze_generator_box(m->low, m->high, m->generator);
+    for (int i = 0; i < 2 * d && !status; i++) {
+        char *decimal = NULL;
+        graze_status made = graze_number_decimal(&decimal, m->l.context,
+                                                 i < d ? m->low[i] : m->high[i - d], BOX_DIGITS);
+        text_format(&box, i ? ",%s" : "%s", decimal ? decimal : "");
+        graze_free(decimal);
+        status = complain_of(made, m->l.context);
+    }
+    m->made.box = text_take(&box);
+    return status || m->made.box ? status : complain(EXIT_IO, "out of memory");
 }
 
 /* A decade of |s|, with the sign of s. */
@@ -92,7 +107,7 @@ static void put_missing_decades(maker *m) {
     }
 }
 
-static void put_points_head(maker *m, const generate_options *o) {
+static void put_points_notes(maker *m, const generate_options *o) {
     char line[128], form[COORDINATES_NOTE];
     snprintf(line, sizeof line, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
              GRAZE_VERSION, o->seed, o->representable ? "binary64" : "no");
@@ -109,8 +124,13 @@ static void put_points_head(maker *m, const generate_options *o) {
     }
     put_missing_decades(m);
     put_points_box(m);
+}
+
+static void put_points_head(maker *m, const generate_options *o) {
+    if (!o->plain)
+        put_points_notes(m, o);
     output_put(&m->out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
-    output_put(&m->out, "stratum,order,cell,time,k,side");
+    output_put(&m->out, "id,stratum,order,cell,time,k,side");
     output_put(&m->out, m->weights[GRAZE_STRATUM_LEVEL] ? ",decade\n" : "\n");
 }
 
@@ -163,7 +183,8 @@ static int put_sample(maker *m, const generate_options *o, unsigned long row) {
     if (status)
         return status;
     char text[48];
-    output_put(&m->out, graze_stratum_name(made.stratum));
+    snprintf(text, sizeof text, "%lu,%s", row + 1, graze_stratum_name(made.stratum));
+    output_put(&m->out, text);
     if (made.order == 0) {
         output_put(&m->out, ",,,,,");
         put_decade(m, &made);
@@ -204,14 +225,14 @@ static int find_lost(maker *m, const generate_options *o) {
     graze_status made = GRAZE_OK;
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         if (m->weights[k] && !graze_generator_weight(m->generator, (graze_stratum)k))
-            m->lost.absent |= 1u << k;
-    if (!m->lost.absent || !o->representable)
+            m->made.lost.absent |= 1u << k;
+    if (!m->made.lost.absent || !o->representable)
         return EXIT_DONE;
     made = graze_generator_create(&any, m->l.context, m->l.scene, o->seed, m->weights, 0);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
-        if (m->lost.absent >> k & 1 && graze_generator_weight(any, (graze_stratum)k))
-            m->lost.unrepresentable |= 1u << k;
-    m->lost.absent &= ~m->lost.unrepresentable;
+        if (m->made.lost.absent >> k & 1 && graze_generator_weight(any, (graze_stratum)k))
+            m->made.lost.unrepresentable |= 1u << k;
+    m->made.lost.absent &= ~m->made.lost.unrepresentable;
     graze_generator_destroy(any);
     return complain_of(made, m->l.context);
 }
@@ -248,9 +269,9 @@ char *lost_strata_text(const lost_strata *lost) {
  * named. */
 static int tell_lost(const maker *m, const generate_options *o) {
     unsigned long contacts = 0;
-    if (!m->lost.unrepresentable)
+    if (!m->made.lost.unrepresentable)
         return EXIT_DONE;
-    char *said = lost_strata_text(&m->lost);
+    char *said = lost_strata_text(&m->made.lost);
     if (!said)
         return complain(EXIT_IO, "out of memory");
     for (int k = GRAZE_STRATUM_RANDOM + 1; k < GRAZE_STRATUM_COUNT; k++)
@@ -300,6 +321,8 @@ static int write_points(maker *m, const generate_options *o) {
         status = tell_lost(m, o);
     if (!status)
         status = tell_missing_decades(m);
+    if (!status)
+        status = note_box(m);
     if (status)
         return status;
     status = output_open(&m->out, o->output);
@@ -316,11 +339,16 @@ static int write_points(maker *m, const generate_options *o) {
     return status;
 }
 
-int generate_run(lost_strata *lost, const generate_options *o) {
+void generated_clear(generated *made) {
+    free(made->box);
+}
+
+int generate_run(generated *made, const generate_options *o) {
     maker *m = calloc(1, sizeof *m);
     if (!m)
         return complain(EXIT_IO, "out of memory");
     mpq_inits(m->point[0], m->point[1], m->point[2], m->time, NULL);
+    mpq_inits(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
     int status = read_strata(m->weights, o);
     if (!status)
         status = write_points(m, o);
@@ -328,10 +356,13 @@ int generate_run(lost_strata *lost, const generate_options *o) {
         int closed = output_close(&m->out);
         status = closed ? closed : status;
     }
-    if (lost)
-        *lost = m->lost;
+    if (made)
+        *made = m->made;
+    else
+        generated_clear(&m->made);
     graze_generator_destroy(m->generator);
     loaded_clear(&m->l);
+    mpq_clears(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
     mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);
     free(m);
     return status;

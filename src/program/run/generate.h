@@ -13,6 +13,13 @@ typedef struct lost_strata {
     unsigned absent, unrepresentable;
 } lost_strata;
 
+/** What was made: zeroed at first, generated_clear at last. */
+typedef struct generated {
+    lost_strata lost;
+    int dimension;
+    char *box; /* of the points, low then high, as decimals of up to 17 digits between commas */
+} generated;
+
 /** Strings are borrowed. */
 typedef struct generate_options {
     scene_options scene;
@@ -22,14 +29,16 @@ typedef struct generate_options {
     unsigned long level; /* this one of the stratum `level` */
     coordinate_options coordinates;
     int representable;  /* coordinates that a binary64 holds */
+    int plain;          /* no `#` lines */
     const char *output; /* NULL: standard output */
     int quiet;          /* no progress */
 } generate_options;
 
 /** Make the points and write the table. Returns an exit status and says what is wrong, also where
  * --representable leaves nothing but random points and no strata were named.
- * @param[out] lost may be NULL; standard error says the same */
-int generate_run(lost_strata *lost, const generate_options *o);
+ * @param[out] made may be NULL; standard error names the lost strata too */
+int generate_run(generated *made, const generate_options *o);
+void generated_clear(generated *made);
 
 /** What is to be said of such strata, or an empty text: malloc'ed, NULL when out of memory. */
 char *lost_strata_text(const lost_strata *lost);
