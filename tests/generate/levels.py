@@ -62,7 +62,7 @@ def check_box(graze, name, scene, top, last):
     text = generate(graze, scene)
     names, rows = rows_of(text)
     box, deepest = BOXES[name]
-    checks.equal(names[len(box):], ["stratum", "order", "cell", "time", "k", "side", "decade"], name)
+    checks.equal(names[len(box):], ["id", "stratum", "order", "cell", "time", "k", "side", "decade"], name)
     checks.equal({row["decade"] for row in rows}, expected_decades(top, last), name, "decades")
     for row in rows:
         square = signed_square(box, deepest, [F(row[a]) for a in "xyz"[:len(box)]])
