@@ -76,6 +76,7 @@ help:
 	@echo "make deb        a Debian package, build/graze_VERSION_ARCHITECTURE.deb"
 	@echo "make format     clang-format on all sources"
 	@echo "make clean      remove build/"
+	@echo "V=1 with any of these shows each command"
 
 # ---------------------------------------------------------------- packages
 # Install the packages of group $(1) that are missing, and say so.
@@ -112,85 +113,90 @@ $B/.packages-all: Makefile | $B/.packages-test
 	$(call install_packages,$(PACKAGES_ALL))
 
 # ---------------------------------------------------------------- building
+# What is compiled is counted on one line; `make V=1` shows every command instead.
+Q := $(if $(V),,@)
+MISSING := $(words $(filter-out $(wildcard $(sort $(LIB_O) $(CLI_O) $(MPI_O))),$(sort $(LIB_O) $(CLI_O) $(if $(MPI),$(MPI_O)))))
+$(if $(wildcard $B/.tally),$(shell rm -f $B/.tally))
+say = $(if $(V),:,src/install/say.sh $B $(MISSING) $(1) $(2))
 $B/%.o: %.c | $B/.packages-build
 	@mkdir -p $(@D)
-	@echo "  CC   $<"
-	@$(CC) $(ALL_CFLAGS) -c -o $@ $<
+	@$(call say,CC,$<)
+	$Q$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $B/%.o: %.cpp | $B/.packages-build
 	@mkdir -p $(@D)
-	@echo "  CXX  $<"
-	@$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
+	@$(call say,CXX,$<)
+	$Q$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
 # The library holds the files of a page.
 $B/src/output/page/assets.o: $(wildcard src/output/page/*.html src/output/page/*.js src/output/page/three/*)
 $B/src/program/mpi/%.o: src/program/mpi/%.c | $B/.packages-build
 	@mkdir -p $(@D)
-	@echo "  CC   $<"
-	@OMPI_CC="$(CC)" mpicc $(ALL_CFLAGS) -c -o $@ $<
+	@$(call say,CC,$<)
+	$QOMPI_CC="$(CC)" mpicc $(ALL_CFLAGS) -c -o $@ $<
 $B/libgraze.a: $(LIB_O)
 	@rm -f $@
-	@echo "  AR   $@"
-	@ar rcs $@ $^
+	@$(call say,AR,$@)
+	$Qar rcs $@ $^
 $B/libgraze.so: $(LIB_O) src/install/graze.map
-	@echo "  LINK $@"
-	@$(CXX) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=src/install/graze.map -Wl,-rpath,'$$ORIGIN' $(OPT) $(LDFLAGS) -o $@ $(LIB_O) $(LIBS)
-	@ln -sf $(@F) $B/$(SONAME)
+	@$(call say,LINK,$@)
+	$Q$(CXX) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=src/install/graze.map -Wl,-rpath,'$$ORIGIN' $(OPT) $(LDFLAGS) -o $@ $(LIB_O) $(LIBS)
+	$Qln -sf $(@F) $B/$(SONAME)
 $B/libgraze-png-$(VERSION).so: $B/src/output/png/png.o
-	@echo "  LINK $@"
-	@$(CC) -shared $(OPT) $(LDFLAGS) -o $@ $^ -lcairo
+	@$(call say,LINK,$@)
+	$Q$(CC) -shared $(OPT) $(LDFLAGS) -o $@ $^ -lcairo
 $B/graze: $(CLI_O) $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../lib) -o $@ $^ $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../lib) -o $@ $^ $(LIBS)
 # The checker of certificates stands alone: C11 and GMP, one line.
 $B/graze-check: $(wildcard src/check/*.[ch]) | $B/.packages-build
-	@echo "  CC   $@"
-	@$(CC) -std=c11 $(OPT) -g $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.c,$^) -lgmp -lm
+	@$(call say,CC,$@)
+	$Q$(CC) -std=c11 $(OPT) -g $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.c,$^) -lgmp -lm
 $B/graze-mpi: $(MPI_O) $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $$(mpicc --showme:link) $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $$(mpicc --showme:link) $(LIBS)
 $B/tests/unit/%: $B/tests/unit/%.o $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
 $B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
 $(addsuffix .o,$(UNIT)): | $B/.packages-test
 $B/tests/minkowski: tests/agree/minkowski.cpp tests/agree/shells.h | $B/.packages-build
 	@mkdir -p $(@D)
-	@echo "  CXX  $<"
-	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+	@$(call say,CXX,$<)
+	$Q$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
 $B/tests/distances: tests/distance/oracle.cpp tests/agree/shells.h | $B/.packages-build
 	@mkdir -p $(@D)
-	@echo "  CXX  $<"
-	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+	@$(call say,CXX,$<)
+	$Q$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
 $B/tests/to_nef: tests/agree/to_nef.cpp tests/agree/shells.h | $B/.packages-build
 	@mkdir -p $(@D)
-	@echo "  CXX  $<"
-	@$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+	@$(call say,CXX,$<)
+	$Q$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
 $B/tests/bench/inside: $B/tests/bench/inside.o $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The C functions from a word to a class, with a solid that answers from the word.
 $B/tests/proofs/table: $B/tests/proofs/table.o $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) -Wl,--wrap=tracer_locate -o $@ $^ $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) -Wl,--wrap=tracer_locate -o $@ $^ $(LIBS)
 # The program with a filter whose decisions can be falsified (src/decide/filter/flip.h).
 $B/tests/flip/%.o: src/decide/filter/%.c | $B/.packages-build
 	@mkdir -p $(@D)
-	@echo "  CC   $< (flips)"
-	@$(CC) $(ALL_CFLAGS) -DGRAZE_FLIP_SITES -c -o $@ $<
+	@$(call say,CC,$<)
+	$Q$(CC) $(ALL_CFLAGS) -DGRAZE_FLIP_SITES -c -o $@ $<
 $B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/decide/filter/%,$(LIB_O))
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The program whose own allocations fail (tests/memory/fail.c), for sanitizers, who bring a malloc.
 $B/tests/memory/fail.o: ALL_CFLAGS += -DWRAPPED -fexceptions
 $B/tests/graze-memory: $(CLI_O) $B/tests/memory/fail.o $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) $(addprefix -Wl$(comma)--wrap=,malloc calloc realloc _Znwm _Znam) -o $@ $^ $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) $(addprefix -Wl$(comma)--wrap=,malloc calloc realloc _Znwm _Znam) -o $@ $^ $(LIBS)
 # The peers as their users build them: optimised, without assertions.
 $B/tests/bench/peers: tests/bench/peers.cpp | $B/.packages-build
 	@mkdir -p $(@D)
-	@echo "  CXX  $<"
-	@$(CXX) -std=c++17 -O2 -DNDEBUG -frounding-math -o $@ $< -lmpfr -lgmp
+	@$(call say,CXX,$<)
+	$Q$(CXX) -std=c++17 -O2 -DNDEBUG -frounding-math -o $@ $< -lmpfr -lgmp
 # A locale with a decimal comma, for the tests that must not notice it.
 build/tests/locale/de_DE.UTF-8: | $B/.packages-test
 	@mkdir -p $(@D)
@@ -200,15 +206,15 @@ $B/tests/fuzz/checker/%.o: src/check/%.c | $B/.packages-build
 	@mkdir -p $(@D)
 	@$(CC) $(ALL_CFLAGS) -Dfree=checker_free -Dfopen=checker_fopen -Dfclose=checker_fclose -c -o $@ $<
 $B/tests/fuzz/checker.o: $(CHECKER_O)
-	@echo "  LINK $@"
-	@ld -r -o $@ $^
-	@objcopy --keep-global-symbol=checker_run --keep-global-symbol=checker_hash --keep-global-symbol=checker_give $@
+	@$(call say,LINK,$@)
+	$Qld -r -o $@ $^
+	$Qobjcopy --keep-global-symbol=checker_run --keep-global-symbol=checker_hash --keep-global-symbol=checker_give $@
 $B/tests/fuzz/replay: $B/tests/fuzz/replay.o $(FUZZ_O) $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 $B/tests/fuzz/fuzz: $B/tests/fuzz/entry.o $(FUZZ_O) $B/libgraze.a
-	@echo "  LINK $@"
-	@$(CXX) $(OPT) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
+	@$(call say,LINK,$@)
+	$Q$(CXX) $(OPT) -fsanitize=fuzzer $(LDFLAGS) -o $@ $^ $(LIBS)
 .SECONDARY:
 
 # ---------------------------------------------------------------- installing
@@ -236,15 +242,15 @@ CMAKE_LIBS := $(subst $() ,;,$(patsubst -l%,%,$(LIBS)))
 $B/install/libgraze.a: $(LIB_O)
 	@mkdir -p $(@D)
 	@rm -f $@
-	@echo "  AR   $@"
-	@$(CXX) -r -nostdlib -Wl,--force-group-allocation -o $B/install/graze.o $^
-	@objcopy --strip-debug --wildcard --keep-global-symbol='graze_*' $B/install/graze.o
-	@ar rcs $@ $B/install/graze.o
+	@$(call say,AR,$@)
+	$Q$(CXX) -r -nostdlib -Wl,--force-group-allocation -o $B/install/graze.o $^
+	$Qobjcopy --strip-debug --wildcard --keep-global-symbol='graze_*' $B/install/graze.o
+	$Qar rcs $@ $B/install/graze.o
 # The pages say what --help and the headers say.
 $(PAGES): src/program/cli/formats.md $B/graze $B/graze-check include/graze.h $(wildcard include/graze/*.h) $(wildcard src/install/*.awk)
-	@echo "  MAN  $@"
-	@src/install/pages.sh $@.new $B/graze $(VERSION)
-	@rm -rf $@ && mv $@.new $@
+	@$(call say,MAN,$@)
+	$Qsrc/install/pages.sh $@.new $B/graze $(VERSION)
+	$Qrm -rf $@ && mv $@.new $@
 $B/install/%: src/install/%.in FORCE
 	@mkdir -p $(@D)
 	@sed -e 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|; s|@VERSION@|$(VERSION)|' \

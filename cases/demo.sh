@@ -30,3 +30,7 @@ echo "All rows are as derived in cases/bracket/README.md."
 echo
 echo "\$ graze explain cases/bracket/solid.off cases/bracket/motion.json 3/5 29/5 3"
 "$graze" explain "$scene/solid.off" "$scene/motion.json" 3/5 29/5 3
+
+echo
+echo "demo passed"
+echo "Next, the same scene in a browser: $graze draw $scene/solid.off $scene/motion.json $scene/points.csv -o bracket.html"

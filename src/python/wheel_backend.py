@@ -1,7 +1,7 @@
 """Builds a wheel that holds the module and libgraze.so, for pip, with Python's own library alone (PEP 517).
 
 The shared library is $GRAZE_LIBRARY, or build/libgraze.so of the checkout, which `make` builds first where it is
-missing. The wheel is for this machine: the library needs those it was linked with, such as FLINT and MPFR.
+missing, on all cores, and says how far it is. The wheel is for this machine: the library needs those it was linked with, such as FLINT and MPFR.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import base64
@@ -33,8 +33,26 @@ def _library():
     named = os.environ.get("GRAZE_LIBRARY")
     path = named or os.path.join(ROOT, "build", "libgraze.so")
     if not named and not os.path.exists(path):
-        subprocess.run(["make", "-C", ROOT, "build/libgraze.so"], check=True)
+        _make()
     return _read(path)
+
+
+def _make():
+    """Make the library on all cores. pip shows nothing of a build but with -v: a terminal is written to besides."""
+    try:
+        terminal = open("/dev/tty", "w", encoding="utf-8")
+    except OSError:
+        terminal = open(os.devnull, "w", encoding="utf-8")
+    words = ["make", "-C", ROOT, f"-j{len(os.sched_getaffinity(0))}", "build/libgraze.so"]
+    environment = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
+    with terminal, subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as making:
+        terminal.write("\n  graze: compiling its library, a few minutes on two cores\n")
+        for line in making.stdout:
+            print(line, end="", flush=True)
+            terminal.write("  graze:" + line)
+            terminal.flush()
+    if making.returncode:
+        raise SystemExit(f"graze: make ended with status {making.returncode}")
 
 
 def _contents():

@@ -4,7 +4,8 @@
 
 Under a user's own prefix the module is found with no variable set; for /usr/local it stands where Debian's Python
 looks; for another prefix `make install` prints lines, which are run here. The wheel is made without a download, goes
-into a virtual environment, and brings its library. SPDX-License-Identifier: GPL-3.0-or-later
+into a virtual environment, and brings its library, which is made on all cores where it is missing.
+SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
 import subprocess
@@ -78,6 +79,34 @@ def wheel(library, folder):
     same(checkout(), before, "pip leaves nothing in the checkout")
 
 
+MAKE = """#!/bin/sh
+echo "$@" >>"$0.words"
+echo "  compiled 20 of 400"
+mkdir -p "$2/build" && echo library >"$2/build/libgraze.so"
+"""
+
+
+def compiled(folder):
+    """Where no library is, make is run on all cores, and its lines reach a terminal though pip keeps the output."""
+    tools, root = os.path.join(folder, "tools"), os.path.join(folder, "checkout")
+    for path in (tools, root):
+        os.mkdir(path)
+    with open(os.path.join(tools, "make"), "w", encoding="utf-8") as file:
+        file.write(MAKE)
+    os.chmod(os.path.join(tools, "make"), 0o755)
+    code = f"import wheel_backend as w; w.ROOT = {root!r}; print(w._library())"
+    words = f"PYTHONDONTWRITEBYTECODE=1 {PYTHON} -c \"{code}\" >{folder}/kept 2>&1"
+    done = subprocess.run(["script", "-qec", words, "/dev/null"], cwd=os.path.join(ROOT, "src", "python"), text=True, timeout=60,
+                          stdin=subprocess.DEVNULL, capture_output=True,
+                          env={"PATH": f"{tools}:/usr/bin:/bin", "SHELL": "/bin/sh", "MAKEFLAGS": "-j1 --jobserver-auth=3,4"})
+    with open(os.path.join(folder, "kept"), encoding="utf-8") as file:
+        kept = file.read()
+    check(done.returncode == 0 and "b'library\\n'" in kept, "a library that is made", done.stdout, kept)
+    check("compiled 20 of 400" in done.stdout and "compiled 20 of 400" in kept, "what is shown", done.stdout, kept)
+    with open(os.path.join(tools, "make.words"), encoding="utf-8") as file:
+        same(file.read().split()[2], f"-j{len(os.sched_getaffinity(0))}", "cores")
+
+
 def main():
     args = options(__doc__)
     build = os.path.dirname(args.graze)
@@ -86,6 +115,7 @@ def main():
         checks.finish()
     with tempfile.TemporaryDirectory() as folder:
         wheel(os.path.join(build, "libgraze.so"), folder)
+        compiled(folder)
         installed(["make", "-s", f"B={os.path.relpath(build, ROOT)}"], folder)
     checks.finish()
 
