@@ -144,9 +144,10 @@ void cells_corner(double out[3], const cells *c, double horizontal, double verti
         const section *s = c->section;
         out[k] = s ? fmpq_get_d(s->origin + k) + horizontal * s->look.row[0][k] +
                          vertical * s->look.row[1][k]
-                 : k == c->axis[0] ? horizontal
-                 : k == c->axis[1] ? vertical
-                                   : fmpq_get_d(c->low + k);
+                 : k == c->axis[0]  ? horizontal
+                 : k == c->axis[1]  ? vertical
+                 : k < c->dimension ? fmpq_get_d(c->low + k)
+                                    : 0;
     }
 }
 

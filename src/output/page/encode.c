@@ -42,27 +42,33 @@ static void put_triple(encoder *e) {
     memset(e->rest, 0, sizeof e->rest);
 }
 
-static void put_byte(encoder *e, unsigned char byte) {
-    e->rest[e->held++] = byte;
-    if (e->held == 3)
-        put_triple(e);
-}
-
 void encode_begin(encoder *e, text *out) {
     *e = (encoder){.out = out};
     text_put(out, "\"");
+}
+
+void encode_byte(encoder *e, unsigned char byte) {
+    e->rest[e->held++] = byte;
+    if (e->held == 3)
+        put_triple(e);
 }
 
 void encode_double(encoder *e, double value) {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
     for (int k = 0; k < 8; k++)
-        put_byte(e, (unsigned char)(bits >> 8 * k));
+        encode_byte(e, (unsigned char)(bits >> 8 * k));
+}
+
+void encode_float(encoder *e, float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    encode_count(e, bits);
 }
 
 void encode_count(encoder *e, uint32_t value) {
     for (int k = 0; k < 4; k++)
-        put_byte(e, (unsigned char)(value >> 8 * k));
+        encode_byte(e, (unsigned char)(value >> 8 * k));
 }
 
 void encode_end(encoder *e) {

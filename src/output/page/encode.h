@@ -21,7 +21,9 @@ typedef struct encoder {
 } encoder;
 
 void encode_begin(encoder *e, text *out);
+void encode_byte(encoder *e, unsigned char byte);
 void encode_double(encoder *e, double value);
+void encode_float(encoder *e, float value);
 void encode_count(encoder *e, uint32_t value);
 void encode_end(encoder *e);
 

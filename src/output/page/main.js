@@ -1,132 +1,182 @@
-// The page: two views, a slider, filters, and what is said of a point.
+// The page: two views, a slider, filters, keys.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-const $ = (id) => document.getElementById(id);
-const points = scene.points.map(pointOf);
+/** So many points are drawn at most; with more than MANY the page opens on some of them; so many have names beside. */
+const MOST_DRAWN = 20000, MANY = 5000, MOST_NAMED = 400;
+
 const errors = [];
 window.addEventListener("error", (event) => errors.push(String(event.message)));
 
-const space = new View("world"), standing = new View("body");
-const moving = solidGroup(0xf0e442, 1);
-const sweep = new THREE.Group(), positions = new THREE.Group(), marks = new THREE.Group();
-const trails = new THREE.Group(), here = new THREE.Group();
-let shown = [], chosen = -1, now = start;
+const moving = new THREE.Group(), sweep = new THREE.Group(), cells = new THREE.Group(), positions = new THREE.Group();
+const marks = new THREE.Group(), standingSolid = new THREE.Group(), trails = new THREE.Group(), here = new THREE.Group();
+const floors = [new THREE.Group(), new THREE.Group()];
+const worldHome = around(worldBounds, worldCentre), bodyHome = around(bodyBounds, bodyCentre);
+let shown = [], drawn = [], chosen = null, now = start;
 
-space.scene.add(moving, sweep, positions, marks);
-standing.scene.add(solidGroup(0xd8d8d8, d === 3 ? 0.45 : 1), trails, here);
-if (scene.surface) sweep.add(sweepObject());
-for (let k = 0; k < scene.times; k++) {
-  const ghost = solidGroup(0x888888, 0);
-  moveTo(ghost, start + ((end - start) * k) / (scene.times - 1));
-  positions.add(ghost);
+const space = new View("world", (view, labels) => {
+  d === 2 ? planeAxes(view, labels, worldCentre) : spaceAxes(view, labels, worldHome, worldCentre);
+  namePoints(view, labels);
+});
+const standing = new View("body", (view, labels) => {
+  d === 2 ? planeAxes(view, labels, bodyCentre) : spaceAxes(view, labels, bodyHome, bodyCentre);
+  nameContacts(view, labels);
+});
+
+space.scene.add(floors[0], cells, moving, sweep, positions, marks);
+standing.scene.add(floors[1], standingSolid, trails, here);
+
+const pointName = (k) => nameOf(k) || String(k + 1);
+
+function namePoints(view, labels) {
+  const index = chosen ? chosen.index : -1, names = drawn.length <= MOST_NAMED ? drawn.filter((k) => k !== index) : [];
+  const spots = names.map((k) => view.spot(world(k)));
+  for (const [x, y] of spots) labels.avoid(x, y, 4);
+  if (index >= 0) {
+    const [x, y] = view.spot(world(index));
+    labels.avoid(x, y, 7);
+    labels.beside(pointName(index), x, y, 13, true);
+  }
+  names.forEach((k, i) => labels.beside(pointName(k), spots[i][0], spots[i][1], 9, false));
+}
+
+function nameContacts(view, labels) {
+  if (!chosen) return;
+  const spots = chosen.contacts.map((c) => view.spot(contactPlace(chosen, c)));
+  for (const [x, y] of spots) labels.avoid(x, y, 5);
+  chosen.contacts.forEach((c, k) => labels.beside(`t = ${clock(timeValue(c.from), 4)}` + (c.instant ? "" : ` to ${clock(timeValue(c.to), 4)}`),
+    spots[k][0], spots[k][1], 9, true, CORNERS));
+}
+
+const clock = (t, digits) => String(Number(t.toPrecision(digits)));
+
+/** Fill both scenes, in the colours of the theme. */
+function paint() {
+  for (const group of [moving, sweep, cells, positions, standingSolid, ...floors]) dispose(group);
+  makeSigns();
+  fillSolid(moving, "moving", d === 3 ? 1 : 0.55);
+  fillSolid(standingSolid, "solid", d === 3 ? 0.5 : 1);
+  if (scene.surface) sweep.add(sweepObject());
+  cells.add(cellsObject(Math.min(4096, space.renderer.capabilities.maxTextureSize)));
+  for (let k = 0; k < scene.times; k++) {
+    const ghost = new THREE.Group();
+    fillSolid(ghost, "soft", 0);
+    moveTo(ghost, start + ((end - start) * k) / (scene.times - 1));
+    positions.add(ghost);
+  }
+  if (d === 3) [worldHome, bodyHome].forEach((home, k) => floors[k].add(floorObject(home, k ? bodyCentre : worldCentre)));
+  drawTrail();
+  drawPoints();
+  setTime(now);
 }
 
 function setTime(t) {
   now = Math.min(end, Math.max(start, t));
   $("time").value = String(Math.round((1000 * (now - start)) / (end - start)));
-  $("clock").textContent = `t = ${Number(now.toPrecision(9))}`;
+  $("clock").textContent = `t = ${clock(now, 9)}`;
   moveTo(moving, now);
   dispose(here);
-  if (chosen >= 0) here.add(signs([body(carry(mapAt("trace", now), points[chosen].place))], null, disk, 13, 4));
+  if (chosen) here.add(signs(body(carry(mapAt("trace", now), chosen.place)), null, disk, 14, 4));
   space.ask();
   standing.ask();
 }
 
-function passes(p) {
-  const box = document.querySelector(`#classes input[value="${p.class}"]`);
-  const stratum = $("strata").value, wrong = $("wrong").value;
-  return (!box || box.checked) && (stratum === "*" || p.stratum === stratum) &&
-    (wrong === "all" || (wrong === "wrong") === Boolean(p.answer));
-}
-
-/** Show the points that the filters let through; those on which the candidate is wrong are square. */
-function filter() {
-  shown = points.filter(passes);
-  dispose(marks);
-  const size = points.length > 20000 ? 5 : points.length > 2000 ? 8 : 12;
-  for (const wrong of [false, true]) {
-    const some = shown.filter((p) => Boolean(p.answer) === wrong);
-    const tints = some.map((p) => colour(scene.tones[p.tone][1]).toArray());
-    if (some.length) marks.add(signs(some.map((p) => world(p.place)), tints, wrong ? wrongDisk : disk, wrong ? size + 5 : size, 1));
-  }
-  if (chosen >= 0) marks.add(signs([world(points[chosen].place)], [colour(scene.tones[points[chosen].tone][1]).toArray()], disk, 20, 2));
-  $("count").textContent = shown.length === points.length ? `(${points.length})` : `(${shown.length} of ${points.length})`;
-  space.ask();
-}
-
-function line(text, kind) {
-  const out = document.createElement(kind || "span");
-  out.textContent = text + "\n";
-  $("says").append(out);
+/** Numbers of the points that the filters let through. */
+function passing() {
+  const off = new Set([...document.querySelectorAll("#classes input:not(:checked)")].map((box) => box.value));
+  const passes = scene.tones.map(([name]) => !off.has(name)), stratum = $("strata").value, wrong = $("wrong").value, out = [];
+  for (let k = 0; k < pointCount; k++)
+    if (passes[tones[k]] && (stratum === "*" || stratumOf(k) === stratum) && (wrong === "all" || (wrong === "wrong") === Boolean(answerOf(k))))
+      out.push(k);
   return out;
 }
 
-function say(p) {
-  $("says").replaceChildren();
-  line(p.stratum ? `${p.name} (${p.stratum})` : p.name, "b");
-  line(answerLine(p));
-  if (p.answer) line(`The candidate says ${p.answer}.`).className = "wrong";
-  for (const text of endLines(p)) line(text);
-  line("\nThe time line: I inside S, B on its boundary, O outside");
-  for (const {lines, time} of timeLines(p)) {
-    const out = line(lines[0], time === undefined ? "span" : "a");
-    if (time !== undefined) out.addEventListener("click", () => setTime(time));
-    for (const text of lines.slice(1)) line(text);
+/** Draw the points of `drawn`; those on which the candidate is wrong are square, the chosen one is large. */
+function drawPoints() {
+  dispose(marks);
+  const size = drawn.length > 5000 ? 6 : drawn.length > 1000 ? 9 : 12;
+  for (const wrong of [false, true]) {
+    const some = drawn.filter((k) => Boolean(answerOf(k)) === wrong);
+    const paints = scene.tones.map(([, tint]) => colour(tint).toArray());
+    if (some.length)
+      marks.add(signs(some.flatMap(world), some.flatMap((k) => paints[tones[k]]), wrong ? wrongDisk : disk, wrong ? size + 4 : size, 1));
   }
-  if (!unsweep) for (const text of countLines(p)) line(text);
-  for (const text of ruleLines(p)) line(text);
+  if (chosen) marks.add(signs(world(chosen.index), colour(scene.tones[chosen.tone][1]).toArray(), chosen.answer ? wrongDisk : disk, 22, 2));
+  space.ask();
+}
+
+const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, ",");
+
+/** Show the points that pass, and say which. */
+function filter() {
+  shown = passing();
+  const stride = Math.ceil(shown.length / MOST_DRAWN);
+  drawn = stride > 1 ? shown.filter((_, k) => k % stride === 0) : shown;
+  const some = shown.length === pointCount ? "" : `${grouped(shown.length)} of `;
+  $("count").textContent = `${some}${grouped(pointCount)} ${pointCount === 1 ? "point" : "points"}` +
+    (stride > 1 ? `; ${grouped(drawn.length)} of these are drawn, filters bring out the others` : "");
+  drawPoints();
+}
+
+function drawTrail() {
+  dispose(trails);
+  if (chosen) trajectory(trails, chosen);
 }
 
 function choose(index) {
-  chosen = index;
-  dispose(trails);
-  if (points.length <= 40) points.forEach((p, k) => k !== chosen && trajectory(trails, p, false));
-  if (chosen >= 0) {
-    trajectory(trails, points[chosen], true);
-    say(points[chosen]);
-  }
-  filter();
+  chosen = index >= 0 ? pointAt(index) : null;
+  drawTrail();
+  if (chosen) say(chosen, setTime);
+  drawPoints();
   setTime(now);
 }
 
 function step(by) {
   if (!shown.length) return;
-  const at = shown.findIndex((p) => p.index === chosen);
-  choose(shown[(at + by + shown.length) % shown.length].index);
+  const at = chosen ? shown.indexOf(chosen.index) : -1;
+  choose(shown[(at + (at < 0 && by < 0 ? 0 : by) + shown.length) % shown.length]);
 }
 
 /** A click that is no drag chooses the point under it. */
-function onClick(view, places, numbers) {
+function onClick(view) {
   let down = null;
   view.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
   view.canvas.addEventListener("pointerup", (event) => {
-    if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
-    const found = view.pick(event.clientX, event.clientY, places());
-    if (found >= 0) choose(numbers(found));
+    if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 6) return;
+    const found = view.pick(event.clientX, event.clientY, drawn, world, event.pointerType === "touch" ? 24 : 9);
+    if (found >= 0) choose(found);
   });
 }
 
 function fitBoth() {
-  space.fit([0, 0, 0], half(worldBounds) * 1.08);
-  standing.fit([0, 0, 0], half(bodyBounds) * (points.length ? 1.9 : 1.1));
+  space.fit(worldHome);
+  const room = d === 3 ? 1.15 : 1.25;
+  standing.fit(bodyHome.map((v) => v.map((x) => x * room)));
+}
+
+/** The legend of classes, whose boxes are filters too: those of points and of cells. */
+function fillClasses() {
+  const count = scene.tones.map(() => 0), inCells = new Set([...octets(scene.cells.tones), ...octets(scene.cells.part)]);
+  for (const tone of tones) count[tone] += 1;
+  scene.tones.forEach(([name, tint], k) => {
+    if (!count[k] && !inCells.has(k)) return;
+    const label = put($("classes"), "label", ""), box = put(label, "input", "");
+    Object.assign(box, {type: "checkbox", checked: true, value: name, hidden: !count[k]});
+    put(label, "span", "swatch").style.background = tint;
+    label.append(name + (count[k] ? ` ${grouped(count[k])}` : ""));
+  });
+  return count;
 }
 
 function fillFilters() {
-  const classes = new Map();
-  for (const p of points) classes.set(p.class, (classes.get(p.class) || 0) + 1);
-  scene.tones.forEach(([name, tint]) => {
-    if (!classes.has(name)) return;
-    const label = document.createElement("label"), box = document.createElement("input"), swatch = document.createElement("span");
-    Object.assign(box, {type: "checkbox", checked: true, value: name});
-    swatch.className = "swatch";
-    swatch.style.background = tint;
-    label.append(box, swatch, `${name} (${classes.get(name)})`);
-    $("classes").append(label);
-  });
-  const strata = [...new Set(points.map((p) => p.stratum).filter(Boolean))].sort();
+  const count = fillClasses(), strata = scene.points.strata ? [...new Set(scene.points.strata)].filter(Boolean).sort() : [];
   $("strata").append(new Option("all", "*"), ...strata.map((name) => new Option(name, name)));
   $("strata-label").hidden = strata.length === 0;
-  $("wrong-label").hidden = !points.some((p) => p.answer);
+  $("wrong-label").hidden = wrongCount === 0;
+  $("steps").hidden = pointCount === 0;
+  if (wrongCount && pointCount > MANY) $("wrong").value = "wrong";
+  const on = scene.tones.findIndex(([name], k) => count[k] && (name === "boundary" || name === "on"));
+  if (!wrongCount && pointCount > MANY && on >= 0)
+    for (const box of document.querySelectorAll("#classes input")) box.checked = box.value === toneName(on);
   for (const id of ["classes", "strata", "wrong"]) $(id).addEventListener("change", filter);
 }
 
@@ -145,40 +195,90 @@ function play() {
   requestAnimationFrame(tick);
 }
 
-function begin() {
+/** Move to the chosen point's next contact, or the one before. */
+function contact(by) {
+  const times = chosen ? chosen.contacts.flatMap((c) => [timeValue(c.from), timeValue(c.to)]) : [], far = (end - start) * 1e-9;
+  const next = by > 0 ? times.find((t) => t > now + far) : times.reverse().find((t) => t < now - far);
+  if (next !== undefined) setTime(next);
+}
+
+const KEYS = {
+  " ": play, n: () => step(1), p: () => step(-1), f: fitBoth, d: () => $("theme").click(), "?": () => $("keys").toggleAttribute("hidden"),
+  Escape: () => ($("keys").hidden = true), ArrowLeft: () => setTime(now - (end - start) / 100), ArrowRight: () => setTime(now + (end - start) / 100),
+  Home: () => setTime(start), End: () => setTime(end), ".": () => contact(1), ",": () => contact(-1),
+  "+": () => [space, standing].forEach((view) => view.zoom(1.2)), "-": () => [space, standing].forEach((view) => view.zoom(1 / 1.2)),
+};
+
+function onKey(event) {
+  const act = KEYS[event.key], busy = /^(INPUT|SELECT|BUTTON)$/.test(event.target.tagName) && /^( |Arrow.*|Home|End)$/.test(event.key);
+  if (!act || busy || event.ctrlKey || event.metaKey || event.altKey) return;
+  event.preventDefault();
+  act();
+}
+
+/** The toggles of what is shown: name of the box, group, shown at first. */
+function fillToggles() {
+  const toggles = [["solid", moving, true], ["sweep", sweep, true], ["cells", cells, d === 2], ["positions", positions, d === 2 ? false : !scene.surface]];
+  for (const [name, group, first] of toggles) {
+    const box = $("show-" + name), update = () => {
+      group.visible = box.checked;
+      space.ask();
+    };
+    box.checked = first;
+    box.addEventListener("change", update);
+    update();
+  }
+  $("show-sweep").parentElement.hidden = !scene.surface;
+}
+
+function fillTexts() {
   const surface = scene.surface, name = unsweep ? "unsweep" : "sweep";
   document.title = scene.title || "Graze";
   $("title").textContent = document.title;
-  $("remark").textContent = `${points.length} points, classified exactly` + (surface
-    ? ` · boundary of the ${name} sampled at level ${surface.level}: details smaller than a cell may be missing` : "") +
-    ` · graze ${scene.version}`;
-  $("world-title").textContent = unsweep ? "M(t)⁻¹S, the unsweep, the points" : "S at t, the sweep, the points";
-  $("body-title").textContent = (unsweep ? "M(t)P" : "Inverted trajectory M(t)⁻¹P") + " through the standing S";
-  $("sweep-name").textContent = name;
-  $("show-sweep").parentElement.hidden = !surface;
-  $("show-positions").checked = !surface;
-  for (const [id, group] of [["show-solid", moving], ["show-sweep", sweep], ["show-positions", positions]]) {
-    const update = () => {
-      group.visible = $(id).checked;
-      space.ask();
-    };
-    $(id).addEventListener("change", update);
-    update();
-  }
+  $("remark").textContent = "classified exactly" + (surface
+    ? ` · boundary of the ${name} sampled at level ${surface.level}, details smaller than a cell may be missing` : "") + ` · graze ${scene.version}`;
+  $("world-title").textContent = unsweep ? "M(t)⁻¹S and the unsweep" : "S at time t and the sweep";
+  $("body-title").textContent = (unsweep ? "M(t)P" : "M(t)⁻¹P, the inverted trajectory of the point,") + " through the standing S";
+  $("sweep-name").textContent = d === 2 ? `boundary of the ${name}` : name;
+  $("cells-name").textContent = d === 2 ? "classes" : `classes in ${scene.cells.plane}`;
+  document.body.dataset.points = pointCount ? "some" : "none";
+  const [low, high] = worldBounds;
+  if (d === 2 && high[0] - low[0] > 1.5 * (high[1] - low[1])) document.body.dataset.wide = "yes";
+}
+
+/** On a narrow window one part is seen at a time. */
+function onTabs() {
+  for (const tab of document.querySelectorAll("#tabs button"))
+    tab.addEventListener("click", () => {
+      document.body.dataset.tab = tab.value;
+      for (const other of document.querySelectorAll("#tabs button")) other.setAttribute("aria-pressed", String(other === tab));
+      fitBoth();
+    });
+}
+
+function begin() {
+  fillTexts();
+  setTheme("");
+  fillToggles();
   fillFilters();
+  paint();
+  themeListeners.push(paint);
+  dark.addEventListener("change", () => setTheme(""));
+  $("theme").addEventListener("click", () => setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
   $("time").addEventListener("input", () => setTime(start + ((end - start) * Number($("time").value)) / 1000));
-  $("play").addEventListener("click", play);
-  $("previous").addEventListener("click", () => step(-1));
-  $("next").addEventListener("click", () => step(1));
-  $("world-fit").addEventListener("click", fitBoth);
-  $("body-fit").addEventListener("click", fitBoth);
-  onClick(space, () => shown.map((p) => world(p.place)), (k) => shown[k].index);
+  for (const [id, act] of [["play", play], ["previous", () => step(-1)], ["next", () => step(1)], ["world-fit", fitBoth], ["body-fit", fitBoth],
+    ["help", KEYS["?"]]]) $(id).addEventListener("click", act);
+  document.addEventListener("keydown", onKey);
+  onTabs();
+  onClick(space);
   fitBoth();
-  const wrong = points.findIndex((p) => p.answer);
-  choose(wrong >= 0 ? wrong : points.length && points.length <= 40 ? 0 : -1);
+  filter();
+  const wrong = shown.find((k) => answerOf(k));
+  choose(wrong !== undefined ? wrong : shown.length ? shown[0] : -1);
   document.documentElement.dataset.ready = "yes";
 }
 
-window.graze = {points, errors, choose, setTime, moving, sweep, space, standing, shown: () => shown, chosen: () => chosen,
-  pixelOf: (k) => space.pixel(world(points[k].place)), frame: () => space.measure() + standing.measure()};
+window.graze = {count: pointCount, point: pointAt, errors, choose, setTime, moving, sweep, cells, trails, space, standing, shown: () => shown,
+  drawn: () => drawn, chosen: () => (chosen ? chosen.index : -1), pixelOf: (k) => space.pixel(world(k)),
+  frame: () => space.measure() + standing.measure()};
 begin();

@@ -51,5 +51,7 @@ function bytes(base64) {
   return out.buffer;
 }
 
+const octets = (base64) => new Uint8Array(bytes(base64));
+const floats = (base64) => new Float32Array(bytes(base64));
 const doubles = (base64) => new Float64Array(bytes(base64));
 const counts = (base64) => new Uint32Array(bytes(base64));

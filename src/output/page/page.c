@@ -11,6 +11,7 @@
 #include "output/draw/save.h"
 #include "output/page/assets.h"
 #include "output/page/encode.h"
+#include "output/page/page_cells.h"
 #include "output/page/page_points.h"
 #include "output/page/things.h"
 
@@ -24,9 +25,8 @@ static void put_tones(text *out) {
     text_put(out, "]");
 }
 
-static graze_status put_box(text *out, graze_context *context, const fmpq *low, const fmpq *high,
-                            int d) {
-    double box[6];
+static graze_status put_box(text *out, double box[6], graze_context *context, const fmpq *low,
+                            const fmpq *high, int d) {
     for (int k = 0; k < 2 * d; k++) {
         box[k] = fmpq_get_d(k < d ? low + k : high + k - d);
         text_put(out, k ? "," : "[");
@@ -36,24 +36,25 @@ static graze_status put_box(text *out, graze_context *context, const fmpq *low, 
     return range_check(context, box, box + d, d);
 }
 
-static graze_status put_scene_box(text *out, graze_context *context, const graze_scene *scene,
-                                  const draw_request *request) {
+static graze_status put_scene_box(text *out, double box[6], graze_context *context,
+                                  const graze_scene *scene, const draw_request *request) {
     int d = scene->motion->dimension;
-    fmpq *box = _fmpq_vec_init(2 * d);
-    const fmpq *low = request->low ? request->low : box;
-    const fmpq *high = request->low ? request->high : box + d;
-    graze_status status = request->low ? GRAZE_OK : scene_box(box, box + d, context, scene);
+    fmpq *own = _fmpq_vec_init(2 * d);
+    const fmpq *low = request->low ? request->low : own;
+    const fmpq *high = request->low ? request->high : own + d;
+    graze_status status = request->low ? GRAZE_OK : scene_box(own, own + d, context, scene);
     if (!status)
-        status = put_box(out, context, low, high, d);
-    _fmpq_vec_clear(box, 2 * d);
+        status = put_box(out, box, context, low, high, d);
+    _fmpq_vec_clear(own, 2 * d);
     return status;
 }
 
 static graze_status put_scene(text *out, graze_context *context, const graze_scene *scene,
                               const draw_request *request) {
-    int unsweep = scene->options.operation == GRAZE_UNSWEEP;
+    int unsweep = scene->options.operation == GRAZE_UNSWEEP, d = scene->motion->dimension;
+    double box[6], centre[3];
     text_format(out, "{\"version\":\"%s\",\"dimension\":%d,\"operation\":\"%s\",\"folds\":\"%s\",",
-                GRAZE_VERSION, scene->motion->dimension, unsweep ? "unsweep" : "sweep",
+                GRAZE_VERSION, d, unsweep ? "unsweep" : "sweep",
                 scene->options.folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(out, "\"meet\":%s,\"times\":%lu,\"title\":", scene->ends_meet ? "true" : "false",
                 request->times);
@@ -61,7 +62,9 @@ static graze_status put_scene(text *out, graze_context *context, const graze_sce
     text_put(out, ",\"tones\":");
     put_tones(out);
     text_put(out, ",\"box\":");
-    graze_status status = put_scene_box(out, context, scene, request);
+    graze_status status = put_scene_box(out, box, context, scene, request);
+    for (int k = 0; k < d && !status; k++)
+        centre[k] = (box[k] + box[k + d]) / 2;
     text_put(out, ",\n\"motion\":");
     page_motion(out, scene->motion, scene->options.operation);
     text_put(out, ",\n\"solid\":");
@@ -69,10 +72,13 @@ static graze_status put_scene(text *out, graze_context *context, const graze_sce
         status = page_solid(out, context, scene->solid);
     text_put(out, ",\n\"surface\":");
     if (!status)
-        status = page_surface(out, context, scene, request);
+        status = page_surface(out, context, scene, request, centre);
+    text_put(out, ",\n\"cells\":");
+    if (!status)
+        status = page_cells(out, context, scene, request);
     text_put(out, ",\n\"points\":");
     if (!status)
-        status = page_rows(out, context, scene, request);
+        status = page_rows(out, context, scene, request, centre);
     text_put(out, "}");
     return status;
 }

@@ -1,9 +1,11 @@
-/* Points as rows of JSON.
+/* Points: typed arrays of what is drawn, and a line of text for what is told of each.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/page/page_points.h"
 
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "decide/verdict/classify.h"
 #include "decide/verdict/verdict.h"
 #include "output/draw/marks.h"
@@ -11,103 +13,165 @@
 #include "output/report/decimal_time.h"
 
 enum { DECIMAL_DIGITS = 12 };
+/* So many points have their roots exactly: of more, first those that are wrong or `on`. */
+enum { EXACT_MOST = 20000 };
 
-/* A ratio; or the decimal, the polynomial's coefficients, and the interval of a root. */
-static void put_page_time(text *out, const graze_time *time) {
+/* A ratio; or the decimal of a root, with `exact` its polynomial and interval too, by tildes. */
+static void put_page_time(text *out, const graze_time *time, int exact) {
     if (time_is_rational(time)) {
-        text_put(out, "\"");
         text_rational(out, time->low);
-        text_put(out, "\"");
         return;
     }
     char *decimal = decimal_of_time(NULL, time, DECIMAL_DIGITS);
     out->failed |= !decimal;
-    text_format(out, "[\"%s\",\"", decimal ? decimal : "");
+    text_format(out, "%s~", decimal ? decimal : "");
     free(decimal);
-    text_coefficients(out, time->poly);
-    text_put(out, "\",\"");
-    text_rational(out, time->low);
-    text_put(out, "\",\"");
-    text_rational(out, time->high);
-    text_put(out, "\"]");
+    if (exact)
+        text_coefficients(out, time->poly);
+    text_put(out, "~");
+    if (exact)
+        text_rational(out, time->low);
+    text_put(out, "~");
+    if (exact)
+        text_rational(out, time->high);
 }
 
 /* X or T for the kind, then the cells: `X f3 e1-2 v5`. */
 static void put_page_cells(text *out, const contact *c) {
     static const char letters[] = " fev";
-    text_put(out, verdict_kind(c->left, c->right) == GRAZE_INTERSECTION ? "\"X" : "\"T");
+    text_put(out, verdict_kind(c->left, c->right) == GRAZE_INTERSECTION ? "X" : "T");
     for (size_t k = 0; k < c->cell_count; k++) {
         const graze_cell *cell = &c->cell[k];
         text_format(out, " %c%zu", letters[cell->kind], cell->a);
         if (cell->kind == GRAZE_CELL_EDGE)
             text_format(out, "-%zu", cell->b);
     }
-    text_put(out, "\"");
 }
 
-static void put_contacts_of(text *out, const graze_trace *trace) {
-    text_put(out, "[");
+static void put_contacts_of(text *out, const graze_trace *trace, int exact) {
     for (size_t k = 0; k < trace->contact_count; k++) {
         const contact *c = &trace->contact[k];
-        text_put(out, k ? "," : "");
-        put_page_time(out, c->from);
+        text_put(out, k ? ";" : "");
+        put_page_time(out, c->from, exact);
         text_put(out, ",");
-        if (c->from == c->to)
-            text_put(out, "0");
-        else
-            put_page_time(out, c->to);
+        if (c->from != c->to)
+            put_page_time(out, c->to, exact);
         text_put(out, ",");
         put_page_cells(out, c);
     }
-    text_put(out, "]");
 }
 
-/* A text that may be missing. */
-static void put_text_or_0(text *out, const char *const *texts, size_t k) {
-    text_put(out, ",");
-    if (texts && texts[k])
-        encode_string(out, texts[k]);
-    else
-        text_put(out, "0");
-}
+/* The parts of the object, made beside one another. */
+typedef struct page_lists {
+    text lines, places, tones;
+    encoder place, tone;
+    size_t exact; /* points told exactly so far */
+} page_lists;
 
-static void put_page_row(text *out, const draw_request *request, size_t k, int d,
-                         const graze_trace *trace) {
+/* A point's line: coordinates, word, definition, case, i and t, contacts. */
+static void put_page_line(text *out, const fmpq *point, int d, const graze_trace *trace,
+                          int exact) {
     const graze_verdict *v = &trace->verdict;
-    text_put(out, "[\"");
+    text_put(out, "\"");
     for (int i = 0; i < d; i++) {
         text_put(out, i ? " " : "");
-        text_rational(out, request->points + k * (size_t)d + i);
+        text_rational(out, point + i);
     }
-    text_format(out, "\",\"%s\",%d,%d,%d,%lu,%lu,", trace->word, (int)tone_of(v), v->definition,
-                v->case_, v->i, v->t);
-    encode_string(out, request->names[k]);
-    put_text_or_0(out, request->strata, k);
-    put_text_or_0(out, request->answers, k);
-    text_put(out, ",");
-    put_contacts_of(out, trace);
-    text_put(out, "]");
+    text_format(out, "|%s|%d %d %lu %lu|", trace->word, v->definition, v->case_, v->i, v->t);
+    put_contacts_of(out, trace, exact);
+    text_put(out, "\"");
+}
+
+static graze_status put_page_point(page_lists *l, graze_context *context, const graze_scene *scene,
+                                   const draw_request *request, size_t k, const double *centre) {
+    int d = scene->motion->dimension;
+    const fmpq *point = request->points + k * (size_t)d;
+    graze_trace trace;
+    graze_status status =
+        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
+    if (status)
+        return status;
+    status = trace_canonicalise(&trace, context);
+    int asked = request->point_count <= EXACT_MOST || trace.verdict.pmc == GRAZE_ON ||
+                (request->answers && request->answers[k]);
+    int exact = asked && l->exact < EXACT_MOST;
+    if (!status) {
+        l->exact += (size_t)exact;
+        text_put(&l->lines, k ? ",\n" : "\n");
+        put_page_line(&l->lines, point, d, &trace, exact);
+        for (int i = 0; i < d; i++)
+            encode_float(&l->place, (float)(fmpq_get_d(point + i) - centre[i]));
+        encode_byte(&l->tone, (unsigned char)tone_of(&trace.verdict));
+        status = context_poll(context);
+    }
+    trace_clear(&trace);
+    return status;
+}
+
+/* 1 if each point is named by its number from 1, as those without a name of their own are. */
+static int are_numbers(const char *const *names, size_t count) {
+    char number[24];
+    int same = 1;
+    for (size_t k = 0; k < count && same; k++) {
+        snprintf(number, sizeof number, "%zu", k + 1);
+        same = strcmp(names[k], number) == 0;
+    }
+    return same;
+}
+
+/* Texts of points as an array of JSON, 0 for one that is missing; 0 alone where there are none. */
+static void put_page_texts(text *out, const char *key, const char *const *texts, size_t count) {
+    text_format(out, ",\n\"%s\":%s", key, texts ? "[" : "0");
+    for (size_t k = 0; k < count && texts; k++) {
+        text_put(out, k ? "," : "");
+        if (texts[k])
+            encode_string(out, texts[k]);
+        else
+            text_put(out, "0");
+    }
+    text_put(out, texts ? "]" : "");
+}
+
+/* Answers, most of which are missing, by the numbers of their points. */
+static void put_page_answers(text *out, const char *const *answers, size_t count) {
+    const char *before = "";
+    text_put(out, ",\n\"answers\":{");
+    for (size_t k = 0; k < count && answers; k++)
+        if (answers[k]) {
+            text_format(out, "%s\"%zu\":", before, k);
+            encode_string(out, answers[k]);
+            before = ",";
+        }
+    text_put(out, "}");
 }
 
 graze_status page_rows(text *out, graze_context *context, const graze_scene *scene,
-                       const draw_request *request) {
-    int d = scene->motion->dimension;
+                       const draw_request *request, const double *centre) {
+    size_t count = request->point_count;
     graze_status status = GRAZE_OK;
-    text_put(out, "[");
-    for (size_t k = 0; k < request->point_count && !status; k++) {
-        graze_trace trace;
-        const query_point point = {.rational = request->points + k * (size_t)d};
-        status = classify_point(&trace, context, scene, point, TRACE_CONTACTS);
-        if (status)
-            break;
-        status = trace_canonicalise(&trace, context);
-        if (!status) {
-            text_put(out, k ? ",\n" : "\n");
-            put_page_row(out, request, k, d, &trace);
-            status = context_poll(context);
-        }
-        trace_clear(&trace);
+    page_lists l = {.exact = 0};
+    text *part[3] = {&l.places, &l.tones, &l.lines};
+    static const char *const name[3] = {"{\"places\":", ",\n\"tones\":", ",\n\"lines\":"};
+    for (int k = 0; k < 3; k++)
+        text_init(part[k]);
+    encode_begin(&l.place, &l.places);
+    encode_begin(&l.tone, &l.tones);
+    text_put(&l.lines, "[");
+    for (size_t k = 0; k < count && !status; k++)
+        status = put_page_point(&l, context, scene, request, k, centre);
+    encode_end(&l.place);
+    encode_end(&l.tone);
+    text_put(&l.lines, "]");
+    for (int k = 0; k < 3; k++) {
+        text_put(out, name[k]);
+        out->failed |= part[k]->failed;
+        if (!part[k]->failed)
+            text_put(out, part[k]->data);
+        text_clear(part[k]);
     }
-    text_put(out, "]");
+    put_page_texts(out, "names", are_numbers(request->names, count) ? NULL : request->names, count);
+    put_page_texts(out, "strata", request->strata, count);
+    put_page_answers(out, request->answers, count);
+    text_put(out, "}");
     return status;
 }

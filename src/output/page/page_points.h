@@ -8,8 +8,11 @@
 #include "decide/scene/scene.h"
 #include "output/draw/request.h"
 
-/** All points of a request as an array of JSON (src/output/page/README.md). */
+/**
+ * All points of a request as an object of JSON (src/output/page/README.md).
+ * @param centre  that of the page's box, from which places are told
+ */
 graze_status page_rows(text *out, graze_context *context, const graze_scene *scene,
-                       const draw_request *request);
+                       const draw_request *request, const double *centre);
 
 #endif

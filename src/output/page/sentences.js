@@ -1,27 +1,5 @@
-// What `graze explain` says of a point, from its row.
+// What `graze explain` says of a point: lines of texts and of values, which show a decimal until they are opened.
 // SPDX-License-Identifier: GPL-3.0-or-later
-
-const unsweep = scene.operation === "unsweep";
-const IN = new Set(["regular", "fold", "fold_boundary", "in"]);
-
-/** A row of the data by names. */
-function pointOf(row, index) {
-  const [at, word, tone, definition, position, i, t, name, stratum, answer, contacts] = row;
-  const point = {index, at: at.split(" "), word, tone, definition, case: position, i, t, name, stratum, answer, contacts: []};
-  point.place = point.at.map(value);
-  point.class = scene.tones[tone][0];
-  point.pmc = unsweep ? point.class : IN.has(point.class) ? "in" : point.class === "boundary" ? "on" : "out";
-  let letter = -1;
-  for (let k = 0; k < contacts.length; k += 3) {
-    letter = word.indexOf("B", letter + 1);
-    const [kind, ...cells] = contacts[k + 2].split(" ");
-    point.contacts.push({from: contacts[k], to: contacts[k + 1] || contacts[k], instant: contacts[k + 1] === 0,
-      crossing: kind === "X", cells, left: word[letter - 1] || "", right: word[letter + 1] || ""});
-  }
-  return point;
-}
-
-const timeValue = (time) => (typeof time === "string" ? value(time) : Number(time[0]));
 
 /** A number with its middle digits left out where it is long. */
 function shortened(ratio) {
@@ -43,12 +21,20 @@ function polynomial(text) {
   return out || "0";
 }
 
+/** A value that shows `brief` until it is opened, then what `graze explain` says. */
+const closed = (brief, full) => ({brief, full});
+
+/** A time as a text, or closed where its exact value is long. */
 function timeText(time) {
-  if (typeof time !== "string")
-    return `about ${time[0]}, the one root of ${polynomial(time[1])} between ${shortened(time[2])} and ${shortened(time[3])}`;
+  if (typeof time !== "string") {
+    const where = time.poly ? `the one root of ${polynomial(time.poly)} between ${shortened(time.low)} and ${shortened(time.high)}`
+      : "a root, of which this page has the decimal alone";
+    return closed(`≈ ${time.decimal}`, `about ${time.decimal}, ${where}`);
+  }
   const near = decimal(time, 12);
   if (!time.includes("/") && near.exact) return shortened(time);
-  return shortened(time) + (near.exact ? " = " : ", about ") + near.text;
+  const full = shortened(time) + (near.exact ? " = " : ", about ") + near.text;
+  return time.length > 13 ? closed((near.exact ? "= " : "≈ ") + near.text, full) : full;
 }
 
 function cellText(cell) {
@@ -59,11 +45,11 @@ function cellText(cell) {
 function cellsText(cells) {
   const shown = cells.length <= 24 ? cells.length : 20;
   const rest = cells.length > shown ? ` [and ${cells.length - shown} more cells]` : "";
-  return "       it meets " + cells.slice(0, shown).map(cellText).join(", ") + rest;
+  return "it meets " + cells.slice(0, shown).map(cellText).join(", ") + rest;
 }
 
 function reason(c) {
-  let out = `       ${c.crossing ? "intersection" : "tangency"}: `;
+  let out = `${c.crossing ? "intersection" : "tangency"}: `;
   if (!c.left && !c.right) out += "the trajectory never leaves the boundary";
   else if (!c.left) out += `the motion begins here, and ${c.right} follows`;
   else if (!c.right) out += `the motion ends here, and ${c.left} came before`;
@@ -74,33 +60,28 @@ function reason(c) {
   return out;
 }
 
-/** The stays and contacts in order of time: {lines}, of a contact with its {time}. */
+/** The stays and contacts in order of time: {letter, lines}, of a contact with its {time}. */
 function timeLines(p) {
-  const lines = [];
   let next = 0;
-  [...p.word].forEach((letter, k) => {
+  return [...p.word].map((letter, k) => {
     if (letter === "B") {
-      const c = p.contacts[next++], text = [];
-      if (c.instant) text.push("  B  at t = " + timeText(c.from));
-      else text.push("  B  from t = " + timeText(c.from), "     to t = " + timeText(c.to));
-      text.push(cellsText(c.cells), reason(c));
-      lines.push({lines: text, time: timeValue(c.from)});
-    } else {
-      const last = k + 1 === p.word.length;
-      const when = last && k === 0 ? "all the time" : last ? "until the end" : k === 0 ? "from the start" : "between";
-      lines.push({lines: [`  ${letter}  ${when}`]});
+      const c = p.contacts[next++];
+      const when = c.instant ? [["B  at t = ", timeText(c.from)]] : [["B  from t = ", timeText(c.from)], ["to t = ", timeText(c.to)]];
+      return {letter, lines: [...when, cellsText(c.cells), reason(c)], time: timeValue(c.from)};
     }
+    const last = k + 1 === p.word.length;
+    const when = last && k === 0 ? "all the time" : last ? "until the end" : k === 0 ? "from the start" : "between";
+    return {letter, lines: [`${letter}  ${when}`]};
   });
-  return lines;
 }
 
 function countLines(p) {
   const plural = (name, n, one, many) => `${name} = ${n} ${n === 1 ? one : many}`;
   const first = p.word[0] === "I" ? 1 : 0, last = p.word[p.word.length - 1] === "I" ? 1 : 0;
-  return ["", "The counts",
-    "  " + plural("i", p.i, "intersection", "intersections") + ", " + plural("t", p.t, "tangency", "tangencies"),
-    `  k = (i + [P in iS^0] + [P in iS^1]) / 2 = (${p.i} + ${first} + ${last}) / 2 = ${(p.i + first + last) / 2}:`,
-    "  so often the solid's interior comes to P and goes, touching in between not counted"];
+  return ["The counts",
+    plural("i", p.i, "intersection", "intersections") + ", " + plural("t", p.t, "tangency", "tangencies"),
+    `k = (i + [P in iS^0] + [P in iS^1]) / 2 = (${p.i} + ${first} + ${last}) / 2 = ${(p.i + first + last) / 2}:`,
+    "so often the solid's interior comes to P and goes, touching in between not counted"];
 }
 
 function rule(p) {
@@ -115,14 +96,14 @@ function rule(p) {
 
 function ruleLines(p) {
   if (unsweep)
-    return ["", "The rule of the unsweep ([IS] eqs 12, 13, 35)", `  pmc \`${p.pmc}\`: ` +
+    return ["The rule of the unsweep ([IS] eqs 12, 13, 35)", `pmc \`${p.pmc}\`: ` +
       {in: "the word is I: the trajectory stays in the interior of S", out: "the word holds an O: the trajectory leaves S",
         on: "the word holds no O but a B: the trajectory stays in S and reaches its boundary"}[p.pmc]];
-  const out = ["", "The class", "  " + rule(p) + (p.definition ? ` in case ${p.case}` : ".")];
+  const out = ["The class", rule(p) + (p.definition ? ` in case ${p.case}` : ".")];
   if (!p.definition)
-    out.push(`  The definition leaves case ${p.case} out, since it needs S^0 and S^1 to meet; the same rule is`,
-      "  extended to it and cited as `ext`");
-  out.push(`  pmc \`${p.pmc}\` by [EI] eq. 7: ` + {in: "P is in the interior of S^t for some t",
+    out.push(`The definition leaves case ${p.case} out, since it needs S^0 and S^1 to meet; the same rule is`,
+      "extended to it and cited as `ext`");
+  out.push(`pmc \`${p.pmc}\` by [EI] eq. 7: ` + {in: "P is in the interior of S^t for some t",
     on: "P is on the boundary of S^t for some t, but in the interior of none", out: "no S^t reaches P"}[p.pmc]);
   return out;
 }
@@ -130,26 +111,32 @@ function ruleLines(p) {
 /** The first line: the point and its answer. */
 function answerLine(p) {
   const what = unsweep ? `is \`${p.pmc}\` for the unsweep` : `is \`${p.pmc}\` for the sweep, class \`${p.class}\``;
-  return `P = (${p.at.map(shortened).join(", ")})${near(p.at)} ${what}. Its word is ${p.word}.`;
+  const exact = `(${p.at.map(shortened).join(", ")})`, decimals = near(p.at);
+  return ["P = ", decimals ? closed(decimals.brief, exact + decimals.full) : exact, ` ${what}. Its word is ${p.word}.`];
 }
 
-/** Coordinates as decimals behind the ratios where one of these has more than 12 digits. */
+/** Coordinates as decimals, where the ratios have more than 12 digits. */
 function near(at) {
-  if (!at.some((x) => x.includes("/") && x.replace(/\D/g, "").length > 12)) return "";
-  const decimals = at.map((x) => decimal(x, 12)), text = decimals.map((x) => x.text).join(", ");
-  return decimals.every((x) => x.exact) ? ` = (${text})` : `, about (${text}),`;
+  if (!at.some((x) => x.includes("/") && x.replace(/\D/g, "").length > 12)) return null;
+  const decimals = at.map((x) => decimal(x, 12)), exact = decimals.every((x) => x.exact), text = decimals.map((x) => x.text).join(", ");
+  return {brief: `(${text})`, full: exact ? ` = (${text})` : `, about (${text}),`};
 }
 
 function endLines(p) {
   const phrase = {I: "in the interior of", B: "on the boundary of", O: "outside"};
-  const out = ["", "At the two ends of the motion"];
+  const out = ["At the two ends of the motion"];
   [[start, p.word[0], 0], [end, p.word[p.word.length - 1], 1]].forEach(([t, state, k]) => {
     const at = carry(mapAt("trace", t), p.place).slice(0, d).map((x) => Number(x.toPrecision(9)));
     const then = unsweep ? "" : `, so P is ${phrase[state]} S^${k}`;
-    out.push(`  ${unsweep ? "x" : "c"}(t${k}), near (${at.join(", ")}), is ${phrase[state]} S${then}`);
+    out.push(`${unsweep ? "x" : "c"}(t${k}), near (${at.join(", ")}), is ${phrase[state]} S${then}`);
   });
-  if (!unsweep)
-    out.push(`  This is case ${p.case} of Table 1 in [EI].`,
-      scene.meet ? "  S^0 and S^1 meet: [EI] assumes that they do not." : "  S^0 and S^1 do not meet, as [EI] assumes.");
+  if (!unsweep) out.push(`This is case ${p.case} of Table 1 in [EI].`, ...meetLines());
   return out;
+}
+
+/** What the places of S at the two ends have to do with [EI]. */
+function meetLines() {
+  return scene.meet ? ["S at the start (S^0) and S at the end (S^1) have points in common. The answer is no less certain:",
+    "[EI] speaks of motions without such points, and Graze cites `ext` where it goes beyond them."]
+    : ["S at the start (S^0) and S at the end (S^1) have no point in common, as [EI] assumes."];
 }

@@ -118,7 +118,7 @@ void page_motion(text *out, const graze_motion *motion, graze_operation operatio
     text_put(out, "]");
 }
 
-static void put_surface(text *out, const struct graze_boundary *b) {
+static void put_surface(text *out, const struct graze_boundary *b, const double *centre) {
     encoder e;
     int d = b->dimension;
     fmpq *point = _fmpq_vec_init(d);
@@ -128,7 +128,7 @@ static void put_surface(text *out, const struct graze_boundary *b) {
     for (size_t v = 0; v < bisect_count(b); v++) {
         bisect_vertex(point, b, v);
         for (int k = 0; k < d; k++)
-            encode_double(&e, fmpq_get_d(point + k));
+            encode_float(&e, (float)(fmpq_get_d(point + k) - centre[k]));
     }
     encode_end(&e);
     text_put(out, ",\"faces\":");
@@ -141,7 +141,7 @@ static void put_surface(text *out, const struct graze_boundary *b) {
 }
 
 graze_status page_surface(text *out, graze_context *context, const graze_scene *scene,
-                          const draw_request *request) {
+                          const draw_request *request, const double *centre) {
     enum { CONTACTS = 300, BUDGET = 1000000 };
     unsigned coarse = scene->motion->dimension == 2 ? 5 : 4;
     if (!request->surface) {
@@ -158,7 +158,7 @@ graze_status page_surface(text *out, graze_context *context, const graze_scene *
     struct graze_boundary b;
     graze_status status = boundary_make(&b, context, scene, &options, request->low, request->high);
     if (!status)
-        put_surface(out, &b);
+        put_surface(out, &b, centre);
     boundary_clear(&b);
     return status;
 }

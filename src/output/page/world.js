@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 const colour = (text) => new THREE.Color().setStyle(text);
-const INK = 0x222222;
 
 /** Flat coordinates less a centre, as three coordinates each. */
 function centred(flat, centre) {
@@ -25,12 +24,12 @@ function boundsOf(flat) {
 }
 
 const middle = ([low, high]) => low.map((x, k) => (x + high[k]) / 2);
-const half = ([low, high]) => Math.hypot(...low.map((x, k) => (high[k] - x) / 2));
 
 const vertices = doubles(scene.solid.vertices);
 const bodyBounds = boundsOf(vertices), bodyCentre = middle(bodyBounds);
 const worldBounds = [[...scene.box.slice(0, d), 0].slice(0, 3), [...scene.box.slice(d), 0].slice(0, 3)];
 const worldCentre = middle(worldBounds);
+const around = ([low, high], centre) => [low, high].map((v) => v.map((x, k) => x - centre[k]));
 
 function shell(array, index) {
   const geometry = new THREE.BufferGeometry();
@@ -63,16 +62,14 @@ const solid = (() => {
   return {faces, edges};
 })();
 
-/** S as faces and edges, to be put where a matrix says. */
-function solidGroup(tint, opacity) {
-  const group = new THREE.Group();
+/** Fill a group with S as faces and edges, to be put where a matrix says. */
+function fillSolid(group, name, opacity) {
   const kind = d === 3 ? THREE.MeshLambertMaterial : THREE.MeshBasicMaterial;
   if (opacity > 0)
-    group.add(new THREE.Mesh(solid.faces, new kind({color: tint, side: THREE.DoubleSide, flatShading: d === 3,
+    group.add(new THREE.Mesh(solid.faces, new kind({color: tint(name), side: THREE.DoubleSide, flatShading: d === 3,
       transparent: opacity < 1, opacity, depthWrite: opacity === 1, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1})));
-  group.add(new THREE.LineSegments(solid.edges, new THREE.LineBasicMaterial({color: opacity > 0 ? INK : tint})));
+  group.add(new THREE.LineSegments(solid.edges, new THREE.LineBasicMaterial({color: tint(opacity > 0 ? "ink" : "soft")})));
   group.matrixAutoUpdate = false;
-  return group;
 }
 
 /** Put S, whose vertices are less bodyCentre, where it is at t, less worldCentre. */
@@ -88,40 +85,95 @@ function moveTo(group, t) {
 
 /** The boundary of the sweep. */
 function sweepObject() {
-  const faces = counts(scene.surface.faces), array = centred(doubles(scene.surface.vertices), worldCentre);
+  const faces = counts(scene.surface.faces), array = centred(floats(scene.surface.vertices), [0, 0, 0]);
   const geometry = shell(array, faces);
-  if (d === 2) return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: 0x009e73}));
-  return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: 0xbfd9ea, side: THREE.DoubleSide, flatShading: true,
-    transparent: true, opacity: 0.4, depthWrite: false}));
+  if (d === 2) return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: tint("ink")}));
+  return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: tint("sweep"), side: THREE.DoubleSide, flatShading: true,
+    transparent: true, opacity: 0.5, depthWrite: false}));
+}
+
+/** Pixels of the cells, a pixel a part; what lies outside the set is clear. */
+function cellPixels() {
+  const {count, parts: n} = scene.cells, [across, up] = count, width = across * n, height = up * n;
+  const out = new Uint32Array(width * height), tone = octets(scene.cells.tones), part = octets(scene.cells.part);
+  const paint = scene.tones.map(([name, tint]) => (name === "exterior" || name === "out" ? 0
+    : 0xff000000 | parseInt(tint.slice(5, 7) + tint.slice(3, 5) + tint.slice(1, 3), 16)) >>> 0);
+  for (let y = 0; y < height; y++)
+    for (let x = 0, row = Math.floor(y / n) * across; x < width; x++) out[(height - 1 - y) * width + x] = paint[tone[row + Math.floor(x / n)]];
+  counts(scene.cells.split).forEach((cell, k) => {
+    const x0 = (cell % across) * n, y0 = Math.floor(cell / across) * n;
+    for (let i = 0; i < n * n; i++) out[(height - 1 - y0 - Math.floor(i / n)) * width + x0 + (i % n)] = paint[part[k * n * n + i]];
+  });
+  return new ImageData(new Uint8ClampedArray(out.buffer), width, height);
+}
+
+/** The sweep filled by class, in the plane or in a plane of space. */
+function cellsObject(most) {
+  const image = cellPixels(), whole = document.createElement("canvas"), scale = Math.min(1, most / Math.max(image.width, image.height));
+  Object.assign(whole, {width: image.width, height: image.height});
+  whole.getContext("2d").putImageData(image, 0, 0);
+  const canvas = document.createElement("canvas");
+  Object.assign(canvas, {width: Math.ceil(image.width * scale), height: Math.ceil(image.height * scale)});
+  canvas.getContext("2d").drawImage(whole, 0, 0, canvas.width, canvas.height);
+  const map = new THREE.CanvasTexture(canvas);
+  Object.assign(map, {colorSpace: "srgb", magFilter: 1003, generateMipmaps: true});
+  const geometry = new THREE.BufferGeometry(), c = scene.cells.corners;
+  const corner = (i, j) => [0, 1, 2].map((k) => c[k] + i * (c[3 + k] - c[k]) + j * (c[6 + k] - c[k]) - (k < d ? worldCentre[k] : 1));
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute([[0, 0], [1, 0], [1, 1], [0, 1]].flatMap(([i, j]) => corner(i, j)), 3));
+  geometry.setAttribute("uv", new THREE.Float32BufferAttribute([0, 0, 1, 0, 1, 1, 0, 1], 2));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  const out = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({map, transparent: true, side: THREE.DoubleSide, alphaTest: 0.5}));
+  out.renderOrder = -1;
+  return out;
+}
+
+/** Lines at round numbers on the floor of a box of space. */
+function floorObject([low, high], shift) {
+  const at = [];
+  for (const axis of [0, 1])
+    for (const x of ticks(low[axis] + shift[axis], high[axis] + shift[axis], 6)) {
+      const a = [low[0], low[1], low[2]], b = [high[0], high[1], low[2]];
+      a[axis] = b[axis] = x - shift[axis];
+      at.push(...a, ...b);
+    }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(at, 3));
+  return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: tint("grid")}));
 }
 
 const signsOf = {};
-for (const [name, shape] of [["f", "circle"], ["e", "square"], ["v", "triangle"]]) {
-  signsOf["X" + name] = signTexture(shape, "#222222", "#ffffff");
-  signsOf["T" + name] = signTexture(shape, "#ffffff", "#d55e00");
+
+/** Make the signs of contacts in the colours of the theme. */
+function makeSigns() {
+  for (const [name, shape] of [["f", "circle"], ["e", "square"], ["v", "triangle"]]) {
+    signsOf["X" + name] = signTexture(shape, tint("ink"), tint("paper"));
+    signsOf["T" + name] = signTexture(shape, tint("paper"), "#d55e00");
+  }
 }
+
 const disk = signTexture("circle", "#ffffff", "#222222");
 const wrongDisk = signTexture("square", "#ffffff", "#000000");
 
 const body = (place) => place.map((x, k) => x - (k < d ? bodyCentre[k] : 0));
-const world = (place) => [0, 1, 2].map((k) => (k < d ? place[k] - worldCentre[k] : 0));
+/** The place of a point in the left view, less the centre of its box. */
+const world = (k) => [0, 1, 2].map((i) => (i < d ? places[k * d + i] : 0));
+
+const contactPlace = (p, c) => body(carry(mapAt("trace", (timeValue(c.from) + timeValue(c.to)) / 2), p.place));
 
 /** The trajectory of a point through the standing S with its contacts, into a group. */
-function trajectory(group, p, strong) {
+function trajectory(group, p) {
   let from = start, next = 0;
-  [...p.word].forEach((letter, k) => {
+  [...p.word].forEach((letter) => {
     const contact = letter === "B" ? p.contacts[next++] : p.contacts[next];
     const to = letter === "B" ? timeValue(contact.to) : contact ? timeValue(contact.from) : end;
     if (to > from) {
-      const places = trail(p.place, from, to).map(body);
-      const [tint, width] = letter === "B" ? [0xcc79a7, 6] : letter === "I" ? [INK, 3] : [INK, 1.2];
-      group.add(polyline(places, strong ? tint : 0x999999, strong ? width : 1));
+      const [name, width] = {B: ["slide", 6], I: ["ink", 4], O: ["ink", 1.5]}[letter];
+      group.add(polyline(trail(p.place, from, to).map(body), tint(name), width));
     }
     from = to;
   });
   for (const c of p.contacts) {
     const smallest = c.cells.some((x) => x[0] === "v") ? "v" : c.cells.some((x) => x[0] === "e") ? "e" : "f";
-    const at = carry(mapAt("trace", (timeValue(c.from) + timeValue(c.to)) / 2), p.place);
-    group.add(signs([body(at)], null, signsOf[(c.crossing ? "X" : "T") + smallest], strong ? 15 : 9, 3));
+    group.add(signs(contactPlace(p, c), null, signsOf[(c.crossing ? "X" : "T") + smallest], 16, 3));
   }
 }

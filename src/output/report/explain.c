@@ -140,8 +140,14 @@ static void put_ends(text *out, const graze_scene *scene, const fmpq *point,
     if (scene->options.operation == GRAZE_UNSWEEP)
         return;
     text_format(out, "  This is case %d of Table 1 in [EI].\n", trace->verdict.case_);
-    text_put(out, scene->ends_meet ? "  S^0 and S^1 meet: [EI] assumes that they do not.\n"
-                                   : "  S^0 and S^1 do not meet, as [EI] assumes.\n");
+    text_put(
+        out,
+        scene->ends_meet
+            ? "  S at the start (S^0) and S at the end (S^1) have points in common. The answer is "
+              "no less certain:\n  [EI] speaks of motions without such points, and Graze cites "
+              "`ext` where it goes beyond them.\n"
+            : "  S at the start (S^0) and S at the end (S^1) have no point in common, as [EI] "
+              "assumes.\n");
 }
 
 static void put_trajectory(text *out, const graze_scene *scene, const fmpq *point) {
