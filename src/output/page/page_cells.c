@@ -40,7 +40,7 @@ static void put_bytes(text *out, const unsigned char *bytes, size_t count) {
     encode_end(&e);
 }
 
-static void put_cells(text *out, const cells *c, const draw_request *request) {
+static void put_cells_of(text *out, const cells *c, const draw_request *request) {
     encoder e;
     size_t count = c->count[0] * c->count[1];
     text_put(out, "{\"corners\":");
@@ -69,7 +69,7 @@ graze_status page_cells(text *out, graze_context *context, const graze_scene *sc
     section oblique = {.unit_height = 0};
     graze_status status = request_cells(&c, &oblique, context, scene, &by_class);
     if (!status)
-        put_cells(out, &c, request);
+        put_cells_of(out, &c, request);
     cells_clear(&c);
     section_clear(&oblique);
     return status;
