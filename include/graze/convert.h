@@ -91,13 +91,18 @@ typedef struct graze_pose_options {
     const char *text;    /**< read these `length` bytes in place of the file, whose path is a name
                               for messages; NULL: the file */
     size_t length;
-    size_t size; /**< sizeof(graze_pose_options) or 0 */
+    size_t size;         /**< sizeof(graze_pose_options) or 0 */
+    const char *columns; /**< NAME=COLUMN,...: names of the file's columns; NULL: as they are */
+    const char *angles;  /**< the machine of three angles in degrees: "kuka", "fanuc", "staubli",
+                              "kawasaki", "cnc" or "rpy"; NULL: there are none */
 } graze_pose_options;
 
 /**
  * Make a motion file in E^3 through poses, as graze_motion_write_poses does, with more choice.
- * Columns t may be named time or timestamp too, x also tx or px, and so on. Fields stand between
- * commas, semicolons or blanks. Without a line of names, rows are those of TUM (time tx ty tz qx qy
+ * Columns may have the names of other programs too, such as timestamp, tx or position.x; in place
+ * of quaternions stand the axis of a tool, i, j, k, for the least rotation from (0, 0, 1), or three
+ * angles, or nothing (formats.md, Lists of poses). Fields stand between commas, semicolons or
+ * blanks. Without a line of names, rows are those of TUM (time tx ty tz qx qy
  * qz qw between blanks) or matrices row by row (12 or 16 numbers).
  * @param options NULL for the defaults
  * @return as graze_motion_write_poses

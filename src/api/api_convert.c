@@ -140,8 +140,10 @@ graze_status graze_motion_write_joints(char **json, char **report, graze_context
 
 static graze_status take_poses(pose_choice *out, graze_context *context,
                                const graze_pose_options *o) {
-    *out = (pose_choice){.ignored = o->ignored,
-                         .ignored_count = o->ignored_count,
+    *out = (pose_choice){.naming = {.ignored = o->ignored,
+                                    .ignored_count = o->ignored_count,
+                                    .columns = o->columns,
+                                    .order = o->angles ? angle_order_of(o->angles) : NULL},
                          .has_from = o->from != NULL,
                          .has_to = o->to != NULL,
                          .every = o->every ? o->every : 1,
@@ -207,6 +209,10 @@ graze_status graze_motion_write_pose_list(char **json, char **report, graze_cont
         return status;
     if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST))
         return api_misuse(context, name, "an unknown flag is set");
+    if (taken.angles && !angle_order_of(taken.angles))
+        return context_fail(context, GRAZE_EUSE,
+                            "angles '%s': expected kuka, fanuc, staubli, kawasaki, cnc or rpy",
+                            taken.angles);
     if (taken.ignored_count && !taken.ignored)
         return api_misuse(context, name, "ignored must not be NULL where names are counted");
     return write_poses(json, report, context, path, &taken);

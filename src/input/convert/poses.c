@@ -10,6 +10,7 @@
 #include "base/number/rounding.h"
 #include "input/convert/joint.h"
 #include "input/convert/poses_nearest.h"
+#include "input/convert/poses_turned.h"
 
 static graze_status refuse_pose(graze_context *context, const pose_list *list, const pose *p,
                                 const fmpq_t deviation) {
@@ -29,13 +30,14 @@ static graze_status refuse_pose(graze_context *context, const pose_list *list, c
                            digits);
 }
 
-/* Find the quaternions of all matrices; `worst` is the largest deviation. */
-static graze_status find_rotations(fmpq_t worst, graze_context *context, pose_list *list,
+/* Find the quaternions of all matrices, and report the largest deviation. */
+static graze_status find_rotations(text *report, graze_context *context, pose_list *list,
                                    const fmpq_t tolerance) {
     double before[4] = {1, 0, 0, 0}, matrix[9], q[4];
     graze_status status = GRAZE_OK;
-    fmpq_t deviation;
+    fmpq_t deviation, worst;
     mpq_t entry;
+    fmpq_init(worst);
     fmpq_init(deviation);
     mpq_init(entry);
     for (size_t i = 0; i < list->count && !status; i++) {
@@ -58,7 +60,11 @@ static graze_status find_rotations(fmpq_t worst, graze_context *context, pose_li
         if (!status && fmpq_cmp(deviation, tolerance) > 0)
             status = refuse_pose(context, list, p, deviation);
     }
+    if (!status)
+        put_rational_fact(
+            report, "rotations: nearest to the matrices, whose entries they change by", worst);
     mpq_clear(entry);
+    fmpq_clear(worst);
     fmpq_clear(deviation);
     return status;
 }
@@ -113,8 +119,10 @@ static void put_keyframes(text *t, const pose_list *list) {
         text_rational(t, p->time);
         text_put(t, "\", \"position\": ");
         put_vector(t, position, 3);
-        text_put(t, ", \"quaternion\": ");
-        put_vector(t, p->quaternion, 4);
+        if (list->form != POSES_OF_POSITIONS) {
+            text_put(t, ", \"quaternion\": ");
+            put_vector(t, p->quaternion, 4);
+        }
         text_put(t, i + 1 < list->count ? "},\n" : "}\n");
     }
     text_put(t, "]}\n");
@@ -153,13 +161,7 @@ static void put_matrices(text *t, const pose_list *list) {
 /* Is the quaternion of a pose more than 90 degrees from the one before: more than 180 of rotation?
  */
 static int is_long_way(const pose *p) {
-    fmpq_t along;
-    fmpq_init(along);
-    for (int k = 0; k < 4; k++)
-        fmpq_addmul(along, p[-1].quaternion + k, p->quaternion + k);
-    int sign = fmpq_sgn(along);
-    fmpq_clear(along);
-    return sign < 0;
+    return pose_along(p) < 0;
 }
 
 /* Begin or go on with a list of lines, of which the first few are named. */
@@ -180,14 +182,13 @@ static void take_short_ways(text *t, pose_list *list) {
         pose *p = list->item + i;
         if (!is_long_way(p))
             continue;
-        for (int k = 0; k < 4; k++)
-            fmpq_neg(p->quaternion + k, p->quaternion + k);
+        pose_negate(p);
         put_line_number(t, count++, "shortest: signs of quaternions changed at lines ", p->line);
     }
     text_format(t, count ? "; %zu in all\n" : "shortest: no sign of a quaternion changed\n", count);
 }
 
-static void report_long_ways(text *t, const pose_list *list) {
+static void report_long_ways(text *t, pose_list *list) {
     size_t count = 0;
     for (size_t i = 1; i < list->count; i++)
         if (is_long_way(list->item + i))
@@ -205,47 +206,50 @@ static void report_poses(text *t, const pose_list *list, int affine, const pose_
     if (list->count < list->rows)
         text_format(t, " of %lu", list->rows);
     text_format(t, ", each %s exactly as given at its time\n",
-                !affine && list->has_matrices ? "position" : "one");
+                affine || list->form == POSES_OF_QUATERNIONS ? "one" : "position");
     if (!fmpq_is_one(choice->scale)) {
         text_put(t, "scale: positions are those given times ");
         text_rational(t, choice->scale);
         text_put(t, "\n");
     }
     text_put(t, affine ? "between: every entry of the matrix is linear\n"
-                       : "between: position and quaternion are linear, the quaternion not "
-                         "normalised\n");
+                : list->form == POSES_OF_POSITIONS
+                    ? "between: the position is linear; the list has no rotations\n"
+                    : "between: position and quaternion are linear, the quaternion not "
+                      "normalised\n");
+}
+
+/* Quaternions of what the rows have for rotations. */
+static graze_status find_quaternions(conversion *out, graze_context *context, pose_list *list,
+                                     const pose_choice *choice, int shortest,
+                                     const fmpq_t tolerance) {
+    graze_status status = GRAZE_OK;
+    if (list->form == POSES_OF_POSITIONS)
+        return GRAZE_OK;
+    if (list->form == POSES_OF_MATRICES)
+        status = find_rotations(&out->report, context, list, tolerance);
+    else if (list->form != POSES_OF_QUATERNIONS)
+        status = poses_turn(&out->report, context, list, choice->naming.order, tolerance);
+    if (!status)
+        (shortest ? take_short_ways : report_long_ways)(&out->report, list);
+    return status ? status : check_quaternions(context, list);
 }
 
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,
                            const pose_choice *choice, int affine, int shortest,
                            const fmpq_t tolerance) {
     pose_list list;
-    fmpq_t worst;
-    fmpq_init(worst);
-    graze_status status = poses_read(&list, context, path, choice);
-    if (!status && affine && !list.has_matrices)
-        status =
-            context_fail_in(context, GRAZE_EINPUT, path, 0,
-                            "the poses are quaternions; expected matrices for an affine motion");
-    if (!status && !affine && list.has_matrices)
-        status = find_rotations(worst, context, &list, tolerance);
-    if (!status) {
+    graze_status status = poses_read(&list, &out->report, context, path, choice);
+    if (!status && affine && list.form != POSES_OF_MATRICES)
+        status = context_fail_in(context, GRAZE_EINPUT, path, 0,
+                                 "the poses are no matrices; expected matrices for an affine "
+                                 "motion");
+    if (!status)
         report_poses(&out->report, &list, affine, choice);
-        if (!affine && shortest)
-            take_short_ways(&out->report, &list);
-        else if (!affine)
-            report_long_ways(&out->report, &list);
-    }
     if (!status && !affine)
-        status = check_quaternions(context, &list);
-    if (!status) {
+        status = find_quaternions(out, context, &list, choice, shortest, tolerance);
+    if (!status)
         (affine ? put_matrices : put_keyframes)(&out->motion, &list);
-        if (!affine && list.has_matrices)
-            put_rational_fact(&out->report,
-                              "rotations: nearest to the matrices, whose entries they change by",
-                              worst);
-    }
     poses_clear(&list);
-    fmpq_clear(worst);
     return status;
 }

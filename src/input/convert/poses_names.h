@@ -1,35 +1,41 @@
-/* The columns of a list of poses.
+/* The names of columns in logs of poses.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CONVERT_POSES_NAMES_H
 #define GRAZE_CONVERT_POSES_NAMES_H
 
-#include "base/context/context.h"
+#include "input/convert/poses_angles.h"
 #include "input/delimited/field.h"
 
-/** Columns with a meaning: t; x, y, z; qw, qx, qy, qz; m00 to m33 row by row. */
-enum { POSE_TIME = 0, POSE_POSITION = 1, POSE_QUATERNION = 4, POSE_MATRIX = 8, POSE_COLUMNS = 24 };
+/** Columns with a meaning: t; x, y, z; qw, qx, qy, qz; m00 to m33 row by row; i, j, k of a tool's
+ * axis; three angles; nanoseconds, which are added to t. */
+enum {
+    POSE_TIME = 0,
+    POSE_POSITION = 1,
+    POSE_QUATERNION = 4,
+    POSE_MATRIX = 8,
+    POSE_BOTTOM = POSE_MATRIX + 12,
+    POSE_AXIS = POSE_MATRIX + 16,
+    POSE_ANGLE = POSE_AXIS + 3,
+    POSE_NANOSECONDS = POSE_ANGLE + 3,
+    POSE_COLUMNS
+};
 
-typedef struct pose_columns {
-    int place[POSE_COLUMNS]; /* of each in a row, from 0; -1 where there is none */
-    size_t count;            /* of a row */
-    int has_matrices;
-} pose_columns;
-
-/** The first name of a column. */
-const char *pose_column_name(int column);
+/** The first name of a column; that of an angle by the machine, NULL: any. */
+const char *pose_column_name(int column, const angle_order *order);
 
 /**
- * Fix the columns by the first line of a file. Without names it is a row of a TUM trajectory (time,
- * position, quaternion x, y, z, w: 8 numbers between blanks), or of matrices (12 or 16 numbers, row
- * by row).
- * @param[out] header 1 if the line has the names, 0 if it is a row
- * @param source      file, for messages
- * @param ignored     names of `count` columns to pass over
- * @return GRAZE_EINPUT
+ * The column that a name stands for, or POSE_COLUMNS. Large and small letters are alike. Of names
+ * in parts (field.pose.position.x, orientation_w) the last two count.
+ * @param order names of the angles; NULL: there are none
  */
-graze_status pose_columns_fix(pose_columns *out, int *header, graze_context *context,
-                              const char *source, unsigned long line, const fields *first,
-                              char separator, const char *const *ignored, size_t count);
+int pose_column_of(field name, const angle_order *order);
+
+/** Are a name of a file and one of these equal but for large and small letters? */
+int pose_name_is(field name, const char *known);
+/** The end of a name that says nothing of a pose: a counter or a frame. */
+int pose_name_is_idle(field name);
+/** A message's stamp: seconds in some logs, nanoseconds in others. */
+int pose_name_is_stamp(field name);
 
 #endif

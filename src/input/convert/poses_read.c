@@ -8,12 +8,12 @@
 #include "base/context/array.h"
 #include "base/context/file.h"
 #include "base/number/rational.h"
-#include "input/convert/poses_names.h"
 #include "input/delimited/stream.h"
 
 typedef struct reading {
     graze_context *context;
     pose_list *list;
+    text *report;
     const pose_choice *choice;
     size_t capacity;
     unsigned long line;
@@ -52,7 +52,7 @@ static void drop_pose(pose_list *list) {
     pose_clear(&list->item[--list->count]);
 }
 
-/* Where the value of a known column goes; the last row of a matrix goes nowhere. */
+/* Where the value of a known column goes; nanoseconds and the last row of a matrix go nowhere. */
 static fmpq *target_of(pose *p, int column) {
     if (column == POSE_TIME)
         return p->time;
@@ -60,22 +60,42 @@ static fmpq *target_of(pose *p, int column) {
         return p->matrix + 4 * (column - POSE_POSITION) + 3;
     if (column < POSE_MATRIX)
         return p->quaternion + (column - POSE_QUATERNION);
-    return column < POSE_MATRIX + 12 ? p->matrix + (column - POSE_MATRIX) : NULL;
+    if (column < POSE_BOTTOM)
+        return p->matrix + (column - POSE_MATRIX);
+    if (column < POSE_AXIS || column == POSE_NANOSECONDS)
+        return NULL;
+    return p->quaternion + (column - POSE_AXIS) % 3;
+}
+
+static void add_nanoseconds(const reading *r, pose *p, fmpq_t value) {
+    fmpq_t unit;
+    fmpq_init(unit);
+    fmpq_set_si(unit, 1, 1000000000);
+    if (r->columns.place[POSE_TIME] < 0)
+        fmpq_zero(p->time);
+    fmpq_addmul(p->time, value, unit);
+    fmpq_clear(unit);
 }
 
 static graze_status read_pose_value(const reading *r, pose *p, int column) {
     field one = field_content(r->cut.item[r->columns.place[column]]);
-    const char *name = pose_column_name(column);
+    const char *name = pose_column_name(column, r->choice->naming.order);
+    graze_rounding rounding = r->context->rounding;
     fmpq_t value;
     fmpq_init(value);
+    if (column == POSE_NANOSECONDS)
+        r->context->rounding = GRAZE_ROUND_NONE;
     graze_status status = rational_parse(value, r->context, one.start, one.length);
+    r->context->rounding = rounding;
     fmpq *to = target_of(p, column);
     if (status) {
         context_item(r->context, status, NULL, 0, name);
         status = context_in(r->context, status, r->list->source, r->line);
     } else if (to)
         fmpq_set(to, value);
-    else if (column == POSE_COLUMNS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
+    else if (column == POSE_NANOSECONDS)
+        add_nanoseconds(r, p, value);
+    else if (column == POSE_AXIS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
         status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
                                  "%s: expected 0, 0, 0, 1 as the last row of a matrix, whose "
                                  "numbers stand row by row",
@@ -146,10 +166,9 @@ static graze_status read_line(reading *r, field line) {
     graze_status status =
         fields_read(&r->cut, r->context, r->list->source, r->line, line, r->separator);
     if (!status && first)
-        status =
-            pose_columns_fix(&r->columns, &header, r->context, r->list->source, r->line, &r->cut,
-                             r->separator, r->choice->ignored, r->choice->ignored_count);
-    r->list->has_matrices = r->columns.has_matrices;
+        status = pose_columns_fix(&r->columns, &header, r->report, r->context, r->list->source,
+                                  r->line, &r->cut, r->separator, &r->choice->naming);
+    r->list->form = r->columns.form;
     return status || header ? status : read_pose(r);
 }
 
@@ -184,14 +203,14 @@ static graze_status read_pose_text(reading *r, const char *text, size_t length) 
     return status;
 }
 
-graze_status poses_read(pose_list *out, graze_context *context, const char *path,
+graze_status poses_read(pose_list *out, text *report, graze_context *context, const char *path,
                         const pose_choice *choice) {
     memset(out, 0, sizeof *out);
     out->source = path;
     char *text = NULL;
     size_t length = choice->length;
     unsigned char sha256[32];
-    reading r = {.context = context, .list = out, .choice = choice};
+    reading r = {.context = context, .list = out, .report = report, .choice = choice};
     graze_status status =
         choice->text ? GRAZE_OK : file_read(&text, &length, sha256, context, path);
     if (status)

@@ -5,20 +5,20 @@
 #define GRAZE_CONVERT_POSES_READ_H
 
 #include <flint/fmpq.h>
-#include "base/context/context.h"
+#include "input/convert/poses_columns.h"
 
 /** One pose: the numbers of its line, exactly. */
 typedef struct pose {
     fmpq_t time;
     fmpq matrix[12];    /* rows of (linear part, position); with quaternions only the positions */
-    fmpq quaternion[4]; /* w, x, y, z; found later where the file has matrices */
+    fmpq quaternion[4]; /* w, x, y, z; at first a tool's axis or angles, and found later of these
+                           and of matrices */
     unsigned long line; /* in the file, from 1 */
 } pose;
 
 /** Poses that are taken, and where they stand. */
 typedef struct pose_choice {
-    const char *const *ignored; /* names of columns to pass over; borrowed */
-    size_t ignored_count;
+    pose_naming naming;
     int has_from, has_to;
     fmpq_t from, to;     /* times, where there are such ends */
     fmpq_t scale;        /* factor of positions, positive */
@@ -29,21 +29,21 @@ typedef struct pose_choice {
 
 typedef struct pose_list {
     const char *source; /* name of the file, borrowed */
-    int has_matrices;
+    pose_form form;
     unsigned long rows; /* of the file; some may not have been taken */
     size_t count;
     pose *item;
 } pose_list;
 
 /**
- * Read a file in one of the forms of poses_names.h, its fields between commas, semicolons or
- * blanks. Without times they are 0, 1, 2, ... Other columns are refused by name unless they are
- * ignored: a position or time under another name is not to be lost. `#` lines and blank lines are
- * skipped.
- * @param[out] out cleared by poses_clear, also after a failure
+ * Read a file in one of the forms of poses_columns.h, its fields between commas, semicolons or
+ * blanks. Without times they are 0, 1, 2, ... Nanoseconds are added to times, and not rounded.
+ * `#` lines and blank lines are skipped.
+ * @param[out] out    cleared by poses_clear, also after a failure
+ * @param[out] report lines on the columns
  * @return GRAZE_ESYSTEM, GRAZE_EINPUT with file, line and column, GRAZE_ELIMIT
  */
-graze_status poses_read(pose_list *out, graze_context *context, const char *path,
+graze_status poses_read(pose_list *out, text *report, graze_context *context, const char *path,
                         const pose_choice *choice);
 void poses_clear(pose_list *list);
 

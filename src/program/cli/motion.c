@@ -23,8 +23,11 @@ static const char motion_help[] =
     "  joints J1 J2 ...     uniform joints as they stand at t = 0, J1 applied first, each one of\n"
     "                       turn:DEGREES[:AXIS[:CENTER]], slide:WAY, "
     "screw:DEGREES:PITCH:AXIS[:CENTER]\n"
-    "  poses FILE.csv       through poses: columns t, x,y,z (or left out), qw,qx,qy,qz; or t and\n"
-    "                       m00 to m33; or rows of TUM, or of 4x4 matrices, without names\n"
+    "  poses FILE.csv       through poses: columns t, x,y,z (or left out), qw,qx,qy,qz; or a "
+    "tool's\n"
+    "                       axis i,j,k; or angles; or m00 to m33; names as in ROS, too; or rows "
+    "of\n"
+    "                       TUM, or of 4x4 matrices, without names\n"
     "  dyadic MOTION        a motion file near MOTION; as --dyadic\n"
     "\n"
     "  --tolerance E        no point is off by more than E at any time (1e-9; screw, joints "
@@ -33,7 +36,10 @@ static const char motion_help[] =
     "                       poses: no entry of a matrix is changed by more than E (1e-6)\n"
     "  --affine             poses: take matrices as they are, interpolate their entries\n"
     "  --shortest           poses: change signs of quaternions that ask for over half a turn\n"
-    "  --ignore NAME        poses: pass over a column; may be repeated\n"
+    "  --columns NAME=COLUMN,...   poses: the file's name of a column, as tx=pos_x,t=stamp\n"
+    "  --angles MACHINE     poses: three angles in degrees are those of a kuka, fanuc, staubli,\n"
+    "                       kawasaki or cnc, or rpy: yaw, pitch, roll\n"
+    "  --ignore NAME        poses: pass over a column, or all that begin so (NAME*); repeatable\n"
     "  --scale F, --from T, --to T, --every N   poses: positions times F; those in [T, T], every\n"
     "                       Nth and the last\n"
     "  --dyadic             entries that are polynomials get dyadic coefficients, off by at most "
@@ -66,6 +72,8 @@ enum {
     TO,
     EVERY,
     NUMBERS,
+    COLUMNS,
+    ANGLES,
     DYADIC,
     DIMENSION,
     REPORT,
@@ -101,6 +109,8 @@ static const option_entry motion_table[] = {
     [TO] = OPTION("to", motion_options, own[TO], value_text),
     [EVERY] = OPTION("every", motion_options, own[EVERY], value_text),
     [NUMBERS] = OPTION("numbers", motion_options, own[NUMBERS], value_text),
+    [COLUMNS] = OPTION("columns", motion_options, own[COLUMNS], value_text),
+    [ANGLES] = OPTION("angles", motion_options, own[ANGLES], value_text),
     [DYADIC] = FLAG("dyadic", motion_options, own[DYADIC], value_text),
     [DIMENSION] = OPTION("dimension", motion_options, own[DIMENSION], value_text),
     [REPORT] = FILE_WRITTEN("report", motion_options, own[REPORT]),
@@ -294,6 +304,9 @@ static int make_poses(job *j) {
     graze_pose_options chosen = {.flags = (j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0) |
                                           (j->o->own[SHORTEST] ? GRAZE_POSES_SHORTEST : 0),
                                  .tolerance = j->tolerance,
+                                 .size = sizeof chosen,
+                                 .columns = j->o->own[COLUMNS],
+                                 .angles = j->o->own[ANGLES],
                                  .ignored = j->given->repeated,
                                  .ignored_count = (size_t)j->given->repeated_count};
     int status = read_motion_goal(j, "1e-6");
@@ -359,7 +372,7 @@ enum {
     TAKEN_BY_JOINTS = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << RADIUS | 1 << DIMENSION,
     TAKEN_BY_TURNS = TAKEN_BY_JOINTS | 1 << DEGREES | 1 << AXIS | 1 << CENTER | 1 << PITCH,
     TAKEN_BY_POSES = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << AFFINE | 1 << NUMBERS | 1 << SHORTEST |
-                     1 << SCALE | 1 << FROM | 1 << TO | 1 << EVERY
+                     1 << COLUMNS | 1 << ANGLES | 1 << SCALE | 1 << FROM | 1 << TO | 1 << EVERY
 };
 
 /* The kinds, and which of their own options each has a use for. */

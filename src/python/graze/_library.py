@@ -146,7 +146,7 @@ class CPoseOptions(ctypes.Structure):
     _fields_ = [("flags", c_uint), ("tolerance", c_void_p), ("ignored", c_void_p),
                 ("ignored_count", c_size_t), ("scale", c_void_p), ("start", c_void_p),
                 ("end", c_void_p), ("every", c_ulong), ("text", c_char_p), ("length", c_size_t),
-                ("size", c_size_t)]
+                ("size", c_size_t), ("columns", c_char_p), ("angles", c_char_p)]
 
 
 class CDrawOptions(ctypes.Structure):

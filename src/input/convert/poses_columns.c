@@ -1,0 +1,277 @@
+/* Finds the columns of a list of poses by their names, or by their number.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/convert/poses_columns.h"
+
+#include <ctype.h>
+#include <string.h>
+
+/* The first line, and where messages say it stands. */
+typedef struct naming {
+    graze_context *context;
+    const char *source;
+    unsigned long line;
+    const fields *first;
+    const pose_naming *given;
+    pose_columns *out;
+    text passed; /* names of columns that are passed over unasked */
+} naming;
+
+static graze_status misses(const naming *n, const char *what) {
+    return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                           "the column %s is missing; expected x,y,z, perhaps with qw,qx,qy,qz, "
+                           "or a tool's i,j,k, or three angles, or m00 to m23",
+                           what);
+}
+
+/* All or none of the columns from `first` on. */
+static graze_status whole(const naming *n, int first, int count, int *some) {
+    int missing = -1, found = 0;
+    for (int k = first; k < first + count; k++) {
+        found += n->out->place[k] >= 0;
+        missing = n->out->place[k] < 0 ? k : missing;
+    }
+    *some = found == count;
+    return found && found < count ? misses(n, pose_column_name(missing, n->given->order))
+                                  : GRAZE_OK;
+}
+
+/* The next NAME=COLUMN of a list; 0 at its end. */
+static int next_naming(field *name, field *column, const char **at) {
+    if (!*at || !**at)
+        return 0;
+    size_t length = strcspn(*at, ","), before = strcspn(*at, "=,");
+    *name = (field){*at, before};
+    *column = (field){*at + before + 1, length > before ? length - before - 1 : 0};
+    *at += length + ((*at)[length] == ',');
+    return 1;
+}
+
+/* Take the columns that the caller names. */
+static graze_status take_given(const naming *n) {
+    const char *at = n->given->columns;
+    for (field name, column; next_naming(&name, &column, &at);) {
+        int k = pose_column_of(name, n->given->order), place = -1;
+        for (size_t i = 0; i < n->first->count; i++)
+            if (field_equal(field_content(n->first->item[i]), column))
+                place = (int)i;
+        if (k == POSE_COLUMNS || !column.length)
+            return context_fail(n->context, GRAZE_EUSE,
+                                "columns: '%.*s': expected NAME=COLUMN, NAME one of t, "
+                                "nanoseconds, x, y, z, qw, qx, qy, qz, i, j, k, m00 to m33 or an "
+                                "angle of the machine",
+                                FIELD_SHOWN(name));
+        if (place < 0)
+            return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                                   "the column '%.*s' is missing; expected it among the names of "
+                                   "this line",
+                                   FIELD_SHOWN(column));
+        if (n->out->place[k] >= 0)
+            return context_fail(n->context, GRAZE_EUSE, "columns: %s is named twice; expected once",
+                                pose_column_name(k, n->given->order));
+        n->out->place[k] = place;
+    }
+    return GRAZE_OK;
+}
+
+static int is_named_by_caller(const naming *n, int column) {
+    const char *at = n->given->columns;
+    for (field name, other; next_naming(&name, &other, &at);)
+        if (pose_column_of(name, n->given->order) == column)
+            return 1;
+    return 0;
+}
+
+static int is_ignored(const naming *n, field name) {
+    for (size_t k = 0; k < n->given->ignored_count; k++) {
+        const char *one = n->given->ignored[k];
+        size_t length = strlen(one);
+        if (field_is(name, one) || (length && one[length - 1] == '*' && name.length >= length - 1 &&
+                                    memcmp(name.start, one, length - 1) == 0))
+            return 1;
+    }
+    return 0;
+}
+
+static int is_placed(const naming *n, int place) {
+    for (int k = 0; k < POSE_COLUMNS; k++)
+        if (n->out->place[k] == place)
+            return 1;
+    return 0;
+}
+
+/* A name of the file; control bytes do not reach a terminal. */
+static void put_file_name(text *t, field name) {
+    for (size_t k = 0; k < name.length; k++)
+        text_bytes(t, iscntrl((unsigned char)name.start[k]) ? "?" : name.start + k, 1);
+}
+
+static void pass_over(naming *n, field name) {
+    text_put(&n->passed, n->passed.length ? ", " : "");
+    put_file_name(&n->passed, name);
+}
+
+/* A stamp counts where nothing else has the time, and the caller says in which unit. */
+static graze_status refuse_stamp(const naming *n, field name) {
+    return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                           "the column '%.*s' is in seconds in some logs and in nanoseconds in "
+                           "others; expected it named as the column t or nanoseconds",
+                           FIELD_SHOWN(name));
+}
+
+static graze_status refuse_name(const naming *n, field name) {
+    static const char letters[] = "ABCabc";
+    if (name.length == 1 && strchr(letters, *name.start) && !n->given->order)
+        return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                               "the column '%.*s' is an angle, whose meaning depends on the "
+                               "machine; expected its name: kuka, cnc, ...",
+                               FIELD_SHOWN(name));
+    return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                           "the column '%.*s' is unknown; expected t (time, timestamp), x,y,z "
+                           "(tx, pos_x, position.x, ...), qw,qx,qy,qz (orientation.w, ...), i,j,k, "
+                           "or m00 to m33, in any order; other columns are named as one of these, "
+                           "or as ignored",
+                           FIELD_SHOWN(name));
+}
+
+static graze_status take_name(naming *n, field name, int place) {
+    int k = pose_column_of(name, n->given->order);
+    if (k == POSE_COLUMNS && pose_name_is_idle(name)) {
+        pass_over(n, name);
+        return GRAZE_OK;
+    }
+    if (k == POSE_COLUMNS)
+        return refuse_name(n, name);
+    if (is_named_by_caller(n, k)) {
+        pass_over(n, name);
+        return GRAZE_OK;
+    }
+    if (n->out->place[k] >= 0)
+        return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                               "the column %s stands there twice; expected once",
+                               pose_column_name(k, n->given->order));
+    n->out->place[k] = place;
+    return GRAZE_OK;
+}
+
+/* Two passes: a stamp waits until it is known whether other columns have the time. */
+static graze_status take_names(naming *n) {
+    graze_status status = take_given(n);
+    for (int stamps = 0; stamps < 2; stamps++)
+        for (size_t k = 0; k < n->first->count && !status; k++) {
+            field name = field_content(n->first->item[k]);
+            if (is_placed(n, (int)k) || is_ignored(n, name) || pose_name_is_stamp(name) != stamps)
+                continue;
+            if (!stamps)
+                status = take_name(n, name, (int)k);
+            else if (n->out->place[POSE_TIME] < 0 && n->out->place[POSE_NANOSECONDS] < 0)
+                status = refuse_stamp(n, name);
+            else
+                pass_over(n, name);
+        }
+    return status;
+}
+
+/* What the columns make of rotations. */
+static graze_status check_names(const naming *n) {
+    int positions = 0, quaternions = 0, matrices = 0, bottom = 0, axes = 0, angles = 0;
+    const angle_order *order = n->given->order;
+    graze_status status = whole(n, POSE_POSITION, 3, &positions);
+    if (!status)
+        status = whole(n, POSE_QUATERNION, 4, &quaternions);
+    if (!status)
+        status = whole(n, POSE_MATRIX, 12, &matrices);
+    if (!status)
+        status = whole(n, POSE_BOTTOM, 4, &bottom);
+    if (!status)
+        status = whole(n, POSE_AXIS, 3, &axes);
+    for (int k = 0; k < 3; k++)
+        angles |= n->out->place[POSE_ANGLE + k] >= 0;
+    if (!status && angles && !order->may_miss)
+        status = whole(n, POSE_ANGLE, 3, &angles);
+    if (!status && !positions && !quaternions && !matrices && !axes && !angles)
+        status = misses(n, order ? order->name[0] : "x");
+    if (!status && quaternions + matrices + axes + angles + (matrices && positions) > 1)
+        status = context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                                 "matrices, quaternions, axes and angles are mixed; expected one "
+                                 "of them");
+    n->out->form = quaternions ? POSES_OF_QUATERNIONS
+                   : matrices  ? POSES_OF_MATRICES
+                   : axes      ? POSES_OF_AXES
+                   : angles    ? POSES_OF_ANGLES
+                               : POSES_OF_POSITIONS;
+    return status;
+}
+
+static int begins_number(field f) {
+    if (f.length && (*f.start == '-' || *f.start == '+'))
+        f = (field){f.start + 1, f.length - 1};
+    if (f.length && *f.start == '.')
+        f = (field){f.start + 1, f.length - 1};
+    return f.length && isdigit((unsigned char)*f.start);
+}
+
+/* The columns of rows without names. */
+static graze_status fix_by_number(const naming *n, char separator) {
+    static const int tum[] = {POSE_TIME,           POSE_POSITION,       POSE_POSITION + 1,
+                              POSE_POSITION + 2,   POSE_QUATERNION + 1, POSE_QUATERNION + 2,
+                              POSE_QUATERNION + 3, POSE_QUATERNION};
+    size_t count = n->out->count;
+    if (n->given->columns)
+        return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                               "the first line has no names; expected those of the columns");
+    if (count == 8 && separator == ' ')
+        for (int k = 0; k < 8; k++)
+            n->out->place[tum[k]] = k;
+    else if (count == 12 || count == 16)
+        for (int k = 0; k < (int)count; k++)
+            n->out->place[POSE_MATRIX + k] = k;
+    else
+        return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                               "the first line has %zu fields and no names; expected a line of "
+                               "names, or rows of TUM (time tx ty tz qx qy qz qw between blanks) "
+                               "or of matrices (12 or 16 numbers, row by row)",
+                               count);
+    n->out->form = count > 8 ? POSES_OF_MATRICES : POSES_OF_QUATERNIONS;
+    return GRAZE_OK;
+}
+
+/* Names that are not those of the columns, and those passed over unasked. */
+static void report_names(text *report, const naming *n) {
+    int told = 0;
+    for (int k = 0; k < POSE_COLUMNS; k++) {
+        const char *known = pose_column_name(k, n->given->order);
+        if (n->out->place[k] < 0)
+            continue;
+        field name = field_content(n->first->item[n->out->place[k]]);
+        if (pose_name_is(name, known))
+            continue;
+        text_put(report, told++ ? ", " : "columns: ");
+        text_format(report, "%s is '", known);
+        put_file_name(report, name);
+        text_put(report, "'");
+    }
+    text_put(report, told ? "\n" : "");
+    if (n->passed.length)
+        text_format(report, "passed over: %s\n", n->passed.data);
+}
+
+graze_status pose_columns_fix(pose_columns *out, int *header, text *report, graze_context *context,
+                              const char *source, unsigned long line, const fields *first,
+                              char separator, const pose_naming *given) {
+    naming n = {context, source, line, first, given, out, {0}};
+    for (int k = 0; k < POSE_COLUMNS; k++)
+        out->place[k] = -1;
+    out->count = first->count;
+    *header = !begins_number(field_trimmed(first->item[0]));
+    if (!*header)
+        return fix_by_number(&n, separator);
+    text_init(&n.passed);
+    graze_status status = take_names(&n);
+    if (!status)
+        status = check_names(&n);
+    if (!status)
+        report_names(report, &n);
+    text_clear(&n.passed);
+    return status;
+}

@@ -1,0 +1,188 @@
+/* Rotations of a tool's axis, and of angles.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The least rotation from e = (0, 0, 1) to the direction of a = (i, j, k), |a| = L, turns about
+ * e x a = (-j, i, 0) and has the quaternion (L + k, -j, i, 0). With a number near L in its place
+ * the rotation turns e to a unit vector u near a / L, both in the plane of e and a, so the two
+ * rotations differ by the angle d between u and a. sin d = |u x a| / L, and for d < 90 degrees
+ * d <= (pi / 2) sin d, thus d^2 <= (5/2) |u x a|^2 / L^2, a rational number.
+ */
+#include "input/convert/poses_turned.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include "base/number/rounding.h"
+#include "input/convert/joint.h"
+
+enum { BITS_LEAST = 32 }; /* of angles */
+
+int pose_along(const pose *p) {
+    fmpq_t along;
+    fmpq_init(along);
+    _fmpq_vec_dot(along, p[-1].quaternion, p->quaternion, 4);
+    int sign = fmpq_sgn(along);
+    fmpq_clear(along);
+    return sign;
+}
+
+void pose_negate(pose *p) {
+    for (int k = 0; k < 4; k++)
+        fmpq_neg(p->quaternion + k, p->quaternion + k);
+}
+
+/* The root of a square, or the double nearest to its double. */
+static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t square) {
+    if (fmpz_is_square(fmpq_numref(square)) && fmpz_is_square(fmpq_denref(square))) {
+        fmpz_sqrt(fmpq_numref(out), fmpq_numref(square));
+        fmpz_sqrt(fmpq_denref(out), fmpq_denref(square));
+        return GRAZE_OK;
+    }
+    return rational_from_double(out, context, sqrt(fmpq_get_d(square)));
+}
+
+/* An upper bound of the angle between the rotation of q = (w, -j, i, 0) and the one of the axis:
+ * u = (2 w i, 2 w j, w^2 - i^2 - j^2) / |q|^2. */
+static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t square) {
+    fmpq *u = _fmpq_vec_init(3);
+    fmpq_t norm, cross, sum;
+    fmpq_init(norm);
+    fmpq_init(cross);
+    fmpq_init(sum);
+    _fmpq_vec_dot(norm, a, a, 2);
+    fmpq_mul(u + 2, w, w);
+    fmpq_sub(cross, u + 2, norm);
+    fmpq_add(norm, u + 2, norm);
+    fmpq_set(u + 2, cross);
+    for (int k = 0; k < 2; k++) {
+        fmpq_mul(u + k, w, a + k);
+        fmpq_add(u + k, u + k, u + k);
+    }
+    for (int k = 0; k < 3; k++) {
+        fmpq_mul(cross, u + k, a + (k + 1) % 3);
+        fmpq_submul(cross, u + (k + 1) % 3, a + k);
+        fmpq_addmul(sum, cross, cross);
+    }
+    fmpq_div(sum, sum, norm);
+    fmpq_div(sum, sum, norm);
+    fmpq_div(sum, sum, square);
+    fmpq_set_si(cross, 5, 2);
+    fmpq_mul(sum, sum, cross);
+    root_above(out, sum);
+    _fmpq_vec_dot(cross, u, a, 3);
+    if (fmpq_sgn(cross) <= 0) /* no bound: far from it */
+        mpfr_set_ui(out, 4, MPFR_RNDU);
+    fmpq_clear(sum);
+    fmpq_clear(cross);
+    fmpq_clear(norm);
+    _fmpq_vec_clear(u, 3);
+}
+
+static graze_status refuse_axis(graze_context *context, const pose_list *list, const pose *p,
+                                const char *what) {
+    return context_fail_in(context, GRAZE_EINPUT, list->source, p->line, "the tool's axis is %s",
+                           what);
+}
+
+/* L + k, where k < 0 as (i^2 + j^2) / (L - k), which loses no digits. */
+static graze_status axis_rotation(mpfr_t error, graze_context *context, const pose_list *list,
+                                  pose *p) {
+    fmpq *a = _fmpq_vec_init(3);
+    fmpq_t square, across, w;
+    fmpq_init(square);
+    fmpq_init(across);
+    fmpq_init(w);
+    for (int k = 0; k < 3; k++)
+        fmpq_swap(a + k, p->quaternion + k);
+    _fmpq_vec_dot(square, a, a, 3);
+    _fmpq_vec_dot(across, a, a, 2);
+    graze_status status = GRAZE_OK;
+    if (fmpq_is_zero(square))
+        status = refuse_axis(context, list, p, "zero; expected a direction");
+    else if (fmpq_is_zero(across) && fmpq_sgn(a + 2) < 0)
+        status = refuse_axis(context, list, p,
+                             "opposite to (0, 0, 1), to which no rotation is the least; expected "
+                             "another direction");
+    else
+        status = length_near(w, context, square);
+    if (!status && fmpq_sgn(a + 2) >= 0)
+        fmpq_add(w, w, a + 2);
+    else if (!status) {
+        fmpq_sub(w, w, a + 2);
+        fmpq_div(w, across, w);
+    }
+    if (!status) {
+        axis_error(error, w, a, square);
+        fmpq_set(p->quaternion, w);
+        fmpq_neg(p->quaternion + 1, a + 1);
+        fmpq_set(p->quaternion + 2, a);
+        fmpq_zero(p->quaternion + 3);
+    }
+    fmpq_clear(w);
+    fmpq_clear(across);
+    fmpq_clear(square);
+    _fmpq_vec_clear(a, 3);
+    return status;
+}
+
+/* Bits of an angle of which three are within the tolerance together; 0 asks for the finest. */
+static slong bits_for(const fmpq_t tolerance) {
+    double size = fmpq_get_d(tolerance);
+    int exponent = 0;
+    frexp(size, &exponent);
+    slong bits = size > 0 ? 4 - (slong)exponent : ANGLE_FINEST;
+    return bits < BITS_LEAST ? BITS_LEAST : bits < ANGLE_FINEST ? bits : ANGLE_FINEST;
+}
+
+static graze_status refuse_error(graze_context *context, const pose_list *list, const pose *p,
+                                 const mpfr_t error) {
+    char digits[64];
+    mpfr_snprintf(digits, sizeof digits, "%.2RUe", error);
+    return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
+                           "the rotation is up to %s radians off the one asked for; expected a "
+                           "larger tolerance",
+                           digits);
+}
+
+static void report_turned(text *t, const pose_list *list, const angle_order *order,
+                          const mpfr_t worst) {
+    if (list->form == POSES_OF_AXES)
+        text_put(t, "axes: each rotation is the least one from (0, 0, 1) to the tool's axis");
+    else
+        text_format(t,
+                    "angles: in degrees, %s: first %s about %c, then %s about %c, then %s about "
+                    "%c, axes standing",
+                    order->machine, order->name[2], "xyz"[order->axis[2]], order -> name[1],
+                    "xyz"[order->axis[1]], order -> name[0], "xyz"[order->axis[0]]);
+    put_fact(t, ", off by", worst, "radians");
+}
+
+graze_status poses_turn(text *report, graze_context *context, pose_list *list,
+                        const angle_order *order, const fmpq_t tolerance) {
+    graze_status status = GRAZE_OK;
+    slong bits = bits_for(tolerance);
+    mpfr_t error, worst;
+    mpq_t most;
+    mpfr_inits2(ANGLE_BITS, error, worst, (mpfr_ptr)0);
+    mpq_init(most);
+    fmpq_get_mpq(most, tolerance);
+    mpfr_set_zero(worst, 1);
+    for (size_t i = 0; i < list->count && !status; i++) {
+        pose *p = list->item + i;
+        if (list->form == POSES_OF_AXES)
+            status = axis_rotation(error, context, list, p);
+        else
+            angles_rotation(p->quaternion, error, order, p->quaternion, bits);
+        if (!status && mpfr_cmp_q(error, most) > 0)
+            status = refuse_error(context, list, p, error);
+        if (!status && i && pose_along(p) < 0)
+            pose_negate(p);
+        mpfr_max(worst, worst, error, MPFR_RNDU);
+        if (!status && i % 256 == 0)
+            status = context_poll(context);
+    }
+    if (!status)
+        report_turned(report, list, order, worst);
+    mpq_clear(most);
+    mpfr_clears(error, worst, (mpfr_ptr)0);
+    return status;
+}
