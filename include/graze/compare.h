@@ -56,6 +56,10 @@ typedef struct graze_compare_options {
     const char *motion_error;  /**< a positive number: enclosures are widened by it; rows whose sign
                                     is not certain then are undecided (proofs/distance.md C73). Only
                                     pmc and sdf are compared. NULL: none */
+    const graze_scene *scene;  /**< of the golden table: the signed distances of at most 1000 wrong
+                                    rows and of those kept are enclosed in it, to 1e-10 of the
+                                    diagonal. NULL: a table with sdf_low and sdf_high alone has
+                                    them */
 } graze_compare_options;
 
 /** Counts of rows: rows = agree + wrong + undecided + missing; `extra` rows are in the candidate

@@ -43,6 +43,20 @@ class Values(unittest.TestCase):
         outside = self.compare(sdf_tolerance="1/9", truth="outside").report
         self.assertEqual((outside["wrong"], outside["errors-of-sdf"]["values"]), (2, 2))
 
+    def test_depth(self):
+        """Without enclosures in the table they are made in its scene: y = 1 and y = 3 above [0, 9] x [0, 1], both wrong."""
+        with open(self.golden, "w", encoding="utf-8") as f:
+            f.write("x,y,pmc\n4,3,out\n4,1,on\n# complete 2\n")
+        with open(self.mine, "w", encoding="utf-8") as f:
+            f.write("x,y,pmc\n4,3,in\n4,1,in\n")
+        self.assertNotIn("depth-of-wrong-rows", graze.compare(self.golden, self.mine).report)
+        scene = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
+        depth = graze.compare(self.golden, self.mine, scene=scene).report["depth-of-wrong-rows"]
+        self.assertEqual((depth["on"]["largest"], depth["out"]["rows"]), ("0", 1))
+        self.assertTrue(F(2) <= F(depth["out"]["largest"]) < F(2001, 1000))
+        with self.assertRaisesRegex(TypeError, "scene is a int; expected a Scene"):
+            graze.compare(self.golden, self.mine, scene=5)
+
     def test_motion_error(self):
         """|s| > 1/2 in two rows; widened by 1/2 all values are within."""
         report = self.compare(motion_error=0.5).report

@@ -31,7 +31,7 @@ WINGS = {
     "input": ["delimited motion soup", "validate", "read", "solid", "convert mend"],
     "decide": ["filter", "scene", "trace", "verdict", "lattice"],
     "questions": ["topo", "contact distance", "envelope generate certify", "boundary"],
-    "output": ["table", "report compare", "draw", "page png"],
+    "output": ["table", "report", "compare", "draw", "page png"],
     "api": ["api"],
     "program": ["run", "cli", "mpi"],
 }

@@ -137,10 +137,20 @@ static graze_status count_groups(graze_comparison *c, const run *r, const table_
     return status;
 }
 
-/* Count a golden row: missing, wrong, undecided or agreeing. */
+/* Take the distance of a wrong row, or have it wait. */
+static graze_status note_depth(graze_comparison *c, const run *r, const table_row *golden,
+                               int pmc) {
+    if (c->enclosed)
+        return depth_take(&c->depth, &r->golden, golden, pmc);
+    if (c->options.scene && !depth_wait(&c->depth, row_text(c, &r->golden, golden, 0), pmc))
+        return comparison_no_memory(r->context);
+    return GRAZE_OK;
+}
+
+/* Count a golden row: missing, wrong, undecided or agreeing. `right` is its pmc. */
 static graze_status count_row(graze_comparison *c, const run *r, const table_row *golden,
                               const table_row *candidate, const judgement *j,
-                              const valuation *value) {
+                              const valuation *value, int right) {
     char what = !candidate ? 'm' : j->any_wrong ? 'w' : j->undecided ? 'u' : 'a';
     c->rows++;
     c->missing += what == 'm';
@@ -152,6 +162,8 @@ static graze_status count_row(graze_comparison *c, const run *r, const table_row
     for (int k = 0; candidate && k < CONVENTIONS; k++)
         c->wrong_as[k] += (unsigned long)j->wrong_as[k];
     graze_status status = count_groups(c, r, golden, what, value);
+    if (!status && what == 'w' && !c->contacts)
+        status = note_depth(c, r, golden, right);
     return status || what == 'a' || what == 'u' ? status : show(c, r, golden, candidate);
 }
 
@@ -162,7 +174,7 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
     graze_status status = sites_judge(j.wrong, c, &r->golden, golden, &r->candidate, candidate);
     for (int k = 0; k < JUDGED_COUNT; k++)
         j.any_wrong |= j.wrong[k];
-    return status ? status : count_row(c, r, golden, candidate, &j, &none);
+    return status ? status : count_row(c, r, golden, candidate, &j, &none, PMC_ON);
 }
 
 static graze_status count_pair(graze_comparison *c, run *r, const table_row *golden,
@@ -192,7 +204,7 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
         c->confusion.pmc[j.truth][candidate ? given.pmc : 3]++;
     if (c->judged[JUDGED_CLASS])
         c->confusion.class_[right.class_][candidate ? given.class_ : 5]++;
-    return count_row(c, r, golden, candidate, &j, &value);
+    return count_row(c, r, golden, candidate, &j, &value, right.pmc);
 }
 
 static graze_status count_all(graze_comparison *c, run *r) {
@@ -268,6 +280,37 @@ static graze_status compare_by(graze_comparison *out, graze_context *context, co
     return status;
 }
 
+/* Put the enclosure of its point behind the golden answers of a disagreement. */
+static graze_status show_depth(disagreement *d, graze_context *context, const graze_scene *scene) {
+    depth_bounds found;
+    text all;
+    graze_status status = depth_enclose(&found, context, scene, d->point);
+    if (status)
+        return status;
+    text_init(&all);
+    text_format(&all, "%s sdf_low=%s sdf_high=%s", d->golden, found.low, found.high);
+    free(d->golden);
+    d->golden = NULL;
+    return text_finish(&d->golden, context, &all);
+}
+
+/* Measure the wrong rows in the scene; a limit that distances meet leaves them unmeasured. */
+static graze_status measure_wrong(graze_comparison *c, graze_context *context) {
+    const graze_scene *scene = c->options.scene;
+    graze_status status = GRAZE_OK;
+    if (!scene || c->enclosed || c->contacts)
+        return GRAZE_OK;
+    for (size_t k = 0; k < c->shown && k < MOST_MEASURED && !status; k++)
+        if (c->disagreements[k].golden && c->disagreements[k].candidate)
+            status = show_depth(&c->disagreements[k], context, scene);
+    if (!status)
+        status = depth_measure(&c->depth, context, scene);
+    if (status != GRAZE_ELIMIT)
+        return status;
+    c->depth.unmeasured = strdup(graze_context_message(context));
+    return c->depth.unmeasured ? GRAZE_OK : comparison_no_memory(context);
+}
+
 graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
                              const char *candidate, const graze_compare_options *options) {
     match_way way = MATCH_STREAMED;
@@ -277,7 +320,7 @@ graze_status comparison_make(graze_comparison *out, graze_context *context, cons
         memset(out, 0, sizeof *out);
         status = compare_by(out, context, golden, candidate, options, &way);
     }
-    return status;
+    return status ? status : measure_wrong(out, context);
 }
 
 void comparison_clear(graze_comparison *c) {
@@ -291,6 +334,7 @@ void comparison_clear(graze_comparison *c) {
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_clear(&c->tallies[g]);
     errors_clear(&c->values);
+    depth_clear(&c->depth);
     fmpq_clear(c->tolerance);
     fmpq_clear(c->eta);
     free(c->disagreements);

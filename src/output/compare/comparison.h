@@ -6,6 +6,7 @@
 
 #include "base/number/text.h"
 #include "graze/compare.h"
+#include "output/compare/depth.h"
 #include "output/compare/match.h"
 #include "output/compare/tally.h"
 
@@ -99,6 +100,7 @@ struct graze_comparison {
     unsigned long undecided_answers[3];   /* the candidate's, for such rows */
     unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
     errors values;
+    depths depth; /* of wrong rows */
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
     tally tallies[GROUPING_COUNT];

@@ -3,6 +3,13 @@
 
 #include "output/compare/judgement.h"
 
+static const struct quantile {
+    const char *name;
+    unsigned long per_mille;
+} quantiles[] = {{"50", 500}, {"90", 900}, {"99", 990}};
+
+enum { QUANTILES = sizeof quantiles / sizeof *quantiles };
+
 static const char *const conventions[CONVENTIONS] = {"on", "any", "in", "out"};
 
 void put_share(text *out, unsigned long part, unsigned long whole) {
@@ -53,6 +60,63 @@ void put_conventions(text *out, const graze_comparison *c) {
     text_put(out, "\n");
 }
 
+static unsigned long depths_taken(const graze_comparison *c) {
+    const errors *by = c->depth.by;
+    return by[PMC_IN].rows + by[PMC_ON].rows + by[PMC_OUT].rows;
+}
+
+void put_depths(text *out, const graze_comparison *c) {
+    char number[CEILING_ROOM];
+    if (c->depth.unmeasured)
+        text_format(out, "\nDepth of the wrong rows: not measured, %s\n", c->depth.unmeasured);
+    if (!depths_taken(c) || c->depth.unmeasured)
+        return;
+    text_format(
+        out,
+        "\nDepth of the wrong rows: upper bounds of |s|, s the signed distance to the exact "
+        "set, of %lu of %lu of them, by the golden answer:\n\n| golden pmc | rows |",
+        depths_taken(c), c->depth.wrong);
+    for (int k = 0; k < QUANTILES; k++)
+        text_format(out, " %s %% |", quantiles[k].name);
+    text_put(out, " largest |\n|---|");
+    for (int k = 0; k < QUANTILES + 2; k++)
+        text_put(out, "--:|");
+    for (int pmc = 0; pmc < 3; pmc++) {
+        const errors *e = &c->depth.by[pmc];
+        if (!e->rows)
+            continue;
+        text_format(out, "\n| %s | %lu |", pmc_words[pmc], e->rows);
+        for (int k = 0; k <= QUANTILES; k++) {
+            ceiling_text(number,
+                         k < QUANTILES ? errors_quantile(e, quantiles[k].per_mille) : e->largest);
+            text_format(out, " %s |", number);
+        }
+    }
+    text_put(out, "\n");
+}
+
+static void put_json_depths(json_writer *w, const graze_comparison *c) {
+    char number[CEILING_ROOM];
+    json_open(w, "depth-of-wrong-rows", '{');
+    json_count(w, "wrong", c->depth.wrong);
+    json_count(w, "measured", depths_taken(c));
+    for (int pmc = 0; pmc < 3; pmc++) {
+        const errors *e = &c->depth.by[pmc];
+        json_open(w, pmc_words[pmc], '{');
+        json_count(w, "rows", e->rows);
+        json_open(w, "quantiles", '{');
+        for (int k = 0; k < QUANTILES; k++) {
+            ceiling_text(number, errors_quantile(e, quantiles[k].per_mille));
+            json_text(w, quantiles[k].name, number);
+        }
+        json_close(w, '}');
+        ceiling_text(number, e->largest);
+        json_text(w, "largest", number);
+        json_close(w, '}');
+    }
+    json_close(w, '}');
+}
+
 void put_json_rows(json_writer *w, const graze_comparison *c) {
     char largest[CEILING_ROOM];
     if (!c->contacts)
@@ -62,6 +126,8 @@ void put_json_rows(json_writer *w, const graze_comparison *c) {
         json_count(w, "rows-with-other-coordinates", c->drifted);
         json_text(w, "largest-difference", largest);
     }
+    if (depths_taken(c))
+        put_json_depths(w, c);
     if (!comparison_has_no_on(c))
         return;
     json_open(w, "wrong-by-convention", '{');

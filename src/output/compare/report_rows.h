@@ -1,4 +1,4 @@
-/* Rows in reports: how they were matched, shares, and what each convention for `on` makes of them.
+/* Rows in reports: how they were matched, shares, conventions for `on`, and how deep errors are.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COMPARE_REPORT_ROWS_H
@@ -20,6 +20,10 @@ void put_wrong_rows(text *out, const graze_comparison *c);
 
 /** A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
 void put_conventions(text *out, const graze_comparison *c);
+
+/** A table of the sizes of the wrong rows' signed distances, by the golden answer; nothing where
+ * none was taken. */
+void put_depths(text *out, const graze_comparison *c);
 
 /** The same as members of an object. */
 void put_json_rows(json_writer *w, const graze_comparison *c);

@@ -191,6 +191,7 @@ graze_status comparison_text(char **out, graze_context *context, const graze_com
     for (int g = 0; g < GROUPING_COUNT; g++)
         put_tally(&bytes, (grouping)g, &c->tallies[g]);
     put_values_by(&bytes, c);
+    put_depths(&bytes, c);
     put_disagreements(&bytes, c);
     return text_finish(out, context, &bytes);
 }

@@ -184,7 +184,7 @@ class CCompareOptions(ctypes.Structure):
     _fields_ = [("question", c_int), ("on_as", c_int), ("has", c_int), ("show", c_size_t),
                 ("solid", c_char_p), ("motion", c_char_p), ("size", c_size_t),
                 ("transient", c_int), ("truth", c_int), ("sdf_tolerance", c_char_p),
-                ("motion_error", c_char_p)]
+                ("motion_error", c_char_p), ("scene", c_void_p)]
 
 
 # Handles, rationals and arrays are passed as addresses; _OUT is for a handle or text given out.

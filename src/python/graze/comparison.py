@@ -14,6 +14,7 @@ from typing import Any, Dict, Mapping, NamedTuple
 from ._context import Context, choice, settings
 from ._library import CCompareOptions, Handle, library, take_text
 from .errors import InputError
+from .scene import Scene
 
 _TEXT, _JSON = 0, 1
 
@@ -57,7 +58,7 @@ def _number(name: str, value: Any) -> "bytes | None":
 def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str = "on",
             candidate_has: str = "columns", truth: str = "pseudo", sdf_tolerance: Any = None,
             motion_error: Any = None, show: int = 10, solid: Any = None, motion: Any = None,
-            round: str = "none", limits: "Mapping[str, int] | None" = None) -> Comparison:
+            scene: "Scene | None" = None, round: str = "none", limits: "Mapping[str, int] | None" = None) -> Comparison:
     """Compare a candidate's table with a golden one, row by row.
 
     Two tables of `graze contact` are compared too: rows of one time and one point belong together,
@@ -74,10 +75,14 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
         motion_error: a number: rows whose answer a motion within it may change are undecided.
         show: how many disagreements are kept.
         solid, motion: names of files for the commands that explain them.
+        scene: a Scene, that of golden: how deep the wrong rows are is measured in it
+            (`report["depth-of-wrong-rows"]`).
         round: `none`, `binary64` or `binary32`: round points and times of both tables first.
     Raises:
         MachineError, InputError, LimitError: a table cannot be read or compared.
     """
+    if scene is not None and not isinstance(scene, Scene):
+        raise TypeError(f"scene is a {type(scene).__name__}; expected a Scene")
     names = [os.fsencode(name) if name is not None else None for name in (solid, motion)]
     options = CCompareOptions(choice("question", question, ("open", "closed")),
                               choice("on_as", on_as, ("on", "any", "in", "out")),
@@ -85,7 +90,8 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
                               show, names[0], names[1], ctypes.sizeof(CCompareOptions), 0,
                               choice("truth", truth, ("pseudo", "outside")),
                               _number("sdf_tolerance", sdf_tolerance),
-                              _number("motion_error", motion_error))
+                              _number("motion_error", motion_error),
+                              scene._handle.pointer if scene is not None else None)
     context, made = Context(settings(round, limits, True)), ctypes.c_void_p()
     context.run(library().graze_compare, ctypes.byref(made), context.pointer, os.fsencode(golden),
                 os.fsencode(candidate), ctypes.byref(options))
