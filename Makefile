@@ -191,7 +191,7 @@ $B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/decide/filter/%,$(L
 $B/tests/memory/fail.o: ALL_CFLAGS += -DWRAPPED -fexceptions
 $B/tests/graze-memory: $(CLI_O) $B/tests/memory/fail.o $B/libgraze.a
 	@$(call say,LINK,$@)
-	$Q$(CXX) $(OPT) $(LDFLAGS) $(addprefix -Wl$(comma)--wrap=,malloc calloc realloc _Znwm _Znam) -o $@ $^ $(LIBS)
+	$Q$(CXX) $(OPT) $(LDFLAGS) $(addprefix -Wl$(comma)--wrap=,malloc calloc realloc _exit _Znwm _Znam) -o $@ $^ $(LIBS)
 # The peers as their users build them: optimised, without assertions.
 $B/tests/bench/peers: tests/bench/peers.cpp | $B/.packages-build
 	@mkdir -p $(@D)

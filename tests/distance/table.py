@@ -312,6 +312,17 @@ def check_refused(checks, graze, points, scene):
     checks.holds("lies in [0, 0]" in out.stdout and "met at t = 3/8" in out.stdout, out.stdout)
 
 
+def check_relative(checks, graze, points):
+    """1/1000 of the diagonal of the cube [0, 2]^3, whose square is 12, wherever the cube begins and however it lies."""
+    for shift in ("0", "1000", "-1000"):
+        for turn in ([[-1, 0, 0], [0, 1, 0], [0, 0, -1]], [[0, 1, 0], [1, 0, 0], [0, 0, -1]]):
+            text = motion({"matrix": [[*row, f"{shift}+8*t"] for row in turn]})
+            out = graze.call("classify", CUBE, graze.write("far.json", text), points, "--quiet", "--sdf", "0.001r")
+            width = [F(line.split()[2]) for line in out.stdout.splitlines() if line.startswith("# sdf ")]
+            checks.equal(len(width), 1, shift, out.stderr)
+            checks.holds(all(F(12) * (1 - F(1, 2 ** 40)) <= w * w * 10 ** 6 <= 12 for w in width), "relative", shift, turn, width)
+
+
 def check_minute(checks, graze):
     """[0, 2u]^2 slides by 8u, u = 2^-400, whose square is below the floor of the bounds: they are true, and the search ends
     where they do, not at its limit, which took a second a row."""
@@ -346,6 +357,7 @@ def main():
     check_heads(checks, graze, points, scene)
     check_certain(checks, graze, points, scene)
     check_grid(checks, graze, scene)
+    check_relative(checks, graze, points)
     check_minute(checks, graze)
     check_samples(checks, graze, "screw", SCREW, screw, "1e-7")
     check_samples(checks, graze, "shear", SHEAR, shear, "1e-7")

@@ -46,12 +46,12 @@ class Bench:
 
     def __init__(self, args, folder):
         self.graze = args.graze
-        if args.sanitizers:
+        if args.sanitizers or args.counted:
             self.graze = os.path.join(os.path.dirname(self.graze), "tests", "graze-memory")
         self.folder = pathlib.Path(folder)
         self.scale = args.scale
         self.part = 7 if args.sanitizers else 1  # of the ways, one of so many is tried
-        self.library = None if args.sanitizers else build(folder)
+        self.library = None if args.sanitizers or args.counted else build(folder)
 
     def environment(self, scene, **more):
         known = self.folder / "known-leaks"  # CGAL forgets a block where the list of blocks cannot grow
@@ -186,7 +186,8 @@ def test(bench, scene, ways, runs):
 
 
 def main():
-    args = options(__doc__, ("names", {"nargs": "*", "help": "scenes; all if none is named"}))
+    args = options(__doc__, ("names", {"nargs": "*", "help": "scenes; all if none is named"}),
+                   ("--counted", {"action": "store_true", "help": "the build counts coverage"}))
     checks = Checks()
     met = set()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:

@@ -24,6 +24,7 @@ import sources
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "mutation"))
 
 import changes  # noqa: E402
+import rooms  # noqa: E402
 
 # Wings from the bottom to the top, and in each its rooms, floor by floor; those of one floor know nothing of one another.
 WINGS = {
@@ -243,10 +244,12 @@ def check_public(files):
 
 
 def check_mutants():
-    known = changes.known_equivalents("tests/mutants.txt")
-    made = {m.key() for path in {key[0] for key in known} for m in changes.mutants(path)}
+    known = changes.record()
+    strangers = changes.strangers(known)
     for key in sorted(known):
-        check(key in made, f"tests/mutants.txt explains {key}, which is no mutant")
+        check(key not in strangers, f"{changes.RECORD} explains {key}, which is no mutant")
+    for room in rooms.ROOMS:
+        check(rooms.files(room), f"tests/mutation/rooms.py: {room} has no sources")
 
 
 def main():
