@@ -57,6 +57,11 @@ MATRICES = ("m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n1,0,0,0,0,1,0,0,0,
 GOLDEN_SITES = ("time,bx,by,x,y,role,trimmed,near\n1/3,1,0,2,0,contact,no,\nroot(-1 0 2;0;1),1,0,3,0,egress,yes,2/3\n"
                 "1/2,0,1,4,1,hidden,yes,1/3\n# complete 3\n")
 ANSWERED_SITES = "by,bx,time,role,near\n1,0,1/2,contact,1/3\n0,1,root(-1 0 2;0;1),egress,2/3\n5,5,0,hidden,\n"
+NUMBERS = "libflint:libgmp"  # without them a program ends at once, as the other scenes show
+SNAPPED = ("time,bx,by,cell\n" + "".join(f"1/2,{x},1,edge {k}-{k + 1}\n" for k, x in enumerate((1, 4, 5, 3)))).encode()
+# Scenes of ../examples with a point that each level of a position decides.
+WAYS = [("q2.wkt", "seam"), ("dd.wkt", "bent_diagonal"), ("dd.wkt", "pinch_sqrt2"), ("tt.wkt", "apex_28"), ("tt.wkt", "apex_30"),
+        ("crossed_roofs.off", "roofs_51"), ("crossed_roofs.off", "roofs_52"), ("tt_prism.off", "apex_28_3"), ("tt_prism.off", "apex_29_3")]
 ANSWERS = "id,x,y,pmc,class\na,3,1,in,regular\nb,9,2,out,exterior\nc,7,4,out,exterior\nd,-1,0,in,fold\n"
 
 
@@ -69,7 +74,7 @@ class Scene:
     files: dict = dataclasses.field(default_factory=dict)
     tables: tuple = ()
     opened: tuple = ()  # made before their content is, and then empty
-    spared: str = ""  # a library whose allocations do not fail
+    spared: str = ""  # libraries whose allocations do not fail
 
     folders = []
 
@@ -128,6 +133,12 @@ def make(graze, folder):
                 tables=("table",))
     yield Scene("classify-pmc", ["classify", *one, "--columns", "pmc", cube, turn, three, "--output", "table"],
                 tables=("table",))
+    for body, way in WAYS:
+        solid, motion = ROOT / "tests/examples/solids" / body, ROOT / "tests/examples/motions" / f"{way}.json"
+        yield Scene(f"topo-{way}", ["classify", *one, "--topo", "--format", "jsonl", str(solid), str(motion), "at.csv"],
+                    spared=NUMBERS, files={"at.csv": b"0,0,0\n" if body.endswith("off") else b"4,1\n" if way == "seam" else b"0,0\n"})
+    yield Scene("classify-sdf", ["classify", *one, "--sdf", "1e-2r", u, roll, two], spared=NUMBERS)
+    yield Scene("classify-sdf-3", ["classify", *one, "--sdf", "1e-2r", cube, turn, three], spared=NUMBERS)
     yield Scene("classify-decimal", ["classify", *one, "--coordinates", "decimal", "--digits", "3", u, roll, two])
     yield Scene("classify-npy-points", ["classify", *one, "--coordinates", "decimal", u, roll, "points"],
                 files={"points": ARRAY})
@@ -141,6 +152,7 @@ def make(graze, folder):
                 tables=("table",))
     yield Scene("contact", ["contact", *one, u, roll, at["sites2.csv"], "--output", "table"], tables=("table",))
     yield Scene("contact-jsonl", ["contact", *one, "--format", "jsonl", cube, turn, at["sites3.csv"]])
+    yield Scene("contact-snap", ["contact", *one, "--snap", u, roll, "sites"], spared=NUMBERS, files={"sites": SNAPPED})
     yield Scene("envelope", ["envelope", u, roll, "--events", "e.csv", "--patches", "p.csv", "--joints", "j.csv", "--at", "1/3",
                              "--curve", "c.csv"], tables=("e.csv", "p.csv", "j.csv", "c.csv"))
     yield Scene("envelope-3", ["envelope", cube, turn, "--patches", "p.csv", "--joints", "j.csv", "-n", "3", "--points", "n.csv"],
@@ -155,6 +167,7 @@ def make(graze, folder):
     yield Scene("merge-certificates", ["merge", "2.txt", "0.txt", "1.txt", "--output", "made"], files=certificates, tables=("made",))
     yield Scene("explain", ["explain", cube, turn, "5", "1", "2"])
     yield Scene("explain-2", ["explain", u, roll, "9", "2"])
+    yield Scene("explain-svg", ["explain", u, roll, "0", "0", "--svg", "made.svg"], spared=NUMBERS)
     yield Scene("generate", ["generate", cube, turn, "-n", "14", "--seed", "5", "--output", "points"],
                 tables=("points",))
     yield Scene("generate-2", ["generate", u, roll, "-n", "14", "--seed", "5", "--representable", "binary64"])
@@ -166,6 +179,7 @@ def make(graze, folder):
     yield Scene("draw-svg", ["draw", u, roll, two, "--grid", "6", "-p", "9,2", "-p", "1,1", "-o", "made.svg"])
     yield Scene("draw-png", ["draw", u, roll, "--grid", "6", "-p", "9,2", "-o", "made.png"],
                 spared="libcairo:libpixman:libfontconfig:ld-linux")
+    yield Scene("draw-distance", ["draw", u, roll, "--grid", "6", "--by", "distance", "-o", "made.svg"], spared=NUMBERS)
     yield Scene("draw-page", ["draw", u, roll, "-p", "9,2", "--surface", "1", "-o", "made.html"])
     yield Scene("draw-page-3", ["draw", cube, turn, "-p", "5,1,2", "--surface", "none", "-o", "made.html"])
     yield Scene("draw-3", ["draw", cube, turn, "--grid", "6", "-p", "5,1,2", "-o", "made.svg"])

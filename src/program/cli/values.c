@@ -49,23 +49,33 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
     return complain(EXIT_USAGE, "--%s %s: expected %s", name, value, list);
 }
 
+/* The number of a value; -1 if it is none. */
+static int read_number(mpq_t out, const char *value, size_t length) {
+    graze_context *context = NULL;
+    graze_status status = graze_context_create(&context);
+    if (!status)
+        status = graze_number_parse(out, context, value, length);
+    graze_context_destroy(context);
+    if (status == GRAZE_ESYSTEM)
+        return complain(EXIT_IO, "out of memory");
+    if (status)
+        mpq_set_si(out, -1, 1);
+    return EXIT_DONE;
+}
+
 int value_sdf(void *to, const char *name, const char *value) {
     graze_options *out = to;
-    graze_context *context = NULL;
     size_t length = strlen(value);
     mpq_t width;
     mpq_init(width);
     out->sdf = 0;
     out->sdf_relative = length > 0 && value[length - 1] == 'r';
-    graze_status status = graze_context_create(&context);
-    if (!status)
-        status = graze_number_parse(width, context, value, length - (size_t)out->sdf_relative);
-    if (!status && mpq_sgn(width) > 0)
+    int status = read_number(width, value, length - (size_t)out->sdf_relative);
+    if (mpq_sgn(width) > 0)
         out->sdf = mpq_get_d(width); /* rounds towards 0 */
     mpq_clear(width);
-    graze_context_destroy(context);
-    if (out->sdf > 0 && out->sdf <= DBL_MAX)
-        return EXIT_DONE;
+    if (status || (out->sdf > 0 && out->sdf <= DBL_MAX))
+        return status;
     return complain(EXIT_USAGE,
                     "--%s %s: expected a positive number in the range of doubles, such as 0.001, "
                     "or 1e-6r for 1e-6 of the diagonal of S^0's box",
@@ -74,14 +84,11 @@ int value_sdf(void *to, const char *name, const char *value) {
 
 int value_motion_error(void *to, const char *name, const char *value) {
     graze_options *out = to;
-    graze_context *context = NULL;
     mpq_t exact, near;
     mpq_inits(exact, near, NULL);
     out->motion_error = 0;
-    graze_status status = graze_context_create(&context);
-    if (!status)
-        status = graze_number_parse(exact, context, value, strlen(value));
-    if (!status && mpq_sgn(exact) > 0) {
+    int status = read_number(exact, value, strlen(value));
+    if (mpq_sgn(exact) > 0) {
         out->motion_error = mpq_get_d(exact); /* rounds towards 0 */
         if (out->motion_error <= DBL_MAX) {
             mpq_set_d(near, out->motion_error);
@@ -90,27 +97,21 @@ int value_motion_error(void *to, const char *name, const char *value) {
         }
     }
     mpq_clears(exact, near, NULL);
-    graze_context_destroy(context);
-    if (out->motion_error > 0 && out->motion_error <= DBL_MAX)
-        return EXIT_DONE;
+    if (status || (out->motion_error > 0 && out->motion_error <= DBL_MAX))
+        return status;
     return complain(EXIT_USAGE, "--%s %s: expected a positive number in the range of doubles", name,
                     value);
 }
 
 /* A number of at least a sign, kept as its text. */
 static int number_of_sign(void *to, const char *name, const char *value, int least) {
-    graze_context *context = NULL;
     mpq_t number;
     mpq_init(number);
-    graze_status status = graze_context_create(&context);
-    if (!status)
-        status = graze_number_parse(number, context, value, strlen(value));
-    int fits = !status && mpq_sgn(number) >= least;
+    int status = read_number(number, value, strlen(value)), fits = mpq_sgn(number) >= least;
     mpq_clear(number);
-    graze_context_destroy(context);
     *(const char **)to = value;
-    if (fits)
-        return EXIT_DONE;
+    if (status || fits)
+        return status;
     return complain(EXIT_USAGE, "--%s %s: expected a number %s, such as 0.001 or 1e-6", name, value,
                     least ? "above 0" : "from 0 up");
 }

@@ -111,31 +111,30 @@ static char *make_head_notes(const outputs *out, const row_source *source, const
 }
 
 /* The head of a table with these further columns, or NULL. */
-static graze_status make_header_of(char **text, const outputs *out, const char *notes,
-                                   const char *others) {
+static int make_header_of(char **text, const outputs *out, const char *notes, const char *others) {
     const struct site_choice *sites = &out->o->sites;
     graze_context *context = out->l->context;
     if (!sites->wanted)
-        return graze_report_header(text, context, out->l->scene, notes, others);
+        return complain_of(graze_report_header(text, context, out->l->scene, notes, others),
+                           context);
     if (!sites->snap)
-        return graze_site_header(text, context, out->l->scene, notes, others);
+        return complain_of(graze_site_header(text, context, out->l->scene, notes, others), context);
     char *all = malloc(others ? strlen(others) + sizeof "shift," : sizeof "shift,");
     if (!all)
-        return GRAZE_ESYSTEM;
+        return complain(EXIT_IO, "out of memory");
     strcpy(all, others ? "shift," : "shift");
     if (others)
         strcat(all, others);
     graze_status status = graze_site_header(text, context, out->l->scene, notes, all);
     free(all);
-    return status;
+    return complain_of(status, context);
 }
 
 /* The head of a table, with the further columns under names that are free. */
 static int make_head(char **text, const outputs *out, const row_source *source, const char *notes) {
-    graze_context *context = out->l->context;
-    graze_status made = make_header_of(text, out, notes, NULL);
+    int made = make_header_of(text, out, notes, NULL);
     if (made || !source->columns || !source->columns->others)
-        return complain_of(made, context);
+        return made;
     size_t length = strlen(*text) - 1;
     const char *end = *text + length, *start = end;
     while (start > *text && start[-1] != '\n')
@@ -147,7 +146,7 @@ static int make_head(char **text, const outputs *out, const row_source *source, 
         return complain(EXIT_IO, "out of memory");
     made = make_header_of(text, out, notes, others);
     free(others);
-    return complain_of(made, context);
+    return made;
 }
 
 static int begin_table(outputs *out, const row_source *source, const char *shard) {
