@@ -28,7 +28,7 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutation"))
 
 import changes  # noqa: E402
-from rooms import ROOMS, files  # noqa: E402
+from rooms import BOUNDARIES, ROOMS, files  # noqa: E402
 
 WANTED = 95         # of 100 mutants must be noticed
 RUN_SECONDS = 10    # of processor time, for one run of the program under a suite
@@ -83,7 +83,9 @@ class Parts:
         self.build, self.folder = os.path.abspath(build), folder
         self.archive = os.path.join(folder, "libgraze.a")
         subprocess.run(["strip", "-g", "-o", self.archive, f"{build}/libgraze.a"], check=True)
-        self.program = [f"{build}/{path[:-2]}.o" for path in glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c")]
+        self.program = os.path.join(folder, "program.o")
+        subprocess.run(["ld", "-r", "-S", "-o", self.program, *(
+            f"{build}/{path[:-2]}.o" for path in glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c"))], check=True)
         self.sound = set()  # those asked that are green without any mutant
         self.known = changes.record()
         with open("tests/README.md", encoding="utf-8") as file:
@@ -142,7 +144,7 @@ class Worker:
                        *(["--sanitizers"] if safe else [])], self.parts.seconds[name])
 
     def link_program(self, *more):
-        self.link(self.graze, self.parts.program, *more)
+        self.link(self.graze, [self.parts.program], *more)
 
     def check_sound(self, asker, path):
         """A suite that is red without any mutant, too, ends the run."""
@@ -180,7 +182,9 @@ def drawn(options, known):
     decks = []
     for room in ROOMS:
         if re.search(options.only, room):
-            deck = [m for path in files(room) if re.search(options.file, path) for m in changes.mutants(path) if not m.is_in(known)]
+            moved = options.boundaries or room in BOUNDARIES
+            deck = [m for path in files(room) if re.search(options.file, path) for m in changes.mutants(path)
+                    if (moved or not m.is_moved) and not m.is_in(known)]
             random.Random(f"{options.seed} {room}").shuffle(deck)
             decks.append([(room, m) for m in deck])
     return [pair for turn in itertools.zip_longest(*decks) for pair in turn if pair]
@@ -220,6 +224,7 @@ def main():
     parser.add_argument("--minutes", type=float, default=600, help="after which none is asked any more")
     parser.add_argument("--only", default="", help="rooms that meet this pattern")
     parser.add_argument("--file", default="", help="files that meet this pattern")
+    parser.add_argument("--boundaries", action="store_true", help="move the boundaries of orders in every room")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutants at a time")
     parser.add_argument("--verbose", action="store_true", help="print the fate of each mutant")
     options = parser.parse_args()

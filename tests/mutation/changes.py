@@ -16,14 +16,15 @@ TOKEN = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])*'|^
                    r"fmpz_sgn\(|fmpq_sgn\(|fmp[zq]_(?:poly_)?neg\(|"
                    r"(?<= )(?:<=|>=|==|!=|&&|\|\||<|>|\+|-)(?=\s)|(?<=[ (])-1(?![0-9a-zA-Z.])", re.S | re.M)
 FUNCTION = re.compile(r"^( *)(?!(?:if|for|while|switch|else|do|return)\b)\w[^;{}()#]*?(\w+)\([^;{}]*\)[^;{}()]*\{$", re.M)
-# What gives memory back decides nothing: leaks are the sanitizers' matter.
+# What gives memory back decides nothing, nor does one turn more of a loop: leaks and overruns are the sanitizers' matter.
 GIVES_BACK = re.compile(r"\w*(?:clear|free)\(")
 
 
 class Mutant:
-    """One change: the file, the function, the changed line, and the whole changed source."""
+    """One change: the file, the function, the changed line, and the whole changed source. `is_moved`: an order's boundary."""
 
     def __init__(self, path, text, function, match, new):
+        self.is_moved = new in (match.group() + "=", match.group()[:-1])
         start, end = text.rfind("\n", 0, match.start()) + 1, text.find("\n", match.end())
         self.path, self.function, self.line = path, function, text.count("\n", 0, start) + 1
         self.changed = (text[start:match.start()] + new + text[match.end():end]).strip()
@@ -53,8 +54,9 @@ def mutants(path):
         news = [old.replace("neg(", "set(")] if old.endswith("neg(") else SWAPS.get(old, [])
         start = text.rfind("\n", 0, match.start()) + 1
         line, following = text[start:].split("\n", 2)[:2]
-        if not GIVES_BACK.search(line + following if line.lstrip().startswith("for (") else line):
-            for new in news:
+        loops = line.lstrip().startswith("for (")
+        if not GIVES_BACK.search(line + following if loops else line):
+            for new in news[:1] if loops else news:
                 yield Mutant(path, text, name(match.start()), match, new)
 
 

@@ -50,7 +50,7 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
 }
 
 /* The number of a value; -1 if it is none. */
-static int read_number(mpq_t out, const char *value, size_t length) {
+static int number_of_value(mpq_t out, const char *value, size_t length) {
     graze_context *context = NULL;
     graze_status status = graze_context_create(&context);
     if (!status)
@@ -70,7 +70,7 @@ int value_sdf(void *to, const char *name, const char *value) {
     mpq_init(width);
     out->sdf = 0;
     out->sdf_relative = length > 0 && value[length - 1] == 'r';
-    int status = read_number(width, value, length - (size_t)out->sdf_relative);
+    int status = number_of_value(width, value, length - (size_t)out->sdf_relative);
     if (mpq_sgn(width) > 0)
         out->sdf = mpq_get_d(width); /* rounds towards 0 */
     mpq_clear(width);
@@ -87,7 +87,7 @@ int value_motion_error(void *to, const char *name, const char *value) {
     mpq_t exact, near;
     mpq_inits(exact, near, NULL);
     out->motion_error = 0;
-    int status = read_number(exact, value, strlen(value));
+    int status = number_of_value(exact, value, strlen(value));
     if (mpq_sgn(exact) > 0) {
         out->motion_error = mpq_get_d(exact); /* rounds towards 0 */
         if (out->motion_error <= DBL_MAX) {
@@ -107,7 +107,7 @@ int value_motion_error(void *to, const char *name, const char *value) {
 static int number_of_sign(void *to, const char *name, const char *value, int least) {
     mpq_t number;
     mpq_init(number);
-    int status = read_number(number, value, strlen(value)), fits = mpq_sgn(number) >= least;
+    int status = number_of_value(number, value, strlen(value)), fits = mpq_sgn(number) >= least;
     mpq_clear(number);
     *(const char **)to = value;
     if (status || fits)
