@@ -348,9 +348,10 @@ static void test_stl_merges_many(void **state) {
 static void test_obj_indices(void **state) {
     (void)state;
     soup s;
-    must_read(&s, ".obj",
-              "f 5 2/1 1/1/1 # before its vertices\nv 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 0.5\n"
-              "vt 0 0\nf -3//9 -2//-1 \\\n -1\nv 0 0 1\nv 3 3 3\nf -1 -5/7 3\nusemtl x\n");
+    must_read(
+        &s, ".obj",
+        "f 5 2/1 1/1/1 # before its vertices\nv 0 0 0\nv 1 0\\\n 0 1\nv 0 1\\\r\n 0 0.5 0.5 0.5\n"
+        "vt 0 0\nf -3//9 -2//-1 \\\n -1\nv 0 0 1\nv 3 3 3\nf -1 -5/7 3\nusemtl x\n");
     assert_int_equal(s.vertex_count, 5);
     assert_int_equal(s.facet_count, 3);
     assert_cycle(&s, 0, 3, (const uint32_t[]){4, 1, 0});
