@@ -29,7 +29,7 @@ ROOMS = {
                       "examples/examples", "api/test_exact_count", "api/test_grid", "agree/near", "words/words", "agree/laws",
                       "filter/equal"],
     "decide/scene": ["unit/test_meeting", "cases/cases", "examples/examples", "api/test_reports", "api/test_exact_count", "agree/laws"],
-    "decide/trace": ["cases/cases", *KERNEL, "api/test_exact_count"],
+    "decide/trace": ["api/test_classify", "cases/cases", "api/test_exact_count", *KERNEL],
     "decide/verdict": ["api/test_word", "cases/cases", "words/words", "unsweep/properties"],
     "decide/lattice": ["api/test_grid", "unit/test_interior", "filter/columns", "filter/equal"],
     "questions/topo": ["api/test_topo", "topo/edges", "topo/verdicts", "topo/sides", "topo/roofs", "topo/degrees", "unit/test_eliminate",
