@@ -72,7 +72,8 @@ def affine(m):
 def law_motion(law):
     width = law.motion.end - law.motion.start
     times = [law.motion.start + width * F(law.rng.randint(1, 96), 97) for _ in range(3)]
-    for name, motion in (("reversed", reversed_in_time(law.motion)), ("cut", cut(law.motion, times)),
+    many = [law.motion.start + width * F(k, 41) for k in range(1, 41)]  # their arcs are searched in a tree
+    for name, motion in (("reversed", reversed_in_time(law.motion)), ("cut", cut(law.motion, times)), ("in many", cut(law.motion, many)),
                          ("mobius", mobius(law.motion)[0]), ("squared", squared(law.motion)[0])):
         law.same(name, law.ask(name, law.solid, motion, law.points))
 

@@ -50,6 +50,10 @@ static void free_ground(void *value) {
     ground *g = value;
     for (size_t k = 0; k < g->arc_count; k++)
         clear_arc(&g->arc[k]);
+    if (g->tree->value)
+        g->tree->free(g->tree->value);
+    pthread_mutex_destroy(&g->tree->lock);
+    free(g->tree);
     free(g->arc);
     free(g->first);
     free(g);
@@ -161,11 +165,15 @@ static graze_status make_ground(scene_memo *memo, graze_context *context,
                             "most 2^200");
     ground *made = calloc(1, sizeof *made);
     size_t *first = calloc(scene->motion->piece_count + 1, sizeof *first);
-    if (!made || !first) {
+    scene_memo *tree = calloc(1, sizeof *tree);
+    if (!made || !first || !tree) {
         free(made);
         free(first);
+        free(tree);
         return no_memory_for_maps(context);
     }
+    pthread_mutex_init(&tree->lock, NULL);
+    made->tree = tree;
     made->scene = scene;
     made->whole = &scene->filter.course;
     made->first = first;

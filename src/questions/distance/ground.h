@@ -25,9 +25,10 @@ typedef struct ground {
     const graze_scene *scene;
     const course *whole; /* the filter's */
     size_t arc_count, arc_capacity;
-    arc *arc;      /* in the order of time */
-    size_t *first; /* arc of each piece, and their number behind the last */
-    ulong deepest; /* the shortest arc is 2^-deepest of its piece */
+    arc *arc;         /* in the order of time */
+    size_t *first;    /* arc of each piece, and their number behind the last */
+    ulong deepest;    /* the shortest arc is 2^-deepest of its piece */
+    scene_memo *tree; /* the arc_tree, made at need */
 } ground;
 
 /**

@@ -227,45 +227,6 @@ static graze_status explore_least(search *s, const point_arc *p, double from, do
     return status;
 }
 
-static int compare_pairs(const void *left, const void *right) {
-    const pair_aside *a = left, *b = right;
-    double x = a->place.low, y = b->place.low;
-    return x < y ? -1 : x > y ? 1 : a->arc < b->arc ? -1 : 1;
-}
-
-/* What the solid's box says about a whole arc. */
-static graze_status bound_arc(pair_aside *out, search *s, size_t index) {
-    point_arc p;
-    window w;
-    stance mid;
-    double g[3];
-    const box *root = &s->base->scene->solid->boxes.node[0].box;
-    *out = (pair_aside){.to = 1, .arc = (uint32_t)index};
-    graze_status status =
-        point_arc_make(&p, s->context, s->base, index, s->point_low, s->point_high);
-    if (status || !window_make(&w, &p, 0, 1) || !stance_make(&mid, &p, 0.5))
-        return status;
-    foot_of_box(g, &mid, root);
-    out->place.low = gap_along(&w, g, gap_box(g, root));
-    return status;
-}
-
-/* At first whole arcs with the whole boundary are aside, the nearest first. */
-static graze_status begin_rounds(search *s) {
-    size_t count = s->base->arc_count;
-    graze_status status = GRAZE_OK;
-    s->low = s->high = INFINITY;
-    s->list_count = s->aside_count = 0;
-    if (!array_reserve(&s->aside, &s->aside_capacity, count, sizeof *s->aside))
-        return no_room(s);
-    for (size_t k = 0; k < count && !status; k++)
-        status = bound_arc(&s->aside[k], s, k);
-    s->aside_count = count;
-    if (!status)
-        qsort(s->aside, count, sizeof *s->aside, compare_pairs);
-    return status;
-}
-
 /* Pairs of one window: those that the round asks for go on, the others stay aside. */
 static graze_status resume_window(search *s, const pair_aside *pair, size_t count) {
     size_t mine = s->list_count;
@@ -325,7 +286,7 @@ static double least_aside(const search *s) {
 }
 
 graze_status search_least(search *s) {
-    graze_status status = begin_rounds(s);
+    graze_status status = least_begin(s);
     double low = least_aside(s);
     while (!status && s->aside_count > 0 && !search_is_done(s, low, s->high) &&
            !search_is_over(s)) {

@@ -1,0 +1,153 @@
+/* A distance that is reached, in the arc that seems nearest, leaves few arcs.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "decide/filter/normal.h"
+#include "questions/distance/along.h"
+#include "questions/distance/arc_tree.h"
+#include "questions/distance/least.h"
+
+static graze_status no_room(search *s) {
+    return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for a distance");
+}
+
+static int compare_pairs(const void *left, const void *right) {
+    const pair_aside *a = left, *b = right;
+    double x = a->place.low, y = b->place.low;
+    return x < y ? -1 : x > y ? 1 : a->arc < b->arc ? -1 : 1;
+}
+
+/* What the solid's box says about a whole arc. */
+static graze_status bound_arc(pair_aside *out, search *s, size_t index) {
+    point_arc p;
+    window w;
+    stance mid;
+    double g[3];
+    const box *root = &s->base->scene->solid->boxes.node[0].box;
+    *out = (pair_aside){.to = 1, .arc = (uint32_t)index};
+    graze_status status =
+        point_arc_make(&p, s->context, s->base, index, s->point_low, s->point_high);
+    if (status || !window_make(&w, &p, 0, 1) || !stance_make(&mid, &p, 0.5))
+        return status;
+    foot_of_box(g, &mid, root);
+    out->place.low = gap_along(&w, g, gap_box(g, root));
+    return status;
+}
+
+/* Whole arcs with the whole boundary, the nearest first. */
+static graze_status begin_whole(search *s) {
+    size_t count = s->base->arc_count;
+    graze_status status = GRAZE_OK;
+    if (!array_reserve(&s->aside, &s->aside_capacity, count, sizeof *s->aside))
+        return no_room(s);
+    for (size_t k = 0; k < count && !status; k++)
+        status = bound_arc(&s->aside[k], s, k);
+    s->aside_count = count;
+    if (!status)
+        qsort(s->aside, count, sizeof *s->aside, compare_pairs);
+    return status;
+}
+
+static double node_low(const search *s, const arc_node *n) {
+    return arc_node_distance(n, s->point_low, s->point_high, s->base->scene->motion->dimension);
+}
+
+/* The arc to which the nearer child leads. */
+static size_t nearest_arc(const search *s, const arc_tree *t) {
+    const arc_node *here = t->node;
+    while (here->child) {
+        const arc_node *first = t->node + here->child, *second = first + 1;
+        here = node_low(s, first) <= node_low(s, second) ? first : second;
+    }
+    return here->first;
+}
+
+/* Reach the distance in the middle of an arc. */
+static graze_status reach_arc(search *s, size_t index) {
+    point_arc path;
+    stance at;
+    nearest found = {.found = 0};
+    const place root = {0};
+    const double time = 0.5;
+    graze_status status =
+        point_arc_make(&path, s->context, s->base, index, s->point_low, s->point_high);
+    if (!status && stance_make(&at, &path, time))
+        nearest_boundary(&found, &at, &root, 1, s->high, &s->visits);
+    if (found.found && found.high < s->high) {
+        s->high = found.high;
+        s->arc = index;
+        s->time = time;
+    }
+    return status;
+}
+
+/* Put aside the arcs whose boxes are nearer than what is reached. */
+static graze_status add_arcs(search *s, const arc_tree *t, const arc_node *n) {
+    double low = node_low(s, n);
+    if (low >= s->high)
+        return GRAZE_OK;
+    if (n->child) {
+        graze_status status = add_arcs(s, t, t->node + n->child);
+        return status ? status : add_arcs(s, t, t->node + n->child + 1);
+    }
+    if (!array_reserve(&s->aside, &s->aside_capacity, s->aside_count + 1, sizeof *s->aside))
+        return no_room(s);
+    pair_aside *pair = &s->aside[s->aside_count++];
+    *pair = (pair_aside){.place.low = low, .arc = n->first, .to = 1};
+    /* Until they are bounded, arcs have the distance of their box's middle here. */
+    for (int i = 0; i < s->base->scene->motion->dimension; i++) {
+        double off = n->world.low[i] / 2 + n->world.high[i] / 2 - s->point_low[i];
+        pair->from += off * off;
+    }
+    return GRAZE_OK;
+}
+
+/* Reach the distance in the arc aside whose box is about the nearest. */
+static graze_status reach_aside(search *s) {
+    size_t best = 0;
+    for (size_t k = 1; k < s->aside_count; k++)
+        if (s->aside[k].from < s->aside[best].from)
+            best = k;
+    return s->aside_count ? reach_arc(s, s->aside[best].arc) : GRAZE_OK;
+}
+
+/* Bound the arcs aside that are not too far. */
+static graze_status bound_aside(search *s) {
+    size_t kept = 0;
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < s->aside_count && !status; k++) {
+        double low = s->aside[k].place.low;
+        if (low >= s->high)
+            continue;
+        status = bound_arc(&s->aside[kept], s, s->aside[k].arc);
+        s->aside[kept].place.low = larger(low, s->aside[kept].place.low);
+        kept++;
+    }
+    s->aside_count = kept;
+    return status;
+}
+
+static graze_status begin_near(search *s) {
+    const arc_tree *t;
+    graze_status status = arc_tree_of(&t, s->context, s->base);
+    if (!status)
+        status = reach_arc(s, nearest_arc(s, t));
+    if (!status)
+        status = add_arcs(s, t, t->node);
+    if (!status)
+        status = reach_aside(s);
+    if (!status)
+        status = bound_aside(s);
+    if (!status && s->aside_count > 0)
+        qsort(s->aside, s->aside_count, sizeof *s->aside, compare_pairs);
+    return status;
+}
+
+graze_status least_begin(search *s) {
+    enum { FEW = 8 };
+    s->low = s->high = INFINITY;
+    s->list_count = s->aside_count = 0;
+    return s->base->arc_count < FEW ? begin_whole(s) : begin_near(s);
+}
