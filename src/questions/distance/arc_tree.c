@@ -14,7 +14,7 @@ static const double FLOOR = 0x1p-900;
 
 /* Coordinate i of the image of S: the range of the middle of S's box, and what its other places
  * add. */
-static void bound_coordinate(box *out, const carrier *map, int i, const box *b, double off) {
+static void bound_arc_coordinate(box *out, const carrier *map, int i, const box *b, double off) {
     int d = map->dimension, n = map->degree + 1;
     const double *row = map->entry + i * (d + 1) * n;
     double low = INFINITY, high = -INFINITY, size = 0, more = 0, least = INFINITY;
@@ -62,13 +62,14 @@ static int bound_arc_world(box *out, const ground *g, const arc *a) {
     *out = (box){{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
     if (made && map.usable && has_even_weight(&map))
         for (int i = 0; i < map.dimension; i++)
-            bound_coordinate(out, &map, i, &solid->boxes.node[0].box, solid->corners.error);
+            bound_arc_coordinate(out, &map, i, &solid->boxes.node[0].box, solid->corners.error);
     carrier_clear(&map);
     return made;
 }
 
 /* The node of arcs [first, last), and those below it; 0 without memory. */
-static int make_node(arc_tree *t, const ground *g, uint32_t index, uint32_t first, uint32_t last) {
+static int make_arc_node(arc_tree *t, const ground *g, uint32_t index, uint32_t first,
+                         uint32_t last) {
     arc_node *here = &t->node[index];
     *here = (arc_node){.first = first, .last = last};
     if (last - first == 1)
@@ -77,8 +78,8 @@ static int make_node(arc_tree *t, const ground *g, uint32_t index, uint32_t firs
     here->child = (uint32_t)t->count;
     t->count += 2;
     const arc_node *left = &t->node[here->child], *right = left + 1;
-    if (!make_node(t, g, here->child, first, middle) ||
-        !make_node(t, g, here->child + 1, middle, last))
+    if (!make_arc_node(t, g, here->child, first, middle) ||
+        !make_arc_node(t, g, here->child + 1, middle, last))
         return 0;
     for (int i = 0; i < 3; i++) {
         here->world.low[i] = smaller(left->world.low[i], right->world.low[i]);
@@ -87,23 +88,23 @@ static int make_node(arc_tree *t, const ground *g, uint32_t index, uint32_t firs
     return 1;
 }
 
-static void free_tree(void *value) {
+static void free_arc_tree(void *value) {
     arc_tree *t = value;
     if (t)
         free(t->node);
     free(t);
 }
 
-static arc_tree *make_tree(const ground *g) {
+static arc_tree *make_arc_tree(const ground *g) {
     arc_tree *t = calloc(1, sizeof *t);
     if (!t || !(t->node = calloc(2 * g->arc_count, sizeof *t->node))) {
-        free_tree(t);
+        free_arc_tree(t);
         return NULL;
     }
     t->count = 1;
-    if (make_node(t, g, 0, 0, (uint32_t)g->arc_count))
+    if (make_arc_node(t, g, 0, 0, (uint32_t)g->arc_count))
         return t;
-    free_tree(t);
+    free_arc_tree(t);
     return NULL;
 }
 
@@ -112,8 +113,8 @@ graze_status arc_tree_of(const arc_tree **out, graze_context *context, const gro
     graze_status status = GRAZE_OK;
     pthread_mutex_lock(&memo->lock);
     if (!memo->value) {
-        memo->value = make_tree(base);
-        memo->free = free_tree;
+        memo->value = make_arc_tree(base);
+        memo->free = free_arc_tree;
     }
     if (!memo->value)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the maps of a motion");

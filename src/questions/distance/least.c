@@ -13,6 +13,7 @@
 #include "decide/filter/normal.h"
 #include "questions/distance/along.h"
 #include "questions/distance/gap.h"
+#include "questions/distance/least_begin.h"
 
 /* Shorter windows are not cut. */
 static const double SHORTEST = 0x1p-48;
@@ -34,10 +35,6 @@ static double travel_of(const window *w) {
         for (int i = 0; i < d; i++)
             most = larger(most, fabs(w->x[i][k] / w->x[d][k] - w->x[i][0] / w->x[d][0]));
     return most;
-}
-
-static graze_status no_room(search *s) {
-    return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for a distance");
 }
 
 static void keep_pair(look *l, const pair_aside *pair) {
@@ -202,7 +199,7 @@ static graze_status bound_list(search *s, const point_arc *p, double from, doubl
     }
     s->visits += made ? 0 : 1 + count;
     if (l.out_of_memory)
-        return no_room(s);
+        return search_no_room(s);
     return search_poll(s);
 }
 
@@ -243,7 +240,7 @@ static graze_status resume_window(search *s, const pair_aside *pair, size_t coun
         }
     }
     if (l.out_of_memory)
-        return no_room(s);
+        return search_no_room(s);
     if (s->list_count == mine)
         return GRAZE_OK;
     graze_status status =

@@ -9,11 +9,4 @@
 /** @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status search_least(search *s);
 
-/**
- * Put aside what a search begins with, each pair with a bound, the nearest first: whole arcs with
- * the whole boundary, of many only those that are nearer than a distance that is reached.
- * @return what search_least does
- */
-graze_status least_begin(search *s);
-
 #endif

@@ -1,17 +1,14 @@
 /* A distance that is reached, in the arc that seems nearest, leaves few arcs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "questions/distance/least_begin.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "decide/filter/normal.h"
 #include "questions/distance/along.h"
 #include "questions/distance/arc_tree.h"
-#include "questions/distance/least.h"
-
-static graze_status no_room(search *s) {
-    return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for a distance");
-}
 
 static int compare_pairs(const void *left, const void *right) {
     const pair_aside *a = left, *b = right;
@@ -41,7 +38,7 @@ static graze_status begin_whole(search *s) {
     size_t count = s->base->arc_count;
     graze_status status = GRAZE_OK;
     if (!array_reserve(&s->aside, &s->aside_capacity, count, sizeof *s->aside))
-        return no_room(s);
+        return search_no_room(s);
     for (size_t k = 0; k < count && !status; k++)
         status = bound_arc(&s->aside[k], s, k);
     s->aside_count = count;
@@ -93,7 +90,7 @@ static graze_status add_arcs(search *s, const arc_tree *t, const arc_node *n) {
         return status ? status : add_arcs(s, t, t->node + n->child + 1);
     }
     if (!array_reserve(&s->aside, &s->aside_capacity, s->aside_count + 1, sizeof *s->aside))
-        return no_room(s);
+        return search_no_room(s);
     pair_aside *pair = &s->aside[s->aside_count++];
     *pair = (pair_aside){.place.low = low, .arc = n->first, .to = 1};
     /* Until they are bounded, arcs have the distance of their box's middle here. */

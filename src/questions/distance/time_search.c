@@ -35,6 +35,10 @@ graze_status search_poll(search *s) {
     return context_work(s->context, (unsigned long)(VISIT_WORK * more));
 }
 
+graze_status search_no_room(search *s) {
+    return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for a distance");
+}
+
 /* Bounds that come from squares are no closer than the root of FILTER_FLOOR. */
 static const double LEAST_TOLERANCE = 0x1p-386;
 

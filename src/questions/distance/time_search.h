@@ -57,6 +57,8 @@ void search_end(search *s);
 int search_is_over(const search *s);
 /** Tell the context; GRAZE_ECANCELED. */
 graze_status search_poll(search *s);
+/** The failure of a search without memory. */
+graze_status search_no_room(search *s);
 /** Bounds of a window are not brought nearer to each other than this. */
 double search_floor(const window *w);
 /** 1 if bounds are as near to each other as was asked for: the only place that looks at that. */
