@@ -23,7 +23,8 @@
  *                      graze_solid_read(&solid, context, "cube.off", 0) ||
  *                      graze_motion_read(&motion, context, "move.json") ||
  *                      graze_scene_create(&scene, context, solid, motion, NULL) ||
- *                      graze_classify_doubles(verdicts, context, scene, points, 2);
+ *                      graze_classify_doubles(verdicts, context, scene, points, 2,
+ *                                             GRAZE_COLUMNS_ALL);
  *         if (failed)
  *             fprintf(stderr, "%s\n", graze_context_message(context));
  *         for (int k = 0; k < 2 && !failed; k++)
@@ -53,9 +54,9 @@
  *     GMP, MPFR and FLINT, which print and abort (FLINT to standard output); the limits act first.
  *     A program that wants another end sets its own functions before its first call, with
  *     mp_set_memory_functions and __flint_set_memory_functions; Graze changes neither.
- *  6. A struct of options can grow. Zeros are the defaults. Members of later versions come behind
- *     its member `size` and are read up to that size: set it to sizeof the struct, or leave it 0 if
- *     no member behind it is used. Members that the library does not know must be zero.
+ *  6. A struct of options begins with its `size`: sizeof the struct, for members may be added at
+ * its end. Zeros of the others are the defaults, and NULL, where it is allowed, stands for all of
+ * them. Members that the library does not know must be zero.
  *
  * The interface has a core and parts that build on it. Each file compiles on its own as C11 and
  * C++17; graze.h includes all of them, in the order in which to read them.

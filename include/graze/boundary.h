@@ -14,6 +14,7 @@ typedef struct graze_boundary graze_boundary;
 
 /** Options of a sampling (rule 6). Pointers are borrowed. */
 typedef struct graze_boundary_options {
+    size_t size;               /**< sizeof(graze_boundary_options) */
     unsigned coarse;           /**< every cell is cut to this level: 2^coarse along each axis */
     unsigned depth;            /**< no cell is cut further than this level, 0 to 19 */
     unsigned long budget;      /**< points that may be classified, contact points included */
@@ -21,7 +22,6 @@ typedef struct graze_boundary_options {
     unsigned long long seed;   /**< of the contact points */
     graze_rationals low, high; /**< corners of a box, d canonical rationals each; NULL: a little
                                     more than graze_scene_box */
-    size_t size;               /**< sizeof(graze_boundary_options) or 0 */
     int middles;               /**< 1: vertices stay in the middles of the edges they are on */
     int sharp;                 /**< 1: cells get a vertex at an edge or corner of the sweep inside
                                     them, where one is found; not with `middles` */

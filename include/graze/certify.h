@@ -57,14 +57,15 @@ GRAZE_API GRAZE_CHECKED graze_status graze_certificate_row(char **out, graze_con
  * @param[out] done   number of points: n, or on failure the index of the point that failed
  * @param[out] totals what the table's rows say together, or NULL
  * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
- * @param format      of the table's rows
- * @param rest        further columns of each point for the table, entries may be NULL; or NULL
+ * @param texts       of each row of the table, or NULL
+ * @param options     of the table's rows, all answers; NULL: the defaults
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
-GRAZE_API GRAZE_CHECKED graze_status graze_certificate_points(
-    char **out, size_t *length, char **table, size_t *table_length, size_t *done,
-    graze_row_totals *totals, graze_context *context, const graze_certifier *certifier,
-    graze_rationals points, size_t n, graze_format format, const char *const *rest);
+GRAZE_API GRAZE_CHECKED graze_status
+graze_certificate_points(char **out, size_t *length, char **table, size_t *table_length,
+                         size_t *done, graze_row_totals *totals, graze_context *context,
+                         const graze_certifier *certifier, graze_rationals points, size_t n,
+                         const graze_row_texts *texts, const graze_row_options *options);
 
 #ifdef __cplusplus
 }

@@ -41,12 +41,12 @@ typedef enum graze_truth {
 
 /** Options of a comparison (rule 6). All pointers are borrowed. */
 typedef struct graze_compare_options {
+    size_t size; /**< sizeof(graze_compare_options) */
     graze_question question;
     graze_on_as on_as;
     graze_candidate_has has;
     size_t show; /**< number of disagreements to keep, each with the command that explains it */
     const char *solid, *motion; /**< file names for those commands, or NULL */
-    size_t size;                /**< sizeof(graze_compare_options) or 0 */
     int transient;     /**< 1: the tables are gone when the report is read: it has the rows that
                             disagree, and names neither files nor lines of them */
     graze_truth truth; /**< with GRAZE_HAS_SDF */

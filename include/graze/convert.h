@@ -81,6 +81,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_poses(char **json, char 
 
 /** Options of a motion through poses (rule 6). All pointers are borrowed. */
 typedef struct graze_pose_options {
+    size_t size;                /**< sizeof(graze_pose_options) */
     unsigned flags;             /**< 0, or GRAZE_POSES_AFFINE and GRAZE_POSES_SHORTEST added */
     mpq_srcptr tolerance;       /**< as for graze_motion_write_poses; NULL: 10^-6 */
     const char *const *ignored; /**< names of `ignored_count` columns to pass over */
@@ -91,7 +92,6 @@ typedef struct graze_pose_options {
     const char *text;    /**< read these `length` bytes in place of the file, whose path is a name
                               for messages; NULL: the file */
     size_t length;
-    size_t size;         /**< sizeof(graze_pose_options) or 0 */
     const char *columns; /**< NAME=COLUMN,...: names of the file's columns; NULL: as they are */
     const char *angles;  /**< the machine of three angles in degrees: "kuka", "fanuc", "staubli",
                               "kawasaki", "cnc" or "rpy"; NULL: there are none */

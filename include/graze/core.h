@@ -232,23 +232,13 @@ typedef enum graze_overlap { GRAZE_OVERLAP_EXTEND = 0, GRAZE_OVERLAP_REJECT = 1 
 typedef enum graze_folds { GRAZE_FOLDS_SEPARATE = 0, GRAZE_FOLDS_COMBINED = 1 } graze_folds;
 /** Set that points are classified against: sweep, or unsweep ([IS] eqs 12, 13, 35). */
 typedef enum graze_operation { GRAZE_SWEEP = 0, GRAZE_UNSWEEP = 1 } graze_operation;
-/** Answers wanted. For pmc alone one certain stay inside ends the search. */
-typedef enum graze_columns { GRAZE_COLUMNS_ALL = 0, GRAZE_COLUMNS_PMC = 1 } graze_columns;
 
-/** Options of a scene (rule 6). */
+/** Options of a scene (rule 6): what its points are classified against, and how. */
 typedef struct graze_options {
+    size_t size;               /**< sizeof(graze_options) */
     graze_operation operation; /**< sweep or unsweep */
     graze_overlap overlap;     /**< extend: nine cases; reject: GRAZE_EILLEGAL if S^0 meets S^1 */
     graze_folds folds;         /**< Definitions 6, 7 or 10, 11 */
-    size_t size;               /**< sizeof(graze_options) or 0 */
-    int topo; /**< 1: rows of reports end with the position relative to the closed sweep */
-    graze_columns columns; /**< pmc: of verdicts and rows of reports only pmc is set; no topo */
-    double sdf; /**< rows of reports have an enclosure of the signed distance of at most this width
-                   (graze/distance.h); 0: none */
-    int sdf_relative;    /**< 1: `sdf` times the diagonal of S^0's box, rounded down */
-    double motion_error; /**< with sdf: rows say whether pmc is certain for every continuous motion
-                            that displaces no point of the solid by more (proofs/distance.md C73);
-                            0: they do not */
 } graze_options;
 
 /**
@@ -256,9 +246,8 @@ typedef struct graze_options {
  * (touching included). Solid and motion are borrowed and must outlive the scene. Threads may share
  * the scene.
  * @param options may be NULL for the defaults
- * @return GRAZE_EUSE a NULL handle, an unknown option, topo with pmc alone; GRAZE_EILLEGAL the
- * dimensions differ, or S^0 and S^1 meet and `overlap` rejects it (sweep only); GRAZE_ELIMIT a
- * relative sdf beyond doubles; GRAZE_ECANCELED
+ * @return GRAZE_EUSE a NULL handle or an unknown option; GRAZE_EILLEGAL the dimensions differ, or
+ * S^0 and S^1 meet and `overlap` rejects it (sweep only); GRAZE_ELIMIT; GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_create(graze_scene **out, graze_context *context,
                                                         const graze_solid *solid,
@@ -270,7 +259,7 @@ GRAZE_API void graze_scene_destroy(graze_scene *scene);
 GRAZE_API int graze_scene_dimension(const graze_scene *scene);
 /** 1 if S^0 and S^1 have a common point, else 0, also for NULL. */
 GRAZE_API int graze_scene_ends_meet(const graze_scene *scene);
-/** Options in force; zeros for NULL. `out->size` is set before the call, to 0 or the size. */
+/** Options in force; zeros for NULL. `out->size` is set before the call. */
 GRAZE_API void graze_scene_options(graze_options *out, const graze_scene *scene);
 /**
  * A box with dyadic corners that contains the sweep (or unsweep): the images of the coordinate box
@@ -312,24 +301,30 @@ GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
 /** "regular", "fold", "fold_boundary", "boundary" or "exterior", else "none". Static. */
 GRAZE_API const char *graze_class_name(graze_class class_);
 
+/** Answers wanted. For pmc alone one certain stay inside ends the search. */
+typedef enum graze_columns { GRAZE_COLUMNS_ALL = 0, GRAZE_COLUMNS_PMC = 1 } graze_columns;
+
 /**
  * Classify n points exactly. The inverted trajectory of a point ([EI] eq. 4) is cut at its contacts
  * with the boundary; Definitions 3 and 4 count the contacts, Definitions 5-11 give the class.
  * @param[out] out n verdicts in the order of `points`; those not reached are zero
  * @param points   n*d canonical rationals, point after point; may be NULL if n is 0
+ * @param columns  GRAZE_COLUMNS_PMC: of verdicts only pmc is set, which is decided sooner
  * @return GRAZE_OK every verdict is exact; GRAZE_EUSE a NULL, or a point that is not canonical: no
- * verdict is given; GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_EINTERNAL: verdicts that are not zero are
- * exact
+ * verdict is given; GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL: verdicts that
+ * are not zero are exact
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_classify(graze_verdict *out, graze_context *context,
                                                     const graze_scene *scene,
-                                                    graze_rationals points, size_t n);
+                                                    graze_rationals points, size_t n,
+                                                    graze_columns columns);
 /** As graze_classify, from doubles, which are exact. NaN and infinities are GRAZE_EINPUT; the
  * verdicts before them are given. */
 GRAZE_API GRAZE_CHECKED graze_status graze_classify_doubles(graze_verdict *out,
                                                             graze_context *context,
                                                             const graze_scene *scene,
-                                                            const double *points, size_t n);
+                                                            const double *points, size_t n,
+                                                            graze_columns columns);
 /* --------------------------------------------------------------------------------------- trace */
 
 /** State of the trajectory: in the interior, on the boundary, outside (semantics.md 2). */

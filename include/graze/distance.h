@@ -47,14 +47,16 @@ GRAZE_API GRAZE_CHECKED graze_status graze_distances_doubles(graze_enclosure *ou
                                                              const graze_scene *scene,
                                                              const double *points, size_t n,
                                                              double tolerance);
-/** The width that the scene's rows ask for, its options `sdf` and `sdf_relative`; 0: none. */
-GRAZE_API double graze_scene_sdf(const graze_scene *scene);
 /**
  * The diagonal of the box of S^0's corners, rounded down: what relative tolerances are relative to.
  * @return GRAZE_EUSE; GRAZE_ELIMIT if it is not between 2^-300 and 2^300; GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_diagonal(double *out, graze_context *context,
                                                           const graze_scene *scene);
+/** A tolerance: `fraction`, positive and finite, times the diagonal, rounded down.
+ * @return as graze_scene_diagonal; GRAZE_ELIMIT also if it is beyond doubles */
+GRAZE_API GRAZE_CHECKED graze_status graze_scene_width(double *out, graze_context *context,
+                                                       const graze_scene *scene, double fraction);
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,7 @@ typedef enum graze_draw_by {
 
 /** Options of a picture (rule 6). All pointers are borrowed. */
 typedef struct graze_draw_options {
+    size_t size;                /**< sizeof(graze_draw_options) */
     const char *title;          /**< a line above the picture, UTF-8, at most 512 bytes, or NULL */
     unsigned long grid;         /**< cells along the longer side; 0: 240, or 360 for a wide box */
     unsigned long times;        /**< number of positions of S, 2 to 64, evenly spaced; 0: 5 */
@@ -28,7 +29,6 @@ typedef struct graze_draw_options {
     graze_rationals points;     /**< point_count points, d canonical rationals each */
     size_t point_count;         /**< number of points whose trajectories are drawn */
     const char *const *names;   /**< a name for each point, UTF-8 */
-    size_t size;                /**< sizeof(graze_draw_options) or 0 */
     const char *const *strata;  /**< .html: for each point a group to filter by, or NULL; or NULL */
     const char *const *answers; /**< .html: for each point on which a candidate is wrong its answer,
                                      else NULL; or NULL */

@@ -7,13 +7,11 @@
 #ifndef GRAZE_GRID_H
 #define GRAZE_GRID_H
 
-#include <graze/core.h>
+#include <graze/report.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-typedef struct graze_grid graze_grid;
 
 /**
  * Make a grid: along each axis size[k] points, low[k] the first and high[k] the last, in equal
@@ -48,16 +46,17 @@ GRAZE_API GRAZE_CHECKED graze_status graze_grid_pmc(unsigned char *out, graze_co
                                                     size_t step, size_t count);
 
 /**
- * Rows of these points as graze_report_points writes them for a scene whose option `columns` is
- * GRAZE_COLUMNS_PMC, in CSV.
+ * Rows of these points as graze_report_points writes them, of pmc alone.
  * @param[out] out    whole rows, for graze_free; NULL where there are none
  * @param[out] length bytes of them
  * @param[out] done   how many rows, also on failure
+ * @param format      not GRAZE_FORMAT_JSONL
  * @return as graze_grid_pmc
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_grid_rows(char **out, size_t *length, size_t *done,
                                                      graze_context *context, const graze_grid *grid,
-                                                     size_t first, size_t step, size_t count);
+                                                     size_t first, size_t step, size_t count,
+                                                     graze_format format);
 
 #ifdef __cplusplus
 }

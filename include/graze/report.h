@@ -2,10 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A table is graze_report_header, then rows, then a line `# complete N` (formats.md, Tables). Rows
- * of one scene may be made by several threads, each with its own context. The scene's option `topo`
- * adds the position relative to the closed sweep, as the last column (graze/topo.h). With its
- * option `columns` for pmc alone rows are CSV and have no other answer; JSON Lines are GRAZE_EUSE
- * then.
+ * of one scene may be made by several threads, each with its own context. One struct of options
+ * says what rows show, for the head and all rows of a table.
  */
 #ifndef GRAZE_REPORT_H
 #define GRAZE_REPORT_H
@@ -15,6 +13,9 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/** A grid of query points (graze/grid.h). */
+typedef struct graze_grid graze_grid;
 
 /** SHA-256 hashes, as in the head of a table: of the two files (zeros if the input came from
  * memory), and of the scene after rounding and triangulation. */
@@ -39,30 +40,59 @@ GRAZE_API GRAZE_CHECKED graze_status graze_number_decimal(char **out, graze_cont
                                                           const mpq_t value, int digits);
 
 /** Form of rows. */
-typedef enum graze_format { GRAZE_FORMAT_CSV = 0, GRAZE_FORMAT_JSONL = 1 } graze_format;
+typedef enum graze_format {
+    GRAZE_FORMAT_CSV = 0,
+    GRAZE_FORMAT_JSONL = 1, /**< with every contact and its exact times */
+    GRAZE_FORMAT_VTK = 2,   /**< binary rows, of which graze_report_export makes a file: a legacy
+                               VTK file, binary: a grid as structured points, else vertices; all
+                               columns as point data. pmc, class and definition (ext: 0) are
+                               numbers, texts are numbered by first occurrence, and the field data
+                               COLUMN_texts has their bytes, each with a newline behind it */
+    GRAZE_FORMAT_NPY = 3    /**< the same rows, for a structured numpy array: float64, uint32
+                               (definition, case, i, t; ext: 0), and bytes */
+} graze_format;
+
+/** What rows show, and in what form (rule 6). */
+typedef struct graze_row_options {
+    size_t size; /**< sizeof(graze_row_options) */
+    graze_format format;
+    graze_columns columns; /**< pmc: no other answer, neither topo nor sdf, nor JSON Lines */
+    int topo;   /**< 1: the position relative to the closed sweep (graze/topo.h), as last column */
+    double sdf; /**< an enclosure of the signed distance of at most this width (graze/distance.h);
+                   0: none */
+    double motion_error; /**< with sdf: is pmc certain for every continuous motion that displaces no
+                            point of the solid by more (proofs/distance.md C73)? 0: not said */
+} graze_row_options;
+
+/** Texts of one row, comma-joined and unchanged; each may be NULL. JSON Lines have none. */
+typedef struct graze_row_texts {
+    const char *point; /**< CSV: the coordinates, in place of integers and ratios */
+    const char *rest;  /**< further columns */
+} graze_row_texts;
 
 /**
  * Write the head of a CSV table: its `#` lines and its column line (formats.md, Tables).
  * @param[out] out text for graze_free
  * @param notes    further lines, each `# key value` and a newline, or NULL
  * @param columns  names of further columns, comma-joined and unchanged, or NULL
+ * @param options  of the rows; NULL: the defaults
  * @return GRAZE_EUSE, GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_header(char **out, graze_context *context,
                                                          const graze_scene *scene,
-                                                         const char *notes, const char *columns);
+                                                         const char *notes, const char *columns,
+                                                         const graze_row_options *options);
 /**
  * Write one row with its newline, from the trace of its point.
  * @param[out] out text for graze_free
  * @param point    d canonical rationals: the point that was traced
- * @param rest     further columns, comma-joined and unchanged, or NULL; CSV only
+ * @param texts    or NULL
+ * @param options  CSV or JSON Lines; NULL: the defaults
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
-GRAZE_API GRAZE_CHECKED graze_status graze_report_row(char **out, graze_context *context,
-                                                      const graze_scene *scene,
-                                                      graze_rationals point,
-                                                      const graze_trace *trace, graze_format format,
-                                                      const char *rest);
+GRAZE_API GRAZE_CHECKED graze_status graze_report_row(
+    char **out, graze_context *context, const graze_scene *scene, graze_rationals point,
+    const graze_trace *trace, const graze_row_texts *texts, const graze_row_options *options);
 /**
  * Trace a point and write its row: the bytes of graze_trace_create and graze_report_row. A CSV row
  * needs no contact times and is much faster this way.
@@ -70,8 +100,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_row(char **out, graze_context 
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_context *context,
                                                         const graze_scene *scene,
-                                                        graze_rationals point, graze_format format,
-                                                        const char *rest);
+                                                        graze_rationals point,
+                                                        const graze_row_texts *texts,
+                                                        const graze_row_options *options);
 /** What rows say together. */
 typedef struct graze_row_totals {
     unsigned long undecided; /**< positions relative to the closed sweep */
@@ -86,49 +117,47 @@ typedef struct graze_row_totals {
  * @param[out] done   number of rows written: n, or on failure the index of the point that failed
  * @param[out] totals what the rows written say together, or NULL
  * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
- * @param rest        further columns of each point, entries may be NULL; or NULL
- * @return as graze_report_point
+ * @param texts       of each row, or NULL
+ * @param options     NULL: the defaults
+ * @return as graze_report_point; GRAZE_EINPUT a coordinate past binary64, in a binary row
  */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_report_points(char **out, size_t *length, size_t *done, graze_row_totals *totals,
                     graze_context *context, const graze_scene *scene, graze_rationals points,
-                    size_t n, graze_format format, const char *const *rest);
-
-/** Binary form of a table. */
-typedef enum graze_export {
-    GRAZE_EXPORT_NONE = 0,
-    GRAZE_EXPORT_VTK = 1, /**< legacy VTK, binary: a grid as structured points, else vertices; all
-                             columns as point data. pmc, class and definition (ext: 0) are numbers,
-                             texts are numbered by first occurrence, and the field data
-                             COLUMN_texts has their bytes, each with a newline behind it */
-    GRAZE_EXPORT_NPY = 2  /**< a structured numpy array: float64, uint32 (definition, case, i, t;
-                             ext: 0), and bytes */
-} graze_export;
+                    size_t n, const graze_row_texts *texts, const graze_row_options *options);
 
 /**
- * Convert a whole CSV table to a binary form. Coordinates and further columns of numbers become the
+ * Make the file of a whole table of binary rows. Coordinates and further columns of numbers are the
  * nearest binary64, ties to even; one past its range is refused.
  * @param[out] out    bytes for graze_free
  * @param[out] length number of bytes
- * @param table       table_length bytes, from the first `#` line to `# complete N`; they need not
- * end in NUL
- * @return GRAZE_EUSE an unknown form; GRAZE_EINPUT not a whole table; GRAZE_ELIMIT; GRAZE_ESYSTEM
+ * @param rows        rows_length bytes of graze_report_points, or of graze_grid_rows, of one
+ * program on one machine, with these options
+ * @param columns     names of further columns, comma-joined, or NULL
+ * @param grid        the grid whose points these are, all and in its order, or NULL
+ * @param options     GRAZE_FORMAT_VTK or GRAZE_FORMAT_NPY, and the others as of the rows
+ * @return GRAZE_EUSE another form; GRAZE_EINPUT not whole rows; GRAZE_ELIMIT; GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_export(char **out, size_t *length,
-                                                         graze_context *context, const char *table,
-                                                         size_t table_length, graze_export form);
+                                                         graze_context *context,
+                                                         const graze_scene *scene, const char *rows,
+                                                         size_t rows_length, const char *columns,
+                                                         const graze_grid *grid,
+                                                         const graze_row_options *options);
 /**
  * Explain the answer for one point in plain text: position, trajectory, contacts in order of time
- * with the reason for the kind of each, counts, definition and case; the position relative to the
- * closed sweep if the scene has the option `topo`.
+ * with the reason for the kind of each, counts, definition and case; position relative to the
+ * closed sweep and distance where the options have them.
  * @param[out] out text for graze_free
  * @param point    d canonical rationals: the point that was traced
+ * @param options  topo, sdf and motion_error; NULL: neither
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_explain(char **out, graze_context *context,
                                                           const graze_scene *scene,
                                                           graze_rationals point,
-                                                          const graze_trace *trace);
+                                                          const graze_trace *trace,
+                                                          const graze_row_options *options);
 /**
  * Verdict of a word: the word gives the counts; counts and ends of the word give case and class.
  * This is the rule alone, for checking rows of a table; no point is classified.

@@ -16,12 +16,12 @@
 #include <yajl/yajl_version.h>
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
+#include "decide/filter/time_ray.h"
 #include "decide/scene/box.h"
 #include "decide/scene/scene.h"
 #include "decide/verdict/classify.h"
 #include "decide/verdict/verdict.h"
 #include "input/validate/validate.h"
-#include "questions/distance/diagonal.h"
 
 graze_status api_misuse(graze_context *context, const char *function, const char *reason) {
     return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;
@@ -68,18 +68,17 @@ graze_status api_coordinate(graze_context *context, graze_status status, const c
     return context_item(context, status, item, index, field);
 }
 
-graze_status api_options(void *out, size_t known, size_t at, graze_context *context,
-                         const char *function, const void *options) {
+graze_status api_options(void *out, size_t known, graze_context *context, const char *function,
+                         const void *options) {
     const unsigned char *given = options;
-    size_t first = at + sizeof(size_t), size;
+    size_t size;
     memset(out, 0, known);
     if (!options)
         return GRAZE_OK;
-    memcpy(&size, given + at, sizeof size);
-    size = size ? size : first;
-    if (size < first)
+    memcpy(&size, given, sizeof size);
+    if (size < sizeof size)
         return api_misuse(context, function,
-                          "the size of the options is too small; expected sizeof the struct or 0");
+                          "the size of the options is too small; expected sizeof the struct");
     for (size_t k = known; k < size; k++)
         if (given[k])
             return api_misuse(context, function,
@@ -131,45 +130,12 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
 
 static graze_status take_options(graze_options *out, graze_context *context, const char *function,
                                  const graze_options *options) {
-    graze_status status =
-        api_options(out, sizeof *out, offsetof(graze_options, size), context, function, options);
-    if (status)
-        return status;
-    if ((out->operation == GRAZE_SWEEP || out->operation == GRAZE_UNSWEEP) &&
-        (out->overlap == GRAZE_OVERLAP_EXTEND || out->overlap == GRAZE_OVERLAP_REJECT) &&
-        (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED) &&
-        (out->topo == 0 || out->topo == 1) && (out->sdf_relative == 0 || out->sdf_relative == 1) &&
-        (out->columns == GRAZE_COLUMNS_ALL || out->columns == GRAZE_COLUMNS_PMC)) {
-        if (out->columns == GRAZE_COLUMNS_PMC && (out->topo || out->sdf != 0))
-            return api_misuse(context, function,
-                              "topo and sdf are decided by the contacts, which columns of pmc "
-                              "alone spare");
-        if (!(out->sdf >= 0 && isfinite(out->sdf)))
-            return api_misuse(context, function, "sdf must be a positive finite width, or 0");
-        int near = out->motion_error == 0 || (out->motion_error > 0 && out->sdf > 0);
-        if (near && isfinite(out->motion_error))
-            return GRAZE_OK;
-        return api_misuse(context, function,
-                          "motion_error must be positive and finite beside a width sdf, or 0");
-    }
-    return api_misuse(context, function, "an option has an unknown value");
-}
-
-/* The width that rows ask for, from the options. */
-static graze_status set_tolerance(graze_scene *scene, graze_context *context) {
-    double unit = 1;
-    if (!(scene->options.sdf > 0))
-        return GRAZE_OK;
-    graze_status status =
-        scene->options.sdf_relative ? distance_diagonal(&unit, context, scene) : GRAZE_OK;
-    double width = scene->options.sdf * unit;
-    int rounded = scene->options.sdf_relative && isfinite(width);
-    scene->tolerance = rounded ? nextafter(width, 0) : width;
-    if (!status && !(scene->tolerance > 0 && isfinite(scene->tolerance)))
-        status = context_fail(
-            context, GRAZE_ELIMIT,
-            "sdf times the diagonal is beyond doubles; expected a width between 1e-307 and 1e307");
-    return status;
+    graze_status status = api_options(out, sizeof *out, context, function, options);
+    int known = (out->operation == GRAZE_SWEEP || out->operation == GRAZE_UNSWEEP) &&
+                (out->overlap == GRAZE_OVERLAP_EXTEND || out->overlap == GRAZE_OVERLAP_REJECT) &&
+                (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED);
+    return status || known ? status
+                           : api_misuse(context, function, "an option has an unknown value");
 }
 
 graze_status graze_scene_create(graze_scene **out, graze_context *context, const graze_solid *solid,
@@ -188,13 +154,8 @@ graze_status graze_scene_create(graze_scene **out, graze_context *context, const
     if (!scene)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     status = scene_make(scene, context, solid, motion, &taken);
-    if (status) {
-        free(scene);
-        return status;
-    }
-    status = set_tolerance(scene, context);
     if (status)
-        graze_scene_destroy(scene);
+        free(scene);
     else
         *out = scene;
     return status;
@@ -216,12 +177,11 @@ int graze_scene_ends_meet(const graze_scene *scene) {
 
 void graze_scene_options(graze_options *out, const graze_scene *scene) {
     const graze_options none = {0};
-    const size_t first = offsetof(graze_options, size) + sizeof out->size;
-    if (!out || (out->size && out->size < first))
+    if (!out || out->size < sizeof out->size)
         return;
-    size_t size = out->size, room = size ? size : first;
-    memset(out, 0, room);
-    memcpy(out, scene ? &scene->options : &none, room < sizeof *out ? room : sizeof *out);
+    size_t size = out->size;
+    memset(out, 0, size);
+    memcpy(out, scene ? &scene->options : &none, size < sizeof *out ? size : sizeof *out);
     out->size = size;
 }
 
@@ -272,24 +232,30 @@ graze_status graze_word_verdict(graze_verdict *out, graze_context *context, cons
                         length > 40 ? 40 : (int)length, word);
 }
 
-/* The checks both functions share; on success the verdicts are zeroed. */
-static graze_status begin(graze_verdict *out, graze_context *context, const graze_scene *scene,
-                          const void *points, size_t n) {
+/* The checks both functions share; on success the verdicts are zeroed, and *detail is how much of a
+ * trace is wanted. */
+static graze_status begin(trace_detail *detail, graze_verdict *out, graze_context *context,
+                          const graze_scene *scene, const void *points, size_t n,
+                          graze_columns columns) {
     if (!context || !scene || (n && (!out || !points)))
         return api_misuse(
             context, "graze_classify",
             "context and scene, and with n > 0 also out and points, must not be NULL");
+    if (columns != GRAZE_COLUMNS_ALL && columns != GRAZE_COLUMNS_PMC)
+        return api_misuse(context, "graze_classify", "columns have an unknown value");
     if (n)
         memset(out, 0, n * sizeof *out);
-    return GRAZE_OK;
+    *detail = columns == GRAZE_COLUMNS_PMC ? TRACE_PMC : TRACE_WORD;
+    return columns == GRAZE_COLUMNS_PMC ? filter_lay_bricks(&scene->filter, context) : GRAZE_OK;
 }
 
 graze_status graze_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
-                            graze_rationals points, size_t n) {
-    graze_status status = begin(out, context, scene, points, n);
+                            graze_rationals points, size_t n, graze_columns columns) {
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    trace_detail detail;
+    graze_status status = begin(&detail, out, context, scene, points, n, columns);
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     size_t d = (size_t)scene->motion->dimension;
     fmpq *point = _fmpq_vec_init((slong)d);
     for (size_t p = 0; p < n && !status; p++)
@@ -299,7 +265,7 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
     for (size_t p = 0; p < n && !status; p++) {
         for (size_t k = 0; k < d; k++)
             fmpq_set_mpq(point + k, points[p * d + k]);
-        status = classify_verdict(out + p, context, scene, (query_point){.rational = point});
+        status = classify_answer(out + p, context, scene, (query_point){.rational = point}, detail);
         if (status)
             status = context_item(context, status, "point", p, NULL);
     }
@@ -322,17 +288,20 @@ static graze_status check_finite(graze_context *context, const double *point, si
 }
 
 graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
-                                    const graze_scene *scene, const double *points, size_t n) {
-    graze_status status = begin(out, context, scene, points, n);
+                                    const graze_scene *scene, const double *points, size_t n,
+                                    graze_columns columns) {
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    trace_detail detail;
+    graze_status status = begin(&detail, out, context, scene, points, n, columns);
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     size_t d = (size_t)scene->motion->dimension;
     for (size_t p = 0; p < n && !status; p++) {
         const double *point = points + p * d;
         status = check_finite(context, point, d);
         if (!status)
-            status = classify_verdict(out + p, context, scene, (query_point){.value = point});
+            status =
+                classify_answer(out + p, context, scene, (query_point){.value = point}, detail);
         if (status)
             status = context_item(context, status, "point", p, NULL);
     }

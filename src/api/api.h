@@ -32,14 +32,13 @@ graze_status api_coordinate(graze_context *context, graze_status status, const c
                             size_t index, size_t coordinate);
 
 /**
- * Take the caller's options over: the members up to `size`, a size_t at the offset `at`, and those
- * behind it as far as it says; zeros for the others, and all zeros for NULL.
+ * Take the caller's options over, as far as their first member says; zeros for the others, and all
+ * zeros for NULL.
  * @param known size of the struct in this version
- * @return GRAZE_EUSE a size that does not reach its own end, or members that this version does not
- * know
+ * @return GRAZE_EUSE a size too small, or members that this version does not know
  */
-graze_status api_options(void *out, size_t known, size_t at, graze_context *context,
-                         const char *function, const void *options);
+graze_status api_options(void *out, size_t known, graze_context *context, const char *function,
+                         const void *options);
 
 /** Hand a rational to the caller's initialised variable. */
 void api_rational_out(mpq_t out, const fmpq_t value);

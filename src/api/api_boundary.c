@@ -53,8 +53,7 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
     if (!out || !context || !scene || !options)
         return api_misuse(context, "graze_boundary_create", "no argument may be NULL");
     graze_boundary_options o;
-    graze_status status = api_options(&o, sizeof o, offsetof(graze_boundary_options, size), context,
-                                      "graze_boundary_create", options);
+    graze_status status = api_options(&o, sizeof o, context, "graze_boundary_create", options);
     if (status)
         return status;
     if (!o.low != !o.high)

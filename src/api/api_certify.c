@@ -3,7 +3,7 @@
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "api/api_trace.h"
+#include "api/api_rows.h"
 #include "base/context/environment.h"
 #include "decide/verdict/classify.h"
 #include "questions/certify/head.h"
@@ -61,22 +61,21 @@ graze_status graze_certificate_head(char **out, graze_context *context,
 /* Trace one point for its row of the certificate and, unless `table` is NULL, that of the table. */
 static graze_status certify_point(text *out, text *table, graze_row_totals *totals,
                                   graze_context *context, const certifier *c, const fmpq *point,
-                                  graze_format format, const char *rest) {
+                                  const graze_row_texts *texts, const graze_row_options *shown) {
     graze_trace trace;
-    int with_contacts =
-        c->with_contacts || (table && (format == GRAZE_FORMAT_JSONL || c->scene->tolerance > 0));
+    trace_detail detail = table ? row_detail(shown) : TRACE_WORD;
     graze_status status =
         classify_point(&trace, context, c->scene, (query_point){.rational = point},
-                       with_contacts ? TRACE_CONTACTS : TRACE_WORD);
-    if (!status) {
-        status = certify_row(out, context, c, point, &trace);
-        if (!status && table)
-            status = api_trace_row(table, totals, context, c->scene, point, &trace, format, rest);
-        trace_clear(&trace);
-    }
-    return !status && (out->failed || (table && table->failed))
-               ? context_fail(context, GRAZE_ESYSTEM, "out of memory")
-               : status;
+                       c->with_contacts ? TRACE_CONTACTS : detail);
+    if (status)
+        return status;
+    status = certify_row(out, context, c, point, &trace);
+    if (!status && out->failed)
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    if (!status && table)
+        status = api_row(table, totals, context, c->scene, point, &trace, texts, shown);
+    trace_clear(&trace);
+    return status;
 }
 
 graze_status graze_certificate_row(char **out, graze_context *context,
@@ -88,25 +87,16 @@ graze_status graze_certificate_row(char **out, graze_context *context,
                           "out, context, certifier and point must not be NULL");
     size_t length, done;
     return graze_certificate_points(out, &length, NULL, NULL, &done, NULL, context, certifier,
-                                    point, 1, GRAZE_FORMAT_CSV, NULL);
-}
-
-/* Hand over the first `length` bytes, those of whole rows. */
-static void hand_over_rows(char **out, size_t *out_length, text *t, size_t length) {
-    if (!length) {
-        text_clear(t);
-        return;
-    }
-    t->data[length] = '\0';
-    *out = t->data;
-    *out_length = length;
+                                    point, 1, NULL, NULL);
 }
 
 graze_status graze_certificate_points(char **out, size_t *length, char **table,
                                       size_t *table_length, size_t *done, graze_row_totals *totals,
                                       graze_context *context, const graze_certifier *certifier,
-                                      graze_rationals points, size_t n, graze_format format,
-                                      const char *const *rest) {
+                                      graze_rationals points, size_t n,
+                                      const graze_row_texts *texts,
+                                      const graze_row_options *options) {
+    graze_row_options shown;
     if (totals)
         *totals = (graze_row_totals){0, 0};
     if (out)
@@ -124,8 +114,10 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
         return api_misuse(context, "graze_certificate_points",
                           "out, length, done, context and certifier, and with n > 0 also points, "
                           "must not be NULL; nor one alone of table and table_length");
-    graze_status status =
-        api_check_format(context, "graze_certificate_points", certifier->inner.scene, format);
+    graze_status status = api_rows(&shown, context, "graze_certificate_points", options);
+    if (!status && shown.columns == GRAZE_COLUMNS_PMC)
+        return api_misuse(context, "graze_certificate_points",
+                          "a certificate needs all answers; expected no columns of pmc alone");
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
@@ -138,14 +130,14 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
         status = api_point(point, context, certifier->inner.scene, points + k * d);
         if (!status)
             status = certify_point(&certificate, table ? &rows : NULL, totals, context,
-                                   &certifier->inner, point, format, rest ? rest[k] : NULL);
+                                   &certifier->inner, point, texts ? texts + k : NULL, &shown);
         whole = status ? whole : certificate.length;
         whole_rows = status ? whole_rows : rows.length;
         *done += !status;
     }
     _fmpq_vec_clear(point, (slong)d);
-    hand_over_rows(out, length, &certificate, whole);
+    api_whole_rows(out, length, &certificate, whole);
     if (table)
-        hand_over_rows(table, table_length, &rows, whole_rows);
+        api_whole_rows(table, table_length, &rows, whole_rows);
     return status;
 }

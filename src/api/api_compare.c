@@ -23,8 +23,7 @@ graze_status graze_compare(graze_comparison **out, graze_context *context, const
         return api_misuse(context, "graze_compare",
                           "out, context, golden and candidate must not be NULL");
     graze_compare_options taken;
-    graze_status status = api_options(&taken, sizeof taken, offsetof(graze_compare_options, size),
-                                      context, "graze_compare", options);
+    graze_status status = api_options(&taken, sizeof taken, context, "graze_compare", options);
     if (status)
         return status;
     if (!compare_options_known(&taken))

@@ -203,8 +203,7 @@ graze_status graze_motion_write_pose_list(char **json, char **report, graze_cont
     if (!json || !context || !path)
         return api_misuse(context, name, "json, context and path must not be NULL");
     graze_pose_options taken;
-    graze_status status = api_options(&taken, sizeof taken, offsetof(graze_pose_options, size),
-                                      context, name, options);
+    graze_status status = api_options(&taken, sizeof taken, context, name, options);
     if (status)
         return status;
     if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST))

@@ -105,6 +105,24 @@ graze_status graze_scene_diagonal(double *out, graze_context *context, const gra
     return distance_diagonal(out, context, scene);
 }
 
-double graze_scene_sdf(const graze_scene *scene) {
-    return scene ? scene->tolerance : 0;
+graze_status graze_scene_width(double *out, graze_context *context, const graze_scene *scene,
+                               double fraction) {
+    double unit;
+    if (!out || !context || !scene)
+        return api_misuse(context, "graze_scene_width", "out, context and scene must not be NULL");
+    if (!(fraction > 0 && isfinite(fraction)))
+        return api_misuse(context, "graze_scene_width", "fraction must be positive and finite");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_status status = distance_diagonal(&unit, context, scene);
+    double width = status ? 0 : fraction * unit;
+    if (!status && !isfinite(width))
+        width = 0;
+    width = width > 0 ? nextafter(width, 0) : 0;
+    if (!status && !(width > 0))
+        return context_fail(
+            context, GRAZE_ELIMIT,
+            "sdf times the diagonal is beyond doubles; expected a width between 1e-307 and 1e307");
+    if (!status)
+        *out = width;
+    return status;
 }

@@ -94,8 +94,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     if (!context || !scene || !file)
         return api_misuse(context, "graze_draw", "context, scene and file must not be NULL");
     graze_draw_options taken;
-    graze_status status = api_options(&taken, sizeof taken, offsetof(graze_draw_options, size),
-                                      context, "graze_draw", options);
+    graze_status status = api_options(&taken, sizeof taken, context, "graze_draw", options);
     if (status)
         return status;
     const graze_draw_options *o = &taken;

@@ -5,22 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
+#include "api/api_grid.h"
 #include "base/context/environment.h"
-#include "decide/lattice/bricks.h"
-#include "decide/lattice/grid_rows.h"
+#include "decide/filter/time_ray.h"
 #include "decide/verdict/classify.h"
-#include "graze/grid.h"
-
-/* What is decided, and written, when it is first asked for; under locks of its own. */
-typedef struct grid_memory {
-    bricks bricks;
-    axis_texts texts;
-} grid_memory;
-
-struct graze_grid {
-    lattice lattice;
-    grid_memory *memory;
-};
+#include "output/table/row_values.h"
 
 /* The sizes give no more points than the limit allows. */
 static graze_status check_sizes(graze_context *context, const size_t *size, int dimension) {
@@ -169,8 +158,37 @@ graze_status graze_grid_pmc(unsigned char *out, graze_context *context, const gr
     return status;
 }
 
+/* Rows of values; *count becomes the number of those before a failure. */
+static graze_status put_grid_values(text *out, graze_context *context, const lattice *l,
+                                    const unsigned char *pmc, size_t first, size_t step,
+                                    size_t *count) {
+    graze_status status = GRAZE_OK;
+    size_t whole = 0, p = 0, last[3] = {SIZE_MAX, SIZE_MAX, SIZE_MAX};
+    double at[3];
+    fmpq_t coordinate;
+    fmpq_init(coordinate);
+    for (; p < *count && !status; p += !status) {
+        size_t place[3];
+        whole = out->length;
+        lattice_place(place, l, first + p * step);
+        for (int k = 0; k < l->dimension && !status; k++) {
+            if (place[k] != last[k]) {
+                lattice_coordinate(coordinate, l, k, last[k] = place[k]);
+                status = values_nearest(&at[k], context, coordinate);
+            }
+            values_coordinate(out, at[k]);
+        }
+        values_code(out, pmc[p]);
+    }
+    fmpq_clear(coordinate);
+    out->length = status ? whole : out->length;
+    *count = p;
+    return status;
+}
+
 graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
-                             const graze_grid *grid, size_t first, size_t step, size_t count) {
+                             const graze_grid *grid, size_t first, size_t step, size_t count,
+                             graze_format format) {
     if (out)
         *out = NULL;
     if (length)
@@ -180,14 +198,22 @@ graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_con
     if (!out || !length || !done || !context || !grid)
         return api_misuse(context, "graze_grid_rows",
                           "out, length, done, context and grid must not be NULL");
+    if (format == GRAZE_FORMAT_JSONL || format < GRAZE_FORMAT_CSV || format > GRAZE_FORMAT_NPY)
+        return api_misuse(context, "graze_grid_rows", "rows of pmc alone have no such format");
     unsigned char *pmc = calloc(count + 1, 1); /* ends with a 0 */
     if (!pmc)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);
-    graze_status status = graze_grid_pmc(pmc, context, grid, first, step, count);
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_status status = filter_lay_bricks(&grid->memory->bricks.scene->filter, context);
+    if (!status)
+        status = graze_grid_pmc(pmc, context, grid, first, step, count);
     size_t rows = strlen((const char *)pmc);
     text t;
     text_init(&t);
-    rows_put(&t, &grid->memory->texts, &grid->lattice, pmc, first, step, rows);
+    if (format == GRAZE_FORMAT_CSV)
+        rows_put(&t, &grid->memory->texts, &grid->lattice, pmc, first, step, rows);
+    else if (!status)
+        status = put_grid_values(&t, context, &grid->lattice, pmc, first, step, &rows);
     if (t.failed)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);
     *done = t.failed ? 0 : rows;

@@ -46,30 +46,30 @@ static void rows(bench *b) {
     graze_context *c = b->s.context;
     const graze_scene *s = b->s.scene;
     const graze_trace *t = b->trace;
-    WRONG(graze_report_header(NULL, c, s, NULL, NULL));
-    WRONG_OUT(char, graze_report_header(&out, NULL, s, NULL, NULL));
-    WRONG_OUT(char, graze_report_header(&out, c, NULL, NULL, NULL));
-    WRONG(graze_report_row(NULL, c, s, b->point, t, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_row(&out, NULL, s, b->point, t, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_row(&out, c, NULL, b->point, t, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_row(&out, c, s, NULL, t, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_row(&out, c, s, b->point, NULL, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_row(&out, c, s, b->point, t, (graze_format)2, NULL));
-    WRONG(graze_report_point(NULL, c, s, b->point, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_point(&out, NULL, s, b->point, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_point(&out, c, NULL, b->point, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_point(&out, c, s, NULL, GRAZE_FORMAT_CSV, NULL));
-    WRONG_OUT(char, graze_report_point(&out, c, s, b->point, (graze_format)-1, NULL));
+    WRONG(graze_report_header(NULL, c, s, NULL, NULL, NULL));
+    WRONG_OUT(char, graze_report_header(&out, NULL, s, NULL, NULL, NULL));
+    WRONG_OUT(char, graze_report_header(&out, c, NULL, NULL, NULL, NULL));
+    WRONG(graze_report_row(NULL, c, s, b->point, t, NULL, NULL));
+    WRONG_OUT(char, graze_report_row(&out, NULL, s, b->point, t, NULL, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, NULL, b->point, t, NULL, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, s, NULL, t, NULL, NULL));
+    WRONG_OUT(char, graze_report_row(&out, c, s, b->point, NULL, NULL, NULL));
+    const graze_row_options binary = {.size = sizeof binary, .format = GRAZE_FORMAT_VTK};
+    WRONG_OUT(char, graze_report_row(&out, c, s, b->point, t, NULL, &binary));
+    WRONG(graze_report_point(NULL, c, s, b->point, NULL, NULL));
+    WRONG_OUT(char, graze_report_point(&out, NULL, s, b->point, NULL, NULL));
+    WRONG_OUT(char, graze_report_point(&out, c, NULL, b->point, NULL, NULL));
+    WRONG_OUT(char, graze_report_point(&out, c, s, NULL, NULL, NULL));
     WRONG(graze_number_decimal(NULL, c, b->point[0], 5));
     WRONG_OUT(char, graze_number_decimal(&out, NULL, b->point[0], 5));
     WRONG_OUT(char, graze_number_decimal(&out, c, NULL, 5));
     WRONG_OUT(char, graze_number_decimal(&out, c, b->point[0], -1));
     WRONG_OUT(char, graze_number_decimal(&out, c, b->point[0], 1001));
-    WRONG(graze_report_explain(NULL, c, s, b->point, t));
-    WRONG_OUT(char, graze_report_explain(&out, NULL, s, b->point, t));
-    WRONG_OUT(char, graze_report_explain(&out, c, NULL, b->point, t));
-    WRONG_OUT(char, graze_report_explain(&out, c, s, NULL, t));
-    WRONG_OUT(char, graze_report_explain(&out, c, s, b->point, NULL));
+    WRONG(graze_report_explain(NULL, c, s, b->point, t, NULL));
+    WRONG_OUT(char, graze_report_explain(&out, NULL, s, b->point, t, NULL));
+    WRONG_OUT(char, graze_report_explain(&out, c, NULL, b->point, t, NULL));
+    WRONG_OUT(char, graze_report_explain(&out, c, s, NULL, t, NULL));
+    WRONG_OUT(char, graze_report_explain(&out, c, s, b->point, NULL, NULL));
 }
 
 /* Functions with a length beside their text: it is 0 afterwards. */
@@ -84,40 +84,65 @@ static void tables(bench *b) {
     graze_context *c = b->s.context;
     const graze_scene *s = b->s.scene;
     size_t length, done = 77;
-    const graze_format csv = GRAZE_FORMAT_CSV;
-    WRONG(graze_report_points(NULL, &length, &done, NULL, c, s, b->point, 1, csv, NULL));
-    WRONG_OUT(char, graze_report_points(&out, NULL, &done, NULL, c, s, b->point, 1, csv, NULL));
+    WRONG(graze_report_points(NULL, &length, &done, NULL, c, s, b->point, 1, NULL, NULL));
+    WRONG_OUT(char, graze_report_points(&out, NULL, &done, NULL, c, s, b->point, 1, NULL, NULL));
     assert_int_equal(done, 0);
-    WRONG_LENGTH(graze_report_points(&out, &length, NULL, NULL, c, s, b->point, 1, csv, NULL));
-    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, NULL, s, b->point, 1, csv, NULL));
-    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, NULL, b->point, 1, csv, NULL));
-    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, s, NULL, 1, csv, NULL));
-    WRONG_LENGTH(
-        graze_report_points(&out, &length, &done, NULL, c, s, b->point, 1, (graze_format)2, NULL));
-    WRONG(graze_report_export(NULL, &length, c, "", 0, GRAZE_EXPORT_NPY));
-    WRONG_OUT(char, graze_report_export(&out, NULL, c, "", 0, GRAZE_EXPORT_NPY));
-    WRONG_LENGTH(graze_report_export(&out, &length, NULL, "", 0, GRAZE_EXPORT_NPY));
-    WRONG_LENGTH(graze_report_export(&out, &length, c, NULL, 0, GRAZE_EXPORT_NPY));
-    WRONG_LENGTH(graze_report_export(&out, &length, c, "", 0, GRAZE_EXPORT_NONE));
-    WRONG_LENGTH(graze_report_export(&out, &length, c, "", 0, (graze_export)3));
+    WRONG_LENGTH(graze_report_points(&out, &length, NULL, NULL, c, s, b->point, 1, NULL, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, NULL, s, b->point, 1, NULL, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, NULL, b->point, 1, NULL, NULL));
+    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, s, NULL, 1, NULL, NULL));
+    const graze_row_options npy = {.size = sizeof npy, .format = GRAZE_FORMAT_NPY};
+    WRONG(graze_report_export(NULL, &length, c, s, "", 0, NULL, NULL, &npy));
+    WRONG_OUT(char, graze_report_export(&out, NULL, c, s, "", 0, NULL, NULL, &npy));
+    WRONG_LENGTH(graze_report_export(&out, &length, NULL, s, "", 0, NULL, NULL, &npy));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, NULL, "", 0, NULL, NULL, &npy));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, s, NULL, 1, NULL, NULL, &npy));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, s, "", 0, NULL, NULL, NULL));
+    WRONG_LENGTH(graze_report_export(&out, &length, c, s, "", 0, NULL, NULL, &as_jsonl));
+}
+
+/* Options of rows that are unknown, or do not go together. */
+static void row_choices(bench *b) {
+    graze_context *c = b->s.context;
+    size_t length, done;
+    const graze_row_options odd[] = {
+        {.size = 1},
+        {.size = sizeof *odd, .format = (graze_format)4},
+        {.size = sizeof *odd, .format = (graze_format)-1},
+        {.size = sizeof *odd, .columns = (graze_columns)2},
+        {.size = sizeof *odd, .topo = 2},
+        {.size = sizeof *odd, .sdf = -1},
+        {.size = sizeof *odd, .sdf = INFINITY},
+        {.size = sizeof *odd, .motion_error = 1},
+        {.size = sizeof *odd, .sdf = 1, .motion_error = -1},
+        {.size = sizeof *odd, .columns = GRAZE_COLUMNS_PMC, .topo = 1},
+        {.size = sizeof *odd, .columns = GRAZE_COLUMNS_PMC, .sdf = 1},
+        {.size = sizeof *odd, .columns = GRAZE_COLUMNS_PMC, .format = GRAZE_FORMAT_JSONL},
+    };
+    for (size_t k = 0; k < sizeof odd / sizeof *odd; k++) {
+        WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, b->s.scene, b->point, 1,
+                                         NULL, &odd[k]));
+        WRONG_OUT(char, graze_report_header(&out, c, b->s.scene, NULL, NULL, &odd[k]));
+        WRONG_OUT(char, graze_report_explain(&out, c, b->s.scene, b->point, b->trace, &odd[k]));
+    }
 }
 
 static void pictures(bench *b) {
     graze_context *c = b->s.context;
     const char *file = "/nonexistent/a.svg", *const no_name[] = {NULL};
     const graze_draw_options odd[] = {
-        {.times = 1},
-        {.times = 65},
-        {.low = b->point},
-        {.high = b->point},
-        {.low = b->point, .high = b->point},
-        {.plane = b->point},
-        {.normal = b->point, .size = sizeof(graze_draw_options)},
-        {.point_count = 1, .points = b->point},
-        {.point_count = 1, .points = b->point, .names = no_name},
-        {.point_count = 1, .names = no_name},
-        {.view = {NAN, 0, 0}},
-        {.view = {0, INFINITY, 0}},
+        {.size = sizeof *odd, .times = 1},
+        {.size = sizeof *odd, .times = 65},
+        {.size = sizeof *odd, .low = b->point},
+        {.size = sizeof *odd, .high = b->point},
+        {.size = sizeof *odd, .low = b->point, .high = b->point},
+        {.size = sizeof *odd, .plane = b->point},
+        {.size = sizeof *odd, .normal = b->point},
+        {.size = sizeof *odd, .point_count = 1, .points = b->point},
+        {.size = sizeof *odd, .point_count = 1, .points = b->point, .names = no_name},
+        {.size = sizeof *odd, .point_count = 1, .names = no_name},
+        {.size = sizeof *odd, .view = {NAN, 0, 0}},
+        {.size = sizeof *odd, .view = {0, INFINITY, 0}},
     };
     HARMLESS(graze_class_colour, !graze_class_colour(GRAZE_CLASS_NONE));
     HARMLESS(graze_class_colour, !graze_class_colour((graze_class)9));
@@ -138,13 +163,13 @@ static void pictures(bench *b) {
 static void comparisons(bench *b) {
     graze_context *c = b->s.context;
     const graze_compare_options odd[] = {
-        {.question = (graze_question)2},
-        {.question = (graze_question)-1},
-        {.on_as = (graze_on_as)4},
-        {.has = (graze_candidate_has)2},
-        {.truth = (graze_truth)2, .has = GRAZE_HAS_SDF, .size = sizeof *odd},
-        {.truth = GRAZE_TRUTH_OUTSIDE, .size = sizeof *odd},
-        {.sdf_tolerance = "1", .size = sizeof *odd}};
+        {.size = sizeof *odd, .question = (graze_question)2},
+        {.size = sizeof *odd, .question = (graze_question)-1},
+        {.size = sizeof *odd, .on_as = (graze_on_as)4},
+        {.size = sizeof *odd, .has = (graze_candidate_has)2},
+        {.size = sizeof *odd, .truth = (graze_truth)2, .has = GRAZE_HAS_SDF},
+        {.size = sizeof *odd, .truth = GRAZE_TRUTH_OUTSIDE},
+        {.size = sizeof *odd, .sdf_tolerance = "1"}};
     WRONG(graze_compare(NULL, c, "a", "b", NULL));
     WRONG_OUT(graze_comparison, graze_compare(&out, NULL, "a", "b", NULL));
     WRONG_OUT(graze_comparison, graze_compare(&out, c, NULL, "b", NULL));
@@ -197,8 +222,9 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_pose_list(NULL, &out, c, "a.csv", NULL));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, NULL, "a.csv", NULL));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, NULL, NULL));
-    graze_pose_options unknown = {.flags = 4}, unnamed = {.ignored_count = 1};
-    graze_pose_options short_one = {.size = 8};
+    graze_pose_options unknown = {.size = sizeof unknown, .flags = 4},
+                       unnamed = {.size = sizeof unnamed, .ignored_count = 1};
+    graze_pose_options short_one = {.size = 7};
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unknown));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unnamed));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &short_one));
@@ -222,7 +248,7 @@ static void certificates(bench *b) {
     WRONG_OUT(char, graze_certificate_row(&out, c, NULL, b->point));
     size_t length, done;
     WRONG_LENGTH(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, c, NULL, b->point,
-                                          1, GRAZE_FORMAT_CSV, NULL));
+                                          1, NULL, NULL));
     HARMLESS(graze_certifier_destroy, CALLS(graze_certifier_destroy(NULL)));
 }
 
@@ -252,12 +278,14 @@ static void grids(bench *b) {
     WRONG(graze_grid_pmc(pmc, NULL, g, 0, 1, 1));
     WRONG(graze_grid_pmc(pmc, c, NULL, 0, 1, 1));
     WRONG(graze_grid_pmc(pmc, c, g, 8, 1, 1));
-    WRONG(graze_grid_rows(NULL, &length, &done, c, g, 0, 1, 1));
-    WRONG(graze_grid_rows(&rows, NULL, &done, c, g, 0, 1, 1));
-    WRONG(graze_grid_rows(&rows, &length, NULL, c, g, 0, 1, 1));
-    WRONG(graze_grid_rows(&rows, &length, &done, NULL, g, 0, 1, 1));
-    WRONG(graze_grid_rows(&rows, &length, &done, c, NULL, 0, 1, 1));
-    WRONG(graze_grid_rows(&rows, &length, &done, c, g, 8, 1, 1));
+    WRONG(graze_grid_rows(NULL, &length, &done, c, g, 0, 1, 1, GRAZE_FORMAT_CSV));
+    WRONG(graze_grid_rows(&rows, NULL, &done, c, g, 0, 1, 1, GRAZE_FORMAT_CSV));
+    WRONG(graze_grid_rows(&rows, &length, NULL, c, g, 0, 1, 1, GRAZE_FORMAT_CSV));
+    WRONG(graze_grid_rows(&rows, &length, &done, NULL, g, 0, 1, 1, GRAZE_FORMAT_CSV));
+    WRONG(graze_grid_rows(&rows, &length, &done, c, NULL, 0, 1, 1, GRAZE_FORMAT_CSV));
+    WRONG(graze_grid_rows(&rows, &length, &done, c, g, 8, 1, 1, GRAZE_FORMAT_CSV));
+    WRONG(graze_grid_rows(&rows, &length, &done, c, g, 0, 1, 1, GRAZE_FORMAT_JSONL));
+    WRONG(graze_grid_rows(&rows, &length, &done, c, g, 0, 1, 1, (graze_format)4));
     HARMLESS(graze_grid_points, CALLS(graze_grid_points(NULL, g, 0, 1, 1)));
     HARMLESS(graze_grid_points, CALLS(graze_grid_points(low, NULL, 0, 1, 1)));
     HARMLESS(graze_grid_count, !graze_grid_count(NULL));
@@ -356,35 +384,20 @@ static void distances(bench *b) {
     WRONG(graze_scene_diagonal(NULL, c, b->s.scene));
     WRONG(graze_scene_diagonal(&diagonal, NULL, b->s.scene));
     WRONG(graze_scene_diagonal(&diagonal, c, NULL));
-    HARMLESS(graze_scene_sdf, graze_scene_sdf(NULL) == 0);
-    graze_options negative = {.sdf = -1, .size = sizeof negative};
-    graze_options neither = {.sdf = 1, .sdf_relative = 2, .size = sizeof neither};
-    graze_options alone = {.sdf = 1, .columns = GRAZE_COLUMNS_PMC, .size = sizeof alone};
-    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &negative));
-    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &neither));
-    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &alone));
+    WRONG(graze_scene_width(NULL, c, b->s.scene, 1));
+    WRONG(graze_scene_width(&diagonal, NULL, b->s.scene, 1));
+    WRONG(graze_scene_width(&diagonal, c, NULL, 1));
+    WRONG(graze_scene_width(&diagonal, c, b->s.scene, 0));
+    WRONG(graze_scene_width(&diagonal, c, b->s.scene, INFINITY));
 }
 
 static void positions(bench *b) {
     graze_context *c = b->s.context;
-    graze_options unknown = {.topo = 2, .size = sizeof unknown};
-    graze_options other = {.columns = (graze_columns)2, .size = sizeof other};
-    graze_options both = {.topo = 1, .columns = GRAZE_COLUMNS_PMC, .size = sizeof both};
     WRONG(graze_trace_topo(NULL, c, b->s.scene, b->point, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, NULL, b->s.scene, b->point, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, NULL, b->point, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, NULL, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, b->point, NULL));
-    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &unknown));
-    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &other));
-    WRONG_OUT(graze_scene, graze_scene_create(&out, c, b->s.solid, b->s.motion, &both));
-    both.topo = 0;
-    graze_scene *pmc_alone = NULL;
-    size_t length, done;
-    assert_int_equal(graze_scene_create(&pmc_alone, c, b->s.solid, b->s.motion, &both), GRAZE_OK);
-    WRONG_LENGTH(graze_report_points(&out, &length, &done, NULL, c, pmc_alone, b->point, 1,
-                                     GRAZE_FORMAT_JSONL, NULL));
-    graze_scene_destroy(pmc_alone);
     HARMLESS(graze_topo_name, graze_topo_name((graze_topo)-1)[0] == 'n');
     HARMLESS(graze_topo_level_name, graze_topo_level_name((graze_topo_level)-1)[0] == 'n');
     HARMLESS(graze_topology_destroy, CALLS(graze_topology_destroy(NULL)));

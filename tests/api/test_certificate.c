@@ -20,26 +20,26 @@ static void check_points(graze_context *context, const graze_certifier *c,
     enum { POINTS = 3 };
     mpq_t p[3 * POINTS];
     char *out, *table, *one, whole[2][4096] = {"", ""};
-    const char *rest[POINTS] = {"a", NULL, "c"};
+    const graze_row_texts rest[POINTS] = {{NULL, "a"}, {NULL, NULL}, {NULL, "c"}};
     size_t length, table_length, done;
     for (int k = 0; k < 3 * POINTS; k++) {
         mpq_init(p[k]);
         mpq_set_si(p[k], k % 3 ? 1 : k, 1);
     }
     for (int f = GRAZE_FORMAT_CSV; f <= GRAZE_FORMAT_JSONL; f++) {
+        const graze_row_options form = {.size = sizeof form, .format = (graze_format)f};
         whole[0][0] = whole[1][0] = '\0';
         for (int k = 0; k < POINTS; k++) {
             assert_int_equal(graze_certificate_row(&one, context, c, p + 3 * k), GRAZE_OK);
             strcat(whole[0], one);
             graze_free(one);
-            assert_int_equal(
-                graze_report_point(&one, context, scene, p + 3 * k, (graze_format)f, rest[k]),
-                GRAZE_OK);
+            assert_int_equal(graze_report_point(&one, context, scene, p + 3 * k, &rest[k], &form),
+                             GRAZE_OK);
             strcat(whole[1], one);
             graze_free(one);
         }
         assert_int_equal(graze_certificate_points(&out, &length, &table, &table_length, &done, NULL,
-                                                  context, c, p, POINTS, (graze_format)f, rest),
+                                                  context, c, p, POINTS, rest, &form),
                          GRAZE_OK);
         assert_int_equal(done, POINTS);
         assert_string_equal(out, whole[0]);
@@ -50,13 +50,13 @@ static void check_points(graze_context *context, const graze_certifier *c,
         graze_free(table);
     }
     assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, context, c, p,
-                                              POINTS, GRAZE_FORMAT_CSV, NULL),
+                                              POINTS, NULL, NULL),
                      GRAZE_OK);
     assert_string_equal(out, whole[0]);
     graze_free(out);
     mpz_set_si(mpq_denref(p[5]), -1);
     assert_int_equal(graze_certificate_points(&out, &length, &table, &table_length, &done, NULL,
-                                              context, c, p, POINTS, GRAZE_FORMAT_CSV, NULL),
+                                              context, c, p, POINTS, NULL, NULL),
                      GRAZE_EUSE);
     assert_int_equal(done, 1);
     assert_int_equal(strlen(out), length);
@@ -66,23 +66,25 @@ static void check_points(graze_context *context, const graze_certifier *c,
     graze_free(out);
     graze_free(table);
     assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, context, c,
-                                              NULL, 0, GRAZE_FORMAT_CSV, NULL),
+                                              NULL, 0, NULL, NULL),
                      GRAZE_OK);
     assert_null(out);
     assert_int_equal(graze_certificate_points(&out, &length, &table, NULL, &done, NULL, context, c,
-                                              p, 1, GRAZE_FORMAT_CSV, NULL),
+                                              p, 1, NULL, NULL),
                      GRAZE_EUSE);
     assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, context, c,
-                                              NULL, 1, GRAZE_FORMAT_CSV, NULL),
+                                              NULL, 1, NULL, NULL),
                      GRAZE_EUSE);
-    assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, &done, NULL, context, c, p,
-                                              1, (graze_format)2, NULL),
-                     GRAZE_EUSE);
+    assert_int_equal(
+        graze_certificate_points(
+            &out, &length, NULL, NULL, &done, NULL, context, c, p, 1, NULL,
+            &(graze_row_options){.size = sizeof(graze_row_options), .columns = GRAZE_COLUMNS_PMC}),
+        GRAZE_EUSE);
     assert_int_equal(graze_certificate_points(NULL, &length, NULL, NULL, &done, NULL, context, c, p,
-                                              1, GRAZE_FORMAT_CSV, NULL),
+                                              1, NULL, NULL),
                      GRAZE_EUSE);
     assert_int_equal(graze_certificate_points(&out, &length, NULL, NULL, NULL, NULL, context, c, p,
-                                              1, GRAZE_FORMAT_CSV, NULL),
+                                              1, NULL, NULL),
                      GRAZE_EUSE);
     for (int k = 0; k < 3 * POINTS; k++) {
         if (k == 5)

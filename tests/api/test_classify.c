@@ -29,10 +29,8 @@ static void worked_examples(void **state) {
         {8, 1, "OBIB", 2, 0, 2, GRAZE_REGULAR, GRAZE_IN},
         {10, 1, "OB", 0, 1, 2, GRAZE_BOUNDARY, GRAZE_ON},
     };
-    static const graze_options pmc_alone = {.size = sizeof pmc_alone, .columns = GRAZE_COLUMNS_PMC};
-    scene s, alone;
+    scene s;
     scene_open(&s, slide, NULL);
-    scene_open(&alone, slide, &pmc_alone);
     assert_int_equal(graze_scene_ends_meet(s.scene), 0);
     mpq_t p[2];
     mpq_init(p[0]);
@@ -55,19 +53,20 @@ static void worked_examples(void **state) {
                                        : expected[k].class_ == GRAZE_BOUNDARY ? 8
                                                                               : 9);
         assert_int_equal(graze_trace_contact_count(trace), v.i + v.t);
-        assert_int_equal(graze_classify_doubles(&by_double, s.context, s.scene, point, 1),
-                         GRAZE_OK);
+        assert_int_equal(
+            graze_classify_doubles(&by_double, s.context, s.scene, point, 1, GRAZE_COLUMNS_ALL),
+            GRAZE_OK);
         assert_int_equal(memcmp(&by_double, &v, sizeof v), 0);
         const graze_verdict only = {.pmc = expected[k].pmc};
-        assert_int_equal(graze_classify_doubles(&by_double, alone.context, alone.scene, point, 1),
-                         GRAZE_OK);
+        assert_int_equal(
+            graze_classify_doubles(&by_double, s.context, s.scene, point, 1, GRAZE_COLUMNS_PMC),
+            GRAZE_OK);
         assert_int_equal(memcmp(&by_double, &only, sizeof only), 0);
         graze_trace_destroy(trace);
     }
     mpq_clear(p[0]);
     mpq_clear(p[1]);
     scene_close(&s);
-    scene_close(&alone);
 }
 
 /* The way back is (10 x - 10 y + 1, y / (4 * 10^18)): at x = y = 6 * 10^18 the products of 10 x and
@@ -174,8 +173,10 @@ static void doubles_are_exact(void **state) {
         mpq_init(exact[k]);
         mpq_set_d(exact[k], points[k]);
     }
-    assert_int_equal(graze_classify_doubles(a, s.context, s.scene, points, MANY), GRAZE_OK);
-    assert_int_equal(graze_classify(b, s.context, s.scene, exact, MANY), GRAZE_OK);
+    assert_int_equal(graze_classify_doubles(a, s.context, s.scene, points, MANY, GRAZE_COLUMNS_ALL),
+                     GRAZE_OK);
+    assert_int_equal(graze_classify(b, s.context, s.scene, exact, MANY, GRAZE_COLUMNS_ALL),
+                     GRAZE_OK);
     int seen[4] = {0, 0, 0, 0};
     for (int k = 0; k < MANY; k++) {
         /* The sweep is [0,10] x [0,2], and every one of its inner points is inside some S^t. */
@@ -189,7 +190,8 @@ static void doubles_are_exact(void **state) {
     }
     assert_true(seen[GRAZE_IN] && seen[GRAZE_ON] && seen[GRAZE_OUT]);
     points[2 * 3] = NAN;
-    assert_int_equal(graze_classify_doubles(a, s.context, s.scene, points, MANY), GRAZE_EINPUT);
+    assert_int_equal(graze_classify_doubles(a, s.context, s.scene, points, MANY, GRAZE_COLUMNS_ALL),
+                     GRAZE_EINPUT);
     assert_non_null(strstr(graze_context_message(s.context), "point 3"));
     assert_int_equal(memcmp(a, b, 3 * sizeof *a), 0);
     assert_int_equal(a[3].pmc, GRAZE_PMC_NONE);
@@ -209,14 +211,17 @@ static void points_must_be_canonical(void **state) {
     mpq_init(p[1]);
     mpz_set_ui(mpq_numref(p[1]), 2);
     mpz_set_ui(mpq_denref(p[1]), 4);
-    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1), GRAZE_EUSE);
+    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1, GRAZE_COLUMNS_ALL),
+                     GRAZE_EUSE);
     assert_non_null(strstr(graze_context_message(s.context), "lowest terms"));
     mpz_set_ui(mpq_denref(p[1]), 0);
-    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1), GRAZE_EUSE);
+    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1, GRAZE_COLUMNS_ALL),
+                     GRAZE_EUSE);
     assert_non_null(strstr(graze_context_message(s.context), "point 0, coordinate 1"));
     mpz_set_ui(mpq_denref(p[1]), 1);
     mpz_ui_pow_ui(mpq_numref(p[1]), 10, 20000);
-    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1), GRAZE_ELIMIT);
+    assert_int_equal(graze_classify(&verdict, s.context, s.scene, p, 1, GRAZE_COLUMNS_ALL),
+                     GRAZE_ELIMIT);
     assert_int_equal(verdict.pmc, GRAZE_PMC_NONE);
     mpq_clear(p[0]);
     mpq_clear(p[1]);
@@ -236,11 +241,13 @@ static void cancel_keeps_what_is_done(void **state) {
     scene s;
     scene_open(&s, slide, NULL);
     random_points(points, 21);
-    assert_int_equal(graze_classify_doubles(all, s.context, s.scene, points, MANY), GRAZE_OK);
+    assert_int_equal(
+        graze_classify_doubles(all, s.context, s.scene, points, MANY, GRAZE_COLUMNS_ALL), GRAZE_OK);
     int left = 100;
     graze_context_set_cancel(s.context, stop_later, &left);
-    assert_int_equal(graze_classify_doubles(some, s.context, s.scene, points, MANY),
-                     GRAZE_ECANCELED);
+    assert_int_equal(
+        graze_classify_doubles(some, s.context, s.scene, points, MANY, GRAZE_COLUMNS_ALL),
+        GRAZE_ECANCELED);
     assert_non_null(strstr(graze_context_message(s.context), "canceled by the caller"));
     int done = 0;
     while (done < MANY && some[done].pmc)
@@ -250,7 +257,9 @@ static void cancel_keeps_what_is_done(void **state) {
     for (int k = done; k < MANY; k++)
         assert_int_equal(some[k].pmc, GRAZE_PMC_NONE);
     graze_context_set_cancel(s.context, NULL, NULL);
-    assert_int_equal(graze_classify_doubles(some, s.context, s.scene, points, MANY), GRAZE_OK);
+    assert_int_equal(
+        graze_classify_doubles(some, s.context, s.scene, points, MANY, GRAZE_COLUMNS_ALL),
+        GRAZE_OK);
     assert_int_equal(memcmp(all, some, sizeof all), 0);
     scene_close(&s);
 }
@@ -265,10 +274,13 @@ static void cancel_countdown(void **state) {
     random_points(points, 22);
     int left = MANY;
     graze_context_set_cancel(s.context, graze_cancel_countdown, &left);
-    assert_int_equal(graze_classify_doubles(some, s.context, s.scene, points, MANY), GRAZE_OK);
+    assert_int_equal(
+        graze_classify_doubles(some, s.context, s.scene, points, MANY, GRAZE_COLUMNS_ALL),
+        GRAZE_OK);
     assert_int_equal(left, 0);
-    assert_int_equal(graze_classify_doubles(some, s.context, s.scene, points, MANY),
-                     GRAZE_ECANCELED);
+    assert_int_equal(
+        graze_classify_doubles(some, s.context, s.scene, points, MANY, GRAZE_COLUMNS_ALL),
+        GRAZE_ECANCELED);
     assert_int_equal(some[0].pmc, GRAZE_PMC_NONE);
     assert_int_equal(graze_cancel_countdown(NULL), 0);
     scene_close(&s);
@@ -286,7 +298,8 @@ static void *work(void *data) {
     graze_context *context;
     j->status = graze_context_create(&context);
     if (!j->status)
-        j->status = graze_classify_doubles(j->verdicts, context, j->scene, j->points, MANY);
+        j->status = graze_classify_doubles(j->verdicts, context, j->scene, j->points, MANY,
+                                           GRAZE_COLUMNS_ALL);
     graze_context_destroy(context);
     graze_thread_finish();
     return NULL;
@@ -301,7 +314,9 @@ static void threads_share_a_scene(void **state) {
     scene s;
     scene_open(&s, slide, NULL);
     random_points(points, 22);
-    assert_int_equal(graze_classify_doubles(alone, s.context, s.scene, points, MANY), GRAZE_OK);
+    assert_int_equal(
+        graze_classify_doubles(alone, s.context, s.scene, points, MANY, GRAZE_COLUMNS_ALL),
+        GRAZE_OK);
     for (int k = 0; k < THREADS; k++) {
         jobs[k].scene = s.scene;
         jobs[k].points = points;
@@ -364,7 +379,7 @@ static void ends_that_meet(void **state) {
         scene_open(&s, motion, NULL);
         if (graze_scene_ends_meet(s.scene) != cases[k].meet)
             fail_msg("%s: expected %d", cases[k].transform, cases[k].meet);
-        graze_options reject = {.overlap = GRAZE_OVERLAP_REJECT};
+        graze_options reject = {.size = sizeof reject, .overlap = GRAZE_OVERLAP_REJECT};
         graze_scene *made;
         assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &reject),
                          cases[k].meet ? GRAZE_EILLEGAL : GRAZE_OK);

@@ -35,7 +35,7 @@ static graze_status classify(graze_verdict *out, scene *s, patience *p) {
     p->polls = 0;
     p->longest = 0;
     p->last = seconds();
-    return graze_classify_doubles(out, s->context, s->scene, point, 1);
+    return graze_classify_doubles(out, s->context, s->scene, point, 1, GRAZE_COLUMNS_ALL);
 }
 
 static graze_status trace_and_report(scene *s, patience *p) {
@@ -50,8 +50,7 @@ static graze_status trace_and_report(scene *s, patience *p) {
     graze_status status = graze_trace_create(&trace, s->context, s->scene, point);
     if (!status) {
         assert_string_equal(graze_trace_word(trace), "BIBOBIBO");
-        status =
-            graze_report_row(&row, s->context, s->scene, point, trace, GRAZE_FORMAT_JSONL, NULL);
+        status = graze_report_row(&row, s->context, s->scene, point, trace, NULL, &as_jsonl);
     }
     assert_true((status == GRAZE_OK) == (row != NULL));
     graze_free(row);

@@ -141,7 +141,8 @@ static void refusals(void **state) {
     graze_site *site = (graze_site *)1;
     mpq_t t, p[2];
     mpq_inits(t, p[0], p[1], NULL);
-    scene_open(&s, slide, &(graze_options){.operation = GRAZE_UNSWEEP});
+    scene_open(&s, slide,
+               &(graze_options){.size = sizeof(graze_options), .operation = GRAZE_UNSWEEP});
     assert_int_equal(graze_site_create(&site, s.context, s.scene, t, p), GRAZE_EUSE);
     assert_null(site);
     scene_close(&s);

@@ -82,7 +82,7 @@ static void check_sign(const graze_enclosure *e) {
 
 static void check_row(const row *r, double tolerance) {
     scene s;
-    graze_options options = {.operation = r->operation};
+    graze_options options = {.size = sizeof options, .operation = r->operation};
     scene_open(&s, r->motion, &options);
     graze_enclosure e = ask(&s, r->x, r->y, tolerance);
     assert_int_equal(e.pmc, r->pmc);
@@ -244,10 +244,11 @@ static void refusals(void **state) {
     assert_int_equal(graze_scene_diagonal(NULL, s.context, s.scene), GRAZE_EUSE);
     e[0] = ask(&s, 5, 3, 1e-300); /* less than doubles resolve */
     assert_true(e[0].wide && e[0].low <= 1 && e[0].high >= 1 && e[0].high - e[0].low < 1e-12);
-    graze_options wide = {.sdf = 1e308, .sdf_relative = 1, .size = sizeof wide};
-    graze_scene *none = s.scene;
-    assert_int_equal(graze_scene_create(&none, s.context, s.solid, s.motion, &wide), GRAZE_ELIMIT);
-    assert_null(none);
+    double width = 7;
+    assert_int_equal(graze_scene_width(&width, s.context, s.scene, 1e308), GRAZE_ELIMIT);
+    assert_true(width == 7);
+    assert_int_equal(graze_scene_width(&width, s.context, s.scene, 0.25), GRAZE_OK);
+    assert_true(width < diagonal / 4 && width >= diagonal / 4 * (1 - 0x1p-52));
     scene_close(&s);
 }
 

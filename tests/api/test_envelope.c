@@ -147,7 +147,8 @@ static void wrong_calls(void **state) {
     graze_site *site = (graze_site *)1;
     char *text = (char *)1;
     mpq_init(t);
-    scene_open(&s, slide, &(graze_options){.operation = GRAZE_UNSWEEP});
+    scene_open(&s, slide,
+               &(graze_options){.size = sizeof(graze_options), .operation = GRAZE_UNSWEEP});
     assert_int_equal(graze_envelope_create(&e, s.context, s.scene), GRAZE_EUSE);
     assert_null(e);
     assert_int_equal(graze_envelope_create(&e, s.context, NULL), GRAZE_EUSE);

@@ -37,9 +37,11 @@ static char *classify_bracket(void) {
                          GRAZE_OK);
         assert_int_equal(graze_trace_create(&trace, s.context, s.scene, point), GRAZE_OK);
         for (int format = GRAZE_FORMAT_CSV; format <= GRAZE_FORMAT_JSONL; format++) {
-            assert_int_equal(graze_report_row(&row, s.context, s.scene, point, trace,
-                                              (graze_format)format, NULL),
-                             GRAZE_OK);
+            assert_int_equal(
+                graze_report_row(&row, s.context, s.scene, point, trace, NULL,
+                                 &(graze_row_options){.size = sizeof(graze_row_options),
+                                                      .format = (graze_format)format}),
+                GRAZE_OK);
             size_t length = strlen(row);
             assert_true(length < ROW_BYTES / 2);
             memcpy(all + used, row, length + 1);

@@ -15,7 +15,8 @@ static unsigned long asked(const scene *s, long x, long y, long over) {
     mpq_canonicalize(p[0]);
     mpq_canonicalize(p[1]);
     unsigned long before = graze_context_exact_count(s->context);
-    assert_int_equal(graze_classify(&verdict, s->context, s->scene, p, 1), GRAZE_OK);
+    assert_int_equal(graze_classify(&verdict, s->context, s->scene, p, 1, GRAZE_COLUMNS_ALL),
+                     GRAZE_OK);
     mpq_clears(p[0], p[1], NULL);
     return graze_context_exact_count(s->context) - before;
 }

@@ -165,7 +165,9 @@ static void answer(rows *out, const shape *what, const char *factor, int filter,
     out->count = 0;
     for (size_t k = first; point_of(point, what, k, unit); k += step) {
         char *row;
-        if (graze_report_point(&row, s.context, s.scene, point, format, NULL) != GRAZE_OK)
+        if (graze_report_point(&row, s.context, s.scene, point, NULL,
+                               &(graze_row_options){.size = sizeof(graze_row_options),
+                                                    .format = format}) != GRAZE_OK)
             fail_msg("%s", graze_context_message(s.context));
         out->text[out->count++] = tail_of(row, what->dimension, format);
         graze_free(row);
@@ -361,8 +363,9 @@ static void doubles(void **state) {
                              GRAZE_OK);
             graze_context_set_filter(s.context, u + e > 0);
             memset(got, 0, sizeof got);
-            assert_int_equal(graze_classify_doubles(got, s.context, s.scene, points, POINTS),
-                             GRAZE_OK);
+            assert_int_equal(
+                graze_classify_doubles(got, s.context, s.scene, points, POINTS, GRAZE_COLUMNS_ALL),
+                GRAZE_OK);
             scene_close(&s);
             fesetenv(&host);
             if (u + e == 0)

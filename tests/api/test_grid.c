@@ -107,14 +107,16 @@ static void points_and_rows(void **state) {
     graze_grid_points(point, g.grid, 9, WIDE * 42, 2); /* (1/8, -1) and (1/8, 43/41) */
     assert_true(mpq_cmp_si(point[0], 1, 8) == 0 && mpq_cmp_si(point[1], -1, 1) == 0);
     assert_true(mpq_cmp_si(point[2], 1, 8) == 0 && mpq_cmp_si(point[3], 43, 41) == 0);
-    assert_int_equal(graze_grid_rows(&rows, &length, &done, g.s.context, g.grid, 9, WIDE * 42, 2),
+    assert_int_equal(graze_grid_rows(&rows, &length, &done, g.s.context, g.grid, 9, WIDE * 42, 2,
+                                     GRAZE_FORMAT_CSV),
                      GRAZE_OK);
     assert_string_equal(rows, "1/8,-1,out\n1/8,43/41,in\n");
     assert_int_equal(length, strlen(rows));
     assert_int_equal(done, 2);
     graze_free(rows);
-    assert_int_equal(graze_grid_rows(&rows, &length, &done, g.s.context, g.grid, 9, 1, 0),
-                     GRAZE_OK);
+    assert_int_equal(
+        graze_grid_rows(&rows, &length, &done, g.s.context, g.grid, 9, 1, 0, GRAZE_FORMAT_CSV),
+        GRAZE_OK);
     assert_true(rows == NULL && length == 0 && done == 0);
     mpq_set_si(point[0], 5, 1);
     graze_grid_points(point, g.grid, ALL, 1, 1);
@@ -220,7 +222,8 @@ static void refusals(void **state) {
     assert_int_equal(graze_grid_pmc(pmc, c, g.grid, 0, 0, 2), GRAZE_EUSE);
     assert_int_equal(graze_grid_pmc(pmc, c, NULL, 0, 1, 2), GRAZE_EUSE);
     assert_int_equal(pmc[0], 7);
-    assert_int_equal(graze_grid_rows(NULL, NULL, NULL, c, g.grid, 0, 1, 2), GRAZE_EUSE);
+    assert_int_equal(graze_grid_rows(NULL, NULL, NULL, c, g.grid, 0, 1, 2, GRAZE_FORMAT_CSV),
+                     GRAZE_EUSE);
     assert_int_equal(graze_grid_count(NULL), 0);
     graze_grid_destroy(NULL);
     grid_close(&g);

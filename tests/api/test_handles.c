@@ -17,7 +17,7 @@ static void null_is_harmless(void **state) {
     assert_int_equal(graze_solid_component_count(NULL), 0);
     assert_int_equal(graze_scene_dimension(NULL), 0);
     assert_int_equal(graze_scene_ends_meet(NULL), 0);
-    graze_options options = {.folds = GRAZE_FOLDS_COMBINED};
+    graze_options options = {.size = sizeof options, .folds = GRAZE_FOLDS_COMBINED};
     graze_scene_options(&options, NULL);
     assert_int_equal(options.folds, GRAZE_FOLDS_SEPARATE);
     assert_int_equal(graze_scene_hashes(NULL).scene[0], 0);
@@ -54,25 +54,25 @@ static void null_is_wrong_use(void **state) {
     assert_non_null(strstr(graze_context_message(s.context), "flag"));
     assert_int_equal(graze_scene_create(&made, s.context, NULL, s.motion, NULL), GRAZE_EUSE);
     assert_null(made);
-    graze_options odd = {.operation = (graze_operation)7};
+    graze_options odd = {.size = sizeof odd, .operation = (graze_operation)7};
     assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &odd), GRAZE_EUSE);
     assert_int_equal(graze_scene_box(NULL, x, s.context, s.scene), GRAZE_EUSE);
     assert_int_equal(graze_trace_create(&trace, s.context, s.scene, NULL), GRAZE_EUSE);
     assert_null(trace);
-    assert_int_equal(graze_report_header(&text, s.context, NULL, NULL, NULL), GRAZE_EUSE);
+    assert_int_equal(graze_report_header(&text, s.context, NULL, NULL, NULL, NULL), GRAZE_EUSE);
     assert_null(text);
-    assert_int_equal(graze_report_row(&text, s.context, s.scene, x, NULL, GRAZE_FORMAT_CSV, NULL),
-                     GRAZE_EUSE);
-    assert_int_equal(graze_report_point(&text, s.context, s.scene, NULL, GRAZE_FORMAT_CSV, NULL),
-                     GRAZE_EUSE);
-    assert_int_equal(graze_report_points(&text, &length, NULL, NULL, s.context, s.scene, x, 1,
-                                         GRAZE_FORMAT_CSV, NULL),
-                     GRAZE_EUSE);
-    assert_int_equal(graze_report_explain(&text, s.context, s.scene, x, NULL), GRAZE_EUSE);
+    assert_int_equal(graze_report_row(&text, s.context, s.scene, x, NULL, NULL, NULL), GRAZE_EUSE);
+    assert_int_equal(graze_report_point(&text, s.context, s.scene, NULL, NULL, NULL), GRAZE_EUSE);
+    assert_int_equal(
+        graze_report_points(&text, &length, NULL, NULL, s.context, s.scene, x, 1, NULL, NULL),
+        GRAZE_EUSE);
+    assert_int_equal(graze_report_explain(&text, s.context, s.scene, x, NULL, NULL), GRAZE_EUSE);
     assert_int_equal(graze_time_decimal(&text, s.context, NULL, 5), GRAZE_EUSE);
     assert_int_equal(graze_number_parse(x[0], s.context, NULL, 0), GRAZE_EUSE);
-    assert_int_equal(graze_classify(NULL, s.context, s.scene, NULL, 1), GRAZE_EUSE);
-    assert_int_equal(graze_classify(NULL, s.context, s.scene, NULL, 0), GRAZE_OK);
+    assert_int_equal(graze_classify(NULL, s.context, s.scene, NULL, 1, GRAZE_COLUMNS_ALL),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_classify(NULL, s.context, s.scene, NULL, 0, GRAZE_COLUMNS_ALL),
+                     GRAZE_OK);
     mpq_clear(x[0]);
     mpq_clear(x[1]);
     scene_close(&s);
@@ -150,7 +150,7 @@ static void rings_nest(void **state) {
     assert_int_equal(graze_solid_vertex_count(rings), 12);
     assert_int_equal(graze_solid_facet_count(rings), 12);
     assert_int_equal(graze_solid_component_count(rings), 3);
-    graze_options unsweep = {.operation = GRAZE_UNSWEEP};
+    graze_options unsweep = {.size = sizeof unsweep, .operation = GRAZE_UNSWEEP};
     graze_motion *still;
     static const char rest[] = "{\"dimension\":2,\"pieces\":[{\"t\":[0,1],\"transform\":"
                                "{\"translate\":[0,0]}}]}";
@@ -159,7 +159,8 @@ static void rings_nest(void **state) {
     static const double p[] = {0.5, 4, 1.5, 4, 2.5, 2.5, 8, 4, 10, 10};
     static const graze_pmc expected[] = {GRAZE_IN, GRAZE_OUT, GRAZE_IN, GRAZE_ON, GRAZE_OUT};
     graze_verdict verdict[5];
-    assert_int_equal(graze_classify_doubles(verdict, s.context, made, p, 5), GRAZE_OK);
+    assert_int_equal(graze_classify_doubles(verdict, s.context, made, p, 5, GRAZE_COLUMNS_ALL),
+                     GRAZE_OK);
     for (int k = 0; k < 5; k++)
         assert_int_equal(verdict[k].pmc, expected[k]);
     graze_scene_destroy(made);

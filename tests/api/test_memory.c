@@ -174,7 +174,8 @@ static void verdicts(void **state) {
             graze_verdict verdict = {.class_ = GRAZE_CLASS_NONE};
             assert_int_equal(graze_context_create(&fresh), GRAZE_OK);
             left = allowed;
-            graze_status status = graze_classify_doubles(&verdict, fresh, s.scene, point, 1);
+            graze_status status =
+                graze_classify_doubles(&verdict, fresh, s.scene, point, 1, GRAZE_COLUMNS_ALL);
             enough = had_enough();
             assert_true(status == GRAZE_OK || (status == GRAZE_ESYSTEM && !enough));
             assert_int_equal(verdict.class_, status == GRAZE_OK ? q[k].class_ : GRAZE_CLASS_NONE);
@@ -221,7 +222,8 @@ static void makers(void **state) {
 typedef struct bench {
     scene s;
     mpq_t point[4];
-    char *table;
+    char *table, *rows; /* the rows as values too */
+    size_t rows_length;
     char golden[32], candidate[32];
 } bench;
 
@@ -235,7 +237,7 @@ static void write_file(char *path, const char *text) {
 
 static void open_bench(bench *b) {
     static const char candidate[] = "x,y,pmc\n-1,1,in\n-1,1/2,in\n";
-    static const char *const rest[] = {"7/3,a", "1e-3,b"};
+    static const graze_row_texts rest[] = {{NULL, "7/3,a"}, {NULL, "1e-3,b"}};
     char *head, *rows;
     size_t length, done;
     open_comb(&b->s);
@@ -245,15 +247,19 @@ static void open_bench(bench *b) {
     mpq_set_si(b->point[1], 1, 1);
     mpq_set_si(b->point[2], -1, 1);
     mpq_set_si(b->point[3], 1, 2);
-    assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size,id"),
+    assert_int_equal(graze_report_header(&head, b->s.context, b->s.scene, NULL, "size,id", NULL),
                      GRAZE_OK);
     assert_int_equal(graze_report_points(&rows, &length, &done, NULL, b->s.context, b->s.scene,
-                                         b->point, 2, GRAZE_FORMAT_CSV, rest),
+                                         b->point, 2, rest, NULL),
                      GRAZE_OK);
     b->table = malloc(strlen(head) + length + 32);
     strcat(strcat(strcpy(b->table, head), rows), "# complete 2\n");
     graze_free(head);
     graze_free(rows);
+    const graze_row_options binary = {.size = sizeof binary, .format = GRAZE_FORMAT_NPY};
+    assert_int_equal(graze_report_points(&b->rows, &b->rows_length, &done, NULL, b->s.context,
+                                         b->s.scene, b->point, 2, rest, &binary),
+                     GRAZE_OK);
     write_file(b->golden, b->table);
     write_file(b->candidate, candidate);
 }
@@ -262,13 +268,14 @@ static void close_bench(bench *b) {
     remove(b->golden);
     remove(b->candidate);
     free(b->table);
+    graze_free(b->rows);
     for (int k = 0; k < 4; k++)
         mpq_clear(b->point[k]);
     scene_close(&b->s);
 }
 
 static graze_status make_comparison(char **out, bench *b, graze_comparison_format format) {
-    graze_compare_options options = {.show = 3};
+    graze_compare_options options = {.size = sizeof options, .show = 3};
     graze_comparison *comparison;
     graze_status status =
         graze_compare(&comparison, b->s.context, b->golden, b->candidate, &options);
@@ -288,10 +295,12 @@ static graze_status make_report(char **out, size_t *length, bench *b, int kind) 
     *length = 0;
     if (kind == 0)
         return graze_report_points(out, length, &done, NULL, b->s.context, b->s.scene, b->point, 1,
-                                   GRAZE_FORMAT_JSONL, NULL);
+                                   NULL, &as_jsonl);
+    const graze_row_options binary = {.size = sizeof binary,
+                                      .format = kind == 1 ? GRAZE_FORMAT_NPY : GRAZE_FORMAT_VTK};
     if (kind < 3)
-        return graze_report_export(out, length, b->s.context, b->table, strlen(b->table),
-                                   kind == 1 ? GRAZE_EXPORT_NPY : GRAZE_EXPORT_VTK);
+        return graze_report_export(out, length, b->s.context, b->s.scene, b->rows, b->rows_length,
+                                   "size,id", NULL, &binary);
     graze_status status =
         make_comparison(out, b, kind == 3 ? GRAZE_COMPARISON_TEXT : GRAZE_COMPARISON_JSON);
     *length = *out ? strlen(*out) : 0;

@@ -110,9 +110,9 @@ static void scenes(bench *b) {
     graze_context *c = b->s.context;
     const graze_solid *solid = b->s.solid;
     const graze_motion *motion = b->s.motion;
-    const graze_options odd[] = {{.operation = (graze_operation)2},
-                                 {.overlap = (graze_overlap)2},
-                                 {.folds = (graze_folds)-1}};
+    const graze_options odd[] = {{.size = sizeof *odd, .operation = (graze_operation)2},
+                                 {.size = sizeof *odd, .overlap = (graze_overlap)2},
+                                 {.size = sizeof *odd, .folds = (graze_folds)-1}};
     WRONG(graze_scene_create(NULL, c, solid, motion, NULL));
     WRONG_OUT(graze_scene, graze_scene_create(&out, NULL, solid, motion, NULL));
     WRONG_OUT(graze_scene, graze_scene_create(&out, c, NULL, motion, NULL));
@@ -123,7 +123,7 @@ static void scenes(bench *b) {
     HARMLESS(graze_scene_dimension, !graze_scene_dimension(NULL));
     HARMLESS(graze_scene_ends_meet, !graze_scene_ends_meet(NULL));
     HARMLESS(graze_scene_hashes, !graze_scene_hashes(NULL).scene[31]);
-    graze_options kept = {.operation = GRAZE_UNSWEEP, .size = 1};
+    graze_options kept = {.size = 1, .operation = GRAZE_UNSWEEP};
     HARMLESS(graze_scene_options, CALLS(graze_scene_options(NULL, b->s.scene)));
     HARMLESS(graze_scene_options, CALLS(graze_scene_options(&kept, b->s.scene)));
     assert_true(kept.operation == GRAZE_UNSWEEP && kept.size == 1);
@@ -138,19 +138,20 @@ static void verdicts(bench *b) {
     graze_verdict v;
     HARMLESS(graze_pmc_name, !strcmp(graze_pmc_name((graze_pmc)4), "none"));
     HARMLESS(graze_class_name, !strcmp(graze_class_name((graze_class)-1), "none"));
-    const graze_options odd = {.operation = (graze_operation)2};
+    const graze_options odd = {.size = sizeof odd, .operation = (graze_operation)2};
     WRONG(graze_word_verdict(NULL, c, "O", 1, NULL));
     WRONG(graze_word_verdict(&v, NULL, "O", 1, NULL));
     WRONG(graze_word_verdict(&v, c, NULL, 0, NULL));
     WRONG(graze_word_verdict(&v, c, "O", 1, &odd));
-    WRONG(graze_classify(NULL, c, b->s.scene, b->point, 1));
-    WRONG(graze_classify(&v, NULL, b->s.scene, b->point, 1));
-    WRONG(graze_classify(&v, c, NULL, b->point, 1));
-    WRONG(graze_classify(&v, c, b->s.scene, NULL, 1));
-    WRONG(graze_classify_doubles(NULL, c, b->s.scene, square, 1));
-    WRONG(graze_classify_doubles(&v, NULL, b->s.scene, square, 1));
-    WRONG(graze_classify_doubles(&v, c, NULL, square, 1));
-    WRONG(graze_classify_doubles(&v, c, b->s.scene, NULL, 1));
+    WRONG(graze_classify(NULL, c, b->s.scene, b->point, 1, GRAZE_COLUMNS_ALL));
+    WRONG(graze_classify(&v, NULL, b->s.scene, b->point, 1, GRAZE_COLUMNS_ALL));
+    WRONG(graze_classify(&v, c, NULL, b->point, 1, GRAZE_COLUMNS_ALL));
+    WRONG(graze_classify(&v, c, b->s.scene, NULL, 1, GRAZE_COLUMNS_ALL));
+    WRONG(graze_classify(&v, c, b->s.scene, b->point, 1, (graze_columns)2));
+    WRONG(graze_classify_doubles(NULL, c, b->s.scene, square, 1, GRAZE_COLUMNS_ALL));
+    WRONG(graze_classify_doubles(&v, NULL, b->s.scene, square, 1, GRAZE_COLUMNS_ALL));
+    WRONG(graze_classify_doubles(&v, c, NULL, square, 1, GRAZE_COLUMNS_ALL));
+    WRONG(graze_classify_doubles(&v, c, b->s.scene, NULL, 1, GRAZE_COLUMNS_ALL));
 }
 
 static void traces(bench *b) {
@@ -230,7 +231,8 @@ static void all(void **state) {
     mpq_set_ui(b.half, 1, 2);
     mpq_set_ui(b.x[0], 5, 1);
     b.point = b.x;
-    b.box = (graze_boundary_options){.coarse = 1, .depth = 2, .budget = 1000};
+    b.box = (graze_boundary_options){
+        .size = sizeof(graze_boundary_options), .coarse = 1, .depth = 2, .budget = 1000};
     assert_int_equal(graze_trace_create(&b.trace, b.s.context, b.s.scene, b.point), GRAZE_OK);
     assert_int_equal(graze_generator_create(&b.generator, b.s.context, b.s.scene, 1, NULL, 0),
                      GRAZE_OK);
@@ -250,6 +252,7 @@ static void all(void **state) {
     generators(&b);
     rows(&b);
     tables(&b);
+    row_choices(&b);
     pictures(&b);
     comparisons(&b);
     conversions(&b);

@@ -125,12 +125,15 @@ static void of_arrays(void **state) {
     for (int k = 0; k < 8; k++)
         mpq_init(points[k]);
     mpz_set_ui(mpq_denref(points[3]), 2); /* 0/2 */
-    assert_int_equal(graze_classify(verdicts, s.context, s.scene, points, 2), GRAZE_EUSE);
+    assert_int_equal(graze_classify(verdicts, s.context, s.scene, points, 2, GRAZE_COLUMNS_ALL),
+                     GRAZE_EUSE);
     at(s.context, "", 0, "point", 1, "coordinate 1");
     assert_int_equal(graze_trace_create(&trace, s.context, s.scene, points + 2), GRAZE_EUSE);
     at(s.context, "", 0, "", 0, "coordinate 1");
     const double wild[] = {0, 0, 0, NAN};
-    assert_int_equal(graze_classify_doubles(verdicts, s.context, s.scene, wild, 2), GRAZE_EINPUT);
+    assert_int_equal(
+        graze_classify_doubles(verdicts, s.context, s.scene, wild, 2, GRAZE_COLUMNS_ALL),
+        GRAZE_EINPUT);
     at(s.context, "", 0, "point", 1, "");
     graze_solid *solid;
     assert_int_equal(
@@ -142,35 +145,40 @@ static void of_arrays(void **state) {
     scene_close(&s);
 }
 
-/* Options of a later version: members behind those known are refused unless they are zero; without
- * a size they are not looked at. */
+/* Options of a later version: members behind those known are refused unless they are zero; of an
+ * earlier one: members that it lacks are zero. Without a size nothing is. */
 static void options_grow(void **state) {
     struct later {
         graze_options known;
         long more;
-    } o = {.known = {.operation = GRAZE_UNSWEEP}};
+    } o = {.known = {.size = sizeof o, .operation = GRAZE_UNSWEEP, .folds = (graze_folds)7}};
     scene s;
     graze_scene *made;
-    graze_options back = {.size = 0};
+    graze_options back = {.size = sizeof back};
     (void)state;
     scene_open(&s, slide, NULL);
-    o.known.size = sizeof o;
+    assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &o.known), GRAZE_EUSE);
+    o.known.size = offsetof(graze_options, folds);
     assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &o.known), GRAZE_OK);
     graze_scene_options(&back, made);
-    assert_true(back.operation == GRAZE_UNSWEEP && back.size == 0);
-    o.more = 7;
+    assert_true(back.operation == GRAZE_UNSWEEP && back.folds == GRAZE_FOLDS_SEPARATE &&
+                back.size == sizeof back);
     struct later kept = {.known = {.size = sizeof kept}, .more = 7};
     graze_scene_options(&kept.known, made);
     assert_true(kept.known.operation == GRAZE_UNSWEEP && kept.known.size == sizeof kept &&
                 kept.more == 0);
     graze_scene_destroy(made);
-    assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &o.known), GRAZE_EUSE);
-    assert_null(made);
-    o.known.size = offsetof(graze_options, size);
-    assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &o.known), GRAZE_EUSE);
-    o.known.size = 0;
+    o.known = (graze_options){.size = sizeof o, .operation = GRAZE_UNSWEEP};
     assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &o.known), GRAZE_OK);
     graze_scene_destroy(made);
+    o.more = 7;
+    assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &o.known), GRAZE_EUSE);
+    assert_null(made);
+    for (o.known.size = 0; o.known.size < sizeof o.known.size; o.known.size++) {
+        assert_int_equal(graze_scene_create(&made, s.context, s.solid, s.motion, &o.known),
+                         GRAZE_EUSE);
+        assert_non_null(strstr(graze_context_message(s.context), "too small"));
+    }
     scene_close(&s);
 }
 

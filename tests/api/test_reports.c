@@ -19,7 +19,7 @@ static void scene_line(char *out, size_t size, const char *canonical) {
 static void expect_hash(const scene *s, const graze_scene *made, const char *canonical) {
     char line[128], *head;
     scene_line(line, sizeof line, canonical);
-    assert_int_equal(graze_report_header(&head, s->context, made, NULL, NULL), GRAZE_OK);
+    assert_int_equal(graze_report_header(&head, s->context, made, NULL, NULL, NULL), GRAZE_OK);
     if (!strstr(head, line))
         fail_msg("%s lacks %s", head, line);
     graze_free(head);
@@ -80,30 +80,33 @@ static void rows_and_explanation(void **state) {
     mpq_set_ui(p[0], 16, 3);
     mpq_set_ui(p[1], 2, 1);
     assert_int_equal(graze_trace_create(&trace, s.context, s.scene, p), GRAZE_OK);
-    assert_int_equal(graze_report_row(&text, s.context, s.scene, p, trace, GRAZE_FORMAT_CSV, "a,b"),
+    assert_int_equal(graze_report_row(&text, s.context, s.scene, p, trace,
+                                      &(graze_row_texts){NULL, "a,b"}, NULL),
                      GRAZE_OK);
     assert_string_equal(text, "16/3,2,on,boundary,8,1,0,1,OBO,a,b\n");
     graze_free(text);
     /* 16/3 - 8t runs over [0, 2] for t from 5/12 to 2/3, along the edge between vertices 2 and 3.
      */
-    assert_int_equal(
-        graze_report_row(&text, s.context, s.scene, p, trace, GRAZE_FORMAT_JSONL, NULL), GRAZE_OK);
+    assert_int_equal(graze_report_row(&text, s.context, s.scene, p, trace, NULL, &as_jsonl),
+                     GRAZE_OK);
     assert_string_equal(text, "{\"point\":[\"16/3\",\"2\"],\"pmc\":\"on\",\"class\":\"boundary\","
                               "\"definition\":8,\"case\":1,\"i\":0,\"t\":1,\"word\":\"OBO\","
                               "\"contacts\":[{\"kind\":\"tangency\",\"left\":\"O\",\"right\":\"O\","
                               "\"from\":\"5/12\",\"to\":\"2/3\",\"features\":[{\"edge\":[2,3]},"
                               "{\"vertex\":2},{\"vertex\":3}]}]}\n");
     graze_free(text);
-    assert_int_equal(graze_report_row(&text, s.context, s.scene, p, trace, (graze_format)5, NULL),
+    assert_int_equal(graze_report_row(&text, s.context, s.scene, p, trace, NULL,
+                                      &(graze_row_options){.size = sizeof(graze_row_options),
+                                                           .format = (graze_format)5}),
                      GRAZE_EUSE);
-    assert_int_equal(graze_report_explain(&text, s.context, s.scene, p, trace), GRAZE_OK);
+    assert_int_equal(graze_report_explain(&text, s.context, s.scene, p, trace, NULL), GRAZE_OK);
     assert_non_null(strstr(text, "  B  from t = 5/12, about 0.416666666667\n"
                                  "     to t = 2/3, about 0.666666666667\n"
                                  "       it meets edge 2-3, vertex 2, vertex 3\n"
                                  "       tangency: O before and after"));
     graze_free(text);
     mpz_set_ui(mpq_denref(p[0]), 2);
-    assert_int_equal(graze_report_explain(&text, s.context, s.scene, p, trace), GRAZE_EUSE);
+    assert_int_equal(graze_report_explain(&text, s.context, s.scene, p, trace, NULL), GRAZE_EUSE);
     assert_null(text);
     graze_trace_destroy(trace);
     mpq_clears(p[0], p[1], NULL);
@@ -144,7 +147,7 @@ static void rows_of_many_points(void **state) {
     static const char inside[] = "5,1,in,regular,5,1,2,0,OBIBO,a\n";
     static const char all[] = "5,1,in,regular,5,1,2,0,OBIBO,a\n16/3,2,on,boundary,8,1,0,1,OBO\n"
                               "-1,-1,out,exterior,9,1,0,0,O,\n";
-    static const char *const rest[] = {"a", NULL, ""};
+    static const graze_row_texts rest[] = {{NULL, "a"}, {NULL, NULL}, {NULL, ""}};
     scene s;
     mpq_t p[6];
     char *text;
@@ -158,31 +161,34 @@ static void rows_of_many_points(void **state) {
     mpq_set_ui(p[3], 2, 1);
     mpq_set_si(p[4], -1, 1);
     mpq_set_si(p[5], -1, 1);
-    assert_int_equal(graze_report_points(&text, &length, &done, NULL, s.context, s.scene, p, 3,
-                                         GRAZE_FORMAT_CSV, rest),
-                     GRAZE_OK);
+    assert_int_equal(
+        graze_report_points(&text, &length, &done, NULL, s.context, s.scene, p, 3, rest, NULL),
+        GRAZE_OK);
     assert_string_equal(text, all);
     assert_int_equal(length, strlen(all));
     assert_int_equal(done, 3);
     graze_free(text);
-    assert_int_equal(graze_report_point(&text, s.context, s.scene, p, GRAZE_FORMAT_CSV, "a"),
-                     GRAZE_OK);
+    assert_int_equal(
+        graze_report_point(&text, s.context, s.scene, p, &(graze_row_texts){NULL, "a"}, NULL),
+        GRAZE_OK);
     assert_string_equal(text, inside);
     graze_free(text);
     assert_int_equal(graze_report_points(&text, &length, &done, NULL, s.context, s.scene, NULL, 0,
-                                         GRAZE_FORMAT_JSONL, NULL),
+                                         NULL, &as_jsonl),
                      GRAZE_OK);
     assert_null(text);
     assert_int_equal(length + done, 0);
     mpz_set_ui(mpq_numref(p[2]), 15); /* 15/3 is not in lowest terms */
-    assert_int_equal(graze_report_points(&text, &length, &done, NULL, s.context, s.scene, p, 3,
-                                         GRAZE_FORMAT_CSV, rest),
-                     GRAZE_EUSE);
+    assert_int_equal(
+        graze_report_points(&text, &length, &done, NULL, s.context, s.scene, p, 3, rest, NULL),
+        GRAZE_EUSE);
     assert_string_equal(text, inside);
     assert_int_equal(done, 1);
     graze_free(text);
     assert_int_equal(graze_report_points(&text, &length, &done, NULL, s.context, s.scene, p, 3,
-                                         (graze_format)5, rest),
+                                         rest,
+                                         &(graze_row_options){.size = sizeof(graze_row_options),
+                                                              .format = (graze_format)5}),
                      GRAZE_EUSE);
     assert_null(text);
     for (int k = 0; k < 6; k++)

@@ -70,7 +70,9 @@ static answer ask(scene *s, const char *x, const char *y) {
         assert_true(mpq_sgn(far) > 0);
     }
     if (out.has_witness) {
-        assert_int_equal(graze_classify(&verdict, s->context, s->scene, witness, 1), GRAZE_OK);
+        assert_int_equal(
+            graze_classify(&verdict, s->context, s->scene, witness, 1, GRAZE_COLUMNS_ALL),
+            GRAZE_OK);
         assert_int_equal(verdict.pmc, GRAZE_OUT);
     }
     mpz_set_ui(mpq_denref(p[0]), 0);
@@ -115,7 +117,8 @@ static void positions(void **state) {
 static void unsweep(void **state) {
     (void)state;
     scene s;
-    scene_open(&s, turn_about, &(graze_options){.operation = GRAZE_UNSWEEP});
+    scene_open(&s, turn_about,
+               &(graze_options){.size = sizeof(graze_options), .operation = GRAZE_UNSWEEP});
     answer a = ask(&s, "0", "0");
     assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level == GRAZE_LEVEL_WORD && !a.has_witness);
     a = ask(&s, "-1", "0");
@@ -163,7 +166,8 @@ static void path(void **state) {
         mpq_mul(x[k], x[k], epsilon);
         assert_true(mpq_equal(x[k], witness[k]));
     }
-    assert_int_equal(graze_classify(&verdict, context, made, witness, 1), GRAZE_OK);
+    assert_int_equal(graze_classify(&verdict, context, made, witness, 1, GRAZE_COLUMNS_ALL),
+                     GRAZE_OK);
     assert_int_equal(verdict.pmc, GRAZE_OUT);
     for (int k = 0; k < 3; k++)
         mpq_clears(p[k], x[k], n[k], witness[k], NULL);
@@ -183,7 +187,11 @@ static char *row(scene *s, long x, long y, graze_format format) {
     mpq_inits(p[0], p[1], NULL);
     mpq_set_si(p[0], x, 1);
     mpq_set_si(p[1], y, 1);
-    assert_int_equal(graze_report_point(&text, s->context, s->scene, p, format, "a,b"), GRAZE_OK);
+    assert_int_equal(
+        graze_report_point(
+            &text, s->context, s->scene, p, &(graze_row_texts){NULL, "a,b"},
+            &(graze_row_options){.size = sizeof(graze_row_options), .format = format, .topo = 1}),
+        GRAZE_OK);
     mpq_clears(p[0], p[1], NULL);
     return text;
 }
@@ -192,8 +200,11 @@ static void rows(void **state) {
     (void)state;
     scene s;
     char *text;
-    scene_open(&s, slide, &(graze_options){.topo = 1, .size = sizeof(graze_options)});
-    assert_int_equal(graze_report_header(&text, s.context, s.scene, NULL, "m,n"), GRAZE_OK);
+    scene_open(&s, slide, NULL);
+    assert_int_equal(
+        graze_report_header(&text, s.context, s.scene, NULL, "m,n",
+                            &(graze_row_options){sizeof(graze_row_options), .topo = 1}),
+        GRAZE_OK);
     assert_non_null(strstr(text, "# topo yes\n"));
     assert_non_null(strstr(text, ",word,m,n,topo\n"));
     graze_free(text);

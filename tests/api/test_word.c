@@ -3,8 +3,9 @@
  */
 #include "walk.h"
 
-static const graze_options sweep, combined = {.folds = GRAZE_FOLDS_COMBINED},
-                                  unsweep = {.operation = GRAZE_UNSWEEP};
+static const graze_options sweep = {.size = sizeof sweep},
+                           combined = {.size = sizeof sweep, .folds = GRAZE_FOLDS_COMBINED},
+                           unsweep = {.size = sizeof sweep, .operation = GRAZE_UNSWEEP};
 
 /* By hand from Definitions 3 to 11 and Table 1: i counts a B between different letters or beside an
  * I at an end, t every other one, k = (i + ends I) / 2. */

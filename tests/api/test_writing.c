@@ -98,7 +98,8 @@ static void check_vertices(graze_context *context, const graze_scene *scene,
         graze_verdict verdict[3];
         graze_boundary_vertex(at, b, v);
         graze_boundary_vertex_between(at + 3, at + 6, b, v);
-        assert_int_equal(graze_classify(verdict, context, scene, at, 3), GRAZE_OK);
+        assert_int_equal(graze_classify(verdict, context, scene, at, 3, GRAZE_COLUMNS_ALL),
+                         GRAZE_OK);
         assert_int_equal(verdict[1].pmc, GRAZE_OUT);
         assert_int_not_equal(verdict[2].pmc, GRAZE_OUT);
         for (int k = 0; k < 3; k++) {
@@ -126,7 +127,7 @@ static void test_boundary(void **state) {
     graze_boundary *b = NULL;
     int calls = 0;
     mpq_t point[3];
-    graze_boundary_options how = {.coarse = 1, .depth = 3, .budget = 100000};
+    graze_boundary_options how = {.size = sizeof how, .coarse = 1, .depth = 3, .budget = 100000};
     for (int k = 0; k < 3; k++)
         mpq_init(point[k]);
     assert_int_equal(graze_context_create(&context), GRAZE_OK);

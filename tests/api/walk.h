@@ -15,6 +15,10 @@ static const size_t square_ring[] = {0, 1, 2, 3};
 static const char slide[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": "
                             "{\"translate\": [\"8*t\", 0]}}]}";
 
+/* Rows in these forms. */
+static const graze_row_options as_csv = {.size = sizeof as_csv, .format = GRAZE_FORMAT_CSV};
+static const graze_row_options as_jsonl = {.size = sizeof as_jsonl, .format = GRAZE_FORMAT_JSONL};
+
 typedef struct scene {
     graze_context *context;
     graze_solid *solid;

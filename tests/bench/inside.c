@@ -106,8 +106,9 @@ static points take_points(const bench *b, const char *name, size_t from, size_t 
 static graze_status answer(graze_verdict *out, const bench *b, const points *p, size_t from,
                            size_t n) {
     if (p->doubles)
-        return graze_classify_doubles(out, b->context, b->scene, p->doubles + 3 * from, n);
-    return graze_classify(out, b->context, b->scene, p->rationals + 3 * from, n);
+        return graze_classify_doubles(out, b->context, b->scene, p->doubles + 3 * from, n,
+                                      b->columns);
+    return graze_classify(out, b->context, b->scene, p->rationals + 3 * from, n, b->columns);
 }
 
 static void classify(bench *b, const char *name, size_t from, size_t n, const char *out) {
@@ -209,7 +210,7 @@ static void make_scene(bench *b, const char *path) {
     b->scene = NULL;
     check(graze_motion_read(&b->motion, b->context, path), b, path);
     double start = seconds();
-    graze_options options = {.size = sizeof options, .columns = b->columns};
+    const graze_options options = {.size = sizeof options};
     check(graze_scene_create(&b->scene, b->context, b->solid, b->motion, &options), b, path);
     printf("seconds=%.9f\n", seconds() - start);
 }

@@ -164,7 +164,8 @@ int fuzz_poses(const uint8_t *data, size_t size) {
     mpq_init(tolerance);
     for (int k = 0; k < 6; k++) {
         char *json = NULL, *report = NULL;
-        graze_pose_options chosen = {.flags = GRAZE_POSES_SHORTEST,
+        graze_pose_options chosen = {.size = sizeof chosen,
+                                     .flags = GRAZE_POSES_SHORTEST,
                                      .ignored = ignored,
                                      .ignored_count = (size_t)(k & 1),
                                      .scale = tolerance,

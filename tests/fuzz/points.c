@@ -130,20 +130,21 @@ static int say(char *out[4], graze_verdict *v, graze_context *context, const gra
     /* Such a point is in both S^0 and S^1. */
     EXPECT(graze_scene_ends_meet(scene) || !strchr("IB", *graze_trace_word(trace)) ||
            !strchr("IB", graze_trace_word(trace)[strlen(graze_trace_word(trace)) - 1]));
-    graze_options options = {0};
+    graze_options options = {.size = sizeof options};
     graze_scene_options(&options, scene);
     check_verdict(*v, graze_trace_word(trace), options);
     check_contacts(context, trace);
-    EXPECT(graze_report_row(&out[0], context, scene, point, trace, GRAZE_FORMAT_JSONL, NULL) ==
-           GRAZE_OK);
+    EXPECT(graze_report_row(&out[0], context, scene, point, trace, NULL,
+                            &(graze_row_options){.size = sizeof(graze_row_options),
+                                                 .format = GRAZE_FORMAT_JSONL}) == GRAZE_OK);
     EXPECT(fuzz_is_json(out[0], strlen(out[0])));
-    EXPECT(graze_report_explain(&out[1], context, scene, point, trace) == GRAZE_OK);
-    EXPECT(graze_report_row(&out[2], context, scene, point, trace, GRAZE_FORMAT_CSV, "x") ==
-           GRAZE_OK);
-    const char *rest[] = {"x"};
+    EXPECT(graze_report_explain(&out[1], context, scene, point, trace, NULL) == GRAZE_OK);
+    EXPECT(graze_report_row(&out[2], context, scene, point, trace, &(graze_row_texts){NULL, "x"},
+                            NULL) == GRAZE_OK);
     EXPECT(graze_report_points(&out[3], &length, &done, NULL, context, scene, point, 1,
-                               GRAZE_FORMAT_CSV, rest) == GRAZE_OK);
-    EXPECT(graze_report_point(&one, context, scene, point, GRAZE_FORMAT_CSV, "x") == GRAZE_OK);
+                               &(graze_row_texts){NULL, "x"}, NULL) == GRAZE_OK);
+    EXPECT(graze_report_point(&one, context, scene, point, &(graze_row_texts){NULL, "x"}, NULL) ==
+           GRAZE_OK);
     EXPECT(strcmp(one, out[2]) == 0);
     graze_free(one);
     EXPECT(done == 1 && length == strlen(out[2]) && memcmp(out[2], out[3], length) == 0);
@@ -159,7 +160,7 @@ static void check_classify(graze_context *context, const graze_scene *scene, gra
     int d = graze_scene_dimension(scene), exact = 1;
     mpq_t back;
     mpq_init(back);
-    EXPECT(graze_classify(&alone, context, scene, point, 1) == GRAZE_OK);
+    EXPECT(graze_classify(&alone, context, scene, point, 1, GRAZE_COLUMNS_ALL) == GRAZE_OK);
     EXPECT(alone.pmc == v.pmc && alone.class_ == v.class_ && alone.definition == v.definition &&
            alone.case_ == v.case_ && alone.i == v.i && alone.t == v.t);
     for (int k = 0; k < d; k++) {
@@ -167,7 +168,8 @@ static void check_classify(graze_context *context, const graze_scene *scene, gra
         mpq_set_d(back, doubles[k]);
         exact &= mpq_equal(back, point[k]) != 0;
     }
-    EXPECT(graze_classify_doubles(&rounded, context, scene, doubles, 1) == GRAZE_OK);
+    EXPECT(graze_classify_doubles(&rounded, context, scene, doubles, 1, GRAZE_COLUMNS_ALL) ==
+           GRAZE_OK);
     EXPECT(!exact || (rounded.pmc == v.pmc && rounded.class_ == v.class_ && rounded.i == v.i));
     mpq_clear(back);
 }

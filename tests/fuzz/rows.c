@@ -59,10 +59,11 @@ static int read_points(const char *path, int dimension, shard part, graze_format
     EXPECT(csv_open(&points, path, dimension, part, context) == EXIT_DONE);
     if (sites)
         csv_expect_sites(points, sites > 1);
+    const graze_row_options rows_of = {.size = sizeof rows_of, .format = format};
     answer_task task = {.context = &o,
                         .scene = scene,
-                        .source = {csv_columns(points), NULL, part, written},
-                        .format = format};
+                        .rows = &rows_of,
+                        .source = {csv_columns(points), NULL, part, written}};
     EXPECT(answerer_init(&a, &task) == EXIT_DONE);
     block_reset(b, 0);
     int status = csv_fill(points, b, BLOCK_ROWS);
@@ -119,7 +120,7 @@ int fuzz_grid(const uint8_t *data, size_t size) {
     grid *g = NULL;
     fuzz_sections(s, 3, data, size);
     int d = s[2].size > 0 && s[2].data[0] == '3' ? 3 : 2, taken;
-    char *sizes = fuzz_text(s[0]), *box = fuzz_text(s[1]), *notes;
+    char *sizes = fuzz_text(s[0]), *box = fuzz_text(s[1]);
     graze_context *context = fuzz_context();
     mpq_t low[3], high[3];
     mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
@@ -137,9 +138,11 @@ int fuzz_grid(const uint8_t *data, size_t size) {
     }
     if (taken) {
         check_grid(g, d, low, high);
-        notes = grid_notes(g);
-        EXPECT(notes != NULL);
-        free(notes);
+        text notes;
+        text_init(&notes);
+        grid_notes(&notes, g);
+        EXPECT(!notes.failed);
+        text_clear(&notes);
     }
     grid_close(g);
     mpq_clears(low[0], low[1], low[2], high[0], high[1], high[2], NULL);

@@ -86,7 +86,8 @@ static void check_grid(graze_context *context, const graze_scene *scene) {
         unsigned char pmc = 0;
         graze_verdict alone;
         graze_grid_points(point, grid, p, 1, 1);
-        graze_status status = graze_classify(&alone, context, scene, (graze_rationals)point, 1);
+        graze_status status =
+            graze_classify(&alone, context, scene, (graze_rationals)point, 1, GRAZE_COLUMNS_ALL);
         EXPECT(graze_grid_pmc(&pmc, context, grid, p, 1, 1) == status);
         EXPECT(status || pmc == alone.pmc);
     }
@@ -120,7 +121,8 @@ static int answer_lines(graze_context *context, const graze_scene *scene, char *
 
 /* The options a byte stands for. */
 static graze_options options_of(unsigned byte) {
-    return (graze_options){.operation = byte & 1 ? GRAZE_UNSWEEP : GRAZE_SWEEP,
+    return (graze_options){.size = sizeof(graze_options),
+                           .operation = byte & 1 ? GRAZE_UNSWEEP : GRAZE_SWEEP,
                            .overlap = byte & 2 ? GRAZE_OVERLAP_REJECT : GRAZE_OVERLAP_EXTEND,
                            .folds = byte & 4 ? GRAZE_FOLDS_COMBINED : GRAZE_FOLDS_SEPARATE};
 }
@@ -143,7 +145,7 @@ int fuzz_scene(const uint8_t *data, size_t size) {
         answered = answer_lines(context, p.scene, points);
         if (answered)
             check_grid(context, p.scene);
-        EXPECT(graze_report_header(&head, context, p.scene, NULL, NULL) == GRAZE_OK);
+        EXPECT(graze_report_header(&head, context, p.scene, NULL, NULL, NULL) == GRAZE_OK);
         graze_free(head);
         free(points);
     }
@@ -254,7 +256,8 @@ int fuzz_boundary(const uint8_t *data, size_t size) {
     graze_boundary *boundary = NULL;
     const graze_scene *scene = fuzz_still_scene(take_from(&b, 2, 3));
     unsigned contacts = take(&b) % 64;
-    graze_boundary_options o = {.coarse = (unsigned)take_from(&b, 0, 8) / 4,
+    graze_boundary_options o = {.size = sizeof o,
+                                .coarse = (unsigned)take_from(&b, 0, 8) / 4,
                                 .depth = (unsigned)take_from(&b, 0, 3),
                                 .budget = take(&b) / 2,
                                 .contacts = contacts < 16 ? contacts : 0,
@@ -310,7 +313,8 @@ int fuzz_draw(const uint8_t *data, size_t size) {
     mpq_t numbers[13];
     for (int k = 0; k < 13; k++)
         mpq_init(numbers[k]);
-    graze_draw_options o = {.title = title,
+    graze_draw_options o = {.size = sizeof o,
+                            .title = title,
                             .grid = (unsigned long)take_from(&b, 1, 12),
                             .times = (unsigned long)take_from(&b, 0, 70),
                             .plane_axis = take_from(&b, -1, 3),

@@ -203,7 +203,8 @@ int fuzz_sweep(const uint8_t *data, size_t size) {
     parts p = {NULL, NULL, NULL};
     unsigned how = take(&b);
     int d = how & 1 ? 3 : 2, answered = 0;
-    graze_options o = {.operation = (how & 6) == 2 ? GRAZE_UNSWEEP : GRAZE_SWEEP,
+    graze_options o = {.size = sizeof o,
+                       .operation = (how & 6) == 2 ? GRAZE_UNSWEEP : GRAZE_SWEEP,
                        .folds = how & 8 ? GRAZE_FOLDS_COMBINED : GRAZE_FOLDS_SEPARATE};
     EXPECT(graze_context_set_limit(context, GRAZE_LIMIT_DEGREE, 24) == GRAZE_OK);
     EXPECT(graze_context_set_limit(context, GRAZE_LIMIT_DIGITS, 300) == GRAZE_OK);

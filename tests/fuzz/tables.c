@@ -27,7 +27,8 @@ int fuzz_compare(const uint8_t *data, size_t size) {
     section s[3];
     fuzz_sections(s, 3, data, size);
     bytes b = {s[2].data, s[2].size};
-    graze_compare_options o = {.question = (graze_question)take_from(&b, 0, 1),
+    graze_compare_options o = {.size = sizeof o,
+                               .question = (graze_question)take_from(&b, 0, 1),
                                .on_as = (graze_on_as)take_from(&b, 0, 3),
                                .has = (graze_candidate_has)take_from(&b, 0, 1),
                                .show = (size_t)take_from(&b, 0, 9)};
@@ -52,22 +53,34 @@ int fuzz_compare(const uint8_t *data, size_t size) {
     return taken;
 }
 
+/* A byte of options, names of further columns, and rows. */
 int fuzz_export(const uint8_t *data, size_t size) {
-    static const graze_export forms[] = {GRAZE_EXPORT_VTK, GRAZE_EXPORT_NPY};
+    section s[2];
+    int how = size ? data[0] : 0, taken = 0;
+    const graze_scene *scene = fuzz_still_scene(how & 1 ? 3 : 2);
     graze_context *context = fuzz_context();
-    int taken = 0;
-    for (int k = 0; k < 2; k++) {
+    fuzz_sections(s, 2, data + (size > 0), size - (size > 0));
+    char *names = fuzz_text(s[0]);
+    names[strcspn(names, "\n")] = '\0';
+    for (int form = GRAZE_FORMAT_VTK; form <= GRAZE_FORMAT_NPY; form++) {
+        const graze_row_options o = {.size = sizeof o,
+                                     .format = (graze_format)form,
+                                     .columns = how & 2 ? GRAZE_COLUMNS_PMC : GRAZE_COLUMNS_ALL,
+                                     .topo = (how & 6) == 4,
+                                     .sdf = (how & 10) == 8};
         char *out = NULL;
         size_t length = 0;
         graze_status status =
-            graze_report_export(&out, &length, context, (const char *)data, size, forms[k]);
+            graze_report_export(&out, &length, context, scene, (const char *)s[1].data, s[1].size,
+                                *names ? names : NULL, NULL, &o);
         if (fuzz_taken(status, context, out)) {
             EXPECT(length > 10);
-            EXPECT(memcmp(out, k ? "\x93NUMPY" : "# vtk ", 6) == 0);
+            EXPECT(memcmp(out, form == GRAZE_FORMAT_NPY ? "\x93NUMPY" : "# vtk ", 6) == 0);
             taken = 1;
         }
         graze_free(out);
     }
+    free(names);
     graze_context_destroy(context);
     return taken;
 }

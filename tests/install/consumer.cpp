@@ -41,13 +41,13 @@ int main() {
     const double points[] = {5, 1, 5, 2, 5, 3};
     if (graze_motion_from_json(&motion, made, text.data(), text.size()) ||
         graze_scene_create(&scene, made, solid.get(), motion, nullptr) ||
-        graze_classify_doubles(verdicts, made, scene, points, 3))
+        graze_classify_doubles(verdicts, made, scene, points, 3, GRAZE_COLUMNS_ALL))
         std::cout << graze_context_message(made) << '\n';
     for (const graze_verdict &verdict : verdicts)
         std::cout << graze_pmc_name(verdict.pmc) << '\n';
     mpq_t point[2]; /* converts to graze_rationals as it is */
     mpq_inits(point[0], point[1], nullptr);
-    if (graze_classify(verdicts, made, scene, point, 1))
+    if (graze_classify(verdicts, made, scene, point, 1, GRAZE_COLUMNS_ALL))
         std::cout << graze_context_message(made) << '\n';
     mpq_clears(point[0], point[1], nullptr);
     graze_scene_destroy(scene);

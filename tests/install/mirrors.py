@@ -136,6 +136,8 @@ def check_numbers(loaded, recorded):
             where = f"{name} of src/python beside {CONSTANTS.get(name, 'nothing: it is not compared')}"
             same(content, value.get(CONSTANTS.get(name)), where)
     for name, prefix, words in tables:
+        if name == "format":  # rows as text alone
+            value = {key: number for key, number in value.items() if key not in ("GRAZE_FORMAT_VTK", "GRAZE_FORMAT_NPY")}
         mirrored = {prefix + word.upper(): number for number, word in words.items()}
         wanted = {key for key in value if key in mirrored or (prefix != "GRAZE_" and key.startswith(prefix))}
         same(mirrored, {key: value[key] for key in wanted}, f"words and numbers of {name}")

@@ -92,7 +92,7 @@ static int print_row(const char *word, int all_times) {
     graze_scene scene = {.motion = &motion};
     graze_trace trace = {0};
     tracer r = {.out = &trace, .scene = &scene};
-    graze_options options = {0};
+    graze_options options = {.size = sizeof options};
     asked_word = word;
     make_contacts(&trace, word, &motion, all_times);
     if (word_read(&r) != GRAZE_OK)

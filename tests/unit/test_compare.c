@@ -80,7 +80,7 @@ static void on_counts_as(void **state) {
     write_file(golden_path,
                HEAD "1,0" IN_ROW "2,0" ON_ROW "3,0" ON_ROW "4,0" OUT_ROW "# complete 4\n");
     write_file(candidate_path, "x,y,pmc\n1,0,in\n2,0,in\n3,0,out\n4,0,out\n");
-    graze_compare_options o = {.on_as = GRAZE_ON_AS_ON};
+    graze_compare_options o = {.size = sizeof o, .on_as = GRAZE_ON_AS_ON};
     expect(&o, 2, 2, 0, 0, 0);
     o.on_as = GRAZE_ON_AS_ANY;
     expect(&o, 4, 0, 0, 0, 0);
@@ -100,7 +100,7 @@ static void on_counts_as(void **state) {
 static void distances(void **state) {
     (void)state;
     write_file(golden_path, HEAD "1,0" IN_ROW "2,0" ON_ROW "3,0" OUT_ROW "# complete 3\n");
-    graze_compare_options o = {.has = GRAZE_HAS_SDF};
+    graze_compare_options o = {.size = sizeof o, .has = GRAZE_HAS_SDF};
     write_file(candidate_path, "x,y,sdf\n1,0,-1e-999\n2,0,-0.0e7\n3,0,1/1000\n");
     expect(&o, 3, 0, 0, 0, 0);
     write_file(candidate_path, "x,y,sdf\n1,0,0\n2,0,0/5\n3,0,-.5\n");
@@ -111,7 +111,7 @@ static void distances(void **state) {
  * on the boundary for certain and any other `on` row is undecided. */
 static void closed_question(void **state) {
     (void)state;
-    graze_compare_options o = {.question = GRAZE_QUESTION_CLOSED};
+    graze_compare_options o = {.size = sizeof o, .question = GRAZE_QUESTION_CLOSED};
     write_file(golden_path, "x,y,pmc,i,t,word,topo\n1,0,on,0,1,OBO,interior\n"
                             "2,0,on,0,1,OBO,boundary\n3,0,on,0,1,OBO,undecided\n"
                             "4,0,in,2,0,OBIBO,interior\n# complete 4\n");
@@ -138,7 +138,7 @@ static void closed_question(void **state) {
 static void closed_question_of_other_words(void **state) {
     (void)state;
     static const char *const words[] = {"unknown", "borderline", "exterior", "Interior"};
-    graze_compare_options o = {.question = GRAZE_QUESTION_CLOSED};
+    graze_compare_options o = {.size = sizeof o, .question = GRAZE_QUESTION_CLOSED};
     write_file(candidate_path, "x,y,pmc\n1,0,on\n2,0,on\n");
     for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
         char table[200], said[200];
@@ -159,7 +159,7 @@ static void closed_question_of_other_words(void **state) {
 /* In space an edge is no face. */
 static void closed_question_in_space(void **state) {
     (void)state;
-    graze_compare_options o = {.question = GRAZE_QUESTION_CLOSED};
+    graze_compare_options o = {.size = sizeof o, .question = GRAZE_QUESTION_CLOSED};
     write_file(golden_path, "x,y,z,pmc,i,t,word,order,cell,k\n1,0,0,on,0,1,OBO,1,edge 0-1,\n"
                             "2,0,0,on,0,1,OBO,2,face 3,\n# complete 2\n");
     write_file(candidate_path, "x,y,z,pmc\n1,0,0,in\n2,0,0,in\n");
@@ -290,7 +290,8 @@ static void random_tables(void **state) {
 static void report_holds(const char *part, graze_comparison_format format) {
     graze_comparison *c;
     char *text = NULL;
-    graze_compare_options o = {.show = 1, .solid = "it's.off", .motion = "move.json"};
+    graze_compare_options o = {
+        .size = sizeof o, .show = 1, .solid = "it's.off", .motion = "move.json"};
     assert_int_equal(graze_compare(&c, context, golden_path, candidate_path, &o), GRAZE_OK);
     assert_int_equal(graze_comparison_report(&text, context, c, format), GRAZE_OK);
     if (!strstr(text, part))
@@ -303,7 +304,7 @@ static void report_holds(const char *part, graze_comparison_format format) {
 static void disagreements(void **state) {
     (void)state;
     graze_comparison *c;
-    graze_compare_options o = {.show = 10};
+    graze_compare_options o = {.size = sizeof o, .show = 10};
     write_file(golden_path,
                "# graze\n# operation unsweep\n# round binary64\nx,y,pmc,id\n0,0,in,a\n1,0,on,b\n"
                "2,0,in,c\n3,0,out,d\n# complete 4\n");
@@ -409,7 +410,7 @@ static void misuse(void **state) {
     (void)state;
     graze_comparison *c = NULL;
     char *text = NULL;
-    graze_compare_options o = {.question = (graze_question)7};
+    graze_compare_options o = {.size = sizeof o, .question = (graze_question)7};
     assert_int_equal(graze_compare(NULL, context, "a", "b", NULL), GRAZE_EUSE);
     assert_int_equal(graze_compare(&c, context, NULL, "b", NULL), GRAZE_EUSE);
     assert_int_equal(graze_compare(&c, context, "a", "b", &o), GRAZE_EUSE);

@@ -357,12 +357,23 @@ static void close_fixture(fixture *f) {
     clear_motion(&f->piece);
 }
 
+static const graze_row_options all_answers = {.size = sizeof all_answers};
+
+static row row_of(const fixture *f, const char *rest) {
+    return (row){.scene = &f->scene,
+                 .shown = &all_answers,
+                 .point = f->point,
+                 .trace = &f->trace,
+                 .texts = {NULL, rest}};
+}
+
 static char *csv_row(fixture *f, const char *rest) {
     char *out;
-    text row;
-    text_init(&row);
-    report_csv(&row, &f->scene, f->point, &f->trace, rest, NULL, NULL);
-    assert_int_equal(text_finish(&out, f->context, &row), GRAZE_OK);
+    text line;
+    row r = row_of(f, rest);
+    text_init(&line);
+    report_csv(&line, &r);
+    assert_int_equal(text_finish(&out, f->context, &line), GRAZE_OK);
     return out;
 }
 
@@ -379,9 +390,14 @@ static void rows(void **state) {
     out = csv_row(&f, NULL);
     assert_string_equal(out, "1/2,-3,in,regular,ext,8,2,0,OBIB\n");
     free(out);
+    row r = row_of(&f, NULL);
+    r.texts.point = "0.5,-3"; /* as given */
     text line;
     text_init(&line);
-    report_json(&line, &f.scene, f.point, &f.trace, NULL, NULL);
+    report_csv(&line, &r);
+    assert_string_equal(line.data, "0.5,-3,in,regular,ext,8,2,0,OBIB\n");
+    line.length = 0;
+    report_json(&line, &r);
     assert_int_equal(text_finish(&out, f.context, &line), GRAZE_OK);
     /* 1 + sqrt(2) = 2.41421356237309504880...; t^2 - 2t - 1 has its other root at -0.414, so (2, 3)
      * is the widest dyadic interval that isolates it. */
@@ -412,7 +428,8 @@ static void head(void **state) {
     f.scene.options.folds = GRAZE_FOLDS_COMBINED;
     for (int k = 0; k < 32; k++)
         f.motion.sha256[k] = (unsigned char)(16 * k + k % 16);
-    assert_int_equal(report_header(&out, f.context, &f.scene, "# grid 2,2\n", "name"), GRAZE_OK);
+    assert_int_equal(report_header(&out, f.context, &f.scene, "# grid 2,2\n", "name", &all_answers),
+                     GRAZE_OK);
     static const char *const parts[] = {"# graze " GRAZE_VERSION "\n# contract 1\n# dimension 2\n",
                                         "# solid-sha256 none\n", "# motion-sha256 0011223344",
                                         "# operation sweep\n# overlap extend\n# folds combined\n"
@@ -424,7 +441,7 @@ static void head(void **state) {
     free(out);
     f.scene.options.operation = GRAZE_UNSWEEP;
     assert_int_equal(graze_context_set_rounding(f.context, GRAZE_ROUND_BINARY32), GRAZE_OK);
-    assert_int_equal(report_header(&out, f.context, &f.scene, NULL, NULL), GRAZE_OK);
+    assert_int_equal(report_header(&out, f.context, &f.scene, NULL, NULL, &all_answers), GRAZE_OK);
     assert_non_null(strstr(out, "# operation unsweep\n"));
     assert_non_null(strstr(out, "# round binary32\n# ends-meet yes\nx,y,pmc,word\n"));
     free(out);
@@ -436,8 +453,8 @@ static void explanation(void **state) {
     fixture f;
     char *out;
     open_fixture(&f);
-    assert_int_equal(report_explain(&out, f.context, &f.scene, f.point, &f.trace, NULL, NULL),
-                     GRAZE_OK);
+    row r = row_of(&f, NULL);
+    assert_int_equal(report_explain(&out, f.context, &r), GRAZE_OK);
     static const char *const parts[] = {
         "P = (1/2, -3) is `in` for the sweep, class `regular`. Its word is OBIB.\n",
         "  t0 = 1  c(t0) = (-7/2, -3) is outside S, so P is outside S^0\n",
@@ -457,8 +474,7 @@ static void explanation(void **state) {
     free(out);
     f.scene.options.operation = GRAZE_UNSWEEP;
     f.trace.verdict = (graze_verdict){GRAZE_OUT, GRAZE_CLASS_NONE, 0, 0, 2, 0};
-    assert_int_equal(report_explain(&out, f.context, &f.scene, f.point, &f.trace, NULL, NULL),
-                     GRAZE_OK);
+    assert_int_equal(report_explain(&out, f.context, &r), GRAZE_OK);
     assert_non_null(strstr(out, "    x = 4*t + 1/2\n"));
     assert_non_null(strstr(out, "([IS] eqs 12, 13, 35)\n  pmc `out`: the word holds an O"));
     assert_null(strstr(out, "Definition"));

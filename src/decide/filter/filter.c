@@ -12,7 +12,10 @@ graze_status filter_make(filter *out, graze_context *context, const graze_solid 
                          const graze_motion *motion, graze_operation operation) {
     *out = (filter){.solid = solid};
     out->proves = operation == GRAZE_UNSWEEP ? GRAZE_STATE_O : GRAZE_STATE_I;
-    return course_make(&out->course, motion, operation)
+    out->bricks = calloc(1, sizeof *out->bricks);
+    if (out->bricks)
+        pthread_mutex_init(&out->bricks->lock, NULL);
+    return out->bricks && course_make(&out->course, motion, operation)
                ? GRAZE_OK
                : context_fail(context, GRAZE_ESYSTEM, "out of memory for the filter of %zu pieces",
                               motion->piece_count);
@@ -20,8 +23,16 @@ graze_status filter_make(filter *out, graze_context *context, const graze_solid 
 
 void filter_clear(filter *f) {
     course_clear(&f->course);
-    interior_clear(&f->bricks);
+    if (f->bricks) {
+        interior_clear(&f->bricks->all);
+        pthread_mutex_destroy(&f->bricks->lock);
+    }
+    free(f->bricks);
     *f = (filter){.solid = NULL};
+}
+
+const interior *filter_bricks(const filter *f) {
+    return atomic_load(&f->bricks->laid) ? &f->bricks->all : NULL;
 }
 
 static void workspace_free(void *memory) {

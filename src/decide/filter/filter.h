@@ -7,27 +7,38 @@
 #ifndef GRAZE_FILTER_FILTER_H
 #define GRAZE_FILTER_FILTER_H
 
+#include <pthread.h>
+#include <stdatomic.h>
 #include "decide/filter/curve.h"
 #include "decide/filter/findings.h"
 #include "decide/filter/interior.h"
 #include "input/solid/known.h"
 #include "input/solid/solid.h"
 
-/** What a filter keeps of a scene; immutable, shared by threads. */
+/** Bricks that are laid when memberships alone are first asked for: by one thread, under the lock.
+ */
+typedef struct brick_memo {
+    pthread_mutex_t lock;
+    interior all;
+    atomic_int laid; /* nothing of `all` changes from then on */
+} brick_memo;
+
+/** What a filter keeps of a scene; immutable but for the memo, shared by threads. */
 typedef struct filter {
     const graze_solid *solid; /* borrowed */
     course course;
-    interior bricks;    /* where memberships alone are asked for */
+    brick_memo *bricks;
     graze_state proves; /* somewhere in this state: that alone decides the membership */
 } filter;
 
 /**
- * Without bricks.
  * @param operation which of the motion's point maps carries the query points
  */
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation);
 void filter_clear(filter *f);
+/** The bricks, or NULL if none are laid. */
+const interior *filter_bricks(const filter *f);
 
 /** Memory of one thread, used again from query to query. */
 typedef struct filter_workspace {

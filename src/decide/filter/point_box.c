@@ -191,14 +191,15 @@ static int bound_places(box *out, curve *memory, const filter *f, const stay *wh
 int point_box_is_settled(curve *memory, const filter *f, const point_box *points, size_t *hint) {
     size_t pieces = f->course.piece_count, each = pieces < CELL_TIMES ? CELL_TIMES / pieces : 1;
     size_t step = pieces * each / CELL_TIMES + 1;
-    if (!f->bricks.state)
+    const interior *bricks = filter_bricks(f);
+    if (!bricks || !bricks->state)
         return 0;
     for (size_t k = 0; k < pieces * each; k += step) {
         size_t time = (*hint + k) % (pieces * each);
         stay when = {(uint32_t)(time / each), ((double)(time % each) + 0.5) / (double)each};
         box around;
         if (bound_places(&around, memory, f, &when, points->half) &&
-            flip(FLIP_INTERIOR, interior_state(&f->bricks, &around) == f->proves)) {
+            flip(FLIP_INTERIOR, interior_state(bricks, &around) == f->proves)) {
             *hint = time;
             return 1;
         }

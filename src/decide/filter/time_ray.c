@@ -107,9 +107,14 @@ static graze_state locate_middle(void *data, const double middle[3]) {
     return ray_locate(s->memory, s->solid, at, error);
 }
 
-graze_status filter_lay_bricks(filter *f, graze_context *context) {
+graze_status filter_lay_bricks(const filter *f, graze_context *context) {
     standing s = {filter_workspace_of(context), f->solid};
-    if (s.memory && interior_make(&f->bricks, f->solid, locate_middle, &s))
+    pthread_mutex_lock(&f->bricks->lock);
+    int laid = atomic_load(&f->bricks->laid) ||
+               (s.memory && interior_make(&f->bricks->all, f->solid, locate_middle, &s));
+    atomic_store(&f->bricks->laid, laid);
+    pthread_mutex_unlock(&f->bricks->lock);
+    if (laid)
         return GRAZE_OK;
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for the bricks of a solid");
 }

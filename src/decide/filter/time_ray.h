@@ -13,8 +13,8 @@
 graze_state ray_locate(filter_workspace *w, const graze_solid *solid, const double *at,
                        const double *error);
 
-/** Lay the bricks that spare searches for memberships alone. */
-graze_status filter_lay_bricks(filter *f, graze_context *context);
+/** Lay the bricks that spare searches for memberships alone, unless they are. */
+graze_status filter_lay_bricks(const filter *f, graze_context *context);
 
 /**
  * The state at u of a piece.

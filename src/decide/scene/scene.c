@@ -15,7 +15,6 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "decide/filter/time_ray.h"
 #include "decide/scene/hash.h"
 #include "decide/scene/meeting.h"
 #include "input/solid/locate.h"
@@ -169,8 +168,6 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
         status = make_memo(&out->ground, context);
     if (!status)
         status = filter_make(&out->filter, context, solid, motion, out->options.operation);
-    if (!status && out->options.columns == GRAZE_COLUMNS_PMC)
-        status = filter_lay_bricks(&out->filter, context);
     if (status) {
         free_memo(out->memo);
         free_memo(out->ground);

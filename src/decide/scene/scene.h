@@ -30,7 +30,6 @@ struct graze_scene {
     int ends_meet;             /* 1 if S^0 and S^1 have a point in common, else 0 */
     unsigned char sha256[32];  /* of the canonical text of solid and motion, see scene_hash */
     scene_memo *memo, *ground; /* of topo and of distances */
-    double tolerance;          /* of distances; 0: rows have none */
 };
 
 /**

@@ -157,7 +157,7 @@ static graze_status trace_pieces(tracer *r) {
     const filter *f = &r->scene->filter;
     int *settled = r->detail >= TRACE_PMC ? &r->out->settled : NULL;
     if (status == GRAZE_OK && r->workspace &&
-        filter_search(r->workspace, settled, r->detail == TRACE_PMC ? &f->bricks : NULL, f,
+        filter_search(r->workspace, settled, r->detail == TRACE_PMC ? filter_bricks(f) : NULL, f,
                       &r->near)) {
         if (r->out->settled)
             return GRAZE_OK;

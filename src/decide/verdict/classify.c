@@ -12,17 +12,18 @@ graze_status classify_point(graze_trace *out, graze_context *context, const graz
     return status;
 }
 
-graze_status classify_verdict(graze_verdict *out, graze_context *context, const graze_scene *scene,
-                              query_point point) {
+graze_status classify_answer(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                             query_point point, trace_detail detail) {
     graze_trace trace;
-    int pmc_alone = scene->options.columns == GRAZE_COLUMNS_PMC;
-    graze_status status =
-        classify_point(&trace, context, scene, point, pmc_alone ? TRACE_PMC : TRACE_WORD);
+    graze_status status = classify_point(&trace, context, scene, point, detail);
     if (status)
         return status;
-    *out = trace.verdict;
-    if (pmc_alone)
-        *out = (graze_verdict){.pmc = trace.verdict.pmc};
+    *out = detail >= TRACE_PMC ? (graze_verdict){.pmc = trace.verdict.pmc} : trace.verdict;
     trace_clear(&trace);
     return GRAZE_OK;
+}
+
+graze_status classify_verdict(graze_verdict *out, graze_context *context, const graze_scene *scene,
+                              query_point point) {
+    return classify_answer(out, context, scene, point, TRACE_WORD);
 }

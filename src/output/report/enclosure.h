@@ -25,7 +25,8 @@ void report_distance_time(text *out, const graze_scene *scene, const distance *f
 const char *report_certainty(const distance *found, double motion_error);
 
 /** A comma and the columns: three, and with a motion error whether the answer is certain. */
-void report_distance(text *out, const graze_scene *scene, const distance *found);
+void report_distance(text *out, const graze_scene *scene, const distance *found,
+                     double motion_error);
 
 /** A paragraph for a person. */
 void explain_distance(text *out, const graze_scene *scene, const distance *found);

@@ -6,11 +6,7 @@
 
 graze_status report_events_header(char **out, graze_context *context, const graze_scene *scene,
                                   const char *notes) {
-    text t;
-    text_init(&t);
-    table_notes(&t, context, scene, notes);
-    text_put(&t, "time,kind,facet,cell,before,after\n");
-    return text_finish(out, context, &t);
+    return table_head(out, context, scene, notes, "time,kind,facet,cell,before,after", NULL);
 }
 
 static const char *sign_text(int sign) {
@@ -31,13 +27,10 @@ void report_event(text *out, const graze_envelope *envelope, const found_event *
 
 graze_status report_curve_header(char **out, graze_context *context, const graze_scene *scene,
                                  const char *notes) {
-    int flat = scene->motion->dimension == 2;
-    text t;
-    text_init(&t);
-    table_notes(&t, context, scene, notes);
-    text_put(&t, flat ? "time,kind,cell,ax,ay,bx,by" : "time,kind,cell,ax,ay,az,bx,by,bz");
-    text_put(&t, ",theta_a,theta_b,orientation,status,chain,form\n");
-    return text_finish(out, context, &t);
+    return table_head(out, context, scene, notes,
+                      scene->motion->dimension == 2 ? "time,kind,cell,ax,ay,bx,by"
+                                                    : "time,kind,cell,ax,ay,az,bx,by,bz",
+                      "theta_a,theta_b,orientation,status,chain,form");
 }
 
 static const char *known_name(const char *name) {
@@ -61,22 +54,14 @@ void report_curve(text *out, const graze_curve *curve, const curve_part *part) {
 
 graze_status report_patches_header(char **out, graze_context *context, const graze_scene *scene,
                                    const char *notes) {
-    int flat = scene->motion->dimension == 2;
-    text t;
-    text_init(&t);
-    table_notes(&t, context, scene, notes);
-    text_put(&t, "patch,kind,cell,from,to,a,b,theta_a,theta_b,orientation,time,");
-    text_put(&t, flat ? "bx,by,x,y,status\n" : "bx,by,bz,x,y,z,status\n");
-    return text_finish(out, context, &t);
+    return table_head(out, context, scene, notes,
+                      "patch,kind,cell,from,to,a,b,theta_a,theta_b,orientation,time",
+                      scene->motion->dimension == 2 ? "bx,by,x,y,status" : "bx,by,bz,x,y,z,status");
 }
 
 graze_status report_joints_header(char **out, graze_context *context, const graze_scene *scene,
                                   const char *notes) {
-    text t;
-    text_init(&t);
-    table_notes(&t, context, scene, notes);
-    text_put(&t, "cell,from,to,form,patches\n");
-    return text_finish(out, context, &t);
+    return table_head(out, context, scene, notes, "cell,from,to,form,patches", NULL);
 }
 
 /* `,from,to` */

@@ -319,34 +319,30 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
                       "reaches its boundary");
 }
 
-graze_status report_explain(char **out, graze_context *context, const graze_scene *scene,
-                            const fmpq *point, const graze_trace *trace, const topo_finding *topo,
-                            const distance *found) {
+graze_status report_explain(char **out, graze_context *context, const row *r) {
+    const graze_scene *scene = r->scene;
+    int d = scene->motion->dimension, sweep = scene->options.operation == GRAZE_SWEEP;
     text t;
     graze_status status = GRAZE_OK;
     text_init(&t);
-    put_answer(&t, scene, point, trace);
-    put_ends(&t, scene, point, trace);
-    put_trajectory(&t, scene, point);
-    put_time_line(&t, scene, trace);
-    if (scene->options.operation == GRAZE_UNSWEEP) {
-        put_unsweep_rule(&t, &trace->verdict);
-        if (topo)
-            closed_explain(&t, topo, scene->motion->dimension);
-        if (found)
-            explain_distance(&t, scene, found);
-        text_put(&t, "\n[IS] Ilies and Shapiro 1998.\n");
+    put_answer(&t, scene, r->point, r->trace);
+    put_ends(&t, scene, r->point, r->trace);
+    put_trajectory(&t, scene, r->point);
+    put_time_line(&t, scene, r->trace);
+    if (sweep) {
+        explain_counts(&t, r->trace);
+        put_sweep_rule(&t, scene, r->trace);
     } else {
-        explain_counts(&t, trace);
-        put_sweep_rule(&t, scene, trace);
-        if (topo)
-            closed_explain(&t, topo, scene->motion->dimension);
-        if (topo && trace->verdict.pmc == GRAZE_ON)
-            status = closings_explain(&t, context, scene, point, topo);
-        if (found)
-            explain_distance(&t, scene, found);
-        text_put(&t, "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n");
+        put_unsweep_rule(&t, &r->trace->verdict);
     }
+    if (r->shown->topo)
+        closed_explain(&t, &r->topo, d);
+    if (sweep && r->shown->topo && r->trace->verdict.pmc == GRAZE_ON)
+        status = closings_explain(&t, context, scene, r->point, &r->topo);
+    if (r->shown->sdf > 0)
+        explain_distance(&t, scene, &r->space);
+    text_put(&t, sweep ? "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n"
+                       : "\n[IS] Ilies and Shapiro 1998.\n");
     if (!status)
         return text_finish(out, context, &t);
     text_clear(&t);

@@ -101,23 +101,24 @@ static void json_distance(json_writer *w, const graze_scene *scene, const distan
     fmpq_clear(time);
 }
 
-void report_json(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                 const topo_finding *topo, const distance *found) {
+void report_json(text *out, const row *r) {
+    const graze_trace *trace = r->trace;
+    int d = r->scene->motion->dimension;
     json_writer w = {.out = out};
     json_open(&w, NULL, '{');
-    json_point(&w, "point", point, scene->motion->dimension);
-    json_verdict(&w, scene, &trace->verdict);
+    json_point(&w, "point", r->point, d);
+    json_verdict(&w, r->scene, &trace->verdict);
     json_text(&w, "word", trace->word);
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < trace->contact_count; k++)
         json_contact(&w, &trace->contact[k]);
     json_close(&w, ']');
-    if (found)
-        json_distance(&w, scene, found);
-    if (found && scene->options.motion_error > 0)
-        json_text(&w, "certain", report_certainty(found, scene->options.motion_error));
-    if (topo)
-        json_topo(&w, topo, scene->motion->dimension);
+    if (r->shown->sdf > 0)
+        json_distance(&w, r->scene, &r->space);
+    if (r->shown->motion_error > 0)
+        json_text(&w, "certain", report_certainty(&r->space, r->shown->motion_error));
+    if (r->shown->topo)
+        json_topo(&w, &r->topo, d);
     json_close(&w, '}');
     text_put(out, "\n");
 }

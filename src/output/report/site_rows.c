@@ -7,21 +7,15 @@
 #include "output/report/json_values.h"
 #include "output/report/table_text.h"
 
+#define SITE_ANSWERS                                                                               \
+    "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_in,word"
+
 graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,
                                    const char *notes, const char *columns) {
-    int flat = scene->motion->dimension == 2;
-    text t;
-    text_init(&t);
-    table_notes(&t, context, scene, notes);
-    text_put(&t, flat ? "time,bx,by,x,y," : "time,bx,by,bz,x,y,z,");
-    text_put(&t, "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_in,"
-                 "word");
-    if (columns) {
-        text_put(&t, ",");
-        text_put(&t, columns);
-    }
-    text_put(&t, "\n");
-    return text_finish(out, context, &t);
+    return table_head(out, context, scene, notes,
+                      scene->motion->dimension == 2 ? "time,bx,by,x,y," SITE_ANSWERS
+                                                    : "time,bx,by,bz,x,y,z," SITE_ANSWERS,
+                      columns);
 }
 
 static void put_numbers(text *t, const fmpq *x, int count) {

@@ -1,10 +1,12 @@
-/* The CSV table: its head and its rows (src/program/cli/formats.md, Tables).
+/* The table: its head and its rows (src/program/cli/formats.md, Tables).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 
 #include "output/report/table_text.h"
 
+#include <string.h>
 #include "output/report/enclosure.h"
+#include "output/table/row_values.h"
 
 static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     int given = 0;
@@ -25,7 +27,9 @@ static void put_width(text *t, const char *name, double width, int up) {
     text_format(t, "# %s %s\n", name, number);
 }
 
-void table_notes(text *t, graze_context *context, const graze_scene *scene, const char *notes) {
+/* The `#` lines. */
+static void put_notes(text *t, graze_context *context, const graze_scene *scene, const char *notes,
+                      const graze_row_options *shown) {
     const graze_options *options = &scene->options;
     int unsweep = options->operation == GRAZE_UNSWEEP;
     text_put(t, "# graze " GRAZE_VERSION "\n# contract 1\n");
@@ -39,38 +43,54 @@ void table_notes(text *t, graze_context *context, const graze_scene *scene, cons
     text_format(t, "# folds %s\n",
                 options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
-    put_width(t, "sdf", scene->tolerance, 1);
-    put_width(t, "motion-error", options->motion_error, 0);
-    if (options->topo)
+    put_width(t, "sdf", shown->sdf, 1);
+    put_width(t, "motion-error", shown->motion_error, 0);
+    if (shown->topo)
         text_put(t, "# topo yes\n");
-    if (options->columns == GRAZE_COLUMNS_PMC)
+    if (shown->columns == GRAZE_COLUMNS_PMC)
         text_put(t, "# columns pmc\n");
     if (notes)
         text_put(t, notes);
     text_format(t, "# ends-meet %s\n", scene->ends_meet ? "yes" : "no");
 }
 
+void table_columns(text *t, const graze_scene *scene, const char *columns,
+                   const graze_row_options *shown) {
+    text_put(t, scene->motion->dimension == 2 ? "x,y,pmc" : "x,y,z,pmc");
+    if (shown->columns == GRAZE_COLUMNS_ALL)
+        text_put(t, scene->options.operation == GRAZE_UNSWEEP ? ",word"
+                                                              : ",class,definition,case,i,t,word");
+    if (columns) {
+        text_put(t, ",");
+        text_put(t, columns);
+    }
+    if (shown->sdf > 0)
+        text_put(t, ",sdf_low,sdf_high,sdf_t");
+    if (shown->motion_error > 0)
+        text_put(t, ",certain");
+    if (shown->topo)
+        text_put(t, ",topo");
+}
+
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
-                           const char *notes, const char *columns) {
-    const graze_options *options = &scene->options;
-    int unsweep = options->operation == GRAZE_UNSWEEP, d = scene->motion->dimension;
+                           const char *notes, const char *columns, const graze_row_options *shown) {
     text t;
     text_init(&t);
-    table_notes(&t, context, scene, notes);
-    text_put(&t, d == 2 ? "x,y" : "x,y,z");
-    text_put(&t, options->columns == GRAZE_COLUMNS_PMC ? ",pmc"
-                 : unsweep                             ? ",pmc,word"
-                                                       : ",pmc,class,definition,case,i,t,word");
-    if (columns) {
+    put_notes(&t, context, scene, notes, shown);
+    table_columns(&t, scene, columns, shown);
+    text_put(&t, "\n");
+    return text_finish(out, context, &t);
+}
+
+graze_status table_head(char **out, graze_context *context, const graze_scene *scene,
+                        const char *notes, const char *names, const char *further) {
+    text t;
+    text_init(&t);
+    put_notes(&t, context, scene, notes, &(graze_row_options){0});
+    text_put(&t, names);
+    if (further)
         text_put(&t, ",");
-        text_put(&t, columns);
-    }
-    if (scene->tolerance > 0)
-        text_put(&t, ",sdf_low,sdf_high,sdf_t");
-    if (options->motion_error > 0)
-        text_put(&t, ",certain");
-    if (options->topo)
-        text_put(&t, ",topo");
+    text_put(&t, further ? further : "");
     text_put(&t, "\n");
     return text_finish(out, context, &t);
 }
@@ -92,28 +112,62 @@ static void put_verdict(text *t, const graze_verdict *v) {
     text_put(t, ",");
 }
 
-void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                const char *rest, const topo_finding *topo, const distance *found) {
-    for (int k = 0; k < scene->motion->dimension; k++) {
-        text_rational(out, point + k);
+/* What stands behind the answers, each column with a comma before it. */
+static void put_further(text *out, const row *r) {
+    if (r->texts.rest) {
         text_put(out, ",");
+        text_put(out, r->texts.rest);
     }
-    text_put(out, graze_pmc_name(trace->verdict.pmc));
-    if (scene->options.columns == GRAZE_COLUMNS_ALL) {
+    if (r->shown->sdf > 0)
+        report_distance(out, r->scene, &r->space, r->shown->motion_error);
+    if (r->shown->topo) {
         text_put(out, ",");
-        if (scene->options.operation == GRAZE_SWEEP)
-            put_verdict(out, &trace->verdict);
-        text_put(out, trace->word);
+        text_put(out, graze_topo_name(r->topo.position));
     }
-    if (rest) {
+}
+
+void report_csv(text *out, const row *r) {
+    for (int k = 0; !r->texts.point && k < r->scene->motion->dimension; k++) {
+        text_put(out, k ? "," : "");
+        text_rational(out, r->point + k);
+    }
+    text_put(out, r->texts.point ? r->texts.point : "");
+    text_put(out, ",");
+    text_put(out, graze_pmc_name(r->trace->verdict.pmc));
+    if (r->shown->columns == GRAZE_COLUMNS_ALL) {
         text_put(out, ",");
-        text_put(out, rest);
+        if (r->scene->options.operation == GRAZE_SWEEP)
+            put_verdict(out, &r->trace->verdict);
+        text_put(out, r->trace->word);
     }
-    if (found)
-        report_distance(out, scene, found);
-    if (topo) {
-        text_put(out, ",");
-        text_put(out, graze_topo_name(topo->position));
-    }
+    put_further(out, r);
     text_put(out, "\n");
+}
+
+graze_status report_values(text *out, graze_context *context, const row *r) {
+    const graze_verdict *v = &r->trace->verdict;
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < r->scene->motion->dimension && !status; k++) {
+        double nearest = 0;
+        status = values_nearest(&nearest, context, r->point + k);
+        if (status)
+            status = context_at(context, status, "column %c", 'x' + k);
+        values_coordinate(out, nearest);
+    }
+    values_code(out, (uint32_t)v->pmc);
+    if (r->shown->columns == GRAZE_COLUMNS_ALL) {
+        const uint32_t codes[] = {(uint32_t)v->class_, (uint32_t)v->definition, (uint32_t)v->case_,
+                                  (uint32_t)v->i, (uint32_t)v->t};
+        for (size_t k = 0; r->scene->options.operation == GRAZE_SWEEP && k < 5; k++)
+            values_code(out, codes[k]);
+        values_text(out, r->trace->word, strlen(r->trace->word));
+    }
+    text further;
+    text_init(&further);
+    put_further(&further, r);
+    if (further.length) /* without the comma before them */
+        values_text(out, further.data + 1, further.length - 1);
+    out->failed |= further.failed;
+    text_clear(&further);
+    return status;
 }

@@ -4,21 +4,24 @@
 #ifndef GRAZE_REPORT_TABLE_TEXT_H
 #define GRAZE_REPORT_TABLE_TEXT_H
 
-#include "base/number/text.h"
-#include "decide/trace/trace.h"
-#include "questions/distance/distance.h"
-#include "questions/topo/finding.h"
+#include "output/report/table_row.h"
 
-/** Add the `#` lines of a head. `notes`: further `# key value` lines, or NULL. */
-void table_notes(text *out, graze_context *context, const graze_scene *scene, const char *notes);
+/** The head of another table: `#` lines and names. @param notes further `# key value` lines, or
+ * NULL. @param further names behind `names`, comma-joined, or NULL */
+graze_status table_head(char **out, graze_context *context, const graze_scene *scene,
+                        const char *notes, const char *names, const char *further);
 
-/** The `#` lines and the column line. `notes` as above. */
+/** The head of a table of points. `notes` as above; `columns`: names of further ones, or NULL. */
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
-                           const char *notes, const char *columns);
+                           const char *notes, const char *columns, const graze_row_options *shown);
+/** Add its names of columns. */
+void table_columns(text *out, const graze_scene *scene, const char *columns,
+                   const graze_row_options *shown);
 
-/** Add one row of the table. `rest`: further columns as they were, or NULL; `topo`: the
- * position for the last column, or NULL. */
-void report_csv(text *out, const graze_scene *scene, const fmpq *point, const graze_trace *trace,
-                const char *rest, const topo_finding *topo, const distance *found);
+/** Add one row of the table. */
+void report_csv(text *out, const row *r);
+
+/** Add one row of values (output/table/row_values.h). GRAZE_EINPUT: a coordinate is past binary64. */
+graze_status report_values(text *out, graze_context *context, const row *r);
 
 #endif

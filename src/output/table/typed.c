@@ -3,10 +3,7 @@
  */
 #include "output/table/typed.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 void typed_init(typed_table *t, graze_context *context) {
     *t = (typed_table){.context = context};
@@ -31,14 +28,20 @@ void typed_clear(typed_table *t) {
     text_clear(&t->names);
 }
 
-graze_status typed_broken(graze_context *context, const char *format, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    return context_fail(context, GRAZE_EINPUT,
-                        "%s; expected a whole table as graze classify writes it", text);
+void typed_set_grid(typed_table *t, int dimension, const size_t *size, graze_rationals low,
+                    graze_rationals high) {
+    for (int k = 0; k < 3; k++)
+        t->grid[k] = k < dimension ? size[k] : 1;
+    for (int k = 0; k < dimension; k++) {
+        fmpq_set_mpq(t->low + k, low[k]);
+        fmpq_set_mpq(t->high + k, high[k]);
+    }
+}
+
+const char *typed_word(const typed_column *c, uint32_t code) {
+    return c->kind == COLUMN_PMC     ? graze_pmc_name((graze_pmc)code)
+           : c->kind == COLUMN_CLASS ? graze_class_name((graze_class)code)
+                                     : NULL;
 }
 
 void typed_name(text *out, const typed_table *t, size_t index) {

@@ -1,8 +1,7 @@
-/* A finished table of answers, read row by row into columns of one type each.
+/* A table of answers in columns of one type each.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The table is Graze's own (src/program/cli/formats.md, Tables): whole, with its `#` lines and one
- * row a line. Of its text only what further columns need is kept.
+ * Rows are added as values (row_values.h). Of further columns only what they need is kept as text.
  */
 #ifndef GRAZE_TABLE_TYPED_H
 #define GRAZE_TABLE_TYPED_H
@@ -37,25 +36,25 @@ typedef struct typed_column {
 
 typedef struct typed_table {
     graze_context *context;
-    enum { TYPED_HEAD, TYPED_ROWS, TYPED_WHOLE } state; /* what has been read */
     int dimension;
-    int boxed;            /* there is a `# box` line */
-    int pmc_alone;        /* `# columns pmc`: no other answers */
     size_t grid[3];       /* points along each axis, 1 for an axis that is not; all 0: no grid */
     fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
-    text names;           /* the column line */
+    text names;           /* the names of the columns */
     size_t row_count, column_count;
-    size_t own; /* the first so many columns are Graze's, the others the points' */
+    size_t own; /* the first so many columns are Graze's answers, the others are read as text */
     typed_column *column;
 } typed_table;
 
-/** Begin an empty table. typed_clear frees it. */
+/** An empty table without columns. typed_clear frees it. */
 void typed_init(typed_table *t, graze_context *context);
 void typed_clear(typed_table *t);
 
-/** GRAZE_EINPUT with the message, which says what is wrong, and what is expected. */
-graze_status typed_broken(graze_context *context, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+/** The rows will be those of a grid: sizes and corners of its box, d each. */
+void typed_set_grid(typed_table *t, int dimension, const size_t *size, graze_rationals low,
+                    graze_rationals high);
+
+/** The word of a code of pmc or class; NULL for other columns. Static. */
+const char *typed_word(const typed_column *c, uint32_t code);
 
 /** The name of a column, `column` if it has none; `_2` and so on stand behind a name that occurred.
  */

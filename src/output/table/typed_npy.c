@@ -87,7 +87,6 @@ static void put_npy_text(sink to, field one, size_t width) {
 }
 
 static void put_field(sink to, const typed_column *c, size_t row) {
-    const char *name = NULL;
     switch (c->kind) {
     case COLUMN_COORDINATE:
     case COLUMN_NUMBER:
@@ -97,15 +96,10 @@ static void put_field(sink to, const typed_column *c, size_t row) {
     case COLUMN_COUNT:
         put_number(to, c->code[row], 4);
         return;
-    case COLUMN_PMC:
-        name = graze_pmc_name((graze_pmc)c->code[row]);
-        break;
-    case COLUMN_CLASS:
-        name = graze_class_name((graze_class)c->code[row]);
-        break;
     default:
         break;
     }
+    const char *name = typed_word(c, c->code[row]);
     put_npy_text(to, name ? (field){name, strlen(name)} : texts_at(&c->texts, c->code[row]),
                  width_of(c));
 }

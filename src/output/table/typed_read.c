@@ -1,4 +1,4 @@
-/* Reads a finished table into typed columns.
+/* Reads rows of values into typed columns.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A further column is one of numbers until a field is none; its fields so far are kept as text
@@ -6,14 +6,11 @@
  */
 #include "output/table/typed_read.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
-#include "output/table/typed_head.h"
 
 static graze_status typed_no_memory(const typed_table *t) {
     return context_fail(t->context, GRAZE_ESYSTEM, "out of memory for a table");
@@ -36,47 +33,34 @@ static column_kind kind_of(field name) {
     return COLUMN_TEXT;
 }
 
-/* Does the column line begin with these names, and nothing behind them but further columns? */
-static int begins(field line, const char *axes, const char *answers) {
-    size_t n = strlen(axes), length = n + strlen(answers);
-    return line.length >= length && memcmp(line.start, axes, n) == 0 &&
-           memcmp(line.start + n, answers, length - n) == 0 &&
-           (line.length == length || line.start[length] == ',');
+/* Graze's columns are those up to `word`, or to `pmc` where it stands alone; further ones may have
+ * any name. */
+static size_t own_columns(const fields *names, int pmc_alone) {
+    size_t k = 0;
+    while (k < names->count && !field_is(names->item[k], pmc_alone ? "pmc" : "word"))
+        k++;
+    return k + 1;
 }
 
-/* How many columns of the line are Graze's, 0 if they are not as it writes them. */
-static size_t own_columns(field line, int dimension, int pmc_alone) {
-    const char *axes = dimension == 2 ? "x,y," : "x,y,z,";
-    if (pmc_alone)
-        return begins(line, axes, "pmc") ? (size_t)dimension + 1 : 0;
-    if (begins(line, axes, "pmc,class,definition,case,i,t,word"))
-        return (size_t)dimension + 7;
-    return begins(line, axes, "pmc,word") ? (size_t)dimension + 2 : 0;
-}
-
-/* The columns up to `word`, or to `pmc` alone, are Graze's; further ones may have any name. */
-static graze_status name_columns(typed_table *t, field line) {
-    fields names = {NULL, 0, 0};
-    t->own = own_columns(line, t->dimension, t->pmc_alone);
-    if (!t->own)
-        return typed_broken(t->context,
-                            "the column line `%.*s` is not that of a table of dimension %d",
-                            FIELD_SHOWN(line), t->dimension);
-    text_bytes(&t->names, line.start, line.length);
-    if (t->names.failed)
-        return typed_no_memory(t);
-    fields_result result = fields_cut(&names, (field){t->names.data, t->names.length});
+graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alone) {
+    fields cut = {NULL, 0, 0};
+    t->dimension = dimension;
+    text_bytes(&t->names, names.start, names.length);
+    fields_result result = t->names.failed
+                               ? FIELDS_NO_MEMORY
+                               : fields_cut(&cut, (field){t->names.data, t->names.length});
     if (result == FIELDS_CUT)
-        t->column = calloc(names.count, sizeof *t->column);
-    for (size_t k = 0; t->column && k < names.count; k++) {
-        t->column[k].name = field_content(names.item[k]);
+        t->column = calloc(cut.count, sizeof *t->column);
+    t->own = own_columns(&cut, pmc_alone);
+    for (size_t k = 0; t->column && k < cut.count; k++) {
+        t->column[k].name = field_content(cut.item[k]);
         t->column[k].kind = k < t->own ? kind_of(t->column[k].name) : COLUMN_NUMBER;
     }
-    t->column_count = t->column ? names.count : 0;
-    fields_clear(&names);
-    t->state = TYPED_ROWS;
+    t->column_count = t->column ? cut.count : 0;
+    fields_clear(&cut);
     if (result == FIELDS_OPEN_QUOTE)
-        return typed_broken(t->context, "a quote in the column line is not closed");
+        return context_fail(t->context, GRAZE_EINPUT,
+                            "a quote in the names of the columns is not closed");
     return t->column ? GRAZE_OK : typed_no_memory(t);
 }
 
@@ -112,46 +96,6 @@ static graze_status read_number(double *out, int *number, graze_context *context
                               FIELD_SHOWN(f));
     fmpq_clear(value);
     return status;
-}
-
-static int is_word(field f) {
-    for (size_t k = 0; k < f.length; k++)
-        if (!memchr("IBO", f.start[k], 3))
-            return 0;
-    return f.length > 0;
-}
-
-/* The number of a name of graze.h; 0 if it is none. */
-static unsigned long name_code(const typed_column *c, field f) {
-    for (int k = 1; k <= 3 && c->kind == COLUMN_PMC; k++)
-        if (field_is(f, graze_pmc_name((graze_pmc)k)))
-            return (unsigned long)k;
-    for (int k = 1; k <= 5 && c->kind == COLUMN_CLASS; k++)
-        if (field_is(f, graze_class_name((graze_class)k)))
-            return (unsigned long)k;
-    return 0;
-}
-
-/* The value of a field of an answer, or what is expected where it is wrong, else NULL. */
-static const char *read_answer(unsigned long *out, const typed_column *c, field f) {
-    *out = 0;
-    switch (c->kind) {
-    case COLUMN_PMC:
-        *out = name_code(c, f);
-        return *out ? NULL : "in, on or out";
-    case COLUMN_CLASS:
-        *out = name_code(c, f);
-        return *out ? NULL : "the name of a class";
-    case COLUMN_DEFINITION:
-        return field_is(f, "ext") || (field_count(out, f, 11) && *out >= 5) ? NULL
-                                                                            : "ext or 5 to 11";
-    case COLUMN_COUNT:
-        return field_count(out, f, field_is(c->name, "case") ? 9 : INT32_MAX)
-                   ? NULL
-                   : "a whole number, of a case up to 9, else below 2^31";
-    default:
-        return is_word(f) ? NULL : "letters I, B, O";
-    }
 }
 
 static graze_status add_text(const typed_table *t, typed_column *c, size_t row, field f) {
@@ -194,98 +138,88 @@ static graze_status add_further(const typed_table *t, typed_column *c, field f) 
     return add_text(t, c, t->row_count, f);
 }
 
-static graze_status add_field(const typed_table *t, size_t index, field f) {
-    typed_column *c = &t->column[index];
-    unsigned long code;
-    int number;
-    if (f.length > c->widest)
-        c->widest = f.length;
-    if (c->kind == COLUMN_COORDINATE)
-        return read_number(&c->number[t->row_count], &number, t->context, f);
-    if (index >= t->own)
-        return add_further(t, c, f);
-    const char *expected = read_answer(&code, c, f);
-    if (expected)
-        return context_fail(t->context, GRAZE_EINPUT, "'%.*s'; expected %s", FIELD_SHOWN(f),
-                            expected);
-    if (c->kind == COLUMN_WORD)
-        return add_text(t, c, t->row_count, f);
-    c->code[t->row_count] = (uint32_t)code;
-    return GRAZE_OK;
-}
-
 /* ---------------------------------------------------------------------------------- rows */
 
-static graze_status add_row(typed_table *t, field row) {
-    size_t k = 0;
-    if (!typed_reserve(t))
-        return typed_no_memory(t);
-    for (; k < t->column_count && row.start; k++) {
-        field one;
-        if (!field_take(&one, &row))
-            return typed_broken(t->context, "row %zu: a quoted field does not end",
-                                t->row_count + 1);
-        graze_status status = add_field(t, k, field_content(one));
+/* Take so many bytes from the front; 0 if there are fewer. */
+static int take_bytes(void *out, field *rest, size_t length) {
+    if (rest->length < length)
+        return 0;
+    memcpy(out, rest->start, length);
+    rest->start += length;
+    rest->length -= length;
+    return 1;
+}
+
+/* A text without line ends. */
+static int take_text(field *out, field *rest) {
+    if (!take_bytes(&out->length, rest, sizeof out->length) || rest->length < out->length)
+        return 0;
+    out->start = rest->start;
+    rest->start += out->length;
+    rest->length -= out->length;
+    return !memchr(out->start, '\n', out->length);
+}
+
+static graze_status not_whole(const typed_table *t) {
+    return context_fail(t->context, GRAZE_EINPUT, "row %zu is not whole; expected %zu columns",
+                        t->row_count + 1, t->column_count);
+}
+
+/* The value of an answer. */
+static graze_status take_answer(const typed_table *t, typed_column *c, field *rows) {
+    field one;
+    if (c->kind == COLUMN_COORDINATE)
+        return take_bytes(&c->number[t->row_count], rows, sizeof *c->number) ? GRAZE_OK
+                                                                             : not_whole(t);
+    if (c->kind == COLUMN_WORD) {
+        if (!take_text(&one, rows))
+            return not_whole(t);
+        c->widest = one.length > c->widest ? one.length : c->widest;
+        return add_text(t, c, t->row_count, one);
+    }
+    uint32_t *code = &c->code[t->row_count];
+    if (!take_bytes(code, rows, sizeof *code))
+        return not_whole(t);
+    const char *name = typed_word(c, *code);
+    size_t length = name ? strlen(name) : 0;
+    c->widest = length > c->widest ? length : c->widest;
+    return GRAZE_OK;
+}
+
+/* The further columns. */
+static graze_status take_further(typed_table *t, field *rows) {
+    field rest, one;
+    if (t->own == t->column_count)
+        return GRAZE_OK;
+    int whole = take_text(&rest, rows);
+    for (size_t k = t->own; k < t->column_count; k++) {
+        if (!whole || !rest.start || !field_take(&one, &rest))
+            return not_whole(t);
+        one = field_content(one);
+        typed_column *c = &t->column[k];
+        c->widest = one.length > c->widest ? one.length : c->widest;
+        graze_status status = add_further(t, c, one);
         if (status)
             return context_at(t->context, status, "row %zu, column %.*s", t->row_count + 1,
-                              FIELD_SHOWN(t->column[k].name));
+                              FIELD_SHOWN(c->name));
     }
-    if (k < t->column_count || row.start)
-        return typed_broken(t->context, "row %zu has %s than the %zu fields of the column line",
-                            t->row_count + 1, row.start ? "more" : "fewer", t->column_count);
-    t->row_count++;
-    return GRAZE_OK;
+    return rest.start ? not_whole(t) : GRAZE_OK;
 }
 
-/* The last line, `# complete N`. */
-static graze_status end_rows(typed_table *t, field value) {
-    unsigned long count;
-    if (!field_count(&count, value, ~0ul) || count != t->row_count)
-        return typed_broken(t->context, "the table has another number of rows than it says");
-    if (!typed_grid_fits(t))
-        return typed_broken(t->context, "the table has another number of rows than its grid");
-    t->state = TYPED_WHOLE;
-    return GRAZE_OK;
-}
-
-static graze_status add_line(typed_table *t, field line) {
-    int note = line.length && *line.start == '#';
-    field value;
-    if (t->state == TYPED_WHOLE)
-        return typed_broken(t->context, "something stands after # complete");
-    if (t->state == TYPED_ROWS && field_behind(&value, line, "# complete "))
-        return end_rows(t, value);
-    if (t->state == TYPED_ROWS && field_behind(&value, line, "# undecided "))
-        return GRAZE_OK;
-    if (t->state == TYPED_ROWS)
-        return note ? typed_broken(t->context, "`%.*s` stands behind the column line",
-                                   FIELD_SHOWN(line))
-                    : add_row(t, line);
-    if (note)
-        return typed_head_line(t, line);
-    graze_status status = typed_head_end(t);
-    return status ? status : name_columns(t, line);
-}
-
-graze_status typed_add(typed_table *t, const char *lines, size_t length) {
+graze_status typed_add(typed_table *t, const char *rows, size_t length) {
     graze_rounding rounding = t->context->rounding;
     graze_status status = GRAZE_OK;
-    field rest = {lines, length};
-    if (length && memchr(lines, '\0', length))
-        return typed_broken(t->context, "a byte 0 in the table");
+    field rest = {rows, length};
     t->context->rounding = GRAZE_ROUND_NONE;
-    while (rest.length && !status)
-        status = add_line(t, field_line(&rest));
+    while (rest.length && !status) {
+        if (!typed_reserve(t))
+            status = typed_no_memory(t);
+        for (size_t k = 0; k < t->own && !status; k++)
+            status = take_answer(t, &t->column[k], &rest);
+        if (!status)
+            status = take_further(t, &rest);
+        t->row_count += !status;
+    }
     t->context->rounding = rounding;
     return status;
-}
-
-graze_status typed_end(const typed_table *t) {
-    if (t->state == TYPED_WHOLE)
-        return GRAZE_OK;
-    graze_status status = t->state == TYPED_HEAD ? typed_head_end(t) : GRAZE_OK;
-    if (status)
-        return status;
-    return typed_broken(t->context, "the table has no %s",
-                        t->state == TYPED_ROWS ? "line # complete" : "column line");
 }

@@ -1,4 +1,4 @@
-/* The rows of a table, read into typed columns.
+/* Rows of values, read into typed columns.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TABLE_TYPED_READ_H
@@ -6,14 +6,14 @@
 
 #include "output/table/typed.h"
 
+/** Set the columns of a table: the names that its head has, comma-joined. */
+graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alone);
 /**
- * Read the next lines of the table, the last of which may lack its line end only at the table's
- * end. The rounding of the context has no effect: these numbers do not belong to the scene.
- * @return GRAZE_EINPUT it is no table of answers, or has another number of rows than it says;
- * GRAZE_ELIMIT; GRAZE_ESYSTEM; where a row is wrong, the message names row and column
+ * Add rows of values. The rounding of the context has no effect: numbers of further columns do not
+ * belong to the scene.
+ * @return GRAZE_EINPUT they are not whole rows of these columns, or a number is past binary64;
+ * GRAZE_ELIMIT; GRAZE_ESYSTEM
  */
-graze_status typed_add(typed_table *t, const char *lines, size_t length);
-/** GRAZE_EINPUT unless the table is whole. */
-graze_status typed_end(const typed_table *t);
+graze_status typed_add(typed_table *t, const char *rows, size_t length);
 
 #endif

@@ -6,6 +6,6 @@
 #include "output/table/typed_npy.h"
 #include "output/table/typed_vtk.h"
 
-graze_status typed_write(const typed_table *t, graze_export form, sink to) {
-    return form == GRAZE_EXPORT_VTK ? typed_write_vtk(t, to) : typed_write_npy(t, to);
+graze_status typed_write(const typed_table *t, graze_format form, sink to) {
+    return form == GRAZE_FORMAT_VTK ? typed_write_vtk(t, to) : typed_write_npy(t, to);
 }

@@ -6,7 +6,7 @@
 
 #include "output/table/typed.h"
 
-/** Write a whole table in one of the forms but GRAZE_EXPORT_NONE. GRAZE_ELIMIT, GRAZE_ESYSTEM. */
-graze_status typed_write(const typed_table *t, graze_export form, sink to);
+/** Write a whole table in one of the binary forms. GRAZE_ELIMIT, GRAZE_ESYSTEM. */
+graze_status typed_write(const typed_table *t, graze_format form, sink to);
 
 #endif

@@ -57,12 +57,8 @@ int value_shard(void *to, const char *name, const char *value) {
 
 static int value_format(void *to, const char *name, const char *value) {
     static const char *const words[] = {"csv", "jsonl", "vtk", "npy"};
-    static const struct row_format formats[] = {{GRAZE_FORMAT_CSV, GRAZE_EXPORT_NONE},
-                                                {GRAZE_FORMAT_JSONL, GRAZE_EXPORT_NONE},
-                                                {GRAZE_FORMAT_CSV, GRAZE_EXPORT_VTK},
-                                                {GRAZE_FORMAT_CSV, GRAZE_EXPORT_NPY}};
     int chosen = 0, status = value_choice(&chosen, name, value, words, 4);
-    *(struct row_format *)to = formats[chosen];
+    *(graze_format *)to = (graze_format)chosen;
     return status;
 }
 
@@ -72,13 +68,13 @@ static const option_entry classify_table[] = {
     OPTION("operation", classify_options, scene.scene.operation, value_operation),
     OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
     OPTION("folds", classify_options, scene.scene.folds, value_folds),
-    OPTION("sdf", classify_options, scene.scene, value_sdf),
-    OPTION("motion-error", classify_options, scene.scene, value_motion_error),
-    FLAG("topo", classify_options, scene.scene.topo, value_flag),
-    OPTION("columns", classify_options, scene.scene.columns, value_columns),
+    OPTION("sdf", classify_options, scene, value_sdf),
+    OPTION("motion-error", classify_options, scene.rows.motion_error, value_motion_error),
+    FLAG("topo", classify_options, scene.rows.topo, value_flag),
+    OPTION("columns", classify_options, scene.rows.columns, value_columns),
     OPTION("coordinates", classify_options, coordinates.form, value_coordinates),
     OPTION("digits", classify_options, coordinates.digits, value_digits),
-    OPTION("format", classify_options, format, value_format),
+    OPTION("format", classify_options, scene.rows.format, value_format),
     OPTION("round", classify_options, scene.context.rounding, value_rounding),
     FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
     OPTION("jobs", classify_options, threads, value_jobs),
@@ -109,7 +105,7 @@ int classify_check_files(const classify_options *o) {
 }
 
 int classify_check_table(const classify_options *o) {
-    if ((o->resume || o->shard.given) && (o->format.rows != GRAZE_FORMAT_CSV || o->format.table))
+    if ((o->resume || o->shard.given) && o->scene.rows.format != GRAZE_FORMAT_CSV)
         return complain(EXIT_USAGE, "%s needs the head of a table; expected --format csv",
                         o->resume ? "--resume" : "--shard");
     return EXIT_DONE;
@@ -117,12 +113,12 @@ int classify_check_table(const classify_options *o) {
 
 /* What asks for more than pmc. */
 static int check_columns(const classify_options *o) {
-    const char *more = o->scene.scene.sdf > 0                 ? "--sdf"
-                       : o->scene.scene.topo                  ? "--topo"
-                       : o->certificate                       ? "--certify"
-                       : o->format.rows == GRAZE_FORMAT_JSONL ? "--format jsonl"
-                                                              : NULL;
-    if (o->scene.scene.columns == GRAZE_COLUMNS_ALL || !more)
+    const char *more = o->scene.rows.sdf > 0                        ? "--sdf"
+                       : o->scene.rows.topo                         ? "--topo"
+                       : o->certificate                             ? "--certify"
+                       : o->scene.rows.format == GRAZE_FORMAT_JSONL ? "--format jsonl"
+                                                                    : NULL;
+    if (o->scene.rows.columns == GRAZE_COLUMNS_ALL || !more)
         return EXIT_DONE;
     return complain(EXIT_USAGE, "%s needs all answers; expected no --columns pmc beside it", more);
 }
@@ -134,7 +130,7 @@ static int check_coordinates(const classify_options *o) {
         return coordinates_check(&o->coordinates);
     if (o->certificate)
         return complain(EXIT_USAGE, "--certify needs a table with --coordinates exact");
-    if (o->format.rows != GRAZE_FORMAT_CSV || o->format.table)
+    if (o->scene.rows.format != GRAZE_FORMAT_CSV)
         return complain(EXIT_USAGE, "--coordinates goes with --format csv");
     if (o->coordinates.form == COORDINATES_AS_GIVEN)
         other = o->scene.context.rounding ? "--round" : o->grid.sizes ? "--grid" : NULL;
@@ -162,7 +158,7 @@ int classify_take(classify_options *o, const operands *given) {
         status = check_coordinates(o);
     if (status)
         return status;
-    if (o->scene.scene.motion_error > 0 && !(o->scene.scene.sdf > 0))
+    if (o->scene.rows.motion_error > 0 && !(o->scene.rows.sdf > 0))
         return complain(EXIT_USAGE, "--motion-error needs distances; expected --sdf beside it");
     if (o->times && !o->certificate)
         return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
@@ -180,8 +176,7 @@ static int run_classify(void *options, const operands *given) {
     return status ? status : classify_run(options);
 }
 
-static const classify_options whole_run = {.shard.part = {0, 1},
-                                           .scene.scene.size = sizeof(graze_options)};
+static const classify_options whole_run = {.shard.part = {0, 1}};
 
 const command command_classify = {.name = "classify",
                                   .options = classify_table,

@@ -56,7 +56,7 @@ int compare_page(const char *file, const char *golden, const char *candidate,
     graze_compare_options all = *options;
     graze_context *comparing = NULL;
     graze_comparison *c = NULL;
-    loaded l = {NULL, NULL, NULL, NULL, NULL};
+    loaded l = {.scene = NULL};
     scene_options scene = {.solid = options->solid, .motion = options->motion};
     all.show = SIZE_MAX;
     int status = context_make(&comparing, context);

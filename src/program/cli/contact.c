@@ -39,7 +39,7 @@ static int value_rows(void *to, const char *name, const char *value) {
 
 static const option_entry contact_table[] = {
     FLAG("snap", classify_options, sites.snap, value_flag),
-    OPTION("format", classify_options, format.rows, value_rows),
+    OPTION("format", classify_options, scene.rows.format, value_rows),
     OPTION("jobs", classify_options, threads, value_jobs),
     FILE_WRITTEN("output", classify_options, output),
     OPTION("o", classify_options, output, value_text),

@@ -46,7 +46,7 @@ static int explain_point(const loaded *l, graze_rationals point, const char *pic
     char *text = NULL;
     graze_status status = graze_trace_create(&trace, l->context, l->scene, point);
     if (!status)
-        status = graze_report_explain(&text, l->context, l->scene, point, trace);
+        status = graze_report_explain(&text, l->context, l->scene, point, trace, &l->rows);
     int code = complain_of(status, l->context);
     if (!code && picture)
         code = draw_point(l, picture, point, trace);
@@ -82,8 +82,8 @@ static const option_entry explain_table[] = {
     FLAG("no-filter", explain_given, scene.context.exact_only, value_flag),
     OPTION("folds", explain_given, scene.scene.folds, value_folds),
     OPTION("operation", explain_given, scene.scene.operation, value_operation),
-    OPTION("sdf", explain_given, scene.scene, value_sdf),
-    FLAG("topo", explain_given, scene.scene.topo, value_flag),
+    OPTION("sdf", explain_given, scene, value_sdf),
+    FLAG("topo", explain_given, scene.rows.topo, value_flag),
     FILE_WRITTEN("svg", explain_given, picture),
     {NULL, OPTION_FLAG, NULL, 0}};
 
@@ -97,7 +97,6 @@ static int run_explain(void *options, const operands *given) {
                         "explain takes SOLID, MOTION and 2 or 3 coordinates, %d operands given; "
                         "see graze explain --help",
                         given->count);
-    o->scene.size = sizeof o->scene;
     o->solid = given->item[0];
     o->motion = given->item[1];
     mpq_inits(point[0], point[1], point[2], NULL);

@@ -301,7 +301,8 @@ static int make_poses(job *j) {
         return complain(EXIT_USAGE, "poses takes one FILE; see graze motion --help");
     if (numbers && !written && strcmp(numbers, "binary64") != 0)
         return complain(EXIT_USAGE, "--numbers %s: expected binary64 or written", numbers);
-    graze_pose_options chosen = {.flags = (j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0) |
+    graze_pose_options chosen = {.size = sizeof chosen,
+                                 .flags = (j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0) |
                                           (j->o->own[SHORTEST] ? GRAZE_POSES_SHORTEST : 0),
                                  .tolerance = j->tolerance,
                                  .size = sizeof chosen,

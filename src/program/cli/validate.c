@@ -164,7 +164,7 @@ static int compare_answers(validation *v, const validate_options *o) {
     int status = context_make(&v->context, &o->classify.scene.context);
     if (!status)
         status = compare_in(v, o, NULL);
-    if (status || !graze_comparison_count(v->comparison).wrong || o->classify.scene.scene.sdf > 0)
+    if (status || !graze_comparison_count(v->comparison).wrong || o->classify.scene.rows.sdf > 0)
         return status;
     status = loaded_read(&l, &o->classify.scene, EXIT_INPUT, NULL);
     if (!status)
@@ -227,7 +227,7 @@ static const option_entry validate_table[] = {
     OPTION("truth", validate_options, compare.truth, value_truth),
     OPTION("sdf-tolerance", validate_options, compare.sdf_tolerance, value_width),
     OPTION("motion-error", validate_options, compare.motion_error, value_positive),
-    OPTION("sdf", validate_options, classify.scene.scene, value_sdf),
+    OPTION("sdf", validate_options, classify.scene, value_sdf),
     OPTION("round", validate_options, classify.scene.context.rounding, value_rounding),
     OPTION("show", validate_options, compare.show, value_show),
     OPTION("format", validate_options, format, value_report),
@@ -242,12 +242,12 @@ static const option_entry validate_table[] = {
 
 /* Values are compared with enclosures, which the golden table has by default then. */
 static int choose_enclosures(validate_options *o) {
-    graze_options *golden = &o->classify.scene.scene;
+    scene_options *golden = &o->classify.scene;
     int needed = o->compare.has == GRAZE_HAS_SDF || o->compare.motion_error;
-    if (golden->sdf > 0 && !needed)
+    if (golden->rows.sdf > 0 && !needed)
         return complain(EXIT_USAGE, "--sdf is for --candidate-has sdf or --motion-error; see graze "
                                     "validate --help");
-    if (!golden->sdf && needed)
+    if (!golden->rows.sdf && needed)
         return value_sdf(golden, "sdf", "1e-10r");
     return EXIT_DONE;
 }
@@ -297,7 +297,6 @@ static int run_validate(void *options, const operands *given) {
 }
 
 static const validate_options ten_shown = {.classify.shard.part = {0, 1},
-                                           .classify.scene.scene.size = sizeof(graze_options),
                                            .generate.coordinates.form = COORDINATES_UNSET,
                                            .compare.show = 10};
 

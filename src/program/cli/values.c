@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 #include "program/run/coordinates.h"
+#include "program/run/load.h"
 #include "program/run/numbers.h"
 #include "program/run/status.h"
 
@@ -64,17 +65,17 @@ static int number_of_value(mpq_t out, const char *value, size_t length) {
 }
 
 int value_sdf(void *to, const char *name, const char *value) {
-    graze_options *out = to;
+    scene_options *out = to;
     size_t length = strlen(value);
     mpq_t width;
     mpq_init(width);
-    out->sdf = 0;
+    out->rows.sdf = 0;
     out->sdf_relative = length > 0 && value[length - 1] == 'r';
     int status = number_of_value(width, value, length - (size_t)out->sdf_relative);
     if (mpq_sgn(width) > 0)
-        out->sdf = mpq_get_d(width); /* rounds towards 0 */
+        out->rows.sdf = mpq_get_d(width); /* rounds towards 0 */
     mpq_clear(width);
-    if (status || (out->sdf > 0 && out->sdf <= DBL_MAX))
+    if (status || (out->rows.sdf > 0 && out->rows.sdf <= DBL_MAX))
         return status;
     return complain(EXIT_USAGE,
                     "--%s %s: expected a positive number in the range of doubles, such as 0.001, "
@@ -83,21 +84,21 @@ int value_sdf(void *to, const char *name, const char *value) {
 }
 
 int value_motion_error(void *to, const char *name, const char *value) {
-    graze_options *out = to;
+    double *out = to;
     mpq_t exact, near;
     mpq_inits(exact, near, NULL);
-    out->motion_error = 0;
+    *out = 0;
     int status = number_of_value(exact, value, strlen(value));
     if (mpq_sgn(exact) > 0) {
-        out->motion_error = mpq_get_d(exact); /* rounds towards 0 */
-        if (out->motion_error <= DBL_MAX) {
-            mpq_set_d(near, out->motion_error);
+        *out = mpq_get_d(exact); /* rounds towards 0 */
+        if (*out <= DBL_MAX) {
+            mpq_set_d(near, *out);
             if (mpq_cmp(near, exact) < 0)
-                out->motion_error = nextafter(out->motion_error, (double)INFINITY);
+                *out = nextafter(*out, (double)INFINITY);
         }
     }
     mpq_clears(exact, near, NULL);
-    if (status || (out->motion_error > 0 && out->motion_error <= DBL_MAX))
+    if (status || (*out > 0 && *out <= DBL_MAX))
         return status;
     return complain(EXIT_USAGE, "--%s %s: expected a positive number in the range of doubles", name,
                     value);

@@ -19,8 +19,8 @@ option_read value_draw_by;     /**< graze_draw_by */
 option_read value_overlap;     /**< graze_overlap */
 option_read value_folds;       /**< graze_folds */
 option_read value_columns;     /**< graze_columns */
-option_read value_sdf; /**< graze_options: the width of enclosures, `r` behind it: relative */
-option_read value_motion_error; /**< graze_options: its motion error, rounded up */
+option_read value_sdf; /**< scene_options: the width of enclosures, `r` behind it: relative */
+option_read value_motion_error; /**< double: a positive number, rounded up */
 option_read value_operation;    /**< graze_operation */
 option_read value_count;        /**< unsigned long from 1 up */
 option_read value_seed;         /**< seed_value */

@@ -268,9 +268,8 @@ int ranks_serve(const classify_options *o) {
         answer_task task = {.context = &o->scene.context,
                             .scene = l.scene,
                             .certifier = l.certifier,
-                            .pmc_alone = o->scene.scene.columns == GRAZE_COLUMNS_PMC,
-                            .source = {g ? NULL : &c, g, o->shard.part, o->coordinates},
-                            .format = o->format.rows};
+                            .rows = &l.rows,
+                            .source = {g ? NULL : &c, g, o->shard.part, o->coordinates}};
         status = answerer_init(&a, &task);
         ready = 1;
     }

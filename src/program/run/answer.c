@@ -16,7 +16,7 @@ static void put_place(text *out, const row_source *from, const block *b, size_t 
         text_format(out, "%s:%lu", from->columns->name, b->lines[row].number);
 }
 
-/* Write the coordinates of a run's point, unless its row has them already. */
+/* Write the coordinates of a run's point, unless its row has exact ones. */
 static int write_point(answerer *a, row_run *r, const block *b, size_t first, size_t n) {
     const row_source *from = &a->task.source;
     int d = graze_scene_dimension(a->task.scene);
@@ -39,17 +39,18 @@ static int write_point(answerer *a, row_run *r, const block *b, size_t first, si
     return status;
 }
 
-/* Make the points of a run's rows; returns how many before a fault. */
+/* Make the points and the texts of a run's rows; returns how many before a fault. */
 static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t first) {
     const row_source *from = &a->task.source;
     size_t d =
         (size_t)(from->columns ? from->columns->numbers : graze_scene_dimension(a->task.scene));
-    size_t n = 0;
+    size_t n = 0, point_at[RUN_ROWS], rest_at[RUN_ROWS];
     if (from->grid)
         grid_points(a->points, from->grid, from->part, b->before + first, r->taken);
     a->reader.rest_length = 0;
     for (; n < r->taken; n++) {
-        a->rest_at[n] = a->reader.rest_length;
+        point_at[n] = a->written.length;
+        rest_at[n] = a->reader.rest_length;
         if (!from->grid &&
             columns_row(a->points + n * d, &r->fault, from->columns, &a->reader, b, first + n))
             break;
@@ -57,9 +58,11 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
             break;
         a->cell[n] = a->reader.cell;
     }
-    /* `rest` is NULL without further columns. */
-    for (size_t k = 0; a->reader.rest && k < n; k++)
-        a->rest[k] = a->reader.rest + a->rest_at[k];
+    for (size_t k = 0; k < n; k++) {
+        a->texts[k].point = a->written.length ? a->written.data + point_at[k] : NULL;
+        a->texts[k].rest =
+            from->columns && from->columns->others ? a->reader.rest + rest_at[k] : NULL;
+    }
     return n;
 }
 
@@ -68,18 +71,17 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
     const answer_task *task = &a->task;
     struct row_text *table = task->no_table ? NULL : &r->out[RESULT_TABLE];
     struct row_text *certificate = &r->out[RESULT_CERTIFICATE];
-    const char *const *rest = task->source.columns && task->source.columns->others ? a->rest : NULL;
     if (task->source.columns && task->source.columns->sites.wanted) {
-        site_rows rows = {task->source.columns, a->points, a->cell, a->rest, n};
-        return site_answer(r, a->context, task->scene, &rows, task->format);
+        site_rows rows = {task->source.columns, a->points, a->cell, a->texts, n};
+        return site_answer(r, a->context, task->scene, &rows, task->rows->format);
     }
     if (!task->certifier)
         return graze_report_points(&table->text, &table->length, &r->done, &r->totals, a->context,
-                                   task->scene, a->points, n, task->format, rest);
+                                   task->scene, a->points, n, a->texts, task->rows);
     return graze_certificate_points(&certificate->text, &certificate->length,
                                     table ? &table->text : NULL, table ? &table->length : NULL,
                                     &r->done, &r->totals, a->context, task->certifier, a->points, n,
-                                    task->format, rest);
+                                    a->texts, task->rows);
 }
 
 /* Rows of pmc alone of grid points, many decided together. */
@@ -87,36 +89,23 @@ static graze_status write_members(answerer *a, row_run *r, unsigned long first) 
     const row_source *from = &a->task.source;
     struct row_text *table = &r->out[RESULT_TABLE];
     return grid_rows(&table->text, &table->length, &r->done, a->context, from->grid, from->part,
-                     first, r->taken);
+                     first, r->taken, a->task.rows->format);
 }
 
-/* Row `row` of the block has no answer. Only a contact point may be the cause itself. */
+/* Row `row` of the block has no answer. Only what was read may be the cause itself. */
 static void fail_row(answerer *a, row_run *r, graze_status status, const block *b, size_t row) {
     const columns *c = a->task.source.columns;
     const char *why = status == GRAZE_ESYSTEM ? "out of memory" : graze_context_message(a->context);
+    int code = exit_for(status, status == GRAZE_EINPUT ? EXIT_INPUT : EXIT_FAULT);
     if (c && c->sites.wanted)
-        fault_set(&r->fault, exit_for(status, status == GRAZE_EINPUT ? EXIT_INPUT : EXIT_FAULT),
-                  "%s:%lu: %s", c->name, b->lines[row].number, why);
+        fault_set(&r->fault, code, "%s:%lu: %s", c->name, b->lines[row].number, why);
     else
-        fault_set(&r->fault, exit_for(status, EXIT_FAULT), "row %lu: %s",
+        fault_set(&r->fault, code, "row %lu: %s",
                   shard_place(a->task.source.part, b->before + row) + 1, why);
 }
 
-/* Put the coordinates in the form asked for in front of the rows. */
-static void put_written_points(answerer *a, row_run *r) {
-    struct row_text *table = &r->out[RESULT_TABLE];
-    if (a->task.source.coordinates.form == COORDINATES_EXACT)
-        return;
-    if (!a->written.failed && coordinates_replace(&table->text, &table->length, a->written.data,
-                                                  r->done, graze_scene_dimension(a->task.scene)))
-        return;
-    fault_clear(&r->fault);
-    r->done = 0;
-    fault_set(&r->fault, EXIT_IO, "out of memory");
-}
-
 static int asks_for_members(const answer_task *task) {
-    return task->source.grid && task->pmc_alone && !task->certifier &&
+    return task->source.grid && task->rows->columns == GRAZE_COLUMNS_PMC && !task->certifier &&
            task->source.coordinates.form == COORDINATES_EXACT;
 }
 
@@ -135,7 +124,6 @@ void answer(answerer *a, row_run *r, const block *b, size_t first) {
         r->fault.status = EXIT_SIGNAL;
     else if (status)
         fail_row(a, r, status, b, first + r->done);
-    put_written_points(a, r);
 }
 
 int answerer_init(answerer *a, const answer_task *task) {

@@ -23,9 +23,8 @@ typedef struct answer_task {
     const graze_scene *scene;
     const graze_certifier *certifier; /* NULL: no certificate is wanted */
     int no_table;                     /* a certificate alone is */
-    int pmc_alone;                    /* the scene's option `columns` */
+    const graze_row_options *rows;
     row_source source;
-    graze_format format;
 } answer_task;
 
 /** The state of one thread that answers rows. Its context is its own. */
@@ -36,8 +35,7 @@ typedef struct answerer {
     mpq_t points[4 * RUN_ROWS];
     graze_cell cell[RUN_ROWS]; /* where rows have cells */
     text written; /* coordinates of the rows of a run, each with a NUL, unless they are exact */
-    size_t rest_at[RUN_ROWS];
-    const char *rest[RUN_ROWS];
+    graze_row_texts texts[RUN_ROWS];
 } answerer;
 
 /** Make an answerer; answerer_clear frees it in either case. On failure says why. */

@@ -167,9 +167,8 @@ static int prepare_run(run_state *s, const classify_options *o) {
                         .scene = s->l.scene,
                         .certifier = s->l.certifier,
                         .no_table = o->no_table,
-                        .pmc_alone = o->scene.scene.columns == GRAZE_COLUMNS_PMC,
-                        .source = source_of(s, o),
-                        .format = o->format.rows};
+                        .rows = &s->l.rows,
+                        .source = source_of(s, o)};
     if (!status)
         status = jobs_start(&s->jobs, o->threads, &task);
     if (!status)

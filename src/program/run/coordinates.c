@@ -4,7 +4,6 @@
 #include "program/run/coordinates.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "program/run/numbers.h"
 #include "program/run/status.h"
@@ -57,29 +56,4 @@ int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_cont
         }
     }
     return !status && out->failed ? fault_set(f, EXIT_IO, "out of memory") : status;
-}
-
-/* The row behind its first `dimension` fields, with the separator in front. */
-static const char *behind_point(const char *row, int dimension) {
-    for (int k = 0; k < dimension; k++)
-        row = strchr(row, ',') + (k + 1 < dimension);
-    return row;
-}
-
-int coordinates_replace(char **table, size_t *length, const char *written, size_t rows,
-                        int dimension) {
-    const char *at = *table;
-    text out;
-    text_init(&out);
-    for (size_t r = 0; r < rows; r++) {
-        const char *rest = behind_point(at, dimension), *end = strchr(rest, '\n') + 1;
-        text_put(&out, written);
-        text_bytes(&out, rest, (size_t)(end - rest));
-        written += strlen(written) + 1;
-        at = end;
-    }
-    graze_free(*table);
-    *length = out.length;
-    *table = text_take(&out);
-    return *table || !rows;
 }

@@ -20,11 +20,11 @@ typedef struct coordinate_options {
     int digits; /* of rounded decimals; 0: decimals are the numbers themselves */
 } coordinate_options;
 
-/** Room for coordinates_note. */
-enum { COORDINATES_NOTE = 64 };
-
 /** Does --digits go with --coordinates? Returns an exit status and says what is wrong. */
 int coordinates_check(const coordinate_options *o);
+
+/** Room for coordinates_note. */
+enum { COORDINATES_NOTE = 64 };
 
 /** The line `# coordinates ...` of a table's head; empty for exact ones. */
 void coordinates_note(char out[COORDINATES_NOTE], const coordinate_options *o);
@@ -36,15 +36,5 @@ void coordinates_note(char out[COORDINATES_NOTE], const coordinate_options *o);
  */
 int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_context *context,
                     mpq_t *point, int dimension, const field *tokens, const char *where);
-
-/**
- * Put other coordinates in front of the first `rows` rows of a table, in place of those that stand
- * there.
- * @param table   malloc'ed, of `*length` bytes, which are replaced
- * @param written coordinates of each row, with a NUL behind each
- * @return 0 when out of memory
- */
-int coordinates_replace(char **table, size_t *length, const char *written, size_t rows,
-                        int dimension);
 
 #endif

@@ -21,10 +21,6 @@ typedef struct classify_options {
     struct site_choice {
         int wanted, snap; /* contact points in place of points, moved to the contacts of cells */
     } sites;
-    struct row_format {
-        graze_format rows;
-        graze_export table; /* made of the rows at the end */
-    } format;
     coordinate_options coordinates;
     int no_table;            /* a certificate takes the table's place */
     const char *output;      /* NULL: standard output */

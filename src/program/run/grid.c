@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include "program/run/numbers.h"
 #include "program/run/status.h"
 
 struct grid {
@@ -119,31 +120,24 @@ void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, 
 }
 
 graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
-                       const grid *g, shard part, unsigned long first, size_t count) {
+                       const grid *g, shard part, unsigned long first, size_t count,
+                       graze_format format) {
     return graze_grid_rows(out, length, done, context, g->points, shard_place(part, first),
-                           part.count, count);
+                           part.count, count, format);
 }
 
-/* Room for a rational as text with its comma. */
-static size_t rational_length(const mpq_t value) {
-    return mpz_sizeinbase(mpq_numref(value), 10) + mpz_sizeinbase(mpq_denref(value), 10) + 4;
+void grid_shape(typed_table *t, const grid *g) {
+    typed_set_grid(t, g->dimension, g->size, (graze_rationals)g->low, (graze_rationals)g->high);
 }
 
-char *grid_notes(const grid *g) {
-    size_t room = 128;
+void grid_notes(text *out, const grid *g) {
+    text_put(out, "# grid ");
     for (int k = 0; k < g->dimension; k++)
-        room += rational_length(g->low[k]) + rational_length(g->high[k]) + 24;
-    char *text = malloc(room), *at = text;
-    if (!text)
-        return NULL;
-    at += gmp_sprintf(at, "# grid ");
-    for (int k = 0; k < g->dimension; k++)
-        at += gmp_sprintf(at, "%s%lu", k ? "," : "", g->size[k]);
-    at += gmp_sprintf(at, "\n# box ");
-    for (int k = 0; k < g->dimension; k++)
-        at += gmp_sprintf(at, "%s%Qd", k ? "," : "", g->low[k]);
-    for (int k = 0; k < g->dimension; k++)
-        at += gmp_sprintf(at, ",%Qd", g->high[k]);
-    gmp_sprintf(at, "\n");
-    return text;
+        text_format(out, k ? ",%zu" : "%zu", g->size[k]);
+    text_put(out, "\n# box ");
+    for (int k = 0; k < 2 * g->dimension; k++) {
+        text_put(out, k ? "," : "");
+        text_owned(out, numbers_text(k < g->dimension ? g->low[k] : g->high[k - g->dimension]));
+    }
+    text_put(out, "\n");
 }

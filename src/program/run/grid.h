@@ -4,6 +4,7 @@
 #ifndef GRAZE_RUN_GRID_H
 #define GRAZE_RUN_GRID_H
 
+#include "output/table/typed.h"
 #include "program/run/block.h"
 #include "program/run/shard.h"
 
@@ -30,8 +31,11 @@ void grid_fill(const grid *g, shard part, block *b, unsigned long most);
 void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count);
 /** Rows of pmc alone of these points, as graze_grid_rows. */
 graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
-                       const grid *g, shard part, unsigned long first, size_t count);
-/** `# grid` and `# box` lines, malloc'ed; NULL when out of memory. */
-char *grid_notes(const grid *g);
+                       const grid *g, shard part, unsigned long first, size_t count,
+                       graze_format format);
+/** Tell a table of its rows that they are the grid's. */
+void grid_shape(typed_table *t, const grid *g);
+/** Add the lines `# grid` and `# box`. */
+void grid_notes(text *out, const grid *g);
 
 #endif

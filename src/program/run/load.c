@@ -39,8 +39,14 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
         complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
     if (!status)
         status = graze_motion_read(&out->motion, out->context, o->motion);
+    graze_options scene = o->scene;
+    scene.size = sizeof scene;
+    out->rows = o->rows;
+    out->rows.size = sizeof out->rows;
     if (!status)
-        status = graze_scene_create(&out->scene, out->context, out->solid, out->motion, &o->scene);
+        status = graze_scene_create(&out->scene, out->context, out->solid, out->motion, &scene);
+    if (!status && o->sdf_relative)
+        status = graze_scene_width(&out->rows.sdf, out->context, out->scene, o->rows.sdf);
     code = complain_of(status, out->context);
     return status == GRAZE_EILLEGAL ? illegal : code;
 }

@@ -13,11 +13,14 @@ typedef struct context_options {
     unsigned long limits[GRAZE_LIMIT_COUNT]; /* 0: the default */
 } context_options;
 
-/** Options of a scene, and its files. Strings are borrowed. */
+/** Options of a scene, its files, and what rows of it show. Strings are borrowed; the sizes of
+ * options are set when the scene is read. */
 typedef struct scene_options {
     const char *solid, *motion;
     unsigned solid_flags;
     graze_options scene;
+    graze_row_options rows;
+    int sdf_relative; /* rows.sdf is a fraction of the diagonal */
     context_options context;
 } scene_options;
 
@@ -25,13 +28,15 @@ typedef struct scene_options {
  * destroyed in either case. */
 int context_make(graze_context **out, const context_options *o);
 
-/** Solid, motion and scene, made and freed together; and a certifier, or NULL. */
+/** Solid, motion and scene, made and freed together; and a certifier, or NULL. Its rows' sdf is a
+ * width. */
 typedef struct loaded {
     graze_context *context;
     graze_solid *solid;
     graze_motion *motion;
     graze_scene *scene;
     graze_certifier *certifier;
+    graze_row_options rows;
 } loaded;
 
 /**

@@ -28,19 +28,14 @@ results *outputs_main(outputs *out) {
     return &out->file[out->o->no_table ? RESULT_CERTIFICATE : RESULT_TABLE];
 }
 
-/* Neither rows nor notes are written to it: it is read into the columns that are exported. */
+/* Neither rows nor notes are written to it: they are added to the columns that are exported. */
 static int is_exported(const outputs *out, int kind) {
-    return kind == RESULT_TABLE && out->o->format.table;
+    return kind == RESULT_TABLE && out->l->rows.format >= GRAZE_FORMAT_VTK;
 }
 
-/* Read lines of the table into the columns that are exported. */
-static int export_lines(outputs *out, const char *text, size_t length) {
-    return complain_of(typed_add(&out->typed, text, length), out->l->context);
-}
-
-/* A run whose rows a later one can go on with. */
-static int can_continue(const outputs *out) {
-    return out->o->no_table || (out->o->format.rows == GRAZE_FORMAT_CSV && !out->o->format.table);
+/* A file with a head and last lines. */
+static int has_notes(const outputs *out, int kind) {
+    return kind == RESULT_CERTIFICATE || out->l->rows.format == GRAZE_FORMAT_CSV;
 }
 
 /* The record beside a plain file; that of an earlier run is read, or taken away. */
@@ -48,7 +43,7 @@ static int open_record(outputs *out) {
     const classify_options *o = out->o;
     const char *path = o->resume ? o->resume : o->output;
     struct stat about;
-    if (!path || o->transient || !can_continue(out) ||
+    if (!path || o->transient || !has_notes(out, outputs_main(out)->kind) ||
         fstat(outputs_main(out)->out.fd, &about) != 0 || !S_ISREG(about.st_mode))
         return EXIT_DONE;
     int status = record_open(&out->beside, path);
@@ -94,71 +89,82 @@ int outputs_pass(outputs *out, unsigned long rows, unsigned long long points) {
     return status;
 }
 
-/* Lines of the table's head beside those of the scene: malloc'ed, NULL when out of memory. */
-static char *make_head_notes(const outputs *out, const row_source *source, const char *shard) {
-    const char *cut = load_note(&out->o->scene);
-    const char *snap = out->o->sites.snap ? "# snap yes\n" : "";
+/* Lines of the table's head beside those of the scene. */
+static void put_head_notes(text *notes, const outputs *out, const row_source *source,
+                           const char *shard) {
     char form[COORDINATES_NOTE];
     coordinates_note(form, &source->coordinates);
-    char *grid = source->grid ? grid_notes(source->grid) : strdup("");
-    size_t room =
-        grid ? strlen(cut) + strlen(snap) + strlen(form) + strlen(grid) + strlen(shard) + 3 : 0;
-    char *notes = grid ? malloc(room) : NULL;
-    if (notes)
-        snprintf(notes, room, "%s%s%s%s%s%s", cut, snap, form, grid, *shard ? "# " : "", shard);
-    free(grid);
-    return notes;
+    text_put(notes, load_note(&out->o->scene));
+    text_put(notes, out->o->sites.snap ? "# snap yes\n" : "");
+    text_put(notes, form);
+    if (source->grid)
+        grid_notes(notes, source->grid);
+    if (*shard)
+        text_format(notes, "# %s", shard);
 }
 
 /* The head of a table with these further columns, or NULL. */
-static int make_header_of(char **text, const outputs *out, const char *notes, const char *others) {
+static int make_head(char **head, const outputs *out, const char *notes, const char *others) {
     const struct site_choice *sites = &out->o->sites;
     graze_context *context = out->l->context;
-    if (!sites->wanted)
-        return complain_of(graze_report_header(text, context, out->l->scene, notes, others),
-                           context);
-    if (!sites->snap)
-        return complain_of(graze_site_header(text, context, out->l->scene, notes, others), context);
-    char *all = malloc(others ? strlen(others) + sizeof "shift," : sizeof "shift,");
-    if (!all)
-        return complain(EXIT_IO, "out of memory");
-    strcpy(all, others ? "shift," : "shift");
-    if (others)
-        strcat(all, others);
-    graze_status status = graze_site_header(text, context, out->l->scene, notes, all);
-    free(all);
-    return complain_of(status, context);
+    text all;
+    text_init(&all);
+    text_put(&all, sites->snap ? "shift" : "");
+    text_put(&all, sites->snap && others ? "," : "");
+    text_put(&all, others ? others : "");
+    const char *columns = all.length ? all.data : NULL;
+    graze_status made =
+        all.failed ? GRAZE_ESYSTEM
+        : sites->wanted
+            ? graze_site_header(head, context, out->l->scene, notes, columns)
+            : graze_report_header(head, context, out->l->scene, notes, columns, &out->l->rows);
+    text_clear(&all);
+    return complain_of(made, context);
 }
 
-/* The head of a table, with the further columns under names that are free. */
-static int make_head(char **text, const outputs *out, const row_source *source, const char *notes) {
-    int made = make_header_of(text, out, notes, NULL);
-    if (made || !source->columns || !source->columns->others)
-        return made;
-    size_t length = strlen(*text) - 1;
-    const char *end = *text + length, *start = end;
-    while (start > *text && start[-1] != '\n')
+/* The last line of a head: the names of its columns. */
+static field names_of(const char *head) {
+    size_t length = strlen(head) - 1, start = length;
+    while (start && head[start - 1] != '\n')
         start--;
-    char *others = columns_free_names(source->columns, (field){start, (size_t)(end - start)});
-    graze_free(*text);
-    *text = NULL;
-    if (!others)
-        return complain(EXIT_IO, "out of memory");
-    made = make_header_of(text, out, notes, others);
+    return (field){head + start, length - start};
+}
+
+/* The head, with the further columns under names that are free. */
+static int make_free_head(char **head, const outputs *out, const row_source *source,
+                          const char *notes) {
+    int status = make_head(head, out, notes, NULL);
+    if (status || !source->columns || !source->columns->others)
+        return status;
+    char *others = columns_free_names(source->columns, names_of(*head));
+    graze_free(*head);
+    *head = NULL;
+    status = others ? make_head(head, out, notes, others) : complain(EXIT_IO, "out of memory");
     free(others);
-    return made;
+    return status;
+}
+
+/* Begin a table of columns: its head's names are theirs. */
+static int begin_export(outputs *out, const row_source *source, const char *head) {
+    if (source->grid)
+        grid_shape(&out->typed, source->grid);
+    return complain_of(typed_begin(&out->typed, graze_scene_dimension(out->l->scene),
+                                   names_of(head), out->l->rows.columns == GRAZE_COLUMNS_PMC),
+                       out->l->context);
 }
 
 static int begin_table(outputs *out, const row_source *source, const char *shard) {
-    char *notes = make_head_notes(out, source, shard), *text = NULL;
-    if (!notes)
-        return complain(EXIT_IO, "out of memory");
-    int status = make_head(&text, out, source, notes);
+    char *head = NULL;
+    text notes;
+    text_init(&notes);
+    put_head_notes(&notes, out, source, shard);
+    int status = notes.failed ? complain(EXIT_IO, "out of memory")
+                              : make_free_head(&head, out, source, notes.data);
     if (!status)
-        status = is_exported(out, RESULT_TABLE) ? export_lines(out, text, strlen(text))
-                                                : results_begin(&out->file[RESULT_TABLE], text);
-    graze_free(text);
-    free(notes);
+        status = is_exported(out, RESULT_TABLE) ? begin_export(out, source, head)
+                                                : results_begin(&out->file[RESULT_TABLE], head);
+    graze_free(head);
+    text_clear(&notes);
     return status;
 }
 
@@ -188,7 +194,7 @@ int outputs_begin(outputs *out, const row_source *source) {
         snprintf(shard, sizeof shard, SHARD_LINE "%lu/%lu\n", s->part.index + 1, s->part.count);
     if (outputs_wants(out, RESULT_CERTIFICATE))
         status = begin_certificate(out, shard);
-    if (!status && outputs_wants(out, RESULT_TABLE) && out->o->format.rows == GRAZE_FORMAT_CSV)
+    if (!status && outputs_wants(out, RESULT_TABLE) && out->l->rows.format != GRAZE_FORMAT_JSONL)
         status = begin_table(out, source, shard);
     return status;
 }
@@ -198,7 +204,7 @@ static int put_run(outputs *out, result_kind kind, const row_run *run) {
     if (!is_exported(out, kind))
         return results_add(&out->file[kind], text->text, text->length, run->done);
     out->file[kind].rows += run->done;
-    return export_lines(out, text->text, text->length);
+    return complain_of(typed_add(&out->typed, text->text, text->length), out->l->context);
 }
 
 /* The rows of a block for one file, up to the first that has no answer. */
@@ -281,8 +287,7 @@ static int put_last_line(outputs *out, result_kind kind, const char *format, ...
     va_start(values, format);
     vsnprintf(line + length, sizeof line - (size_t)length, format, values);
     va_end(values);
-    return is_exported(out, kind) ? export_lines(out, line, strlen(line))
-                                  : results_add(&out->file[kind], line, strlen(line), 0);
+    return results_add(&out->file[kind], line, strlen(line), 0);
 }
 
 /* A shard's last lines match it with the others; `complete` is the last line of all. */
@@ -290,7 +295,7 @@ static int put_last_lines(outputs *out, result_kind kind, unsigned long rows_of_
                           unsigned long long points) {
     const results *file = &out->file[kind];
     int status = EXIT_DONE;
-    if (kind == RESULT_TABLE && out->o->scene.scene.topo)
+    if (kind == RESULT_TABLE && out->l->rows.topo)
         status = put_last_line(out, kind, UNDECIDED_LINE "%lu\n", out->at.undecided);
     if (!status && out->o->shard.given)
         status = put_last_line(out, kind, SHARD_ROWS "%lu\n", rows_of_all);
@@ -300,7 +305,7 @@ static int put_last_lines(outputs *out, result_kind kind, unsigned long rows_of_
         status = put_last_line(out, kind, SHARD_BYTES "%016llx\n", checksum_value(&file->sum));
     if (!status)
         status = put_last_line(out, kind, COMPLETE_LINE "%lu\n", file->rows);
-    if (!status && !is_exported(out, kind))
+    if (!status)
         status = results_end(file);
     output_flush(&out->file[kind].out);
     return status;
@@ -313,9 +318,8 @@ static void put_export_bytes(void *to, const char *bytes, size_t length) {
 /* Write the table in the form asked for. */
 static int export_table(outputs *out) {
     output *to = &out->file[RESULT_TABLE].out;
-    graze_status status = typed_end(&out->typed);
-    if (!status)
-        status = typed_write(&out->typed, out->o->format.table, (sink){put_export_bytes, to});
+    graze_status status =
+        typed_write(&out->typed, out->l->rows.format, (sink){put_export_bytes, to});
     if (status)
         output_drop(to);
     return complain_of(status, out->l->context);
@@ -324,8 +328,7 @@ static int export_table(outputs *out) {
 int outputs_end(outputs *out, unsigned long rows_of_all, unsigned long long checksum) {
     int status = EXIT_DONE;
     for (int kind = RESULT_KINDS - 1; kind >= 0 && !status && !outputs_failed(out); kind--)
-        if (outputs_wants(out, (result_kind)kind) &&
-            (kind == RESULT_CERTIFICATE || out->o->format.rows == GRAZE_FORMAT_CSV))
+        if (outputs_wants(out, (result_kind)kind) && has_notes(out, kind))
             status = put_last_lines(out, (result_kind)kind, rows_of_all, checksum);
     return !status && is_exported(out, RESULT_TABLE) ? export_table(out) : status;
 }
@@ -333,7 +336,7 @@ int outputs_end(outputs *out, unsigned long rows_of_all, unsigned long long chec
 /* Report the rows that an interrupted run leaves. */
 static void report_whole_rows(const outputs *out, int kind) {
     const results *file = &out->file[kind];
-    int can_go_on = kind == RESULT_CERTIFICATE || out->o->format.rows == GRAZE_FORMAT_CSV;
+    int can_go_on = has_notes(out, kind);
     if (file->opened && !is_exported(out, kind))
         complain(EXIT_SIGNAL, "%s: has %lu whole rows%s%s", file->out.name, file->rows,
                  can_go_on ? "; the same command with --resume FILE continues a " : "",
@@ -349,7 +352,7 @@ int outputs_close(outputs *out, int status) {
             int closed = results_close(&out->file[kind], ended);
             status = closed != ended && status == ended ? closed : status;
         }
-    if (!status && out->o->scene.scene.topo)
+    if (!status && out->l->rows.topo)
         complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided%s",
                  out->at.undecided, out->file[RESULT_TABLE].rows,
                  out->at.undecided ? "; graze explain --topo says why" : "");

@@ -22,8 +22,7 @@ static graze_status add_site_row(text *out, graze_context *context, const graze_
     char *line = NULL;
     graze_status status = make_site(&site, context, scene, rows, row);
     if (!status)
-        status = graze_site_row(&line, context, site, format,
-                                rows->columns->others ? rows->rest[row] : NULL);
+        status = graze_site_row(&line, context, site, format, rows->texts[row].rest);
     if (!status)
         text_put(out, line);
     graze_free(line);

@@ -10,7 +10,7 @@ typedef struct site_rows {
     const columns *columns;
     graze_rationals number;
     const graze_cell *cell;
-    const char *const *rest;
+    const graze_row_texts *texts;
     size_t count;
 } site_rows;
 

@@ -36,9 +36,14 @@ class CMpq(ctypes.Structure):
 class COptions(ctypes.Structure):
     """graze_options."""
 
-    _fields_ = [("operation", c_int), ("overlap", c_int), ("folds", c_int), ("size", c_size_t),
-                ("topo", c_int), ("columns", c_int), ("sdf", c_double),
-                ("sdf_relative", c_int), ("motion_error", c_double)]
+    _fields_ = [("size", c_size_t), ("operation", c_int), ("overlap", c_int), ("folds", c_int)]
+
+
+class CRowOptions(ctypes.Structure):
+    """graze_row_options."""
+
+    _fields_ = [("size", c_size_t), ("format", c_int), ("columns", c_int), ("topo", c_int),
+                ("sdf", c_double), ("motion_error", c_double)]
 
 
 class CVerdict(ctypes.Structure):
@@ -143,19 +148,19 @@ class CJoint(ctypes.Structure):
 class CPoseOptions(ctypes.Structure):
     """graze_pose_options."""
 
-    _fields_ = [("flags", c_uint), ("tolerance", c_void_p), ("ignored", c_void_p),
-                ("ignored_count", c_size_t), ("scale", c_void_p), ("start", c_void_p),
-                ("end", c_void_p), ("every", c_ulong), ("text", c_char_p), ("length", c_size_t),
-                ("size", c_size_t), ("columns", c_char_p), ("angles", c_char_p)]
+    _fields_ = [("size", c_size_t), ("flags", c_uint), ("tolerance", c_void_p),
+                ("ignored", c_void_p), ("ignored_count", c_size_t), ("scale", c_void_p),
+                ("start", c_void_p), ("end", c_void_p), ("every", c_ulong), ("text", c_char_p),
+                ("length", c_size_t), ("columns", c_char_p), ("angles", c_char_p)]
 
 
 class CDrawOptions(ctypes.Structure):
     """graze_draw_options."""
 
-    _fields_ = [("title", c_char_p), ("grid", c_ulong), ("times", c_ulong), ("low", c_void_p),
+    _fields_ = [("size", c_size_t), ("title", c_char_p), ("grid", c_ulong), ("times", c_ulong), ("low", c_void_p),
                 ("high", c_void_p), ("plane_axis", c_int), ("plane", c_void_p),
                 ("view", c_double * 3), ("points", c_void_p), ("point_count", c_size_t),
-                ("names", c_void_p), ("size", c_size_t), ("strata", c_void_p),
+                ("names", c_void_p), ("strata", c_void_p),
                 ("answers", c_void_p), ("surface", c_int), ("by", c_int),
                 ("normal", c_void_p)]
 
@@ -163,9 +168,9 @@ class CDrawOptions(ctypes.Structure):
 class CBoundaryOptions(ctypes.Structure):
     """graze_boundary_options."""
 
-    _fields_ = [("coarse", c_uint), ("depth", c_uint), ("budget", c_ulong), ("contacts", c_ulong),
-                ("seed", ctypes.c_ulonglong), ("low", c_void_p), ("high", c_void_p),
-                ("size", c_size_t), ("middles", c_int), ("sharp", c_int)]
+    _fields_ = [("size", c_size_t), ("coarse", c_uint), ("depth", c_uint), ("budget", c_ulong),
+                ("contacts", c_ulong), ("seed", ctypes.c_ulonglong), ("low", c_void_p),
+                ("high", c_void_p), ("middles", c_int), ("sharp", c_int)]
 
 
 class CBoundarySummary(ctypes.Structure):
@@ -181,8 +186,8 @@ class CBoundarySummary(ctypes.Structure):
 class CCompareOptions(ctypes.Structure):
     """graze_compare_options."""
 
-    _fields_ = [("question", c_int), ("on_as", c_int), ("has", c_int), ("show", c_size_t),
-                ("solid", c_char_p), ("motion", c_char_p), ("size", c_size_t),
+    _fields_ = [("size", c_size_t), ("question", c_int), ("on_as", c_int), ("has", c_int),
+                ("show", c_size_t), ("solid", c_char_p), ("motion", c_char_p),
                 ("transient", c_int), ("truth", c_int), ("sdf_tolerance", c_char_p),
                 ("motion_error", c_char_p), ("scene", c_void_p)]
 
@@ -234,8 +239,8 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_scene_dimension": (c_int, [c_void_p]),
     "graze_scene_ends_meet": (c_int, [c_void_p]),
     "graze_scene_box": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p]),
-    "graze_classify": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t]),
-    "graze_classify_doubles": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t]),
+    "graze_classify": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t, c_int]),
+    "graze_classify_doubles": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t, c_int]),
     "graze_trace_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p]),
     "graze_trace_destroy": (None, [c_void_p]),
     "graze_trace_word": (c_char_p, [c_void_p]),
@@ -254,6 +259,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_grid_count": (c_size_t, [c_void_p]),
     "graze_grid_pmc": (c_int, [c_void_p, c_void_p, c_void_p, c_size_t, c_size_t, c_size_t]),
     "graze_scene_diagonal": (c_int, [POINTER(c_double), c_void_p, c_void_p]),
+    "graze_scene_width": (c_int, [POINTER(c_double), c_void_p, c_void_p, c_double]),
     "graze_trace_topo": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_topology_destroy": (None, [c_void_p]),
     "graze_topology_position": (c_int, [c_void_p]),
@@ -321,10 +327,12 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_compare": (c_int, [_OUT, c_void_p, c_char_p, c_char_p, POINTER(CCompareOptions)]),
     "graze_comparison_destroy": (None, [c_void_p]),
     "graze_comparison_report": (c_int, [_OUT, c_void_p, c_void_p, c_int]),
-    "graze_report_header": (c_int, [_OUT, c_void_p, c_void_p, c_char_p, c_char_p]),
+    "graze_report_header": (c_int, [_OUT, c_void_p, c_void_p, c_char_p, c_char_p,
+                                    POINTER(CRowOptions)]),
     "graze_report_points": (c_int, [_OUT, _SIZE_OUT, _SIZE_OUT, c_void_p, c_void_p, c_void_p,
-                                    c_void_p, c_size_t, c_int, c_void_p]),
-    "graze_report_explain": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
+                                    c_void_p, c_size_t, c_void_p, POINTER(CRowOptions)]),
+    "graze_report_explain": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p,
+                                     POINTER(CRowOptions)]),
     "mpq_init": (None, [c_void_p]),
     "mpq_clear": (None, [c_void_p]),
     "mpq_set_d": (None, [c_void_p, c_double]),

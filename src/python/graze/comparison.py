@@ -84,10 +84,11 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
     if scene is not None and not isinstance(scene, Scene):
         raise TypeError(f"scene is a {type(scene).__name__}; expected a Scene")
     names = [os.fsencode(name) if name is not None else None for name in (solid, motion)]
-    options = CCompareOptions(choice("question", question, ("open", "closed")),
+    options = CCompareOptions(ctypes.sizeof(CCompareOptions),
+                              choice("question", question, ("open", "closed")),
                               choice("on_as", on_as, ("on", "any", "in", "out")),
                               choice("candidate_has", candidate_has, ("columns", "sdf")),
-                              show, names[0], names[1], ctypes.sizeof(CCompareOptions), 0,
+                              show, names[0], names[1], 0,
                               choice("truth", truth, ("pseudo", "outside")),
                               _number("sdf_tolerance", sdf_tolerance),
                               _number("motion_error", motion_error),

@@ -12,7 +12,8 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from . import _parallel
 from ._context import Context, Contexts, choice, settings
-from ._library import CEnclosure, COptions, CVerdict, Handle, library, take_text
+from ._library import (CEnclosure, COptions, CRowOptions, CVerdict, Handle, library,
+                       take_text)
 from ._numbers import Points, Rationals, numpy, read_points
 from ._progress import Progress
 from ._samples import samples
@@ -82,11 +83,11 @@ class Scene:
         """
         chosen = settings(round, limits, use_filter)
         width, relative = _width(sdf)
-        options = COptions(choice("operation", operation, OPERATIONS),
-                           choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS),
-                           ctypes.sizeof(COptions), int(topo),
-                           choice("columns", columns, COLUMNS), width, relative,
-                           _rounded("motion_error", motion_error, math.inf))
+        options = COptions(ctypes.sizeof(COptions), choice("operation", operation, OPERATIONS),
+                           choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS))
+        self._shown = CRowOptions(ctypes.sizeof(CRowOptions), 0,
+                                  choice("columns", columns, COLUMNS), int(topo), width,
+                                  _rounded("motion_error", motion_error, math.inf))
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
@@ -105,6 +106,12 @@ class Scene:
         context.run(library().graze_scene_create, ctypes.byref(pointer), context.pointer,
                     parts[0].pointer, parts[1].pointer, ctypes.byref(options))
         self._handle = Handle(pointer, library().graze_scene_destroy, *parts)
+        if relative:
+            tolerance = ctypes.c_double()
+            context.run(library().graze_scene_width, ctypes.byref(tolerance), context.pointer,
+                        pointer, width)
+            self._shown.sdf = tolerance.value
+        self._head("")  # do the options go together?
 
     def __repr__(self) -> str:
         return f"<graze.Scene, {self.operation} of {self.solid!r} by {self.motion!r}>"
@@ -149,7 +156,8 @@ class Scene:
         function = (library().graze_classify_doubles if given.are_doubles
                     else library().graze_classify)
         try:
-            self._ask(function, given, address, ctypes.sizeof(CVerdict), jobs, progress)
+            self._ask(function, given, address, ctypes.sizeof(CVerdict), jobs, progress,
+                      self._shown.columns)
         except GrazeError as failure:
             failure.partial = _verdicts(out)
             raise
@@ -230,7 +238,8 @@ class Scene:
         rationals, context, text = self._point(point), self._context(), ctypes.c_void_p()
         with self._trace(rationals) as pointer:
             context.run(library().graze_report_explain, ctypes.byref(text), context.pointer,
-                        self._handle.pointer, rationals.address, pointer, brief=True)
+                        self._handle.pointer, rationals.address, pointer,
+                        ctypes.byref(self._shown), brief=True)
         return take_text(text)
 
     def topology(self, point: Sequence[Number]) -> Topology:
@@ -303,7 +312,8 @@ class Scene:
              progress: Progress = False) -> List[str]:
         """The rows of `graze classify`, without line ends: CSV, or with `jsonl` JSON Lines, which
         hold every contact with its exact times. Raises as `classify`."""
-        given, kind = self._points(points), choice("format", format, FORMATS)
+        given, shown = self._points(points), CRowOptions.from_buffer_copy(self._shown)
+        shown.format = choice("format", format, FORMATS)
         pieces: Dict[int, List[str]] = {}
 
         def piece(context: Context, first: int, count: int) -> None:
@@ -312,7 +322,7 @@ class Scene:
             status = context.call(
                 library().graze_report_points, ctypes.byref(text), ctypes.byref(length),
                 ctypes.byref(done), None, context.pointer, self._handle.pointer,
-                rationals.at(start), count, kind, None)
+                rationals.at(start), count, None, ctypes.byref(shown))
             rows = take_text(text, length.value).split("\n")[:-1] if text else []
             context.check(status, f"point {first + done.value}: ")
             pieces[first] = rows
@@ -322,15 +332,19 @@ class Scene:
 
     def table(self, points: Any, jobs: Optional[int] = 1, progress: Progress = False) -> str:
         """The whole table of `graze classify`, a text to be written to a file as it is."""
-        context, head = self._context(), ctypes.c_void_p()
-        notes = f"# triangulate {'yes' if self.solid.triangulate else 'no'}\n".encode()
+        head = self._head(f"# triangulate {'yes' if self.solid.triangulate else 'no'}\n")
         rows = self.rows(points, jobs=jobs, progress=progress)
-        context.check(library().graze_report_header(ctypes.byref(head), context.pointer,
-                                                    self._handle.pointer, notes, None))
         undecided = sum(row.endswith(",undecided") for row in rows)
-        return "".join([take_text(head), *(row + "\n" for row in rows),
+        return "".join([head, *(row + "\n" for row in rows),
                         *([f"# undecided {undecided}\n"] if self.topo else []),
                         f"# complete {len(rows)}\n"])
+
+    def _head(self, notes: str) -> str:
+        context, head = self._context(), ctypes.c_void_p()
+        context.check(library().graze_report_header(
+            ctypes.byref(head), context.pointer, self._handle.pointer, notes.encode(), None,
+            ctypes.byref(self._shown)))
+        return take_text(head)
 
     def generate(self, count: int, seed: int = 1, strata: Optional[Mapping[str, int]] = None,
                  representable: bool = False, first: int = 0) -> Iterator[Sample]:
@@ -435,12 +449,12 @@ class Scene:
         return self._points([point]).exact(0, 1)[0]
 
     def _ask(self, function: Any, given: Points, address: int, size: int, jobs: Optional[int],
-             progress: Progress, *options: float) -> None:
+             progress: Progress, option: float) -> None:
         """One of the library's functions of many points, by `jobs` threads."""
 
         def piece(context: Context, first: int, count: int) -> None:
             status = context.call(function, address + first * size, context.pointer,
-                                  self._handle.pointer, given.address(first), count, *options,
+                                  self._handle.pointer, given.address(first), count, option,
                                   brief=count < _FEW)
             context.check(status, f"from point {first}: " if first else "")
 

@@ -1,0 +1,92 @@
+/* The public function of binary files of rows. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "api/api_grid.h"
+#include "api/api_rows.h"
+#include "base/context/environment.h"
+#include "output/report/table_text.h"
+#include "output/table/typed_read.h"
+#include "output/table/typed_write.h"
+
+static void put_in_text(void *to, const char *bytes, size_t length) {
+    text_bytes(to, bytes, length);
+}
+
+/* The corners of a grid. */
+static void set_grid(typed_table *t, const lattice *l) {
+    mpq_t low[3], high[3];
+    fmpq_t at;
+    fmpq_init(at);
+    for (int k = 0; k < 3; k++) {
+        mpq_inits(low[k], high[k], NULL);
+        if (k >= l->dimension)
+            continue;
+        lattice_coordinate(at, l, k, 0);
+        fmpq_get_mpq(low[k], at);
+        lattice_coordinate(at, l, k, l->size[k] - 1);
+        fmpq_get_mpq(high[k], at);
+    }
+    typed_set_grid(t, l->dimension, l->size, (graze_rationals)low, (graze_rationals)high);
+    for (int k = 0; k < 3; k++)
+        mpq_clears(low[k], high[k], NULL);
+    fmpq_clear(at);
+}
+
+static graze_status take_value_rows(typed_table *t, const graze_scene *scene, const char *rows,
+                              size_t length, const char *columns, const graze_grid *grid,
+                              const graze_row_options *shown) {
+    text names;
+    text_init(&names);
+    table_columns(&names, scene, columns, shown);
+    graze_status status =
+        names.failed ? context_fail(t->context, GRAZE_ESYSTEM, "out of memory")
+                     : typed_begin(t, scene->motion->dimension, (field){names.data, names.length},
+                                   shown->columns == GRAZE_COLUMNS_PMC);
+    text_clear(&names);
+    if (!status && grid)
+        set_grid(t, &grid->lattice);
+    if (!status)
+        status = typed_add(t, rows, length);
+    if (!status && grid && t->row_count != grid->lattice.count)
+        status = context_fail(t->context, GRAZE_EINPUT, "%zu rows; expected the %zu of the grid",
+                              t->row_count, grid->lattice.count);
+    return status;
+}
+
+graze_status graze_report_export(char **out, size_t *length, graze_context *context,
+                                 const graze_scene *scene, const char *rows, size_t rows_length,
+                                 const char *columns, const graze_grid *grid,
+                                 const graze_row_options *options) {
+    graze_row_options shown;
+    if (out)
+        *out = NULL;
+    if (length)
+        *length = 0;
+    if (!out || !length || !context || !scene || (rows_length && !rows))
+        return api_misuse(context, "graze_report_export",
+                          "out, length, context and scene, and with rows_length > 0 also rows, "
+                          "must not be NULL");
+    graze_status status = api_rows(&shown, context, "graze_report_export", options);
+    if (!status && shown.format < GRAZE_FORMAT_VTK)
+        return api_misuse(context, "graze_report_export",
+                          "expected GRAZE_FORMAT_VTK or GRAZE_FORMAT_NPY");
+    if (!status && grid && grid->lattice.dimension != scene->motion->dimension)
+        return api_misuse(context, "graze_report_export", "the grid has another dimension");
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    typed_table typed;
+    text bytes;
+    text_init(&bytes);
+    typed_init(&typed, context);
+    status = take_value_rows(&typed, scene, rows, rows_length, columns, grid, &shown);
+    if (!status)
+        status = typed_write(&typed, shown.format, (sink){put_in_text, &bytes});
+    typed_clear(&typed);
+    size_t made = bytes.length;
+    if (!status)
+        status = text_finish(out, context, &bytes);
+    else
+        text_clear(&bytes);
+    *length = status ? 0 : made;
+    return status;
+}

@@ -1,0 +1,209 @@
+/* The public functions of rows and reports.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "api/api_rows.h"
+
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include "base/context/environment.h"
+#include "decide/filter/time_ray.h"
+#include "decide/verdict/classify.h"
+#include "output/report/explain.h"
+#include "output/report/json_rows.h"
+#include "output/report/table_text.h"
+
+graze_status api_rows(graze_row_options *out, graze_context *context, const char *function,
+                      const graze_row_options *options) {
+    graze_status status = api_options(out, sizeof *out, context, function, options);
+    if (status)
+        return status;
+    if (!(out->format >= GRAZE_FORMAT_CSV && out->format <= GRAZE_FORMAT_NPY))
+        return api_misuse(context, function, "the format is unknown");
+    if ((out->topo != 0 && out->topo != 1) ||
+        (out->columns != GRAZE_COLUMNS_ALL && out->columns != GRAZE_COLUMNS_PMC))
+        return api_misuse(context, function, "an option has an unknown value");
+    if (out->columns == GRAZE_COLUMNS_PMC && (out->topo || out->sdf != 0))
+        return api_misuse(context, function,
+                          "topo and sdf are decided by the contacts, which columns of pmc alone "
+                          "spare");
+    if (out->columns == GRAZE_COLUMNS_PMC && out->format == GRAZE_FORMAT_JSONL)
+        return api_misuse(context, function,
+                          "JSON Lines have all answers; expected another format for pmc alone");
+    if (!(out->sdf >= 0 && isfinite(out->sdf)))
+        return api_misuse(context, function, "sdf must be a positive finite width, or 0");
+    int near = out->motion_error == 0 || (out->motion_error > 0 && out->sdf > 0);
+    if (near && isfinite(out->motion_error))
+        return GRAZE_OK;
+    return api_misuse(context, function,
+                      "motion_error must be positive and finite beside a width sdf, or 0");
+}
+
+graze_status api_row(text *out, graze_row_totals *totals, graze_context *context,
+                     const graze_scene *scene, const fmpq *point, const graze_trace *trace,
+                     const graze_row_texts *texts, const graze_row_options *shown) {
+    row r;
+    graze_status status = row_answer(&r, context, scene, shown, point, trace);
+    r.texts = texts ? *texts : (graze_row_texts){NULL, NULL};
+    if (status == GRAZE_OK && shown->format == GRAZE_FORMAT_CSV)
+        report_csv(out, &r);
+    else if (status == GRAZE_OK && shown->format == GRAZE_FORMAT_JSONL)
+        report_json(out, &r);
+    else if (status == GRAZE_OK)
+        status = report_values(out, context, &r);
+    if (status == GRAZE_OK && out->failed)
+        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    if (status == GRAZE_OK && totals) {
+        totals->undecided += shown->topo && r.topo.position == GRAZE_TOPO_UNDECIDED;
+        totals->wide += shown->sdf > 0 && r.space.wide;
+    }
+    row_clear(&r);
+    return status;
+}
+
+graze_status graze_report_header(char **out, graze_context *context, const graze_scene *scene,
+                                 const char *notes, const char *columns,
+                                 const graze_row_options *options) {
+    graze_row_options shown;
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene)
+        return api_misuse(context, "graze_report_header",
+                          "out, context and scene must not be NULL");
+    graze_status status = api_rows(&shown, context, "graze_report_header", options);
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return report_header(out, context, scene, notes, columns, &shown);
+}
+
+graze_status graze_report_row(char **out, graze_context *context, const graze_scene *scene,
+                              graze_rationals point, const graze_trace *trace,
+                              const graze_row_texts *texts, const graze_row_options *options) {
+    graze_row_options shown;
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !point || !trace)
+        return api_misuse(context, "graze_report_row",
+                          "out, context, scene, point and trace must not be NULL");
+    graze_status status = api_rows(&shown, context, "graze_report_row", options);
+    if (!status && shown.format > GRAZE_FORMAT_JSONL)
+        return api_misuse(context, "graze_report_row", "a binary row has a length of its own");
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    text t;
+    text_init(&t);
+    status = api_point(p, context, scene, point);
+    if (!status)
+        status = api_row(&t, NULL, context, scene, p, trace, texts, &shown);
+    _fmpq_vec_clear(p, scene->motion->dimension);
+    if (!status)
+        return text_finish(out, context, &t);
+    text_clear(&t);
+    return status;
+}
+
+/* Trace one point and add its row. */
+static graze_status report_point(text *out, graze_row_totals *totals, graze_context *context,
+                                 const graze_scene *scene, const fmpq *point,
+                                 const graze_row_texts *texts, const graze_row_options *shown) {
+    graze_trace trace;
+    graze_status status =
+        classify_point(&trace, context, scene, (query_point){.rational = point}, row_detail(shown));
+    if (status)
+        return status;
+    status = api_row(out, totals, context, scene, point, &trace, texts, shown);
+    trace_clear(&trace);
+    return status;
+}
+
+void api_whole_rows(char **out, size_t *out_length, text *t, size_t length) {
+    if (!length) {
+        text_clear(t);
+        return;
+    }
+    t->data[length] = '\0';
+    *out = t->data;
+    *out_length = length;
+}
+
+graze_status graze_report_points(char **out, size_t *length, size_t *done, graze_row_totals *totals,
+                                 graze_context *context, const graze_scene *scene,
+                                 graze_rationals points, size_t n, const graze_row_texts *texts,
+                                 const graze_row_options *options) {
+    graze_row_options shown;
+    if (totals)
+        *totals = (graze_row_totals){0, 0};
+    if (out)
+        *out = NULL;
+    if (length)
+        *length = 0;
+    if (done)
+        *done = 0;
+    if (!out || !length || !done || !context || !scene || (n && !points))
+        return api_misuse(context, "graze_report_points",
+                          "out, length, done, context and scene, and with n > 0 also points, must "
+                          "not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_status status = api_rows(&shown, context, "graze_report_points", options);
+    if (!status && shown.columns == GRAZE_COLUMNS_PMC)
+        status = filter_lay_bricks(&scene->filter, context);
+    if (status)
+        return status;
+    size_t d = (size_t)scene->motion->dimension, whole = 0;
+    fmpq *point = _fmpq_vec_init((slong)d);
+    text t;
+    text_init(&t);
+    for (size_t k = 0; k < n && !status; k++) {
+        status = api_point(point, context, scene, points + k * d);
+        if (!status)
+            status =
+                report_point(&t, totals, context, scene, point, texts ? texts + k : NULL, &shown);
+        whole = status ? whole : t.length;
+        *done += !status;
+    }
+    _fmpq_vec_clear(point, (slong)d);
+    api_whole_rows(out, length, &t, whole);
+    return status;
+}
+
+graze_status graze_report_point(char **out, graze_context *context, const graze_scene *scene,
+                                graze_rationals point, const graze_row_texts *texts,
+                                const graze_row_options *options) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !point)
+        return api_misuse(context, "graze_report_point",
+                          "out, context, scene and point must not be NULL");
+    size_t length, done;
+    return graze_report_points(out, &length, &done, NULL, context, scene, point, 1, texts, options);
+}
+
+graze_status graze_report_explain(char **out, graze_context *context, const graze_scene *scene,
+                                  graze_rationals point, const graze_trace *trace,
+                                  const graze_row_options *options) {
+    graze_row_options shown;
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !point || !trace)
+        return api_misuse(context, "graze_report_explain",
+                          "out, context, scene, point and trace must not be NULL");
+    graze_status status = api_rows(&shown, context, "graze_report_explain", options);
+    if (status)
+        return status;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    status = api_point(p, context, scene, point);
+    if (!status)
+        status = trace_canonicalise(trace, context);
+    if (!status) {
+        row r;
+        status = row_answer(&r, context, scene, &shown, p, trace);
+        if (!status)
+            status = report_explain(out, context, &r);
+        row_clear(&r);
+    }
+    _fmpq_vec_clear(p, scene->motion->dimension);
+    return status;
+}

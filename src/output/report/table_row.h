@@ -1,0 +1,34 @@
+/* A row: the answer for one point, a value until it is written.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_REPORT_TABLE_ROW_H
+#define GRAZE_REPORT_TABLE_ROW_H
+
+#include "base/number/text.h"
+#include "decide/trace/trace.h"
+#include "graze/report.h"
+#include "questions/distance/distance.h"
+#include "questions/topo/finding.h"
+
+/** All but the findings is borrowed. */
+typedef struct row {
+    const graze_scene *scene;
+    const graze_row_options *shown; /* checked */
+    const fmpq *point;
+    const graze_trace *trace;
+    graze_row_texts texts;
+    topo_finding topo; /* where `shown` has topo */
+    distance space;    /* where it has sdf */
+} row;
+
+/** How much of a trace such rows need. */
+trace_detail row_detail(const graze_row_options *shown);
+
+/** Answer a point that was traced: what else `shown` wants of it, contact times made canonical
+ * where they are written. row_clear frees the findings in either case. */
+graze_status row_answer(row *out, graze_context *context, const graze_scene *scene,
+                        const graze_row_options *shown, const fmpq *point,
+                        const graze_trace *trace);
+void row_clear(row *r);
+
+#endif
