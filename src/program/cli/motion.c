@@ -305,7 +305,6 @@ static int make_poses(job *j) {
                                  .flags = (j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0) |
                                           (j->o->own[SHORTEST] ? GRAZE_POSES_SHORTEST : 0),
                                  .tolerance = j->tolerance,
-                                 .size = sizeof chosen,
                                  .columns = j->o->own[COLUMNS],
                                  .angles = j->o->own[ANGLES],
                                  .ignored = j->given->repeated,
