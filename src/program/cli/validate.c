@@ -160,7 +160,7 @@ static int compare_in(validation *v, const validate_options *o, const graze_scen
 /* Compare, and once more with the scene where rows are wrong and the golden table has no distances.
  */
 static int compare_answers(validation *v, const validate_options *o) {
-    loaded l = {NULL, NULL, NULL, NULL, NULL};
+    loaded l = {.scene = NULL};
     int status = context_make(&v->context, &o->classify.scene.context);
     if (!status)
         status = compare_in(v, o, NULL);
