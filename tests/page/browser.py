@@ -153,6 +153,34 @@ def test_root(browser, graze, folder):
     check("the one root of" in shown and "*t" in shown and "between" in shown, "an opened root", shown)
 
 
+def test_late(browser, graze, folder):
+    """A minute of the year 2023: the cube that moves by 8 along x in it passes (5, 1, 1) from 60 * 3/8 s to 60 * 5/8 s
+    after t0; it comes to (1, 5/2, 1) while it turns too, at roots."""
+    cube = os.path.join(ROOT, "tests", "refuse", "common", "cube.off")
+    motion, page = os.path.join(folder, "late.json"), os.path.join(folder, "late.html")
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 3, "pieces": [{"t": ["1700000000", "1700000060"], "transform": {"translate": ["8/60*(t - 1700000000)", "0", "0"]}}]}')
+    run(graze, "draw", cube, motion, "-p", "5,1,1", "--surface", "none", "-o", page)
+    opened(browser, page)
+    slide_to(browser, .5)
+    check(browser.value("document.getElementById('clock').innerText") == "t − t0 = 30", "the clock", browser.value("document.getElementById('clock').innerText"))
+    check("t0 = 1700000000" in browser.value("document.getElementById('remark').innerText"), "t0 is named")
+    check("t0 + 22.5" in browser.value("document.getElementById('says').innerText"), "the time line", said(browser))
+    labels = [text for text, *_ in browser.value(f"{WRITTEN}('standing')")]
+    check("t − t0 = 22.5" in labels and "t − t0 = 37.5" in labels, "times of contacts", labels)
+    open_values(browser)
+    check(any("1700000022.5" in line for line in said(browser)), "an opened time", said(browser))
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 3, "pieces": [{"t": ["1700000000", "1700000060"], "transform": {"rotate": {"axis": ["0", "0", "1"], '
+                   '"tan_half": "1/60*(t - 1700000000)"}}}]}')
+    run(graze, "draw", cube, motion, "-p", "1,5/2,1", "--surface", "none", "-o", page)
+    opened(browser, page)
+    # The point comes down to y = 2 in the cube: 5/2 cos a - sin a = 2 with u = tan(a/2), at x = cos a + 5/2 sin a < 2.
+    value = browser.value("document.querySelector('#says .value').textContent")
+    u = float(value.replace("≈ t0 + ", "")) / 60
+    check(value.startswith("≈ t0 + ") and abs(2.5 * (1 - u * u) - 2 * u - 2 * (1 + u * u)) < 1e-10, "a root", value, u)
+
+
 COLOUR = """(where => { const c = document.createElement('canvas'), v = graze.space; v.draw(); c.width = v.canvas.width; c.height = v.canvas.height;
   const x = c.getContext('2d'); x.drawImage(v.canvas, 0, 0); const at = v.canvas.getBoundingClientRect();
   return where.map(([a, b]) => { const [u, w] = v.spot([a, b, 0]), p = x.getImageData(Math.round(u * c.width / at.width), Math.round(w * c.height / at.height), 1, 1).data;
@@ -401,7 +429,7 @@ def main():
             for name in ("bracket", "figures-5-7-8"):
                 test_clicks(browser, args.graze, folder, name)
                 shoot(name)
-            for test in (test_root, test_fill, test_texts, test_theme_and_keys, test_phone):
+            for test in (test_root, test_late, test_fill, test_texts, test_theme_and_keys, test_phone):
                 test(browser, args.graze, folder)
                 shoot(test.__name__)
             test_filters(browser, args.graze, folder)

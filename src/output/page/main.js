@@ -43,11 +43,9 @@ function nameContacts(view, labels) {
   if (!chosen) return;
   const spots = chosen.contacts.map((c) => view.spot(contactPlace(chosen, c)));
   for (const [x, y] of spots) labels.avoid(x, y, 5);
-  chosen.contacts.forEach((c, k) => labels.beside(`t = ${clock(timeValue(c.from), 4)}` + (c.instant ? "" : ` to ${clock(timeValue(c.to), 4)}`),
+  chosen.contacts.forEach((c, k) => labels.beside(clockText(timeValue(c.from), 4) + (c.instant ? "" : ` to ${clockText(timeValue(c.to), 4).split("= ")[1]}`),
     spots[k][0], spots[k][1], 9, true, CORNERS));
 }
-
-const clock = (t, digits) => String(Number(t.toPrecision(digits)));
 
 /** Fill both scenes, in the colours of the theme. */
 function paint() {
@@ -72,7 +70,7 @@ function paint() {
 function setTime(t) {
   now = Math.min(end, Math.max(start, t));
   $("time").value = String(Math.round((1000 * (now - start)) / (end - start)));
-  $("clock").textContent = `t = ${clock(now, 9)}`;
+  $("clock").textContent = clockText(now, 9);
   moveTo(moving, now);
   dispose(here);
   if (chosen) here.add(signs(body(carry(mapAt("trace", now), chosen.place)), null, disk, 14, 4));
@@ -236,7 +234,7 @@ function fillTexts() {
   document.title = scene.title || "Graze";
   $("title").textContent = document.title;
   $("remark").textContent = "classified exactly" + (surface
-    ? ` · boundary of the ${name} sampled at level ${surface.level}, details smaller than a cell may be missing` : "") + ` · graze ${scene.version}`;
+    ? ` · boundary of the ${name} sampled at level ${surface.level}, details smaller than a cell may be missing` : "") + (zero ? ` · t0 = ${decimal(zero, 17).text}` : "") + ` · graze ${scene.version}`;
   $("world-title").textContent = unsweep ? "M(t)⁻¹S and the unsweep" : "S at time t and the sweep";
   $("body-title").textContent = (unsweep ? "M(t)P" : "M(t)⁻¹P, the inverted trajectory of the point,") + " through the standing S";
   $("sweep-name").textContent = d === 2 ? `boundary of the ${name}` : name;

@@ -6,6 +6,14 @@ const d = scene.dimension;
 const pieces = scene.motion.map((piece) => ({...piece, from: value(piece.t[0]), to: value(piece.t[1])}));
 const start = pieces[0].from, end = pieces[pieces.length - 1].to;
 
+/** Times that are large beside the motion's length, such as seconds since 1970, are told from t0. */
+const zero = Math.abs(start) >= 1000 * (end - start) ? scene.motion[0].t[0] : null;
+
+/** A time as the clock tells it. */
+function clockText(t, digits) {
+  return zero ? `t − t0 = ${Number((t - start).toPrecision(digits))}` : `t = ${Number(t.toPrecision(digits))}`;
+}
+
 function horner(coefficients, u) {
   let sum = 0;
   for (let k = coefficients.length - 1; k >= 0; k--) sum = sum * u + coefficients[k];

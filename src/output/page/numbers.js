@@ -45,6 +45,20 @@ function layout(figures, e, digits) {
   return figures.slice(0, e) + "." + figures.slice(e);
 }
 
+/** The difference of two numbers, ratios or decimals, as a ratio in lowest terms. */
+function difference(x, y) {
+  const parts = (text) => {
+    const [over, under = "1"] = text.split("/"), [digits, power = "0"] = over.split("e"), [whole, rest = ""] = digits.split(".");
+    const scale = Number(power) - rest.length;
+    return [BigInt(whole + rest) * 10n ** BigInt(Math.max(0, scale)), BigInt(under) * 10n ** BigInt(Math.max(0, -scale))];
+  };
+  const [a, b] = parts(x), [c, d] = parts(y);
+  let over = a * d - c * b, under = b * d, [g, h] = [over < 0n ? -over : over, under];
+  while (h) [g, h] = [h, g % h];
+  [over, under] = [over / g, under / g];
+  return under === 1n ? String(over) : `${over}/${under}`;
+}
+
 function bytes(base64) {
   const text = atob(base64), out = new Uint8Array(text.length);
   for (let k = 0; k < text.length; k++) out[k] = text.charCodeAt(k);

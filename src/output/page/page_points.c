@@ -3,6 +3,7 @@
  */
 #include "output/page/page_points.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,13 +17,21 @@ enum { DECIMAL_DIGITS = 12 };
 /* So many points have their roots exactly: of more, first those that are wrong or `on`. */
 enum { EXACT_MOST = 20000 };
 
+/* As many digits of a time as leave DECIMAL_DIGITS of what it is later than the motion's start. */
+static int decimal_digits(const graze_motion *motion) {
+    double from = fmpq_get_d(motion->piece[0].lo);
+    double length = fmpq_get_d(motion->piece[motion->piece_count - 1].hi) - from;
+    double more = from != 0 && length > 0 ? log10(fabs(from) / length) : 0;
+    return DECIMAL_DIGITS + (more > 3 && more < 30 ? (int)ceil(more) : 0);
+}
+
 /* A ratio; or the decimal of a root, with `exact` its polynomial and interval too, by tildes. */
 static void put_page_time(text *out, const graze_time *time, int exact) {
     if (time_is_rational(time)) {
         text_rational(out, time->low);
         return;
     }
-    char *decimal = decimal_of_time(NULL, time, DECIMAL_DIGITS);
+    char *decimal = decimal_of_time(NULL, time, decimal_digits(time->motion));
     out->failed |= !decimal;
     text_format(out, "%s~", decimal ? decimal : "");
     free(decimal);

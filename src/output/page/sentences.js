@@ -24,8 +24,16 @@ function polynomial(text) {
 /** A value that shows `brief` until it is opened, then what `graze explain` says. */
 const closed = (brief, full) => ({brief, full});
 
+/** A time told from t0, as a decimal until it is opened. */
+function laterText(time) {
+  const near = decimal(difference(typeof time === "string" ? time : time.decimal, zero), 12), full = plainText(time);
+  return closed(`${near.exact && typeof time === "string" ? "" : "≈ "}t0 + ${near.text}`, full.full || full);
+}
+
+const timeText = (time) => (zero ? laterText(time) : plainText(time));
+
 /** A time as a text, or closed where its exact value is long. */
-function timeText(time) {
+function plainText(time) {
   if (typeof time !== "string") {
     const where = time.poly ? `the one root of ${polynomial(time.poly)} between ${shortened(time.low)} and ${shortened(time.high)}`
       : "a root, of which this page has the decimal alone";
