@@ -98,7 +98,7 @@ function drawPoints() {
     if (some.length)
       marks.add(signs(some.flatMap(world), some.flatMap((k) => paints[tones[k]]), wrong ? wrongDisk : disk, wrong ? size + 4 : size, 1));
   }
-  if (chosen) marks.add(signs(world(chosen.index), colour(scene.tones[chosen.tone][1]).toArray(), chosen.answer ? wrongDisk : disk, 22, 2));
+  if (chosen) marks.add(signs(world(chosen.index), colour(scene.tones[chosen.tone][1]).toArray(), chosen.answer ? wrongDisk : disk, 22, 3));
   space.ask();
 }
 
