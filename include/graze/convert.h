@@ -144,6 +144,40 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_box(mpq_t *low, mpq_t *high,
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_text(char **out, graze_context *context,
                                                       const graze_solid *solid);
 
+/** Kind of a shape. */
+typedef enum graze_shape_kind {
+    GRAZE_SHAPE_BOX = 0,      /**< from the origin along the axes */
+    GRAZE_SHAPE_BALL = 1,     /**< touches the plane z = 0 from above in the origin */
+    GRAZE_SHAPE_CYLINDER = 2, /**< its bottom in the plane z = 0, about the z axis */
+    GRAZE_SHAPE_CUTTER = 3    /**< a milling tool: its tip in the origin, its axis z */
+} graze_shape_kind;
+
+/** A shape. All numbers are canonical and borrowed; those of other kinds are not looked at. */
+typedef struct graze_shape {
+    graze_shape_kind kind;
+    graze_rationals box; /**< box: its sides, positive */
+    mpq_srcptr diameter; /**< positive; cutter: where its corner is widest, corner 0: at its tip */
+    mpq_srcptr length;   /**< cylinder, cutter: its height, positive */
+    mpq_srcptr corner;  /**< cutter: radius of its corner, half the diameter: a ball end; NULL: 0 */
+    mpq_srcptr taper;   /**< cutter: degrees between its side and the axis, positive where it is
+                             wider above; NULL: 0 */
+    graze_rationals at; /**< moved by these; NULL: not */
+} graze_shape;
+
+/**
+ * Write a shape as OFF: a polyhedron that is a part of it, and one of which it is a part. Both are
+ * convex, and within the tolerance of it (Hausdorff), which is proved for the very numbers that are
+ * written. A box is exact. Numbers are finite decimals where the shape's are.
+ * @param[out] inside, outside, report texts for graze_free; each may be NULL
+ * @param tolerance positive; may be NULL for a box
+ * @return GRAZE_EUSE also for a shape that there is not, or a tolerance too fine; GRAZE_ELIMIT
+ * (`cells`); GRAZE_ECANCELED
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_shape(char **inside, char **outside,
+                                                             char **report, graze_context *context,
+                                                             const graze_shape *shape,
+                                                             mpq_srcptr tolerance);
+
 /**
  * Mend a mesh that bounds no solid, as far as that moves no point: equal vertices become one,
  * facets without area go, edges are split at vertices in their middle, and, where it is not legal

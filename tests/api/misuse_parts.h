@@ -228,6 +228,16 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unknown));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unnamed));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &short_one));
+    graze_shape no_kind = {.kind = (graze_shape_kind)4}, ball = {.kind = GRAZE_SHAPE_BALL};
+    graze_shape box = {.kind = GRAZE_SHAPE_BOX}, cutter = {GRAZE_SHAPE_CUTTER, .diameter = one};
+    WRONG_OUT(char, graze_solid_write_shape(&out, NULL, NULL, NULL, &ball, one));
+    WRONG_OUT(char, graze_solid_write_shape(&out, NULL, NULL, c, NULL, one));
+    WRONG_OUT(char, graze_solid_write_shape(&out, NULL, NULL, c, &no_kind, one));
+    WRONG_OUT(char, graze_solid_write_shape(NULL, &out, NULL, c, &ball, one));
+    WRONG_OUT(char, graze_solid_write_shape(NULL, NULL, &out, c, &box, one));
+    WRONG_OUT(char, graze_solid_write_shape(&out, NULL, NULL, c, &cutter, one));
+    cutter.length = one;
+    WRONG_OUT(char, graze_solid_write_shape(&out, NULL, NULL, c, &cutter, NULL));
     WRONG(graze_motion_write_dyadic(NULL, NULL, c, b->s.motion, one));
     WRONG_OUT(char, graze_motion_write_dyadic(NULL, &out, c, b->s.motion, one));
     WRONG_OUT(char, graze_motion_write_dyadic(&out, NULL, NULL, b->s.motion, one));

@@ -142,6 +142,7 @@ def make(graze, folder):
     yield Scene("classify-decimal", ["classify", *one, "--coordinates", "decimal", "--digits", "3", u, roll, two])
     yield Scene("classify-npy-points", ["classify", *one, "--coordinates", "decimal", u, roll, "points"],
                 files={"points": ARRAY})
+    yield Scene("solid", ["solid", "cutter", "--diameter", "2", "--corner", "1/2", "--length", "4", "--inside", "in.off", "--outside", "made.off"])
     yield Scene("mend", ["mend", "broken.off", "-o", "made.off"], files={"broken.off": BROKEN})
     yield Scene("classify-jsonl", ["classify", *one, "--format", "jsonl", u, roll, two])
     yield Scene("classify-grid", ["classify", *one, "--grid", "4,3,2", "--receipt", receipt, cube, turn])

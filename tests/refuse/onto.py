@@ -57,6 +57,7 @@ ROWS = [
     Row("boundary S.wkt M.json --depth 2", SCENE, {"--surface": "o.vtk", "--cells": "o.vtk", "--points": "o.vtk"}),
     Row("convert S.wkt", ["S.wkt"], {"--output": "o.wkt", "-o": "o.wkt"}),
     Row("convert M.json", ["M.json"], {"--output": "o.json", "-o": "o.json"}),
+    Row("solid ball --diameter 1", [], {"--inside": "o.off", "--outside": "o.off"}),
     Row("mend S.off", ["S.off"], {"--output": "o.off", "-o": "o.off"}),
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o"}),

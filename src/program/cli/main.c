@@ -8,10 +8,10 @@
 #include "program/run/output.h"
 
 static const command *const commands[] = {
-    &command_check,    &command_classify, &command_merge,    &command_explain,
-    &command_generate, &command_cases,    &command_compare,  &command_validate,
-    &command_motion,   &command_boundary, &command_draw,     &command_certify,
-    &command_convert,  &command_contact,  &command_envelope, &command_mend};
+    &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,
+    &command_cases, &command_compare,  &command_validate, &command_motion,  &command_boundary,
+    &command_draw,  &command_certify,  &command_convert,  &command_contact, &command_envelope,
+    &command_mend,  &command_solid};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -26,6 +26,7 @@ static const char overview[] =
     "  graze validate SOLID MOTION --candidate CMD   run a candidate and judge it\n"
     "  graze draw SOLID MOTION [POINTS] -o FILE.svg   a picture: classes, positions, trajectories\n"
     "  graze motion KIND ...                exact motion files from angles, screws, joints, poses\n"
+    "  graze solid KIND ...                 a milling tool, cylinder, ball or box as OFF\n"
     "  graze boundary SOLID MOTION --depth N   the boundary by adaptive sampling\n"
     "  graze certify SOLID MOTION POINTS -o FILE   answers with proofs, for graze-check\n"
     "  graze convert SOLID|MOTION -o FILE   exact OFF or WKT, plain pieces: what graze-check "

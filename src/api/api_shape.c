@@ -1,0 +1,125 @@
+/* The public function of tools, cylinders, balls and boxes.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "input/convert/joint.h"
+#include "input/convert/tool.h"
+
+/* A number of at least a sign; NULL: 0. */
+static graze_status take(fmpq_t out, graze_context *context, mpq_srcptr value, int least,
+                         const char *name) {
+    graze_status status = value ? api_rational(out, context, value) : GRAZE_OK;
+    if (!status && fmpq_sgn(out) < least)
+        status = context_fail(context, GRAZE_EUSE, "%s: expected a number %s", name,
+                              least ? "above 0" : "from 0 up");
+    return status;
+}
+
+/* The texts that are asked for. */
+static graze_status finish(char **inside, char **outside, char **report, graze_context *context,
+                           text *made) {
+    char **to[3] = {inside, outside, report};
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 3; k++)
+        if (to[k] && !status)
+            status = text_finish(to[k], context, made + k);
+        else
+            text_clear(made + k);
+    for (int k = 0; k < 3 && status; k++)
+        if (to[k]) {
+            free(*to[k]);
+            *to[k] = NULL;
+        }
+    return status;
+}
+
+static graze_status make_round(text *made, graze_context *context, const graze_shape *given,
+                               const fmpq *at, mpq_srcptr tolerance) {
+    tool_numbers n;
+    tool s;
+    tool_pair pair;
+    fmpq_t goal, square, one;
+    int ball = given->kind == GRAZE_SHAPE_BALL, cutter = given->kind == GRAZE_SHAPE_CUTTER;
+    tool_init(&s);
+    tool_numbers_init(&n);
+    fmpq_init(goal);
+    fmpq_init(square);
+    fmpq_init(one);
+    fmpq_one(one);
+    graze_status status = take(goal, context, tolerance, 1, "tolerance");
+    if (!status)
+        status = take(n.diameter, context, given->diameter, 1, "diameter");
+    if (!status && !ball)
+        status = take(n.length, context, given->length, 1, "length");
+    if (!status && cutter)
+        status = take(n.corner, context, given->corner, 0, "corner");
+    if (!status && cutter && given->taper)
+        status = api_rational(n.taper, context, given->taper);
+    if (!status)
+        status = tool_take(&s, context, &n, ball);
+    if (!status)
+        status = tool_fit(&pair, square, context, &s, goal);
+    if (!status) {
+        tool_write(made, &pair.in, &pair, one, at);
+        tool_write(made + 1, &pair.out, &pair, pair.stretch, at);
+        tool_report(made + 2, &pair, square);
+        tool_pair_clear(&pair);
+    }
+    fmpq_clear(one);
+    fmpq_clear(square);
+    fmpq_clear(goal);
+    tool_numbers_clear(&n);
+    tool_clear(&s);
+    return status;
+}
+
+static graze_status make_box(text *made, graze_context *context, const graze_shape *given,
+                             const fmpq *at) {
+    fmpq *size = _fmpq_vec_init(3);
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 3 && !status; k++)
+        status = take(size + k, context, given->box[k], 1, "a side of the box");
+    for (int k = 0; k < 2 && !status; k++)
+        tool_write_box(made + k, size, at);
+    text_put(made + 2, "exact: 8 vertices, 6 facets\n");
+    _fmpq_vec_clear(size, 3);
+    return status;
+}
+
+graze_status graze_solid_write_shape(char **inside, char **outside, char **report,
+                                     graze_context *context, const graze_shape *shape,
+                                     mpq_srcptr tolerance) {
+    static const char name[] = "graze_solid_write_shape";
+    char **to[3] = {inside, outside, report};
+    for (int k = 0; k < 3; k++)
+        if (to[k])
+            *to[k] = NULL;
+    if (!context || !shape)
+        return api_misuse(context, name, "context and shape must not be NULL");
+    if (shape->kind > GRAZE_SHAPE_CUTTER)
+        return api_misuse(context, name, "the kind is that of no shape");
+    int box = shape->kind == GRAZE_SHAPE_BOX, ball = shape->kind == GRAZE_SHAPE_BALL;
+    if (box ? !shape->box : !shape->diameter || !tolerance || (!ball && !shape->length))
+        return api_misuse(context, name,
+                          "a box has three sides, other shapes diameter, length and tolerance");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq *at = _fmpq_vec_init(3);
+    text made[3];
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 3; k++)
+        text_init(made + k);
+    for (int k = 0; k < 3 && shape->at && !status; k++)
+        status = api_rational(at + k, context, shape->at[k]);
+    if (!status)
+        status = box ? make_box(made, context, shape, at)
+                     : make_round(made, context, shape, at, tolerance);
+    _fmpq_vec_clear(at, 3);
+    if (!status)
+        return finish(inside, outside, report, context, made);
+    for (int k = 0; k < 3; k++)
+        text_clear(made + k);
+    return status;
+}

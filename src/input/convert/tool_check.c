@@ -1,0 +1,180 @@
+/* Decides whether two polyhedra hold a body of revolution between them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Let Q be the polyhedron inside, K the body, R the one outside. At each height the section of Q is
+ * rho(z) times a polygon within the unit disc, that of K a disc, that of R rho'(z) times a polygon
+ * around the unit disc, with concave rho, so Q and R are convex. Q's profile points lie in the
+ * convex profile of K, hence Q in K. Each edge of R's profile has K's profile on its inner side,
+ * hence K in R. Every corner of R is within E of a corner of Q; the distance to the convex Q is a
+ * convex function, largest on R at a corner: R, and K with it, is within E of Q, and R, which is
+ * within E of Q, within E of K.
+ */
+#include <flint/fmpq_vec.h>
+#include "input/convert/tool.h"
+
+/* (b - a) x (c - b) */
+static int turn_sign(const fmpq *a, const fmpq *b, const fmpq *c) {
+    fmpq *d = _fmpq_vec_init(4);
+    fmpq_sub(d, b, a);
+    fmpq_sub(d + 1, b + 1, a + 1);
+    fmpq_sub(d + 2, c, b);
+    fmpq_sub(d + 3, c + 1, b + 1);
+    fmpq_mul(d, d, d + 3);
+    fmpq_submul(d, d + 1, d + 2);
+    int sign = fmpq_sgn(d);
+    _fmpq_vec_clear(d, 4);
+    return sign;
+}
+
+/* Turns to the left at each point between; r > 0 there, r >= 0 at both ends, z rises. */
+static int profile_is_convex(const profile *p) {
+    int good = p->count > 1;
+    for (size_t k = 0; k < p->count; k++) {
+        const fmpq *at = p->point + 2 * k;
+        int end = k == 0 || k + 1 == p->count;
+        good &= fmpq_sgn(at) >= !end;
+        good &= end || turn_sign(at - 2, at, at + 2) > 0;
+        good &= k == 0 || fmpq_cmp(at - 1, at + 1) < 0;
+    }
+    return good;
+}
+
+/* The polygon is convex about 0 and in the unit disc, and `stretch` times it around that: the
+ * middle of no side is nearer than 1 / stretch. A side's nearest point is at its middle or nearer,
+ * so the line's distance is compared: |a x b| stretch >= |a - b|. */
+static int polygon_holds(const tool_pair *p) {
+    fmpq *v = _fmpq_vec_init(3);
+    int good = 1;
+    for (size_t k = 0; k < p->sides && good; k++) {
+        const fmpq *a = p->corner + 2 * k, *b = p->corner + 2 * ((k + 1) % p->sides),
+                   *c = p->corner + 2 * ((k + 2) % p->sides);
+        _fmpq_vec_dot(v, a, a, 2);
+        fmpq_one(v + 1);
+        good &= fmpq_cmp(v, v + 1) <= 0 && turn_sign(a, b, c) > 0;
+        fmpq_mul(v, a, b + 1);
+        fmpq_submul(v, a + 1, b);
+        good &= fmpq_sgn(v) > 0;
+        fmpq_mul(v, v, p->stretch);
+        fmpq_mul(v, v, v);
+        fmpq_sub(v + 1, a, b);
+        fmpq_mul(v + 1, v + 1, v + 1);
+        fmpq_sub(v + 2, a + 1, b + 1);
+        fmpq_addmul(v + 1, v + 2, v + 2);
+        good &= fmpq_cmp(v, v + 1) >= 0;
+    }
+    _fmpq_vec_clear(v, 3);
+    return good;
+}
+
+/* Is the point in the profile of the smallest body? Above the arc's end the side bounds it, below
+ * the arc where r > flat. */
+static int in_profile(const fmpq *at, const tool *s) {
+    fmpq *v = _fmpq_vec_init(4);
+    fmpq_sub(v, at, s->flat);
+    fmpq_sub(v + 1, at + 1, s->corner);
+    _fmpq_vec_dot(v + 2, v, v, 2);
+    fmpq_mul(v + 3, s->corner, s->corner);
+    int in_disc = fmpq_cmp(v + 2, v + 3) <= 0, good = fmpq_sgn(at + 1) >= 0;
+    fmpq_mul(v + 2, s->corner, s->low + 1);
+    int on_arc = s->ball || fmpq_cmp(v + 1, v + 2) <= 0;
+    good &= fmpq_cmp(at + 1, s->height) <= 0;
+    if (on_arc)
+        good &= fmpq_sgn(v) <= 0 || in_disc;
+    if (!s->ball) {
+        _fmpq_vec_dot(v + 2, v, s->low, 2);
+        good &= fmpq_cmp(v + 2, s->corner) <= 0;
+    }
+    _fmpq_vec_clear(v, 4);
+    return good;
+}
+
+/* Is n (v - a) <= 0? */
+static int is_inside(const fmpq *n, const fmpq *a, const fmpq *v) {
+    fmpq *d = _fmpq_vec_init(2);
+    fmpq_t product;
+    fmpq_init(product);
+    fmpq_sub(d, v, a);
+    fmpq_sub(d + 1, v + 1, a + 1);
+    _fmpq_vec_dot(product, n, d, 2);
+    int inside = fmpq_sgn(product) <= 0;
+    fmpq_clear(product);
+    _fmpq_vec_clear(d, 2);
+    return inside;
+}
+
+/* The largest body's profile is the hull of the bottom's, the arc and the top's points. The line
+ * from a to b has the arc's disc inside where n (a - c) >= corner |n|. */
+static int edge_holds(const fmpq *a, const fmpq *b, const tool *s, const fmpq *top) {
+    fmpq *v = _fmpq_vec_init(8), *n = v, *centre = v + 2, *bottom = v + 4;
+    fmpq_sub(n, b + 1, a + 1);
+    fmpq_sub(n + 1, a, b);
+    fmpq_set(centre, s->flat);
+    fmpq_set(centre + 1, s->corner);
+    fmpq_set(bottom, s->flat);
+    int good = is_inside(n, a, bottom) && is_inside(n, a, top) && is_inside(n, a, centre);
+    if (!fmpq_is_zero(s->corner)) {
+        fmpq_sub(v + 4, a, centre);
+        fmpq_sub(v + 5, a + 1, centre + 1);
+        _fmpq_vec_dot(v + 6, n, v + 4, 2);
+        fmpq_mul(v + 6, v + 6, v + 6);
+        _fmpq_vec_dot(v + 7, n, n, 2);
+        fmpq_mul(v + 7, v + 7, s->corner);
+        fmpq_mul(v + 7, v + 7, s->corner);
+        good &= fmpq_cmp(v + 6, v + 7) >= 0;
+    }
+    _fmpq_vec_clear(v, 8);
+    return good;
+}
+
+static int profile_contains(const profile *p, const tool *s) {
+    fmpq *top = _fmpq_vec_init(2), *last = p->point + 2 * (p->count - 1);
+    fmpq_t v;
+    fmpq_init(v);
+    fmpq_set(top + 1, s->height);
+    if (!s->ball) { /* (corner - (height - corner) n_z) / n_r + flat */
+        fmpq_sub(v, s->height, s->corner);
+        fmpq_mul(v, v, s->high + 1);
+        fmpq_sub(v, s->corner, v);
+        fmpq_div(v, v, s->high);
+        fmpq_add(top, s->flat, v);
+    }
+    int good = fmpq_sgn(p->point + 1) <= 0 && fmpq_cmp(p->point, s->flat) >= 0;
+    good &= fmpq_cmp(last + 1, s->height) >= 0 && fmpq_cmp(last, top) >= 0;
+    for (size_t k = 0; k + 1 < p->count && good; k++)
+        good = edge_holds(p->point + 2 * k, p->point + 2 * k + 2, s, top);
+    fmpq_clear(v);
+    _fmpq_vec_clear(top, 2);
+    return good;
+}
+
+/* |stretch u R - u r|^2 + (Z - z)^2 is at most (stretch R - r)^2 + (Z - z)^2, as |u| <= 1. */
+static void partner_distance(fmpq_t most, const tool_pair *p) {
+    fmpq_t d, e;
+    fmpq_init(d);
+    fmpq_init(e);
+    fmpq_zero(most);
+    for (size_t k = 0; k < p->in.count; k++) {
+        fmpq_mul(d, p->stretch, p->out.point + 2 * k);
+        fmpq_sub(d, d, p->in.point + 2 * k);
+        fmpq_mul(d, d, d);
+        fmpq_sub(e, p->out.point + 2 * k + 1, p->in.point + 2 * k + 1);
+        fmpq_addmul(d, e, e);
+        if (fmpq_cmp(d, most) > 0)
+            fmpq_set(most, d);
+    }
+    fmpq_clear(e);
+    fmpq_clear(d);
+}
+
+int tool_pair_holds(fmpq_t square, const tool_pair *p, const tool *s, const fmpq_t tolerance) {
+    fmpq_t most;
+    fmpq_init(most);
+    fmpq_mul(most, tolerance, tolerance);
+    partner_distance(square, p);
+    int good = fmpq_cmp(square, most) <= 0 && polygon_holds(p) && profile_is_convex(&p->in) &&
+               profile_is_convex(&p->out) && profile_contains(&p->out, s);
+    for (size_t k = 0; k < p->in.count && good; k++)
+        good = in_profile(p->in.point + 2 * k, s);
+    fmpq_clear(most);
+    return good;
+}

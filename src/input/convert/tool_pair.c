@@ -1,0 +1,164 @@
+/* Both polyhedra of a body of revolution: doubles choose, tool_pair_holds decides.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "input/convert/tool.h"
+
+void tool_init(tool *s) {
+    memset(s, 0, sizeof *s);
+    fmpq_init(s->flat);
+    fmpq_init(s->corner);
+    fmpq_init(s->height);
+    for (int k = 0; k < 2; k++) {
+        fmpq_init(s->low + k);
+        fmpq_init(s->high + k);
+    }
+}
+
+void tool_clear(tool *s) {
+    fmpq_clear(s->flat);
+    fmpq_clear(s->corner);
+    fmpq_clear(s->height);
+    for (int k = 0; k < 2; k++) {
+        fmpq_clear(s->low + k);
+        fmpq_clear(s->high + k);
+    }
+}
+
+static const double pi_near = 3.14159265358979323846;
+
+/* The multiple of 2^-bits towards 0 (way 0), or from there away (1). */
+static void snap_double(fmpq_t out, double value, slong bits, int way) {
+    double scaled = ldexp(value, (int)bits);
+    fmpz_set_d(fmpq_numref(out), way ? (value < 0 ? floor(scaled) : ceil(scaled)) : trunc(scaled));
+    fmpz_one(fmpq_denref(out));
+    fmpq_div_2exp(out, out, (flint_bitcnt_t)bits);
+}
+
+/* A point of the unit disc near the direction of an angle. */
+static void snap_direction(fmpq *out, double angle, slong bits) {
+    double c = cos(angle), s = sin(angle);
+    snap_double(out, fabs(c) < 1e-15 ? 0 : c, bits, 0);
+    snap_double(out + 1, fabs(s) < 1e-15 ? 0 : s, bits, 0);
+}
+
+/* A dyadic number not below the largest 1 / |(a + b) / 2| of neighbours: stretched by it, the lines
+ * through them leave the unit disc inside. */
+static void stretch_of(fmpq_t out, const fmpq *direction, size_t count, int closed, slong bits) {
+    double most = 1;
+    for (size_t k = 0; k + !closed < count; k++) {
+        const fmpq *a = direction + 2 * k, *b = direction + 2 * ((k + 1) % count);
+        double x = fmpq_get_d(a) + fmpq_get_d(b), y = fmpq_get_d(a + 1) + fmpq_get_d(b + 1);
+        most = fmax(most, 2 / hypot(x, y));
+    }
+    fmpq_t step;
+    fmpq_init(step);
+    fmpq_one(step);
+    fmpq_div_2exp(step, step, (flint_bitcnt_t)bits - 2);
+    snap_double(out, most, bits, 1);
+    fmpq_add(out, out, step); /* what snapping has taken from the ends of an arc */
+    fmpq_clear(step);
+}
+
+static void add_point(profile *p, const fmpq_t r, const fmpq_t z) {
+    fmpq_set(p->point + 2 * p->count, r);
+    fmpq_set(p->point + 2 * p->count + 1, z);
+    p->count++;
+}
+
+/* flat + corner factor d_0, corner + corner factor d_1 */
+static void add_arc_point(profile *p, const tool *s, const fmpq *direction, const fmpq_t factor) {
+    fmpq_t r, z, size;
+    fmpq_init(r);
+    fmpq_init(z);
+    fmpq_init(size);
+    fmpq_mul(size, s->corner, factor);
+    fmpq_mul(r, size, direction);
+    fmpq_add(r, r, s->flat);
+    fmpq_mul(z, size, direction + 1);
+    fmpq_add(z, z, s->corner);
+    add_point(p, r, z);
+    fmpq_clear(size);
+    fmpq_clear(z);
+    fmpq_clear(r);
+}
+
+/* The top's radius on the line across the normal through the last point: r - (height - z) n_z /
+ * n_r, on a grid, inwards or outwards. */
+static void add_top(profile *p, const tool *s, const fmpq *normal, slong bits, int outer) {
+    const fmpq *last = p->point + 2 * (p->count - 1);
+    fmpq_t r, rise;
+    fmpz_t whole;
+    fmpq_init(r);
+    fmpq_init(rise);
+    fmpz_init(whole);
+    fmpq_sub(rise, s->height, last + 1);
+    fmpq_mul(rise, rise, normal + 1);
+    fmpq_div(rise, rise, normal);
+    fmpq_sub(r, last, rise);
+    if (!fmpq_is_zero(normal + 1)) {
+        fmpq_mul_2exp(r, r, (flint_bitcnt_t)bits);
+        (outer ? fmpz_cdiv_q : fmpz_fdiv_q)(whole, fmpq_numref(r), fmpq_denref(r));
+        fmpq_set_fmpz(r, whole);
+        fmpq_div_2exp(r, r, (flint_bitcnt_t)bits);
+    }
+    add_point(p, r, s->height);
+    fmpz_clear(whole);
+    fmpq_clear(rise);
+    fmpq_clear(r);
+}
+
+static double angle_of(const fmpq *direction) {
+    return atan2(fmpq_get_d(direction + 1), fmpq_get_d(direction));
+}
+
+static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bits) {
+    fmpq *direction = _fmpq_vec_init((slong)(2 * pieces + 2));
+    fmpq_t one, stretch;
+    fmpq_init(one);
+    fmpq_init(stretch);
+    fmpq_one(one);
+    double from = -pi_near / 2, to = angle_of(s->high);
+    for (size_t k = 0; k <= pieces; k++)
+        snap_direction(direction + 2 * k, from + (to - from) * (double)k / (double)pieces, bits);
+    stretch_of(stretch, direction, pieces + 1, 0, bits);
+    if (fmpq_is_zero(s->corner)) {
+        add_arc_point(&out->in, s, direction, one);
+        add_arc_point(&out->out, s, direction, one);
+    }
+    for (size_t k = 0; k <= pieces && !fmpq_is_zero(s->corner); k++) {
+        add_arc_point(&out->in, s, direction + 2 * k, one);
+        add_arc_point(&out->out, s, direction + 2 * k, stretch);
+    }
+    if (!s->ball) {
+        int exponent = 0; /* of the radius: the top's grid is as fine beside it */
+        frexp(fmpq_get_d(s->flat) + fmpq_get_d(s->corner), &exponent);
+        bits = exponent < 0 ? bits - exponent : bits;
+        add_top(&out->in, s, s->low, bits, 0);
+        add_top(&out->out, s, s->high, bits, 1);
+    }
+    fmpq_clear(stretch);
+    fmpq_clear(one);
+    _fmpq_vec_clear(direction, (slong)(2 * pieces + 2));
+}
+
+void tool_pair_make(tool_pair *out, const tool *s, size_t sides, size_t pieces, slong bits) {
+    slong room = (slong)(2 * (pieces + 3));
+    *out = (tool_pair){{0, _fmpq_vec_init(room)}, {0, _fmpq_vec_init(room)}, sides, NULL, {{0}}};
+    out->corner = _fmpq_vec_init((slong)(2 * sides));
+    fmpq_init(out->stretch);
+    for (size_t k = 0; k < sides; k++)
+        snap_direction(out->corner + 2 * k, 2 * pi_near * (double)k / (double)sides, bits);
+    stretch_of(out->stretch, out->corner, sides, 1, bits);
+    make_profiles(out, s, pieces, bits);
+}
+
+void tool_pair_clear(tool_pair *p) {
+    _fmpq_vec_clear(p->in.point, (slong)(2 * p->in.count));
+    _fmpq_vec_clear(p->out.point, (slong)(2 * p->out.count));
+    _fmpq_vec_clear(p->corner, (slong)(2 * p->sides));
+    fmpq_clear(p->stretch);
+}
