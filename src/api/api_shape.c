@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include "api/api.h"
 #include "base/context/environment.h"
-#include "input/convert/joint.h"
-#include "input/convert/tool.h"
+#include "input/convert/tool_fit.h"
+#include "input/convert/tool_off.h"
 
 /* A number of at least a sign; NULL: 0. */
-static graze_status take(fmpq_t out, graze_context *context, mpq_srcptr value, int least,
-                         const char *name) {
+static graze_status take_number(fmpq_t out, graze_context *context, mpq_srcptr value, int least,
+                                const char *name) {
     graze_status status = value ? api_rational(out, context, value) : GRAZE_OK;
     if (!status && fmpq_sgn(out) < least)
         status = context_fail(context, GRAZE_EUSE, "%s: expected a number %s", name,
@@ -19,8 +19,8 @@ static graze_status take(fmpq_t out, graze_context *context, mpq_srcptr value, i
 }
 
 /* The texts that are asked for. */
-static graze_status finish(char **inside, char **outside, char **report, graze_context *context,
-                           text *made) {
+static graze_status finish_shape(char **inside, char **outside, char **report,
+                                 graze_context *context, text *made) {
     char **to[3] = {inside, outside, report};
     graze_status status = GRAZE_OK;
     for (int k = 0; k < 3; k++)
@@ -49,13 +49,13 @@ static graze_status make_round(text *made, graze_context *context, const graze_s
     fmpq_init(square);
     fmpq_init(one);
     fmpq_one(one);
-    graze_status status = take(goal, context, tolerance, 1, "tolerance");
+    graze_status status = take_number(goal, context, tolerance, 1, "tolerance");
     if (!status)
-        status = take(n.diameter, context, given->diameter, 1, "diameter");
+        status = take_number(n.diameter, context, given->diameter, 1, "diameter");
     if (!status && !ball)
-        status = take(n.length, context, given->length, 1, "length");
+        status = take_number(n.length, context, given->length, 1, "length");
     if (!status && cutter)
-        status = take(n.corner, context, given->corner, 0, "corner");
+        status = take_number(n.corner, context, given->corner, 0, "corner");
     if (!status && cutter && given->taper)
         status = api_rational(n.taper, context, given->taper);
     if (!status)
@@ -81,7 +81,7 @@ static graze_status make_box(text *made, graze_context *context, const graze_sha
     fmpq *size = _fmpq_vec_init(3);
     graze_status status = GRAZE_OK;
     for (int k = 0; k < 3 && !status; k++)
-        status = take(size + k, context, given->box[k], 1, "a side of the box");
+        status = take_number(size + k, context, given->box[k], 1, "a side of the box");
     for (int k = 0; k < 2 && !status; k++)
         tool_write_box(made + k, size, at);
     text_put(made + 2, "exact: 8 vertices, 6 facets\n");
@@ -118,7 +118,7 @@ graze_status graze_solid_write_shape(char **inside, char **outside, char **repor
                      : make_round(made, context, shape, at, tolerance);
     _fmpq_vec_clear(at, 3);
     if (!status)
-        return finish(inside, outside, report, context, made);
+        return finish_shape(inside, outside, report, context, made);
     for (int k = 0; k < 3; k++)
         text_clear(made + k);
     return status;

@@ -289,8 +289,8 @@ def tables():
 
 
 OPERANDS = {"SOLID": "solid", "MOTION": "motion", "POINTS": "points", "X": "points", "GOLDEN": "tables", "CANDIDATE": "tables",
-            "PART...": "parts", "CONTACTS": "points", "KIND": "poses", "{solid}": "solid", "{motion}": "motion"}
-NO_NUMBER = {"FILE", "FILE,", "DIR", "CMD", "NAME", "NAME=V", "NAME=V,", "NAME=W,...", "TEXT", "FOLDER", "FILE.off", "SOLID"}
+            "PART...": "parts", "CONTACTS": "points", "KIND": "options", "{solid}": "solid", "{motion}": "motion"}
+NO_NUMBER = {"NAME=COLUMN,...", "MACHINE", "FILE", "FILE,", "DIR", "CMD", "NAME", "NAME=V", "NAME=V,", "NAME=W,...", "TEXT", "FOLDER", "FILE.off", "SOLID"}
 
 
 def numeric_options(text):

@@ -9,8 +9,9 @@
  * convex function, largest on R at a corner: R, and K with it, is within E of Q, and R, which is
  * within E of Q, within E of K.
  */
+#include "input/convert/tool_check.h"
+
 #include <flint/fmpq_vec.h>
-#include "input/convert/tool.h"
 
 /* (b - a) x (c - b) */
 static int turn_sign(const fmpq *a, const fmpq *b, const fmpq *c) {
@@ -89,7 +90,7 @@ static int in_profile(const fmpq *at, const tool *s) {
 }
 
 /* Is n (v - a) <= 0? */
-static int is_inside(const fmpq *n, const fmpq *a, const fmpq *v) {
+static int is_behind(const fmpq *n, const fmpq *a, const fmpq *v) {
     fmpq *d = _fmpq_vec_init(2);
     fmpq_t product;
     fmpq_init(product);
@@ -111,7 +112,7 @@ static int edge_holds(const fmpq *a, const fmpq *b, const tool *s, const fmpq *t
     fmpq_set(centre, s->flat);
     fmpq_set(centre + 1, s->corner);
     fmpq_set(bottom, s->flat);
-    int good = is_inside(n, a, bottom) && is_inside(n, a, top) && is_inside(n, a, centre);
+    int good = is_behind(n, a, bottom) && is_behind(n, a, top) && is_behind(n, a, centre);
     if (!fmpq_is_zero(s->corner)) {
         fmpq_sub(v + 4, a, centre);
         fmpq_sub(v + 5, a + 1, centre + 1);

@@ -1,11 +1,12 @@
 /* Writes polyhedra of rings as OFF. Numbers are finite decimals where they have one, as other
  * programs read no ratios. SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "input/convert/tool_off.h"
+
 #include <flint/fmpq_vec.h>
 #include "base/number/decimal.h"
-#include "input/convert/tool.h"
 
-static void put_number(text *t, const fmpq_t value) {
+static void put_finite(text *t, const fmpq_t value) {
     int finite = 0;
     char *decimal = decimal_finite(&finite, value);
     if (finite)
@@ -21,14 +22,14 @@ static void put_vertex(text *t, const fmpq *v, const fmpq *at) {
         fmpq_set(sum, v + k);
         if (at)
             fmpq_add(sum, sum, at + k);
-        put_number(t, sum);
+        put_finite(t, sum);
         text_put(t, k < 2 ? " " : "\n");
     }
     fmpq_clear(sum);
 }
 
 /* The number of corners of a ring: one where it has shrunk to a point. */
-static size_t ring_size(const profile *p, size_t ring, size_t sides) {
+static size_t ring_corners(const profile *p, size_t ring, size_t sides) {
     return fmpq_is_zero(p->point + 2 * ring) ? 1 : sides;
 }
 
@@ -36,7 +37,7 @@ static void put_rings(text *t, const profile *p, const tool_pair *pair, const fm
                       const fmpq *at) {
     fmpq *v = _fmpq_vec_init(3);
     for (size_t i = 0; i < p->count; i++)
-        for (size_t k = 0; k < ring_size(p, i, pair->sides); k++) {
+        for (size_t k = 0; k < ring_corners(p, i, pair->sides); k++) {
             for (int c = 0; c < 2; c++) {
                 fmpq_mul(v + c, p->point + 2 * i, pair->corner + 2 * k + c);
                 fmpq_mul(v + c, v + c, factor);
@@ -48,7 +49,7 @@ static void put_rings(text *t, const profile *p, const tool_pair *pair, const fm
 }
 
 /* A ring as a facet: the bottom, seen from below, or the top. */
-static void put_end(text *t, size_t first, size_t sides, int top) {
+static void put_ring_facet(text *t, size_t first, size_t sides, int top) {
     text_format(t, "%zu", sides);
     for (size_t k = 0; k < sides; k++)
         text_format(t, " %zu", first + (top ? k : sides - 1 - k));
@@ -72,19 +73,19 @@ void tool_write(text *out, const profile *p, const tool_pair *pair, const fmpq_t
                 const fmpq *at) {
     size_t sides = pair->sides, last = p->count - 1, vertices = 0, first = 0;
     for (size_t i = 0; i < p->count; i++)
-        vertices += ring_size(p, i, sides);
-    size_t bottom = ring_size(p, 0, sides) > 1, top = ring_size(p, last, sides) > 1;
+        vertices += ring_corners(p, i, sides);
+    size_t bottom = ring_corners(p, 0, sides) > 1, top = ring_corners(p, last, sides) > 1;
     text_format(out, "OFF\n%zu %zu 0\n", vertices, last * sides + bottom + top);
     put_rings(out, p, pair, factor, at);
     if (bottom)
-        put_end(out, 0, sides, 0);
+        put_ring_facet(out, 0, sides, 0);
     for (size_t i = 0; i < last; i++) {
-        size_t own = ring_size(p, i, sides);
-        put_belt(out, first, own, first + own, ring_size(p, i + 1, sides), sides);
+        size_t own = ring_corners(p, i, sides);
+        put_belt(out, first, own, first + own, ring_corners(p, i + 1, sides), sides);
         first += own;
     }
     if (top)
-        put_end(out, first, sides, 1);
+        put_ring_facet(out, first, sides, 1);
 }
 
 void tool_write_box(text *out, const fmpq *size, const fmpq *at) {

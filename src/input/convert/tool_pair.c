@@ -1,32 +1,10 @@
 /* Both polyhedra of a body of revolution: doubles choose, tool_pair_holds decides.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "input/convert/tool_pair.h"
+
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
-#include "input/convert/tool.h"
-
-void tool_init(tool *s) {
-    memset(s, 0, sizeof *s);
-    fmpq_init(s->flat);
-    fmpq_init(s->corner);
-    fmpq_init(s->height);
-    for (int k = 0; k < 2; k++) {
-        fmpq_init(s->low + k);
-        fmpq_init(s->high + k);
-    }
-}
-
-void tool_clear(tool *s) {
-    fmpq_clear(s->flat);
-    fmpq_clear(s->corner);
-    fmpq_clear(s->height);
-    for (int k = 0; k < 2; k++) {
-        fmpq_clear(s->low + k);
-        fmpq_clear(s->high + k);
-    }
-}
 
 static const double pi_near = 3.14159265358979323846;
 
@@ -63,7 +41,7 @@ static void stretch_of(fmpq_t out, const fmpq *direction, size_t count, int clos
     fmpq_clear(step);
 }
 
-static void add_point(profile *p, const fmpq_t r, const fmpq_t z) {
+static void add_profile_point(profile *p, const fmpq_t r, const fmpq_t z) {
     fmpq_set(p->point + 2 * p->count, r);
     fmpq_set(p->point + 2 * p->count + 1, z);
     p->count++;
@@ -80,7 +58,7 @@ static void add_arc_point(profile *p, const tool *s, const fmpq *direction, cons
     fmpq_add(r, r, s->flat);
     fmpq_mul(z, size, direction + 1);
     fmpq_add(z, z, s->corner);
-    add_point(p, r, z);
+    add_profile_point(p, r, z);
     fmpq_clear(size);
     fmpq_clear(z);
     fmpq_clear(r);
@@ -105,13 +83,13 @@ static void add_top(profile *p, const tool *s, const fmpq *normal, slong bits, i
         fmpq_set_fmpz(r, whole);
         fmpq_div_2exp(r, r, (flint_bitcnt_t)bits);
     }
-    add_point(p, r, s->height);
+    add_profile_point(p, r, s->height);
     fmpz_clear(whole);
     fmpq_clear(rise);
     fmpq_clear(r);
 }
 
-static double angle_of(const fmpq *direction) {
+static double direction_angle(const fmpq *direction) {
     return atan2(fmpq_get_d(direction + 1), fmpq_get_d(direction));
 }
 
@@ -121,7 +99,7 @@ static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bi
     fmpq_init(one);
     fmpq_init(stretch);
     fmpq_one(one);
-    double from = -pi_near / 2, to = angle_of(s->high);
+    double from = -pi_near / 2, to = direction_angle(s->high);
     for (size_t k = 0; k <= pieces; k++)
         snap_direction(direction + 2 * k, from + (to - from) * (double)k / (double)pieces, bits);
     stretch_of(stretch, direction, pieces + 1, 0, bits);

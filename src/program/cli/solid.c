@@ -66,7 +66,8 @@ static const struct {
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* The numbers of options, three for each. */
-static int read_numbers(mpq_t number[OWN][3], graze_context *context, const char *const *own) {
+static int read_shape_numbers(mpq_t number[OWN][3], graze_context *context,
+                              const char *const *own) {
     int status = EXIT_DONE;
     for (int k = 0; k < OWN && !status; k++)
         if (own[k])
@@ -97,12 +98,12 @@ static int write_solid(const solid_options *o, const char *inside, const char *o
     return !status && o->outside ? output_text(o->outside, outside) : status;
 }
 
-static int make_solid(const solid_options *o, graze_context *context, int kind) {
+static int make_shape(const solid_options *o, graze_context *context, int kind) {
     mpq_t number[OWN][3];
     char *inside = NULL, *outside = NULL, *report = NULL;
     for (int k = 0; k < OWN; k++)
         mpq_inits(number[k][0], number[k][1], number[k][2], NULL);
-    int status = read_numbers(number, context, o->own);
+    int status = read_shape_numbers(number, context, o->own);
     if (!o->own[TOLERANCE]) {
         mpq_set_ui(number[TOLERANCE][1], 1, 200);
         mpq_mul(number[TOLERANCE][0], number[DIAMETER][0], number[TOLERANCE][1]);
@@ -141,7 +142,7 @@ static int run_solid(void *options, const operands *given) {
     if (!status)
         status = context_make(&context, &o->context);
     if (!status)
-        status = make_solid(o, context, kind);
+        status = make_shape(o, context, kind);
     graze_context_destroy(context);
     graze_thread_finish();
     return status;
