@@ -132,6 +132,20 @@ def same_points(graze, folder, random, scale):
             check(answers(graze, folder, out) == want, name, "answers", said)
 
 
+def same_side(graze, folder):
+    """Three vertices in one side, whose numbers are not in the side's order, are put in by their places."""
+    write(folder / "good.off", CUBE)
+    want = answers(graze, folder, folder / "good.off")
+    vertices, facets = CUBE
+    for k, (a, b, c) in enumerate(facets):
+        for order in ((1, 2, 3), (2, 3, 1), (3, 2, 1)):
+            cut = [tuple(Fraction(x * (4 - n) + y * n, 4) for x, y in zip(vertices[a], vertices[b])) for n in order]
+            at = [a, *(len(vertices) + order.index(n) for n in (1, 2, 3)), b]
+            fan = [(first, second, c) for first, second in zip(at, at[1:])]
+            out, said, _ = mend(graze, folder, (vertices + cut, facets[:k] + facets[k + 1:] + fan))
+            check(answers(graze, folder, out) == want, "one side", k, order, said)
+
+
 def same_fan(graze, folder):
     """A facet that ends with its first corner, as some programs write it, and is not planar: the fan begins there."""
     vertices, facets = moved(CUBE, (0, 0, 0), 3)
@@ -177,6 +191,7 @@ def main():
     given = options(__doc__)
     with tempfile.TemporaryDirectory(prefix="graze-mend-") as name:
         folder = pathlib.Path(name)
+        same_side(given.graze, folder)
         same_fan(given.graze, folder)
         said_by_hand(given.graze, folder)
         not_mended(given.graze, folder)
