@@ -10,6 +10,9 @@
 
 /* Digits of an interval's ends up to which Bernstein coefficients are cheap. */
 enum { COARSE = 63 };
+/* From this degree on the two ways to a sign are weighed; the work of one beside the other's, as
+ * measured. */
+enum { LONG_DEGREE = 64, SLOPE_WORK = 32 };
 /* Binary places that a secant through a guess's interval can be asked for. */
 enum { GUESS_GAIN = 32 };
 
@@ -44,9 +47,19 @@ static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
     return sign;
 }
 
+/* Bernstein coefficients of degree n take n^2 sums of numbers that are n times as long as the
+ * interval's ends. Where q's own coefficients are short beside them, an interval so short that the
+ * slope decides is found sooner. */
+static int is_long(const fmpz_poly_t q, const dyadic_interval *where) {
+    ulong n = (ulong)fmpz_poly_degree(q), bits = (ulong)FLINT_ABS(fmpz_poly_max_bits(q));
+    ulong words = bits / FLINT_BITS + 1;
+    return n >= LONG_DEGREE &&
+           n * ((bits + n * where->exponent) / FLINT_BITS) > SLOPE_WORK * words * words;
+}
+
 /* Sign of q at an irrational x if the interval decides it, else 0. */
 static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
-    if (x->where.exponent > COARSE)
+    if (x->where.exponent > COARSE || is_long(q, &x->where))
         return sign_by_slope(q, &x->where);
     bernstein_form form;
     bernstein_form_init(&form, q, fmpz_poly_degree(q), &x->where);

@@ -8,7 +8,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "decide/filter/flip.h"
 #include "decide/filter/normal.h"
@@ -313,16 +312,23 @@ const span *curve_piece(curve *c, size_t piece) {
     return &c->spans[at];
 }
 
+double curve_blossom(const double *c, int n, int k, double from, double to) {
+    double b[CARRIER_DEGREE + 1];
+    b[0] = c[0];
+    for (int i = 1; i <= n; i++)
+        b[i] = c[i];
+    for (int level = 1; level <= n; level++) {
+        double s = level <= k ? to : from;
+        for (int i = 0; i <= n - level; i++)
+            b[i] += s * (b[i + 1] - b[i]);
+    }
+    return b[0];
+}
+
 void curve_at(double *at, double *error, const curve *c, const span *piece, double s) {
     int n = piece->degree;
     for (int i = 0; i <= c->dimension; i++) {
-        const double *x = curve_coefficients(c, piece, i);
-        double row[CARRIER_DEGREE + 1];
-        memcpy(row, x, (size_t)(n + 1) * sizeof *row);
-        for (int level = 1; level <= n; level++)
-            for (int k = 0; k <= n - level; k++)
-                row[k] += s * (row[k + 1] - row[k]);
-        at[i] = row[0];
+        at[i] = curve_blossom(curve_coefficients(c, piece, i), n, n, s, s);
         error[i] = SLACK * (piece->error[i] + 5 * n * U * piece->size[i]);
     }
 }

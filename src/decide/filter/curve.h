@@ -91,6 +91,11 @@ const span *curve_piece(curve *c, size_t piece);
  * many, or without memory. Pointers to spans end here. */
 int curve_cut(curve *c, uint32_t index);
 
+/** The blossom of a polynomial of degree n, at most CARRIER_DEGREE, of Bernstein coefficients: k
+ * arguments are `to`, the others `from`. It is coefficient k on [from, to], and the value at `to`
+ * where k is n. */
+double curve_blossom(const double *c, int n, int k, double from, double to);
+
 /**
  * The homogeneous point at s of a span, by de Casteljau's scheme.
  * @param[out] error of each of the d + 1 coordinates

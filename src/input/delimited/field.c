@@ -178,14 +178,6 @@ graze_status fields_read(fields *out, graze_context *context, const char *name,
     }
 }
 
-size_t fields_count(field line) {
-    size_t count = 0;
-    for (field one; line.start; count++)
-        if (!field_take(&one, &line))
-            return 0;
-    return count;
-}
-
 void fields_clear(fields *f) {
     free(f->item);
     *f = (fields){NULL, 0, 0};

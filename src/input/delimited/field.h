@@ -63,7 +63,5 @@ char field_separator(field line);
 graze_status fields_read(fields *out, graze_context *context, const char *name,
                          unsigned long number, field line, char separator);
 void fields_clear(fields *f);
-/** The number of fields of a line; 0 if a quoted one does not end. */
-size_t fields_count(field line);
 
 #endif

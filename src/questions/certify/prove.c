@@ -19,8 +19,9 @@ static slong terms(const enclosure *e) {
     return e->c->degree + 1;
 }
 
-void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c, int with_cells) {
-    *e = (enclosure){.solid = solid, .c = c, .with_cells = with_cells};
+void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c, int with_cells,
+                    form_memory *forms) {
+    *e = (enclosure){.solid = solid, .c = c, .with_cells = with_cells, .forms = forms};
     dyadic_interval_init(&e->at);
     e->coefficients = _fmpz_vec_init((c->dimension + 1) * terms(e));
     e->value = _fmpz_vec_init(terms(e));
@@ -31,9 +32,9 @@ void enclosure_clear(enclosure *e) {
     dyadic_interval_clear(&e->at);
     _fmpz_vec_clear(e->coefficients, (e->c->dimension + 1) * terms(e));
     _fmpz_vec_clear(e->value, terms(e));
-    for (int k = 0; k < KEPT_FORMS; k++)
-        _fmpz_vec_zero(e->kept[k].form, 16);
     control_clear(&e->points);
+    _fmpz_vec_zero(e->plane, 4);
+    _fmpz_vec_zero(e->side, 4);
     free(e->near);
 }
 
@@ -128,29 +129,14 @@ static int not_negative(enclosure *e, const fmpz *form, int zero) {
     return 1;
 }
 
-/* The forms of near simplex k: proofs on one interval after another ask for those of few. */
-static kept_forms *forms_of(enclosure *e, size_t k) {
-    size_t simplex = e->near[k];
-    kept_forms *f = &e->kept[simplex % KEPT_FORMS];
-    if (f->simplex != simplex + 1) {
-        (void)solid_plane(f->form, e->solid, simplex);
-        f->simplex = simplex + 1;
-        f->sides = 0;
-    }
-    return f;
-}
-
 static const fmpz *prove_plane(enclosure *e, size_t k) {
-    return forms_of(e, k)->form;
+    known_plane(e->plane, e->forms, e->solid, e->near[k]);
+    return e->plane;
 }
 
+/* A side of the simplex whose plane is at hand. */
 static const fmpz *side_of(enclosure *e, size_t k, int side) {
-    kept_forms *f = forms_of(e, k);
-    fmpz *out = f->form + 4 * (side + 1);
-    if (!(f->sides >> side & 1))
-        solid_side(out, e->solid, e->near[k], f->form, side);
-    f->sides |= 1 << side;
-    return out;
+    return known_side(e->side, e->forms, e->solid, e->near[k], e->plane, side);
 }
 
 static int cleared(enclosure *e, size_t k) {

@@ -7,17 +7,9 @@
 
 #include "base/number/bernstein.h"
 #include "decide/trace/trajectory.h"
+#include "input/solid/known.h"
 #include "input/solid/solid.h"
 #include "questions/certify/control.h"
-
-enum { KEPT_FORMS = 16 };
-
-/** The forms of a simplex: its plane's, and those of its sides as far as they were asked for. */
-typedef struct kept_forms {
-    size_t simplex; /* one more than its number; 0: none */
-    int sides;      /* a bit for each */
-    fmpz form[16];
-} kept_forms;
 
 /** An interval of a trajectory's parameter u, and the simplices near it. */
 typedef struct enclosure {
@@ -27,8 +19,9 @@ typedef struct enclosure {
     fmpz *coefficients; /* d + 1 times degree + 1 */
     fmpz *value;        /* degree + 1 */
     control points;
-    int with_cells;              /* the cells met are to be known, and those that are not */
-    kept_forms kept[KEPT_FORMS]; /* of simplex k at k modulo their number */
+    int with_cells;         /* the cells met are to be known, and those that are not */
+    form_memory *forms;     /* borrowed, or NULL */
+    fmpz plane[4], side[4]; /* room for those at hand */
     size_t count, capacity;
     uint32_t *near;
     uint32_t suspect; /* the simplex at which the last proof failed, which comes first */
@@ -42,7 +35,9 @@ typedef struct root_claim {
     const fmpz_poly_struct *q;
 } root_claim;
 
-void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c, int with_cells);
+/** @param forms memory of forms, or NULL */
+void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c, int with_cells,
+                    form_memory *forms);
 void enclosure_clear(enclosure *e);
 
 /** The trajectory is off the boundary on the closed interval. */

@@ -8,6 +8,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/number/order.h"
+#include "decide/filter/filter.h"
 #include "decide/trace/candidates.h"
 #include "decide/trace/touch.h"
 #include "decide/trace/trace.h"
@@ -354,7 +355,8 @@ static graze_status certify_piece(row_lines *lines, graze_context *context, cons
     trajectory_init(&r.c, with->scene->motion->dimension);
     trajectory_set(&r.c, motion_tracing(piece, with->scene->options.operation), point);
     touches_init(&r.t);
-    enclosure_init(&r.e, with->solid, &r.c, with->with_contacts);
+    filter_workspace *memory = filter_workspace_of(context);
+    enclosure_init(&r.e, with->solid, &r.c, with->with_contacts, memory ? &memory->forms : NULL);
     graze_status status = find_events(&r);
     if (!status)
         status = place_events(&r);

@@ -4,29 +4,16 @@
 #include "questions/distance/window.h"
 
 #include <math.h>
+#include "decide/filter/curve.h"
 #include "decide/filter/normal.h"
 
 #define U UNIT_ROUNDING
-
-/* The blossom of a polynomial of degree n: k arguments are `to`, the others `from`. */
-static double blossom(const double *c, int n, int k, double from, double to) {
-    double b[WINDOW_ROOM];
-    b[0] = c[0];
-    for (int i = 1; i <= n; i++)
-        b[i] = c[i];
-    for (int level = 1; level <= n; level++) {
-        double s = level <= k ? to : from;
-        for (int i = 0; i <= n - level; i++)
-            b[i] += s * (b[i + 1] - b[i]);
-    }
-    return b[0];
-}
 
 /* The coefficients on [from, to]; one, the value, for an instant. */
 static void restrict_to(double *out, const double *c, int n, double from, double to) {
     int most = from < to ? n : 0;
     for (int k = 0; k <= most; k++)
-        out[k] = blossom(c, n, k, from, to);
+        out[k] = curve_blossom(c, n, k, from, to);
 }
 
 static double largest_size(const double *c, int n) {
