@@ -50,7 +50,7 @@ static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
 /* Bernstein coefficients of degree n take n^2 sums of numbers that are n times as long as the
  * interval's ends. Where q's own coefficients are short beside them, an interval so short that the
  * slope decides is found sooner. */
-static int is_long(const fmpz_poly_t q, const dyadic_interval *where) {
+static int slope_is_cheaper(const fmpz_poly_t q, const dyadic_interval *where) {
     ulong n = (ulong)fmpz_poly_degree(q), bits = (ulong)FLINT_ABS(fmpz_poly_max_bits(q));
     ulong words = bits / FLINT_BITS + 1;
     return n >= LONG_DEGREE &&
@@ -59,7 +59,9 @@ static int is_long(const fmpz_poly_t q, const dyadic_interval *where) {
 
 /* Sign of q at an irrational x if the interval decides it, else 0. */
 static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
-    if (x->where.exponent > COARSE || is_long(q, &x->where))
+    if (x->where.exponent > COARSE)
+        return sign_by_slope(q, &x->where);
+    if (slope_is_cheaper(q, &x->where))
         return sign_by_slope(q, &x->where);
     bernstein_form form;
     bernstein_form_init(&form, q, fmpz_poly_degree(q), &x->where);
