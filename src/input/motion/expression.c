@@ -6,6 +6,7 @@
  */
 #include "base/number/rational.h"
 #include "input/motion/expression.h"
+#include <string.h>
 
 enum { SHOWN = 60 };
 enum { CHARACTERS_A_UNIT = 16 }; /* of work */
@@ -121,9 +122,25 @@ static void parse_bracket(parser *p, fmpz_poly_q_t out) {
     p->place++;
 }
 
+/* The length of a function's name that is not rational, or 0. */
+static int transcendental_length(const parser *p) {
+    static const char *const names[] = {"sin", "cos", "tan", "sqrt", "exp", "log", "pi", "atan"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        size_t n = strlen(names[k]);
+        if (n <= p->length - p->place && memcmp(p->text + p->place, names[k], n) == 0) {
+            return (int)n;
+        }
+    }
+    return 0;
+}
+
 static void parse_primary(parser *p, fmpz_poly_q_t out) {
     char c = peek(p);
-    if (c == '(') {
+    if (p->place < p->length && transcendental_length(p) > 0) {
+        fail_at(p, p->place,
+                "motions are rational functions of t; expected rotate with tan_half, turn, or "
+                "pieces that `graze motion` makes of degrees");
+    } else if (c == '(') {
         parse_bracket(p, out);
     } else if (c == 't') {
         read_variable(p, out, p->t);

@@ -34,12 +34,32 @@ static const struct format *format_of(const char *path) {
     return NULL;
 }
 
+/* Programs that write what is read of what is not. */
+static const char *advice_of(const char *path) {
+    static const char *const known[][2] = {
+        {".step", "; FreeCAD and gmsh write .stl of it"},
+        {".stp", "; FreeCAD and gmsh write .stl of it"},
+        {".iges", "; FreeCAD and gmsh write .stl of it"},
+        {".glb", "; Blender and assimp write .ply of it"},
+        {".gltf", "; Blender and assimp write .ply of it"},
+        {".3mf", "; PrusaSlicer and trimesh write .stl of it"},
+        {".urdf", "; it names a mesh for each link, which is a solid of its own"}};
+    const char *extension = strrchr(path, '.');
+    for (size_t k = 0; extension != NULL && k < sizeof known / sizeof *known; k++) {
+        if (strcasecmp(extension, known[k][0]) == 0) {
+            return known[k][1];
+        }
+    }
+    return "";
+}
+
 graze_status soup_read(soup *s, graze_context *context, const char *path) {
     const struct format *format = format_of(path);
     if (format == NULL) {
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "the extension is of no format of solids; expected .off, .obj, "
-                               ".ply, .stl, .nef3 or .wkt");
+                               ".ply, .stl, .nef3 or .wkt%s",
+                               advice_of(path));
     }
     char *text;
     size_t length;

@@ -5,6 +5,7 @@
  * `explain SOLID MOTION -1 2` needs no `--`.
  */
 #include "program/cli/command.h"
+#include "program/cli/near.h"
 
 #include <ctype.h>
 #include <getopt.h>
@@ -60,7 +61,11 @@ static int complain_of_word(const command *c, int code, const char *word) {
     if (optopt && strncmp(word, "--", 2) != 0)
         return complain(EXIT_USAGE, "-%c: %s has no such option; see graze %s --help", optopt,
                         c->name, c->name);
-    return complain(EXIT_USAGE, "%s: %s has no such option; see graze %s --help", word, c->name,
+    const char *best = NULL;
+    for (const option_entry *e = c->options; e->name && strncmp(word, "--", 2) == 0; e++)
+        near_take(&best, word + 2, e->name);
+    return complain(EXIT_USAGE, "%s: %s has no such option; %s%s%ssee graze %s --help", word,
+                    c->name, best ? "did you mean --" : "", best ? best : "", best ? "? " : "",
                     c->name);
 }
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "program/cli/commands.h"
+#include "program/cli/near.h"
 #include "program/run/interrupt.h"
 #include "program/run/memory.h"
 #include "program/run/output.h"
@@ -35,7 +36,7 @@ static const char overview[] =
     "  graze contact SOLID MOTION CONTACTS  boundary points at given times, and the envelope\n"
     "  graze envelope SOLID MOTION          when the contact with the envelope changes\n"
     "  graze cases                          the golden cases and what they show\n"
-    "  graze COMMAND --help                 options and an example\n"
+    "  graze COMMAND --help                 options and an example, as graze help COMMAND\n"
     "  graze --version                      versions of graze and its libraries\n"
     "\n"
     "SOLID is .off .obj .ply .stl .nef3 (3D) or .wkt (2D), MOTION is JSON, POINTS is CSV or -.\n"
@@ -55,6 +56,26 @@ static const char *command_names(void) {
     return names;
 }
 
+static int complain_of_command(const char *word) {
+    const char *best = NULL;
+    for (size_t k = 0; k < COMMANDS; k++)
+        near_take(&best, word, commands[k]->name);
+    return complain(EXIT_USAGE, "%s: expected a command: %s%s%s%s", word, command_names(),
+                    best ? "; did you mean " : "", best ? best : "", best ? "?" : "");
+}
+
+/* `graze help COMMAND` is `graze COMMAND --help`. */
+static int is_help(int argc, char **argv) {
+    static char option[] = "--help";
+    if (strcmp(argv[1], "help") != 0)
+        return 0;
+    if (argc > 2) {
+        argv[1] = argv[2];
+        argv[2] = option;
+    }
+    return argc == 2;
+}
+
 int main(int argc, char **argv) {
     memory_guard();
     output_guard_standard();
@@ -62,7 +83,7 @@ int main(int argc, char **argv) {
         return complain(EXIT_IO, "signals cannot be watched");
     if (argc < 2)
         return complain(EXIT_USAGE, "a command is missing: %s; see graze --help", command_names());
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
+    if (is_help(argc, argv) || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
         return output_text(NULL, overview);
     if (strcmp(argv[1], "--version") == 0)
         return output_text(NULL, graze_version());
@@ -74,5 +95,5 @@ int main(int argc, char **argv) {
             interrupt_die();
         return status;
     }
-    return complain(EXIT_USAGE, "%s: expected a command: %s", argv[1], command_names());
+    return complain_of_command(argv[1]);
 }

@@ -1,0 +1,35 @@
+/* The edit distance of short words. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/near.h"
+
+#include <string.h>
+
+enum { LONGEST = 31, STEPS = 2 };
+
+static int least(int a, int b) {
+    return a < b ? a : b;
+}
+
+int near_distance(const char *a, const char *b) {
+    size_t n = strlen(a), m = strlen(b);
+    int d[LONGEST + 1][LONGEST + 1];
+    if (n > LONGEST || m > LONGEST)
+        return LONGEST;
+    for (size_t i = 0; i <= n; i++)
+        for (size_t j = 0; j <= m; j++) {
+            d[i][j] = (int)(i + j);
+            if (!i || !j)
+                continue;
+            d[i][j] = least(least(d[i - 1][j], d[i][j - 1]) + 1,
+                            d[i - 1][j - 1] + (a[i - 1] != b[j - 1]));
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                d[i][j] = least(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d[n][m];
+}
+
+void near_take(const char **best, const char *word, const char *name) {
+    int steps = near_distance(word, name);
+    if (steps <= STEPS && 3 * steps <= (int)strlen(name) &&
+        (!*best || steps < near_distance(word, *best)))
+        *best = name;
+}

@@ -1,0 +1,15 @@
+/* The name that was probably meant.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CLI_NEAR_H
+#define GRAZE_CLI_NEAR_H
+
+/** Letters to insert, leave out, change or exchange with the next one that make a word of another;
+ * words of more than 31 letters are far from all. */
+int near_distance(const char *a, const char *b);
+
+/** Take a name as *best if it is nearer to the word than the best one so far, and near: at most two
+ * steps, one in three letters. *best is NULL at first. */
+void near_take(const char **best, const char *word, const char *name);
+
+#endif
