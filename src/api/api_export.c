@@ -32,8 +32,8 @@ static void set_grid(typed_table *t, const lattice *l) {
 }
 
 static graze_status take_value_rows(typed_table *t, const graze_scene *scene, const char *rows,
-                              size_t length, const char *columns, const graze_grid *grid,
-                              const graze_row_options *shown) {
+                                    size_t length, const char *columns, const graze_grid *grid,
+                                    const graze_row_options *shown) {
     text names;
     text_init(&names);
     table_columns(&names, scene, columns, shown);

@@ -21,7 +21,8 @@ void table_columns(text *out, const graze_scene *scene, const char *columns,
 /** Add one row of the table. */
 void report_csv(text *out, const row *r);
 
-/** Add one row of values (output/table/row_values.h). GRAZE_EINPUT: a coordinate is past binary64. */
+/** Add one row of values (output/table/row_values.h). GRAZE_EINPUT: a coordinate is past binary64.
+ */
 graze_status report_values(text *out, graze_context *context, const row *r);
 
 #endif
