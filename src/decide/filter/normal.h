@@ -31,7 +31,7 @@ static inline double largest3(const double *x) {
     return larger(fabs(x[0]), larger(fabs(x[1]), fabs(x[2])));
 }
 
-/** Of a segment in E^2. */
+/** The normal of a segment in E^2. */
 static inline void normal_plane(normal *out, const double *v, double corner_error) {
     out->at[0] = v[3] - v[1];
     out->at[1] = v[0] - v[2];
@@ -40,7 +40,7 @@ static inline void normal_plane(normal *out, const double *v, double corner_erro
         FILTER_SLACK * (UNIT_ROUNDING * largest3(out->at) + 2 * corner_error) + FILTER_FLOOR;
 }
 
-/** Of a triangle in E^3. */
+/** The normal of a triangle in E^3. */
 static inline void normal_space(normal *out, const double *v, double corner_error) {
     double a[3], b[3];
     for (int i = 0; i < 3; i++) {

@@ -92,7 +92,7 @@ static int joins_anchors(bricklayer *b, const point_box *points, const anchors *
     return 0;
 }
 
-/* What a time in the state that decides makes of a point. */
+/* Membership of a point, given the deciding state. */
 static graze_pmc membership_proved(const bricklayer *b) {
     return b->scene->options.operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN;
 }

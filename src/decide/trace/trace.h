@@ -33,10 +33,13 @@ typedef struct query_point {
     const double *value;
 } query_point;
 
-/** Wanted part of a trace: contacts with times and cells; or states and the word alone; or, where a
- * certain crossing or a brick is met, that there is one, else as TRACE_WORD; the same for points
- * next to the sweep's boundary, which asks bricks of none. */
-typedef enum trace_detail { TRACE_CONTACTS, TRACE_WORD, TRACE_PMC, TRACE_PMC_BESIDE } trace_detail;
+/** Wanted part of a trace. */
+typedef enum trace_detail {
+    TRACE_CONTACTS, /* contacts with times and cells */
+    TRACE_WORD,     /* states and the word */
+    TRACE_PMC, /* where a certain crossing or a brick is met, that there is one, else the word */
+    TRACE_PMC_BESIDE /* the same for points next to the sweep's boundary, which asks no bricks */
+} trace_detail;
 
 void trace_clear(graze_trace *trace);
 

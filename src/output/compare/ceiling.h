@@ -13,7 +13,7 @@ typedef struct ceiling {
     long exponent;
 } ceiling;
 
-/** Of a number that is not negative. */
+/** The ceiling of a number that is not negative. */
 ceiling ceiling_of(const fmpq_t x);
 
 /** Negative, 0 or positive as a is less than, equal to or greater than b. */

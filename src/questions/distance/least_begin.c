@@ -16,7 +16,7 @@ static int compare_pairs(const void *left, const void *right) {
     return x < y ? -1 : x > y ? 1 : a->arc < b->arc ? -1 : 1;
 }
 
-/* What the solid's box says about a whole arc. */
+/* Bound the distance over an arc by the solid's box. */
 static graze_status bound_arc(pair_aside *out, search *s, size_t index) {
     point_arc p;
     window w;

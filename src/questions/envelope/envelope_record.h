@@ -1,4 +1,4 @@
-/* What an envelope holds.
+/* The envelope: cells, velocity fields, events, finding.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_ENVELOPE_ENVELOPE_RECORD_H

@@ -19,8 +19,8 @@ typedef struct topo_finding {
     const char *reason; /* static */
     int has_witness;
     fmpq witness[3]; /* a point that is `out` */
-    fmpq reach; /* first order, leading terms: all places of a path are up to the witness, which is
-                   at it */
+    fmpq reach; /* first order, leading terms: parameter of the witness on its path; every earlier
+                   point of the path is `out` */
     fmpz direction[3]; /* first order: of the path, a ray */
     fmpz along[2][3];  /* else half the side of the square on which the witness lies, in E^3 in the
                           plane along these, in their lengths */

@@ -17,7 +17,8 @@
 #include "questions/topo/second.h"
 #include "questions/topo/edge_ways.h"
 
-/* What proves the interior: open cones alone, exact closed ones too, ways along edges too. */
+/* Evidence admitted for `interior`, each with those before it: open cones, exact closed ones, ways
+ * along edges. */
 enum { BY_FIRST_ORDER, BY_CLOSED_CONES, BY_EDGES, BY_COUNT };
 
 typedef struct leading_maker {

@@ -31,7 +31,7 @@ void half_clear(half_germ *half);
  * number. */
 void half_in_quarter(fmpz_poly_t out, const fmpq_poly_t form, slong degree, half_quarter quarter);
 
-/** Does a germ say something at a number b of a quarter? */
+/** Is the germ's form valid at parameter b of the quarter? */
 graze_status half_is_valid(int *out, const half_germ *half, graze_context *context,
                            half_quarter quarter, algebraic *at);
 

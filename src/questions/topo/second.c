@@ -57,7 +57,7 @@ static void excess(fmpz_poly_t out, const half_germ *below, const half_germ *abo
     fmpq_poly_clear(difference);
 }
 
-/* The sign of the excess of two germs at a number, if both say something there, else -1. */
+/* The sign of the excess of two germs at a number, if both forms are valid there, else -1. */
 static graze_status excess_at(int *out, const second_maker *m, size_t i, size_t j, algebraic *at) {
     int valid[2] = {1, 1};
     fmpz_poly_t p;
@@ -179,7 +179,7 @@ static void add_factor(fmpz_poly_t product, const fmpz_poly_t p) {
         fmpz_poly_mul(product, product, p);
 }
 
-/* All excesses in a quarter, and the forms on which it hangs who says something. */
+/* All excesses in a quarter, and the forms whose signs decide which germs are valid. */
 static void product_of_signs(fmpz_poly_t product, const second_maker *m) {
     fmpz_poly_t p;
     fmpz_poly_init(p);
