@@ -29,7 +29,11 @@ typedef enum graze_stratum {
     GRAZE_STRATUM_MISS = 11,    /**< one of these displaced by 2^-k, k from 8 to 96 */
     GRAZE_STRATUM_LEVEL = 12,   /**< beside an `on` contact, the signed distance in a decade that is
                                    drawn, proved by its enclosure; default weight 0 */
-    GRAZE_STRATUM_COUNT = 13
+    GRAZE_STRATUM_ROUNDED = 13, /**< a contact of one of the strata from `face` to `slide` but
+                                   `near`, its coordinates replaced by doubles next to them, on a
+                                   side that is drawn where there is such a point; default weight
+                                   0 */
+    GRAZE_STRATUM_COUNT = 14
 } graze_stratum;
 
 /** Order of a contact that is a slide in the plane of the facet. */
@@ -43,6 +47,8 @@ typedef struct graze_sample {
     int k;           /**< displaced by 2^-k along the normal of the moved facet; 0: not displaced */
     int outward;     /**< 1 if displaced to the outside */
     int decade;      /**< level: 10^decade <= |s| < 10^(decade + 1), s < 0 unless outward */
+    graze_stratum origin; /**< rounded: that of the contact, which order and cell describe */
+    graze_pmc pmc;        /**< rounded: the exact answer for the point, else GRAZE_PMC_NONE */
 } graze_sample;
 
 /** Source of query points. It never changes: threads may share it. */

@@ -12,7 +12,7 @@ static const struct {
 } strata[GRAZE_STRATUM_COUNT] = {{"random", 4}, {"near", 4},    {"face", 16},    {"face-odd", 4},
                                  {"edge", 15},  {"vertex", 15}, {"crossing", 4}, {"start", 9},
                                  {"end", 9},    {"break", 7},   {"slide", 3},    {"miss", 4},
-                                 {"level", 0}};
+                                 {"level", 0},  {"rounded", 0}};
 
 static int is_stratum(graze_stratum stratum) {
     return (int)stratum >= 0 && stratum < GRAZE_STRATUM_COUNT;

@@ -93,12 +93,16 @@ def strata(graze, folder):
     """A motion by 0.443221, whose contacts are no doubles, and by 7/16, whose contacts are."""
     decimal = write(folder, "decimal.json", translation(["0.443221*t + 0.1", "8*t+1/3", "1/7"]))
     right = candidate_of(graze, "-e", "s/^$//")
-    status, out, said = run(graze, "validate", CUBE, decimal, "-n", 300, "--representable", "binary64", "--candidate", right)
-    check(status == 3 and "only random points are left" in said and "graze motion dyadic" in said, status, said)
-    for name in ("edge", "vertex", "start", "end", "slide"):
-        check(name in said.split("have coordinates")[0], name, said)
-    status, out, said = run(graze, "generate", CUBE, decimal, "-n", 300, "--seed", 1, "--representable", "binary64")
-    check(status == 3 and out == "", "generate says the same", status, said)
+    status, out, said = run(graze, "validate", CUBE, decimal, "-n", 300, "--representable", "binary64", "--format", "json",
+                            "--candidate", right)
+    told = json.loads(out)
+    share = {group["value"]: group["rows"] for group in told["comparison"]["by"]["stratum"]}
+    check(status == 0 and "graze motion dyadic" in said and "`rounded` has their weight" in told["points"], status, said)
+    for name in ("edge", "vertex", "start", "end"):
+        check(name in said.split("have coordinates")[0] and share.get("rounded-" + name, 0) > 5 and name not in share, name, said, share)
+    status, out, said = run(graze, "generate", CUBE, decimal, "-n", 300, "--seed", 1, "--representable", "binary64", "--strata",
+                            "vertex,edge")
+    check(status == 2 and out == "", "named strata are not replaced", status, said)
     status, out, said = run(graze, "validate", CUBE, decimal, "-n", 30, "--representable", "binary64", "--strata",
                             "random,vertex", "--candidate", right)
     check(status == 0 and "\npoints: no points of the strata vertex have coordinates" in out, status, out[:500], said)

@@ -142,6 +142,9 @@ class SameAnswers(unittest.TestCase):
                                   "" if sample.time is None else str(sample.time), str(sample.k or ""),
                                   side])
             self.assertEqual(list(scene.generate(50, seed, first=150)), samples[150:])
+            for sample in scene.generate(20, seed, {"rounded": 1}, representable=True):
+                self.assertTrue(sample.stratum.startswith("rounded-") and all(F(float(x)) == x for x in sample.point), sample)
+                self.assertEqual(scene.trace(sample.point).verdict.pmc, sample.pmc)
             only = {sample.stratum for sample in scene.generate(40, seed, {"vertex": 3, "random": 1})}
             self.assertEqual(only, {"vertex", "random"})
             for refused in ({"corner": 1}, {"vertex": 0}, {"vertex": -1}):

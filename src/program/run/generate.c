@@ -183,7 +183,9 @@ static int put_sample(maker *m, const generate_options *o, unsigned long row) {
     if (status)
         return status;
     char text[48];
-    snprintf(text, sizeof text, "%lu,%s", row + 1, graze_stratum_name(made.stratum));
+    int rounded = made.stratum == GRAZE_STRATUM_ROUNDED;
+    snprintf(text, sizeof text, "%lu,%s%s%s", row + 1, graze_stratum_name(made.stratum),
+             rounded ? "-" : "", rounded ? graze_stratum_name(made.origin) : "");
     output_put(&m->out, text);
     if (made.order == 0) {
         output_put(&m->out, ",,,,,");
@@ -195,11 +197,13 @@ static int put_sample(maker *m, const generate_options *o, unsigned long row) {
     put_sample_cell(&m->out, &made.cell);
     output_put(&m->out, ",");
     output_number(&m->out, m->time);
-    const char *side = made.outward ? "out" : "in";
+    static const char *const answers[] = {"", "in", "on", "out"};
+    const char *side = rounded ? answers[made.pmc] : made.outward ? "out" : "in";
+    int sided = rounded || made.stratum == GRAZE_STRATUM_LEVEL;
     if (made.k)
         snprintf(text, sizeof text, ",%d,%s", made.k, side);
     else
-        snprintf(text, sizeof text, ",,%s", made.stratum == GRAZE_STRATUM_LEVEL ? side : "");
+        snprintf(text, sizeof text, ",,%s", sided ? side : "");
     output_put(&m->out, text);
     put_decade(m, &made);
     return EXIT_DONE;
@@ -256,6 +260,9 @@ char *lost_strata_text(const lost_strata *lost) {
         text_put(&t, " have coordinates that a binary64 holds, since numbers of the motion (or of "
                      "the solid) are not dyadic or too long; `graze motion dyadic` makes a motion "
                      "near this one that has such points, except of turns");
+        text_put(&t, lost->replaced ? "; `rounded` has their weight: points within an ulp of such "
+                                      "contacts, on both sides"
+                                    : "");
     }
     if (lost->absent) {
         text_put(&t, lost->unrepresentable ? "; the scene has none of "
@@ -265,23 +272,13 @@ char *lost_strata_text(const lost_strata *lost) {
     return text_take(&t);
 }
 
-/* Say which strata get no points; only random points are not what was asked for, unless strata were
- * named. */
+/* Say which strata get no points. */
 static int tell_lost(const maker *m, const generate_options *o) {
-    unsigned long contacts = 0;
     if (!m->made.lost.unrepresentable)
         return EXIT_DONE;
     char *said = lost_strata_text(&m->made.lost);
-    if (!said)
-        return complain(EXIT_IO, "out of memory");
-    for (int k = GRAZE_STRATUM_RANDOM + 1; k < GRAZE_STRATUM_COUNT; k++)
-        contacts += graze_generator_weight(m->generator, (graze_stratum)k);
-    int status = contacts || o->strata
-                     ? complain(EXIT_DONE, "note: %s: %s", o->scene.motion, said)
-                     : complain(EXIT_INPUT,
-                                "%s: %s; only random points are left, which find few errors; "
-                                "expected --strata random, if they are meant",
-                                o->scene.motion, said);
+    int status = said ? complain(EXIT_DONE, "note: %s: %s", o->scene.motion, said)
+                      : complain(EXIT_IO, "out of memory");
     free(said);
     return status;
 }
@@ -307,16 +304,34 @@ static int tell_missing_decades(const maker *m) {
     return status;
 }
 
-static int write_points(maker *m, const generate_options *o) {
-    int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
-    if (status)
-        return status;
+static int make_generator(maker *m, const generate_options *o) {
+    graze_generator_destroy(m->generator);
+    m->generator = NULL;
     graze_status made =
         graze_generator_create(&m->generator, m->l.context, m->l.scene, o->seed, m->weights,
                                o->representable ? GRAZE_GENERATE_REPRESENTABLE : 0);
-    if (made)
-        return complain_of_use(made, m->l.context);
-    status = find_lost(m, o);
+    return complain_of_use(made, m->l.context);
+}
+
+/* Give the weight of strata that no binary64 can be of to points beside their contacts. */
+static int replace_lost(maker *m, const generate_options *o) {
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        if (m->made.lost.unrepresentable >> k & 1)
+            m->weights[GRAZE_STRATUM_ROUNDED] += m->weights[k];
+    int status = make_generator(m, o);
+    m->made.lost.replaced =
+        !status && graze_generator_weight(m->generator, GRAZE_STRATUM_ROUNDED) > 0;
+    return status;
+}
+
+static int write_points(maker *m, const generate_options *o) {
+    int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
+    if (!status)
+        status = make_generator(m, o);
+    if (!status)
+        status = find_lost(m, o);
+    if (!status && m->made.lost.unrepresentable && !o->strata)
+        status = replace_lost(m, o);
     if (!status)
         status = tell_lost(m, o);
     if (!status)

@@ -11,6 +11,7 @@
  * none, or none whose coordinates a binary64 holds. */
 typedef struct lost_strata {
     unsigned absent, unrepresentable;
+    int replaced; /* 1: the stratum `rounded` has the weight of the unrepresentable ones */
 } lost_strata;
 
 /** What was made: zeroed at first, generated_clear at last. */
@@ -25,7 +26,8 @@ typedef struct generate_options {
     scene_options scene;
     unsigned long count;
     unsigned long long seed;
-    const char *strata;  /* NAME=W,...; NULL: all, with their default weights, and */
+    const char *strata;  /* NAME=W,...; NULL: all, with their default weights, `rounded` with that
+                            of those that --representable leaves none of, and */
     unsigned long level; /* this one of the stratum `level` */
     coordinate_options coordinates;
     int representable;  /* coordinates that a binary64 holds */
@@ -34,8 +36,7 @@ typedef struct generate_options {
     int quiet;          /* no progress */
 } generate_options;
 
-/** Make the points and write the table. Returns an exit status and says what is wrong, also where
- * --representable leaves nothing but random points and no strata were named.
+/** Make the points and write the table. Returns an exit status and says what is wrong.
  * @param[out] made may be NULL; standard error names the lost strata too */
 int generate_run(generated *made, const generate_options *o);
 void generated_clear(generated *made);

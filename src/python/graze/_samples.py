@@ -12,7 +12,7 @@ from ._library import CSample, Handle, library
 from ._numbers import Rationals
 from ._traces import cell_of
 from .errors import UseError
-from .results import Sample
+from .results import Pmc, Sample
 
 _REPRESENTABLE = 1
 
@@ -58,7 +58,10 @@ def _each(context: Context, generator: Handle, dimension: int, rows: range,
         context.run(library().graze_generator_point, numbers.address, numbers.at(dimension),
                     ctypes.byref(made), context.pointer, generator.pointer, row, brief=True)
         cell = cell_of(made.cell)
-        yield Sample(tuple(numbers[k] for k in range(dimension)), names[made.stratum],
+        name = names[made.stratum]
+        rounded = name == "rounded"
+        yield Sample(tuple(numbers[k] for k in range(dimension)),
+                     f"rounded-{names[made.origin]}" if rounded else name,
                      numbers[dimension] if cell else None, cell, made.order, made.k,
-                     bool(made.outward),
-                     made.decade if names[made.stratum] == "level" else None)
+                     bool(made.outward), made.decade if name == "level" else None,
+                     Pmc(made.pmc) if rounded else None)

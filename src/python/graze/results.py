@@ -165,6 +165,7 @@ class Sample:
         k: the point was displaced by 2^-k along the normal; 0 if it was not.
         outward: whether it was displaced to the outside.
         decade: of the stratum `level`: 10^decade <= |s| < 10^(decade + 1); else None.
+        pmc: of points beside a contact, `rounded-...`: the exact answer; else None.
     """
 
     point: Tuple[Fraction, ...]
@@ -175,6 +176,7 @@ class Sample:
     k: int
     outward: bool
     decade: Optional[int] = None
+    pmc: Optional[Pmc] = None
 
 
 def _field(results: Any, name: str) -> List[int]:

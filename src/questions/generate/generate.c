@@ -7,6 +7,7 @@
 #include <string.h>
 #include "decide/scene/box.h"
 #include "questions/generate/level.h"
+#include "questions/generate/rounded.h"
 
 /* Times drawn from, tries for one row, and rows tried before a stratum is given up. */
 enum { INSTANTS = 512, TIME_BITS = 10, TRIES = 200, TRIAL_ROWS = 24 };
@@ -63,6 +64,8 @@ static graze_status try_row(int *made, sample *out, graze_context *context,
     for (int k = 0; k < TRIES && !*made && !status; k++) {
         if (stratum == GRAZE_STRATUM_LEVEL)
             status = level_try(made, out, context, g, r);
+        else if (stratum == GRAZE_STRATUM_ROUNDED)
+            status = rounded_try(made, out, context, g, r);
         else
             *made = stratum_try(out, g, stratum, r);
     }

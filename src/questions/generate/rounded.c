@@ -1,0 +1,99 @@
+/* Rounds exact contacts to doubles on either side. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/generate/rounded.h"
+
+#include <float.h>
+#include <math.h>
+#include "base/number/rounding.h"
+#include "decide/verdict/classify.h"
+
+/* Doubles on both sides of the coordinates of a point; the same one twice stays as it is. */
+typedef struct neighbours {
+    int d, moved; /* moved: coordinates that have two of them */
+    double low[3], high[3];
+} neighbours;
+
+/* Half an ulp of a point's largest coordinate, or of 1: how far from 0 the neighbours of 0 are. */
+static double step_from_zero(const double *nearest, int d) {
+    double largest = 0;
+    for (int i = 0; i < d; i++)
+        largest = fmax(largest, fabs(nearest[i]));
+    return (largest > 0 ? largest : 1) * (DBL_EPSILON / 2);
+}
+
+/* The neighbours of one coordinate; of a double that is to stay the double itself. */
+static graze_status find_neighbours(neighbours *out, int i, graze_context *context, const fmpq_t x,
+                                    double nearest, double step, int stays) {
+    fmpq_t rounded;
+    fmpq_init(rounded);
+    graze_status status = rational_from_double(rounded, context, nearest);
+    int side = fmpq_cmp(rounded, x);
+    fmpq_clear(rounded);
+    double low = nearest != 0 ? nextafter(nearest, -DBL_MAX) : -step;
+    double high = nearest != 0 ? nextafter(nearest, DBL_MAX) : step;
+    out->low[i] = side < 0 || (side == 0 && stays) ? nearest : low;
+    out->high[i] = side > 0 || (side == 0 && stays) ? nearest : high;
+    out->moved += out->low[i] != out->high[i];
+    return status;
+}
+
+static graze_status point_neighbours(neighbours *out, graze_context *context, const fmpq *point,
+                                     int d, random_stream *r) {
+    double nearest[3];
+    graze_status status = GRAZE_OK;
+    *out = (neighbours){.d = d};
+    for (int i = 0; i < d && !status; i++)
+        status = rational_nearest(&nearest[i], context, point + i);
+    for (int i = 0; i < d && !status; i++) {
+        int stays = (int)random_below(r, 2);
+        status = find_neighbours(out, i, context, point + i, nearest[i], step_from_zero(nearest, d),
+                                 stays);
+    }
+    return status;
+}
+
+/* Bit i of `choice` tells which neighbour of coordinate i. */
+static graze_status choose_neighbours(fmpq *point, graze_context *context, const neighbours *n,
+                                      size_t choice) {
+    graze_status status = GRAZE_OK;
+    for (int i = 0; i < n->d && !status; i++)
+        status = rational_from_double(point + i, context, choice >> i & 1 ? n->high[i] : n->low[i]);
+    return status;
+}
+
+/* Go through the choices from a random one on until the answer is the one wanted; without it the
+ * last one is kept. */
+static graze_status take_side(sample *out, graze_context *context, const struct graze_generator *g,
+                              const neighbours *n, random_stream *r) {
+    size_t choices = (size_t)1 << n->d, first = random_below(r, choices);
+    graze_pmc wanted = random_below(r, 2) ? GRAZE_IN : GRAZE_OUT;
+    graze_status status = GRAZE_OK;
+    out->made.pmc = GRAZE_ON;
+    for (size_t k = 0; k < choices && !status && (k == 0 || out->made.pmc != wanted); k++) {
+        graze_verdict found;
+        status = choose_neighbours(out->point, context, n, (first + k) % choices);
+        if (!status)
+            status =
+                classify_verdict(&found, context, g->scene, (query_point){.rational = out->point});
+        if (!status)
+            out->made.pmc = found.pmc;
+    }
+    return status;
+}
+
+graze_status rounded_try(int *made, sample *out, graze_context *context,
+                         const struct graze_generator *g, random_stream *r) {
+    static const graze_stratum from[] = {
+        GRAZE_STRATUM_FACE,   GRAZE_STRATUM_FACE_ODD, GRAZE_STRATUM_EDGE,
+        GRAZE_STRATUM_VERTEX, GRAZE_STRATUM_CROSSING, GRAZE_STRATUM_START,
+        GRAZE_STRATUM_END,    GRAZE_STRATUM_BREAK,    GRAZE_STRATUM_SLIDE};
+    neighbours near;
+    out->made = (graze_sample){.stratum = GRAZE_STRATUM_ROUNDED,
+                               .origin = from[random_below(r, sizeof from / sizeof *from)]};
+    *made = stratum_contact(out, NULL, g, out->made.origin, r);
+    if (!*made)
+        return GRAZE_OK;
+    graze_status status =
+        point_neighbours(&near, context, out->point, g->scene->motion->dimension, r);
+    *made = !status && near.moved > 0;
+    return *made ? take_side(out, context, g, &near, r) : status;
+}
