@@ -12,7 +12,7 @@ from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Sequence,
 from ._context import Context, settings
 from ._library import CJoint, CPoseOptions, library, take_text
 from ._numbers import Rationals
-from .errors import UseError
+from .errors import GrazeError, UseError, name_argument
 
 _AFFINE, _SHORTEST = 1, 2
 _SHAPES = {(4, 4): 16, (3, 4): 12, (7,): 7}
@@ -136,5 +136,9 @@ def by_poses(poses: Any, times: Any, affine: bool, shortest: bool, tolerance: An
                            size=ctypes.sizeof(CPoseOptions))
     text = _pose_rows(poses, times).encode()
     options.text, options.length = text, len(text)
-    return written(library().graze_motion_write_pose_list, b"poses", ctypes.byref(options),
-                   context=context)
+    try:
+        return written(library().graze_motion_write_pose_list, b"poses", ctypes.byref(options),
+                       context=context)
+    except GrazeError as problem:
+        name_argument(problem, "poses", rows=True)
+        raise

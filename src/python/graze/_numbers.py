@@ -174,7 +174,8 @@ def read_points(points: Any, dimension: int, context: Context, what: str = "poin
     flat: List[Any] = []
     for k, row in enumerate(points):
         if isinstance(row, (str, bytes)) or not isinstance(row, Iterable):
-            raise TypeError(f"{what} {k} is a {type(row).__name__}; expected a row of numbers")
+            raise TypeError(f"{what} {k} is {row!r:.40}, no row of numbers; expected a list of {what}s, "
+                            f"as [[5, 1{', 1' if dimension != 2 else ''}]]")
         before = len(flat)
         entries = named_entries(row)
         if entries is not None:

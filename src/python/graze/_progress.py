@@ -1,11 +1,13 @@
-"""Progress of long calls: told to a function, or shown by tqdm where it is installed.
+"""Progress of long calls: told to a function, or shown on standard error, by tqdm where it is installed.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
 import contextlib
+import sys
 import threading
+import time
 from typing import Any, Callable, Iterator, Union
 
 Progress = Union[bool, Callable[[int, int], Any]]
@@ -33,9 +35,27 @@ def told(progress: Progress, total: int) -> Iterator[Callable[[int], None]]:
             bar.close()
 
 
+class _Line:
+    """The part that is done, on one line of standard error, written anew twice a second at most."""
+
+    def __init__(self, total: int) -> None:
+        self._done, self._total, self._shown = 0, total, 0.0
+
+    def update(self, count: int) -> None:
+        self._done += count
+        now = time.monotonic()
+        if now - self._shown >= 0.5 or self._done >= self._total:
+            self._shown = now
+            print(f"\r{self._done} of {self._total} points", end="", file=sys.stderr, flush=True)
+
+    def close(self) -> None:
+        if self._shown:
+            print(file=sys.stderr)
+
+
 def _bar(total: int) -> Any:
     try:
         from tqdm.auto import tqdm  # type: ignore
     except ImportError:
-        return None
+        return _Line(total)
     return tqdm(total=total, unit="points")

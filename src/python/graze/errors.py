@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import re
 from typing import Any, Dict, Type
 
 
@@ -83,3 +84,25 @@ BY_STATUS: Dict[int, Type[GrazeError]] = {
     for kind in (UseError, InputError, IllegalError, LimitError, MachineError, CanceledError,
                  InternalError)
 }
+
+
+def name_argument(error: GrazeError, argument: str, rows: bool) -> None:
+    """Name an argument where the library names a file that it was given as a text.
+
+    Args:
+        argument: its name, which the text had too.
+        rows: its rows stand on the lines from 2 on; else lines mean nothing.
+    """
+    if error.file != argument:
+        return
+    place, behind = f"{argument}:{error.line}: ", str(error)
+    if behind.startswith(place):
+        row = f"{argument}[{error.line - 2}]" if rows and error.line > 1 else argument
+        behind = f"{row}: {behind[len(place):]}"
+    if rows:
+        behind = re.sub(r"\bthat of line (\d+)",
+                        lambda found: f"that of {argument}[{int(found[1]) - 2}]", behind)
+        if error.line > 1:
+            error.item, error.index = "pose", error.line - 2
+    error.file, error.line = "", 0
+    error.args = (behind,)

@@ -17,7 +17,7 @@ from ._frames import refuse_masked
 from ._meshes import arrays_of
 from ._motions import Joint
 from ._numbers import Rationals, numpy, read_points
-from .errors import InputError, UseError
+from .errors import GrazeError, InputError, UseError, name_argument
 
 _TRIANGULATE = 1
 
@@ -122,12 +122,18 @@ class Motion:
         self._settings = settings(round, limits, True)
         context = Context(self._settings)
         pointer = ctypes.c_void_p()
+        given = source
         if isinstance(source, Mapping):
             source = json.dumps(_plain(source))
         if isinstance(source, str) and source.lstrip().startswith("{"):
             text = source.encode("utf-8")
-            context.run(library().graze_motion_from_json, ctypes.byref(pointer), context.pointer,
-                        text, len(text))
+            try:
+                context.run(library().graze_motion_from_json, ctypes.byref(pointer),
+                            context.pointer, text, len(text))
+            except GrazeError as problem:
+                if isinstance(given, Mapping):
+                    name_argument(problem, "motion", rows=False)
+                raise
         else:
             context.run(library().graze_motion_read, ctypes.byref(pointer), context.pointer,
                         _path(source))

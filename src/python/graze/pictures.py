@@ -17,6 +17,12 @@ from .errors import UseError
 from .results import Class
 
 
+def _check_ending(path: Any, ending: str, form: str) -> None:
+    if not os.fsdecode(path).lower().endswith(ending):
+        raise UseError(f"{os.fsdecode(path)}: what is saved is {form}; expected a name that ends "
+                       f"with {ending}")
+
+
 class Picture(NamedTuple):
     """A picture; a notebook shows it.
 
@@ -30,7 +36,12 @@ class Picture(NamedTuple):
         return self.svg
 
     def save(self, path: Any) -> None:
-        """Write it into a file, whose name ends with .svg."""
+        """Write it into a file, whose name ends with .svg; `graze draw -o FILE.png` makes a PNG.
+
+        Raises:
+            UseError: another ending.
+        """
+        _check_ending(path, ".svg", "SVG")
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.svg)
 
@@ -52,7 +63,12 @@ class Page(NamedTuple):
                 'style="border: 0"></iframe>')
 
     def save(self, path: Any) -> None:
-        """Write it into a file, whose name ends with .html; any browser opens it."""
+        """Write it into a file, whose name ends with .html; any browser opens it.
+
+        Raises:
+            UseError: another ending.
+        """
+        _check_ending(path, ".html", "HTML")
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.html)
 

@@ -220,26 +220,55 @@ def _coordinates(points: Any) -> Dict[str, Any]:
             for k, name in enumerate("xyz"[:len(rows[0]) if rows else 0])}
 
 
+def _are_enclosures(results: Any) -> bool:
+    """Are these answers of `Scene.distance`?"""
+    if hasattr(results, "dtype"):
+        return "high" in (results.dtype.names or ())
+    return len(results) > 0 and hasattr(results[0], "high")
+
+
+def _others(out: Dict[str, Any], points: Any) -> None:
+    """Add the other columns of a table with names, under another name where theirs is taken."""
+    for given in (column_names(points) or []) if points is not None else []:
+        name = given
+        if given in ("x", "y", "z")[:3 if "z" in out else 2]:
+            continue
+        while name in out:
+            name = f"{name}_in"
+        out[name] = points[given]
+
+
 def columns(results: Any, points: Any = None) -> Dict[str, Any]:
-    """The verdicts as columns in the words of the tables, after x, y, z of the points if given."""
+    """Answers as columns in the words of the tables, after x, y, z of the points if given.
+
+    Args:
+        results: what `Scene.classify` returned (pmc, class, definition, case, i, t), or
+            `Scene.distance` (pmc, sdf_low, sdf_high, sdf_t).
+        points: the points; the other columns of a table with names come last, with `_in` behind a
+            name that is taken.
+    """
     out: Dict[str, Any] = {} if points is None else _coordinates(points)
     for name, column in out.items():
         if len(column) != len(results):
             raise ValueError(f"{len(column)} points for {len(results)} verdicts")
     out["pmc"] = pmc_names(results)
-    out["class"] = class_names(results)
-    out["definition"] = definition_names(results)
-    for name in ("case", "i", "t"):
-        out[name] = _field(results, name)
+    if _are_enclosures(results):
+        for name, field in (("sdf_low", "low"), ("sdf_high", "high"), ("sdf_t", "time")):
+            out[name] = _field(results, field)
+    else:
+        out["class"] = class_names(results)
+        out["definition"] = definition_names(results)
+        for name in ("case", "i", "t"):
+            out[name] = _field(results, name)
+    _others(out, points)
     return out
 
 
 def to_dataframe(results: Any, points: Any = None) -> Any:
-    """The verdicts as a pandas DataFrame, pmc and class as categories; needs pandas.
+    """Answers as a pandas DataFrame, pmc and class as categories; needs pandas.
 
     Args:
-        results: what `Scene.classify` returned.
-        points: the points, whose coordinates become the columns x, y, z.
+        results, points: as for `columns`; the index is that of points, if they are a DataFrame.
     Raises:
         GrazeError: pandas is not installed.
     """
@@ -249,5 +278,8 @@ def to_dataframe(results: Any, points: Any = None) -> Any:
         raise GrazeError("to_dataframe needs pandas; `columns` gives the same as a dict") from None
     out = columns(results, points)
     out["pmc"] = pandas.Categorical(out["pmc"], categories=PMC_NAMES[1:])
-    out["class"] = pandas.Categorical(out["class"], categories=CLASS_NAMES[1:])
+    if not _are_enclosures(results):
+        out["class"] = pandas.Categorical(out["class"], categories=CLASS_NAMES[1:])
+    if isinstance(points, pandas.DataFrame):
+        return pandas.DataFrame(out, index=points.index)
     return pandas.DataFrame(out)
