@@ -188,7 +188,7 @@ $B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/decide/filter/%,$(L
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The program whose own allocations fail (tests/memory/fail.c), for sanitizers, who bring a malloc.
-$B/tests/memory/fail.o: ALL_CFLAGS += -DWRAPPED -fexceptions
+$B/tests/memory/fail.o: ALL_CFLAGS += -DWRAPPED $(if $(findstring --coverage,$(OPT)),-DCOUNTED) -fexceptions
 $B/tests/graze-memory: $(CLI_O) $B/tests/memory/fail.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) $(addprefix -Wl$(comma)--wrap=,malloc calloc realloc _exit _Znwm _Znam) -o $@ $^ $(LIBS)

@@ -149,7 +149,7 @@ void *memalign(size_t alignment, size_t size) {
 #endif
 
 #ifdef WRAPPED
-void __gcov_dump(void) __attribute__((weak));
+void __gcov_dump(void);
 _Noreturn void __real__exit(int status);
 _Noreturn void __wrap__exit(int status);
 
@@ -160,8 +160,9 @@ static void fail_no_more(void) {
 
 _Noreturn void __wrap__exit(int status) {
     fail_no_more();
-    if (__gcov_dump)
-        __gcov_dump();
+#ifdef COUNTED
+    __gcov_dump();
+#endif
     __real__exit(status);
 }
 
