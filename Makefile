@@ -288,7 +288,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 $(PAGES)/*.3 $(DESTDIR)$(MANDIR)/man3
 	@install -m 644 $(PAGES)/*.5 $(DESTDIR)$(MANDIR)/man5
 	@install -m 644 src/output/page/three/LICENSE $(DESTDIR)$(DOCDIR)/LICENSE.three
-	@install -m 644 src/program/cli/motion.schema.json $(DESTDIR)$(DATADIR)/graze
+	@install -m 644 src/program/cli/motion.schema.json src/program/cli/csg.schema.json $(DESTDIR)$(DATADIR)/graze
 	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
 	@install -m 644 src/python/graze/*.py src/python/graze/py.typed $(DESTDIR)$(PYTHONDIR)/graze
 	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE src/program/cli/formats.md proofs/semantics.md proofs/glossary.md $(DESTDIR)$(DOCDIR)

@@ -31,6 +31,9 @@ static void print_cell(graze_cell cell) {
     case GRAZE_CELL_VERTEX:
         printf(", vertex %zu", cell.a);
         break;
+    case GRAZE_CELL_PRIMITIVE:
+        printf(", primitive %zu", cell.a);
+        break;
     }
 }
 

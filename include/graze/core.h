@@ -259,6 +259,14 @@ GRAZE_API void graze_scene_destroy(graze_scene *scene);
 GRAZE_API int graze_scene_dimension(const graze_scene *scene);
 /** 1 if S^0 and S^1 have a common point, else 0, also for NULL. */
 GRAZE_API int graze_scene_ends_meet(const graze_scene *scene);
+/** What is known of S^0 and S^1. */
+typedef enum graze_ends {
+    GRAZE_ENDS_APART = 0,
+    GRAZE_ENDS_MEET = 1,
+    GRAZE_ENDS_UNDECIDED = 2 /**< curved solids alone */
+} graze_ends;
+/** Whether S^0 and S^1 have a common point; GRAZE_ENDS_APART for NULL. */
+GRAZE_API graze_ends graze_scene_ends(const graze_scene *scene);
 /** Options in force; zeros for NULL. `out->size` is set before the call. */
 GRAZE_API void graze_scene_options(graze_options *out, const graze_scene *scene);
 /**
@@ -275,7 +283,13 @@ GRAZE_API GRAZE_CHECKED graze_status graze_scene_box(mpq_t *low, mpq_t *high,
 /* ------------------------------------------------------------------------------------- verdict */
 
 /** Point membership. Zero is never an answer. */
-typedef enum graze_pmc { GRAZE_PMC_NONE = 0, GRAZE_IN = 1, GRAZE_ON = 2, GRAZE_OUT = 3 } graze_pmc;
+typedef enum graze_pmc {
+    GRAZE_PMC_NONE = 0,
+    GRAZE_IN = 1,
+    GRAZE_ON = 2,
+    GRAZE_OUT = 3,
+    GRAZE_PMC_UNDECIDED = 4 /**< a state of the trajectory through a curved solid is not decided */
+} graze_pmc;
 /** Class of a point against a sweep. Zero is never an answer. */
 typedef enum graze_class {
     GRAZE_CLASS_NONE = 0,
@@ -283,7 +297,8 @@ typedef enum graze_class {
     GRAZE_FOLD = 2,          /**< Definition 6 (10) */
     GRAZE_FOLD_BOUNDARY = 3, /**< Definition 7 (11) */
     GRAZE_BOUNDARY = 4,      /**< Definition 8 */
-    GRAZE_EXTERIOR = 5       /**< Definition 9 */
+    GRAZE_EXTERIOR = 5,      /**< Definition 9 */
+    GRAZE_CLASS_UNDECIDED = 6
 } graze_class;
 
 /** Answer for one point. */
@@ -296,9 +311,10 @@ typedef struct graze_verdict {
     unsigned long t;    /**< number of tangencies, [EI] t_p */
 } graze_verdict;
 
-/** "in", "on" or "out", else "none". Static. */
+/** "in", "on", "out" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
-/** "regular", "fold", "fold_boundary", "boundary" or "exterior", else "none". Static. */
+/** "regular", "fold", "fold_boundary", "boundary", "exterior" or
+ * "undecided", else "none". Static. */
 GRAZE_API const char *graze_class_name(graze_class class_);
 
 /** Answers wanted. For pmc alone one certain stay inside ends the search. */
@@ -332,19 +348,23 @@ typedef enum graze_state {
     GRAZE_STATE_ABSENT = 0, /**< beyond an end of the motion */
     GRAZE_STATE_I = 'I',
     GRAZE_STATE_B = 'B',
-    GRAZE_STATE_O = 'O'
+    GRAZE_STATE_O = 'O',
+    GRAZE_STATE_UNDECIDED = '?' /**< of a curved solid, where the rules end */
 } graze_state;
 /** Kind of a contact: [EI] Definitions 3 and 4 at the ends of the motion, else the states on both
  * sides. */
 typedef enum graze_kind { GRAZE_INTERSECTION = 1, GRAZE_TANGENCY = 2 } graze_kind;
-/** Kind of a boundary cell. E^2 has edges and vertices only. */
+/** Kind of a boundary cell. E^2 has edges and vertices only; a curved solid primitives alone. */
 typedef enum graze_cell_kind {
     GRAZE_CELL_FACE = 1,
     GRAZE_CELL_EDGE = 2,
-    GRAZE_CELL_VERTEX = 3
+    GRAZE_CELL_VERTEX = 3,
+    GRAZE_CELL_PRIMITIVE = 4
 } graze_cell_kind;
 
-/** A boundary cell in the numbering of the input, from 0: face a; edge a < b; vertex a. */
+/** A boundary cell in the numbering of the input, from 0: face a; edge a < b; vertex a; primitive
+ * a.
+ */
 typedef struct graze_cell {
     graze_cell_kind kind;
     size_t a, b;

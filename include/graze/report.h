@@ -105,8 +105,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_contex
                                                         const graze_row_options *options);
 /** What rows say together. */
 typedef struct graze_row_totals {
-    unsigned long undecided; /**< positions relative to the closed sweep */
-    unsigned long wide;      /**< enclosures wider than was asked for */
+    unsigned long
+        undecided;      /**< positions relative to the closed sweep, or pmc of a curved solid */
+    unsigned long wide; /**< enclosures wider than was asked for */
 } graze_row_totals;
 
 /**

@@ -27,6 +27,12 @@ graze_status api_misuse(graze_context *context, const char *function, const char
     return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;
 }
 
+graze_status api_curved(graze_context *context, const char *function) {
+    return context_fail(
+        context, GRAZE_EINPUT,
+        "%s: the solid is curved, which is not taken here yet; expected a polyhedron", function);
+}
+
 /* More than `digits` digits. A limb has fewer than 20, and mpz_sizeinbase is exact or one too
  * large. */
 static int too_long(const mpz_t value, unsigned long digits) {
@@ -172,7 +178,11 @@ int graze_scene_dimension(const graze_scene *scene) {
 }
 
 int graze_scene_ends_meet(const graze_scene *scene) {
-    return scene ? scene->ends_meet : 0;
+    return graze_scene_ends(scene) == GRAZE_ENDS_MEET;
+}
+
+graze_ends graze_scene_ends(const graze_scene *scene) {
+    return scene ? scene->ends : GRAZE_ENDS_APART;
 }
 
 void graze_scene_options(graze_options *out, const graze_scene *scene) {
@@ -201,6 +211,8 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     if (!low || !high || !context || !scene)
         return api_misuse(context, "graze_scene_box",
                           "low, high, context and scene must not be NULL");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_scene_box");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     int d = scene->motion->dimension;
     fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);

@@ -12,6 +12,9 @@
 /** The message of a wrong call; GRAZE_EUSE also where there is no context to hold it. */
 graze_status api_misuse(graze_context *context, const char *function, const char *reason);
 
+/** GRAZE_EINPUT: a function, or an option, that takes polyhedra alone was given a curved solid. */
+graze_status api_curved(graze_context *context, const char *function);
+
 /**
  * Check a caller's rational.
  * @return GRAZE_EUSE it is not in lowest terms with a positive denominator; GRAZE_ELIMIT it has

@@ -65,6 +65,8 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
     if (o.middles && o.sharp)
         return api_misuse(context, "graze_boundary_create",
                           "middles and sharp must not both be given");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_boundary_create");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     return make(out, context, scene, &o);
 }

@@ -22,6 +22,8 @@ graze_status graze_certifier_create(graze_certifier **out, graze_context *contex
                           "out, context and scene must not be NULL");
     if (flags & ~(GRAZE_SOLID_TRIANGULATE | GRAZE_CERTIFY_TIMES))
         return api_misuse(context, "graze_certifier_create", "a flag is unknown");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_certifier_create");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_certifier *made = malloc(sizeof *made);
     if (!made)

@@ -47,6 +47,8 @@ static graze_status check_and_create(graze_site **out, graze_context *context,
                           "out, context, scene, time and point must not be NULL");
     if (scene->options.operation != GRAZE_SWEEP)
         return api_misuse(context, function, "the scene is an unsweep; expected a sweep");
+    if (scene->solid->curved)
+        return api_curved(context, function);
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     return create(out, context, scene, time, point, in_world, cell);
 }

@@ -55,6 +55,8 @@ static graze_status begin_distances(graze_enclosure *out, graze_context *context
             "context and scene, and with n > 0 also out and points, must not be NULL");
     if (!(tolerance > 0 && isfinite(tolerance)))
         return api_misuse(context, function, "tolerance must be positive and finite");
+    if (scene->solid->curved)
+        return api_curved(context, function);
     if (n)
         memset(out, 0, n * sizeof *out);
     return GRAZE_OK;
@@ -101,6 +103,8 @@ graze_status graze_scene_diagonal(double *out, graze_context *context, const gra
     if (!out || !context || !scene)
         return api_misuse(context, "graze_scene_diagonal",
                           "out, context and scene must not be NULL");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_scene_diagonal");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     return distance_diagonal(out, context, scene);
 }
@@ -112,6 +116,8 @@ graze_status graze_scene_width(double *out, graze_context *context, const graze_
         return api_misuse(context, "graze_scene_width", "out, context and scene must not be NULL");
     if (!(fraction > 0 && isfinite(fraction)))
         return api_misuse(context, "graze_scene_width", "fraction must be positive and finite");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_scene_width");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_status status = distance_diagonal(&unit, context, scene);
     double width = status ? 0 : fraction * unit;

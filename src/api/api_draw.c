@@ -102,6 +102,8 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     const char *wrong = misused(o, (int)d);
     if (wrong)
         return api_misuse(context, "graze_draw", wrong);
+    if (scene->solid->curved)
+        return api_curved(context, "graze_draw");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *numbers = _fmpq_vec_init((slong)count);
     status = take_numbers(numbers, context, o, d);
@@ -158,6 +160,8 @@ graze_status graze_draw_cones(graze_context *context, const graze_scene *scene, 
     const char *wrong = misused_cones(scene, file, trace);
     if (wrong)
         return api_misuse(context, "graze_draw_cones", wrong);
+    if (scene->solid->curved)
+        return api_curved(context, "graze_draw_cones");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *p = _fmpq_vec_init(scene->motion->dimension);
     topo_finding found;

@@ -18,6 +18,8 @@ graze_status graze_envelope_create(graze_envelope **out, graze_context *context,
     if (scene->options.operation != GRAZE_SWEEP)
         return api_misuse(context, "graze_envelope_create",
                           "the scene is an unsweep; expected a sweep");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_envelope_create");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_envelope *made = malloc(sizeof *made);
     if (!made)

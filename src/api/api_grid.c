@@ -54,6 +54,8 @@ graze_status graze_grid_create(graze_grid **out, graze_context *context, const g
     if (!out || !context || !scene || !size || !low || !high)
         return api_misuse(context, "graze_grid_create",
                           "out, context, scene, size, low and high must not be NULL");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_grid_create");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     int d = scene->motion->dimension;
     fmpq *box = _fmpq_vec_init(2 * d);

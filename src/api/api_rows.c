@@ -38,11 +38,22 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
                       "motion_error must be positive and finite beside a width sdf, or 0");
 }
 
+/* Positions and distances are those of polyhedra. */
+static graze_status check_curved(graze_context *context, const graze_scene *scene,
+                                 const graze_row_options *shown) {
+    if (!scene->solid->curved || (!shown->topo && !(shown->sdf > 0)))
+        return GRAZE_OK;
+    return api_curved(context, shown->topo ? "topo" : "sdf");
+}
+
 graze_status api_row(text *out, graze_row_totals *totals, graze_context *context,
                      const graze_scene *scene, const fmpq *point, const graze_trace *trace,
                      const graze_row_texts *texts, const graze_row_options *shown) {
     row r;
-    graze_status status = row_answer(&r, context, scene, shown, point, trace);
+    graze_status status = check_curved(context, scene, shown);
+    if (status)
+        return status;
+    status = row_answer(&r, context, scene, shown, point, trace);
     r.texts = texts ? *texts : (graze_row_texts){NULL, NULL};
     if (status == GRAZE_OK && shown->format == GRAZE_FORMAT_CSV)
         report_csv(out, &r);
@@ -53,7 +64,8 @@ graze_status api_row(text *out, graze_row_totals *totals, graze_context *context
     if (status == GRAZE_OK && out->failed)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
     if (status == GRAZE_OK && totals) {
-        totals->undecided += shown->topo && r.topo.position == GRAZE_TOPO_UNDECIDED;
+        totals->undecided +=
+            trace->undecided || (shown->topo && r.topo.position == GRAZE_TOPO_UNDECIDED);
         totals->wide += shown->sdf > 0 && r.space.wide;
     }
     row_clear(&r);
@@ -70,6 +82,8 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
         return api_misuse(context, "graze_report_header",
                           "out, context and scene must not be NULL");
     graze_status status = api_rows(&shown, context, "graze_report_header", options);
+    if (!status)
+        status = check_curved(context, scene, &shown);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
@@ -190,6 +204,8 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
         return api_misuse(context, "graze_report_explain",
                           "out, context, scene, point and trace must not be NULL");
     graze_status status = api_rows(&shown, context, "graze_report_explain", options);
+    if (!status)
+        status = check_curved(context, scene, &shown);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();

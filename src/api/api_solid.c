@@ -8,6 +8,7 @@
 #include "api/api.h"
 #include "base/context/environment.h"
 #include "base/number/rounding.h"
+#include "input/csg/csg_read.h"
 #include "input/mend/mend.h"
 #include "input/read/nesting.h"
 #include "input/read/read.h"
@@ -20,13 +21,14 @@ static graze_status read_solid(graze_solid **out, graze_context *context, const 
                                unsigned flags, const unsigned char *sha256) {
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     soup input;
+    if (csg_is_named(path))
+        return solid_create_curved(out, context, path, sha256);
     graze_status status = soup_read(&input, context, path);
     if (status)
         return status;
     if (sha256 && memcmp(sha256, input.sha256, sizeof input.sha256) != 0) {
         soup_clear(&input);
-        return context_fail_in(context, GRAZE_EINPUT, path, 0,
-                               "is not the file that was validated: its SHA-256 is another");
+        return solid_is_another(context, path);
     }
     status = solid_create(out, context, &input, sha256 ? flags | VALIDATE_TRUST_CONTACTS : flags);
     return status ? context_in(context, status, path, 0) : GRAZE_OK;
@@ -242,6 +244,18 @@ size_t graze_solid_component_count(const graze_solid *solid) {
     return solid ? solid->cut.component_count : 0;
 }
 
+size_t graze_solid_primitive_count(const graze_solid *solid) {
+    return solid && solid->curved ? solid->curved->primitive_count : 0;
+}
+
+const char *graze_solid_primitive(const graze_solid *solid, size_t index) {
+    return index < graze_solid_primitive_count(solid) ? solid->curved->primitive[index].title : "";
+}
+
+size_t graze_solid_surface_count(const graze_solid *solid) {
+    return solid && solid->curved ? solid->curved->surface_count : 0;
+}
+
 const char *graze_solid_note(const graze_solid *solid) {
     return solid ? solid->note : "";
 }
@@ -251,6 +265,8 @@ graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
     if (!low || !high || !context || !solid)
         return api_misuse(context, "graze_solid_box",
                           "low, high, context and solid must not be NULL");
+    if (solid->curved)
+        return api_curved(context, "graze_solid_box");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     size_t d = (size_t)solid->input.dimension;
     for (size_t i = 0; i < d; i++) {
@@ -273,6 +289,8 @@ graze_status graze_solid_text(char **out, graze_context *context, const graze_so
         *out = NULL;
     if (!out || !context || !solid)
         return api_misuse(context, "graze_solid_text", "out, context and solid must not be NULL");
+    if (solid->curved)
+        return api_curved(context, "graze_solid_text");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     text t;
     text_init(&t);

@@ -20,6 +20,8 @@ graze_status graze_trace_topo(graze_topology **out, graze_context *context,
     if (!out || !context || !scene || !point || !trace)
         return api_misuse(context, "graze_trace_topo",
                           "out, context, scene, point and trace must not be NULL");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_trace_topo");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_topology *made = malloc(sizeof *made);
     if (!made)

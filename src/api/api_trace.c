@@ -54,19 +54,35 @@ size_t graze_trace_contact_count(const graze_trace *trace) {
     return trace ? trace->contact_count : 0;
 }
 
+/* What the caller sees of a contact, but for its kind. */
+static graze_contact contact_out(const contact *c) {
+    return (graze_contact){.left = c->left,
+                           .right = c->right,
+                           .from = c->from,
+                           .to = c->to,
+                           .cells = c->cell,
+                           .cell_count = c->cell_count};
+}
+
+int graze_trace_undecided(graze_contact *out, const graze_trace *trace) {
+    if (!trace || !trace->undecided || !out)
+        return 0;
+    *out = contact_out(&trace->undecided->where);
+    return 1;
+}
+
+const char *graze_trace_reason(const graze_trace *trace) {
+    return trace && trace->undecided ? trace->undecided->reason : "";
+}
+
 graze_contact graze_trace_contact(const graze_trace *trace, size_t index) {
     graze_contact out;
     memset(&out, 0, sizeof out);
     if (index >= graze_trace_contact_count(trace))
         return out;
     const contact *c = &trace->contact[index];
+    out = contact_out(c);
     out.kind = verdict_kind(c->left, c->right);
-    out.left = c->left;
-    out.right = c->right;
-    out.from = c->from;
-    out.to = c->to;
-    out.cells = c->cell;
-    out.cell_count = c->cell_count;
     return out;
 }
 

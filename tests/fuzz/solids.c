@@ -178,3 +178,52 @@ int fuzz_arrays(const uint8_t *data, size_t size) {
     graze_context_destroy(context);
     return taken;
 }
+
+/* A curved solid: its primitives have titles, and a point of a scene is answered or undecided. */
+int fuzz_csg(const uint8_t *data, size_t size) {
+    static const char *const move[] = {
+        "{\"dimension\": 2, \"pieces\": [{\"t\": [-1, 1], \"transform\": {\"translate\": [\"t\", "
+        "\"t^2\"]}}]}",
+        "{\"dimension\": 3, \"pieces\": [{\"t\": [-1, 1], \"transform\": {\"translate\": [\"t\", "
+        "\"t^2\", \"0\"]}}]}"};
+    graze_context *context = fuzz_context();
+    graze_solid *solid = NULL;
+    graze_motion *motion = NULL;
+    graze_scene *scene = NULL;
+    graze_trace *trace = NULL;
+    char *row = NULL;
+    mpq_t point[3];
+    mpq_inits(point[0], point[1], point[2], NULL);
+    graze_status status =
+        graze_solid_read(&solid, context, fuzz_file("solid.csg.json", data, size), 0);
+    int taken = fuzz_taken(status, context, solid);
+    if (taken) {
+        const char *text = move[graze_solid_dimension(solid) - 2];
+        size_t primitives = graze_solid_primitive_count(solid);
+        EXPECT(primitives > 0 && graze_solid_vertex_count(solid) == 0);
+        EXPECT(*graze_solid_primitive(solid, primitives - 1) &&
+               graze_solid_surface_count(solid) < 1u << 20);
+        EXPECT(graze_motion_from_json(&motion, context, text, strlen(text)) == GRAZE_OK);
+        EXPECT(graze_scene_create(&scene, context, solid, motion, NULL) == GRAZE_OK);
+        EXPECT(graze_scene_ends(scene) == GRAZE_ENDS_UNDECIDED);
+        status = graze_trace_create(&trace, context, scene, point);
+        EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
+    }
+    if (trace) {
+        graze_contact where;
+        int open = graze_trace_undecided(&where, trace);
+        EXPECT(open == (graze_trace_verdict(trace).pmc == GRAZE_PMC_UNDECIDED));
+        EXPECT(open == (strchr(graze_trace_word(trace), '?') != NULL) &&
+               open == (*graze_trace_reason(trace) != 0));
+        status = graze_report_point(&row, context, scene, point, GRAZE_FORMAT_JSONL, NULL);
+        EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
+    }
+    graze_free(row);
+    graze_trace_destroy(trace);
+    graze_scene_destroy(scene);
+    graze_motion_destroy(motion);
+    graze_solid_destroy(solid);
+    graze_context_destroy(context);
+    mpq_clears(point[0], point[1], point[2], NULL);
+    return taken;
+}

@@ -29,8 +29,8 @@ import rooms  # noqa: E402
 # Wings from the bottom to the top, and in each its rooms, floor by floor; those of one floor know nothing of one another.
 WINGS = {
     "base": ["context", "number"],
-    "input": ["delimited motion soup", "validate", "read", "solid", "convert mend"],
-    "decide": ["filter", "scene", "trace", "verdict", "lattice"],
+    "input": ["delimited motion soup", "csg", "validate", "read", "solid", "convert mend"],
+    "decide": ["filter", "scene", "trace", "curved", "verdict", "lattice"],
     "questions": ["topo", "contact distance", "envelope generate certify", "boundary"],
     "output": ["table", "report", "compare", "draw", "page png"],
     "api": ["api"],
@@ -53,7 +53,7 @@ TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".
 # Parts of the public header that inner rooms include: what all need, and the part that a room makes.
 CORE = "include/graze/core.h"
 PARTS = {room: room for room in ("report", "generate", "compare", "convert", "draw", "boundary", "certify",
-                                  "topo", "contact", "distance", "envelope")}
+                                  "topo", "contact", "distance", "envelope", "curved")}
 PARTS["table"] = "report"
 PARTS["page"] = "draw"
 # What the checker of certificates may include.

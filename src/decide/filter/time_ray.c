@@ -109,6 +109,8 @@ static graze_state locate_middle(void *data, const double middle[3]) {
 
 graze_status filter_lay_bricks(const filter *f, graze_context *context) {
     standing s = {filter_workspace_of(context), f->solid};
+    if (!f->bricks)
+        return GRAZE_OK;
     pthread_mutex_lock(&f->bricks->lock);
     int laid = atomic_load(&f->bricks->laid) ||
                (s.memory && interior_make(&f->bricks->all, f->solid, locate_middle, &s));

@@ -97,6 +97,35 @@ static void put_solid(hasher *h, const graze_solid *solid) {
         put_fans(h, solid);
 }
 
+/* The surfaces, by their terms, and the expression. */
+static void put_curved(hasher *h, const csg *solid) {
+    fmpq_t value;
+    fmpq_init(value);
+    text_format(&h->line, "d %d", solid->dimension);
+    end_hashed_line(h);
+    for (size_t k = 0; k < solid->surface_count; k++) {
+        const csg_surface *s = &solid->surface[k];
+        text_put(&h->line, "s");
+        for (size_t t = 0; t < s->count; t++) {
+            fmpq_set_fmpz(value, s->coefficient + t);
+            put_rational(h, value);
+            for (int i = 0; i < 3; i++)
+                put_index(h, s->power[t][i]);
+        }
+        end_hashed_line(h);
+    }
+    for (size_t k = 0; k < solid->node_count; k++) {
+        const csg_node *n = &solid->node[k];
+        text_put(&h->line, "n");
+        put_index(h, n->operation);
+        put_index(h, (size_t)n->complement);
+        for (size_t i = 0; i < n->count; i++)
+            put_index(h, solid->operand[n->first + i]);
+        end_hashed_line(h);
+    }
+    fmpq_clear(value);
+}
+
 static void put_motion(hasher *h, const graze_motion *motion) {
     int d = motion->dimension;
     for (size_t p = 0; p < motion->piece_count; p++) {
@@ -116,7 +145,10 @@ graze_status scene_hash(unsigned char out[32], graze_context *context, const gra
     hasher h;
     text_init(&h.line);
     SHA256Init(&h.sha);
-    put_solid(&h, solid);
+    if (solid->curved)
+        put_curved(&h, solid->curved);
+    else
+        put_solid(&h, solid);
     put_motion(&h, motion);
     SHA256Final(out, &h.sha);
     int failed = h.line.failed;

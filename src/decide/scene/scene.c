@@ -153,20 +153,24 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
             context, GRAZE_EILLEGAL,
             "the solid has dimension %d and the motion dimension %d; expected equal dimensions",
             solid->input.dimension, motion->dimension);
-    graze_status status = scene_ends(&out->ends_meet, context, solid, motion);
+    int meet = 0;
+    graze_status status = solid->curved ? GRAZE_OK : scene_ends(&meet, context, solid, motion);
     if (status)
         return status;
-    if (out->ends_meet && out->options.overlap == GRAZE_OVERLAP_REJECT &&
+    out->ends = solid->curved ? GRAZE_ENDS_UNDECIDED : meet ? GRAZE_ENDS_MEET : GRAZE_ENDS_APART;
+    if (out->ends != GRAZE_ENDS_APART && out->options.overlap == GRAZE_OVERLAP_REJECT &&
         out->options.operation == GRAZE_SWEEP)
         return context_fail(context, GRAZE_EILLEGAL,
-                            "S^0 and S^1 meet, which overlap `reject` excludes; `extend` "
-                            "classifies all nine cases");
+                            meet ? "S^0 and S^1 meet, which overlap `reject` excludes; `extend` "
+                                   "classifies all nine cases"
+                                 : "it is not decided whether S^0 and S^1 meet, which overlap "
+                                   "`reject` excludes; `extend` classifies all nine cases");
     status = scene_hash(out->sha256, context, solid, motion);
     if (!status)
         status = make_memo(&out->memo, context);
     if (!status)
         status = make_memo(&out->ground, context);
-    if (!status)
+    if (!status && !solid->curved)
         status = filter_make(&out->filter, context, solid, motion, out->options.operation);
     if (status) {
         free_memo(out->memo);

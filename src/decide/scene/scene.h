@@ -2,8 +2,8 @@
  * decided about the pair.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends_meet` is
- * decided exactly. A scene never changes once made, but for its memo.
+ * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends` is decided
+ * exactly. A curved solid has no filter. A scene never changes once made, but for its memo.
  */
 #ifndef GRAZE_SCENE_SCENE_H
 #define GRAZE_SCENE_SCENE_H
@@ -27,7 +27,7 @@ struct graze_scene {
     const graze_motion *motion;
     graze_options options;
     filter filter;             /* for the operation of the options */
-    int ends_meet;             /* 1 if S^0 and S^1 have a point in common, else 0 */
+    graze_ends ends;           /* whether S^0 and S^1 have a point in common */
     unsigned char sha256[32];  /* of the canonical text of solid and motion, see scene_hash */
     scene_memo *memo, *ground; /* of topo and of distances */
 };

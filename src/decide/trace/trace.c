@@ -15,6 +15,9 @@ static void contact_clear(contact *c) {
 void trace_clear(graze_trace *trace) {
     for (size_t k = 0; k < trace->contact_count; k++)
         contact_clear(&trace->contact[k]);
+    if (trace->undecided)
+        contact_clear(&trace->undecided->where);
+    free(trace->undecided);
     free(trace->contact);
     free(trace->word);
     *trace = (graze_trace){.word = NULL};
@@ -23,6 +26,8 @@ void trace_clear(graze_trace *trace) {
 graze_status trace_canonicalise(const graze_trace *trace, graze_context *context) {
     size_t count = 0;
     graze_time **time = flint_malloc((2 * trace->contact_count + 1) * sizeof(graze_time *));
+    if (trace->undecided)
+        time[count++] = trace->undecided->where.from;
     for (size_t k = 0; k < trace->contact_count; k++) {
         const contact *c = &trace->contact[k];
         if (c->from)

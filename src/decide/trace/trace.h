@@ -17,11 +17,18 @@ typedef struct contact {
     size_t cell_count, cell_capacity;
 } contact;
 
+/** A time at which a state is not decided, the primitives it depends on, and the reason. */
+typedef struct undecided_place {
+    contact where;
+    const char *reason; /* static */
+} undecided_place;
+
 struct graze_trace {
     graze_state first, last; /* states at t0 and t1: I, B or O */
     size_t contact_count, contact_capacity;
     contact *contact;
     char *word;
+    undecided_place *undecided; /* the first one, of a curved solid; or NULL */
     int settled; /* TRACE_PMC, TRACE_PMC_BESIDE: somewhere in the state that decides the membership;
                     nothing above is set */
     graze_verdict verdict; /* filled by the verdict stage */

@@ -1,12 +1,14 @@
 /* Traces points and decides them. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "decide/verdict/classify.h"
 
+#include "decide/curved/curved.h"
 #include "decide/trace/point.h"
 #include "decide/verdict/verdict.h"
 
 graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                             query_point point, trace_detail detail) {
-    graze_status status = trace_point(out, context, scene, point, detail);
+    graze_status status = scene->solid->curved ? curved_trace(out, context, scene, point, detail)
+                                               : trace_point(out, context, scene, point, detail);
     if (!status)
         verdict_decide(out, &scene->options);
     return status;

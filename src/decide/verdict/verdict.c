@@ -96,6 +96,12 @@ int verdict_of_word(graze_verdict *out, const char *word, size_t length,
 
 void verdict_decide(graze_trace *trace, const graze_options *options) {
     unsigned long i = 0, t = 0;
+    if (trace->undecided) {
+        trace->verdict = (graze_verdict){.pmc = GRAZE_PMC_UNDECIDED};
+        if (options->operation == GRAZE_SWEEP)
+            trace->verdict.class_ = GRAZE_CLASS_UNDECIDED;
+        return;
+    }
     if (trace->settled) {
         trace->verdict =
             (graze_verdict){.pmc = options->operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN};

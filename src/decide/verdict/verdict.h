@@ -31,7 +31,8 @@ graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, 
 int verdict_of_word(graze_verdict *out, const char *word, size_t length,
                     const graze_options *options);
 
-/** Count the contacts of a trace and set trace->verdict; of one that is `settled` the pmc alone. */
+/** Count the contacts of a trace and set trace->verdict; of one that is `settled` the pmc alone, of
+ * an undecided one pmc and class. */
 void verdict_decide(graze_trace *trace, const graze_options *options);
 
 #endif

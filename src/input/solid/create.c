@@ -6,7 +6,9 @@
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/number/rounding.h"
+#include "input/csg/csg_read.h"
 #include "input/solid/locate.h"
 #include "input/validate/validate.h"
 
@@ -106,9 +108,43 @@ graze_status solid_create(graze_solid **out, graze_context *context, soup *input
     return status;
 }
 
+graze_status solid_is_another(graze_context *context, const char *path) {
+    return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                           "is not the file that was validated: its SHA-256 is another");
+}
+
+graze_status solid_create_curved(graze_solid **out, graze_context *context, const char *path,
+                                 const unsigned char *sha256) {
+    *out = NULL;
+    graze_solid *solid = calloc(1, sizeof *solid);
+    csg *curved = calloc(1, sizeof *curved);
+    graze_status status = solid && curved
+                              ? GRAZE_OK
+                              : context_fail(context, GRAZE_ESYSTEM, "out of memory for a solid");
+    if (!status)
+        status = csg_read(curved, solid->input.sha256, context, path);
+    if (!status && sha256 && memcmp(sha256, solid->input.sha256, 32) != 0) {
+        csg_clear(curved);
+        status = solid_is_another(context, path);
+    }
+    if (status) {
+        free(curved);
+        free(solid);
+        return status;
+    }
+    solid->number = next_number();
+    solid->input.dimension = curved->dimension;
+    solid->curved = curved;
+    *out = solid;
+    return GRAZE_OK;
+}
+
 void graze_solid_destroy(graze_solid *solid) {
     if (!solid)
         return;
+    if (solid->curved)
+        csg_clear(solid->curved);
+    free(solid->curved);
     free(solid->low);
     free(solid->high);
     tree_clear(&solid->boxes);

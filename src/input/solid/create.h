@@ -10,4 +10,11 @@
  * tree, side tests. */
 graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags);
 
+/** Read a curved solid (csg_read). `sha256` is that of a file read before, or NULL. */
+graze_status solid_create_curved(graze_solid **out, graze_context *context, const char *path,
+                                 const unsigned char *sha256);
+
+/** GRAZE_EINPUT: a file is not the one that was validated. */
+graze_status solid_is_another(graze_context *context, const char *path);
+
 #endif

@@ -8,6 +8,7 @@
 #ifndef GRAZE_SOLID_SOLID_H
 #define GRAZE_SOLID_SOLID_H
 
+#include "input/csg/csg.h"
 #include "input/solid/corners.h"
 #include "input/solid/slabs.h"
 #include "input/solid/tree.h"
@@ -26,6 +27,7 @@ struct graze_solid {
     corners corners;
     slabs slabs;
     char note[256]; /* note on an unusual input; "" if none */
+    csg *curved;    /* a curved solid: then of the above only number, dimension and hash are set */
 };
 
 /**

@@ -56,8 +56,8 @@ static graze_status put_scene(text *out, graze_context *context, const graze_sce
     text_format(out, "{\"version\":\"%s\",\"dimension\":%d,\"operation\":\"%s\",\"folds\":\"%s\",",
                 GRAZE_VERSION, d, unsweep ? "unsweep" : "sweep",
                 scene->options.folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
-    text_format(out, "\"meet\":%s,\"times\":%lu,\"title\":", scene->ends_meet ? "true" : "false",
-                request->times);
+    text_format(out, "\"meet\":%s,\"times\":%lu,\"title\":",
+                scene->ends == GRAZE_ENDS_MEET ? "true" : "false", request->times);
     encode_string(out, request->title ? request->title : "");
     text_put(out, ",\"tones\":");
     put_tones(out);

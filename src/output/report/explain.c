@@ -142,12 +142,15 @@ static void put_ends(text *out, const graze_scene *scene, const fmpq *point,
     text_format(out, "  This is case %d of Table 1 in [EI].\n", trace->verdict.case_);
     text_put(
         out,
-        scene->ends_meet
+        scene->ends == GRAZE_ENDS_MEET
             ? "  S at the start (S^0) and S at the end (S^1) have points in common. The answer is "
               "no less certain:\n  [EI] speaks of motions without such points, and Graze cites "
               "`ext` where it goes beyond them.\n"
-            : "  S at the start (S^0) and S at the end (S^1) have no point in common, as [EI] "
-              "assumes.\n");
+        : scene->ends == GRAZE_ENDS_APART
+            ? "  S at the start (S^0) and S at the end (S^1) have no point in common, as [EI] "
+              "assumes.\n"
+            : "  Whether S at the start (S^0) and S at the end (S^1) have points in common is not "
+              "decided.\n  The answer is no less certain.\n");
 }
 
 static void put_trajectory(text *out, const graze_scene *scene, const fmpq *point) {
@@ -176,13 +179,15 @@ static void put_trajectory(text *out, const graze_scene *scene, const fmpq *poin
         text_format(out, "  [%zu more pieces left out]\n", motion->piece_count - shown);
 }
 
-static void put_cells(text *out, const contact *c) {
+static void put_cells(text *out, const graze_scene *scene, const contact *c) {
     size_t shown = c->cell_count <= 24 ? c->cell_count : 20;
     text_put(out, "       it meets ");
     for (size_t k = 0; k < shown; k++) {
         const graze_cell *cell = &c->cell[k];
         text_put(out, k ? ", " : "");
-        if (cell->kind == GRAZE_CELL_EDGE)
+        if (cell->kind == GRAZE_CELL_PRIMITIVE)
+            text_put(out, scene->solid->curved->primitive[cell->a].title);
+        else if (cell->kind == GRAZE_CELL_EDGE)
             text_format(out, "edge %zu-%zu", cell->a, cell->b);
         else
             text_format(out, "%s %zu", cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
@@ -230,7 +235,7 @@ static void put_contact(text *out, const graze_scene *scene, const contact *c) {
         put_time(out, c->to);
     }
     text_put(out, "\n");
-    put_cells(out, c);
+    put_cells(out, scene, c);
     put_reason(out, scene, c);
 }
 
@@ -319,6 +324,16 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
                       "reaches its boundary");
 }
 
+/* The place where the rules end. */
+static void put_undecided_place(text *out, const graze_scene *scene, const undecided_place *place) {
+    text_put(out, "\nThe state is not decided\n  at t = ");
+    put_time(out, place->where.from);
+    text_put(out, "\n");
+    if (place->where.cell_count)
+        put_cells(out, scene, &place->where);
+    text_format(out, "       %s\n", place->reason);
+}
+
 graze_status report_explain(char **out, graze_context *context, const row *r) {
     const graze_scene *scene = r->scene;
     int d = scene->motion->dimension, sweep = scene->options.operation == GRAZE_SWEEP;
@@ -326,6 +341,11 @@ graze_status report_explain(char **out, graze_context *context, const row *r) {
     graze_status status = GRAZE_OK;
     text_init(&t);
     put_answer(&t, scene, r->point, r->trace);
+    if (r->trace->undecided) {
+        put_trajectory(&t, scene, r->point);
+        put_undecided_place(&t, scene, r->trace->undecided);
+        return text_finish(out, context, &t);
+    }
     put_ends(&t, scene, r->point, r->trace);
     put_trajectory(&t, scene, r->point);
     put_time_line(&t, scene, r->trace);

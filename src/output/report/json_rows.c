@@ -9,7 +9,23 @@
 #include "output/report/enclosure.h"
 #include "output/report/json_values.h"
 
-static void json_contact(json_writer *w, const contact *c) {
+/* The cells of a contact; of a curved solid primitives, by their titles. */
+static void json_features(json_writer *w, const graze_scene *scene, const contact *c) {
+    const csg *curved = scene->solid->curved;
+    json_open(w, "features", '[');
+    for (size_t k = 0; k < c->cell_count; k++) {
+        if (!curved) {
+            json_cell(w, NULL, &c->cell[k]);
+            continue;
+        }
+        json_open(w, NULL, '{');
+        json_text(w, "primitive", curved->primitive[c->cell[k].a].title);
+        json_close(w, '}');
+    }
+    json_close(w, ']');
+}
+
+static void json_contact(json_writer *w, const graze_scene *scene, const contact *c) {
     graze_kind kind = verdict_kind(c->left, c->right);
     json_open(w, NULL, '{');
     json_text(w, "kind", kind == GRAZE_INTERSECTION ? "intersection" : "tangency");
@@ -17,10 +33,16 @@ static void json_contact(json_writer *w, const contact *c) {
     json_state(w, "right", c->right);
     json_time(w, "from", c->from);
     json_time(w, "to", c->to);
-    json_open(w, "features", '[');
-    for (size_t k = 0; k < c->cell_count; k++)
-        json_cell(w, NULL, &c->cell[k]);
-    json_close(w, ']');
+    json_features(w, scene, c);
+    json_close(w, '}');
+}
+
+/* The first place where a state is not decided. */
+static void json_undecided(json_writer *w, const graze_scene *scene, const undecided_place *place) {
+    json_open(w, "undecided", '{');
+    json_time(w, "t", place->where.from);
+    json_features(w, scene, &place->where);
+    json_text(w, "reason", place->reason);
     json_close(w, '}');
 }
 
@@ -29,6 +51,8 @@ static void json_verdict(json_writer *w, const graze_scene *scene, const graze_v
     if (scene->options.operation != GRAZE_SWEEP)
         return;
     json_text(w, "class", graze_class_name(v->class_));
+    if (v->class_ == GRAZE_CLASS_UNDECIDED)
+        return;
     if (v->definition)
         json_count(w, "definition", (unsigned long)v->definition);
     else
@@ -110,9 +134,11 @@ void report_json(text *out, const row *r) {
     json_verdict(&w, r->scene, &trace->verdict);
     json_text(&w, "word", trace->word);
     json_open(&w, "contacts", '[');
-    for (size_t k = 0; k < trace->contact_count; k++)
-        json_contact(&w, &trace->contact[k]);
+    for (size_t k = 0; k < trace->contact_count && !trace->undecided; k++)
+        json_contact(&w, r->scene, &trace->contact[k]);
     json_close(&w, ']');
+    if (trace->undecided)
+        json_undecided(&w, r->scene, trace->undecided);
     if (r->shown->sdf > 0)
         json_distance(&w, r->scene, &r->space);
     if (r->shown->motion_error > 0)

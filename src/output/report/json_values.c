@@ -10,7 +10,8 @@ void json_state(json_writer *w, const char *key, graze_state state) {
               state == GRAZE_STATE_ABSENT ? NULL
               : state == GRAZE_STATE_I    ? "I"
               : state == GRAZE_STATE_B    ? "B"
-                                          : "O");
+              : state == GRAZE_STATE_O    ? "O"
+                                          : "?");
 }
 
 static void put_root(json_writer *w, const char *key, const graze_time *time) {

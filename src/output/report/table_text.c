@@ -51,7 +51,10 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
         text_put(t, "# columns pmc\n");
     if (notes)
         text_put(t, notes);
-    text_format(t, "# ends-meet %s\n", scene->ends_meet ? "yes" : "no");
+    text_format(t, "# ends-meet %s\n",
+                scene->ends == GRAZE_ENDS_UNDECIDED ? "undecided"
+                : scene->ends == GRAZE_ENDS_MEET    ? "yes"
+                                                    : "no");
 }
 
 void table_columns(text *t, const graze_scene *scene, const char *columns,
@@ -98,6 +101,10 @@ graze_status table_head(char **out, graze_context *context, const graze_scene *s
 /* class, definition, case, i, t */
 static void put_verdict(text *t, const graze_verdict *v) {
     text_put(t, graze_class_name(v->class_));
+    if (v->class_ == GRAZE_CLASS_UNDECIDED) {
+        text_put(t, ",,,,,");
+        return;
+    }
     text_put(t, ",");
     if (v->definition)
         text_count(t, (unsigned long)v->definition);

@@ -119,25 +119,39 @@ static int describe_boxes(text *out, const loaded *l) {
     return complain_of(status, l->context);
 }
 
-static int describe_scene(const loaded *l) {
-    int d = graze_scene_dimension(l->scene);
+static const char *ends_phrase(graze_ends ends) {
+    return ends == GRAZE_ENDS_UNDECIDED ? "S^0 and S^1 meet or not: undecided"
+           : ends == GRAZE_ENDS_MEET    ? "S^0 and S^1 meet"
+                                        : "S^0 and S^1 do not meet";
+}
+
+/* A line about the solid. */
+static void describe_solid(text *out, const loaded *l, int d) {
     size_t vertices = graze_solid_vertex_count(l->solid);
     size_t facets = graze_solid_facet_count(l->solid);
     size_t components = graze_solid_component_count(l->solid);
+    size_t primitives = graze_solid_primitive_count(l->solid);
+    size_t surfaces = graze_solid_surface_count(l->solid);
+    if (primitives)
+        text_format(out, "solid: curved, %zu %s, %zu %s\n", primitives,
+                    plural(primitives, "primitive", "primitives"), surfaces,
+                    plural(surfaces, "surface", "surfaces"));
+    else
+        text_format(out, "solid: %zu vertices, %zu %s, %zu %s of the boundary\n", vertices, facets,
+                    d == 2 ? "edges" : "facets", components,
+                    plural(components, "component", "components"));
+}
+
+static int describe_scene(const loaded *l) {
+    int d = graze_scene_dimension(l->scene);
     size_t pieces = graze_motion_piece_count(l->motion);
     text out;
     text_init(&out);
-    text_format(&out,
-                "legal\n"
-                "dimension %d\n"
-                "solid: %zu vertices, %zu %s, %zu %s of the boundary\n"
-                "motion: %zu %s\n"
-                "S^0 and S^1 %s\n",
-                d, vertices, facets, d == 2 ? "edges" : "facets", components,
-                plural(components, "component", "components"), pieces,
-                plural(pieces, "piece", "pieces"),
-                graze_scene_ends_meet(l->scene) ? "meet" : "do not meet");
-    int status = describe_boxes(&out, l);
+    text_format(&out, "legal\ndimension %d\n", d);
+    describe_solid(&out, l, d);
+    text_format(&out, "motion: %zu %s\n%s\n", pieces, plural(pieces, "piece", "pieces"),
+                ends_phrase(graze_scene_ends(l->scene)));
+    int status = graze_solid_primitive_count(l->solid) ? EXIT_DONE : describe_boxes(&out, l);
     if (!status && out.failed)
         status = complain(EXIT_IO, "out of memory");
     if (!status)

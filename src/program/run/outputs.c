@@ -290,12 +290,17 @@ static int put_last_line(outputs *out, result_kind kind, const char *format, ...
     return results_add(&out->file[kind], line, strlen(line), 0);
 }
 
+/* Whether rows may be undecided: their position, or all of a curved solid's. */
+static int counts_undecided(const outputs *out) {
+    return out->l->rows.topo || graze_solid_primitive_count(out->l->solid) > 0;
+}
+
 /* A shard's last lines match it with the others; `complete` is the last line of all. */
 static int put_last_lines(outputs *out, result_kind kind, unsigned long rows_of_all,
                           unsigned long long points) {
     const results *file = &out->file[kind];
     int status = EXIT_DONE;
-    if (kind == RESULT_TABLE && out->l->rows.topo)
+    if (kind == RESULT_TABLE && counts_undecided(out))
         status = put_last_line(out, kind, UNDECIDED_LINE "%lu\n", out->at.undecided);
     if (!status && out->o->shard.given)
         status = put_last_line(out, kind, SHARD_ROWS "%lu\n", rows_of_all);
@@ -352,10 +357,13 @@ int outputs_close(outputs *out, int status) {
             int closed = results_close(&out->file[kind], ended);
             status = closed != ended && status == ended ? closed : status;
         }
-    if (!status && out->l->rows.topo)
-        complain(EXIT_DONE, "note: the position of %lu of %lu rows is undecided%s",
-                 out->at.undecided, out->file[RESULT_TABLE].rows,
-                 out->at.undecided ? "; graze explain --topo says why" : "");
+    if (!status && counts_undecided(out))
+        complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided%s%s",
+                 out->l->rows.topo ? "the position" : "pmc", out->at.undecided,
+                 out->file[RESULT_TABLE].rows, out->at.undecided ? "; graze explain" : "",
+                 !out->at.undecided  ? ""
+                 : out->l->rows.topo ? " --topo says why"
+                                     : " says why");
     if (!status && out->o->coordinates.digits)
         complain(EXIT_DONE,
                  "note: coordinates of more than %d digits are rounded; the answers are those of "

@@ -237,7 +237,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_scene_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, POINTER(COptions)]),
     "graze_scene_destroy": (None, [c_void_p]),
     "graze_scene_dimension": (c_int, [c_void_p]),
-    "graze_scene_ends_meet": (c_int, [c_void_p]),
+    "graze_scene_ends": (c_int, [c_void_p]),
     "graze_scene_box": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_classify": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t, c_int]),
     "graze_classify_doubles": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_size_t, c_int]),

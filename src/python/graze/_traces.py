@@ -14,7 +14,7 @@ from .results import Cell, Class, Contact, Pmc, Topology, Trace, Verdict
 from .times import AlgebraicNumber, Time
 
 _KINDS = {1: "intersection", 2: "tangency"}
-_CELLS = {1: "face", 2: "edge", 3: "vertex"}
+_CELLS = {1: "face", 2: "edge", 3: "vertex", 4: "primitive"}
 
 
 def verdict_of(made: CVerdict) -> Verdict:

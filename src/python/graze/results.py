@@ -17,16 +17,17 @@ from .times import Time
 
 
 class Pmc(enum.IntEnum):
-    """Point membership; `NONE` is never a verdict."""
+    """Point membership; `NONE` is never a verdict, `UNDECIDED` one of curved solids alone."""
 
     NONE = 0
     IN = 1
     ON = 2
     OUT = 3
+    UNDECIDED = 4
 
 
 class Class(enum.IntEnum):
-    """The class by Definitions 5 to 11; `NONE` for unsweep."""
+    """The class by Definitions 5 to 11; `NONE` for unsweep, `UNDECIDED` for curved solids alone."""
 
     NONE = 0
     REGULAR = 1
@@ -34,6 +35,7 @@ class Class(enum.IntEnum):
     FOLD_BOUNDARY = 3
     BOUNDARY = 4
     EXTERIOR = 5
+    UNDECIDED = 6
 
 
 class Verdict(NamedTuple):

@@ -122,9 +122,9 @@ class Scene:
         return int(library().graze_scene_dimension(self._handle.pointer))
 
     @property
-    def ends_meet(self) -> bool:
-        """Whether the first and the last position have a point in common."""
-        return bool(library().graze_scene_ends_meet(self._handle.pointer))
+    def ends_meet(self) -> Optional[bool]:
+        """Whether the first and the last position have a point in common; None: not decided."""
+        return {0: False, 1: True}.get(library().graze_scene_ends(self._handle.pointer))
 
     def box(self) -> Tuple[Tuple[Fraction, ...], Tuple[Fraction, ...]]:
         """The lowest and the highest corner of a dyadic box that holds the sweep (the unsweep)."""

@@ -1,0 +1,40 @@
+/* graze/curved.h - curved solids: Boolean expressions over polynomial inequalities.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * graze_solid_read reads `.csg.json` files (formats.md, Curved solids). Scenes of such solids have
+ * graze_classify, traces and the reports of points. Functions that make something else of a solid
+ * or a scene fail with GRAZE_EINPUT. What is not decided is GRAZE_PMC_UNDECIDED.
+ */
+#ifndef GRAZE_CURVED_H
+#define GRAZE_CURVED_H
+
+#include <graze/core.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Number of primitives of a curved solid; 0 for a polyhedron and NULL. */
+GRAZE_API size_t graze_solid_primitive_count(const graze_solid *solid);
+/** Title of a primitive, counted from 0: its kind, its number and its name, such as
+ * `ball 2 "tip"`; "" past the end. Borrowed. */
+GRAZE_API const char *graze_solid_primitive(const graze_solid *solid, size_t index);
+/** Number of surfaces: irreducible polynomials, equal ones counted once; 0 for a polyhedron and
+ * NULL. */
+GRAZE_API size_t graze_solid_surface_count(const graze_solid *solid);
+
+/**
+ * The first place where the rules leave a state of a trace undecided.
+ * @param[out] out its time, which is that of `from` and `to`, and the primitives on which the state
+ *                 depends there; other members zero. Borrowed from the trace. Unchanged for 0
+ * @return 1; 0 if all states are decided, or for NULL
+ */
+GRAZE_API int graze_trace_undecided(graze_contact *out, const graze_trace *trace);
+/** Why the state there is undecided, in one line; "" if all states are decided, or for NULL.
+ * Static. */
+GRAZE_API const char *graze_trace_reason(const graze_trace *trace);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,35 @@
+/* The central arrangement of the tangent planes of some surfaces: its open cells, and rays.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CURVED_ARRANGEMENT_H
+#define GRAZE_CURVED_ARRANGEMENT_H
+
+#include "decide/curved/taylor.h"
+
+enum { ARRANGEMENT_RAYS = (CSG_FREE_MOST + 3) * (CSG_FREE_MOST + 2) };
+
+/** Rays in which the planes of the members and of the coordinates meet, both ways. */
+typedef struct arrangement {
+    int dimension, count, ray_count;
+    value *ray;                          /* dimension each */
+    uint32_t positive[ARRANGEMENT_RAYS]; /* members whose gradient is so along the ray */
+    uint32_t negative[ARRANGEMENT_RAYS];
+} arrangement;
+
+/** Members of `mask`; their gradients are not zero. */
+void arrangement_init(arrangement *a, moment_field *f, const taylor *member, int count,
+                      uint32_t mask);
+void arrangement_clear(arrangement *a);
+
+/** 1 if a ray lies in the closed cell of a pattern of the members in `mask`. */
+int arrangement_in_cell(const arrangement *a, int ray, uint32_t mask, unsigned pattern);
+
+/** 1 if the pattern has an open cell: some vector has its sign with each gradient. The sum of the
+ * rays in the closed cell is one. */
+int arrangement_has(const arrangement *a, uint32_t mask, unsigned pattern);
+
+/** out = a . b, a x b, of vectors of `dimension`, of three. */
+void field_dot(value *out, const moment_field *f, const value *a, const value *b, int dimension);
+void field_cross(value *out, const moment_field *f, const value *a, const value *b);
+
+#endif

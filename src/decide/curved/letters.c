@@ -1,0 +1,97 @@
+/* Words and contacts from states.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/curved/letters.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "input/soup/cell_names.h"
+
+static graze_state last_of(const letters *l) {
+    return l->length ? (graze_state)l->out->word[l->length - 1] : GRAZE_STATE_ABSENT;
+}
+
+/* Append a state that is not the last one's; inside and outside are no neighbours. */
+static graze_status append_letter(letters *l, graze_state state) {
+    graze_state last = last_of(l);
+    if (last == state)
+        return GRAZE_OK;
+    if ((last == GRAZE_STATE_I && state == GRAZE_STATE_O) ||
+        (last == GRAZE_STATE_O && state == GRAZE_STATE_I))
+        return context_fail(l->context, GRAZE_EINTERNAL,
+                            "a trace passes from inside to outside without a contact");
+    graze_status status = array_grow(l->context, &l->out->word, &l->capacity, l->length + 2, 1,
+                                     "the word of a trace");
+    if (status)
+        return status;
+    l->out->word[l->length++] = (char)state;
+    l->out->word[l->length] = '\0';
+    return GRAZE_OK;
+}
+
+static graze_status no_memory(letters *l) {
+    return context_fail(l->context, GRAZE_ESYSTEM, "out of memory for the contacts of a trace");
+}
+
+/* A contact begins, or goes on, at a time. */
+static graze_status touch_at(letters *l, int begins, size_t piece, const algebraic *u) {
+    graze_trace *out = l->out;
+    graze_time *time = time_create(l->motion, piece, u);
+    if (!time)
+        return no_memory(l);
+    if (begins && !array_reserve(&out->contact, &out->contact_capacity, out->contact_count + 1,
+                                 sizeof *out->contact)) {
+        time_destroy(time);
+        return no_memory(l);
+    }
+    if (begins)
+        out->contact[out->contact_count++] = (contact){.from = time, .to = time};
+    contact *c = &out->contact[out->contact_count - 1];
+    if (c->to != c->from)
+        time_destroy(c->to);
+    c->to = time;
+    return GRAZE_OK;
+}
+
+graze_status letters_put_time(letters *l, graze_state state, size_t piece, const algebraic *u) {
+    int begins = last_of(l) != GRAZE_STATE_B;
+    graze_status status = append_letter(l, state);
+    if (status || state != GRAZE_STATE_B)
+        return status;
+    return touch_at(l, begins, piece, u);
+}
+
+graze_status letters_put_gap(letters *l, graze_state state) {
+    if (state == GRAZE_STATE_B && last_of(l) != GRAZE_STATE_B)
+        return context_fail(l->context, GRAZE_EINTERNAL, "a slide does not begin on the boundary");
+    return append_letter(l, state);
+}
+
+graze_status letters_add_cell(letters *l, contact *c, size_t primitive) {
+    for (size_t k = 0; k < c->cell_count; k++)
+        if (c->cell[k].a == primitive)
+            return GRAZE_OK;
+    if (!array_reserve(&c->cell, &c->cell_capacity, c->cell_count + 1, sizeof *c->cell))
+        return no_memory(l);
+    c->cell[c->cell_count++] = (graze_cell){.kind = GRAZE_CELL_PRIMITIVE, .a = primitive};
+    qsort(c->cell, c->cell_count, sizeof *c->cell, cell_compare);
+    return GRAZE_OK;
+}
+
+graze_status letters_finish(letters *l) {
+    graze_trace *out = l->out;
+    size_t next = 0;
+    out->first = (graze_state)out->word[0];
+    out->last = last_of(l);
+    for (size_t k = 0; k < l->length; k++) {
+        if (out->word[k] != 'B')
+            continue;
+        contact *c = &out->contact[next++];
+        c->left = k > 0 ? (graze_state)out->word[k - 1] : GRAZE_STATE_ABSENT;
+        c->right = k + 1 < l->length ? (graze_state)out->word[k + 1] : GRAZE_STATE_ABSENT;
+    }
+    return next == out->contact_count
+               ? GRAZE_OK
+               : context_fail(l->context, GRAZE_EINTERNAL, "a trace has lost a contact");
+}

@@ -1,0 +1,135 @@
+/* Polynomials in the local time, and their signs at a time or along a gap.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/curved/moment_field.h"
+
+#include <flint/fmpz_poly_factor.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/modular.h"
+#include "base/number/sign.h"
+
+/* Leave of the time's polynomial the irreducible factor that has the time as a root. */
+static graze_status make_irreducible(graze_context *context, algebraic *time) {
+    fmpz_poly_factor_t factors;
+    graze_status status = common_factor_work(context, time->poly, time->poly);
+    if (status)
+        return status;
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor(factors, time->poly);
+    for (slong k = 0; k < factors->num && factors->num > 1; k++) {
+        int sign = algebraic_sign_before(factors->p + k, &time->where);
+        if (sign == 0)
+            continue;
+        fmpz_poly_set(time->poly, factors->p + k);
+        time->low_sign = sign;
+        break;
+    }
+    fmpz_poly_factor_clear(factors);
+    return GRAZE_OK;
+}
+
+void field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap) {
+    *f = (moment_field){.context = context, .time = time};
+    fmpq_poly_init(f->modulus);
+    if (on_gap)
+        return;
+    if (algebraic_is_rational(time)) {
+        fmpq_poly_set_coeff_si(f->modulus, 1, 1);
+        fmpq_t root;
+        fmpq_init(root);
+        fmpq_neg(root, time->value);
+        fmpq_poly_set_coeff_fmpq(f->modulus, 0, root);
+        fmpq_clear(root);
+        return;
+    }
+    f->status = make_irreducible(context, time);
+    fmpq_poly_set_fmpz_poly(f->modulus, time->poly);
+}
+
+void field_clear(moment_field *f) {
+    for (size_t k = 0; k < f->asked_count; k++)
+        fmpz_poly_clear(&f->asked[k]);
+    free(f->asked);
+    fmpq_poly_clear(f->modulus);
+}
+
+static void reduce_value(value *x, const moment_field *f) {
+    if (!fmpq_poly_is_zero(f->modulus) && fmpq_poly_degree(x) >= fmpq_poly_degree(f->modulus))
+        fmpq_poly_rem(x, x, f->modulus);
+}
+
+void field_set(value *out, const moment_field *f, const fmpz_poly_t p) {
+    fmpq_poly_set_fmpz_poly(out, p);
+    reduce_value(out, f);
+}
+
+void field_mul(value *out, const moment_field *f, const value *a, const value *b) {
+    fmpq_poly_mul(out, a, b);
+    reduce_value(out, f);
+}
+
+void field_addmul(value *out, const moment_field *f, const value *a, const value *b) {
+    fmpq_poly_t product;
+    if (fmpq_poly_is_zero(a) || fmpq_poly_is_zero(b))
+        return;
+    fmpq_poly_init(product);
+    field_mul(product, f, a, b);
+    fmpq_poly_add(out, out, product);
+    fmpq_poly_clear(product);
+}
+
+void field_submul(value *out, const moment_field *f, const value *a, const value *b) {
+    fmpq_poly_neg(out, out);
+    field_addmul(out, f, a, b);
+    fmpq_poly_neg(out, out);
+}
+
+/* Keep a polynomial whose sign was asked for on a gap. */
+static void keep_asked(moment_field *f, const fmpz_poly_t p) {
+    if (!fmpq_poly_is_zero(f->modulus))
+        return;
+    for (size_t k = 0; k < f->asked_count; k++)
+        if (fmpz_poly_equal(&f->asked[k], p))
+            return;
+    f->status = array_grow(f->context, &f->asked, &f->asked_capacity, f->asked_count + 1,
+                           sizeof *f->asked, "the signs asked along a slide");
+    if (f->status)
+        return;
+    fmpz_poly_init(&f->asked[f->asked_count]);
+    fmpz_poly_set(&f->asked[f->asked_count++], p);
+}
+
+int field_sign(moment_field *f, const value *a) {
+    int sign = 0;
+    fmpz_poly_t numerator;
+    if (f->status || fmpq_poly_is_zero(a))
+        return 0;
+    fmpz_poly_init(numerator);
+    fmpq_poly_get_numerator(numerator, a);
+    if (fmpz_poly_degree(numerator) > 0)
+        keep_asked(f, numerator);
+    if (!f->status)
+        f->status = algebraic_sign_at(&sign, f->context, numerator, f->time);
+    fmpz_poly_clear(numerator);
+    /* A sample may be a root, at which the gap is then cut. */
+    if (!f->status && sign == 0 && !fmpq_poly_is_zero(f->modulus))
+        f->status =
+            context_fail(f->context, GRAZE_EINTERNAL, "a number that is not zero has the sign 0");
+    return f->status ? 0 : sign;
+}
+
+value *field_vector(moment_field *f, size_t count) {
+    value *out = malloc((count + 1) * sizeof *out);
+    if (!out && !f->status)
+        f->status = context_fail(f->context, GRAZE_ESYSTEM, "out of memory for a contact");
+    for (size_t k = 0; out && k < count; k++)
+        fmpq_poly_init(out + k);
+    return out;
+}
+
+void field_vector_clear(value *vector, size_t count) {
+    for (size_t k = 0; vector && k < count; k++)
+        fmpq_poly_clear(vector + k);
+    free(vector);
+}

@@ -1,0 +1,150 @@
+/* Pullbacks of surfaces, and their roots.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/curved/pullbacks.h"
+
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+
+enum { SIDE = CSG_DEGREE + 1, MONOMIALS = SIDE * SIDE * SIDE * SIDE };
+
+/* Products of the polynomials of a trajectory, made when first asked for. */
+typedef struct monomials {
+    const trajectory *c;
+    unsigned char made[MONOMIALS];
+    fmpz_poly_struct product[MONOMIALS];
+} monomials;
+
+static const fmpz_poly_struct *monomial(monomials *m, const int power[3], int weight) {
+    int at = ((power[0] * SIDE + power[1]) * SIDE + power[2]) * SIDE + weight, d = m->c->dimension;
+    int less[3] = {power[0], power[1], power[2]};
+    if (m->made[at])
+        return &m->product[at];
+    fmpz_poly_init(&m->product[at]);
+    m->made[at] = 1;
+    if (power[0] + power[1] + power[2] + weight == 0) {
+        fmpz_poly_one(&m->product[at]);
+        return &m->product[at];
+    }
+    int i = weight ? d : power[0] ? 0 : power[1] ? 1 : 2;
+    if (!weight)
+        less[i]--;
+    fmpz_poly_mul(&m->product[at], monomial(m, less, weight ? weight - 1 : 0), &m->c->x[i]);
+    return &m->product[at];
+}
+
+static void pull_surface_back(fmpz_poly_t out, monomials *m, const csg_surface *s) {
+    fmpz_poly_zero(out);
+    for (size_t k = 0; k < s->count; k++) {
+        const int power[3] = {s->power[k][0], s->power[k][1], s->power[k][2]};
+        int rest = s->degree - power[0] - power[1] - power[2];
+        fmpz_poly_scalar_addmul_fmpz(out, monomial(m, power, rest), s->coefficient + k);
+    }
+}
+
+graze_status pullbacks_init(pullbacks *p, graze_context *context, const csg *solid) {
+    *p = (pullbacks){.context = context, .solid = solid};
+    algebraic_list_init(&p->time);
+    p->form = calloc(solid->surface_count + 1, sizeof *p->form);
+    p->slide = malloc((solid->surface_count + 1) * sizeof *p->slide);
+    return p->form && p->slide
+               ? GRAZE_OK
+               : context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
+                              solid->surface_count);
+}
+
+void pullbacks_clear(pullbacks *p) {
+    for (size_t k = 0; p->form && k < p->solid->surface_count; k++)
+        fmpz_poly_clear(&p->form[k]);
+    algebraic_list_clear(&p->time);
+    free(p->form);
+    free(p->by_rank);
+    free(p->zero);
+    free(p->slide);
+}
+
+/* Add the roots of a surface, as zeros at times by their indices. */
+static graze_status add_roots(pullbacks *p, size_t surface, const dyadic_interval *unit) {
+    size_t first = p->time.count;
+    graze_status status = algebraic_roots(&p->time, p->context, &p->form[surface], unit);
+    if (!status)
+        status = array_grow(p->context, &p->zero, &p->zero_capacity,
+                            p->zero_count + p->time.count - first, sizeof *p->zero,
+                            "the roots of a trajectory");
+    for (size_t k = first; k < p->time.count && !status; k++)
+        p->zero[p->zero_count++] = (zero){k, surface};
+    return status;
+}
+
+graze_status times_rank(algebraic **order, size_t *count, graze_context *context,
+                        const algebraic *first, size_t *rank_of) {
+    size_t kept = 0;
+    graze_status status = algebraic_sort(order, *count, context);
+    for (size_t k = 0; k < *count && !status; k++) {
+        int differ = 1;
+        if (kept > 0)
+            status = algebraic_compare(&differ, context, order[kept - 1], order[k]);
+        if (rank_of)
+            rank_of[order[k] - first] = kept - (differ == 0);
+        if (differ)
+            order[kept++] = order[k];
+    }
+    *count = kept;
+    return status;
+}
+
+static int compare_zeros(const void *left, const void *right) {
+    const zero *a = left, *b = right;
+    if (a->time != b->time)
+        return a->time < b->time ? -1 : 1;
+    return a->surface < b->surface ? -1 : a->surface > b->surface;
+}
+
+static graze_status rank_zeros(pullbacks *p) {
+    size_t n = p->time.count, *rank_of = malloc(n * sizeof *rank_of);
+    free(p->by_rank);
+    p->by_rank = malloc(n * sizeof(algebraic *));
+    if (!p->by_rank || !rank_of) {
+        free(rank_of);
+        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for %zu times", n);
+    }
+    for (size_t k = 0; k < n; k++)
+        p->by_rank[k] = &p->time.item[k];
+    p->rank_count = n;
+    graze_status status = times_rank(p->by_rank, &p->rank_count, p->context, p->time.item, rank_of);
+    for (size_t k = 0; k < p->zero_count && !status; k++)
+        p->zero[k].time = rank_of[p->zero[k].time];
+    if (p->zero_count)
+        qsort(p->zero, p->zero_count, sizeof *p->zero, compare_zeros);
+    free(rank_of);
+    return status;
+}
+
+graze_status pullbacks_set(pullbacks *p, const trajectory *c) {
+    dyadic_interval unit;
+    graze_status status = context_poll(p->context);
+    monomials *m = calloc(1, sizeof *m);
+    if (!m)
+        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a trajectory");
+    m->c = c;
+    p->time.count = p->zero_count = p->slide_count = 0;
+    dyadic_interval_init(&unit);
+    dyadic_interval_set_si(&unit, 0, 1);
+    algebraic_set_dyadic(algebraic_list_append(&p->time), unit.low, 0);
+    algebraic_set_dyadic(algebraic_list_append(&p->time), unit.high, 0);
+    for (size_t k = 0; k < p->solid->surface_count && !status; k++) {
+        pull_surface_back(&p->form[k], m, &p->solid->surface[k]);
+        if (fmpz_poly_is_zero(&p->form[k]))
+            p->slide[p->slide_count++] = k;
+        else
+            status = add_roots(p, k, &unit);
+    }
+    for (int k = 0; k < MONOMIALS; k++)
+        if (m->made[k])
+            fmpz_poly_clear(&m->product[k]);
+    free(m);
+    dyadic_interval_clear(&unit);
+    return status ? status : rank_zeros(p);
+}

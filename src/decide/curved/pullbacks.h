@@ -1,0 +1,42 @@
+/* The surfaces of a curved solid along one piece of a trajectory: polynomials in the local time,
+ * and their roots in order. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CURVED_PULLBACKS_H
+#define GRAZE_CURVED_PULLBACKS_H
+
+#include "base/number/algebraic.h"
+#include "decide/trace/trajectory.h"
+#include "input/csg/csg.h"
+
+/** A surface that vanishes at a time. */
+typedef struct zero {
+    size_t time, surface; /* time: an index, after pullbacks_set a rank */
+} zero;
+
+/** Times are 0, 1 and all roots; those of rank r are equal, and by_rank[r] is one of them. */
+typedef struct pullbacks {
+    graze_context *context;
+    const csg *solid;
+    fmpz_poly_struct *form; /* by surface */
+    algebraic_list time;
+    algebraic **by_rank;
+    size_t rank_count;
+    zero *zero; /* by rank */
+    size_t zero_count, zero_capacity;
+    size_t *slide; /* surfaces in which the whole piece lies */
+    size_t slide_count;
+} pullbacks;
+
+/** @return GRAZE_ESYSTEM; pullbacks_clear in either case */
+graze_status pullbacks_init(pullbacks *p, graze_context *context, const csg *solid);
+void pullbacks_clear(pullbacks *p);
+
+/** Those of another trajectory. */
+graze_status pullbacks_set(pullbacks *p, const trajectory *c);
+
+/** Sort times and leave of equal ones the first; *count is their number afterwards. `rank_of`, if
+ * not NULL, has the rank of each by its place in `first`. */
+graze_status times_rank(algebraic **order, size_t *count, graze_context *context,
+                        const algebraic *first, size_t *rank_of);
+
+#endif

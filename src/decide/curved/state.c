@@ -1,0 +1,137 @@
+/* The rules, from the cheapest to the last.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/curved/state.h"
+
+#include "decide/curved/arrangement.h"
+#include "decide/curved/circuits.h"
+#include "decide/curved/apex.h"
+#include "decide/curved/series.h"
+
+/* Patterns of the smooth members' tangent planes occur where no other member is. */
+static void see_cells(sign_germ *g, unsigned smooth) {
+    arrangement a;
+    if (smooth != germ_patterns(g) - 1)
+        return;
+    arrangement_init(&a, g->f, g->member, g->count, smooth);
+    for (unsigned s = 0; s < germ_patterns(g); s++)
+        if (arrangement_has(&a, smooth, s))
+            pattern_add(&g->seen, s);
+    arrangement_clear(&a);
+}
+
+/* The signs of all members along a probe; those that vanish along it are in `flat`. */
+static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, probe *p) {
+    *negative = *flat = 0;
+    for (int k = 0; k < g->count; k++) {
+        int order, most = g->member[k].degree, base = 0;
+        for (int b = 0; b < p->base_count; b++) {
+            most *= p->base[b]->degree;
+            base |= p->base[b] == &g->member[k];
+        }
+        int sign = base ? 0 : probe_first(&order, p, g->f, &g->member[k], most);
+        *negative |= (unsigned)(sign < 0) << k;
+        *flat |= (unsigned)(sign == 0) << k;
+    }
+}
+
+/* Patterns beside a probe: of the members that vanish along it those of the arrangement, of the
+ * others their signs (C100). */
+static void see_beside(sign_germ *g, probe *p, unsigned smooth) {
+    unsigned negative, flat, members = 0;
+    arrangement a;
+    look_along_probe(&negative, &flat, g, p);
+    for (int b = 0; b < p->base_count; b++)
+        for (int k = 0; k < g->count; k++)
+            members |= (unsigned)(p->base[b] == &g->member[k]) << k;
+    int whole = p->base_count == g->dimension - 1;
+    if (g->f->status || (flat & ~smooth) || (flat != members && !whole))
+        return;
+    arrangement_init(&a, g->f, g->member, g->count, flat);
+    for (unsigned s = 0; s < germ_patterns(g); s++)
+        if (!(s & ~flat) && arrangement_has(&a, flat, s))
+            pattern_add(&g->seen, s | negative);
+    arrangement_clear(&a);
+}
+
+/* Directions in which probes into one surface, or none, are sent besides. */
+static void see_in_surfaces(sign_germ *g, unsigned smooth, int k) {
+    static const slong direction[][2] = {{1, 0},  {-1, 0}, {0, 1},  {0, -1},  {1, 1}, {-1, -1},
+                                         {1, -1}, {-1, 1}, {1, 2},  {-1, -2}, {2, 1}, {-2, -1},
+                                         {1, -2}, {-1, 2}, {2, -1}, {-2, 1}};
+    const taylor *base = &g->member[k];
+    probe p;
+    if (!(smooth >> k & 1))
+        return;
+    if (probe_init(&p, g->f, g->dimension, &base, 1))
+        for (size_t e = 0; e < sizeof direction / sizeof *direction; e++) {
+            if (g->dimension == 2 && direction[e][1])
+                continue;
+            probe_set_integers(&p, direction[e]);
+            see_beside(g, &p, smooth);
+        }
+    probe_clear(&p);
+}
+
+static void see_in_curves(sign_germ *g, unsigned smooth, int j, int k) {
+    const taylor *base[] = {&g->member[j], &g->member[k]};
+    probe p;
+    if (g->dimension == 2 || !(smooth >> j & 1) || !(smooth >> k & 1))
+        return;
+    if (probe_init(&p, g->f, 3, base, 2))
+        for (slong way = -1; way <= 1; way += 2) {
+            const slong direction[] = {way, 0, 0};
+            probe_set_integers(&p, direction);
+            see_beside(g, &p, smooth);
+        }
+    probe_clear(&p);
+}
+
+/* Ask the rules until what is known decides. */
+static graze_state ask_all_rules(sign_germ *g) {
+    unsigned smooth = 0;
+    int singular = -1, singulars = 0;
+    for (int k = 0; k < g->count; k++) {
+        int is = germ_is_smooth(g, k);
+        smooth |= (unsigned)is << k;
+        singular = is ? singular : k;
+        singulars += !is;
+    }
+    see_cells(g, smooth);
+    graze_state state = germ_settled(g);
+    if (!state && singulars == 1)
+        apex_ask(g, smooth, singular);
+    if (!state && g->f->status == GRAZE_OK)
+        circuits_ask(g, smooth);
+    state = germ_settled(g);
+    for (int k = 0; k < g->count && !state && g->f->status == GRAZE_OK; k++) {
+        for (int j = 0; j < k; j++)
+            see_in_curves(g, smooth, j, k);
+        see_in_surfaces(g, smooth, k);
+        state = germ_settled(g);
+    }
+    return state;
+}
+
+/* No pattern both occurs and does not. */
+static int contradicts(const sign_germ *g) {
+    for (unsigned s = 0; s < germ_patterns(g); s++)
+        if (pattern_has(&g->seen, s) && pattern_has(&g->never, s))
+            return 1;
+    return 0;
+}
+
+graze_status state_decide(graze_state *out, const situation *at, moment_field *f) {
+    sign_germ g;
+    germ_init(&g, f, at->c, at->solid, at->surface, at->count);
+    g.truth = at->truth;
+    g.near_in = at->near_in;
+    g.near_out = at->near_out;
+    *out = f->status ? GRAZE_STATE_ABSENT : ask_all_rules(&g);
+    if (f->status == GRAZE_OK && !fmpq_poly_is_zero(f->modulus) && contradicts(&g))
+        f->status = context_fail(f->context, GRAZE_EINTERNAL,
+                                 "two rules disagree on the surfaces through a point");
+    *out = *out ? *out : GRAZE_STATE_UNDECIDED;
+    germ_clear(&g);
+    return f->status;
+}

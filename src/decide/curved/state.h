@@ -1,0 +1,26 @@
+/* The state of the trajectory at a moment, by the surfaces through its point.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_CURVED_STATE_H
+#define GRAZE_CURVED_STATE_H
+
+#include "decide/curved/sign_germ.h"
+
+/** A point c(u) of a trajectory and the expression there. */
+typedef struct situation {
+    const csg *solid;
+    const trajectory *c;
+    const size_t *surface; /* those through the point, on which the expression depends */
+    int count;             /* at most CSG_FREE_MOST */
+    pattern_set truth;     /* the expression over their signs */
+    int near_in, near_out; /* points of the interior, of the outside, are arbitrarily near */
+} situation;
+
+/**
+ * Decide the state at a time, or along a gap as far as the field's `asked` have no root
+ * (proofs/curved.md C100).
+ * @param[out] out I, B, O, or GRAZE_STATE_UNDECIDED where the rules end
+ */
+graze_status state_decide(graze_state *out, const situation *at, moment_field *f);
+
+#endif

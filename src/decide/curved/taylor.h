@@ -1,0 +1,56 @@
+/* Polynomials in d coordinates that are 0 at a point of the trajectory, over the field of a moment.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * With c = X / W and x = c + v / W, W^degree f(x) is a polynomial in v with coefficients in Z[u]:
+ * positive factors, which change no sign near the point.
+ */
+#ifndef GRAZE_CURVED_TAYLOR_H
+#define GRAZE_CURVED_TAYLOR_H
+
+#include "decide/curved/moment_field.h"
+#include "decide/trace/trajectory.h"
+#include "input/csg/csg.h"
+
+/** Degree at most: that of a minor of the gradients of two surfaces. */
+enum { TAYLOR_DEGREE = 2 * CSG_DEGREE - 2, TAYLOR_TERMS = 84 };
+
+/** The sum of coefficient[k] v^power[k]; each power once, none for a coefficient zero. */
+typedef struct taylor {
+    int dimension, degree; /* degree: a bound */
+    size_t count;
+    value *coefficient; /* TAYLOR_TERMS */
+    unsigned char power[TAYLOR_TERMS][3];
+} taylor;
+
+/** 0; without memory the field has failed. */
+void taylor_init(taylor *t, moment_field *f, int dimension);
+void taylor_clear(taylor *t);
+
+/** The powers of a trajectory's polynomials as elements, up to CSG_DEGREE. */
+typedef struct taylor_point {
+    value *power; /* (CSG_DEGREE + 1) of each X_i, then of W */
+    int dimension;
+} taylor_point;
+
+void taylor_point_init(taylor_point *p, moment_field *f, const trajectory *c);
+void taylor_point_clear(taylor_point *p);
+
+/** The expansion of a surface, which vanishes at the point. */
+void taylor_of_surface(taylor *out, const moment_field *f, const taylor_point *p,
+                       const csg_surface *surface);
+
+/** Component i of the gradient at the point, a borrowed element. */
+const value *taylor_gradient(const taylor *t, int i);
+
+/** The lowest degree of its terms; 0 for none. */
+int taylor_order(const taylor *t);
+
+/** out = da/di db/dj - da/dj db/di, which vanishes at the point, too. */
+void taylor_minor(taylor *out, const moment_field *f, const taylor *a, const taylor *b, int i,
+                  int j);
+
+/** out = factor a - other b */
+void taylor_combine(taylor *out, const moment_field *f, const value *factor, const taylor *a,
+                    const value *other, const taylor *b);
+
+#endif

@@ -1,0 +1,70 @@
+/* A curved solid: a Boolean expression over the signs of polynomials.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The solid is the closure of the open cells, of the arrangement of its surfaces, at which the
+ * expression is true (proofs/curved.md C94). Surfaces are irreducible over Q and pairwise
+ * distinct.
+ */
+#ifndef GRAZE_CSG_CSG_H
+#define GRAZE_CSG_CSG_H
+
+#include <flint/fmpz.h>
+#include <stdint.h>
+#include "base/context/context.h"
+
+/** Greatest degree of a polynomial that bounds a primitive. */
+enum { CSG_DEGREE = 4 };
+
+/** An irreducible polynomial of integers without a common factor, as terms in one order, the first
+ * coefficient positive. */
+typedef struct csg_surface {
+    int degree;
+    size_t count;
+    fmpz *coefficient;
+    unsigned char (*power)[3]; /* of x, y, z; that of z is 0 in the plane */
+} csg_surface;
+
+/** CSG_SIGN: an odd number of the operands, surfaces, is negative. Others: all, any, an odd number
+ * of the operands, nodes, are true. */
+typedef enum csg_operation { CSG_SIGN, CSG_ALL, CSG_ANY, CSG_ODD } csg_operation;
+
+typedef struct csg_node {
+    csg_operation operation;
+    int complement;      /* the opposite of what the operation says */
+    size_t first, count; /* of the operands, in csg.operand */
+    size_t primitive;    /* of a CSG_SIGN */
+} csg_node;
+
+/** A primitive of the file, in its order. */
+typedef struct csg_primitive {
+    char *title; /* such as `ball 2 "tip"` */
+} csg_primitive;
+
+/** Operands of a node are nodes before it; the last node is the solid. */
+typedef struct csg {
+    int dimension;
+    size_t surface_count, surface_capacity, node_count, node_capacity;
+    size_t operand_count, operand_capacity, primitive_count, primitive_capacity;
+    csg_surface *surface;
+    csg_node *node;
+    size_t *operand;
+    csg_primitive *primitive;
+} csg;
+
+void csg_clear(csg *solid);
+
+/** Surfaces whose signs are free in a table of truth, at most; and words of such a table. */
+enum { CSG_FREE_MOST = 12, CSG_TABLE_WORDS = 1 << (CSG_FREE_MOST - 6) };
+
+/** Words of the table of `free` surfaces, whose bits past 2^free are 0. */
+size_t csg_table_words(int free);
+
+/**
+ * The expression over all signs of some surfaces: bit s of `out` is its truth where free surface k
+ * is negative iff bit k of s is set.
+ * @param sign by surface: -1, 1, or 2 + k for free surface k
+ * @param work room for node_count * csg_table_words(free) words
+ */
+void csg_table(uint64_t *out, uint64_t *work, const csg *solid, const signed char *sign, int free);
+
+#endif

@@ -1,0 +1,176 @@
+/* Builds curved solids: factors over Q, terms, equal surfaces.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * f <= 0 is true, on an open cell, iff an odd number of its factors of odd order, the constant
+ * among them, is negative there (proofs/curved.md C94).
+ */
+#include "input/csg/csg_build.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpz_mpoly_factor.h>
+#include <flint/fmpz_vec.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+
+void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension) {
+    *out = (csg){.dimension = dimension};
+    b->context = context;
+    b->out = out;
+    fmpq_mpoly_ctx_init(b->ring, dimension, ORD_LEX);
+}
+
+void csg_build_clear(csg_builder *b) {
+    fmpq_mpoly_ctx_clear(b->ring);
+}
+
+graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name) {
+    csg *out = b->out;
+    graze_status status =
+        array_grow(b->context, &out->primitive, &out->primitive_capacity, out->primitive_count + 1,
+                   sizeof *out->primitive, "the primitives of a solid");
+    if (status)
+        return status;
+    size_t room = strlen(kind) + (name ? strlen(name) : 0) + 32;
+    char *title = malloc(room);
+    if (!title)
+        return context_fail(b->context, GRAZE_ESYSTEM, "out of memory for a primitive");
+    int length = snprintf(title, room, "%s %zu", kind, out->primitive_count);
+    if (name)
+        snprintf(title + length, room - (size_t)length, " \"%s\"", name);
+    out->primitive[out->primitive_count++] = (csg_primitive){title};
+    return GRAZE_OK;
+}
+
+graze_status csg_add_node(size_t *node, csg_builder *b, csg_operation operation,
+                          const size_t *operands, size_t count) {
+    csg *out = b->out;
+    unsigned long most = b->context->limits[GRAZE_LIMIT_CELLS];
+    if (out->node_count >= most || count > most - out->operand_count)
+        return context_limit(b->context, GRAZE_LIMIT_CELLS, "nodes of a solid's expression");
+    graze_status status = array_grow(b->context, &out->node, &out->node_capacity,
+                                     out->node_count + 1, sizeof *out->node, "a solid's nodes");
+    if (!status)
+        status = array_grow(b->context, &out->operand, &out->operand_capacity,
+                            out->operand_count + count, sizeof *out->operand, "a solid's nodes");
+    if (status)
+        return status;
+    *node = out->node_count++;
+    out->node[*node] = (csg_node){.operation = operation,
+                                  .first = out->operand_count,
+                                  .count = count,
+                                  .primitive = out->primitive_count ? out->primitive_count - 1 : 0};
+    for (size_t k = 0; k < count; k++)
+        out->operand[out->operand_count++] = operands[k];
+    return context_work(b->context, 16);
+}
+
+void csg_complement(csg_builder *b, size_t node) {
+    b->out->node[node].complement ^= 1;
+}
+
+/* One more surface, of a factor's terms. */
+static graze_status add_surface(csg_builder *b, const fmpz_mpoly_t factor) {
+    csg *out = b->out;
+    graze_status status =
+        array_grow(b->context, &out->surface, &out->surface_capacity, out->surface_count + 1,
+                   sizeof *out->surface, "the surfaces of a solid");
+    if (status)
+        return status;
+    size_t count = (size_t)fmpz_mpoly_length(factor, b->ring->zctx);
+    csg_surface *s = &out->surface[out->surface_count];
+    *s = (csg_surface){.count = count, .power = calloc(count, sizeof *s->power)};
+    if (!s->power)
+        return context_fail(b->context, GRAZE_ESYSTEM, "out of memory for a surface");
+    s->coefficient = _fmpz_vec_init((slong)count);
+    out->surface_count++;
+    for (size_t k = 0; k < count; k++) {
+        ulong power[3] = {0, 0, 0};
+        int degree = 0;
+        fmpz_mpoly_get_term_coeff_fmpz(s->coefficient + k, factor, (slong)k, b->ring->zctx);
+        fmpz_mpoly_get_term_exp_ui(power, factor, (slong)k, b->ring->zctx);
+        for (int i = 0; i < 3; i++) {
+            s->power[k][i] = (unsigned char)power[i];
+            degree += (int)power[i];
+        }
+        s->degree = degree > s->degree ? degree : s->degree;
+    }
+    return GRAZE_OK;
+}
+
+graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f) {
+    fmpz_mpoly_factor_t parts;
+    size_t operand[CSG_DEGREE], count = 0;
+    const fmpz_mpoly_ctx_struct *ring = b->ring->zctx;
+    graze_status status = GRAZE_OK;
+    fmpz_mpoly_factor_init(parts, ring);
+    if (!fmpz_mpoly_factor(parts, f->zpoly, ring))
+        status = context_fail(b->context, GRAZE_EINTERNAL, "a polynomial cannot be factored");
+    int negative = fmpq_sgn(f->content) * fmpz_sgn(parts->constant) < 0;
+    for (slong k = 0; k < parts->num && !status; k++) {
+        if (fmpz_is_even(parts->exp + k))
+            continue;
+        operand[count++] = b->out->surface_count;
+        status = add_surface(b, parts->poly + k);
+    }
+    fmpz_mpoly_factor_clear(parts, ring);
+    if (!status)
+        status = csg_add_node(node, b, CSG_SIGN, operand, count);
+    if (!status && negative)
+        csg_complement(b, *node);
+    return status;
+}
+
+static int compare_surfaces(const csg_surface *a, const csg_surface *b) {
+    if (a->count != b->count)
+        return a->count < b->count ? -1 : 1;
+    int order = memcmp(a->power, b->power, a->count * sizeof *a->power);
+    for (size_t k = 0; k < a->count && order == 0; k++)
+        order = fmpz_cmp(a->coefficient + k, b->coefficient + k);
+    return order;
+}
+
+typedef struct numbered_surface {
+    csg_surface surface;
+    size_t number;
+} numbered_surface;
+
+/* Equal surfaces in the order of their numbers. */
+static int compare_numbered(const void *left, const void *right) {
+    const numbered_surface *a = left, *b = right;
+    int order = compare_surfaces(&a->surface, &b->surface);
+    return order ? order : a->number < b->number ? -1 : a->number > b->number;
+}
+
+graze_status csg_build_finish(csg_builder *b) {
+    csg *out = b->out;
+    size_t n = out->surface_count, kept = 0;
+    numbered_surface *list = malloc((n + 1) * sizeof *list);
+    size_t *new = malloc((n + 1) * sizeof *new);
+    if (!list || !new) {
+        free(list);
+        free(new);
+        return context_fail(b->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
+    }
+    for (size_t k = 0; k < n; k++)
+        list[k] = (numbered_surface){out->surface[k], k};
+    qsort(list, n, sizeof *list, compare_numbered);
+    for (size_t k = 0; k < n; k++) {
+        int again = kept > 0 && compare_surfaces(&out->surface[kept - 1], &list[k].surface) == 0;
+        if (again) {
+            _fmpz_vec_clear(list[k].surface.coefficient, (slong)list[k].surface.count);
+            free(list[k].surface.power);
+        } else {
+            out->surface[kept++] = list[k].surface;
+        }
+        new[list[k].number] = kept - 1;
+    }
+    out->surface_count = kept;
+    for (size_t k = 0; k < out->node_count; k++)
+        for (size_t i = 0; i < out->node[k].count && out->node[k].operation == CSG_SIGN; i++)
+            out->operand[out->node[k].first + i] = new[out->operand[out->node[k].first + i]];
+    free(list);
+    free(new);
+    return GRAZE_OK;
+}

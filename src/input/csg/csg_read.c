@@ -1,0 +1,221 @@
+/* Curved solids of JSON: nodes, Boolean operations, affine maps.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/csg/csg_read.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include "base/context/file.h"
+#include "input/csg/csg_reader.h"
+#include "input/csg/polynomial.h"
+#include "input/csg/primitives.h"
+#include "input/motion/entry.h"
+
+enum {
+    NAME,
+    AFFINE,
+    UNION,
+    INTERSECTION,
+    DIFFERENCE,
+    HALFSPACE,
+    BOX,
+    BALL,
+    ELLIPSOID,
+    CYLINDER,
+    CONE,
+    TORUS,
+    CAPSULE,
+    QUADRIC,
+    POLYNOMIAL,
+    POLYGON,
+    KEYS
+};
+
+static const char *const key_names[KEYS] = {"name",       "affine",    "union",      "intersection",
+                                            "difference", "halfspace", "box",        "ball",
+                                            "ellipsoid",  "cylinder",  "cone",       "torus",
+                                            "capsule",    "quadric",   "polynomial", "polygon"};
+
+static csg_primitive_reader *const readers[KEYS] = {
+    [HALFSPACE] = csg_read_halfspace, [BOX] = csg_read_box,
+    [BALL] = csg_read_ball,           [ELLIPSOID] = csg_read_ellipsoid,
+    [CYLINDER] = csg_read_cylinder,   [CONE] = csg_read_cone,
+    [TORUS] = csg_read_torus,         [CAPSULE] = csg_read_capsule,
+    [QUADRIC] = csg_read_polynomial,  [POLYNOMIAL] = csg_read_polynomial,
+    [POLYGON] = csg_read_polygon};
+
+int csg_is_named(const char *path) {
+    static const char extension[] = ".csg.json";
+    size_t length = strlen(path), wanted = sizeof extension - 1;
+    return length > wanted && strcasecmp(path + length - wanted, extension) == 0;
+}
+
+static graze_status read_node(size_t *node, csg_reader *r, const json *value);
+
+/* The nodes of an array; those of a difference after the first are taken away. */
+static graze_status read_operands(size_t *node, csg_reader *r, const json *value, int key) {
+    graze_context *context = r->build.context;
+    size_t least = key == DIFFERENCE ? 2 : 1;
+    graze_status status = json_array(context, value, 0);
+    if (status)
+        return status;
+    if (value->count < least)
+        return json_fail(context, GRAZE_EINPUT, value, "expected at least %zu %s", least,
+                         least == 1 ? "node" : "nodes");
+    size_t *part = malloc(value->count * sizeof *part);
+    if (!part)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu nodes", value->count);
+    for (const json *item = value->first; item && !status; item = item->next) {
+        status = read_node(&part[item->index], r, item);
+        if (!status && key == DIFFERENCE && item->index > 0)
+            csg_complement(&r->build, part[item->index]);
+    }
+    if (!status)
+        status =
+            csg_add_node(node, &r->build, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
+    free(part);
+    return status;
+}
+
+/* Rows of d + 1 numbers as an invertible matrix of size d + 1, inverted. */
+static graze_status read_inverse(fmpq_mat_t out, csg_reader *r, const json *value) {
+    int d = r->dimension;
+    graze_status status = json_array(r->build.context, value, (size_t)d);
+    const json *row = value->first;
+    fmpq_mat_t map;
+    fmpq_mat_init(map, d + 1, d + 1);
+    fmpq_one(fmpq_mat_entry(map, d, d));
+    for (int i = 0; i < d && !status; i++, row = row->next)
+        status = csg_read_vector(fmpq_mat_entry(map, i, 0), r, row, (size_t)d + 1);
+    if (!status && !fmpq_mat_inv(out, map))
+        status = json_fail(r->build.context, GRAZE_EILLEGAL, value,
+                           "the matrix is singular; expected an invertible one");
+    fmpq_mat_clear(map);
+    return status;
+}
+
+static graze_status read_affine(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"matrix", "of"};
+    const json *member[2];
+    int d = r->dimension;
+    fmpq_mat_t inverse;
+    fmpq_mpoly_struct outer[3];
+    fmpq_t constant;
+    graze_status status = json_members(member, r->build.context, value, names, 2);
+    if (!status && (!member[0] || !member[1]))
+        status = json_fail(r->build.context, GRAZE_EINPUT, value, "expected matrix and of");
+    if (status)
+        return status;
+    fmpq_mat_init(inverse, d + 1, d + 1);
+    fmpq_init(constant);
+    status = read_inverse(inverse, r, member[0]);
+    for (int i = 0; i < d; i++)
+        outer[i] = r->coordinate[i];
+    for (int i = 0; i < d; i++) {
+        fmpq_mpoly_init(&r->coordinate[i], r->build.ring);
+        fmpq_neg(constant, fmpq_mat_entry(inverse, i, d));
+        csg_linear_form(&r->coordinate[i], r, fmpq_mat_entry(inverse, i, 0), outer, constant);
+    }
+    if (!status)
+        status = read_node(node, r, member[1]);
+    for (int i = 0; i < d; i++) {
+        fmpq_mpoly_clear(&r->coordinate[i], r->build.ring);
+        r->coordinate[i] = outer[i];
+    }
+    fmpq_clear(constant);
+    fmpq_mat_clear(inverse);
+    return status;
+}
+
+/* The name of a node, or NULL. */
+static graze_status read_name(const char **out, csg_reader *r, const json *value) {
+    *out = NULL;
+    if (!value)
+        return GRAZE_OK;
+    int plain = value->kind == JSON_STRING && value->length > 0 && value->length <= 100;
+    for (size_t k = 0; k < value->length && plain; k++)
+        plain = (unsigned char)value->text[k] >= ' ' && value->text[k] != '"';
+    if (!plain)
+        return json_fail(r->build.context, GRAZE_EINPUT, value,
+                         "expected a name of 1 to 100 bytes without quotes and control characters");
+    *out = value->text;
+    return GRAZE_OK;
+}
+
+static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
+    const json *member[KEYS];
+    const char *name;
+    graze_status status = json_members(member, r->build.context, value, key_names, KEYS);
+    int key = 0, given = 0;
+    for (int k = AFFINE; k < KEYS && !status; k++) {
+        given += member[k] != NULL;
+        key = member[k] ? k : key;
+    }
+    if (!status && given != 1)
+        status = json_fail(r->build.context, GRAZE_EINPUT, value,
+                           "expected exactly one primitive, affine, union, intersection or "
+                           "difference, not %d",
+                           given);
+    if (!status)
+        status = read_name(&name, r, member[NAME]);
+    if (status)
+        return status;
+    if (key == AFFINE)
+        return read_affine(node, r, member[key]);
+    if (!readers[key])
+        return read_operands(node, r, member[key], key);
+    status = csg_add_primitive(&r->build, key_names[key], name);
+    return status ? status : readers[key](node, r, member[key]);
+}
+
+static graze_status read_csg(csg *out, graze_context *context, const json *root) {
+    static const char *const names[] = {"dimension", "solid"};
+    const json *member[2];
+    fmpz_t dimension;
+    csg_reader r;
+    size_t node;
+    fmpz_init(dimension);
+    graze_status status = json_members(member, context, root, names, 2);
+    if (!status && (!member[0] || !member[1]))
+        status = json_fail(context, GRAZE_EINPUT, root, "expected dimension and solid");
+    if (!status)
+        status = entry_integer(dimension, context, member[0]);
+    if (!status && !fmpz_equal_ui(dimension, 2) && !fmpz_equal_ui(dimension, 3))
+        status = json_fail(context, GRAZE_EINPUT, member[0],
+                           "the dimension is %.20s; expected 2 or 3", member[0]->text);
+    r.dimension = status ? 0 : (int)fmpz_get_si(dimension);
+    fmpz_clear(dimension);
+    if (status)
+        return status;
+    csg_build_begin(&r.build, context, out, r.dimension);
+    csg_reader_init(&r);
+    status = read_node(&node, &r, member[1]);
+    if (!status)
+        status = csg_build_finish(&r.build);
+    csg_reader_clear(&r);
+    csg_build_clear(&r.build);
+    return json_at_last(context, status, root);
+}
+
+graze_status csg_read(csg *out, unsigned char sha256[32], graze_context *context,
+                      const char *path) {
+    char *text;
+    size_t length;
+    json_document document;
+    *out = (csg){.dimension = 0};
+    graze_status status = file_read(&text, &length, sha256, context, path);
+    if (status)
+        return status;
+    context->work = 0;
+    status = json_parse(&document, context, path, text, length);
+    if (!status)
+        status = read_csg(out, context, document.root);
+    json_clear(&document);
+    free(text);
+    if (status)
+        csg_clear(out);
+    return status;
+}

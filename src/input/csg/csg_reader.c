@@ -1,0 +1,56 @@
+/* Numbers and linear forms of the nodes of a curved solid.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/csg/csg_reader.h"
+
+#include "input/motion/entry.h"
+
+void csg_reader_init(csg_reader *r) {
+    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    for (int i = 0; i < r->dimension; i++) {
+        fmpq_mpoly_init(&r->coordinate[i], ring);
+        fmpq_mpoly_gen(&r->coordinate[i], i, ring);
+        fmpq_mpoly_init(&r->from[i], ring);
+    }
+    fmpq_mpoly_init(&r->square, ring);
+    fmpq_mpoly_init(&r->along, ring);
+    fmpq_mpoly_init(&r->f, ring);
+    fmpq_mpoly_init(&r->term, ring);
+}
+
+void csg_reader_clear(csg_reader *r) {
+    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    for (int i = 0; i < r->dimension; i++) {
+        fmpq_mpoly_clear(&r->coordinate[i], ring);
+        fmpq_mpoly_clear(&r->from[i], ring);
+    }
+    fmpq_mpoly_clear(&r->square, ring);
+    fmpq_mpoly_clear(&r->along, ring);
+    fmpq_mpoly_clear(&r->f, ring);
+    fmpq_mpoly_clear(&r->term, ring);
+}
+
+graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t count) {
+    graze_status status = json_array(r->build.context, value, count);
+    const json *item = value->first;
+    for (size_t k = 0; k < count && !status; k++, item = item->next)
+        status = entry_number(out + k, r->build.context, item);
+    return status;
+}
+
+void csg_linear_form(fmpq_mpoly_t out, csg_reader *r, const fmpq *factor,
+                     const fmpq_mpoly_struct *x, const fmpq_t constant) {
+    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    fmpq_mpoly_zero(out, ring);
+    for (int i = 0; i < r->dimension; i++) {
+        fmpq_mpoly_scalar_mul_fmpq(&r->term, x + i, factor + i, ring);
+        fmpq_mpoly_add(out, out, &r->term, ring);
+    }
+    fmpq_mpoly_sub_fmpq(out, out, constant, ring);
+}
+
+graze_status csg_add_side(size_t *node, csg_reader *r, int other) {
+    if (other)
+        fmpq_mpoly_neg(&r->f, &r->f, r->build.ring);
+    return csg_add_sign(node, &r->build, &r->f);
+}

@@ -1,0 +1,375 @@
+/* Primitives of curved solids as polynomial inequalities.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * With y the point minus a primitive's own point and a its axis, h = a . y / |a| is the height of y
+ * and |y|^2 - h^2 the square of its distance from the axis; multiplied by |a|^2 all is polynomial.
+ */
+#include "input/csg/primitives.h"
+
+#include <flint/fmpq_vec.h>
+#include "input/motion/entry.h"
+
+/* Numbers of a primitive; those that are not given stay as they are. */
+typedef struct placed {
+    fmpq *point, *axis; /* 3 each */
+    fmpq_t length2;     /* |axis|^2 */
+    fmpq_t first, second, from, to;
+    int has_from, has_to;
+} placed;
+
+static void placed_init(placed *p) {
+    p->point = _fmpq_vec_init(6);
+    p->axis = p->point + 3;
+    fmpq_init(p->length2);
+    fmpq_init(p->first);
+    fmpq_init(p->second);
+    fmpq_init(p->from);
+    fmpq_init(p->to);
+    p->has_from = p->has_to = 0;
+}
+
+static void placed_clear(placed *p) {
+    _fmpq_vec_clear(p->point, 6);
+    fmpq_clear(p->length2);
+    fmpq_clear(p->first);
+    fmpq_clear(p->second);
+    fmpq_clear(p->from);
+    fmpq_clear(p->to);
+}
+
+/* A number that is positive. */
+static graze_status read_size(fmpq_t out, csg_reader *r, const json *value) {
+    graze_status status = entry_number(out, r->build.context, value);
+    if (!status && fmpq_sgn(out) <= 0)
+        status = json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected a positive number");
+    return status;
+}
+
+/* The members of a primitive: the first `needed` ones must be there. */
+static graze_status read_members(const json **out, csg_reader *r, const json *value,
+                                 const char *const *names, size_t count, size_t needed) {
+    graze_status status = json_members(out, r->build.context, value, names, count);
+    for (size_t k = 0; k < needed && !status; k++)
+        if (!out[k])
+            status =
+                json_fail(r->build.context, GRAZE_EINPUT, value, "the key %s is missing", names[k]);
+    return status;
+}
+
+static void set_from(csg_reader *r, const fmpq *point) {
+    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    fmpq_mpoly_zero(&r->square, ring);
+    for (int i = 0; i < r->dimension; i++) {
+        fmpq_mpoly_sub_fmpq(&r->from[i], &r->coordinate[i], point + i, ring);
+        fmpq_mpoly_mul(&r->term, &r->from[i], &r->from[i], ring);
+        fmpq_mpoly_add(&r->square, &r->square, &r->term, ring);
+    }
+}
+
+/* f = |from|^2 - radius^2 */
+static graze_status add_ball(size_t *node, csg_reader *r, const fmpq_t radius) {
+    fmpq_t square;
+    fmpq_init(square);
+    fmpq_mul(square, radius, radius);
+    fmpq_mpoly_sub_fmpq(&r->f, &r->square, square, r->build.ring);
+    fmpq_clear(square);
+    return csg_add_side(node, r, 0);
+}
+
+/* Where the height is at most (at least, if `other`) `bound` times the axis. */
+static graze_status add_cap(size_t *node, csg_reader *r, const placed *p, const fmpq_t bound,
+                            int other) {
+    fmpq_t level;
+    fmpq_init(level);
+    fmpq_mul(level, bound, p->length2);
+    fmpq_mpoly_sub_fmpq(&r->f, &r->along, level, r->build.ring);
+    fmpq_clear(level);
+    return csg_add_side(node, r, other);
+}
+
+/* f = |a|^2 |from|^2 - factor (a . from)^2 - constant, of an axis a. */
+static void set_about_axis(csg_reader *r, const placed *p, const fmpq_t factor,
+                           const fmpq_t constant) {
+    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    fmpq_mpoly_scalar_mul_fmpq(&r->f, &r->square, p->length2, ring);
+    fmpq_mpoly_mul(&r->term, &r->along, &r->along, ring);
+    fmpq_mpoly_scalar_mul_fmpq(&r->term, &r->term, factor, ring);
+    fmpq_mpoly_sub(&r->f, &r->f, &r->term, ring);
+    fmpq_mpoly_sub_fmpq(&r->f, &r->f, constant, ring);
+}
+
+/* f of the infinite cylinder of radius `first`. */
+static void set_cylinder(csg_reader *r, const placed *p) {
+    fmpq_t one, constant;
+    fmpq_init(one);
+    fmpq_init(constant);
+    fmpq_one(one);
+    fmpq_mul(constant, p->first, p->first);
+    fmpq_mul(constant, constant, p->length2);
+    set_about_axis(r, p, one, constant);
+    fmpq_clear(one);
+    fmpq_clear(constant);
+}
+
+/* Point and axis, from which all else is measured. */
+static graze_status read_placed_axis(placed *p, csg_reader *r, const json *point,
+                                     const json *axis) {
+    size_t d = (size_t)r->dimension;
+    fmpq_t zero;
+    graze_status status = csg_read_vector(p->point, r, point, d);
+    if (!status)
+        status = csg_read_vector(p->axis, r, axis, d);
+    if (status)
+        return status;
+    for (size_t i = 0; i < d; i++)
+        fmpq_addmul(p->length2, p->axis + i, p->axis + i);
+    if (fmpq_is_zero(p->length2))
+        return json_fail(r->build.context, GRAZE_EILLEGAL, axis,
+                         "the axis is zero; expected a direction");
+    fmpq_init(zero);
+    set_from(r, p->point);
+    csg_linear_form(&r->along, r, p->axis, r->from, zero);
+    fmpq_clear(zero);
+    return GRAZE_OK;
+}
+
+static graze_status read_bounds(placed *p, csg_reader *r, const json *from, const json *to) {
+    graze_status status = from ? entry_number(p->from, r->build.context, from) : GRAZE_OK;
+    if (!status && to)
+        status = entry_number(p->to, r->build.context, to);
+    p->has_from = from != NULL;
+    p->has_to = to != NULL;
+    if (!status && from && to && fmpq_cmp(p->from, p->to) >= 0)
+        status = json_fail(r->build.context, GRAZE_EILLEGAL, to, "expected more than from");
+    return status;
+}
+
+static graze_status in_space(csg_reader *r, const json *value) {
+    return r->dimension == 3 ? GRAZE_OK
+                             : json_fail(r->build.context, GRAZE_EINPUT, value,
+                                         "this primitive is one of space; expected dimension 3");
+}
+
+/* The surface at hand, f, between the bounds that are given. */
+static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
+    size_t part[3], count = 1;
+    graze_status status = csg_add_side(&part[0], r, 0);
+    if (!status && p->has_from)
+        status = add_cap(&part[count++], r, p, p->from, 1);
+    if (!status && p->has_to)
+        status = add_cap(&part[count++], r, p, p->to, 0);
+    return status ? status : csg_add_node(node, &r->build, CSG_ALL, part, count);
+}
+
+graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"normal", "offset"};
+    const json *member[2];
+    placed p;
+    placed_init(&p);
+    graze_status status = read_members(member, r, value, names, 2, 2);
+    if (!status)
+        status = csg_read_vector(p.axis, r, member[0], (size_t)r->dimension);
+    if (!status)
+        status = entry_number(p.first, r->build.context, member[1]);
+    if (!status)
+        csg_linear_form(&r->f, r, p.axis, r->coordinate, p.first);
+    if (!status && fmpq_mpoly_is_fmpq(&r->f, r->build.ring))
+        status = json_fail(r->build.context, GRAZE_EILLEGAL, member[0],
+                           "the normal is zero; expected a direction");
+    if (!status)
+        status = csg_add_side(node, r, 0);
+    placed_clear(&p);
+    return status;
+}
+
+graze_status csg_read_box(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"low", "high"};
+    const json *member[2];
+    size_t part[6], d = (size_t)r->dimension;
+    fmpq *end[2] = {_fmpq_vec_init(3), _fmpq_vec_init(3)};
+    graze_status status = read_members(member, r, value, names, 2, 2);
+    for (int k = 0; k < 2 && !status; k++)
+        status = csg_read_vector(end[k], r, member[k], d);
+    for (size_t i = 0; i < d && !status; i++)
+        if (fmpq_cmp(end[0] + i, end[1] + i) >= 0)
+            status = json_fail(r->build.context, GRAZE_EILLEGAL, member[1],
+                               "expected more than low in each coordinate");
+    for (size_t k = 0; k < 2 * d && !status; k++) {
+        fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[k / 2], end[k % 2] + k / 2, r->build.ring);
+        status = csg_add_side(&part[k], r, k % 2 == 0);
+    }
+    if (!status)
+        status = csg_add_node(node, &r->build, CSG_ALL, part, 2 * d);
+    _fmpq_vec_clear(end[0], 3);
+    _fmpq_vec_clear(end[1], 3);
+    return status;
+}
+
+graze_status csg_read_ball(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"radius", "center"};
+    const json *member[2];
+    placed p;
+    placed_init(&p);
+    graze_status status = read_members(member, r, value, names, 2, 1);
+    if (!status)
+        status = read_size(p.first, r, member[0]);
+    if (!status && member[1])
+        status = csg_read_vector(p.point, r, member[1], (size_t)r->dimension);
+    if (!status) {
+        set_from(r, p.point);
+        status = add_ball(node, r, p.first);
+    }
+    placed_clear(&p);
+    return status;
+}
+
+graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"semiaxes", "center"};
+    const json *member[2];
+    placed p;
+    placed_init(&p);
+    graze_status status = read_members(member, r, value, names, 2, 1);
+    if (!status)
+        status = json_array(r->build.context, member[0], (size_t)r->dimension);
+    if (!status && member[1])
+        status = csg_read_vector(p.point, r, member[1], (size_t)r->dimension);
+    const json *item = status ? NULL : member[0]->first;
+    for (; item && !status; item = item->next)
+        status = read_size(p.axis + item->index, r, item);
+    if (!status) {
+        set_from(r, p.point);
+        fmpq_mpoly_set_si(&r->f, -1, r->build.ring);
+    }
+    for (int i = 0; i < r->dimension && !status; i++) {
+        fmpq_mpoly_scalar_div_fmpq(&r->term, &r->from[i], p.axis + i, r->build.ring);
+        fmpq_mpoly_mul(&r->term, &r->term, &r->term, r->build.ring);
+        fmpq_mpoly_add(&r->f, &r->f, &r->term, r->build.ring);
+    }
+    if (!status)
+        status = csg_add_side(node, r, 0);
+    placed_clear(&p);
+    return status;
+}
+
+graze_status csg_read_cylinder(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"point", "axis", "radius", "from", "to"};
+    const json *member[5];
+    placed p;
+    placed_init(&p);
+    graze_status status = in_space(r, value);
+    if (!status)
+        status = read_members(member, r, value, names, 5, 3);
+    if (!status)
+        status = read_placed_axis(&p, r, member[0], member[1]);
+    if (!status)
+        status = read_size(p.first, r, member[2]);
+    if (!status)
+        status = read_bounds(&p, r, member[3], member[4]);
+    if (!status) {
+        set_cylinder(r, &p);
+        status = add_bounded(node, r, &p);
+    }
+    placed_clear(&p);
+    return status;
+}
+
+graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"point", "axis", "slope", "from", "to"};
+    const json *member[5];
+    placed p;
+    placed_init(&p);
+    graze_status status = in_space(r, value);
+    if (!status)
+        status = read_members(member, r, value, names, 5, 3);
+    if (!status)
+        status = read_placed_axis(&p, r, member[0], member[1]);
+    if (!status)
+        status = read_size(p.first, r, member[2]);
+    if (!status)
+        status = read_bounds(&p, r, member[3], member[4]);
+    if (!status && (fmpq_sgn(p.from) < 0 || (p.has_to && fmpq_cmp(p.from, p.to) >= 0)))
+        status = json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected 0 <= from < to");
+    if (!status) {
+        fmpq_mul(p.second, p.first, p.first);
+        fmpq_add_si(p.second, p.second, 1);
+        fmpq_zero(p.first);
+        set_about_axis(r, &p, p.second, p.first);
+        p.has_from = 1;
+        status = add_bounded(node, r, &p);
+    }
+    placed_clear(&p);
+    return status;
+}
+
+/* |a|^2 (|y|^2 + R^2 - r^2)^2 - 4 R^2 (|a|^2 |y|^2 - (a . y)^2) */
+static void set_torus(csg_reader *r, placed *p) {
+    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    fmpq_mul(p->from, p->first, p->first);
+    fmpq_set_si(p->to, 4, 1);
+    fmpq_mul(p->to, p->to, p->from);            /* 4 R^2 */
+    fmpq_submul(p->from, p->second, p->second); /* R^2 - r^2 */
+    fmpq_one(p->first);
+    fmpq_zero(p->second);
+    set_about_axis(r, p, p->first, p->second);
+    fmpq_mpoly_scalar_mul_fmpq(&r->f, &r->f, p->to, ring);
+    fmpq_mpoly_add_fmpq(&r->square, &r->square, p->from, ring);
+    fmpq_mpoly_mul(&r->term, &r->square, &r->square, ring);
+    fmpq_mpoly_scalar_mul_fmpq(&r->term, &r->term, p->length2, ring);
+    fmpq_mpoly_sub(&r->f, &r->term, &r->f, ring);
+}
+
+graze_status csg_read_torus(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"point", "axis", "major", "minor"};
+    const json *member[4];
+    placed p;
+    placed_init(&p);
+    graze_status status = in_space(r, value);
+    if (!status)
+        status = read_members(member, r, value, names, 4, 4);
+    if (!status)
+        status = read_placed_axis(&p, r, member[0], member[1]);
+    if (!status)
+        status = read_size(p.first, r, member[2]);
+    if (!status)
+        status = read_size(p.second, r, member[3]);
+    if (!status && fmpq_cmp(p.second, p.first) >= 0)
+        status = json_fail(r->build.context, GRAZE_EILLEGAL, member[3],
+                           "expected less than major: a torus does not meet itself");
+    if (!status) {
+        set_torus(r, &p);
+        status = csg_add_side(node, r, 0);
+    }
+    placed_clear(&p);
+    return status;
+}
+
+graze_status csg_read_capsule(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"point", "axis", "radius"};
+    const json *member[3];
+    size_t part[3];
+    placed p;
+    placed_init(&p);
+    graze_status status = read_members(member, r, value, names, 3, 3);
+    if (!status)
+        status = read_placed_axis(&p, r, member[0], member[1]);
+    if (!status)
+        status = read_size(p.first, r, member[2]);
+    if (!status) {
+        set_cylinder(r, &p);
+        fmpq_one(p.to);
+        p.has_from = p.has_to = 1;
+        status = add_bounded(&part[0], r, &p);
+    }
+    if (!status)
+        status = add_ball(&part[1], r, p.first);
+    if (!status) {
+        for (int i = 0; i < r->dimension; i++)
+            fmpq_add(p.point + i, p.point + i, p.axis + i);
+        set_from(r, p.point);
+        status = add_ball(&part[2], r, p.first);
+    }
+    if (!status)
+        status = csg_add_node(node, &r->build, CSG_ANY, part, 3);
+    placed_clear(&p);
+    return status;
+}

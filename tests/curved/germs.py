@@ -1,0 +1,282 @@
+#!/usr/bin/env python3
+# suite
+"""Random germs of dependent surfaces: what rational points near them show is never excluded (C95 to C100).
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Through the origin go z + ... = 0 and a second surface that is the first one times a unit plus F(x, y): F definite, indefinite,
+of rank 1, flat, in two degrees, alone or with planes and a ball; or three surfaces through an edge, or a quadratic cone with
+planes. The solid asks whether one pattern of their signs occurs, or all others. Points are found on the surfaces by Newton's
+iteration in fractions, then displaced by far less than their distance: the patterns that they have occur. A state O
+or I that they contradict is wrong. A B is shown by them, too, but where they are too few; how many is told.
+"""
+import collections
+import itertools
+import math
+import os
+import sys
+from fractions import Fraction as F
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+
+from scenes import Checks, Curved, Graze, Motion, minus, options  # noqa: E402
+
+GERMS = 600
+PLACES = 240                         # points are rounded to 2^-PLACES,
+NUDGE = 1 << 40                      # and displaced by so much
+SCALES = (1 << PLACES - 12, 1 << PLACES - 20)
+SLOPES = [(1, 0), (0, 1), (1, 1), (1, -1), (1, 3), (3, -1), (2, 5), (5, -2)]
+
+
+class Poly(dict):
+    """Coefficients by powers of x, y, z."""
+
+    def __add__(self, other):
+        out = Poly(self)
+        for key, value in other.items():
+            out[key] = out.get(key, 0) + value
+        return Poly({k: v for k, v in out.items() if v})
+
+    def __mul__(self, other):
+        out = Poly()
+        for a, u in self.items():
+            for b, v in other.items():
+                key = tuple(i + j for i, j in zip(a, b))
+                out[key] = out.get(key, 0) + u * v
+        return Poly({k: v for k, v in out.items() if v})
+
+    def ready(self):
+        """Integer coefficients, for points that are integers over 2^PLACES."""
+        if not hasattr(self, "terms"):
+            common = math.lcm(*(c.denominator for c in self.values())) if self else 1
+            top = self.degree()
+            self.terms = [(int(c * common), *k, PLACES * (top - sum(k))) for k, c in self.items()]
+        return self.terms
+
+    def at(self, p):
+        """The value, times a positive number that depends on the polynomial alone."""
+        x, y, z = p
+        return sum((c * x ** i * y ** j * z ** k) << shift for c, i, j, k, shift in self.ready())
+
+    def slope(self, i):
+        return Poly({tuple(e - (n == i) for n, e in enumerate(k)): c * k[i] for k, c in self.items() if k[i]})
+
+    def gradient(self):
+        """Its three derivatives, with the integer factor of its own coefficients."""
+        if not hasattr(self, "slopes"):
+            common = math.lcm(*(c.denominator for c in self.values()))
+            self.slopes = [Poly({k: c * common for k, c in self.slope(i).items()}) for i in range(3)]
+        return self.slopes
+
+    def degree(self):
+        return max(map(sum, self), default=0)
+
+
+def some(rng, keys, chance=0.6, span=3):
+    return Poly({k: F(rng.choice([-1, 1]) * rng.randint(1, span), rng.choice([1, 1, 2])) for k in keys if rng.random() < chance})
+
+
+def keys(low, high, only_xy=False):
+    return [k for k in itertools.product(range(high + 1), repeat=3) if low <= sum(k) <= high and not (only_xy and k[2])]
+
+
+def linear(rng):
+    out = Poly()
+    while not out:
+        out = some(rng, keys(1, 1), 0.7, 2)
+    return out
+
+
+def remainder(rng, kind, most):
+    """F(x, y) by the form it begins with."""
+    sign = rng.choice([-1, 1])
+    higher = some(rng, keys(3, most, True), 0.3)
+    square = Poly({(2, 0, 0): F(sign)})
+    if kind == "definite":
+        return square + Poly({(0, 2, 0): F(sign * rng.randint(1, 3)), (1, 1, 0): F(rng.randint(-1, 1))}) + higher
+    if kind == "indefinite":
+        return square + Poly({(0, 2, 0): F(-sign * rng.randint(1, 3))}) + higher
+    if kind == "rank 1":
+        rest = [Poly(), Poly({(0, 3, 0): F(sign)}), Poly({(0, 4, 0): F(1)}), Poly({(0, 4, 0): F(-1)}),
+                Poly({(1, 2, 0): F(2), (0, 4, 0): F(rng.choice([sign, 2 * sign, F(sign, 2)]))})]
+        return square + rng.choice([r for r in rest if r.degree() <= most])
+    return rng.choice([Poly({(0, 3, 0): F(1)}), Poly({(2, 1, 0): F(1), (0, 3, 0): F(1)}),
+                       Poly({(4, 0, 0): F(sign), (0, 4, 0): F(sign)}), Poly({(4, 0, 0): F(1), (0, 4, 0): F(-1)})][:2 if most < 4 else 4])
+
+
+def touching(rng):
+    """Two surfaces that touch, and company."""
+    kind = rng.choice(["definite", "indefinite", "rank 1", "flat"])
+    company = rng.choice([0, 0, 1, 2])
+    z = Poly({(0, 0, 1): F(1)})
+    first = z + some(rng, keys(2, 2), 0.5)
+    # A unit of degree 1 times a surface of degree 2 has degree 3.
+    unit = Poly({(0, 0, 0): F(rng.choice([-2, -1, 1, 2]))}) + some(rng, keys(1, 1), 0.5)
+    second = first * unit + remainder(rng, kind, rng.choice([2, 3, 4]) if kind == "definite" or kind == "indefinite" else 4)
+    others = [rng.choice([linear(rng), linear(rng) + some(rng, keys(2, 2), 0.5)]) for _ in range(company)]
+    return f"touching, {kind}, {'alone' if not company else 'in company'}", [first, second] + others
+
+
+def at_an_edge(rng):
+    """Three surfaces whose gradients lie in one plane."""
+    y, z = Poly({(0, 1, 0): F(1)}), Poly({(0, 0, 1): F(1)})
+    a, b = y + some(rng, keys(2, 2), 0.4), z + some(rng, keys(2, 2), 0.4)
+    phi = rng.choice([Poly({(2, 0, 0): F(1)}), Poly({(2, 0, 0): F(-1)}), Poly({(3, 0, 0): F(1)}), Poly({(4, 0, 0): F(-1)}), Poly()])
+    scale = [Poly({(0, 0, 0): F(rng.choice([-2, -1, 1, 3]))}) + some(rng, keys(1, 1), 0.3) for _ in range(2)]
+    return "edge", [a, b, a * scale[0] + b * scale[1] + phi]
+
+
+def general(rng):
+    count = rng.randint(2, 5)
+    surfaces = [linear(rng) + some(rng, keys(2, 2), 0.4) for _ in range(count)]
+    normals = [[f.get(tuple(int(n == i) for n in range(3)), F(0)) for i in range(3)] for f in surfaces]
+    touch = any(all(a[i] * b[j] == a[j] * b[i] for i in range(3) for j in range(i))
+                for a, b in itertools.combinations(normals, 2))
+    return "general, two touching" if touch else "general", surfaces
+
+
+def apex(rng):
+    form = Poly()
+    while not form:
+        form = some(rng, keys(2, 2), 0.6, 3)
+    return "apex", [form] + [linear(rng) for _ in range(rng.randint(0, 3))]
+
+
+def solve(base, free, axes):
+    """A point with base = 0 whose coordinates but `axes` are `free`; None where Newton's iteration fails."""
+    p, rest = [0, 0, 0], [i for i in range(3) if i not in axes]
+    for i, value in zip(rest, free):
+        p[i] = value
+    for _ in range(9):
+        # Values and slopes have one common factor if their degrees are made equal: 2^PLACES is a unit of length.
+        values = [f.at(p) for f in base]
+        slopes = [[f.gradient()[i].at(p) << PLACES * (f.degree() - 1 - f.gradient()[i].degree()) for i in axes] for f in base]
+        if len(axes) == 1:
+            if not slopes[0][0]:
+                return None
+            step = [values[0] // slopes[0][0]]
+        else:
+            det = slopes[0][0] * slopes[1][1] - slopes[0][1] * slopes[1][0]
+            if not det:
+                return None
+            step = [(values[0] * slopes[1][1] - values[1] * slopes[0][1]) // det,
+                    (values[1] * slopes[0][0] - values[0] * slopes[1][0]) // det]
+        for i, s in zip(axes, step):
+            p[i] -= s
+    return p if all(abs(x) < 1 << PLACES - 6 for x in p) else None
+
+
+def patterns(surfaces, rng):
+    """Patterns of signs that points near the origin have."""
+    out = set()
+
+    def look(p):
+        signs = tuple((v > 0) - (v < 0) for v in (f.at(p) for f in surfaces))
+        if all(signs):
+            out.add(signs)
+
+    smooth = [f for f in surfaces if any(f.get(tuple(int(n == i) for n in range(3))) for i in range(3))]
+    for scale in SCALES:
+        for _ in range(60):
+            look([scale * rng.randint(-40, 40) // 40 for _ in range(3)])
+        for a in smooth:
+            axis = max(range(3), key=lambda i: abs(a.get(tuple(int(n == i) for n in range(3)), 0)))
+            for slope in SLOPES:
+                for way in (1, -1):
+                    p = solve([a], [way * scale * s for s in slope], [axis])
+                    for nudge in (NUDGE, -NUDGE):
+                        if p:
+                            look([x + nudge * (n == axis) for n, x in enumerate(p)])
+            for b in smooth:
+                if b is a or rng.random() < 0.3:
+                    continue
+                for axes in ((0, 1), (0, 2), (1, 2)):
+                    for way in (1, -1):
+                        p = solve([a, b], [way * scale], axes)
+                        for nudges in itertools.product((0, NUDGE, -NUDGE), repeat=3):
+                            if p:
+                                look([x + n for x, n in zip(p, nudges)])
+        # Where the second of two touching surfaces bends away along a curve x = k y^2.
+        for k in (-4, -2, -1, 0, 1, 2, 4):
+            for way in (1, -1):
+                for a in smooth[:2]:
+                    p = solve([a], [k * scale * scale >> PLACES + 1, way * scale], [2])
+                    for nudge in (NUDGE, -NUDGE):
+                        if p:
+                            look([p[0], p[1], p[2] + nudge])
+    return out
+
+
+def node_of(f):
+    return {"polynomial": {",".join(map(str, k)): str(c) for k, c in f.items()}}
+
+
+def main():
+    args = options(__doc__.splitlines()[0])
+    checks = Checks()
+    graze = Graze(args, checks)
+    rng = args.random
+    told = collections.defaultdict(collections.Counter)
+    kinds = [touching, touching, touching, at_an_edge, general, apex]
+    for number in range(GERMS * args.scale):
+        name, surfaces = rng.choice(kinds)(rng)
+        if any(f.degree() > 4 or not f for f in surfaces):
+            continue
+        shown = patterns(surfaces, rng)
+        wanted = tuple(rng.choice([-1, 1]) for _ in surfaces)
+        rest = [p for p in itertools.product((-1, 1), repeat=len(surfaces)) if p not in shown]
+        if rest and rng.random() < 0.7:
+            wanted = rng.choice(rest)
+        # The set where all signs are as wanted, or its complement.
+        both = {"intersection": [node_of(Poly({k: c * (-s) for k, c in f.items()})) for f, s in zip(surfaces, wanted)]}
+        whole = rng.random() < 0.5
+        solid = minus({"box": {"low": ["-9"] * 3, "high": ["9"] * 3}}, both) if whole else both
+        way = [F(rng.randint(-3, 3), 2) for _ in range(3)]
+        bend = [F(rng.randint(-2, 2)) for _ in range(3)]
+        if not any(way):
+            way[0] = F(1)
+        path = [f"-(({a})*t+({b})*t^2)" for a, b in zip(way, bend)]
+        answers = graze.classify(f"germ {number}", Curved(3, solid),
+                                 Motion(3, [("-1/1024", "1/1024", {"translate": path})]), [(0, 0, 0)])
+        if not answers:
+            continue
+        state = state_at_zero(answers[0])
+        inside = {(p == wanted) != whole for p in shown}
+        told[name][state] += 1
+        what = (number, name, [dict(f) for f in surfaces], wanted, whole, way, bend, answers[0].word)
+        checks.holds(not (state == "O" and True in inside), *what, "is not outside")
+        checks.holds(not (state == "I" and False in inside), *what, "is not inside")
+        if state == "B" and len(inside) < 2:
+            told[name]["B, not shown"] += 1
+        if name in DECIDED:
+            checks.holds(state != "?", *what, "is undecided")
+    for name in sorted(told):
+        print(f"{name}: " + ", ".join(f"{count} {state}" for state, count in sorted(told[name].items())))
+    checks.finish()
+
+
+DECIDED = {"touching, definite, alone", "touching, indefinite, alone", "touching, rank 1, alone", "edge", "general", "apex"}
+
+
+def state_at_zero(answer):
+    """The state at t = 0: of an undecided trace that at its place."""
+    if "undecided" in answer.record:
+        return "?"
+    for contact in answer.contacts:
+        low, high = (F(x) if isinstance(x, str) else None for x in (contact["from"], contact["to"]))
+        if low is not None and high is not None and low <= 0 <= high:
+            return "B"
+        if low is None or high is None:
+            near = [F(x) if isinstance(x, str) else (F(x["lo"]) + F(x["hi"])) / 2 for x in (contact["from"], contact["to"])]
+            if near[0] < 0 < near[1]:
+                return "B"
+    # Contacts are before or behind; the letter at 0 is that behind the last one before it.
+    behind = sum(1 for c in answer.contacts if (F(c["to"]) if isinstance(c["to"], str) else F(c["to"]["hi"])) <= 0)
+    letters = [c for c in answer.word if c != "B"]
+    if not letters:
+        return "B"
+    return letters[behind - (answer.word[0] == "B")] if behind else letters[0]
+
+
+if __name__ == "__main__":
+    main()

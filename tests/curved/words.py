@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+# suite
+"""Words and times of curved scenes derived by hand: balls, capsules, cones, tori and polynomials, alone and combined, at
+tangencies, seams, rims, apexes and along slides (C94 to C101).
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+In most scenes c(t), the inverted trajectory of the origin, is the path that is given. A time is a ratio, or the
+coefficients of its minimal polynomial from the constant on. The reason of a word stands beside it.
+"""
+import os
+import sys
+from fractions import Fraction as F
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+
+from scenes import (Checks, Curved, Graze, Motion, along, ball, box, capsule, common, cone, cylinder, halfspace,  # noqa: E402
+                    minus, options, polynomial, torus, union)
+
+ORIGIN = {2: (0, 0), 3: (0, 0, 0)}
+# Solids that several scenes share.
+CAPSULE = capsule((0, 0, 0), (4, 0, 0), 1)
+TWO = ball((-1, 0, 0), 1), ball((1, 0, 0), 1)                      # they touch at the origin
+RING = torus((0, 0, 0), (0, 0, 1), 2, 1)                           # its outer equator: r = 3, z = 0
+ROD = cylinder((0, 0, 0), (0, 0, 1), 3, -2, 2)
+CONE = cone((0, 0, 0), (0, 0, 1), 1)
+NAPPES = polynomial({"2,0,0": 1, "0,2,0": 1, "0,0,2": -1})
+PLATE = minus(box((-3, -3, 0), (3, 3, 1)), cylinder((0, 0, 0), (0, 0, 1), 1))
+RAISED = torus((0, 0, 1), (0, 0, 1), 2, 1)                         # it rests on z = 0 along r = 2
+FLOOR = box((-4, -4, -1), (4, 4, 0))
+THREE = tuple(ball(c, 1) for c in ((1, 0), (F(-3, 5), F(4, 5)), (F(-3, 5), F(-4, 5))))
+DISK = ball((0, 1), 1)
+OVAL = polynomial({"2,0": 1, "0,2": 2, "0,1": -2})                 # x^2 + 2 y^2 = 2 y, in the disk x^2 + y^2 <= 2 y
+BALL = ball((0, 0, 1), 1)
+EGG = polynomial({"2,0,0": 1, "0,2,0": 1, "0,0,2": 2, "0,0,1": -2})
+ABOVE = halfspace((0, 0, -1))                                      # z >= 0
+FIRST = polynomial({"0,0,1": 1, "1,0,1": 1, "0,2,0": 1})           # z (1 + x) + y^2
+SECOND = polynomial({"0,0,1": 1, "1,0,1": 2, "0,2,0": F(3, 2)})    # z (1 + 2 x) + 3/2 y^2
+
+
+def corner(third):
+    """y >= 0, z >= 0 and a third inequality."""
+    return common(halfspace((0, -1, 0)), ABOVE, polynomial(third))
+
+
+# name, solid, motion, word, times or None
+SCENES = [
+    # A ball swept along a parabola: with u = t^2, F = u^2 + (1 - 2 y) u + y^2 - 1.
+    *[(f"parabola {y}", ball((0, 0), 1), along(-3, 3, "-t", f"{y}-t^2"), word, times) for y, word, times in (
+        ("3/2", "O", []), ("5/4", "OBOBO", [[-3, 0, 4]] * 2), ("9/8", "OBIBOBIBO", [[17, 0, -80, 0, 64]] * 4),
+        ("1", "OBIBIBO", [-1, 0, 1]), ("0", "OBIBO", [[-1, 0, 1, 0, 1]] * 2), ("-1", "OBO", [0]))],
+    # An ellipsoid that is 2 along y, carried around a circle of radius 3: (C - 1)(9 C - 7), (C - 1)(9 C - 23), C the cosine.
+    *[(f"round {x}", {"ellipsoid": {"semiaxes": ["1", "2", "1"]}},
+       along(-1, 1, f"{x}-3*(1-t^2)/(1+t^2)", "-6*t/(1+t^2)", "0"), word, times) for x, word, times in (
+        (2, "OBIBIBO", [[-1, 0, 8], 0, [-1, 0, 8]]), (4, "OBO", [0]))],
+    # One surface twice, with both signs, squared: the set is the closure of its interior.
+    ("twice", union(ball((0, 0), 1), ball((0, 0), 1)), along(-2, 2, "t", "0"), "OBIBO", [-1, 1]),
+    ("less itself", minus(ball((0, 0), 1), ball((0, 0), 1)), along(-2, 2, "t", "0"), "O", []),
+    ("either side", union(polynomial({"1,0": 1, "0,2": 1}), polynomial({"1,0": -1, "0,2": -1})),
+     along(-1, 1, "t", "t"), "I", []),
+    ("both sides", common(polynomial({"1,0": 2, "0,2": 2}), polynomial({"1,0": -1, "0,2": -1})),
+     along(-1, 1, "t", "t"), "O", []),
+    ("square", polynomial({"4,0": 1, "2,0": -2, "0,0": 1}), along(-2, 2, "t", "0"), "O", []),
+    ("minus a square", polynomial({"4,0": -1, "2,0": 2, "0,0": -1}), along(-2, 2, "t", "0"), "I", []),
+    ("a factor squared", polynomial({"3,0": 1, "2,1": 1}), along(-2, 1, "t", "1"), "IBO", [-1]),   # x^2 (x + y) <= 0
+    ("two factors", polynomial({"1,1": 1}), along(-2, 2, "t", "1-t"), "IBOBI", [0, 1]),            # x y <= 0
+    # A capsule: seams at x = 0 and 4, where ball and cylinder touch.
+    ("capsule along", CAPSULE, along(-1, 5, "t", "0", "1"), "OBO", [(0, 4)]),
+    ("capsule across", CAPSULE, along(-2, 2, "0", "0", "t"), "OBIBO", [-1, 1]),
+    ("capsule beside its seam", CAPSULE, along(-1, 1, "0", "t", "1"), "OBO", [0]),
+    ("capsule into its seam", CAPSULE, along(-1, 1, "t", "0", "1-t^2/4"), "OBI", [0]),  # in the ball t^2 / 2 is too much
+    ("capsule through", CAPSULE, along(-1, 5, "t", "0", "0"), "BIB", [-1, 5]),
+    ("stadium", capsule((0, 0), (3, 4), 1), along(-1, 6, "3*t/5-4/5", "4*t/5+3/5"), "OBO", [(0, 5)]),
+    # A rod and a ring that touches it from within along r = 3, z = 0.
+    ("rod less ring, upright", minus(ROD, RING), along(-1, 1, "3", "0", "t"), "B", [(-1, 1)]),
+    ("rod less ring, outwards", minus(ROD, RING), along(F(5, 2), F(7, 2), "t", "0", "0"), "OBO", [3]),
+    ("ring less rod", minus(RING, ROD), along(F(5, 2), F(7, 2), "t", "0", "0"), "O", []),
+    ("ring less rod, upright", minus(RING, ROD), along(-1, 1, "3", "0", "t"), "O", []),
+    ("ring on half a rod, outwards", union(RING, cylinder((0, 0, 0), (0, 0, 1), 3, -2, 0)),
+     along(F(5, 2), F(7, 2), "t", "0", "0"), "IBO", [3]),
+    ("ring on half a rod, upright", union(RING, cylinder((0, 0, 0), (0, 0, 1), 3, -2, 0)),
+     along(-1, 1, "3", "0", "t"), "BO", [(-1, 0)]),
+    ("ring on half a rod, around", union(RING, cylinder((0, 0, 0), (0, 0, 1), 3, -2, 0)),
+     along(0, 1, "3*(1-t^2)/(1+t^2)", "6*t/(1+t^2)", "0"), "B", [(0, 1)]),
+    # A cone, its apex, its generators.
+    ("cone beside its apex", CONE, along(-1, 1, "t", "0", "0"), "OBO", [0]),
+    ("cone into its apex", CONE, along(-1, 1, "0", "0", "t"), "OBI", [0]),
+    ("cone along a generator", CONE, along(-1, 1, "t", "0", "t"), "OB", [(0, 1)]),
+    ("capped cone through", cone((0, 0, 0), (0, 0, 2), F(1, 2), 1), along(-1, 3, "0", "0", "t"), "OBIBO", [0, 2]),
+    ("box less cone", minus(box((-1, -1, -1), (1, 1, 1)), CONE), along(F(-1, 2), F(1, 2), "t", "0", "0"), "IBI", [0]),
+    ("box less cone, down", minus(box((-1, -1, -1), (1, 1, 1)), CONE), along(F(-1, 2), F(1, 2), "0", "0", "t"), "IBO", [0]),
+    ("two nappes", NAPPES, along(-1, 1, "t", "0", "0"), "OBO", [0]),
+    ("two nappes through", NAPPES, along(-1, 1, "0", "0", "t"), "IBI", [0]),
+    ("outside of nappes", minus(box((-2, -2, -2), (2, 2, 2)), NAPPES), along(-1, 1, "t", "0", "0"), "IBI", [0]),
+    ("steep plane", common(CONE, halfspace((-1, 0, 2))), along(-1, 1, "0", "0", "t"), "O", []),     # x >= 2 z
+    ("steep plane aside", common(CONE, halfspace((-1, 0, 2))), along(-1, 1, "t", "0", "0"), "O", []),
+    ("tangent plane", common(CONE, halfspace((-1, 0, 1))), along(-1, 1, "t", "0", "t"), "O", []),   # x >= z
+    ("tangent plane at the apex", common(CONE, halfspace((-1, 0, 1))), along(-1, 1, "0", "t", "0"), "O", []),
+    ("cutting plane", common(CONE, halfspace((-2, 0, 1))), along(-1, 1, "0", "0", "t"), "OBO", [0]),  # x >= z / 2
+    ("cone in a wedge", common(CONE, halfspace((1, 3, 0)), halfspace((-1, 3, 0))), along(-1, 1, "0", "0", "t"),
+     "OB", [(0, 1)]),                                               # 3 y <= -|x|: the axis is the wedge's edge
+    ("cone less its quadrant", minus(CONE, common(halfspace((-1, 0, 0)), halfspace((0, -1, 0)))),
+     along(-1, 1, "t", "t", "2*t"), "OBO", [0]),
+    # x^2 + y^2 <= z^2 within |x| >= 2 z >= 0: nothing but the apex, from four cells of the two planes.
+    ("cone in two steep planes", common(NAPPES, halfspace((-1, 0, 2)), ABOVE), along(-1, 1, "0", "t", "0"), "O", []),
+    ("cone over a cell", minus(common(halfspace((1, 0, -1)), halfspace((-1, 0, -1)), halfspace((0, 1, -1)),
+                                      halfspace((0, -1, -1))), NAPPES), along(-1, 1, "t", "0", "0"), "OBO", [0]),
+    # A line of points where x^2 + y^2 = 0: no boundary.
+    ("a line that is none", polynomial({"2,0,0": 1, "0,2,0": 1}), along(-1, 1, "t", "0", "t"), "O", []),
+    ("a line of all", polynomial({"2,0,0": -1, "0,2,0": -1}), along(-1, 1, "t", "0", "t"), "I", []),
+    ("a slide along it", polynomial({"2,0,0": 1, "0,2,0": 1}), along(-1, 1, "0", "0", "t"), "O", []),
+    # A node of a cubic, and its cusp: y^2 = x^2 + x^3, y^2 = x^3.
+    ("node", polynomial({"0,2": 1, "2,0": -1, "3,0": -1}), along(F(-1, 2), F(1, 2), "0", "t"), "OBO", [0]),
+    ("node, along", polynomial({"0,2": 1, "2,0": -1, "3,0": -1}), along(F(-1, 2), F(1, 2), "t", "0"), "IBI", [0]),
+    # Two balls that touch.
+    ("two balls through", union(*TWO), along(-3, 3, "t", "0", "0"), "OBIBIBO", [-2, 0, 2]),
+    ("two balls between", union(*TWO), along(-1, 1, "0", "t", "0"), "OBO", [0]),
+    ("two balls both", common(*TWO), along(-3, 3, "t", "0", "0"), "O", []),
+    ("less two balls, between", minus(ball((0, 0, 0), 3), *TWO), along(-1, 1, "0", "t", "0"), "IBI", [0]),
+    ("less two balls, through", minus(ball((0, 0, 0), 3), *TWO), along(F(-3, 2), F(3, 2), "t", "0", "0"), "OBO", [0]),
+    ("crescent", minus(ball((0, 0, 0), 2), ball((1, 0, 0), 1)), along(-3, 3, "t", "0", "0"), "OBIBOBO", [-2, 0, 2]),
+    ("no crescent", minus(ball((1, 0, 0), 1), ball((0, 0, 0), 2)), along(-3, 3, "t", "0", "0"), "O", []),
+    # Of order four: on the disk's circle y^2 of the oval is x^4 / 4 and more.
+    ("disk less oval", minus(DISK, OVAL), along(-1, F(1, 4), "0", "t"), "OBO", [0]),
+    ("oval less disk", minus(OVAL, DISK), along(-1, F(1, 4), "0", "t"), "O", []),
+    ("ball less egg", minus(BALL, EGG), along(-1, F(1, 4), "0", "0", "t"), "OBO", [0]),
+    # Circles that cross where they touch: y = x^2 and y = x^2 + x^3.
+    ("crossing of order three", minus(polynomial({"2,0": 1, "0,1": -1}), polynomial({"2,0": 1, "3,0": 1, "0,1": -1})),
+     along(-1, 1, "0", "t"), "OBO", [0]),
+    # A torus on a floor.
+    ("torus on a floor, down", union(RAISED, FLOOR), along(F(-1, 2), F(1, 2), "2", "0", "t"), "IBI", [0]),
+    ("torus on a floor, along", union(RAISED, FLOOR), along(-3, 3, "t", "0", "0"), "B", [(-3, 3)]),
+    ("torus under the floor", common(RAISED, FLOOR), along(F(-1, 2), F(1, 2), "2", "0", "t"), "O", []),
+    ("torus under the floor, around", common(RAISED, FLOOR),
+     along(0, 1, "2*(1-t^2)/(1+t^2)", "4*t/(1+t^2)", "0"), "O", []),
+    ("floor less torus", minus(FLOOR, RAISED), along(F(-1, 2), F(1, 2), "2", "0", "t"), "IBO", [0]),
+    # A plate with a round hole.
+    ("plate", PLATE, along(-4, 4, "t", "0", "1/2"), "OBIBOBIBO", [-3, -1, 1, 3]),
+    ("plate beside the hole", PLATE, along(-2, 2, "t", "1", "1/2"), "IBI", [0]),
+    ("plate, its rim", PLATE, along(-2, 2, "t", "1", "1"), "B", [(-2, 2)]),
+    ("plate, the hole's wall", PLATE, along(-1, 2, "1", "0", "t"), "OBO", [(0, 1)]),
+    # Three circles through a point; their inner sides have nothing in common and cover all.
+    ("three disks", common(*THREE), along(-1, 1, "t", "t/3"), "O", []),
+    ("three disks together", union(*THREE), along(F(-1, 3), F(1, 3), "t", "t/3"), "I", []),
+    ("less three disks", minus(ball((0, 0), 3), *THREE), along(F(-1, 3), F(1, 3), "t", "t/3"), "O", []),
+    # Four balls through a point.
+    ("four balls", common(*(ball(c, 1) for c in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (F(-2, 3), F(-2, 3), F(-1, 3))))),
+     along(F(-1, 3), F(1, 3), "t", "t", "t"), "O", []),
+    # Rank 1: on z = 0 the other is x^2 - y^3, x^2 + y^4, x^2 - y^4.
+    ("ridge of order three", minus(polynomial({"0,0,1": 1, "2,0,0": 1, "0,3,0": -1}), halfspace((0, 0, 1))),
+     along(-1, 1, "t", "0", "t^2"), "OBO", [0]),
+    ("ridge up", minus(polynomial({"0,0,1": 1, "2,0,0": 1, "0,4,0": 1}), halfspace((0, 0, 1))),
+     along(-1, 1, "t", "0", "t^2"), "O", []),
+    ("ridge down", minus(polynomial({"0,0,1": 1, "2,0,0": 1, "0,4,0": -1}), halfspace((0, 0, 1))),
+     along(-1, 1, "t", "0", "t^2"), "OBO", [0]),
+    ("bent ridge", minus(polynomial({"0,0,1": 1, "2,0,0": 1, "1,2,0": -2, "0,4,0": 1}), halfspace((0, 0, 1))),
+     along(-1, 1, "t", "0", "t^2"), "O", []),                       # (x - y^2)^2
+    # Three surfaces along a line: y >= 0, z >= 0, y + z + (x^2, -x^2, x^3) <= 0.
+    ("edge closed", corner({"0,1,0": 1, "0,0,1": 1, "2,0,0": 1}), along(-1, 1, "t", "0", "0"), "O", []),
+    ("edge open", corner({"0,1,0": 1, "0,0,1": 1, "2,0,0": -1}), along(-1, 1, "t", "0", "0"), "B", [(-1, 1)]),
+    ("edge open, across", corner({"0,1,0": 1, "0,0,1": 1, "2,0,0": -1}), along(-1, 1, "0", "t", "0"), "OBO", [0]),
+    ("edge half open", corner({"0,1,0": 1, "0,0,1": 1, "3,0,0": 1}), along(-1, 1, "t", "0", "0"), "BO", [(-1, 0)]),
+    ("edge half open, across", corner({"0,1,0": 1, "0,0,1": 1, "3,0,0": 1}), along(-1, 1, "0", "t", "t"), "OBO", [0]),
+    # Slides whose answer changes at a time at which no surface does: on SECOND = 0, FIRST = y^2 (x - 1) / (2 (1 + 2 x)).
+    ("slide from 1", minus(SECOND, FIRST), along(0, 3, "t", "0", "0"), "OB", [(1, 3)]),
+    ("slide until 1", minus(FIRST, SECOND), along(0, F(3, 2), "t", "0", "0"), "BO", [(0, 1)]),
+    # A rim at an irrational time: (t, 1 / (2 t)) touches the circle where y = x.
+    ("rim", common(ball((0, 0), 1), halfspace((-1, 1))), along(F(1, 2), 1, "t", "1/(2*t)"), "OBO", [[-1, 0, 2]]),
+    # Breaks of the motion on the boundary.
+    ("turned back", ball((0, 0, 0), 1), Motion(3, [(0, 1, {"translate": ["2-t", "0", "0"]}),
+                                                   (1, 2, {"translate": ["t", "0", "0"]})]), "OBO", [1]),
+    ("held on", ball((0, 0, 0), 1), Motion(3, [(0, 1, {"translate": ["2-t", "0", "0"]}), (1, 2, {"translate": ["1", "0", "0"]}),
+                                               (2, 3, {"translate": ["3-t", "0", "0"]})]), "OBI", [(1, 2)]),
+    ("at rest on it", ball((0, 0, 0), 1), along(0, 1, "1", "0", "0"), "B", [(0, 1)]),
+    ("at rest inside", ball((0, 0, 0), 1), along(0, 1, "1/2", "0", "0"), "I", []),
+]
+# A ball that grows while it moves: F = |P - b|^2 - (1 + t)^2.
+GROWING = Motion(2, [(0, 1, {"compose": [{"scale": "1+t"}, {"translate": ["8*t", "0"]}]})])
+POINTS = [(4, F(3, 2), "OBIBO"), (0, 1, "BIBO"), (8, 2, "OB")]
+
+
+def times_of(contacts):
+    out = []
+    for c in contacts:
+        ends = [F(x) if isinstance(x, str) else [int(a) for a in x["poly"]] for x in (c["from"], c["to"])]
+        out.append(ends[0] if c["from"] == c["to"] else tuple(ends))
+    return out
+
+
+def main():
+    args = options(__doc__.splitlines()[0])
+    checks = Checks()
+    graze = Graze(args, checks)
+    for name, node, motion, word, times in SCENES:
+        d = motion.dimension
+        answers = graze.classify(name, Curved(d, node), motion, [ORIGIN[d]])
+        if not answers:
+            continue
+        checks.equal(answers[0].word, word, name)
+        checks.equal(times_of(answers[0].contacts), times, name)
+    answers = graze.classify("growing", Curved(2, ball((0, 0), 1)), GROWING, [p[:2] for p in POINTS]) or []
+    for (x, y, word), answer in zip(POINTS, answers):
+        checks.equal(answer.word, word, "growing", x, y)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
