@@ -88,6 +88,12 @@ static void solids(bench *b) {
     WRONG_OUT(char, graze_solid_text(&out, NULL, b->s.solid));
     WRONG_OUT(char, graze_solid_text(&out, c, NULL));
     HARMLESS(graze_solid_note, !*graze_solid_note(NULL));
+    HARMLESS(graze_solid_primitive_count, !graze_solid_primitive_count(b->s.solid));
+    HARMLESS(graze_solid_primitive, !*graze_solid_primitive(NULL, 0));
+    HARMLESS(graze_solid_surface_count, !graze_solid_surface_count(NULL));
+    HARMLESS(graze_scene_ends, !graze_scene_ends(NULL));
+    HARMLESS(graze_trace_undecided, !graze_trace_undecided(NULL, NULL));
+    HARMLESS(graze_trace_reason, !*graze_trace_reason(NULL));
 }
 
 static void motions(bench *b) {

@@ -215,7 +215,8 @@ int fuzz_csg(const uint8_t *data, size_t size) {
         EXPECT(open == (graze_trace_verdict(trace).pmc == GRAZE_PMC_UNDECIDED));
         EXPECT(open == (strchr(graze_trace_word(trace), '?') != NULL) &&
                open == (*graze_trace_reason(trace) != 0));
-        status = graze_report_point(&row, context, scene, point, GRAZE_FORMAT_JSONL, NULL);
+        const graze_row_options lines = {.size = sizeof lines, .format = GRAZE_FORMAT_JSONL};
+        status = graze_report_point(&row, context, scene, point, NULL, &lines);
         EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
     }
     graze_free(row);
