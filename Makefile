@@ -36,7 +36,8 @@ PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv mypy
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
-PACKAGES_ALL   := $(PACKAGES_TEST) python3-shapely python3-meshio python3-pandas chromium clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
+PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe
+PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
 
 comma   := ,
 LIB_C   := $(wildcard src/api/*.c) $(filter-out src/program/% src/output/png/%,$(wildcard src/*/*/*.c))
@@ -69,6 +70,7 @@ help:
 	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
 	@echo "make fuzz       every fuzz target for SECONDS=60 (FUZZ_ONLY=\"NAME ...\": some of them)"
 	@echo "make coverage   line and branch coverage by file, of most suites"
+	@echo "make docs       the site, with what its pages show, into build/docs/html/"
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make proofs     check the proofs in proofs/coq by machine, the C functions against them"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
@@ -109,6 +111,8 @@ $B/.packages-pictures: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_PNG))
 $B/.packages-proofs: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_PROOFS))
+$B/.packages-docs: Makefile | $B/.packages-build
+	$(call install_packages,$(PACKAGES_DOCS))
 $B/.packages-all: Makefile | $B/.packages-test
 	$(call install_packages,$(PACKAGES_ALL))
 
@@ -373,6 +377,12 @@ coverage: $B/.packages-all
 .PHONY: bench
 bench: all $(BENCH)
 	@python3 tests/bench/run.py --graze $B/graze $(BENCH_FLAGS)
+
+# The site: what its pages show is run, and each link is followed.
+.PHONY: docs
+docs: $B/.packages-pictures $B/.packages-docs all
+	@$(MAKE) -s B=$B all # cairo is perhaps just installed
+	@$(PYTHON) src/docs/build.py --build $B
 
 .PHONY: pictures
 pictures: $B/.packages-pictures all

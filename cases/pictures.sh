@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draws the scenes that stand for figures of [EI], each as SVG and as PNG.
+# Draws the scenes that stand for figures of [EI] and the pictures of README.md, each as SVG and as PNG.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -eu
 graze=${1:-build/graze}
@@ -20,6 +20,29 @@ picture() {
     done
     echo "$out/$name.svg"
 }
+
+# plain NAME TITLE POLYGON POINTS [OPTION...]: a polygon that moves by 8 to the right, and perhaps points.
+plain() {
+    name=$1 title=$2
+    echo "POLYGON (($3))" >"$out/$name.wkt"
+    echo '{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0"]}}]}' >"$out/right.json"
+    points=
+    [ -z "$4" ] || { points=$out/$name.csv && printf 'x,y,id\n%s\n' "$4" >"$points"; }
+    shift 4
+    for kind in svg png; do
+        "$graze" draw "$out/$name.wkt" "$out/right.json" ${points:+"$points"} --title "$title" "$@" -o "$out/$name.$kind"
+    done
+    echo "$out/$name.svg"
+}
+
+plain sampling 'The sweep of a thin wall, and the wall at five samples of its motion' '0 0, 0.25 0, 0.25 2, 0 2, 0 0' ''
+plain words 'Words of points: O outside, B on the boundary, I inside' \
+    '0 0, 4 0, 4 3, 3 3, 3 1, 1 1, 1 3, 0 3, 0 0' \
+    '6,1/2,OBIBO
+6,1,OBIBIBO
+6,2,OBIBOBIBO
+6,3,OBOBO
+6,4,O' --box -1,-1/2,13,9/2 --times 2
 
 u=figures-5-7-8
 picture figure3 $u 'Figure 3: a translation and a quarter turn' 'P1 P6 P12 P16 P18 P19 out1' --times 9

@@ -20,7 +20,7 @@ extern "C" {
 #define GRAZE_VERSION_MAJOR 0
 #define GRAZE_VERSION_MINOR 1
 #define GRAZE_VERSION_PATCH 0
-/** Version of the header as one number, for #if and for comparison with graze_version_number(). */
+/** Version of the header as one number, to be compared with graze_version_number(). */
 #define GRAZE_VERSION_NUMBER                                                                       \
     (GRAZE_VERSION_MAJOR * 10000 + GRAZE_VERSION_MINOR * 100 + GRAZE_VERSION_PATCH)
 

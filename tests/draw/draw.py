@@ -307,7 +307,7 @@ def check_without_png(graze, folder):
 
 
 def check_pictures(graze, folder):
-    """What `make pictures` draws is well-formed, and the committed picture is among it."""
+    """What `make pictures` draws is well-formed, and the committed pictures are among it."""
     out = os.path.join(folder, "pictures")
     done = harness.run([os.path.join(ROOT, "cases", "pictures.sh"), graze, out], 600, text=False, env=ENVIRONMENT)
     check(done.returncode == 0, "pictures.sh", done.stderr.decode())
@@ -320,9 +320,9 @@ def check_pictures(graze, folder):
             check_texts(root, name)
             notes = [t.text for t in root.iter(SVG + "text") if t.text.startswith("no room")]
             check(not notes, name, notes)
-    with open(os.path.join(ROOT, "cases", "figure3.svg"), "rb") as old, \
-            open(os.path.join(out, "figure3.svg"), "rb") as new:
-        check(old.read() == new.read(), "cases/figure3.svg is not what make pictures draws")
+    for name in ("sampling.svg", "words.svg"):
+        with open(os.path.join(ROOT, "cases", name), "rb") as old, open(os.path.join(out, name), "rb") as new:
+            check(old.read() == new.read(), f"cases/{name} is not what make pictures draws")
 
 
 # ------------------------------------------------------------------------------ binary tables

@@ -181,8 +181,8 @@ def make(graze, folder):
     yield Scene("draw-png", ["draw", u, roll, "--grid", "6", "-p", "9,2", "-o", "made.png"],
                 spared="libcairo:libpixman:libfontconfig:ld-linux")
     yield Scene("draw-distance", ["draw", u, roll, "--grid", "6", "--by", "distance", "-o", "made.svg"], spared=NUMBERS)
-    yield Scene("draw-page", ["draw", u, roll, "-p", "9,2", "--surface", "1", "-o", "made.html"])
-    yield Scene("draw-page-3", ["draw", cube, turn, "-p", "5,1,2", "--surface", "none", "-o", "made.html"])
+    yield Scene("draw-page", ["draw", u, roll, "--grid", "6", "-p", "9,2", "--surface", "1", "-o", "made.html"])
+    yield Scene("draw-page-3", ["draw", cube, turn, "--grid", "6", "-p", "5,1,2", "--surface", "none", "-o", "made.html"])
     yield Scene("draw-3", ["draw", cube, turn, "--grid", "6", "-p", "5,1,2", "-o", "made.svg"])
     yield Scene("boundary", ["boundary", u, roll, "--depth", "4", "--coarse", "3", "--contacts", "9", "--surface",
                              "s.vtk", "--cells", "c.vtk", "--points", "p.csv"], tables=("s.vtk", "c.vtk", "p.csv"))

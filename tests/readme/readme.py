@@ -25,12 +25,13 @@ import sys
 import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "src", "docs"))
 
 import harness  # noqa: E402
+from blocks import BLOCK, blocks, link_into, prints  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
 DOCUMENTS = ("README.md", "src/program/cli/README.md")
-BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$(?:\n\n```text\n(.*?)^```$)?", re.M | re.S)
 # Words of the README outside its blocks.
 MOST_WORDS = 1650
 # Options of the compiler if the libraries were built with a sanitizer.
@@ -55,31 +56,6 @@ def read(*parts):
 def write(text, *parts):
     with open(os.path.join(*parts), "w", encoding="utf-8") as file:
         file.write(text)
-
-
-def prints(want, got):
-    """Is `got` the text `want`, whose lines `...` stand for any number of lines?"""
-    parts = re.split(r"^\.\.\.\n", want, flags=re.M)
-    return re.fullmatch("(?:.*\n)*?".join(map(re.escape, parts)), got) is not None
-
-
-def blocks(text):
-    """(language, text, output or None) of every block in order."""
-    return [match.groups() for match in BLOCK.finditer(text) if match[1] != "text"]
-
-
-def link_into(folder, build):
-    """A folder that looks like the repository after `make`, and can be written to."""
-    for name in os.listdir(ROOT):
-        if not name.startswith("build"):
-            os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
-    os.mkdir(os.path.join(folder, "build"))
-    for name in ("graze", "graze-check", "libgraze.a", "libgraze.so"):
-        path = os.path.join(build, name)
-        if check(os.path.exists(path), f"{path} is missing"):
-            os.symlink(path, os.path.join(folder, "build", name))
-    # The shared library is found by its soname.
-    os.symlink("libgraze.so", os.path.join(folder, "build", "libgraze.so.0"))
 
 
 class Runner:
@@ -226,7 +202,8 @@ def main():
     texts = {name: read(name) for name in DOCUMENTS}
     itself()
     with tempfile.TemporaryDirectory() as folder:
-        link_into(folder, os.path.dirname(graze))
+        for name in link_into(folder, ROOT, os.path.dirname(graze)):
+            check(False, f"{name} is missing")
         runner = Runner(folder, os.path.dirname(graze))
         for text in texts.values():
             runner.examples(text)

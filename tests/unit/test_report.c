@@ -424,7 +424,7 @@ static void head(void **state) {
     fixture f;
     char *out;
     open_fixture(&f);
-    f.scene.ends_meet = 1;
+    f.scene.ends = GRAZE_ENDS_MEET;
     f.scene.options.folds = GRAZE_FOLDS_COMBINED;
     for (int k = 0; k < 32; k++)
         f.motion.sha256[k] = (unsigned char)(16 * k + k % 16);

@@ -8,7 +8,7 @@
 
 `Scene.classify` takes many points, arrays of numpy the fastest; `Scene.trace` and `Scene.explain`
 say why for one. Nothing is rounded: floats are the dyadic numbers they are, times of contact are
-Fractions or `AlgebraicNumber`s. The module is pure Python, 3.9 or later, on top of the shared
+Fractions, or of type `AlgebraicNumber`. The module is pure Python, 3.9 or later, on top of the shared
 library libgraze, which is looked for at $GRAZE_LIBRARY, beside the package, in the lib folder it is
 installed in, in the build folder of a checkout, and where the dynamic linker looks. numpy and
 pandas are used where they are installed.
