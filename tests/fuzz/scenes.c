@@ -173,6 +173,14 @@ static void check_contact(graze_context *context, const graze_scene *scene, graz
     mpq_clears(low, high, unused, NULL);
 }
 
+/* A point beside a contact is where the generator says. */
+static void check_side(graze_context *context, const graze_scene *scene, graze_rationals point,
+                       graze_pmc side) {
+    graze_verdict found;
+    EXPECT(graze_classify(&found, context, scene, point, 1, GRAZE_COLUMNS_ALL) == GRAZE_OK);
+    EXPECT(found.pmc == side);
+}
+
 /* Weights, seed and flags of a generator. Seven in eight weights are 0, those of levels nearly all,
  * in space all: each is looked for in the scene, one that it has not with thousands of tries, and
  * levels for longer than all the rest. */
@@ -210,7 +218,9 @@ int fuzz_generate(const uint8_t *data, size_t size) {
             EXPECT(mpq_equal(back, point[k]));
             mpq_clear(back);
         }
-        if (sample.order != 0 && sample.k == 0 && sample.stratum != GRAZE_STRATUM_LEVEL)
+        if (sample.stratum == GRAZE_STRATUM_ROUNDED)
+            check_side(context, scene, point, sample.pmc);
+        else if (sample.order != 0 && sample.k == 0 && sample.stratum != GRAZE_STRATUM_LEVEL)
             check_contact(context, scene, point, time);
     }
     int decade, outward;
