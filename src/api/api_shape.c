@@ -40,7 +40,7 @@ static graze_status make_round(text *made, graze_context *context, const graze_s
                                const fmpq *at, mpq_srcptr tolerance) {
     tool_numbers n;
     tool s;
-    tool_pair pair;
+    tool_pair pair = {.stretch = {{0, 1}}};
     fmpq_t goal, square, one;
     int ball = given->kind == GRAZE_SHAPE_BALL, cutter = given->kind == GRAZE_SHAPE_CUTTER;
     tool_init(&s);

@@ -20,7 +20,9 @@ graze_status classify_answer(graze_verdict *out, graze_context *context, const g
     graze_status status = classify_point(&trace, context, scene, point, detail);
     if (status)
         return status;
-    *out = detail >= TRACE_PMC ? (graze_verdict){.pmc = trace.verdict.pmc} : trace.verdict;
+    *out = (graze_verdict){.pmc = trace.verdict.pmc};
+    if (detail < TRACE_PMC)
+        *out = trace.verdict;
     trace_clear(&trace);
     return GRAZE_OK;
 }

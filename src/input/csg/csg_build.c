@@ -39,7 +39,7 @@ graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *nam
     int length = snprintf(title, room, "%s %zu", kind, out->primitive_count);
     if (name)
         snprintf(title + length, room - (size_t)length, " \"%s\"", name);
-    out->primitive[out->primitive_count++] = (csg_primitive){title};
+    out->primitive[out->primitive_count++].title = title;
     return GRAZE_OK;
 }
 

@@ -175,7 +175,7 @@ static graze_status read_csg(csg *out, graze_context *context, const json *root)
     static const char *const names[] = {"dimension", "solid"};
     const json *member[2];
     fmpz_t dimension;
-    csg_reader r;
+    csg_reader r = {.dimension = 0};
     size_t node;
     fmpz_init(dimension);
     graze_status status = json_members(member, context, root, names, 2);

@@ -44,7 +44,7 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
     const row_source *from = &a->task.source;
     size_t d =
         (size_t)(from->columns ? from->columns->numbers : graze_scene_dimension(a->task.scene));
-    size_t n = 0, point_at[RUN_ROWS], rest_at[RUN_ROWS];
+    size_t n = 0, point_at[RUN_ROWS] = {0}, rest_at[RUN_ROWS] = {0};
     if (from->grid)
         grid_points(a->points, from->grid, from->part, b->before + first, r->taken);
     a->reader.rest_length = 0;

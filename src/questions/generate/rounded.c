@@ -69,7 +69,7 @@ static graze_status take_side(sample *out, graze_context *context, const struct 
     graze_status status = GRAZE_OK;
     out->made.pmc = GRAZE_ON;
     for (size_t k = 0; k < choices && !status && (k == 0 || out->made.pmc != wanted); k++) {
-        graze_verdict found;
+        graze_verdict found = {.pmc = GRAZE_PMC_NONE};
         status = choose_neighbours(out->point, context, n, (first + k) % choices);
         if (!status)
             status =
