@@ -70,6 +70,7 @@ stage "mutants of certificates" python3 tests/run.py --build build --only tests/
 stage "forged certificates" python3 tests/check/forged.py --graze build/graze
 stage "the checker weakened" python3 tests/check/weakened.py --graze build/graze --only verdict.c,trace.c,poly.c,motion.c,legal.c
 stage "falsified decisions" flips
+stage "the site" make -s docs
 stage "packages of Python" python3 tests/python/packages.py --graze build/graze
 stage "candidates in pandas" python3 tests/compare/python_candidates.py --graze build/graze --pandas
 stage "pages in a browser" python3 tests/page/browser.py --graze build/graze

@@ -37,7 +37,7 @@ WINGS = {
     "program": ["run", "cli", "mpi"],
 }
 # Beside the wings: the checker of certificates, which shares nothing with them, the module and what installs.
-BESIDE = {"check", "python", "install"}
+BESIDE = {"check", "docs", "python", "install"}
 FLOORS = [(wing, floor.split()) for wing, floors in WINGS.items() for floor in floors]
 RANK = {room: rank for rank, (_, floor) in enumerate(FLOORS) for room in floor}
 WING = {room: wing for wing, floor in FLOORS for room in floor}
