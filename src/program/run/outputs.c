@@ -113,9 +113,12 @@ static int make_head(char **head, const outputs *out, const char *notes, const c
     text_put(&all, sites->snap && others ? "," : "");
     text_put(&all, others ? others : "");
     const char *columns = all.length ? all.data : NULL;
+    if (all.failed) {
+        text_clear(&all);
+        return complain(EXIT_IO, "out of memory");
+    }
     graze_status made =
-        all.failed ? GRAZE_ESYSTEM
-        : sites->wanted
+        sites->wanted
             ? graze_site_header(head, context, out->l->scene, notes, columns)
             : graze_report_header(head, context, out->l->scene, notes, columns, &out->l->rows);
     text_clear(&all);
