@@ -36,6 +36,7 @@ UNREACHED = {
     "rows are not those that were written": "needs a table of this version; tests/shards reaches it",
     "rows are of other points": "needs a table of this version; tests/shards reaches it",
     "rows for which there are points": "needs a table of this version; tests/shards reaches it",
+    "is not the file that was validated": "needs a receipt of this version; tests/shards reaches it",
     "the box along axis": "the command line makes numbers in lowest terms; tests/api reaches it",
     "cannot be waited for": "the system refuses to poll",
     "a rank cannot begin": "needs a machine that lacks a file which another one has",
