@@ -47,6 +47,11 @@ def test_clocks(graze, folder):
     got, report = made(graze, folder, table(head.split(","), rows))
     check(got and [frame[0] for frame in frames(got)] == [F(start + 10 ** 7 * k, 10 ** 9) for k in range(4)], got)
     check("passed over: field.header.seq, field.header.frame_id, field.header.stamp\n" in report, report)
+    # The time that the caller names is the whole time: the other clock adds nothing to it.
+    twice = [[row[0], row[1], str(start + 7 * 10 ** 6 * k), *row[3:]] for k, row in enumerate(rows)]
+    for name, unit in (("nanoseconds", 10 ** 9), ("t", 1)):
+        got, _ = made(graze, folder, table(head.split(","), twice), *WRITTEN, "--columns", f"{name}=field.header.stamp")
+        check(got and [frame[0] for frame in frames(got)] == [F(start + 7 * 10 ** 6 * k, unit) for k in range(4)], name, got)
     rows = [[str(17 + k // 2), str(k % 2 * 500000001), "1", "2", str(k), "0", "0", "0", "1"] for k in range(4)]
     got, _ = made(graze, folder, table(["stamp.sec", "stamp.nanosec", *names.split(",")], rows), *WRITTEN)
     check(got and [frame[0] for frame in frames(got)] == [17 + k // 2 + F(k % 2 * 500000001, 10 ** 9) for k in range(4)], got)

@@ -134,6 +134,12 @@ static graze_status refuse_name(const naming *n, field name) {
                            FIELD_SHOWN(name));
 }
 
+/* Seconds and nanoseconds are one time: where the caller names one, no other column adds to it. */
+static int is_time_by_caller(const naming *n, int column) {
+    return (column == POSE_TIME || column == POSE_NANOSECONDS) &&
+           (is_named_by_caller(n, POSE_TIME) || is_named_by_caller(n, POSE_NANOSECONDS));
+}
+
 static graze_status take_name(naming *n, field name, int place) {
     int k = pose_column_of(name, n->given->order);
     if (k == POSE_COLUMNS && pose_name_is_idle(name)) {
@@ -142,7 +148,7 @@ static graze_status take_name(naming *n, field name, int place) {
     }
     if (k == POSE_COLUMNS)
         return refuse_name(n, name);
-    if (is_named_by_caller(n, k)) {
+    if (is_named_by_caller(n, k) || is_time_by_caller(n, k)) {
         pass_over(n, name);
         return GRAZE_OK;
     }

@@ -67,14 +67,22 @@ static fmpq *target_of(pose *p, int column) {
     return p->quaternion + (column - POSE_AXIS) % 3;
 }
 
-static void add_nanoseconds(const reading *r, pose *p, fmpq_t value) {
+/* Beside seconds, nanoseconds are less than one. */
+static graze_status add_nanoseconds(const reading *r, pose *p, fmpq_t value) {
     fmpq_t unit;
+    int alone = r->columns.place[POSE_TIME] < 0;
     fmpq_init(unit);
     fmpq_set_si(unit, 1, 1000000000);
-    if (r->columns.place[POSE_TIME] < 0)
-        fmpq_zero(p->time);
-    fmpq_addmul(p->time, value, unit);
+    fmpq_mul(value, value, unit);
     fmpq_clear(unit);
+    if (!alone && (fmpq_sgn(value) < 0 || fmpq_cmp_ui(value, 1) >= 0))
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "nanoseconds beside seconds; expected 0 to 999999999, or one of the "
+                               "two columns named as the time");
+    if (alone)
+        fmpq_zero(p->time);
+    fmpq_add(p->time, p->time, value);
+    return GRAZE_OK;
 }
 
 static graze_status read_pose_value(const reading *r, pose *p, int column) {
@@ -94,7 +102,7 @@ static graze_status read_pose_value(const reading *r, pose *p, int column) {
     } else if (to)
         fmpq_set(to, value);
     else if (column == POSE_NANOSECONDS)
-        add_nanoseconds(r, p, value);
+        status = add_nanoseconds(r, p, value);
     else if (column == POSE_AXIS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
         status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
                                  "%s: expected 0, 0, 0, 1 as the last row of a matrix, whose "
