@@ -249,7 +249,7 @@ static graze_status walk_piece(walker *w, size_t piece) {
         return GRAZE_ESYSTEM;
     graze_status status = pullbacks_set(&w->at, w->c);
     for (size_t rank = 0; rank < w->at.rank_count && !status; rank++, next += n) {
-        const zero *zeros = w->at.zero + next;
+        const zero *zeros = next < w->at.zero_count ? w->at.zero + next : NULL;
         for (n = 0; next + n < w->at.zero_count && zeros[n].time == rank;)
             n++;
         wait_for(w, w->at.by_rank[rank], zeros, n);
