@@ -108,12 +108,13 @@ svg.append(outline([(-x, -y) for x, y in profile], 'stroke-dasharray="6 4"'))
 x, y = place(Fraction(P[0]), Fraction(P[1]))
 svg.append(f'<circle cx="{x:g}" cy="{y:g}" r="4" fill="#fff" stroke="#000" stroke-width="1.5"/>'
            f'<text x="{x + 8:g}" y="{y + 4:g}" stroke="#fff" stroke-width="3" paint-order="stroke">P</text>')
-for k, (name, colour) in enumerate(COLOURS.items()):
+shown = [name for name in COLOURS if name in names]
+for k, name in enumerate(shown):
     svg.append(f'<rect x="{width + 12}" y="{12 + 26 * k}" width="16" height="16" '
-               f'fill="{colour}" stroke="#666"/>'
+               f'fill="{COLOURS[name]}" stroke="#666"/>'
                f'<text x="{width + 36}" y="{25 + 26 * k}">{name.replace("_", " ")}</text>')
 for k, (text, dash) in enumerate((("first position", ""), ("last position", 'stroke-dasharray="6 4"'))):
-    y = 20 + 26 * (len(COLOURS) + k)
+    y = 20 + 26 * (len(shown) + k)
     svg.append(f'<path d="M{width + 8} {y}h24" stroke="#000" stroke-width="1.5" {dash}/>'
                f'<text x="{width + 36}" y="{y + 5}">{text}</text>')
 svg.append("</svg>")
