@@ -124,7 +124,7 @@ static layout lay_out(picture *p, const char *title, const char *remark) {
 }
 
 static graze_status draw_panels(canvas *c, graze_context *context, picture *p) {
-    graze_status status = view_classes(c, p);
+    graze_status status = view_classes(c, context, p);
     if (!status && p->has_positions)
         status = view_positions(c, context, p);
     if (!status && p->has_trajectories)

@@ -6,18 +6,61 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/context/array.h"
+
+void labels_init(labels *l, const panel *p) {
+    memset(l, 0, sizeof *l);
+    l->panel = p;
+}
 
 void labels_clear(labels *l) {
     free(l->item);
-    *l = (labels){NULL, 0, 0, 0, 0};
+    free(l->link);
+    labels_init(l, NULL);
+}
+
+/* The bin along an axis, the first or last one for what lies outside. */
+static int bin_of(const labels *l, int axis, double pixel) {
+    double low = axis ? l->panel->y : l->panel->x;
+    double size = axis ? l->panel->height : l->panel->width;
+    return (int)fmin(fmax((pixel - low) / size * LABEL_BINS, 0), LABEL_BINS - 1);
+}
+
+/* The bins that a rectangle meets, by axis. */
+typedef struct bin_range {
+    int low[2], high[2];
+} bin_range;
+
+static bin_range bins_of(const labels *l, const obstacle *o) {
+    return (bin_range){{bin_of(l, 0, o->x), bin_of(l, 1, o->y)},
+                       {bin_of(l, 0, o->x + o->width), bin_of(l, 1, o->y + o->height)}};
+}
+
+static int is_outside(const panel *p, const obstacle *o) {
+    return o->x > p->x + p->width || o->y > p->y + p->height || o->x + o->width < p->x ||
+           o->y + o->height < p->y;
+}
+
+static void add_link(labels *l, size_t *first) {
+    l->failed |= !array_reserve(&l->link, &l->link_capacity, l->link_count + 1, sizeof *l->link);
+    if (l->failed)
+        return;
+    l->link[l->link_count++] = (obstacle_link){l->count, *first};
+    *first = l->link_count;
 }
 
 static void add_label(labels *l, obstacle o) {
-    if (!l->failed)
-        l->failed = !array_reserve(&l->item, &l->capacity, l->count + 1, sizeof *l->item);
-    if (!l->failed)
-        l->item[l->count++] = o;
+    if (l->failed || is_outside(l->panel, &o))
+        return;
+    l->failed = !array_reserve(&l->item, &l->capacity, l->count + 1, sizeof *l->item);
+    if (l->failed)
+        return;
+    l->item[l->count++] = o;
+    bin_range bins = bins_of(l, &o);
+    for (int row = bins.low[1]; row <= bins.high[1]; row++)
+        for (int column = bins.low[0]; column <= bins.high[0]; column++)
+            add_link(l, &l->first[row][column]);
 }
 
 void labels_avoid(labels *l, double x, double y, double radius) {
@@ -29,33 +72,55 @@ void labels_avoid_path(labels *l, const drawn_path *p) {
     const double apart = 6, far = 1e5;
     for (size_t k = 1; k < p->count; k++) {
         const path_node *a = &p->node[k - 1], *b = &p->node[k];
-        if (b->verb != 'L' || fabs(a->x) + fabs(a->y) + fabs(b->x) + fabs(b->y) > far)
+        double from[2] = {a->x, a->y}, to[2] = {b->x, b->y}, share[2];
+        if (b->verb != 'L' || fabs(a->x) + fabs(a->y) + fabs(b->x) + fabs(b->y) > far ||
+            !panel_clip_segment(share, l->panel, from, to))
             continue;
         double dx = b->x - a->x, dy = b->y - a->y;
         int parts = (int)ceil(sqrt(dx * dx + dy * dy) / apart);
-        for (int j = 1; j <= parts; j++)
+        int first = (int)fmax(share[0] * parts, 1), last = (int)fmin(share[1] * parts + 1, parts);
+        for (int j = first; j <= last; j++)
             labels_avoid(l, a->x + dx * j / parts, a->y + dy * j / parts, 2);
     }
 }
 
-/* The area that a rectangle has in common with the obstacles, and far more for what leaves the
- * panel. */
-static double cost(const labels *l, const panel *p, const obstacle *o) {
-    double sum = 0;
-    for (size_t k = 0; k < l->count; k++) {
-        const obstacle *other = &l->item[k];
-        double w = fmin(o->x + o->width, other->x + other->width) - fmax(o->x, other->x);
-        double h = fmin(o->y + o->height, other->y + other->height) - fmax(o->y, other->y);
-        if (w > 0 && h > 0)
-            sum += w * h;
-    }
-    int inside = o->x >= p->x && o->y >= p->y && o->x + o->width <= p->x + p->width &&
-                 o->y + o->height <= p->y + p->height;
-    return inside ? sum : sum + 1e6;
-}
-
 /* So many square pixels in common with others do not make a name illegible. */
 static const double FREE = 12;
+
+/* A rectangle and the area that it has in common with obstacles. */
+typedef struct overlap {
+    const obstacle *of;
+    double area;
+} overlap;
+
+/* Add what obstacles of a bin have in common with the rectangle, each in one bin alone, that of the
+ * upper left corner. */
+static void add_overlaps(overlap *sum, const labels *l, int row, int column) {
+    const obstacle *o = sum->of;
+    for (size_t k = l->first[row][column]; k && sum->area <= FREE; k = l->link[k - 1].next) {
+        const obstacle *other = &l->item[l->link[k - 1].item - 1];
+        double x = fmax(o->x, other->x), y = fmax(o->y, other->y);
+        double w = fmin(o->x + o->width, other->x + other->width) - x;
+        double h = fmin(o->y + o->height, other->y + other->height) - y;
+        if (w > 0 && h > 0 && bin_of(l, 0, x) == column && bin_of(l, 1, y) == row)
+            sum->area += w * h;
+    }
+}
+
+/* The area that a name's box has in common with the obstacles; no more than some area past FREE.
+ * What leaves the panel is not free. */
+static double cost(const labels *l, const obstacle *o) {
+    const panel *p = l->panel;
+    overlap sum = {o, 0};
+    if (o->x < p->x || o->y < p->y || o->x + o->width > p->x + p->width ||
+        o->y + o->height > p->y + p->height)
+        return INFINITY;
+    bin_range bins = bins_of(l, o);
+    for (int row = bins.low[1]; row <= bins.high[1]; row++)
+        for (int column = bins.low[0]; column <= bins.high[0]; column++)
+            add_overlaps(&sum, l, row, column);
+    return sum.area;
+}
 
 /* The line from a pixel to the nearest point of a name's box. */
 typedef struct leader {
@@ -70,11 +135,12 @@ static leader leader_to(double x, double y, const obstacle *o) {
 /* Whether the line to a name's box runs over another name. */
 static int crosses_name(const labels *l, const leader *line) {
     enum { PARTS = 24 };
-    for (size_t k = 0; k < l->count; k++) {
-        const obstacle *n = &l->item[k];
-        for (int j = 0; n->name && j <= PARTS; j++) {
-            double x = line->x + line->dx * j / PARTS, y = line->y + line->dy * j / PARTS;
-            if (x > n->x && x < n->x + n->width && y > n->y && y < n->y + n->height)
+    for (int j = 0; j <= PARTS; j++) {
+        double x = line->x + line->dx * j / PARTS, y = line->y + line->dy * j / PARTS;
+        size_t k = l->first[bin_of(l, 1, y)][bin_of(l, 0, x)];
+        for (; k; k = l->link[k - 1].next) {
+            const obstacle *n = &l->item[l->link[k - 1].item - 1];
+            if (n->name && x > n->x && x < n->x + n->width && y > n->y && y < n->y + n->height)
                 return 1;
         }
     }
@@ -106,7 +172,7 @@ static obstacle box_beside(double x, double y, double away, const double directi
                       y + away * direction[1] - share_y * height, width, height, 1};
 }
 
-int labels_place(labels *l, canvas *c, const panel *p, labelled_point at, const char *name) {
+int labels_place(labels *l, canvas *c, labelled_point at, const char *name) {
     static const double rings[] = {7, 14, 24, 36, 52, 72, 96, 124};
     static const double around[][2] = {{.7, -.7}, {.7, .7}, {-.7, -.7}, {-.7, .7},
                                        {0, -1},   {1, 0},   {0, 1},     {-1, 0}};
@@ -117,8 +183,8 @@ int labels_place(labels *l, canvas *c, const panel *p, labelled_point at, const 
         for (int k = 0; k < 8 && least > 0; k++) {
             obstacle o = box_beside(at.x, at.y, rings[r], around[k], width, height);
             leader line = leader_to(at.x, at.y, &o);
-            double price = cost(l, p, &o) + (crosses_name(l, &line) ? 1e3 : 0);
-            if (price < least) {
+            double price = cost(l, &o);
+            if (price <= FREE && price < least && !crosses_name(l, &line)) {
                 least = price;
                 best = o;
             }
@@ -133,7 +199,8 @@ int labels_place(labels *l, canvas *c, const panel *p, labelled_point at, const 
     return 1;
 }
 
-void labels_tell(const labels *l, canvas *c, const panel *p) {
+void labels_tell(const labels *l, canvas *c) {
+    const panel *p = l->panel;
     const lettering small = {.size = 10, .anchor = ANCHOR_END};
     char message[64];
     if (!l->left_out)

@@ -12,14 +12,26 @@ typedef struct obstacle {
     int name; /* which no line may cross */
 } obstacle;
 
-/** The obstacles of one panel. Once memory has run short `failed` is set. */
+/** An obstacle in one bin, and the next one there. Both numbers count from 1; 0 ends the chain. */
+typedef struct obstacle_link {
+    size_t item, next;
+} obstacle_link;
+
+enum { LABEL_BINS = 64 };
+
+/** The obstacles of one panel, each in every bin that it meets; those outside are left out, since
+ * names stand inside. Once memory has run short `failed` is set. */
 typedef struct labels {
+    const panel *panel;
     obstacle *item;
-    size_t count, capacity;
+    obstacle_link *link;
+    size_t count, capacity, link_count, link_capacity;
+    size_t first[LABEL_BINS][LABEL_BINS]; /* by row and column */
     unsigned left_out; /* names for which there was no room, counted by the caller */
     int failed;
 } labels;
 
+void labels_init(labels *l, const panel *p);
 void labels_clear(labels *l);
 /** Keep off a disk, such as a marker. */
 void labels_avoid(labels *l, double x, double y, double radius);
@@ -35,8 +47,8 @@ enum { REACH_NEAR = 24, REACH_FAR = 124 };
 
 /** Write a name beside a place, where it is free, with a thin line to the place if the name is not
  * next to it. The name is an obstacle from then on. Returns 0 where nothing is free. */
-int labels_place(labels *l, canvas *c, const panel *p, labelled_point at, const char *name);
+int labels_place(labels *l, canvas *c, labelled_point at, const char *name);
 /** Write the number of names that were left out, if any were, over the panel's right corner. */
-void labels_tell(const labels *l, canvas *c, const panel *p);
+void labels_tell(const labels *l, canvas *c);
 
 #endif

@@ -95,6 +95,23 @@ void panel_map(double *x, double *y, const panel *p, const double point[3]) {
     panel_map_plane(x, y, p, projection_at(&p->look, 0, point), projection_at(&p->look, 1, point));
 }
 
+int panel_clip_segment(double share[2], const panel *p, const double from[2], const double to[2]) {
+    const double low[2] = {p->x, p->y}, high[2] = {p->x + p->width, p->y + p->height};
+    share[0] = 0;
+    share[1] = 1;
+    for (int k = 0; k < 2; k++) {
+        double step = to[k] - from[k];
+        if (step == 0 && (from[k] < low[k] || from[k] > high[k]))
+            return 0;
+        if (step == 0)
+            continue;
+        double a = (low[k] - from[k]) / step, b = (high[k] - from[k]) / step;
+        share[0] = fmax(share[0], fmin(a, b));
+        share[1] = fmin(share[1], fmax(a, b));
+    }
+    return share[0] <= share[1];
+}
+
 double panel_span(const panel *p) {
     return fmax(p->width, canvas_text_width(p->title, TITLE_SIZE + 1)); /* bold is wider */
 }

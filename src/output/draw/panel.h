@@ -47,6 +47,10 @@ void panel_map(double *x, double *y, const panel *p, const double point[3]);
 /** The pixel of a point of the plane. */
 void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical);
 
+/** The part of the segment between two pixels that lies in the frame, as shares of it; 0 if there
+ * is none. */
+int panel_clip_segment(double share[2], const panel *p, const double from[2], const double to[2]);
+
 /** Room above and below the frame; that on its left is `left`. */
 enum { PANEL_ABOVE = 26, PANEL_BELOW = 24 };
 

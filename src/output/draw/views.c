@@ -217,27 +217,32 @@ static int is_in_window(const panel *p, double x, double y) {
 }
 
 /* The points of a panel that shows them where they are, and their names. */
-static void draw_points(canvas *c, const picture *p, const panel *at, int plane_only) {
-    labels names = {NULL, 0, 0, 0, 0};
+static graze_status draw_points(canvas *c, graze_context *context, const picture *p,
+                                const panel *at, int plane_only) {
+    graze_status status = GRAZE_OK;
+    labels names;
+    labels_init(&names, at);
     for (int pass = 0; pass < 2; pass++)
-        for (size_t k = 0; k < p->request->point_count; k++) {
+        for (size_t k = 0; k < p->request->point_count && !status; k++) {
             double x, y;
             panel_map(&x, &y, at, p->points + 3 * k);
             if ((plane_only && !is_in_plane(p, k)) || !is_in_window(at, x, y))
                 continue;
             if (pass) {
                 labelled_point here = {x, y, MARK_RADIUS, REACH_FAR};
-                names.left_out += !labels_place(&names, c, at, here, p->request->names[k]);
+                names.left_out += !labels_place(&names, c, here, p->request->names[k]);
+                status = context_poll(context);
             } else {
                 mark_point(c, x, y, MARK_RADIUS, p->trails[k].tone);
                 labels_avoid(&names, x, y, MARK_RADIUS);
             }
         }
-    labels_tell(&names, c, at);
+    labels_tell(&names, c);
     labels_clear(&names);
+    return status;
 }
 
-graze_status view_classes(canvas *c, const picture *p) {
+graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
     const char *axes = cells_axes(&p->cells);
     const panel *at = &p->classes;
     size_t last = p->request->times - 1;
@@ -254,9 +259,9 @@ graze_status view_classes(canvas *c, const picture *p) {
     canvas_unclip(c);
     panel_frame(c, at);
     panel_ticks(c, at, axes[p->cells.axis[0]], axes[p->cells.axis[1]]);
-    draw_points(c, p, at, 1);
+    graze_status status = draw_points(c, context, p, at, 1);
     canvas_end(c);
-    return GRAZE_OK;
+    return status;
 }
 
 /* The rectangle of the cells, as it lies in space. */
@@ -293,28 +298,10 @@ graze_status view_positions(canvas *c, graze_context *context, const picture *p)
     panel_frame(c, at);
     panel_triad(c, at);
     panel_scale_bar(c, at);
-    draw_points(c, p, at, 0);
+    if (!status)
+        status = draw_points(c, context, p, at, 0);
     canvas_end(c);
     return status;
-}
-
-/* The part of the segment from (x0, y0) to (x1, y1) that lies in the frame, as shares of it;
- * 0 if there is none. */
-static int clip_segment(double share[2], const panel *p, const double from[2], const double to[2]) {
-    const double low[2] = {p->x, p->y}, high[2] = {p->x + p->width, p->y + p->height};
-    share[0] = 0;
-    share[1] = 1;
-    for (int k = 0; k < 2; k++) {
-        double step = to[k] - from[k];
-        if (step == 0 && (from[k] < low[k] || from[k] > high[k]))
-            return 0;
-        if (step == 0)
-            continue;
-        double a = (low[k] - from[k]) / step, b = (high[k] - from[k]) / step;
-        share[0] = fmax(share[0], fmin(a, b));
-        share[1] = fmin(share[1], fmax(a, b));
-    }
-    return share[0] <= share[1];
 }
 
 /* The visible part of a trajectory: its beginning, and the place after a length with the direction
@@ -330,7 +317,7 @@ static seen_part see_trail(const panel *at, const trail *from, double until) {
     double last[2], next[2], share[2];
     for (size_t k = 0; k < from->place_count; k++) {
         panel_map(&next[0], &next[1], at, from->at + 3 * k);
-        if (k && clip_segment(share, at, last, next)) {
+        if (k && panel_clip_segment(share, at, last, next)) {
             double d[2] = {next[0] - last[0], next[1] - last[1]};
             double length = sqrt(d[0] * d[0] + d[1] * d[1]), seen = (share[1] - share[0]) * length;
             for (int i = 0; i < 2 && !out.any; i++)
@@ -422,7 +409,7 @@ static void name_trail(canvas *c, const panel *at, const trail *from, const char
         const double *spot = k % 5 ? along.place : seen.start;
         labelled_point here = {spot[0], spot[1], starts && k % 5 == 0 ? MARK_LARGE : 0,
                                reaches[k / 5]};
-        placed = (k % 5 == 0 || seen.length > 0) && labels_place(names, c, at, here, name);
+        placed = (k % 5 == 0 || seen.length > 0) && labels_place(names, c, here, name);
     }
     names->left_out += !placed;
 }
@@ -442,12 +429,15 @@ static graze_status draw_standing(canvas *c, graze_context *context, const pictu
 graze_status view_trajectories(canvas *c, graze_context *context, const picture *p) {
     const panel *at = &p->trajectories;
     size_t n = p->request->point_count;
-    labels names = {NULL, 0, 0, 0, 0};
+    labels names;
+    labels_init(&names, at);
     canvas_begin(c, "trajectories", NULL);
     canvas_clip(c, at->x, at->y, at->width, at->height);
     graze_status status = draw_standing(c, context, p);
-    for (size_t k = 0; k < n; k++)
+    for (size_t k = 0; k < n && !status; k++) {
         draw_trail(c, at, &p->trails[k], &names);
+        status = context_poll(context);
+    }
     canvas_unclip(c);
     for (size_t k = 0; k < n; k++)
         draw_start(c, at, &p->trails[k], &names);
@@ -460,9 +450,11 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
         panel_triad(c, at);
         panel_scale_bar(c, at);
     }
-    for (size_t k = 0; k < n; k++)
+    for (size_t k = 0; k < n && !status; k++) {
         name_trail(c, at, &p->trails[k], p->request->names[k], &names);
-    labels_tell(&names, c, at);
+        status = context_poll(context);
+    }
+    labels_tell(&names, c);
     labels_clear(&names);
     canvas_end(c);
     return status;

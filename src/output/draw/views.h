@@ -30,7 +30,7 @@ graze_status views_fit(picture *p, graze_context *context);
 /** How many points lie outside the panel that shows points where they are; after views_fit. */
 size_t views_outside(const picture *p);
 /** The classes of the cells, with the positions of S and the points in their plane. */
-graze_status view_classes(canvas *c, const picture *p);
+graze_status view_classes(canvas *c, graze_context *context, const picture *p);
 /** The positions of S in space, seen from the onlooker. */
 graze_status view_positions(canvas *c, graze_context *context, const picture *p);
 /** The trajectories through the standing S. */
