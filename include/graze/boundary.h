@@ -25,6 +25,8 @@ typedef struct graze_boundary_options {
     int middles;               /**< 1: vertices stay in the middles of the edges they are on */
     int sharp;                 /**< 1: cells get a vertex at an edge or corner of the sweep inside
                                     them, where one is found; not with `middles` */
+    int threads;               /**< that place vertices at one time, up to 1024; 0 is 1: the
+                                    caller's own. Any number gives the same boundary */
 } graze_boundary_options;
 
 /** Counts of a sampling. */

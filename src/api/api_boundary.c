@@ -6,6 +6,7 @@
 #include <string.h>
 #include "api/api.h"
 #include "base/context/environment.h"
+#include "base/context/team.h"
 #include "questions/boundary/bisect.h"
 #include "questions/boundary/boundary.h"
 #include "questions/boundary/contacts.h"
@@ -65,6 +66,8 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
     if (o.middles && o.sharp)
         return api_misuse(context, "graze_boundary_create",
                           "middles and sharp must not both be given");
+    if (o.threads < 0 || o.threads > TEAM_MOST)
+        return api_misuse(context, "graze_boundary_create", "the threads are 0 to 1024");
     if (scene->solid->curved)
         return api_curved(context, "graze_boundary_create");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
@@ -95,7 +98,8 @@ graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
     out.level = b->reached;
     out.complete = b->complete;
     out.closed = b->closed;
-    out.bisected = b->bisected;
+    for (int t = 0; t < b->threads; t++)
+        out.bisected += b->askers[t].asked;
     out.exact = b->exact;
     out.features = b->feature_count;
     return out;

@@ -169,8 +169,28 @@ static void test_boundary(void **state) {
     graze_thread_finish();
 }
 
+/* Two boundaries have the same vertices, faces and counts. */
+static void check_same(const graze_boundary *a, const graze_boundary *b) {
+    graze_boundary_summary s = graze_boundary_summarize(a), t = graze_boundary_summarize(b);
+    mpq_t at[6];
+    for (int k = 0; k < 6; k++)
+        mpq_init(at[k]);
+    assert_memory_equal(&s, &t, sizeof s);
+    for (size_t v = 0; v < s.vertices; v++) {
+        graze_boundary_vertex(at, a, v);
+        graze_boundary_vertex(at + 3, b, v);
+        for (int k = 0; k < 3; k++)
+            assert_true(mpq_equal(at[k], at[3 + k]));
+    }
+    for (size_t f = 0; f < s.faces; f++)
+        assert_memory_equal(graze_boundary_face(a, f), graze_boundary_face(b, f),
+                            3 * sizeof(size_t));
+    for (int k = 0; k < 6; k++)
+        mpq_clear(at[k]);
+}
+
 /* Vertices at edges and corners of sweeps, straight and turning ones, are between two such points
- * too. */
+ * too. Six threads place them as one does. */
 static void test_sharp(void **state) {
     (void)state;
     static const char turn[] = "{\"dimension\": 3, \"pieces\": [{\"t\": [\"0\", \"1\"], "
@@ -198,6 +218,13 @@ static void test_sharp(void **state) {
         assert_int_equal(graze_boundary_create(&b, context, scene, &how), GRAZE_OK);
         graze_boundary_summary s = graze_boundary_summarize(b);
         assert_true(s.closed && s.features >= 8 && s.features < s.vertices);
+        graze_boundary *again = NULL;
+        how.threads = 1025;
+        assert_int_equal(graze_boundary_create(&again, context, scene, &how), GRAZE_EUSE);
+        how.threads = 6;
+        assert_int_equal(graze_boundary_create(&again, context, scene, &how), GRAZE_OK);
+        check_same(b, again);
+        graze_boundary_destroy(again);
         check_vertices(context, scene, b, s.vertices, 27. / 32); /* no box is longer than 27/4 */
         graze_boundary_destroy(b);
         graze_scene_destroy(scene);

@@ -172,6 +172,14 @@ def read_stl(path):
     return [tuple(corners[k:k + 3]) for k in range(0, len(corners), 3)], normals
 
 
+def test_jobs(graze, folder):
+    """Two threads place the vertices as one does, also those at edges and corners."""
+    for scene in (SCENES[0], SCENES[2]):
+        for sharp in ([], ["--sharp"]):
+            one, two = (Surface(graze, folder, scene, *sharp, "--jobs", jobs) for jobs in (1, 2))
+            check((one.vertices, one.faces, one.says) == (two.vertices, two.faces, two.says), one.name, "--jobs", sharp)
+
+
 def test_stl(graze, folder):
     for scene in SCENES[:2]:
         surface = Surface(graze, folder, scene)
@@ -202,6 +210,7 @@ def main():
         test_middles(graze, folder)
         test_flat(graze, folder)
         test_stl(graze, folder)
+        test_jobs(graze, folder)
     checks.finish()
 
 

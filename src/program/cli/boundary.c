@@ -6,6 +6,7 @@
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
 #include "program/run/boundary_files.h"
+#include "program/run/jobs.h"
 #include "program/run/load.h"
 #include "program/run/numbers.h"
 #include "program/run/output.h"
@@ -36,6 +37,7 @@ static const char boundary_help[] =
     "  --middles            leave the vertices in the middles of cells' edges, which is faster\n"
     "  --cells FILE         .vtk: the cells that were not cut: level, pmc (0: mixed), contact\n"
     "  --points FILE        .csv, exact, or .vtk: the points and pmc (1 in, 2 on, 3 out)\n"
+    "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
     "  --round, --triangulate, --operation, --overlap, --limit,\n"
     "  --no-filter          as in graze classify\n"
     "\n"
@@ -46,7 +48,7 @@ typedef struct boundary_given {
     const char *depth, *coarse, *budget, *contacts, *box;
     seed_value seed;
     const char *surface, *cells, *points; /* files to write */
-    int middles, sharp;
+    int middles, sharp, threads;
 } boundary_given;
 
 static int read_most(unsigned long *to, const char *name, const char *value, unsigned long most) {
@@ -64,6 +66,7 @@ static int read_boundary_counts(graze_boundary_options *to, const boundary_given
                                    .seed = 1,
                                    .middles = o->middles,
                                    .sharp = o->sharp,
+                                   .threads = jobs_width(o->threads),
                                    .size = sizeof *to};
     int status = read_most(&depth, "depth", o->depth, 19);
     coarse = coarse > depth ? depth : coarse;
@@ -147,6 +150,7 @@ static const option_entry boundary_table[] = {
     FILE_WRITTEN("points", boundary_given, points),
     FLAG("sharp", boundary_given, sharp, value_flag),
     FLAG("middles", boundary_given, middles, value_flag),
+    OPTION("jobs", boundary_given, threads, value_jobs),
     OPTION("round", boundary_given, scene.context.rounding, value_rounding),
     FLAG("triangulate", boundary_given, scene.solid_flags, value_triangulate),
     OPTION("operation", boundary_given, scene.scene.operation, value_operation),

@@ -170,7 +170,8 @@ class CBoundaryOptions(ctypes.Structure):
 
     _fields_ = [("size", c_size_t), ("coarse", c_uint), ("depth", c_uint), ("budget", c_ulong),
                 ("contacts", c_ulong), ("seed", ctypes.c_ulonglong), ("low", c_void_p),
-                ("high", c_void_p), ("middles", c_int), ("sharp", c_int)]
+                ("high", c_void_p), ("middles", c_int), ("sharp", c_int),
+                ("threads", c_int)]
 
 
 class CBoundarySummary(ctypes.Structure):

@@ -17,6 +17,13 @@ from .errors import UseError
 PIECE = 512
 
 
+def threads(jobs: Optional[int]) -> int:
+    """How many threads `jobs` is. Raises UseError: it is not positive."""
+    if jobs is not None and jobs < 1:
+        raise UseError(f"jobs is {jobs}; expected at least 1, or None for all cores")
+    return jobs or os.cpu_count() or 1
+
+
 def run(count: int, jobs: Optional[int], contexts: Contexts,
         work: Callable[[Context, int, int], None], progress: Progress = False) -> None:
     """Call work(context, first, n) for pieces that together are 0 ... count - 1, and tell how many
@@ -26,9 +33,7 @@ def run(count: int, jobs: Optional[int], contexts: Contexts,
         UseError: `jobs` is not positive.
         BaseException: what `work` raised, the first if several did; other pieces may be left out.
     """
-    jobs = os.cpu_count() or 1 if jobs is None else jobs
-    if jobs < 1:
-        raise UseError(f"jobs is {jobs}; expected at least 1, or None for all cores")
+    jobs = threads(jobs)
     with told(progress, count) as add:
 
         def piece(context: Context, first: int, size: int) -> None:

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Optional, Tuple
 from ._context import Context
 from ._library import CBoundaryOptions, CBoundarySummary, Handle, library
 from ._numbers import Rationals, numpy
+from ._parallel import threads
 
 DEPTH, BUDGET, CONTACTS = 6, 1_000_000, 1000
 
@@ -37,13 +38,13 @@ class Boundary(NamedTuple):
 
 
 def boundary(context: Context, scene: Handle, dimension: int, depth: int, coarse: Optional[int],
-             budget: int, contacts: int, seed: int, sharp: bool,
+             budget: int, contacts: int, seed: int, sharp: bool, jobs: Optional[int],
              box: Optional[Tuple[Rationals, Rationals]]) -> Boundary:
     """Sample the scene. Raises UseError, CanceledError, LimitError."""
     if coarse is None:
         coarse = min(depth, 5 if dimension == 2 else 4)
     chosen = CBoundaryOptions(coarse=coarse, depth=depth, budget=budget, contacts=contacts,
-                              seed=seed, sharp=sharp,
+                              seed=seed, sharp=sharp, threads=threads(jobs),
                               size=ctypes.sizeof(CBoundaryOptions))
     if box:
         chosen.low, chosen.high = box[0].address, box[1].address

@@ -365,7 +365,7 @@ class Scene:
     def boundary(self, depth: int = DEPTH, coarse: Optional[int] = None, budget: int = BUDGET,
                  contacts: int = CONTACTS, seed: int = 1,
                  box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None,
-                 sharp: bool = False) -> Boundary:
+                 sharp: bool = False, jobs: Optional[int] = 1) -> Boundary:
         """The boundary of the sweep as a surface, by adaptive sampling (`graze boundary`): every
         vertex is on it or between two points that were classified exactly.
 
@@ -376,12 +376,13 @@ class Scene:
             contacts: points of contact that are made, so that thin parts are found; `seed` is theirs.
             box: the lowest and the highest corner; None is around the scene.
             sharp: give cells a vertex at an edge or corner of the sweep, where one is found.
+            jobs: threads, as in `classify`; any number gives the same surface.
         Raises:
             UseError: a depth, a budget or a box that is none; LimitError, CanceledError.
         """
         corners = (self._point(box[0]), self._point(box[1])) if box else None
         return boundary(self._context(), self._handle, self.dimension, depth, coarse, budget,
-                        contacts, seed, sharp, corners)
+                        contacts, seed, sharp, jobs, corners)
 
     def draw(self, points: Any = None, *, names: Optional[Sequence[str]] = None, title: str = "",
              grid: int = 0, times: int = 0,

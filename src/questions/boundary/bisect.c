@@ -15,12 +15,12 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "decide/verdict/classify.h"
+#include "base/context/team.h"
 
 /* An edge under bisection. */
 typedef struct bisection {
-    struct graze_boundary *boundary;
-    graze_context *context;
+    struct graze_boundary *surface; /* whose vertices are placed, each by one member */
+    asker *asker;
     int64_t from[3], step[3]; /* in lattice units: the end that is out, and the way to the other */
     fmpq_t outside, inside;   /* shares */
     fmpq_t share, width, gap; /* the share to ask for, and room to compute in; 2^-BISECT_BITS */
@@ -67,19 +67,17 @@ static void point_at(fmpq *out, const struct graze_boundary *b, const int64_t fr
 
 /* Ask at x->share and keep the part of the interval that goes from out to not out. */
 static graze_status ask_share(bisection *x) {
-    struct graze_boundary *b = x->boundary;
-    graze_verdict verdict;
-    point_at(b->point, b, x->from, x->step, x->share);
-    graze_status status =
-        classify_verdict(&verdict, x->context, b->scene, (query_point){.rational = b->point});
+    asker *a = x->asker;
+    graze_pmc pmc;
+    point_at(a->point, a->boundary, x->from, x->step, x->share);
+    graze_status status = asker_pmc(&pmc, a, a->point);
     if (status)
         return status;
-    b->bisected++;
-    if (verdict.pmc == GRAZE_OUT) {
+    if (pmc == GRAZE_OUT) {
         fmpq_set(x->outside, x->share);
     } else {
         fmpq_set(x->inside, x->share);
-        x->pmc = verdict.pmc;
+        x->pmc = pmc;
     }
     return GRAZE_OK;
 }
@@ -139,44 +137,62 @@ static void vertex_share(fmpq_t out, const fmpq_t outside, const fmpq_t inside, 
     }
 }
 
-static graze_status bisect_all(bisection *x) {
-    struct graze_boundary *b = x->boundary;
-    graze_status status = GRAZE_OK;
-    for (size_t v = 0; v < b->vertices.count && !status; v++) {
-        x->pmc = edge_of(x->from, x->step, b, b->vertices.key[v]);
-        fmpq_zero(x->outside);
-        fmpq_one(x->inside);
-        status = context_poll(x->context);
-        if (!status && !b->middles)
-            status = bisect(x);
-        fmpq_set(b->shares + 2 * v, x->outside);
-        fmpq_set(b->shares + 2 * v + 1, x->inside);
-        b->vertices.value[v] = (unsigned char)x->pmc;
-        b->exact += x->pmc == GRAZE_ON && !fmpq_is_one(x->inside);
-    }
+/* The work of a team: `data` is an array of bisections, one a member. */
+static graze_status bisect_vertex_edge(void *data, graze_context *context, int member,
+                                       size_t index) {
+    bisection *x = (bisection *)data + member;
+    struct graze_boundary *b = x->surface;
+    x->asker->context = context;
+    x->pmc = edge_of(x->from, x->step, b, b->vertices.key[index]);
+    fmpq_zero(x->outside);
+    fmpq_one(x->inside);
+    graze_status status = context_poll(context);
+    if (!status && !b->middles)
+        status = bisect(x);
+    fmpq_set(b->shares + 2 * index, x->outside);
+    fmpq_set(b->shares + 2 * index + 1, x->inside);
+    b->vertices.value[index] = (unsigned char)x->pmc;
     return status;
 }
 
+static void bisection_init(bisection *x, struct graze_boundary *b, asker *a) {
+    x->surface = b;
+    x->asker = a;
+    fmpq_init(x->outside);
+    fmpq_init(x->inside);
+    fmpq_init(x->share);
+    fmpq_init(x->width);
+    fmpq_init(x->gap);
+    fmpq_one(x->gap);
+    fmpq_div_2exp(x->gap, x->gap, BISECT_BITS);
+}
+
+static void bisection_clear(bisection *x) {
+    fmpq_clear(x->outside);
+    fmpq_clear(x->inside);
+    fmpq_clear(x->share);
+    fmpq_clear(x->width);
+    fmpq_clear(x->gap);
+}
+
 graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
+    bisection *members = calloc((size_t)b->threads, sizeof *members);
     b->shares = calloc(2 * b->vertices.count + 1, sizeof *b->shares);
-    if (!b->shares)
+    if (!b->shares || !members) {
+        free(members);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
+    }
     for (size_t k = 0; k < 2 * b->vertices.count; k++)
         fmpq_init(b->shares + k);
-    bisection x = {.boundary = b, .context = context};
-    fmpq_init(x.outside);
-    fmpq_init(x.inside);
-    fmpq_init(x.share);
-    fmpq_init(x.width);
-    fmpq_init(x.gap);
-    fmpq_one(x.gap);
-    fmpq_div_2exp(x.gap, x.gap, BISECT_BITS);
-    graze_status status = bisect_all(&x);
-    fmpq_clear(x.outside);
-    fmpq_clear(x.inside);
-    fmpq_clear(x.share);
-    fmpq_clear(x.width);
-    fmpq_clear(x.gap);
+    for (int k = 0; k < b->threads; k++)
+        bisection_init(&members[k], b, &b->askers[k]);
+    graze_status status =
+        team_run(context, b->threads, b->vertices.count, bisect_vertex_edge, members);
+    for (int k = 0; k < b->threads; k++)
+        bisection_clear(&members[k]);
+    free(members);
+    for (size_t v = 0; v < b->vertices.count; v++)
+        b->exact += b->vertices.value[v] == GRAZE_ON && !fmpq_is_one(b->shares + 2 * v + 1);
     return status;
 }
 

@@ -36,6 +36,19 @@ static graze_status set_box(struct graze_boundary *b, graze_context *context, co
     return status;
 }
 
+static graze_status set_askers(struct graze_boundary *b, graze_context *context, int threads) {
+    b->askers = calloc((size_t)threads, sizeof *b->askers);
+    if (!b->askers)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the threads of a boundary");
+    b->threads = threads;
+    for (int t = 0; t < threads; t++) {
+        b->askers[t].boundary = b;
+        for (int k = 0; k < 3; k++)
+            fmpq_init(b->askers[t].point + k);
+    }
+    return GRAZE_OK;
+}
+
 static graze_status list_leaves(struct graze_boundary *b, graze_context *context) {
     size_t capacity = 0;
     graze_status status = GRAZE_OK;
@@ -68,6 +81,8 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
         fmpq_init(b->point + k);
     }
     graze_status status = set_box(b, context, low, high);
+    if (!status)
+        status = set_askers(b, context, options->threads > 1 ? options->threads : 1);
     if (!status && options->contacts >= options->budget)
         status = boundary_refuse_budget(context, b, options->contacts);
     if (!status)
@@ -92,6 +107,10 @@ void boundary_clear(struct graze_boundary *b) {
         fmpq_clear(b->side + k);
         fmpq_clear(b->point + k);
     }
+    for (int t = 0; t < b->threads; t++)
+        for (int k = 0; k < 3; k++)
+            fmpq_clear(b->askers[t].point + k);
+    free(b->askers);
     for (size_t k = 0; k < 2 * b->vertices.count && b->shares; k++)
         fmpq_clear(b->shares + k);
     free(b->shares);

@@ -132,8 +132,9 @@ static void set_points(feature *out, int d, const fmpq *base, const fmpq *way, c
 
 /* A base that is on: a point that is out next to it, along the sum of the normals or one of them.
  * The distance is 2^-BISECT_BITS of a cell. */
-static graze_status confirm_on(feature *out, graze_context *context, struct graze_boundary *b,
-                               const selection *s, const fmpq *base, fmpq *way) {
+static graze_status confirm_on(feature *out, asker *a, const selection *s, const fmpq *base,
+                               fmpq *way) {
+    const struct graze_boundary *b = a->boundary;
     graze_status status = GRAZE_OK;
     graze_pmc pmc = GRAZE_PMC_NONE;
     fmpq_t zero, gap;
@@ -145,7 +146,7 @@ static graze_status confirm_on(feature *out, graze_context *context, struct graz
         if (k > 0)
             outward(way, b, s->plane[k - 1]->unit);
         set_points(out, b->dimension, base, way, zero, gap);
-        status = probe_pmc(&pmc, context, b, out->outside);
+        status = asker_pmc(&pmc, a, out->outside);
     }
     out->pmc = pmc == GRAZE_OUT ? GRAZE_ON : GRAZE_PMC_NONE;
     fmpq_clear(zero);
@@ -154,8 +155,9 @@ static graze_status confirm_on(feature *out, graze_context *context, struct graz
 }
 
 /* Bisection between the base and a point at most 2^-4 of a cell away, the nearest first. */
-static graze_status bisect_from(feature *out, graze_context *context, struct graze_boundary *b,
-                                graze_pmc pmc, const fmpq *base, const fmpq *way) {
+static graze_status bisect_from(feature *out, asker *a, graze_pmc pmc, const fmpq *base,
+                                const fmpq *way) {
+    const struct graze_boundary *b = a->boundary;
     static const unsigned reach[] = {13, 8, 4};
     graze_status status = GRAZE_OK;
     fmpq_t low, high;
@@ -167,7 +169,7 @@ static graze_status bisect_from(feature *out, graze_context *context, struct gra
         fmpq_zero(near);
         fmpq_set_si(far, pmc == GRAZE_OUT ? -1 : 1, 1);
         fmpq_div_2exp(far, far, reach[k]);
-        status = probe_line(low, high, &out->pmc, context, b, base, way, BISECT_BITS);
+        status = probe_line(low, high, &out->pmc, a, base, way, BISECT_BITS);
     }
     if (out->pmc)
         set_points(out, b->dimension, base, way, low, high);
@@ -176,8 +178,8 @@ static graze_status bisect_from(feature *out, graze_context *context, struct gra
     return status;
 }
 
-static graze_status verify(feature *out, graze_context *context, struct graze_boundary *b,
-                           const selection *s, const fmpq *base) {
+static graze_status verify(feature *out, asker *a, const selection *s, const fmpq *base) {
+    const struct graze_boundary *b = a->boundary;
     double sum[3] = {0, 0, 0};
     fmpq *way = _fmpq_vec_init(b->dimension);
     graze_pmc pmc;
@@ -185,32 +187,32 @@ static graze_status verify(feature *out, graze_context *context, struct graze_bo
         for (int i = 0; i < b->dimension; i++)
             sum[i] += s->plane[k]->unit[i];
     outward(way, b, sum);
-    graze_status status = probe_pmc(&pmc, context, b, base);
+    graze_status status = asker_pmc(&pmc, a, base);
     if (!status && pmc == GRAZE_ON)
-        status = confirm_on(out, context, b, s, base, way);
+        status = confirm_on(out, a, s, base, way);
     else if (!status)
-        status = bisect_from(out, context, b, pmc, base, way);
+        status = bisect_from(out, a, pmc, base, way);
     _fmpq_vec_clear(way, b->dimension);
     return status;
 }
 
-static graze_status try_selection(feature *out, int *found, graze_context *context,
-                                  struct graze_boundary *b, const sample_cell *c,
+static graze_status try_selection(feature *out, int *found, asker *a, const sample_cell *c,
                                   const selection *s, const fmpq *reference) {
+    const struct graze_boundary *b = a->boundary;
     fmpq *base = _fmpq_vec_init(b->dimension);
     graze_status status = GRAZE_OK;
     out->pmc = GRAZE_PMC_NONE;
     if (meet_planes(base, s, b->dimension, reference) && probe_in_cell(b, c, base))
-        status = verify(out, context, b, s, base);
+        status = verify(out, a, s, base);
     *found = !status && out->pmc && probe_in_cell(b, c, out->inside) &&
              probe_in_cell(b, c, out->outside);
     _fmpq_vec_clear(base, b->dimension);
     return status;
 }
 
-graze_status feature_find(feature *out, int *found, graze_context *context,
-                          struct graze_boundary *b, const sample_cell *c,
+graze_status feature_find(feature *out, int *found, asker *a, const sample_cell *c,
                           const tangent *const *list, size_t count, const fmpq *reference) {
+    const struct graze_boundary *b = a->boundary;
     selection s = {.count = 0};
     graze_status status = GRAZE_OK;
     for (int k = 0; k < 3; k++) {
@@ -222,7 +224,7 @@ graze_status feature_find(feature *out, int *found, graze_context *context,
     if (s.count && b->dimension == 3)
         select_third(&s, list, count);
     for (; s.count >= 2 && !*found && !status; s.count--)
-        status = try_selection(out, found, context, b, c, &s, reference);
+        status = try_selection(out, found, a, c, &s, reference);
     for (int k = 0; k < 3 && !*found; k++) {
         fmpq_clear(out->inside + k);
         fmpq_clear(out->outside + k);

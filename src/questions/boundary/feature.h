@@ -16,8 +16,7 @@ int feature_between(const tangent *a, const tangent *b);
  * @param[out] out   uninitialised; its numbers are set where *found is 1
  * @param reference  d rationals
  */
-graze_status feature_find(feature *out, int *found, graze_context *context,
-                          struct graze_boundary *b, const sample_cell *c,
+graze_status feature_find(feature *out, int *found, asker *a, const sample_cell *c,
                           const tangent *const *list, size_t count, const fmpq *reference);
 
 #endif

@@ -9,7 +9,6 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/number/vector.h"
-#include "decide/verdict/classify.h"
 
 enum { BESIDE = 7, WITHIN = 5, PLACES = 21 };
 
@@ -27,38 +26,25 @@ int probe_in_cell(const struct graze_boundary *b, const sample_cell *c, const fm
     return inside;
 }
 
-graze_status probe_pmc(graze_pmc *out, graze_context *context, struct graze_boundary *b,
-                       const fmpq *point) {
-    graze_verdict verdict;
-    graze_status status =
-        classify_verdict(&verdict, context, b->scene, (query_point){.rational = point});
-    if (status)
-        return status;
-    b->bisected++;
-    *out = verdict.pmc;
-    return GRAZE_OK;
-}
-
 /* The answer at base + share way. */
-static graze_status ask_on_line(graze_pmc *out, graze_context *context, struct graze_boundary *b,
-                                const fmpq *base, const fmpq *way, const fmpq_t share) {
-    for (int k = 0; k < b->dimension; k++) {
-        fmpq_set(b->point + k, base + k);
-        fmpq_addmul(b->point + k, way + k, share);
+static graze_status ask_on_line(graze_pmc *out, asker *a, const fmpq *base, const fmpq *way,
+                                const fmpq_t share) {
+    for (int k = 0; k < a->boundary->dimension; k++) {
+        fmpq_set(a->point + k, base + k);
+        fmpq_addmul(a->point + k, way + k, share);
     }
-    return probe_pmc(out, context, b, b->point);
+    return asker_pmc(out, a, a->point);
 }
 
-graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, graze_context *context,
-                        struct graze_boundary *b, const fmpq *base, const fmpq *way,
-                        unsigned bits) {
+graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const fmpq *base,
+                        const fmpq *way, unsigned bits) {
     graze_pmc first, answer;
     fmpq_t width, gap, middle;
     *pmc = GRAZE_PMC_NONE;
-    graze_status status = ask_on_line(&first, context, b, base, way, low);
+    graze_status status = ask_on_line(&first, a, base, way, low);
     if (status || first == GRAZE_OUT)
         return status;
-    status = ask_on_line(&answer, context, b, base, way, high);
+    status = ask_on_line(&answer, a, base, way, high);
     if (status || answer != GRAZE_OUT)
         return status;
     *pmc = first;
@@ -71,7 +57,7 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, graze_context *
          fmpq_div_2exp(width, width, 1)) {
         fmpq_add(middle, low, high);
         fmpq_div_2exp(middle, middle, 1);
-        status = ask_on_line(&answer, context, b, base, way, middle);
+        status = ask_on_line(&answer, a, base, way, middle);
         if (!status && answer == GRAZE_OUT) {
             fmpq_set(high, middle);
         } else if (!status) {
@@ -115,9 +101,9 @@ static void axis_step(fmpq *way, const struct graze_boundary *b, int axis, unsig
 }
 
 /* The way from `inside` to a boundary point beside it along an axis; *found = 0 without one. */
-static graze_status find_beside(fmpq *out, int *found, graze_context *context,
-                                struct graze_boundary *b, const fmpq *inside, const fmpq *way,
-                                int axis) {
+static graze_status find_beside(fmpq *out, int *found, asker *a, const fmpq *inside,
+                                const fmpq *way, int axis) {
+    const struct graze_boundary *b = a->boundary;
     int d = b->dimension;
     fmpq *base = _fmpq_vec_init(d);
     fmpq_t low, high;
@@ -128,7 +114,7 @@ static graze_status find_beside(fmpq *out, int *found, graze_context *context,
     fmpq_one(high);
     axis_step(out, b, axis, BESIDE, 0);
     vector_add(base, inside, out, d);
-    graze_status status = probe_line(low, high, &pmc, context, b, base, way, PLACES - WITHIN);
+    graze_status status = probe_line(low, high, &pmc, a, base, way, PLACES - WITHIN);
     for (int k = 0; k < d; k++)
         fmpq_addmul(out + k, way + k, low);
     *found = pmc != GRAZE_PMC_NONE;
@@ -138,8 +124,9 @@ static graze_status find_beside(fmpq *out, int *found, graze_context *context,
     return status;
 }
 
-graze_status probe_normal(fmpq *out, int *found, graze_context *context, struct graze_boundary *b,
-                          const fmpq *outside, const fmpq *inside) {
+graze_status probe_normal(fmpq *out, int *found, asker *a, const fmpq *outside,
+                          const fmpq *inside) {
+    const struct graze_boundary *b = a->boundary;
     int d = b->dimension;
     fmpq *room = _fmpq_vec_init(9), *way = room, *beside = room + 3;
     vector_sub(way, outside, inside, d);
@@ -148,7 +135,7 @@ graze_status probe_normal(fmpq *out, int *found, graze_context *context, struct 
     axis_step(way, b, axis, WITHIN, fmpq_sgn(way + axis) < 0);
     *found = 1;
     for (int k = 1; k < d && *found && !status; k++)
-        status = find_beside(beside + 3 * (k - 1), found, context, b, inside, way, (axis + k) % d);
+        status = find_beside(beside + 3 * (k - 1), found, a, inside, way, (axis + k) % d);
     if (d == 3) {
         vector_cross(out, beside, beside + 3);
     } else {

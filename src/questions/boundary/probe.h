@@ -9,18 +9,14 @@
 /** 1 if a point lies strictly inside a cell of the level reached. */
 int probe_in_cell(const struct graze_boundary *b, const sample_cell *c, const fmpq *point);
 
-/** Classify a point and count it among those of the vertices. */
-graze_status probe_pmc(graze_pmc *out, graze_context *context, struct graze_boundary *b,
-                       const fmpq *point);
-
 /**
  * Look on the line base + s way for the boundary by bisection, s from `low`, where the answer must
  * not be out, to `high`, where it must be.
  * @param[in,out] low, high shares; afterwards at most 2^-`bits` apart
  * @param[out] pmc at `low`; GRAZE_PMC_NONE where the answers at the ends are not those
  */
-graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, graze_context *context,
-                        struct graze_boundary *b, const fmpq *base, const fmpq *way, unsigned bits);
+graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const fmpq *base,
+                        const fmpq *way, unsigned bits);
 
 /**
  * Guess the normal at a point from boundary points 2^-7 of a cell beside it.
@@ -28,7 +24,6 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, graze_context *
  * @param[out] found 0 where there is no such point
  * @param outside, inside two points near one another, one of them out and the other not
  */
-graze_status probe_normal(fmpq *out, int *found, graze_context *context, struct graze_boundary *b,
-                          const fmpq *outside, const fmpq *inside);
+graze_status probe_normal(fmpq *out, int *found, asker *a, const fmpq *outside, const fmpq *inside);
 
 #endif

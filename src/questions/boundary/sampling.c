@@ -52,6 +52,17 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
                : context_fail(context, GRAZE_ESYSTEM, "out of memory for the points of a boundary");
 }
 
+graze_status asker_pmc(graze_pmc *out, asker *a, const fmpq *point) {
+    graze_verdict verdict;
+    graze_status status = classify_verdict(&verdict, a->context, a->boundary->scene,
+                                           (query_point){.rational = point});
+    if (status)
+        return status;
+    a->asked++;
+    *out = verdict.pmc;
+    return GRAZE_OK;
+}
+
 int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c) {
     int out = 0, rest = 0;
     for (unsigned k = 0; k < 1u << b->dimension; k++) {

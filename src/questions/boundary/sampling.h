@@ -37,7 +37,9 @@ struct graze_boundary {
     int sharp;   /* features are looked for (sharpen.h) */
     unsigned long budget;
     fmpq low[3], side[3];
-    fmpq point[3];          /* the point at hand */
+    fmpq point[3];          /* the lattice point at hand */
+    int threads;            /* that ask for points off the lattice, */
+    struct asker *askers;   /* one each */
     number_index points;    /* lattice points and their pmc */
     unsigned long known[4]; /* points by pmc */
     sample_cell *cells;
@@ -53,11 +55,10 @@ struct graze_boundary {
     int closed;       /* the surface has no border */
     unsigned long missed;
     number_index
-        vertices; /* the middles of the surface's edges, and pmc where `shares` are inside */
-    fmpq *shares; /* two for each vertex (bisect.h) */
-    unsigned long bisected; /* points classified to place vertices */
-    size_t exact;           /* vertices that are on the boundary itself */
-    size_t *corners;        /* of the surface's faces, d each */
+        vertices;    /* the middles of the surface's edges, and pmc where `shares` are inside */
+    fmpq *shares;    /* two for each vertex (bisect.h) */
+    size_t exact;    /* vertices that are on the boundary itself */
+    size_t *corners; /* of the surface's faces, d each */
     size_t face_count, corner_capacity;
     cell_faces *patches; /* where `sharp`, in the order of their faces */
     size_t patch_count, patch_capacity;
@@ -65,6 +66,16 @@ struct graze_boundary {
     size_t feature_count, feature_capacity;
 };
 
+/** Who asks for points off the lattice: a thread with a context, a point at hand and a count. */
+typedef struct asker {
+    const struct graze_boundary *boundary;
+    graze_context *context; /* of the call at work */
+    fmpq point[3];
+    unsigned long asked;
+} asker;
+
+/** Classify a point and count it among those of the vertices. */
+graze_status asker_pmc(graze_pmc *out, asker *a, const fmpq *point);
 /** The key of a lattice point. */
 uint64_t lattice_key(const uint32_t at[3]);
 /** Set the coordinates of a lattice point. */

@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/team.h"
 #include "base/number/vector.h"
 #include "questions/boundary/bisect.h"
 #include "questions/boundary/feature.h"
@@ -76,11 +77,24 @@ static graze_status keep_fan(sharpening *s, size_t patch, const rim *r, const fe
     return GRAZE_OK;
 }
 
-static graze_status know_tangent(sharpening *s, size_t vertex) {
-    if (s->asked[vertex])
-        return GRAZE_OK;
-    s->asked[vertex] = 1;
-    return tangent_find(&s->tangents[vertex], s->context, s->boundary, vertex);
+/* The work of a team: the tangent of a vertex, where one is asked for. */
+static graze_status know_tangent(void *data, graze_context *context, int member, size_t vertex) {
+    sharpening *s = data;
+    asker *a = &s->boundary->askers[member];
+    a->context = context;
+    graze_status status = context_poll(context);
+    return status || !s->asked[vertex] ? status : tangent_find(&s->tangents[vertex], a, vertex);
+}
+
+static graze_status know_tangents(sharpening *s) {
+    struct graze_boundary *b = s->boundary;
+    rim r;
+    for (size_t patch = 0; patch < b->patch_count; patch++)
+        for (size_t k = 0; rim_find(&r, b, patch) && k < r.count; k++)
+            s->asked[r.vertex[k]] = 1;
+    graze_status status = team_run(s->context, b->threads, b->vertices.count, know_tangent, s);
+    b->askers->context = s->context;
+    return status;
 }
 
 /* The mean of the rim's vertices. */
@@ -107,16 +121,14 @@ static graze_status try_patch(sharpening *s, size_t patch) {
     graze_status status = context_poll(s->context);
     if (!rim_find(&r, b, patch))
         return status;
-    for (size_t k = 0; k < r.count && !status; k++) {
-        status = know_tangent(s, r.vertex[k]);
-        list[k] = &s->tangents[r.vertex[k]];
-    }
     if (status)
         return status;
+    for (size_t k = 0; k < r.count; k++)
+        list[k] = &s->tangents[r.vertex[k]];
     fmpq *mean = _fmpq_vec_init(b->dimension);
     rim_mean(mean, b, &r);
-    status = feature_find(&f, &found, s->context, b, &b->cells[b->patches[patch].cell], list,
-                          r.count, mean);
+    status =
+        feature_find(&f, &found, b->askers, &b->cells[b->patches[patch].cell], list, r.count, mean);
     _fmpq_vec_clear(mean, b->dimension);
     return found ? keep_fan(s, patch, &r, &f) : status;
 }
@@ -270,6 +282,8 @@ graze_status boundary_sharpen(graze_context *context, struct graze_boundary *b) 
     s.asked = calloc(count + 1, 1);
     if (!s.tangents || !s.asked)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
+    if (!status)
+        status = know_tangents(&s);
     for (size_t patch = 0; patch < b->patch_count && !status; patch++)
         status = try_patch(&s, patch);
     if (!status && s.fan_count)

@@ -155,16 +155,16 @@ static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
     _fmpq_vec_clear(way, d);
 }
 
-static graze_status from_contacts(tangent *out, graze_context *context, struct graze_boundary *b,
-                                  const fmpq *outside, const fmpq *point) {
+static graze_status from_contacts(tangent *out, asker *a, const fmpq *outside, const fmpq *point) {
+    const struct graze_boundary *b = a->boundary;
     graze_trace trace;
     graze_status status =
-        trace_point(&trace, context, b->scene, (query_point){.rational = point}, TRACE_CONTACTS);
+        trace_point(&trace, a->context, b->scene, (query_point){.rational = point}, TRACE_CONTACTS);
     if (status)
         return status;
-    b->bisected++;
+    a->asked++;
     for (size_t k = 0; k < trace.contact_count && !status && !out->known; k++) {
-        status = contact_normal(out->form, context, b->scene, &trace.contact[k], point);
+        status = contact_normal(out->form, a->context, b->scene, &trace.contact[k], point);
         if (!status)
             finish(out, b->dimension, point, outside, point);
     }
@@ -172,16 +172,16 @@ static graze_status from_contacts(tangent *out, graze_context *context, struct g
     return status;
 }
 
-graze_status tangent_find(tangent *out, graze_context *context, struct graze_boundary *b,
-                          size_t vertex) {
+graze_status tangent_find(tangent *out, asker *a, size_t vertex) {
+    const struct graze_boundary *b = a->boundary;
     int d = b->dimension, found = 0;
     fmpq *points = _fmpq_vec_init(2 * d), *outside = points, *inside = points + d;
     graze_status status;
     bisect_between(outside, inside, b, vertex);
     if (b->vertices.value[vertex] == GRAZE_ON) {
-        status = from_contacts(out, context, b, outside, inside);
+        status = from_contacts(out, a, outside, inside);
     } else {
-        status = probe_normal(out->form, &found, context, b, outside, inside);
+        status = probe_normal(out->form, &found, a, outside, inside);
         if (!status && found)
             finish(out, d, inside, outside, inside);
     }

@@ -19,7 +19,6 @@ typedef struct tangent {
  * gives one, exactly where the contact's time is rational; else from two points of the boundary
  * beside it (E^2: one), placed by bisection. Nothing is proved about a guess.
  */
-graze_status tangent_find(tangent *out, graze_context *context, struct graze_boundary *b,
-                          size_t vertex);
+graze_status tangent_find(tangent *out, asker *a, size_t vertex);
 
 #endif
