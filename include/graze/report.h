@@ -56,12 +56,14 @@ typedef enum graze_format {
 typedef struct graze_row_options {
     size_t size; /**< sizeof(graze_row_options) */
     graze_format format;
-    graze_columns columns; /**< pmc: no other answer, neither topo nor sdf, nor JSON Lines */
+    graze_columns columns; /**< pmc: no other answer: no topo, sdf, moments, nor JSON Lines */
     int topo;   /**< 1: the position relative to the closed sweep (graze/topo.h), as last column */
     double sdf; /**< an enclosure of the signed distance of at most this width (graze/distance.h);
                    0: none */
     double motion_error; /**< with sdf: is pmc certain for every continuous motion that displaces no
                             point of the solid by more (proofs/distance.md C73)? 0: not said */
+    int moments; /**< 1: the first and the last time at which the point is in the closed solid, with
+                    their pieces and rows of a log (formats.md); CSV and JSON Lines */
 } graze_row_options;
 
 /** Texts of one row, comma-joined and unchanged; each may be NULL. JSON Lines have none. */

@@ -47,7 +47,7 @@ let transform d = function
   | _ -> unread "a transform is a matrix or a translation"
 
 let plain_piece d = function
-  | Object [ ("t", times); ("transform", x) ] ->
+  | Object ([ ("t", times); ("transform", x) ] | [ ("t", times); ("row", Number _); ("transform", x) ]) ->
       work_allow piece_work;
       let time k = number (content (List.nth (exactly 2 times) k)) in
       if Q.geq (time 0) (time 1) then raise (Refuted "motion: a piece does not have lo < hi");

@@ -19,13 +19,16 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
         return status;
     if (!(out->format >= GRAZE_FORMAT_CSV && out->format <= GRAZE_FORMAT_NPY))
         return api_misuse(context, function, "the format is unknown");
-    if ((out->topo != 0 && out->topo != 1) ||
+    if ((out->topo != 0 && out->topo != 1) || (out->moments != 0 && out->moments != 1) ||
         (out->columns != GRAZE_COLUMNS_ALL && out->columns != GRAZE_COLUMNS_PMC))
         return api_misuse(context, function, "an option has an unknown value");
-    if (out->columns == GRAZE_COLUMNS_PMC && (out->topo || out->sdf != 0))
+    if (out->columns == GRAZE_COLUMNS_PMC && (out->topo || out->moments || out->sdf != 0))
         return api_misuse(context, function,
-                          "topo and sdf are decided by the contacts, which columns of pmc alone "
-                          "spare");
+                          "topo, moments and sdf are decided by the contacts, which columns of pmc "
+                          "alone spare");
+    if (out->moments && out->format > GRAZE_FORMAT_JSONL)
+        return api_misuse(context, function,
+                          "moments are exact times, which binary rows cannot hold");
     if (out->columns == GRAZE_COLUMNS_PMC && out->format == GRAZE_FORMAT_JSONL)
         return api_misuse(context, function,
                           "JSON Lines have all answers; expected another format for pmc alone");

@@ -1,7 +1,8 @@
 /* Motion files of plain pieces, and nothing else, in this order:
  *   {"dimension": D, "pieces": [PIECE, ...]}
- *   PIECE = {"t": [NUMBER, NUMBER], "transform": {"translate": [ENTRY, ...]}}
- *         | {"t": [NUMBER, NUMBER], "transform": {"matrix": [[ENTRY, ...], ...]}}
+ *   PIECE = {"t": [NUMBER, NUMBER], ROW "transform": {"translate": [ENTRY, ...]}}
+ *         | {"t": [NUMBER, NUMBER], ROW "transform": {"matrix": [[ENTRY, ...], ...]}}
+ *   ROW = nothing | "row": COUNT,
  *   ENTRY = A | (A)/(A);  A = [-] TERM {(+|-) TERM};  TERM = NUMBER | [NUMBER*] t [^COUNT]
  * NUMBERs and ENTRYs in quotes or bare.
  * SPDX-License-Identifier: MIT
@@ -174,6 +175,22 @@ static void read_transform(fraction *entry, source *f, int d) {
     token_want(f, "] }");
 }
 
+/* Up to the transform; the line of a log, which may stand there, changes nothing. */
+static void pass_row(source *f) {
+    size_t row;
+    word key = token(f);
+    if (word_is(key, "\"row\"")) {
+        token_want(f, ":");
+        if (!count_read(&row, token(f)))
+            source_fail(f, "a row is the line of a log, an integer");
+        token_want(f, ",");
+        key = token(f);
+    }
+    if (!word_is(key, "\"transform\""))
+        source_fail(f, "a transform is expected");
+    token_want(f, ":");
+}
+
 static void read_piece(motion *m, source *f) {
     fraction entry[WEIGHT] = {{{0}, {0}}};
     piece next = {.det = {0}};
@@ -183,7 +200,8 @@ static void read_piece(motion *m, source *f) {
     read_number(next.lo, f);
     token_want(f, ",");
     read_number(next.hi, f);
-    token_want(f, "] , \"transform\" :");
+    token_want(f, "] ,");
+    pass_row(f);
     read_transform(entry, f, m->d);
     token_want(f, "}");
     make_forward(&next, entry);

@@ -142,7 +142,7 @@ static void scenes(bench *b) {
 static void verdicts(bench *b) {
     graze_context *c = b->s.context;
     graze_verdict v;
-    HARMLESS(graze_pmc_name, !strcmp(graze_pmc_name((graze_pmc)4), "none"));
+    HARMLESS(graze_pmc_name, !strcmp(graze_pmc_name((graze_pmc)5), "none"));
     HARMLESS(graze_class_name, !strcmp(graze_class_name((graze_class)-1), "none"));
     const graze_options odd = {.size = sizeof odd, .operation = (graze_operation)2};
     WRONG(graze_word_verdict(NULL, c, "O", 1, NULL));

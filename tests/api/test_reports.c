@@ -95,6 +95,12 @@ static void rows_and_explanation(void **state) {
                               "\"from\":\"5/12\",\"to\":\"2/3\",\"features\":[{\"edge\":[2,3]},"
                               "{\"vertex\":2},{\"vertex\":3}]}]}\n");
     graze_free(text);
+    assert_int_equal(
+        graze_report_row(&text, s.context, s.scene, p, trace, NULL,
+                         &(graze_row_options){.size = sizeof(graze_row_options), .moments = 1}),
+        GRAZE_OK);
+    assert_string_equal(text, "16/3,2,on,boundary,8,1,0,1,OBO,5/12,0,2/3,0\n");
+    graze_free(text);
     assert_int_equal(graze_report_row(&text, s.context, s.scene, p, trace, NULL,
                                       &(graze_row_options){.size = sizeof(graze_row_options),
                                                            .format = (graze_format)5}),

@@ -8,6 +8,7 @@ const char *graze_pmc_name(graze_pmc pmc) {
         [GRAZE_IN] = "in",
         [GRAZE_ON] = "on",
         [GRAZE_OUT] = "out",
+        [GRAZE_PMC_UNDECIDED] = "undecided",
     };
     return name_at(names, sizeof names / sizeof *names, (size_t)pmc);
 }
@@ -19,6 +20,7 @@ const char *graze_class_name(graze_class class_) {
         [GRAZE_FOLD_BOUNDARY] = "fold_boundary",
         [GRAZE_BOUNDARY] = "boundary",
         [GRAZE_EXTERIOR] = "exterior",
+        [GRAZE_CLASS_UNDECIDED] = "undecided",
     };
     return name_at(names, sizeof names / sizeof *names, (size_t)class_);
 }

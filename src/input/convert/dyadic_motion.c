@@ -187,6 +187,7 @@ graze_status convert_dyadic(conversion *out, graze_context *context, const graze
         fmpq_init(made.piece[k].hi);
         fmpq_set(made.piece[k].lo, piece->lo);
         fmpq_set(made.piece[k].hi, piece->hi);
+        made.piece[k].row = piece->row;
         if (has_polynomials(piece))
             round_map(&task, &made.piece[k].forward, k);
         else

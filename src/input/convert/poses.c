@@ -117,7 +117,7 @@ static void put_keyframes(text *t, const pose_list *list) {
             position[k] = p->matrix[4 * k + 3];
         text_put(t, " {\"t\": \"");
         text_rational(t, p->time);
-        text_put(t, "\", \"position\": ");
+        text_format(t, "\", \"row\": %lu, \"position\": ", p->line);
         put_vector(t, position, 3);
         if (list->form != POSES_OF_POSITIONS) {
             text_put(t, ", \"quaternion\": ");
@@ -147,7 +147,7 @@ static void put_matrices(text *t, const pose_list *list) {
         text_rational(t, p[0].time);
         text_put(t, "\", \"");
         text_rational(t, p[1].time);
-        text_put(t, "\"], \"transform\": {\"matrix\": [\n");
+        text_format(t, "\"], \"row\": %lu, \"transform\": {\"matrix\": [\n", p[1].line);
         for (int k = 0; k < 12; k++) {
             text_put(t, k % 4 ? "\", \"" : "  [\"");
             put_interpolated(t, p[0].matrix + k, p[1].matrix + k);

@@ -45,6 +45,7 @@ static graze_status append_piece(draft_piece **out, graze_context *context, draf
     draft_piece *piece = *out = &d->piece[d->count++];
     fmpq_init(piece->lo);
     fmpq_init(piece->hi);
+    piece->row = 0;
     piece->rigid = rigid;
     if (rigid) {
         common_map_init(&piece->frame);
@@ -117,6 +118,7 @@ static graze_status relative_piece(draft *out, graze_context *context, const dra
     affine_init(&inverse, out->dimension);
     fmpq_set(piece->lo, lo);
     fmpq_set(piece->hi, hi);
+    piece->row = moving->row ? moving->row : frame->row;
     cut_map(&c, &part, frame, lo, hi);
     if (c.status == GRAZE_OK) {
         common_map_from_affine(&c, &common, &part);
@@ -173,6 +175,7 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
         fmpq_sub(copy->hi, piece->hi, first);
         fmpq_div(copy->hi, copy->hi, span);
         fmpq_add_si(copy->hi, copy->hi, from);
+        copy->row = piece->row;
         affine_multiply(&c, &copy->map, &piece->map, end);
     }
     affine_at_time(&last, &next->piece[next->count - 1].map, one);
@@ -214,6 +217,7 @@ static graze_status finish_piece(motion_piece *out, graze_context *context,
     calculation c = {context, GRAZE_OK};
     fmpq_set(out->lo, piece->lo);
     fmpq_set(out->hi, piece->hi);
+    out->row = piece->row;
     if (piece->rigid) {
         common_map_forward(&c, &out->forward, &piece->frame);
         common_map_backward(&c, &out->inverse, &piece->frame);
@@ -245,6 +249,7 @@ graze_status draft_finish(graze_motion **out, graze_context *context, const draf
         if (status == GRAZE_OK) {
             status = finish_piece(next, context, &d->piece[motion->piece_count]);
         }
+        motion->has_rows |= next->row > 0;
         motion->piece_count++;
     }
     if (status != GRAZE_OK) {

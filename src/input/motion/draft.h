@@ -9,6 +9,7 @@
 /** M(t) for t = lo + (hi - lo) u, u in [0, 1]. */
 typedef struct draft_piece {
     fmpq_t lo, hi;
+    unsigned long row; /* the line of the log that it comes from; 0: none is given */
     int rigid; /* between key frames: a rotation with its shift, which is to become point maps */
     union {
         affine map;       /* unless rigid */

@@ -28,6 +28,7 @@ typedef struct point_map {
 
 typedef struct motion_piece {
     fmpq_t lo, hi;     /* in the motion's parameter t; lo < hi */
+    unsigned long row; /* the line of the log that it comes from; 0: none is given */
     point_map forward; /* M(t) */
     point_map inverse; /* M(t)^-1 */
 } motion_piece;
@@ -36,6 +37,7 @@ struct graze_motion {
     int dimension;
     size_t piece_count; /* at least 1; hi of one piece is lo of the next, and M agrees there */
     motion_piece *piece;
+    int has_rows;             /* a piece has a row */
     unsigned char sha256[32]; /* of the file's or text's bytes */
 };
 

@@ -156,37 +156,71 @@ static graze_status read_interval(fmpq_t lo, fmpq_t hi, graze_context *context, 
     return GRAZE_OK;
 }
 
-graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces) {
-    static const char *const names[] = {"t", "transform"};
-    graze_status status = json_array(context, pieces, 0);
-    if (status == GRAZE_OK && pieces->count == 0) {
-        status = json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece");
+/* The line of a log; 0 where there is none. */
+static graze_status read_row(unsigned long *out, graze_context *context, const json *value) {
+    static const unsigned long most = 1000000000000000;
+    *out = 0;
+    if (value == NULL) {
+        return GRAZE_OK;
     }
+    fmpz_t row;
+    fmpz_init(row);
+    graze_status status = entry_integer(row, context, value);
+    if (status == GRAZE_OK && (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0)) {
+        status = json_fail(context, GRAZE_EINPUT, value,
+                           "expected the line of a log, an integer from 1 to 10^15");
+    }
+    if (status == GRAZE_OK) {
+        *out = fmpz_get_ui(row);
+    }
+    fmpz_clear(row);
+    return status;
+}
+
+static graze_status read_one_piece(draft *out, graze_context *context, const json *item) {
+    static const char *const names[] = {"t", "transform", "row"};
+    const json *member[3];
+    unsigned long row = 0;
+    size_t first = out->count;
     fmpq_t lo, hi;
+    graze_status status = json_members(member, context, item, names, 3);
+    if (status == GRAZE_OK && (member[0] == NULL || member[1] == NULL)) {
+        status = json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
+                           names[member[0] != NULL]);
+    }
+    if (status == GRAZE_OK) {
+        status = read_row(&row, context, member[2]);
+    }
     fmpq_init(lo);
     fmpq_init(hi);
-    for (const json *item = pieces->first; item != NULL && status == GRAZE_OK; item = item->next) {
-        const json *member[2];
-        status = json_members(member, context, item, names, 2);
-        if (status == GRAZE_OK && (member[0] == NULL || member[1] == NULL)) {
-            status = json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
-                               names[member[0] != NULL]);
-        }
-        if (status == GRAZE_OK) {
-            status = read_interval(lo, hi, context, member[0], out);
-        }
-        if (status == GRAZE_OK) {
-            status = read_transform(out, context, member[1], lo, hi);
-        }
+    if (status == GRAZE_OK) {
+        status = read_interval(lo, hi, context, member[0], out);
+    }
+    if (status == GRAZE_OK) {
+        status = read_transform(out, context, member[1], lo, hi);
+    }
+    for (size_t k = first; k < out->count; k++) {
+        out->piece[k].row = row;
     }
     fmpq_clear(hi);
     fmpq_clear(lo);
     return status;
 }
 
+graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces) {
+    graze_status status = json_array(context, pieces, 0);
+    if (status == GRAZE_OK && pieces->count == 0) {
+        status = json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece");
+    }
+    for (const json *item = pieces->first; item != NULL && status == GRAZE_OK; item = item->next) {
+        status = read_one_piece(out, context, item);
+    }
+    return status;
+}
+
 /* ------------------------------------------------------------------------------------ keyframes */
 
-enum { TIME, POSITION, ROTATION, FRAME_KEYS };
+enum { TIME, POSITION, ROTATION, ROW, FRAME_KEYS };
 
 /* A frame's numbers; what is missing stays as it is. */
 typedef struct keyframe {
@@ -194,6 +228,7 @@ typedef struct keyframe {
     fmpq_t position[3];
     fmpq_t rotation[4]; /* w, x, y, z; in E^2 x = y = 0 */
     int given;          /* bit k: member k is there */
+    unsigned long row;  /* 0: none is given */
 } keyframe;
 
 static void keyframe_init(keyframe *frame) {
@@ -230,7 +265,7 @@ static graze_status read_numbers(fmpq_t *out, graze_context *context, const json
 
 static graze_status read_keyframe(keyframe *frame, graze_context *context, const json *value,
                                   int dimension) {
-    const char *const names[] = {"t", "position", dimension == 3 ? "quaternion" : "complex"};
+    const char *const names[] = {"t", "position", dimension == 3 ? "quaternion" : "complex", "row"};
     const json *member[FRAME_KEYS];
     graze_status status = json_members(member, context, value, names, FRAME_KEYS);
     if (status != GRAZE_OK) {
@@ -240,7 +275,10 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
         return json_fail(context, GRAZE_EINPUT, value, "the frame has no key t");
     }
     frame->given = (member[POSITION] != NULL) << POSITION | (member[ROTATION] != NULL) << ROTATION;
-    status = entry_number(frame->time, context, member[TIME]);
+    status = read_row(&frame->row, context, member[ROW]);
+    if (status == GRAZE_OK) {
+        status = entry_number(frame->time, context, member[TIME]);
+    }
     if (status == GRAZE_OK && member[POSITION] != NULL) {
         status = read_numbers(frame->position, context, member[POSITION], (size_t)dimension, 1);
     }
@@ -289,6 +327,7 @@ static graze_status append_between(draft *out, graze_context *context, const jso
     }
     fmpq_set(piece->lo, from->time);
     fmpq_set(piece->hi, to->time);
+    piece->row = to->row;
     fmpz_poly_struct q[4];
     fmpz_t denominator;
     fmpz_init(denominator);

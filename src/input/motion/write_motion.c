@@ -100,7 +100,10 @@ static void write_piece(text *out, const motion_piece *piece) {
     text_rational(out, piece->lo);
     text_put(out, "\", \"");
     text_rational(out, piece->hi);
-    text_put(out, "\"], \"transform\": {\"matrix\": [\n");
+    text_put(out, "\"], ");
+    if (piece->row)
+        text_format(out, "\"row\": %lu, ", piece->row);
+    text_put(out, "\"transform\": {\"matrix\": [\n");
     for (int i = 0; i < d; i++) {
         for (int k = 0; k <= d; k++) {
             text_put(out, k == 0 ? "    [" : ", ");

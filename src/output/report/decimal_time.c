@@ -1,4 +1,4 @@
-/* Correctly rounded decimals of times.
+/* Times as text: exact, and as correctly rounded decimals.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * An irrational root is never a tie, so its isolating interval is narrowed until MPFR rounds both
@@ -9,7 +9,6 @@
 #include <mpfr.h>
 #include <string.h>
 #include "base/number/refine.h"
-#include "base/number/text.h"
 
 int time_is_rational(const graze_time *time) {
     /* Without a context it cannot be canceled. */
@@ -87,4 +86,18 @@ char *decimal_of_time(int *exact, const graze_time *time, int digits) {
     if (exact)
         *exact = 0;
     return decimal_of_root(time, digits);
+}
+
+void report_put_time(text *t, const graze_time *time) {
+    if (time && time_is_rational(time)) {
+        text_rational(t, time->low);
+    } else if (time) {
+        text_put(t, "root(");
+        text_coefficients(t, time->poly);
+        text_put(t, ";");
+        text_rational(t, time->low);
+        text_put(t, ";");
+        text_rational(t, time->high);
+        text_put(t, ")");
+    }
 }

@@ -1,9 +1,10 @@
-/* Correctly rounded decimals of times.
+/* Times as text: exact, and as correctly rounded decimals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_REPORT_DECIMAL_TIME_H
 #define GRAZE_REPORT_DECIMAL_TIME_H
 
 #include "base/number/decimal.h"
+#include "base/number/text.h"
 #include "decide/trace/trace.h"
 
 /** decimal_of_rational for a time, in the motion's parameter. Makes the time canonical. */
@@ -11,5 +12,8 @@ char *decimal_of_time(int *exact, const graze_time *time, int digits);
 
 /** 1 if the time is rational; makes it canonical, and then its value is time->low. */
 int time_is_rational(const graze_time *time);
+
+/** A canonical time: a ratio, or root(c0 c1 ...;a;b); nothing for NULL. */
+void report_put_time(text *t, const graze_time *time);
 
 #endif

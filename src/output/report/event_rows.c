@@ -1,6 +1,7 @@
 /* Rows of events. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/event_rows.h"
 
+#include "output/report/decimal_time.h"
 #include "output/report/site_rows.h"
 #include "output/report/table_text.h"
 

@@ -143,6 +143,8 @@ void report_json(text *out, const row *r) {
         json_distance(&w, r->scene, &r->space);
     if (r->shown->motion_error > 0)
         json_text(&w, "certain", report_certainty(&r->space, r->shown->motion_error));
+    if (r->shown->moments)
+        inside_json(&w, &r->inside, r->scene->motion);
     if (r->shown->topo)
         json_topo(&w, &r->topo, d);
     json_close(&w, '}');

@@ -37,20 +37,6 @@ void report_put_cell(text *t, const graze_cell *cell) {
     }
 }
 
-void report_put_time(text *t, const graze_time *time) {
-    if (time && time_is_rational(time)) {
-        text_rational(t, time->low);
-    } else if (time) {
-        text_put(t, "root(");
-        text_coefficients(t, time->poly);
-        text_put(t, ";");
-        text_rational(t, time->low);
-        text_put(t, ";");
-        text_rational(t, time->high);
-        text_put(t, ")");
-    }
-}
-
 static const char *state_name(graze_state state) {
     return state == GRAZE_STATE_I   ? "I"
            : state == GRAZE_STATE_B ? "B"

@@ -9,8 +9,6 @@
 
 /** A cell: `face 3`, `edge 1-2`, `vertex 5`; nothing for kind 0. */
 void report_put_cell(text *t, const graze_cell *cell);
-/** A canonical time: a ratio, or root(c0 c1 ...;a;b); nothing for NULL. */
-void report_put_time(text *t, const graze_time *time);
 
 /** Head of the table. @param notes, columns may be NULL */
 graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,

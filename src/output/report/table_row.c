@@ -4,9 +4,9 @@
 #include "questions/topo/topo.h"
 
 trace_detail row_detail(const graze_row_options *shown) {
-    return shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0 ? TRACE_CONTACTS
-           : shown->columns == GRAZE_COLUMNS_PMC                 ? TRACE_PMC
-                                                                 : TRACE_WORD;
+    if (shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0 || shown->moments)
+        return TRACE_CONTACTS;
+    return shown->columns == GRAZE_COLUMNS_PMC ? TRACE_PMC : TRACE_WORD;
 }
 
 graze_status row_answer(row *out, graze_context *context, const graze_scene *scene,
@@ -19,8 +19,10 @@ graze_status row_answer(row *out, graze_context *context, const graze_scene *sce
         status = topo_decide(&out->topo, context, scene, point, trace);
     if (!status && shown->sdf > 0)
         status = distance_find(&out->space, context, scene, point, trace, shown->sdf);
-    if (!status && row_detail(shown) == TRACE_CONTACTS)
+    if (!status && (shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0))
         status = trace_canonicalise(trace, context);
+    if (!status && shown->moments)
+        status = inside_find(&out->inside, context, scene->motion, trace);
     return status;
 }
 

@@ -7,6 +7,7 @@
 #include "base/number/text.h"
 #include "decide/trace/trace.h"
 #include "graze/report.h"
+#include "output/report/inside.h"
 #include "questions/distance/distance.h"
 #include "questions/topo/finding.h"
 
@@ -17,8 +18,9 @@ typedef struct row {
     const fmpq *point;
     const graze_trace *trace;
     graze_row_texts texts;
-    topo_finding topo; /* where `shown` has topo */
-    distance space;    /* where it has sdf */
+    topo_finding topo;   /* where `shown` has topo */
+    distance space;      /* where it has sdf */
+    inside_times inside; /* where it has moments */
 } row;
 
 /** How much of a trace such rows need. */

@@ -45,6 +45,8 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
     text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
     put_width(t, "sdf", shown->sdf, 1);
     put_width(t, "motion-error", shown->motion_error, 0);
+    if (shown->moments)
+        text_put(t, "# moments yes\n");
     if (shown->topo)
         text_put(t, "# topo yes\n");
     if (shown->columns == GRAZE_COLUMNS_PMC)
@@ -71,6 +73,8 @@ void table_columns(text *t, const graze_scene *scene, const char *columns,
         text_put(t, ",sdf_low,sdf_high,sdf_t");
     if (shown->motion_error > 0)
         text_put(t, ",certain");
+    if (shown->moments)
+        inside_columns(t, scene->motion);
     if (shown->topo)
         text_put(t, ",topo");
 }
@@ -127,6 +131,8 @@ static void put_further(text *out, const row *r) {
     }
     if (r->shown->sdf > 0)
         report_distance(out, r->scene, &r->space, r->shown->motion_error);
+    if (r->shown->moments)
+        inside_csv(out, &r->inside, r->scene->motion);
     if (r->shown->topo) {
         text_put(out, ",");
         text_put(out, graze_topo_name(r->topo.position));

@@ -20,6 +20,8 @@ static const char classify_help[] =
     "  --sdf TOL            three columns more: the signed distance to the sweep, enclosed to\n"
     "                       TOL, with 1e-6r to 1e-6 of the diagonal; a time that shows it\n"
     "  --motion-error ETA   with --sdf, a column certain: no motion within ETA changes in or out\n"
+    "  --moments            columns more: first and last time at which the point is in the closed\n"
+    "                       solid, with the motion's pieces and their rows of a log then\n"
     "  --topo               one column more, last: the position relative to the closed sweep\n"
     "  --columns all|pmc    answers: all (default), or pmc alone, which is decided sooner\n"
     "  --coordinates exact|as-given|decimal   of the points in the table: integers and ratios\n"
@@ -70,6 +72,7 @@ static const option_entry classify_table[] = {
     OPTION("folds", classify_options, scene.scene.folds, value_folds),
     OPTION("sdf", classify_options, scene, value_sdf),
     OPTION("motion-error", classify_options, scene.rows.motion_error, value_motion_error),
+    FLAG("moments", classify_options, scene.rows.moments, value_flag),
     FLAG("topo", classify_options, scene.rows.topo, value_flag),
     OPTION("columns", classify_options, scene.rows.columns, value_columns),
     OPTION("coordinates", classify_options, coordinates.form, value_coordinates),
@@ -114,6 +117,7 @@ int classify_check_table(const classify_options *o) {
 /* What asks for more than pmc. */
 static int check_columns(const classify_options *o) {
     const char *more = o->scene.rows.sdf > 0                        ? "--sdf"
+                       : o->scene.rows.moments                      ? "--moments"
                        : o->scene.rows.topo                         ? "--topo"
                        : o->certificate                             ? "--certify"
                        : o->scene.rows.format == GRAZE_FORMAT_JSONL ? "--format jsonl"
@@ -160,6 +164,8 @@ int classify_take(classify_options *o, const operands *given) {
         return status;
     if (o->scene.rows.motion_error > 0 && !(o->scene.rows.sdf > 0))
         return complain(EXIT_USAGE, "--motion-error needs distances; expected --sdf beside it");
+    if (o->scene.rows.moments && o->scene.rows.format > GRAZE_FORMAT_JSONL)
+        return complain(EXIT_USAGE, "--moments has exact times; expected --format csv or jsonl");
     if (o->times && !o->certificate)
         return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
     status = classify_check_table(o);

@@ -43,23 +43,26 @@ static int is_further(const columns *c, size_t column) {
     return !(column >= c->own.first && column < c->own.end) && column + c->own.last < c->count;
 }
 
-/* How many of the last columns are an enclosure and a position, behind each other, among `most`. */
+/* How many of the last columns are an enclosure, moments and a position, behind each other, among
+ * `most`. Moments have rows where the motion has. */
 static size_t count_last(const fields *first, columns_head head, size_t most) {
     const struct {
         const char *name;
-        int is_there;
-    } last[] = {{"topo", head.topo},
-                {"certain", head.certain},
-                {"sdf_t", head.sdf},
-                {"sdf_high", head.sdf},
-                {"sdf_low", head.sdf}};
+        int is_there, may_lack;
+    } last[] = {{"topo", head.topo, 0},          {"last_row", head.moments, 1},
+                {"last_piece", head.moments, 0}, {"last", head.moments, 0},
+                {"first_row", head.moments, 1},  {"first_piece", head.moments, 0},
+                {"first", head.moments, 0},      {"certain", head.certain, 0},
+                {"sdf_t", head.sdf, 0},          {"sdf_high", head.sdf, 0},
+                {"sdf_low", head.sdf, 0}};
     size_t count = 0;
     for (size_t k = 0; k < sizeof last / sizeof *last && count < most; k++) {
         if (!last[k].is_there)
             continue;
-        if (!field_is(field_content(first->item[first->count - 1 - count]), last[k].name))
+        int is_it = field_is(field_content(first->item[first->count - 1 - count]), last[k].name);
+        if (!is_it && !last[k].may_lack)
             return 0;
-        count++;
+        count += (size_t)is_it;
     }
     return count;
 }

@@ -140,6 +140,7 @@ static void read_head_line(csv *c, field text) {
     c->head.topo |= field_is(text, "# topo yes");
     c->head.sdf |= field_behind(&version, text, "# sdf ");
     c->head.certain |= field_behind(&version, text, "# motion-error ");
+    c->head.moments |= field_is(text, "# moments yes");
     c->head.unsweep |= field_is(text, "# operation unsweep");
     c->head.pmc_alone |= field_is(text, "# columns pmc");
 }

@@ -43,7 +43,7 @@ class CRowOptions(ctypes.Structure):
     """graze_row_options."""
 
     _fields_ = [("size", c_size_t), ("format", c_int), ("columns", c_int), ("topo", c_int),
-                ("sdf", c_double), ("motion_error", c_double)]
+                ("sdf", c_double), ("motion_error", c_double), ("moments", c_int)]
 
 
 class CVerdict(ctypes.Structure):

@@ -56,7 +56,7 @@ class Scene:
                  triangulate: bool = False, round: str = "none", *,
                  limits: Optional[Mapping[str, int]] = None, use_filter: bool = True,
                  topo: bool = False, columns: str = "all", sdf: Any = None,
-                 motion_error: Any = None) -> None:
+                 motion_error: Any = None, moments: bool = False) -> None:
         """Read, validate and put together; decide whether first and last position meet.
 
         Args:
@@ -75,6 +75,8 @@ class Scene:
                 text such as `1e-6r`, relative to `diagonal`. `distance` gives arrays.
             motion_error: with sdf, a number: rows and tables say whether pmc is certain for every
                 motion within it.
+            moments: rows and tables have the first and the last time at which the point is in the
+                closed solid, with pieces and rows of a log.
             use_filter: let the certified floating-point filter go first; answers are the same.
         Raises:
             UseError: a word that is none, or a solid or motion that was rounded otherwise.
@@ -87,7 +89,7 @@ class Scene:
                            choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS))
         self._shown = CRowOptions(ctypes.sizeof(CRowOptions), 0,
                                   choice("columns", columns, COLUMNS), int(topo), width,
-                                  _rounded("motion_error", motion_error, math.inf))
+                                  _rounded("motion_error", motion_error, math.inf), int(moments))
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
@@ -99,7 +101,7 @@ class Scene:
         self.solid, self.motion = solid, motion
         self.operation, self.overlap, self.folds, self.round = operation, overlap, folds, round
         self.topo, self.columns = bool(topo), columns
-        self.sdf, self.motion_error = sdf, motion_error
+        self.sdf, self.motion_error, self.moments = sdf, motion_error, bool(moments)
         self._contexts = Contexts(chosen)
         context, pointer = self._contexts.mine(), ctypes.c_void_p()
         parts = input_handle(solid), input_handle(motion)

@@ -1,0 +1,113 @@
+/* The first and the last time at which a point is in the closed solid.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The times at which a trajectory is in the closed solid are a union of closed intervals, whose
+ * ends are ends of contacts or of the motion. The first of them is t0 where the state there is I
+ * or B, else the begin of the first contact; the last one likewise.
+ */
+#include "output/report/inside.h"
+
+#include "base/number/rational.h"
+#include "output/report/decimal_time.h"
+#include "output/report/json_values.h"
+
+/* A contact may begin at the end of a piece, or at that time as the start of the next one. */
+static size_t first_piece(const graze_time *time) {
+    int is_start = algebraic_is_rational(&time->u) && fmpq_is_zero(time->u.value);
+    return time->piece - (time->piece > 0 && is_start);
+}
+
+static size_t last_piece(const graze_time *time) {
+    return time->piece + (time_is_piece_end(time) && !time_is_end(time));
+}
+
+graze_status inside_find(inside_times *out, graze_context *context, const graze_motion *motion,
+                         const graze_trace *trace) {
+    const contact *c = trace->contact;
+    size_t count = trace->contact_count, last = motion->piece_count - 1;
+    graze_status status = GRAZE_OK;
+    *out = (inside_times){.undecided = trace->undecided != NULL};
+    if (out->undecided)
+        return GRAZE_OK;
+    if (trace->first == GRAZE_STATE_I)
+        out->first = (inside_end){.end = motion->piece[0].lo};
+    else if (count)
+        out->first = (inside_end){.time = c[0].from, .piece = first_piece(c[0].from)};
+    if (trace->last == GRAZE_STATE_I)
+        out->last = (inside_end){.end = motion->piece[last].hi, .piece = last};
+    else if (count)
+        out->last = (inside_end){.time = c[count - 1].to, .piece = last_piece(c[count - 1].to)};
+    if (out->first.time)
+        status = time_canonicalise(c[0].from, context);
+    if (!status && out->last.time)
+        status = time_canonicalise(c[count - 1].to, context);
+    return status;
+}
+
+static int is_never(const inside_end *m) {
+    return !m->end && !m->time;
+}
+
+void inside_columns(text *out, const graze_motion *motion) {
+    text_put(out, motion->has_rows ? ",first,first_piece,first_row,last,last_piece,last_row"
+                                   : ",first,first_piece,last,last_piece");
+}
+
+static void put_inside_end(text *out, const inside_end *m, const graze_motion *motion) {
+    unsigned long row = motion->piece[m->piece].row;
+    text_put(out, ",");
+    if (m->end)
+        text_rational(out, m->end);
+    else
+        report_put_time(out, m->time);
+    text_put(out, ",");
+    if (!is_never(m))
+        text_count(out, m->piece);
+    if (motion->has_rows)
+        text_put(out, ",");
+    if (!is_never(m) && row)
+        text_count(out, row);
+}
+
+void inside_csv(text *out, const inside_times *m, const graze_motion *motion) {
+    if (m->undecided) {
+        text_put(out, motion->has_rows ? ",undecided,,,undecided,," : ",undecided,,undecided,");
+        return;
+    }
+    put_inside_end(out, &m->first, motion);
+    put_inside_end(out, &m->last, motion);
+}
+
+/* A count, or null. */
+static void json_index(json_writer *w, const char *key, int is_there, size_t value) {
+    if (is_there)
+        json_count(w, key, value);
+    else
+        json_text(w, key, NULL);
+}
+
+static void json_inside_end(json_writer *w, const char *const keys[3], const inside_end *m,
+                            const graze_motion *motion) {
+    unsigned long row = motion->piece[m->piece].row;
+    if (m->end)
+        json_rational(w, keys[0], m->end);
+    else
+        json_time(w, keys[0], m->time);
+    json_index(w, keys[1], !is_never(m), m->piece);
+    if (motion->has_rows)
+        json_index(w, keys[2], !is_never(m) && row, row);
+}
+
+void inside_json(json_writer *w, const inside_times *m, const graze_motion *motion) {
+    static const char *const first[] = {"first", "first_piece", "first_row"}, *const last[] = {
+                                                                                  "last",
+                                                                                  "last_piece",
+                                                                                  "last_row"};
+    if (m->undecided) {
+        json_text(w, "first", "undecided");
+        json_text(w, "last", "undecided");
+        return;
+    }
+    json_inside_end(w, first, &m->first, motion);
+    json_inside_end(w, last, &m->last, motion);
+}
