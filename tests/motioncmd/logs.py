@@ -125,7 +125,8 @@ def test_axes(graze, folder, rng):
 
 def test_positions(graze, folder):
     got, report = made(graze, folder, "X,Y,Z\n0,0,0\n1,2,3\n")
-    check(got and got["keyframes"] == [{"t": "0", "position": ["0", "0", "0"]}, {"t": "1", "position": ["1", "2", "3"]}], got)
+    check(got and got["keyframes"] == [{"t": "0", "row": 2, "position": ["0", "0", "0"]},
+                                     {"t": "1", "row": 3, "position": ["1", "2", "3"]}], got)
     check("the list has no rotations" in report, report)
 
 
