@@ -126,9 +126,10 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_dyadic(char **json, char
                                                                mpq_srcptr tolerance);
 
 /**
- * The coordinate box of a solid where it stands in its file, exactly.
+ * The coordinate box of a solid where it stands in its file, exactly; of a curved solid one that
+ * holds it.
  * @param[out] low, high d initialised rationals each
- * @return GRAZE_EUSE a NULL argument
+ * @return GRAZE_EUSE a NULL argument; GRAZE_EINPUT no box is known (graze_solid_bounded)
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_box(mpq_t *low, mpq_t *high,
                                                      graze_context *context,

@@ -23,6 +23,10 @@ GRAZE_API const char *graze_solid_primitive(const graze_solid *solid, size_t ind
  * NULL. */
 GRAZE_API size_t graze_solid_surface_count(const graze_solid *solid);
 
+/** Whether a box of the solid is known, which graze_solid_box, graze_scene_box and grids need: 1
+ * for a polyhedron; for a curved solid by its primitives, where these are bounded; 0 for NULL. */
+GRAZE_API int graze_solid_bounded(const graze_solid *solid);
+
 /**
  * The first place where the rules leave a state of a trace undecided.
  * @param[out] out its time, which is that of `from` and `to`, and the primitives on which the state

@@ -33,6 +33,13 @@ graze_status api_curved(graze_context *context, const char *function) {
         "%s: the solid is curved, which is not taken here yet; expected a polyhedron", function);
 }
 
+graze_status api_unbounded(graze_context *context, const char *function) {
+    return context_fail(context, GRAZE_EINPUT,
+                        "%s: no box of the curved solid is proved; expected balls, cylinders with "
+                        "two ends and other bounded primitives, or their intersection with a box",
+                        function);
+}
+
 /* More than `digits` digits. A limb has fewer than 20, and mpz_sizeinbase is exact or one too
  * large. */
 static int too_long(const mpz_t value, unsigned long digits) {
@@ -211,8 +218,8 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
     if (!low || !high || !context || !scene)
         return api_misuse(context, "graze_scene_box",
                           "low, high, context and scene must not be NULL");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_scene_box");
+    if (!solid_bounded(scene->solid))
+        return api_unbounded(context, "graze_scene_box");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     int d = scene->motion->dimension;
     fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);

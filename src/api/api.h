@@ -14,6 +14,8 @@ graze_status api_misuse(graze_context *context, const char *function, const char
 
 /** GRAZE_EINPUT: a function, or an option, that takes polyhedra alone was given a curved solid. */
 graze_status api_curved(graze_context *context, const char *function);
+/** GRAZE_EINPUT: a function that needs a box of the solid was given a curved one without. */
+graze_status api_unbounded(graze_context *context, const char *function);
 
 /**
  * Check a caller's rational.

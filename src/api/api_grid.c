@@ -54,8 +54,8 @@ graze_status graze_grid_create(graze_grid **out, graze_context *context, const g
     if (!out || !context || !scene || !size || !low || !high)
         return api_misuse(context, "graze_grid_create",
                           "out, context, scene, size, low and high must not be NULL");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_grid_create");
+    if (!solid_bounded(scene->solid))
+        return api_unbounded(context, "graze_grid_create");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     int d = scene->motion->dimension;
     fmpq *box = _fmpq_vec_init(2 * d);
@@ -147,10 +147,12 @@ graze_status graze_grid_pmc(unsigned char *out, graze_context *context, const gr
     size_t done = 0;
     if (count)
         memset(out, 0, count);
+    int curved = grid->memory->bricks.scene->solid->curved != NULL;
     while (done < count && !status) {
-        size_t n = 0;
-        status = bricks_row(out + done, &n, context, &grid->memory->bricks, first + done * step,
-                            step == 1 ? count - done : 1);
+        size_t n = count - done;
+        if (!curved)
+            status = bricks_row(out + done, &n, context, &grid->memory->bricks, first + done * step,
+                                step == 1 ? count - done : 1);
         for (size_t end = done + n; done < end && !status; done += !status)
             if (!out[done])
                 status = ask_alone(out + done, context, grid, first + done * step);
@@ -206,7 +208,9 @@ graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_con
     if (!pmc)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    graze_status status = filter_lay_bricks(&grid->memory->bricks.scene->filter, context);
+    const graze_scene *scene = grid->memory->bricks.scene;
+    graze_status status =
+        scene->solid->curved ? GRAZE_OK : filter_lay_bricks(&scene->filter, context);
     if (!status)
         status = graze_grid_pmc(pmc, context, grid, first, step, count);
     size_t rows = strlen((const char *)pmc);

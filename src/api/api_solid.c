@@ -252,6 +252,10 @@ const char *graze_solid_primitive(const graze_solid *solid, size_t index) {
     return index < graze_solid_primitive_count(solid) ? solid->curved->primitive[index].title : "";
 }
 
+int graze_solid_bounded(const graze_solid *solid) {
+    return solid && solid_bounded(solid);
+}
+
 size_t graze_solid_surface_count(const graze_solid *solid) {
     return solid && solid->curved ? solid->curved->surface_count : 0;
 }
@@ -265,22 +269,18 @@ graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
     if (!low || !high || !context || !solid)
         return api_misuse(context, "graze_solid_box",
                           "low, high, context and solid must not be NULL");
-    if (solid->curved)
-        return api_curved(context, "graze_solid_box");
+    if (!solid_bounded(solid))
+        return api_unbounded(context, "graze_solid_box");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    size_t d = (size_t)solid->input.dimension;
-    for (size_t i = 0; i < d; i++) {
-        const fmpq *first = solid->input.coordinates + solid->cut.item[0].vertex[0] * d + i;
-        const fmpq *least = first, *most = first;
-        for (size_t k = 0; k < solid->cut.count * d; k++) {
-            size_t vertex = solid->cut.item[k / d].vertex[k % d];
-            const fmpq *value = solid->input.coordinates + vertex * d + i;
-            least = fmpq_cmp(value, least) < 0 ? value : least;
-            most = fmpq_cmp(value, most) > 0 ? value : most;
-        }
-        api_rational_out(low[i], least);
-        api_rational_out(high[i], most);
+    int d = solid->input.dimension;
+    fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);
+    solid_box(from, to, solid);
+    for (int i = 0; i < d; i++) {
+        api_rational_out(low[i], from + i);
+        api_rational_out(high[i], to + i);
     }
+    _fmpq_vec_clear(from, d);
+    _fmpq_vec_clear(to, d);
     return GRAZE_OK;
 }
 

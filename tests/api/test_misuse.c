@@ -90,6 +90,7 @@ static void solids(bench *b) {
     HARMLESS(graze_solid_note, !*graze_solid_note(NULL));
     HARMLESS(graze_solid_primitive_count, !graze_solid_primitive_count(b->s.solid));
     HARMLESS(graze_solid_primitive, !*graze_solid_primitive(NULL, 0));
+    HARMLESS(graze_solid_bounded, !graze_solid_bounded(NULL));
     HARMLESS(graze_solid_surface_count, !graze_solid_surface_count(NULL));
     HARMLESS(graze_scene_ends, !graze_scene_ends(NULL));
     HARMLESS(graze_trace_undecided, !graze_trace_undecided(NULL, NULL));

@@ -192,8 +192,9 @@ int fuzz_csg(const uint8_t *data, size_t size) {
     graze_scene *scene = NULL;
     graze_trace *trace = NULL;
     char *row = NULL;
-    mpq_t point[3];
-    mpq_inits(point[0], point[1], point[2], NULL);
+    mpq_t point[3], low[3], high[3];
+    mpq_inits(point[0], point[1], point[2], low[0], low[1], low[2], NULL);
+    mpq_inits(high[0], high[1], high[2], NULL);
     graze_status status =
         graze_solid_read(&solid, context, fuzz_file("solid.csg.json", data, size), 0);
     int taken = fuzz_taken(status, context, solid);
@@ -205,7 +206,11 @@ int fuzz_csg(const uint8_t *data, size_t size) {
                graze_solid_surface_count(solid) < 1u << 20);
         EXPECT(graze_motion_from_json(&motion, context, text, strlen(text)) == GRAZE_OK);
         EXPECT(graze_scene_create(&scene, context, solid, motion, NULL) == GRAZE_OK);
-        EXPECT(graze_scene_ends(scene) == GRAZE_ENDS_UNDECIDED);
+        int bounded = graze_solid_bounded(solid);
+        status = graze_solid_box(low, high, context, solid);
+        EXPECT(status == (bounded ? GRAZE_OK : GRAZE_EINPUT));
+        for (int k = 0; bounded && k < graze_solid_dimension(solid); k++)
+            EXPECT(mpq_cmp(low[k], high[k]) < 0);
         status = graze_trace_create(&trace, context, scene, point);
         EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
     }

@@ -44,8 +44,9 @@ static void make_texts(axis_texts *a, const lattice *l) {
 }
 
 /* What stands behind the first coordinate of points that differ in it alone, for each graze_pmc. */
+enum { TAILS = GRAZE_PMC_UNDECIDED + 1 };
 typedef struct row_tails {
-    text item[4];
+    text item[TAILS];
 } row_tails;
 
 static void set_tails(row_tails *tails, const lattice *l, const size_t place[3]) {
@@ -56,7 +57,7 @@ static void set_tails(row_tails *tails, const lattice *l, const size_t place[3])
         put_coordinate(others, l, k, place[k]);
         text_put(others, ",");
     }
-    for (int p = 1; p < 4; p++) {
+    for (int p = 1; p < TAILS; p++) {
         text *tail = &tails->item[p];
         tail->length = 0;
         tail->failed |= others->failed;
@@ -101,7 +102,7 @@ void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *p
               size_t step, size_t count) {
     row_tails tails;
     size_t place[3], by[3];
-    for (int p = 0; p < 4; p++)
+    for (int p = 0; p < TAILS; p++)
         text_init(&tails.item[p]);
     pthread_mutex_lock(&a->lock);
     if (!a->made)
@@ -114,6 +115,6 @@ void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *p
             set_tails(&tails, l, place);
         put_grid_row(out, a, l, place[0], &tails.item[pmc[p]]);
     }
-    for (int p = 0; p < 4; p++)
+    for (int p = 0; p < TAILS; p++)
         text_clear(&tails.item[p]);
 }

@@ -253,12 +253,6 @@ static void round_outwards(fmpq *low, fmpq *high, int d) {
     fmpq_clear(quotient);
 }
 
-static void solid_box(fmpq *low, fmpq *high, const soup *s) {
-    for (size_t v = 0; v < s->vertex_count; v++)
-        for (int j = 0; j < s->dimension; j++)
-            widen(low + j, high + j, s->coordinates + v * (size_t)s->dimension + j, v == 0);
-}
-
 /* The unsweep lies in M(t0)^-1 S, so its only piece is the constant map M(t0)^-1. */
 static void constant_map(point_map *out, const point_map *map) {
     out->dimension = map->dimension;
@@ -305,7 +299,7 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
     const graze_motion *motion = scene->motion;
     int d = motion->dimension, unsweep = scene->options.operation == GRAZE_UNSWEEP;
     fmpq *box = _fmpq_vec_init(2 * d);
-    solid_box(box, box + d, &scene->solid->input);
+    solid_box(box, box + d, scene->solid);
     search s;
     images m;
     point_map still;

@@ -15,6 +15,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "decide/scene/common_point.h"
 #include "decide/scene/hash.h"
 #include "decide/scene/meeting.h"
 #include "input/solid/locate.h"
@@ -91,7 +92,18 @@ static graze_status meet_under(int *out, graze_context *context, const graze_sol
     return status;
 }
 
-graze_status scene_ends(int *out, graze_context *context, const graze_solid *solid,
+/* Whether a polyhedron meets its image under a map. */
+static graze_status polyhedron_meets(int *out, graze_context *context, const graze_solid *solid,
+                                     const fmpq_mat_t map, const fmpq_mat_t inverse) {
+    graze_status status = meet_under(out, context, solid, map);
+    if (!status && !*out)
+        status = component_inside(out, context, solid, map);
+    if (!status && !*out)
+        status = component_inside(out, context, solid, inverse);
+    return status;
+}
+
+graze_status scene_ends(graze_ends *out, graze_context *context, const graze_solid *solid,
                         const graze_motion *motion) {
     int d = motion->dimension;
     const motion_piece *first = motion->piece, *last = first + motion->piece_count - 1;
@@ -106,15 +118,14 @@ graze_status scene_ends(int *out, graze_context *context, const graze_solid *sol
     homogeneous_matrix(other, &last->forward, one);
     fmpq_mat_mul(map, map, other);
     graze_status status = GRAZE_OK;
-    *out = 0;
+    int meet = 0;
     if (!fmpq_mat_inv(other, map))
         status = context_fail(context, GRAZE_EINTERNAL, "the motion's end maps are singular");
-    if (!status)
-        status = meet_under(out, context, solid, map);
-    if (!status && !*out)
-        status = component_inside(out, context, solid, map);
-    if (!status && !*out)
-        status = component_inside(out, context, solid, other);
+    if (!status && !solid->curved)
+        status = polyhedron_meets(&meet, context, solid, map, other);
+    *out = meet ? GRAZE_ENDS_MEET : GRAZE_ENDS_APART;
+    if (!status && solid->curved)
+        status = common_point_ends(out, context, solid->curved, map, other);
     fmpq_mat_clear(map);
     fmpq_mat_clear(other);
     fmpq_clear(zero);
@@ -153,18 +164,17 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
             context, GRAZE_EILLEGAL,
             "the solid has dimension %d and the motion dimension %d; expected equal dimensions",
             solid->input.dimension, motion->dimension);
-    int meet = 0;
-    graze_status status = solid->curved ? GRAZE_OK : scene_ends(&meet, context, solid, motion);
+    graze_status status = scene_ends(&out->ends, context, solid, motion);
     if (status)
         return status;
-    out->ends = solid->curved ? GRAZE_ENDS_UNDECIDED : meet ? GRAZE_ENDS_MEET : GRAZE_ENDS_APART;
     if (out->ends != GRAZE_ENDS_APART && out->options.overlap == GRAZE_OVERLAP_REJECT &&
         out->options.operation == GRAZE_SWEEP)
         return context_fail(context, GRAZE_EILLEGAL,
-                            meet ? "S^0 and S^1 meet, which overlap `reject` excludes; `extend` "
-                                   "classifies all nine cases"
-                                 : "it is not decided whether S^0 and S^1 meet, which overlap "
-                                   "`reject` excludes; `extend` classifies all nine cases");
+                            out->ends == GRAZE_ENDS_MEET
+                                ? "S^0 and S^1 meet, which overlap `reject` excludes; `extend` "
+                                  "classifies all nine cases"
+                                : "it is not decided whether S^0 and S^1 meet, which overlap "
+                                  "`reject` excludes; `extend` classifies all nine cases");
     status = scene_hash(out->sha256, context, solid, motion);
     if (!status)
         status = make_memo(&out->memo, context);

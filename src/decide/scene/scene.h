@@ -3,7 +3,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends` is decided
- * exactly. A curved solid has no filter. A scene never changes once made, but for its memo.
+ * exactly, of a curved solid where it is decided. A curved solid has no filter. A scene never
+ * changes once made, but for its memo.
  */
 #ifndef GRAZE_SCENE_SCENE_H
 #define GRAZE_SCENE_SCENE_H
@@ -42,7 +43,7 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
 void scene_clear(graze_scene *scene);
 
 /** Decide whether M(t0) S and M(t1) S, closed sets, have a point in common. */
-graze_status scene_ends(int *out, graze_context *context, const graze_solid *solid,
+graze_status scene_ends(graze_ends *out, graze_context *context, const graze_solid *solid,
                         const graze_motion *motion);
 
 #endif

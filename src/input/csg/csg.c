@@ -7,18 +7,67 @@
 #include <stdlib.h>
 #include <string.h>
 
+void csg_box_init(csg_box *box) {
+    box->dimension = 0;
+    for (int i = 0; i < 3; i++) {
+        fmpq_init(&box->low[i]);
+        fmpq_init(&box->high[i]);
+    }
+}
+
+void csg_box_set(csg_box *to, const csg_box *from) {
+    to->dimension = from->dimension;
+    for (int i = 0; i < 3; i++) {
+        fmpq_set(&to->low[i], &from->low[i]);
+        fmpq_set(&to->high[i], &from->high[i]);
+    }
+}
+
+void csg_box_clear(csg_box *box) {
+    for (int i = 0; i < 3; i++) {
+        fmpq_clear(&box->low[i]);
+        fmpq_clear(&box->high[i]);
+    }
+}
+
 void csg_clear(csg *solid) {
     for (size_t k = 0; k < solid->surface_count; k++) {
         _fmpz_vec_clear(solid->surface[k].coefficient, (slong)solid->surface[k].count);
         free(solid->surface[k].power);
     }
-    for (size_t k = 0; k < solid->primitive_count; k++)
+    for (size_t k = 0; k < solid->primitive_count; k++) {
         free(solid->primitive[k].title);
+        for (int i = 0; i < 3; i++)
+            fmpq_clear(&solid->primitive[k].middle[i]);
+    }
+    csg_box_clear(&solid->box);
     free(solid->surface);
     free(solid->node);
     free(solid->operand);
     free(solid->primitive);
     *solid = (csg){.dimension = 0};
+}
+
+int csg_surface_sign(const csg_surface *surface, const fmpz *x, int dimension) {
+    fmpz_t sum, term;
+    fmpz_init(sum);
+    fmpz_init(term);
+    for (size_t k = 0; k < surface->count; k++) {
+        int rest = surface->degree;
+        fmpz_set(term, surface->coefficient + k);
+        for (int i = 0; i < dimension; i++) {
+            rest -= surface->power[k][i];
+            for (int power = surface->power[k][i]; power > 0; power--)
+                fmpz_mul(term, term, x + i);
+        }
+        for (; rest > 0; rest--)
+            fmpz_mul(term, term, x + dimension);
+        fmpz_add(sum, sum, term);
+    }
+    int sign = fmpz_sgn(sum);
+    fmpz_clear(sum);
+    fmpz_clear(term);
+    return sign;
 }
 
 size_t csg_table_words(int free) {

@@ -8,7 +8,7 @@
 #ifndef GRAZE_CSG_CSG_H
 #define GRAZE_CSG_CSG_H
 
-#include <flint/fmpz.h>
+#include <flint/fmpq.h>
 #include <stdint.h>
 #include "base/context/context.h"
 
@@ -35,9 +35,20 @@ typedef struct csg_node {
     size_t primitive;    /* of a CSG_SIGN */
 } csg_node;
 
+/** A box that holds a set; low < high in each coordinate. */
+typedef struct csg_box {
+    int dimension; /* 0: none is known */
+    fmpq low[3], high[3];
+} csg_box;
+
+void csg_box_init(csg_box *box);
+void csg_box_set(csg_box *to, const csg_box *from);
+void csg_box_clear(csg_box *box);
+
 /** A primitive of the file, in its order. */
 typedef struct csg_primitive {
-    char *title; /* such as `ball 2 "tip"` */
+    char *title;    /* such as `ball 2 "tip"` */
+    fmpq middle[3]; /* of a box that holds it; 0 where none is known */
 } csg_primitive;
 
 /** Operands of a node are nodes before it; the last node is the solid. */
@@ -49,9 +60,14 @@ typedef struct csg {
     csg_node *node;
     size_t *operand;
     csg_primitive *primitive;
+    csg_box box;
 } csg;
 
 void csg_clear(csg *solid);
+
+/** The sign of a surface's polynomial at a point.
+ * @param x coordinates, then their common denominator, positive */
+int csg_surface_sign(const csg_surface *surface, const fmpz *x, int dimension);
 
 /** Surfaces whose signs are free in a table of truth, at most; and words of such a table. */
 enum { CSG_FREE_MOST = 12, CSG_TABLE_WORDS = 1 << (CSG_FREE_MOST - 6) };

@@ -16,6 +16,7 @@
 
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension) {
     *out = (csg){.dimension = dimension};
+    csg_box_init(&out->box);
     b->context = context;
     b->out = out;
     fmpq_mpoly_ctx_init(b->ring, dimension, ORD_LEX);
@@ -39,7 +40,10 @@ graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *nam
     int length = snprintf(title, room, "%s %zu", kind, out->primitive_count);
     if (name)
         snprintf(title + length, room - (size_t)length, " \"%s\"", name);
-    out->primitive[out->primitive_count++].title = title;
+    csg_primitive *next = &out->primitive[out->primitive_count++];
+    next->title = title;
+    for (int i = 0; i < 3; i++)
+        fmpq_init(&next->middle[i]);
     return GRAZE_OK;
 }
 

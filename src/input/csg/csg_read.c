@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 #include "base/context/file.h"
-#include "input/csg/csg_reader.h"
+#include "input/csg/csg_bound.h"
 #include "input/csg/polynomial.h"
 #include "input/csg/primitives.h"
 #include "input/motion/entry.h"
@@ -68,11 +68,21 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
     size_t *part = malloc(value->count * sizeof *part);
     if (!part)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu nodes", value->count);
+    csg_box box;
+    csg_box_init(&box);
     for (const json *item = value->first; item && !status; item = item->next) {
         status = read_node(&part[item->index], r, item);
         if (!status && key == DIFFERENCE && item->index > 0)
             csg_complement(&r->build, part[item->index]);
+        if (item->index == 0)
+            csg_box_set(&box, &r->box);
+        else if (key == UNION)
+            csg_bound_union(&box, &r->box);
+        else if (key == INTERSECTION)
+            csg_bound_intersection(&box, &r->box);
     }
+    csg_box_set(&r->box, &box);
+    csg_box_clear(&box);
     if (!status)
         status =
             csg_add_node(node, &r->build, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
@@ -80,20 +90,17 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
     return status;
 }
 
-/* Rows of d + 1 numbers as an invertible matrix of size d + 1, inverted. */
-static graze_status read_inverse(fmpq_mat_t out, csg_reader *r, const json *value) {
+/* Rows of d + 1 numbers as an invertible matrix of size d + 1, and its inverse. */
+static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, const json *value) {
     int d = r->dimension;
     graze_status status = json_array(r->build.context, value, (size_t)d);
     const json *row = value->first;
-    fmpq_mat_t map;
-    fmpq_mat_init(map, d + 1, d + 1);
     fmpq_one(fmpq_mat_entry(map, d, d));
     for (int i = 0; i < d && !status; i++, row = row->next)
         status = csg_read_vector(fmpq_mat_entry(map, i, 0), r, row, (size_t)d + 1);
     if (!status && !fmpq_mat_inv(out, map))
         status = json_fail(r->build.context, GRAZE_EILLEGAL, value,
                            "the matrix is singular; expected an invertible one");
-    fmpq_mat_clear(map);
     return status;
 }
 
@@ -101,7 +108,7 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
     static const char *const names[] = {"matrix", "of"};
     const json *member[2];
     int d = r->dimension;
-    fmpq_mat_t inverse;
+    fmpq_mat_t map, inverse;
     fmpq_mpoly_struct outer[3];
     fmpq_t constant;
     graze_status status = json_members(member, r->build.context, value, names, 2);
@@ -109,9 +116,12 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
         status = json_fail(r->build.context, GRAZE_EINPUT, value, "expected matrix and of");
     if (status)
         return status;
+    fmpq_mat_init(map, d + 1, d + 1);
     fmpq_mat_init(inverse, d + 1, d + 1);
     fmpq_init(constant);
-    status = read_inverse(inverse, r, member[0]);
+    status = read_map(map, inverse, r, member[0]);
+    fmpq_mat_mul(map, r->place, map);
+    fmpq_mat_swap(map, r->place);
     for (int i = 0; i < d; i++)
         outer[i] = r->coordinate[i];
     for (int i = 0; i < d; i++) {
@@ -125,7 +135,9 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
         fmpq_mpoly_clear(&r->coordinate[i], r->build.ring);
         r->coordinate[i] = outer[i];
     }
+    fmpq_mat_swap(map, r->place);
     fmpq_clear(constant);
+    fmpq_mat_clear(map);
     fmpq_mat_clear(inverse);
     return status;
 }
@@ -143,6 +155,20 @@ static graze_status read_name(const char **out, csg_reader *r, const json *value
                          "expected a name of 1 to 100 bytes without quotes and control characters");
     *out = value->text;
     return GRAZE_OK;
+}
+
+static graze_status read_primitive(size_t *node, csg_reader *r, const json *value, int key,
+                                   const char *name) {
+    graze_status status = csg_add_primitive(&r->build, key_names[key], name);
+    r->box.dimension = 0;
+    if (!status)
+        status = readers[key](node, r, value);
+    for (int i = 0; i < r->box.dimension && !status; i++) {
+        fmpq *middle = &r->build.out->primitive[r->build.out->primitive_count - 1].middle[i];
+        fmpq_add(middle, &r->box.low[i], &r->box.high[i]);
+        fmpq_div_2exp(middle, middle, 1);
+    }
+    return status;
 }
 
 static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
@@ -167,8 +193,7 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
         return read_affine(node, r, member[key]);
     if (!readers[key])
         return read_operands(node, r, member[key], key);
-    status = csg_add_primitive(&r->build, key_names[key], name);
-    return status ? status : readers[key](node, r, member[key]);
+    return read_primitive(node, r, member[key], key, name);
 }
 
 static graze_status read_csg(csg *out, graze_context *context, const json *root) {
@@ -195,6 +220,7 @@ static graze_status read_csg(csg *out, graze_context *context, const json *root)
     status = read_node(&node, &r, member[1]);
     if (!status)
         status = csg_build_finish(&r.build);
+    csg_box_set(&out->box, &r.box);
     csg_reader_clear(&r);
     csg_build_clear(&r.build);
     return json_at_last(context, status, root);

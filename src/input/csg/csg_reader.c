@@ -7,6 +7,9 @@
 
 void csg_reader_init(csg_reader *r) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    fmpq_mat_init(r->place, r->dimension + 1, r->dimension + 1);
+    fmpq_mat_one(r->place);
+    csg_box_init(&r->box);
     for (int i = 0; i < r->dimension; i++) {
         fmpq_mpoly_init(&r->coordinate[i], ring);
         fmpq_mpoly_gen(&r->coordinate[i], i, ring);
@@ -20,6 +23,8 @@ void csg_reader_init(csg_reader *r) {
 
 void csg_reader_clear(csg_reader *r) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    fmpq_mat_clear(r->place);
+    csg_box_clear(&r->box);
     for (int i = 0; i < r->dimension; i++) {
         fmpq_mpoly_clear(&r->coordinate[i], ring);
         fmpq_mpoly_clear(&r->from[i], ring);

@@ -4,14 +4,17 @@
 #ifndef GRAZE_CSG_CSG_READER_H
 #define GRAZE_CSG_CSG_READER_H
 
+#include <flint/fmpq_mat.h>
 #include "input/csg/csg_build.h"
 #include "input/motion/json_tree.h"
 
 /** Coordinates of a point in the frame of the node at hand, as linear forms of those of the solid;
- * and room for the polynomials of one primitive. */
+ * the way back; and room for the polynomials of one primitive. */
 typedef struct csg_reader {
     csg_builder build;
     int dimension;
+    fmpq_mat_t place; /* from the frame of the node to that of the solid, homogeneous */
+    csg_box box;      /* of the last node, in the frame of the solid (csg_bound.h) */
     fmpq_mpoly_struct coordinate[3];
     fmpq_mpoly_struct from[3];                /* the point minus a primitive's own point */
     fmpq_mpoly_struct square, along, f, term; /* |from|^2, axis . from, the polynomial, a summand */

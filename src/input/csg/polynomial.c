@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "input/csg/csg_bound.h"
 #include "input/motion/entry.h"
 
 /* Powers from a key such as "2,0,1". */
@@ -69,10 +70,23 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
     return status ? status : csg_add_side(node, r, 0);
 }
 
-/* The nodes of the edges of a polygon. */
+/* The nodes of the edges of a polygon, and its box. */
 typedef struct edges {
     size_t *node, count, capacity;
+    int bounded;      /* the box holds a point */
+    fmpq *low, *high; /* 3 each; heights of a prism last */
 } edges;
+
+/* Let the box hold a point. */
+static void hold_corner(edges *e, const fmpq *point) {
+    for (int i = 0; i < 2; i++) {
+        if (!e->bounded || fmpq_cmp(point + i, e->low + i) < 0)
+            fmpq_set(e->low + i, point + i);
+        if (!e->bounded || fmpq_cmp(point + i, e->high + i) > 0)
+            fmpq_set(e->high + i, point + i);
+    }
+    e->bounded = 1;
+}
 
 /* The points above the edge from p to q, between the vertical lines through p and q. */
 static graze_status add_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
@@ -112,6 +126,7 @@ static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value
     fmpq *point = _fmpq_vec_init(6), *first = point, *last = point + 2, *next = point + 4;
     for (const json *item = value->first; item && !status; item = item->next) {
         status = csg_read_vector(next, r, item, 2);
+        hold_corner(e, next);
         if (!status && item->index > 0)
             status = add_edge(e, r, last, next);
         for (int i = 0; i < 2; i++) {
@@ -126,7 +141,7 @@ static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value
 }
 
 /* The prism between two heights. */
-static graze_status extrude(size_t *node, csg_reader *r, const json *value) {
+static graze_status extrude(size_t *node, edges *e, csg_reader *r, const json *value) {
     size_t part[3] = {*node, 0, 0};
     fmpq *height = _fmpq_vec_init(2);
     graze_status status = csg_read_vector(height, r, value, 2);
@@ -137,6 +152,8 @@ static graze_status extrude(size_t *node, csg_reader *r, const json *value) {
         fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[2], height + k, r->build.ring);
         status = csg_add_side(&part[1 + k], r, k == 0);
     }
+    fmpq_swap(e->low + 2, height);
+    fmpq_swap(e->high + 2, height + 1);
     _fmpq_vec_clear(height, 2);
     return status ? status : csg_add_node(node, &r->build, CSG_ALL, part, 3);
 }
@@ -145,7 +162,8 @@ graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"points", "holes", "extrude"};
     graze_context *context = r->build.context;
     const json *member[3];
-    edges e = {NULL, 0, 0};
+    edges e = {.low = _fmpq_vec_init(6)};
+    e.high = e.low + 3;
     graze_status status = json_members(member, context, value, names, 3);
     if (!status && !member[0])
         status = json_fail(context, GRAZE_EINPUT, value, "the key points is missing");
@@ -165,6 +183,11 @@ graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
         status = json_fail(context, GRAZE_EILLEGAL, value, "the polygon has no interior");
     if (!status)
         status = csg_add_node(node, &r->build, CSG_ODD, e.node, e.count);
+    if (!status && member[2])
+        status = extrude(node, &e, r, member[2]);
+    if (!status)
+        csg_bound_corners(r, e.low, e.high);
     free(e.node);
-    return !status && member[2] ? extrude(node, r, member[2]) : status;
+    _fmpq_vec_clear(e.low, 6);
+    return status;
 }

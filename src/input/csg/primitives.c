@@ -7,6 +7,7 @@
 #include "input/csg/primitives.h"
 
 #include <flint/fmpq_vec.h>
+#include "input/csg/csg_bound.h"
 #include "input/motion/entry.h"
 
 /* Numbers of a primitive; those that are not given stay as they are. */
@@ -67,9 +68,12 @@ static void set_from(csg_reader *r, const fmpq *point) {
 }
 
 /* f = |from|^2 - radius^2 */
-static graze_status add_ball(size_t *node, csg_reader *r, const fmpq_t radius) {
-    fmpq_t square;
+static graze_status add_ball(size_t *node, csg_reader *r, const placed *p, const fmpq_t radius) {
+    fmpq_t square, zero;
     fmpq_init(square);
+    fmpq_init(zero);
+    csg_bound_round(r, p->point, NULL, radius, zero);
+    fmpq_clear(zero);
     fmpq_mul(square, radius, radius);
     fmpq_mpoly_sub_fmpq(&r->f, &r->square, square, r->build.ring);
     fmpq_clear(square);
@@ -161,6 +165,38 @@ static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
     return status ? status : csg_add_node(node, &r->build, CSG_ALL, part, count);
 }
 
+/* Let the reader's box hold the disks at both bounds; their radius is `first`, of a cone that times
+ * the height. */
+static void bound_between(csg_reader *r, const placed *p, int cone) {
+    fmpq *v = _fmpq_vec_init(5), *zero = v + 3, *square = v + 4;
+    for (int k = 0; k < 2 && p->has_from && p->has_to; k++) {
+        const fmpq *bound = k ? p->to : p->from;
+        for (int i = 0; i < 3; i++) {
+            fmpq_set(v + i, p->point + i);
+            fmpq_addmul(v + i, bound, p->axis + i);
+        }
+        fmpq_mul(square, p->first, p->first);
+        for (int power = 0; power < 2 && cone; power++)
+            fmpq_mul(square, square, bound);
+        if (cone)
+            fmpq_mul(square, square, p->length2);
+        csg_bound_round(r, v, p->axis, zero, square);
+    }
+    _fmpq_vec_clear(v, 5);
+}
+
+/* Let it hold the box about the point whose half sides are the axis. */
+static void bound_about(csg_reader *r, const placed *p) {
+    int d = r->dimension;
+    fmpq *end = _fmpq_vec_init(2 * d);
+    for (int i = 0; i < d; i++) {
+        fmpq_sub(end + i, p->point + i, p->axis + i);
+        fmpq_add(end + d + i, p->point + i, p->axis + i);
+    }
+    csg_bound_corners(r, end, end + d);
+    _fmpq_vec_clear(end, 2 * d);
+}
+
 graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"normal", "offset"};
     const json *member[2];
@@ -200,6 +236,8 @@ graze_status csg_read_box(size_t *node, csg_reader *r, const json *value) {
     }
     if (!status)
         status = csg_add_node(node, &r->build, CSG_ALL, part, 2 * d);
+    if (!status)
+        csg_bound_corners(r, end[0], end[1]);
     _fmpq_vec_clear(end[0], 3);
     _fmpq_vec_clear(end[1], 3);
     return status;
@@ -217,7 +255,7 @@ graze_status csg_read_ball(size_t *node, csg_reader *r, const json *value) {
         status = csg_read_vector(p.point, r, member[1], (size_t)r->dimension);
     if (!status) {
         set_from(r, p.point);
-        status = add_ball(node, r, p.first);
+        status = add_ball(node, r, &p, p.first);
     }
     placed_clear(&p);
     return status;
@@ -245,8 +283,10 @@ graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value) 
         fmpq_mpoly_mul(&r->term, &r->term, &r->term, r->build.ring);
         fmpq_mpoly_add(&r->f, &r->f, &r->term, r->build.ring);
     }
-    if (!status)
+    if (!status) {
+        bound_about(r, &p);
         status = csg_add_side(node, r, 0);
+    }
     placed_clear(&p);
     return status;
 }
@@ -266,6 +306,7 @@ graze_status csg_read_cylinder(size_t *node, csg_reader *r, const json *value) {
     if (!status)
         status = read_bounds(&p, r, member[3], member[4]);
     if (!status) {
+        bound_between(r, &p, 0);
         set_cylinder(r, &p);
         status = add_bounded(node, r, &p);
     }
@@ -290,11 +331,12 @@ graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
     if (!status && (fmpq_sgn(p.from) < 0 || (p.has_to && fmpq_cmp(p.from, p.to) >= 0)))
         status = json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected 0 <= from < to");
     if (!status) {
+        p.has_from = 1;
+        bound_between(r, &p, 1);
         fmpq_mul(p.second, p.first, p.first);
         fmpq_add_si(p.second, p.second, 1);
         fmpq_zero(p.first);
         set_about_axis(r, &p, p.second, p.first);
-        p.has_from = 1;
         status = add_bounded(node, r, &p);
     }
     placed_clear(&p);
@@ -305,6 +347,7 @@ graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
 static void set_torus(csg_reader *r, placed *p) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     fmpq_mul(p->from, p->first, p->first);
+    csg_bound_round(r, p->point, p->axis, p->second, p->from);
     fmpq_set_si(p->to, 4, 1);
     fmpq_mul(p->to, p->to, p->from);            /* 4 R^2 */
     fmpq_submul(p->from, p->second, p->second); /* R^2 - r^2 */
@@ -361,12 +404,12 @@ graze_status csg_read_capsule(size_t *node, csg_reader *r, const json *value) {
         status = add_bounded(&part[0], r, &p);
     }
     if (!status)
-        status = add_ball(&part[1], r, p.first);
+        status = add_ball(&part[1], r, &p, p.first);
     if (!status) {
         for (int i = 0; i < r->dimension; i++)
             fmpq_add(p.point + i, p.point + i, p.axis + i);
         set_from(r, p.point);
-        status = add_ball(&part[2], r, p.first);
+        status = add_ball(&part[2], r, &p, p.first);
     }
     if (!status)
         status = csg_add_node(node, &r->build, CSG_ANY, part, 3);

@@ -12,6 +12,27 @@ static void simplex_vertices(const fmpq **vertex, const graze_solid *solid, size
         vertex[k] = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * d;
 }
 
+int solid_bounded(const graze_solid *solid) {
+    return !solid->curved || solid->curved->box.dimension > 0;
+}
+
+void solid_box(fmpq *low, fmpq *high, const graze_solid *solid) {
+    size_t d = (size_t)solid->input.dimension;
+    for (size_t i = 0; i < d && solid->curved; i++) {
+        fmpq_set(low + i, &solid->curved->box.low[i]);
+        fmpq_set(high + i, &solid->curved->box.high[i]);
+    }
+    for (size_t k = 0; k < solid->cut.count * d; k++) {
+        const fmpq *vertex = solid->input.coordinates + solid->cut.item[k / d].vertex[k % d] * d;
+        for (size_t i = 0; i < d; i++) {
+            if (k == 0 || fmpq_cmp(vertex + i, low + i) < 0)
+                fmpq_set(low + i, vertex + i);
+            if (k == 0 || fmpq_cmp(vertex + i, high + i) > 0)
+                fmpq_set(high + i, vertex + i);
+        }
+    }
+}
+
 int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex) {
     const fmpq *vertex[3];
     simplex_vertices(vertex, solid, simplex);

@@ -30,6 +30,11 @@ struct graze_solid {
     csg *curved;    /* a curved solid: then of the above only number, dimension and hash are set */
 };
 
+/** Whether a box that holds the solid is known: 1 unless it is curved. */
+int solid_bounded(const graze_solid *solid);
+/** That box: the least one, of a curved solid one that holds it. */
+void solid_box(fmpq *low, fmpq *high, const graze_solid *solid);
+
 /**
  * Plane form of a simplex: the first non-zero normal coordinate is positive, so that simplices of
  * one plane have one form.

@@ -101,6 +101,10 @@ static graze_status put_checked_box(text *out, graze_context *context, const cha
 static int describe_boxes(text *out, const loaded *l) {
     mpq_t low[3], high[3];
     graze_options options = {.size = sizeof options};
+    if (!graze_solid_bounded(l->solid)) {
+        text_put(out, "box of S: none is proved\n");
+        return EXIT_DONE;
+    }
     int d = graze_scene_dimension(l->scene);
     mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
     graze_scene_options(&options, l->scene);
@@ -151,7 +155,7 @@ static int describe_scene(const loaded *l) {
     describe_solid(&out, l, d);
     text_format(&out, "motion: %zu %s\n%s\n", pieces, plural(pieces, "piece", "pieces"),
                 ends_phrase(graze_scene_ends(l->scene)));
-    int status = graze_solid_primitive_count(l->solid) ? EXIT_DONE : describe_boxes(&out, l);
+    int status = describe_boxes(&out, l);
     if (!status && out.failed)
         status = complain(EXIT_IO, "out of memory");
     if (!status)

@@ -25,6 +25,7 @@ typedef struct answer_task {
     int no_table;                     /* a certificate alone is */
     const graze_row_options *rows;
     row_source source;
+    int one_by_one; /* no points of a grid are decided together: the solid is curved */
 } answer_task;
 
 /** The state of one thread that answers rows. Its context is its own. */

@@ -168,7 +168,8 @@ static int prepare_run(run_state *s, const classify_options *o) {
                         .certifier = s->l.certifier,
                         .no_table = o->no_table,
                         .rows = &s->l.rows,
-                        .source = source_of(s, o)};
+                        .source = source_of(s, o),
+                        .one_by_one = graze_solid_primitive_count(s->l.solid) > 0};
     if (!status)
         status = jobs_start(&s->jobs, o->threads, &task);
     if (!status)
