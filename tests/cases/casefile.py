@@ -102,6 +102,15 @@ class Case:
 
 
 def names():
+    """The cases of polyhedra and polygons, in order."""
+    return [name for name in all_names() if not is_curved(name)]
+
+
+def is_curved(name):
+    return os.path.exists(os.path.join(FOLDER, name, "solid.csg.json"))
+
+
+def all_names():
     """The cases there are, in order: the folders that hold any file of a case but the README."""
     found = []
     for name in sorted(os.listdir(FOLDER)):

@@ -146,3 +146,12 @@ def same_time(got, want):
         return low < got[1] < high and value(p, got[1]) == 0
     common = max(low, got[1]), min(high, got[2])
     return not remainder(p, got[0]) and roots_between(got[0], *common) == 1
+
+
+def same_root(got, want):
+    """Is the one root of a squarefree polynomial in an interval that of another?"""
+    p, q = trim(list(got[0])), trim(list(want[0]))
+    while q:
+        p, q = q, remainder(p, q)
+    low, high = max(got[1], want[1]), min(got[2], want[2])
+    return len(p) > 1 and roots_between(p, low, high) == 1

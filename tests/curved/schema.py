@@ -72,9 +72,10 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     solids = {f"words: {name}": {"dimension": motion.dimension, "solid": node} for name, node, motion, *_ in words.SCENES}
-    for path in glob.glob(os.path.join(ROOT, "tests", "fuzz", "corpus", "csg", "*.csg.json")):
-        with open(path, encoding="utf-8") as file:
-            solids[os.path.basename(path)] = json.load(file)
+    for folder in (("tests", "fuzz", "corpus", "csg"), ("cases", "*")):
+        for path in glob.glob(os.path.join(ROOT, *folder, "*.csg.json")):
+            with open(path, encoding="utf-8") as file:
+                solids[os.path.relpath(path, ROOT)] = json.load(file)
     good = dict(solids)
     for name in sorted(good)[::9]:
         for k, changed in enumerate(changes(good[name])):
