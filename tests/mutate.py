@@ -35,7 +35,7 @@ UNIT_SECONDS = 60   # for a test in C
 MEMORY = 4 << 30    # bytes, as the suites have it
 TIMES = re.compile(r"^\| `([\w./-]+)` \|.* (\d+) s \|$", re.M)
 COMMON = ["-w", "-pthread", "-Iinclude", "-Isrc"]
-COMPILERS = {".c": ["gcc", "-std=c11", "-D_GNU_SOURCE", "-O1"], ".cpp": ["g++", "-std=c++17", "-frounding-math", "-O0"]}
+COMPILERS = {".c": ["gcc", "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1"], ".cpp": ["g++", "-std=c++17", "-frounding-math", "-O0"]}
 LIBS = ["-lcmocka", "-lyajl", "-lmd", "-lflint", "-lmpfr", "-lgmp", "-lm", "-lstdc++", "-pthread"]
 SANITIZE = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 WRAPPER = """#!/bin/sh
@@ -119,8 +119,8 @@ class Worker:
         kind = os.path.splitext(path)[1]
         with open(self.place("mutant" + kind), "w", encoding="utf-8") as file:
             file.write(text)
-        if subprocess.run([*COMPILERS[kind], *COMMON, *more, f"-I{os.path.dirname(path)}", "-c", "-o", self.object,
-                           file.name], stderr=subprocess.DEVNULL).returncode:
+        if subprocess.run([*COMPILERS[kind], *COMMON, *more, "-c", "-o", self.object, file.name],
+                          stderr=subprocess.DEVNULL).returncode:
             return None
         with open(self.object, "rb") as file:
             return file.read()
@@ -161,6 +161,8 @@ class Worker:
         if path not in self.plain:
             with open(path, encoding="utf-8") as file:
                 self.plain[path] = self.compiled(path, file.read())
+            if self.plain[path] is None:
+                raise SystemExit(f"{path} does not compile without any mutant")
         code = self.compiled(path, mutant.source())
         if code in (None, self.plain[path]):
             return "same code" if code else "void"

@@ -24,6 +24,9 @@ SHORT = f"1/{2 ** 200}"
 CROWDED = PINCH.strip()[:-1] + (f", ((-{SHORT} {SHORT}, -{SHORT} 1, -1 1, -1 {SHORT}, -{SHORT} {SHORT}))"
                                 f", (({SHORT} -{SHORT}, {SHORT} -1, 1 -1, 1 -{SHORT}, {SHORT} -{SHORT})))\n")
 SMALL = "MULTIPOLYGON (((8 8, 129/16 8, 129/16 129/16, 8 129/16, 8 8)), ((8 8, 127/16 8, 127/16 127/16, 8 127/16, 8 8)))\n"
+# The same pinch, and squares in the other quadrants that begin 1/4 from it: farther than its squares are wide.
+BESIDE = SMALL.strip()[:-1] + (", ((33/4 31/4, 12 31/4, 12 4, 33/4 4, 33/4 31/4))"
+                               ", ((31/4 33/4, 4 33/4, 4 12, 31/4 12, 31/4 33/4)))\n")
 PAIR = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))\n"
 
 
@@ -137,6 +140,8 @@ CASES = [
     (SMALL, moves(2, (-1, 1, shift("t", "-t"))), ("0", "8", "8"), dict(role="hidden", left="O", right="O", word="OBO"), None),
     (SMALL, moves(2, (-1, 1, shift("t", "0"))), ("0", "8", "8"), dict(role="hidden"), None),
     (SMALL, moves(2, (0, 1, shift("t", "0"))), ("0", "8", "8"), dict(role="contact"), None),
+    # Squares beside it change nothing: they pass the point at no time, and are not next to it.
+    (BESIDE, moves(2, (0, 1, shift("t", "0"))), ("0", "8", "8"), dict(role="contact"), None),
     # A pinched edge along z, c = (t^2, -t^2, t): the velocity is along the edge, (1, -1) leads on both sides and
     # sweeps one of the two open quadrants. With t^3 it leads one way before and the other way after t = 0. g_t = n b'' with
     # b'' = (-2, 2, 0), theta its opposite; normals in the order of the faces: -y, -x, +y, +x.

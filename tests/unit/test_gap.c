@@ -273,6 +273,8 @@ static int check_window(trial *t, const point_map *placing, double shift) {
     if (narrow) {
         assert_true(fmax(t->along, t->about) > 0.999 * nearest);
         assert_true(t->most < 1.001 * nearest);
+        /* The covector of the middle is good for all of a window in which nothing moves far. */
+        assert_true(t->w.to - t->w.from >= 0x1p-30 || t->along > 0.999 * nearest);
     }
     fmpq_clear(u);
     fmpq_clear(length);

@@ -1,6 +1,7 @@
 /* Bounds along a covector. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/distance/along.h"
 
+#include <float.h>
 #include <math.h>
 #include "decide/filter/normal.h"
 #include "questions/distance/bernstein_square.h"
@@ -52,7 +53,8 @@ static void carry_covector(double (*out)[3], const window *w, const double *m) {
         }
 }
 
-/* On a piece that is not rigid: numerator / |B m|, by squares. */
+/* On a piece that is not rigid: numerator / |B m|, by squares. |B m| is below 2^503, so its square
+ * is a double; the numerator's may be larger, and then the greatest double is. */
 static double along_placed(const window *w, const double *m, const double *value) {
     double b[WINDOW_ROOM][3], top[SQUARE_ROOM], below[SQUARE_ROOM], least = INFINITY;
     double shortest = INFINITY;
@@ -61,9 +63,9 @@ static double along_placed(const window *w, const double *m, const double *value
     square_numbers(top, value, n);
     square_vectors(below, (const double(*)[3])b, n);
     for (int k = 0; k <= 2 * n; k++) {
-        if (!(below[k] > 0 && below[k] < INFINITY && top[k] < INFINITY))
+        if (!(below[k] > 0))
             return 0;
-        least = smaller(least, top[k] / below[k]);
+        least = smaller(least, smaller(top[k], DBL_MAX) / below[k]);
         shortest = smaller(shortest, below[k]);
     }
     double stray = 2 * w->linear_stray * (fabs(m[0]) + fabs(m[1]) + fabs(m[2]));

@@ -28,10 +28,7 @@ static double length_down(const fmpq *low, const fmpq *high, int d) {
         fmpq_div_2exp(sum, sum, 2 * (ulong)-k);
     fmpz_fdiv_q(n, fmpq_numref(sum), fmpq_denref(sum));
     fmpz_sqrt(n, n);
-    slong bits = (slong)fmpz_bits(n);
-    slong cut = bits > 53 ? bits - 53 : 0;
-    fmpz_fdiv_q_2exp(n, n, (ulong)cut);
-    double out = ldexp(fmpz_get_d(n), (int)(cut - k));
+    double out = ldexp(fmpz_get_d(n), (int)-k); /* FLINT cuts what a double has no place for */
     fmpq_clear(sum);
     fmpq_clear(side);
     fmpz_clear(n);
@@ -39,12 +36,12 @@ static double length_down(const fmpq *low, const fmpq *high, int d) {
     return out;
 }
 
-/* Extend the box by the image of a vertex. */
+/* Extend the box by the image of a vertex, but for the translation, which changes no side of it. */
 static void extend(fmpq *low, fmpq *high, const fmpq *map, const fmpq *vertex, int d, int first) {
     fmpq_t value;
     fmpq_init(value);
     for (int i = 0; i < d; i++) {
-        fmpq_set(value, map + i * (d + 1) + d);
+        fmpq_zero(value);
         for (int j = 0; j < d; j++)
             fmpq_addmul(value, map + i * (d + 1) + j, vertex + j);
         if (first || fmpq_cmp(value, low + i) < 0)

@@ -5,38 +5,34 @@
 #include "questions/topo/signs.h"
 
 /* Is u + s e for a positive s a direction of the cell? Then u lies opposite to e; with e zero, is u
- * such a direction itself? */
+ * such a direction itself? The first plane that e is not along gives s = -p / q. */
 static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension;
-    int opposite = 1;
-    size_t pivot = cone->count;
+    int sign = -1, has_s = 0;
     fmpz_t a, b, p, q;
     fmpz_init(a);
     fmpz_init(b);
     fmpz_init(p);
-    fmpz_init(q);
-    for (size_t j = 0; j < cone->count && opposite; j++) {
+    fmpz_init_set_ui(q, 1);
+    for (size_t j = 0; j < cone->count; j++) {
         const fmpz *n = cone->normal + j * (size_t)d;
         _fmpz_vec_dot(a, n, u, d);
         _fmpz_vec_dot(b, n, e, d);
-        if (pivot == cone->count && !fmpz_is_zero(b)) {
-            pivot = j;
+        if (!has_s && !fmpz_is_zero(b)) {
             fmpz_set(p, a);
             fmpz_set(q, b);
-            opposite = fmpz_sgn(a) * fmpz_sgn(b) < 0;
+            sign *= -fmpz_sgn(p) * fmpz_sgn(q);
+            has_s = 1;
         }
-        opposite = opposite && fmpz_is_zero(a) == fmpz_is_zero(b);
-        if (pivot < cone->count) {
-            fmpz_mul(a, a, q);
-            fmpz_submul(a, b, p);
-            opposite = opposite && fmpz_is_zero(a);
-        }
+        fmpz_mul(a, a, q);
+        fmpz_submul(a, b, p);
+        sign *= fmpz_is_zero(a);
     }
     fmpz_clear(a);
     fmpz_clear(b);
     fmpz_clear(p);
     fmpz_clear(q);
-    return opposite;
+    return sign < 0;
 }
 
 /* Add what one side covers. */
