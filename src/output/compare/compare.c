@@ -177,6 +177,26 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
     return status ? status : count_row(c, r, golden, candidate, &j, &none, PMC_ON);
 }
 
+/* A golden row without an answer of its own, of a curved solid: nothing is judged. The candidate
+ * may have none either. */
+static graze_status count_open(graze_comparison *c, run *r, const table_row *golden,
+                               const table_row *candidate) {
+    static const char *const none = "undecided";
+    answer given = {-1, -1, 0, 0, {"", 0}};
+    judgement j = {.undecided = 1};
+    valuation value = {.certain = 1};
+    graze_status status = GRAZE_OK;
+    if (candidate && !field_is(table_field(&r->candidate, candidate, COLUMN_PMC), none))
+        status = answer_read(&given, &r->candidate, candidate, c->judged,
+                             c->options.has == GRAZE_HAS_SDF);
+    if (status)
+        return status;
+    if (given.pmc >= 0)
+        c->undecided_answers[given.pmc]++;
+    c->answered_on += given.pmc == PMC_ON;
+    return count_row(c, r, golden, candidate, &j, &value, PMC_ON);
+}
+
 static graze_status count_pair(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate) {
     answer right, given = {-1, -1, 0, 0, {"", 0}};
@@ -216,7 +236,12 @@ static graze_status count_all(graze_comparison *c, run *r) {
         if (status || (!golden && !candidate))
             return status;
         if (golden) {
-            status = (c->contacts ? count_contacts : count_pair)(c, r, golden, candidate);
+            int open =
+                !c->contacts && field_is(table_field(&r->golden, golden, COLUMN_PMC), "undecided");
+            status = (c->contacts ? count_contacts
+                      : open      ? count_open
+                                  : count_pair)(c, r, golden, candidate);
+            c->open += (unsigned long)open;
         } else {
             c->extra++;
             status = show(c, r, NULL, candidate);

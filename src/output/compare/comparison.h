@@ -99,6 +99,7 @@ struct graze_comparison {
     unsigned long golden_on, answered_on; /* rows of either table; golden ones with an answer */
     unsigned long undecided_answers[3];   /* the candidate's, for such rows */
     unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
+    unsigned long open;                   /* golden rows that are undecided themselves */
     errors values;
     depths depth; /* of wrong rows */
     matrix confusion;

@@ -90,6 +90,8 @@ static void put_summary(text *out, const graze_comparison *c) {
             "undecided: `on` rows that may be seams, where the closed sweep goes on around the "
             "point; answered in %lu, on %lu, out %lu\n",
             c->undecided_answers[0], c->undecided_answers[1], c->undecided_answers[2]);
+    if (c->open)
+        text_format(out, "of these %lu golden rows are undecided themselves\n", c->open);
     put_values(out, c);
     put_sites_by_column(out, c);
 }
