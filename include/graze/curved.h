@@ -14,6 +14,15 @@
 extern "C" {
 #endif
 
+/**
+ * Read a curved solid from `length` bytes of JSON as in a `.csg.json` file, which need not end in
+ * NUL. A program that composes solids writes such text: an operation is an object around others.
+ * @param[out] out destroy with graze_solid_destroy; NULL on failure
+ * @return as graze_solid_read
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_solid_from_csg(graze_solid **out, graze_context *context,
+                                                          const char *text, size_t length);
+
 /** Number of primitives of a curved solid; 0 for a polyhedron and NULL. */
 GRAZE_API size_t graze_solid_primitive_count(const graze_solid *solid);
 /** Title of a primitive, counted from 0: its kind, its number and its name, such as

@@ -57,6 +57,17 @@ graze_status graze_solid_read_trusted(graze_solid **out, graze_context *context,
     return read_solid(out, context, path, flags, sha256);
 }
 
+graze_status graze_solid_from_csg(graze_solid **out, graze_context *context, const char *text,
+                                  size_t length) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !text)
+        return api_misuse(context, "graze_solid_from_csg",
+                          "out, context and text must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    return solid_create_curved_text(out, context, text, length);
+}
+
 /* Read a mesh that may be mended. */
 static graze_status read_mesh(soup *input, graze_context *context, const char *path) {
     const char *extension = strrchr(path, '.');

@@ -108,6 +108,9 @@ static void motions(bench *b) {
     WRONG(graze_motion_from_json(NULL, c, slide, 5));
     WRONG_OUT(graze_motion, graze_motion_from_json(&out, NULL, slide, 5));
     WRONG_OUT(graze_motion, graze_motion_from_json(&out, c, NULL, 5));
+    WRONG(graze_solid_from_csg(NULL, c, "{}", 2));
+    WRONG_OUT(graze_solid, graze_solid_from_csg(&out, NULL, "{}", 2));
+    WRONG_OUT(graze_solid, graze_solid_from_csg(&out, c, NULL, 2));
     HARMLESS(graze_motion_destroy, CALLS(graze_motion_destroy(NULL)));
     HARMLESS(graze_motion_dimension, !graze_motion_dimension(NULL));
     HARMLESS(graze_motion_piece_count, !graze_motion_piece_count(NULL));

@@ -199,6 +199,10 @@ int fuzz_csg(const uint8_t *data, size_t size) {
         graze_solid_read(&solid, context, fuzz_file("solid.csg.json", data, size), 0);
     int taken = fuzz_taken(status, context, solid);
     if (taken) {
+        graze_solid *again;
+        EXPECT(graze_solid_from_csg(&again, context, (const char *)data, size) == GRAZE_OK);
+        EXPECT(graze_solid_surface_count(again) == graze_solid_surface_count(solid));
+        graze_solid_destroy(again);
         const char *text = move[graze_solid_dimension(solid) - 2];
         size_t primitives = graze_solid_primitive_count(solid);
         EXPECT(primitives > 0 && graze_solid_vertex_count(solid) == 0);

@@ -226,22 +226,29 @@ static graze_status read_csg(csg *out, graze_context *context, const json *root)
     return json_at_last(context, status, root);
 }
 
+graze_status csg_read_text(csg *out, graze_context *context, const char *name, const char *text,
+                           size_t length) {
+    json_document document;
+    *out = (csg){.dimension = 0};
+    context->work = 0;
+    graze_status status = json_parse(&document, context, name, text, length);
+    if (!status)
+        status = read_csg(out, context, document.root);
+    json_clear(&document);
+    if (status)
+        csg_clear(out);
+    return status;
+}
+
 graze_status csg_read(csg *out, unsigned char sha256[32], graze_context *context,
                       const char *path) {
     char *text;
     size_t length;
-    json_document document;
     *out = (csg){.dimension = 0};
     graze_status status = file_read(&text, &length, sha256, context, path);
     if (status)
         return status;
-    context->work = 0;
-    status = json_parse(&document, context, path, text, length);
-    if (!status)
-        status = read_csg(out, context, document.root);
-    json_clear(&document);
+    status = csg_read_text(out, context, path, text, length);
     free(text);
-    if (status)
-        csg_clear(out);
     return status;
 }

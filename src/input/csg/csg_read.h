@@ -17,4 +17,8 @@ int csg_is_named(const char *path);
  */
 graze_status csg_read(csg *out, unsigned char sha256[32], graze_context *context, const char *path);
 
+/** As csg_read, from text, which messages call `name`. */
+graze_status csg_read_text(csg *out, graze_context *context, const char *name, const char *text,
+                           size_t length);
+
 #endif

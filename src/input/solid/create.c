@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/file.h"
 #include "base/number/rounding.h"
 #include "input/csg/csg_read.h"
 #include "input/solid/locate.h"
@@ -113,30 +114,49 @@ graze_status solid_is_another(graze_context *context, const char *path) {
                            "is not the file that was validated: its SHA-256 is another");
 }
 
-graze_status solid_create_curved(graze_solid **out, graze_context *context, const char *path,
-                                 const unsigned char *sha256) {
-    *out = NULL;
+/* The solid of an expression, which it takes over (also on failure). */
+static graze_status take_curved(graze_solid **out, graze_context *context, csg *given,
+                                const unsigned char sha256[32]) {
     graze_solid *solid = calloc(1, sizeof *solid);
     csg *curved = calloc(1, sizeof *curved);
-    graze_status status = solid && curved
-                              ? GRAZE_OK
-                              : context_fail(context, GRAZE_ESYSTEM, "out of memory for a solid");
-    if (!status)
-        status = csg_read(curved, solid->input.sha256, context, path);
-    if (!status && sha256 && memcmp(sha256, solid->input.sha256, 32) != 0) {
-        csg_clear(curved);
-        status = solid_is_another(context, path);
-    }
-    if (status) {
+    if (!solid || !curved) {
+        csg_clear(given);
         free(curved);
         free(solid);
-        return status;
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a solid");
     }
+    *curved = *given;
+    memcpy(solid->input.sha256, sha256, sizeof solid->input.sha256);
     solid->number = next_number();
     solid->input.dimension = curved->dimension;
     solid->curved = curved;
     *out = solid;
     return GRAZE_OK;
+}
+
+graze_status solid_create_curved(graze_solid **out, graze_context *context, const char *path,
+                                 const unsigned char *sha256) {
+    csg curved;
+    unsigned char found[32];
+    *out = NULL;
+    graze_status status = csg_read(&curved, found, context, path);
+    if (!status && sha256 && memcmp(sha256, found, sizeof found) != 0) {
+        csg_clear(&curved);
+        status = solid_is_another(context, path);
+    }
+    return status ? status : take_curved(out, context, &curved, found);
+}
+
+graze_status solid_create_curved_text(graze_solid **out, graze_context *context, const char *text,
+                                      size_t length) {
+    csg curved;
+    unsigned char sha256[32];
+    *out = NULL;
+    graze_status status = csg_read_text(&curved, context, "solid", text, length);
+    if (status)
+        return status;
+    file_sha256(sha256, text, length);
+    return take_curved(out, context, &curved, sha256);
 }
 
 void graze_solid_destroy(graze_solid *solid) {

@@ -14,6 +14,10 @@ graze_status solid_create(graze_solid **out, graze_context *context, soup *input
 graze_status solid_create_curved(graze_solid **out, graze_context *context, const char *path,
                                  const unsigned char *sha256);
 
+/** Read a curved solid from text (csg_read_text). */
+graze_status solid_create_curved_text(graze_solid **out, graze_context *context, const char *text,
+                                      size_t length);
+
 /** GRAZE_EINPUT: a file is not the one that was validated. */
 graze_status solid_is_another(graze_context *context, const char *path);
 

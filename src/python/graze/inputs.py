@@ -8,10 +8,11 @@ import ctypes
 import json
 import os
 from fractions import Fraction
-from typing import Any, Iterable, Mapping, Tuple
+from typing import Any, Iterable, Mapping, Optional, Tuple
 
 from . import _motions
 from ._context import Context, Settings, settings
+from ._expressions import Expressions
 from ._library import Handle, library, take_text
 from ._frames import refuse_masked
 from ._meshes import arrays_of
@@ -22,8 +23,11 @@ from .errors import GrazeError, InputError, UseError, name_argument
 _TRIANGULATE = 1
 
 
-class Solid:
+class Solid(Expressions):
     """A legal solid. Immutable; scenes and threads may share it.
+
+    Curved solids are made by `ball`, `box`, `cylinder`, ... and the operators `|`, `&`, `-`; they are
+    read exactly, as `.csg.json` files are, those of operators when they are first used.
 
     Attributes:
         triangulate: whether facets that are not planar were fanned.
@@ -34,7 +38,8 @@ class Solid:
         """Read and validate a solid.
 
         Args:
-            source: the path of a file (.off .obj .ply .stl .nef3 .wkt), or (vertices, facets):
+            source: the path of a file (.off .obj .ply .stl .nef3 .wkt .csg.json), a curved solid as
+                a dict or as JSON text that begins with `{`, or (vertices, facets):
                 rows of 2 or 3 numbers, and for each facet (in the plane: ring) its vertices from 0.
                 Both may be arrays of numpy, the vertices a DataFrame too, as for points of a
                 `Scene`: with a column z they are in space. Or a mesh of trimesh or meshio, or a
@@ -50,6 +55,12 @@ class Solid:
         """
         self._settings = settings(round, limits, True)
         self.triangulate = triangulate
+        self._kept: Optional[Handle] = None
+        if isinstance(source, str) and source.lstrip().startswith("{"):
+            source = json.loads(source, parse_float=str)
+        if isinstance(source, Mapping):
+            self._read_expression(source)
+            return
         context = Context(self._settings)
         pointer = ctypes.c_void_p()
         flags = _TRIANGULATE if triangulate else 0
@@ -64,14 +75,57 @@ class Solid:
                 raise TypeError("a solid is a path, a pair (vertices, facets), or a mesh or polygon "
                                 "of trimesh, meshio or shapely") from None
             _from_arrays(pointer, context, vertices, facets, flags)
-        self._handle = Handle(pointer, library().graze_solid_destroy)
+        self._kept = Handle(pointer, library().graze_solid_destroy)
+
+    def _read_expression(self, document: "Mapping[str, Any]") -> None:
+        context, pointer = Context(self._settings), ctypes.c_void_p()
+        text = json.dumps(_plain(document)).encode("utf-8")
+        try:
+            context.run(library().graze_solid_from_csg, ctypes.byref(pointer), context.pointer, text, len(text))
+        except GrazeError as problem:
+            name_argument(problem, "solid", rows=False)
+            raise
+        self._node, self._given = document["solid"], document
+        self._kept = Handle(pointer, library().graze_solid_destroy)
+
+    @classmethod
+    def _expressed(cls, dimension: int, node: "Mapping[str, Any]", *, lazily: bool = False) -> "Solid":
+        made = cls.__new__(cls)
+        made._settings, made.triangulate, made._kept = settings("none", None, True), False, None
+        made._node, made._given = dict(node), {"dimension": dimension, "solid": node}
+        if not lazily:
+            made._read_expression(made._given)
+        return made
+
+    @property
+    def _handle(self) -> Handle:
+        if self._kept is None:
+            self._read_expression(self._given)
+        assert self._kept is not None
+        return self._kept
+
+    def json(self) -> str:
+        """A curved solid that was made as an expression as a `.csg.json` file."""
+        self._operand()
+        return json.dumps(_plain(self._given)) + "\n"
+
+    @property
+    def primitives(self) -> Tuple[str, ...]:
+        """Titles of the primitives of a curved solid in their order; none of a polyhedron."""
+        pointer = self._handle.pointer
+        return tuple(str(library().graze_solid_primitive(pointer, k).decode())
+                     for k in range(library().graze_solid_primitive_count(pointer)))
 
     @property
     def dimension(self) -> int:
         """2 or 3."""
+        if self._kept is None:
+            return int(self._given["dimension"])
         return int(library().graze_solid_dimension(self._handle.pointer))
 
     def __repr__(self) -> str:
+        if self.primitives:
+            return f"<graze.Solid in E^{self.dimension}: {_count(len(self.primitives), 'primitive')}>"
         cells = "facet" if self.dimension == 3 else "edge"
         return (f"<graze.Solid in E^{self.dimension}: {_count(self.vertex_count, 'vertex')}, "
                 f"{_count(self.facet_count, cells)}, {_count(self.component_count, 'component')}>")
@@ -244,7 +298,7 @@ def _path(source: Any) -> bytes:
 
 
 def _plain(value: Any) -> Any:
-    """A motion's value as JSON has it, floats and Fractions as exact ratios."""
+    """A value as JSON has it, floats and Fractions as exact ratios."""
     if numpy is not None and isinstance(value, (numpy.ndarray, numpy.generic)):
         value = value.tolist()
     if isinstance(value, Mapping):
