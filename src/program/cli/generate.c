@@ -40,7 +40,7 @@ static const char generate_help[] =
     "\n"
     "Strata that the scene cannot have are named in the head of the table; their weight goes to "
     "the\n"
-    "others.\n"
+    "others. No two points are equal; a stratum without other points is named on standard error.\n"
     "\n"
     "Example: graze generate cube.off move.json -n 1000 --seed 1 > points.csv\n";
 

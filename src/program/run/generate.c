@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/number/text.h"
+#include "program/run/distinct.h"
 #include "program/run/interrupt.h"
 #include "program/run/output.h"
 #include "program/run/progress.h"
@@ -17,6 +18,7 @@ typedef struct maker {
     graze_generator *generator;
     unsigned long weights[GRAZE_STRATUM_COUNT];
     mpq_t point[3], time, low[3], high[3]; /* low, high: of the box */
+    distinct points;
     output out;
     int opened;
 } maker;
@@ -155,8 +157,9 @@ static void put_decade(maker *m, const graze_sample *made) {
     output_put(&m->out, "\n");
 }
 
-/* The coordinates of the point, with a comma behind them. */
-static int put_sample_point(maker *m, const coordinate_options *form, unsigned long row) {
+/* The coordinates of the point, with a comma behind them, unless such a row stands already. */
+static int put_sample_point(int *is_new, maker *m, const coordinate_options *form,
+                            const graze_sample *made, unsigned long row) {
     char where[32];
     fault f = {EXIT_DONE, NULL};
     text point;
@@ -165,6 +168,11 @@ static int put_sample_point(maker *m, const coordinate_options *form, unsigned l
     int status = coordinates_put(&point, &f, form, m->l.context, m->point,
                                  graze_scene_dimension(m->l.scene), NULL, where);
     if (!status) {
+        *is_new = distinct_add(&m->points, made->stratum, point.data, point.length);
+        if (m->points.failed)
+            status = complain(EXIT_IO, "out of memory");
+    }
+    if (!status && *is_new) {
         output_bytes(&m->out, point.data, point.length);
         output_put(&m->out, ",");
     }
@@ -174,39 +182,46 @@ static int put_sample_point(maker *m, const coordinate_options *form, unsigned l
     return status;
 }
 
-static int put_sample(maker *m, const generate_options *o, unsigned long row) {
-    graze_sample made;
-    graze_status found =
-        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, row);
-    int status =
-        found ? complain_of(found, m->l.context) : put_sample_point(m, &o->coordinates, row);
-    if (status)
-        return status;
+/* What a row tells of its point. */
+static void put_making(maker *m, const graze_sample *made, unsigned long row) {
     char text[48];
-    int rounded = made.stratum == GRAZE_STRATUM_ROUNDED;
-    snprintf(text, sizeof text, "%lu,%s%s%s", row + 1, graze_stratum_name(made.stratum),
-             rounded ? "-" : "", rounded ? graze_stratum_name(made.origin) : "");
+    int rounded = made->stratum == GRAZE_STRATUM_ROUNDED;
+    snprintf(text, sizeof text, "%lu,%s%s%s", row + 1, graze_stratum_name(made->stratum),
+             rounded ? "-" : "", rounded ? graze_stratum_name(made->origin) : "");
     output_put(&m->out, text);
-    if (made.order == 0) {
+    if (made->order == 0) {
         output_put(&m->out, ",,,,,");
-        put_decade(m, &made);
-        return EXIT_DONE;
+        put_decade(m, made);
+        return;
     }
-    snprintf(text, sizeof text, made.order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made.order);
+    snprintf(text, sizeof text, made->order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made->order);
     output_put(&m->out, text);
-    put_sample_cell(&m->out, &made.cell);
+    put_sample_cell(&m->out, &made->cell);
     output_put(&m->out, ",");
     output_number(&m->out, m->time);
     static const char *const answers[] = {"", "in", "on", "out"};
-    const char *side = rounded ? answers[made.pmc] : made.outward ? "out" : "in";
-    int sided = rounded || made.stratum == GRAZE_STRATUM_LEVEL;
-    if (made.k)
-        snprintf(text, sizeof text, ",%d,%s", made.k, side);
+    const char *side = rounded ? answers[made->pmc] : made->outward ? "out" : "in";
+    int sided = rounded || made->stratum == GRAZE_STRATUM_LEVEL;
+    if (made->k)
+        snprintf(text, sizeof text, ",%d,%s", made->k, side);
     else
         snprintf(text, sizeof text, ",,%s", sided ? side : "");
     output_put(&m->out, text);
-    put_decade(m, &made);
-    return EXIT_DONE;
+    put_decade(m, made);
+}
+
+/* A row of the table, and whether there is one: the generator's rows may repeat. */
+static int put_sample(int *is_new, maker *m, const generate_options *o, unsigned long long draw,
+                      unsigned long row) {
+    graze_sample made;
+    graze_status found =
+        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, draw);
+    int status = found ? complain_of(found, m->l.context) : EXIT_DONE;
+    if (!status && distinct_wants(&m->points, made.stratum))
+        status = put_sample_point(is_new, m, &o->coordinates, &made, row);
+    if (!status && *is_new)
+        put_making(m, &made, row);
+    return status;
 }
 
 static int put_samples(maker *m, const generate_options *o) {
@@ -214,12 +229,19 @@ static int put_samples(maker *m, const generate_options *o) {
     progress line;
     progress_start(&line, o->quiet, 0, (portion){0, o->count});
     unsigned long row = 0;
-    for (; row < o->count && !status && !m->out.error; row++) {
-        status = interrupt_signal() ? EXIT_SIGNAL : put_sample(m, o, row);
-        if (row % 1024 == 0)
+    unsigned long long draw = 0;
+    while (row < o->count && !distinct_is_over(&m->points) && !status && !m->out.error) {
+        int is_new = 0;
+        status = interrupt_signal() ? EXIT_SIGNAL : put_sample(&is_new, m, o, draw, row);
+        if (draw++ % 1024 == 0)
             progress_show(&line, row, (portion){row, o->count});
+        row += is_new != 0;
     }
     progress_end(&line, row, (portion){row, o->count});
+    m->made.lost.spent = m->points.spent;
+    if (!status && row < o->count)
+        complain(EXIT_DONE, "note: %lu of %lu points were made; no others were found", row,
+                 o->count);
     return status;
 }
 
@@ -269,16 +291,21 @@ char *lost_strata_text(const lost_strata *lost) {
                                            : "the scene has no points of the strata ");
         put_stratum_names(&t, lost->absent);
     }
+    if (lost->spent) {
+        text_put(&t, lost->unrepresentable | lost->absent ? "; " : "");
+        text_put(&t, "the strata ");
+        put_stratum_names(&t, lost->spent);
+        text_put(&t, " have fewer points than their weights ask for, as no others were found");
+    }
     return text_take(&t);
 }
 
-/* Say which strata get no points. */
-static int tell_lost(const maker *m, const generate_options *o) {
-    if (!m->made.lost.unrepresentable)
-        return EXIT_DONE;
-    char *said = lost_strata_text(&m->made.lost);
-    int status = said ? complain(EXIT_DONE, "note: %s: %s", o->scene.motion, said)
-                      : complain(EXIT_IO, "out of memory");
+/* Say which strata get no points, or fewer. */
+static int tell_lost(const lost_strata *lost, const generate_options *o) {
+    char *said = lost_strata_text(lost);
+    int status = said ? EXIT_DONE : complain(EXIT_IO, "out of memory");
+    if (said && *said)
+        status = complain(EXIT_DONE, "note: %s: %s", o->scene.motion, said);
     free(said);
     return status;
 }
@@ -332,8 +359,8 @@ static int write_points(maker *m, const generate_options *o) {
         status = find_lost(m, o);
     if (!status && m->made.lost.unrepresentable && !o->strata)
         status = replace_lost(m, o);
-    if (!status)
-        status = tell_lost(m, o);
+    if (!status && m->made.lost.unrepresentable)
+        status = tell_lost(&m->made.lost, o);
     if (!status)
         status = tell_missing_decades(m);
     if (!status)
@@ -346,6 +373,8 @@ static int write_points(maker *m, const generate_options *o) {
         return status;
     put_points_head(m, o);
     status = put_samples(m, o);
+    if (!status)
+        status = tell_lost(&(lost_strata){.spent = m->made.lost.spent}, o);
     if (!status && o->coordinates.digits)
         complain(EXIT_DONE,
                  "note: coordinates of more than %d digits are rounded; a rounded point need not "
@@ -376,6 +405,7 @@ int generate_run(generated *made, const generate_options *o) {
     else
         generated_clear(&m->made);
     graze_generator_destroy(m->generator);
+    distinct_clear(&m->points);
     loaded_clear(&m->l);
     mpq_clears(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
     mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);

@@ -7,10 +7,11 @@
 #include "program/run/coordinates.h"
 #include "program/run/load.h"
 
-/** Strata with a weight of which no point can be made, as sets of 1 << graze_stratum: the scene has
- * none, or none whose coordinates a binary64 holds. */
+/** Strata with a weight that get fewer points than it asks for, as sets of 1 << graze_stratum:
+ * none, as the scene has none, or none whose coordinates a binary64 holds; and those spent, of
+ * which no other points were found. */
 typedef struct lost_strata {
-    unsigned absent, unrepresentable;
+    unsigned absent, unrepresentable, spent;
     int replaced; /* 1: the stratum `rounded` has the weight of the unrepresentable ones */
 } lost_strata;
 
@@ -36,7 +37,8 @@ typedef struct generate_options {
     int quiet;          /* no progress */
 } generate_options;
 
-/** Make the points and write the table. Returns an exit status and says what is wrong.
+/** Make the points, no two of which are equal, and write the table. It ends early where no other
+ * points are found. Returns an exit status and says what is wrong.
  * @param[out] made may be NULL; standard error names the lost strata too */
 int generate_run(generated *made, const generate_options *o);
 void generated_clear(generated *made);

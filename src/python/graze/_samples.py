@@ -5,7 +5,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Iterator, List, Mapping, Optional
+import itertools
+from typing import Any, Iterator, List, Mapping, Optional, Set
 
 from ._context import Context
 from ._library import CSample, Handle, library
@@ -15,6 +16,10 @@ from .errors import UseError
 from .results import Pmc, Sample
 
 _REPRESENTABLE = 1
+# Repeated points in a row after which a stratum, and after which all of them, are given up.
+_SPENT, _OVER = 20, 2000
+# Points passed over for another one of a stratum.
+_PASSED = 1000
 
 
 def strata() -> List[str]:
@@ -29,7 +34,8 @@ def strata() -> List[str]:
 
 def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: int,
             weights: Optional[Mapping[str, int]], representable: bool) -> Iterator[Sample]:
-    """The samples of these rows, one after the other. Raises UseError before the first."""
+    """The samples of these rows of distinct points, one after the other; fewer where no others are
+    found. Raises UseError before the first."""
     names = strata()
     for key in weights or {}:
         if key not in names:
@@ -42,7 +48,32 @@ def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: 
     context.run(library().graze_generator_create, ctypes.byref(pointer), context.pointer,
                 scene.pointer, _within(seed, 64), chosen, _REPRESENTABLE if representable else 0)
     generator = Handle(pointer, library().graze_generator_destroy, scene)
-    return _each(context, generator, dimension, rows, names)
+    return itertools.islice(_distinct(_each(context, generator, dimension, names)), rows.start, rows.stop)
+
+
+def _distinct(made: Iterator[Sample]) -> Iterator[Sample]:
+    """After a point that repeats, the next one of its stratum, so that each keeps its share."""
+    seen: Set[Any] = set()
+    spent: Set[str] = set()
+    wanted, tries, passed, idle = None, 0, 0, 0
+    for sample in made:
+        stratum = "rounded" if sample.stratum.startswith("rounded-") else sample.stratum
+        passed += wanted not in (None, stratum)
+        if passed == _PASSED:
+            wanted, passed = None, 0
+        if wanted not in (None, stratum):
+            continue
+        if sample.point not in seen:
+            wanted, idle = None, 0
+            seen.add(sample.point)
+            yield sample
+            continue
+        tries, passed, idle = tries + 1 if wanted else 1, 0, idle + 1
+        if tries == _SPENT:
+            spent.add(stratum)
+        wanted = None if stratum in spent else stratum
+        if idle == _OVER:
+            return
 
 
 def _within(value: Any, bits: int) -> int:
@@ -51,10 +82,10 @@ def _within(value: Any, bits: int) -> int:
     return int(value)
 
 
-def _each(context: Context, generator: Handle, dimension: int, rows: range,
+def _each(context: Context, generator: Handle, dimension: int,
           names: List[str]) -> Iterator[Sample]:
     numbers, made = Rationals(dimension + 1), CSample()
-    for row in rows:
+    for row in itertools.count():
         context.run(library().graze_generator_point, numbers.address, numbers.at(dimension),
                     ctypes.byref(made), context.pointer, generator.pointer, row, brief=True)
         cell = cell_of(made.cell)

@@ -350,10 +350,11 @@ class Scene:
 
     def generate(self, count: int, seed: int = 1, strata: Optional[Mapping[str, int]] = None,
                  representable: bool = False, first: int = 0) -> Iterator[Sample]:
-        """Query points, most of them degenerate by construction; the same for the same arguments.
+        """Query points, most of them degenerate by construction, no two of them equal; the same for
+        the same arguments.
 
         Args:
-            count: how many.
+            count: how many; fewer come where no others are found.
             seed: 0 to 2^64 - 1.
             strata: weights by name (`random`, `near`, `face`, `edge`, ...), the others then 0.
             representable: keep to points whose coordinates are floats.
