@@ -239,7 +239,7 @@ static int put_samples(maker *m, const generate_options *o) {
     }
     progress_end(&line, row, (portion){row, o->count});
     m->made.lost.spent = m->points.spent;
-    if (!status && row < o->count)
+    if (!status && distinct_is_over(&m->points))
         complain(EXIT_DONE, "note: %lu of %lu points were made; no others were found", row,
                  o->count);
     return status;
