@@ -10,6 +10,7 @@ import decimal
 import os
 import re
 import sys
+import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", folder) for folder in ("generate", "cases", "lib")]
@@ -170,8 +171,37 @@ def check_point(checks, at, text):
     checks.holds(re.search(at.rule() + re.escape(WHY[at.pmc]) + "\n", text), *where, f"expected {at.rule()!r}", text)
 
 
+# Unit square, moved by (t - t0)^2 along x from t0 to t0 + 2: met where that is x - 1, left where it is x.
+CLOCK = 1700000000
+CLOCK_POINTS = (("2", ("t0 + 1", "about t0 + 1.41421356237, the one root of t^2 - 3400000000*t + 2889999999999999998 between")),
+                ("10/9", ("t0 + 1/3, about t0 + 0.333333333333", "about t0 + 1.05409255339, the one root of")))
+
+
+def check_clock(checks, graze, folder):
+    """Seconds since 1970 are told from t0, which is named; JSON Lines keep them."""
+    files = []
+    for name, text in (("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"),
+                       ("log.json", '{"dimension": 2, "pieces": [{"t": ["%d", "%d"], "transform": {"translate": ["(t - %d)^2", "0"]}}]}'
+                        % (CLOCK, CLOCK + 2, CLOCK))):
+        files.append(os.path.join(folder, name))
+        with open(files[-1], "w", encoding="utf-8") as file:
+            file.write(text)
+    for x, expected in CLOCK_POINTS:
+        said = run([graze, "explain", *files, x, "1/2", "--sdf", "1e-6"]).stdout
+        checks.holds(f". Times are told from the motion's start, t0 = {CLOCK}.\n" in said, "t0 is named", said)
+        checks.holds(f"\n  t0 = {CLOCK}  c(t0)" in said and "\n  t1 = t0 + 2  c(t1)" in said, "the ends", said)
+        checks.holds("\n  for t from t0 to t0 + 2\n" in said, "the pieces", said)
+        times = re.findall(r"^  B  at t = (.*)$", said, re.M)
+        checks.holds(len(times) == len(expected) and all(map(str.startswith, times, expected)), x, times)
+        checks.holds(" t = t0 + " in said.split("signed distance")[-1], "the distance's time", said[-300:])
+        rows = run([graze, "classify", *files, "-", "--format", "jsonl"], input=f"{x},1/2\n").stdout
+        checks.holds(f'"{CLOCK}' in rows or f'"{CLOCK * 3 + 1}/3' in rows or f'"{CLOCK + 1}' in rows, "JSON Lines", rows)
+
+
 def main():
     args, checks, words = options(__doc__, ONLY), Checks(), set()
+    with tempfile.TemporaryDirectory() as folder:
+        check_clock(checks, args.graze, folder)
     for name in casefile.names():
         if args.only not in name:
             continue

@@ -7,7 +7,7 @@ const pieces = scene.motion.map((piece) => ({...piece, from: value(piece.t[0]), 
 const start = pieces[0].from, end = pieces[pieces.length - 1].to;
 
 /** Times that are large beside the motion's length, such as seconds since 1970, are told from t0. */
-const zero = Math.abs(start) >= 1000 * (end - start) ? scene.motion[0].t[0] : null;
+const zero = scene.since ? scene.motion[0].t[0] : null;
 
 /** A time as the clock tells it. */
 function clockText(t, digits) {

@@ -14,6 +14,7 @@
 #include "output/page/page_cells.h"
 #include "output/page/page_points.h"
 #include "output/page/things.h"
+#include "output/report/decimal_time.h"
 
 /* The names and colours of the picture's one palette, in the order of their numbers. */
 static void put_tones(text *out) {
@@ -56,8 +57,9 @@ static graze_status put_scene(text *out, graze_context *context, const graze_sce
     text_format(out, "{\"version\":\"%s\",\"dimension\":%d,\"operation\":\"%s\",\"folds\":\"%s\",",
                 GRAZE_VERSION, d, unsweep ? "unsweep" : "sweep",
                 scene->options.folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
-    text_format(out, "\"meet\":%s,\"times\":%lu,\"title\":",
-                scene->ends == GRAZE_ENDS_MEET ? "true" : "false", request->times);
+    text_format(out, "\"meet\":%s,\"since\":%s,\"times\":%lu,\"title\":",
+                scene->ends == GRAZE_ENDS_MEET ? "true" : "false",
+                time_origin(NULL, scene->motion) ? "true" : "false", request->times);
     encode_string(out, request->title ? request->title : "");
     text_put(out, ",\"tones\":");
     put_tones(out);

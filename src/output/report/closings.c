@@ -8,6 +8,7 @@
 
 #include <flint/fmpz_vec.h>
 #include "output/report/formula.h"
+#include "output/report/time_text.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/directions.h"
 #include "questions/topo/first_order.h"
@@ -51,15 +52,15 @@ void closings_place(text *t, const graze_scene *scene, const germ *g) {
         fmpq_mul(time, time, &g->time);
         fmpq_add(time, time, motion->piece[k].lo);
         text_put(t, "t = ");
-        formula_rational(t, time);
+        time_text_rational(t, motion, time);
         text_put(t, fmpq_is_zero(&g->time)  ? " and after"
                     : fmpq_is_one(&g->time) ? " and before"
                                             : "");
     } else {
         text_put(t, "an irrational t between ");
-        formula_rational(t, motion->piece[k].lo);
+        time_text_rational(t, motion, motion->piece[k].lo);
         text_put(t, " and ");
-        formula_rational(t, motion->piece[k].hi);
+        time_text_rational(t, motion, motion->piece[k].hi);
     }
     text_format(t, ", %s", cells[motion->dimension - 2][cone_cell_dimension(&g->cone)]);
     fmpq_clear(time);

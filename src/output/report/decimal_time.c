@@ -59,7 +59,7 @@ static char *common_digits(const fmpq_t low, const fmpq_t high, mpfr_prec_t prec
     return out;
 }
 
-static char *decimal_of_root(const graze_time *time, int digits) {
+static char *decimal_of_root(const graze_time *time, const fmpq_t since, int digits) {
     algebraic u;
     fmpq_t low, high;
     algebraic_init(&u);
@@ -72,6 +72,8 @@ static char *decimal_of_root(const graze_time *time, int digits) {
         for (int k = 0; k < 4; k++)
             algebraic_refine_quadratically(&u, &gain);
         bounds_in_t(low, high, &u, &time->motion->piece[time->piece]);
+        fmpq_sub(low, low, since);
+        fmpq_sub(high, high, since);
         out = common_digits(low, high, precision, digits);
     }
     fmpq_clear(low);
@@ -80,12 +82,44 @@ static char *decimal_of_root(const graze_time *time, int digits) {
     return out;
 }
 
+char *decimal_of_time_since(int *exact, const graze_time *time, const fmpq_t since, int digits) {
+    if (!time_is_rational(time)) {
+        if (exact)
+            *exact = 0;
+        return decimal_of_root(time, since, digits);
+    }
+    fmpq_t later;
+    fmpq_init(later);
+    fmpq_sub(later, time->low, since);
+    char *out = decimal_of_rational(exact, later, digits);
+    fmpq_clear(later);
+    return out;
+}
+
 char *decimal_of_time(int *exact, const graze_time *time, int digits) {
-    if (time_is_rational(time))
-        return decimal_of_rational(exact, time->low, digits);
-    if (exact)
-        *exact = 0;
-    return decimal_of_root(time, digits);
+    fmpq_t zero;
+    fmpq_init(zero);
+    char *out = decimal_of_time_since(exact, time, zero, digits);
+    fmpq_clear(zero);
+    return out;
+}
+
+int time_origin(fmpq *origin, const graze_motion *motion) {
+    const slong large = 1000;
+    fmpq_t length, start;
+    fmpq_init(length);
+    fmpq_init(start);
+    fmpq_sub(length, motion->piece[motion->piece_count - 1].hi, motion->piece[0].lo);
+    fmpq_mul_si(length, length, large);
+    fmpq_abs(start, motion->piece[0].lo);
+    int is_large = fmpq_cmp(start, length) >= 0;
+    if (origin && is_large)
+        fmpq_set(origin, motion->piece[0].lo);
+    else if (origin)
+        fmpq_zero(origin);
+    fmpq_clear(length);
+    fmpq_clear(start);
+    return is_large;
 }
 
 void report_put_time(text *t, const graze_time *time) {

@@ -9,6 +9,12 @@
 
 /** decimal_of_rational for a time, in the motion's parameter. Makes the time canonical. */
 char *decimal_of_time(int *exact, const graze_time *time, int digits);
+/** The same of what a time is later than another one. */
+char *decimal_of_time_since(int *exact, const graze_time *time, const fmpq_t since, int digits);
+
+/** The time from which texts tell times: the motion's start where it is large beside the motion's
+ * length, such as seconds since 1970, and 1 is returned; else 0 and 0. `origin` may be NULL. */
+int time_origin(fmpq *origin, const graze_motion *motion);
 
 /** 1 if the time is rational; makes it canonical, and then its value is time->low. */
 int time_is_rational(const graze_time *time);

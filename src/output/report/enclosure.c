@@ -6,6 +6,10 @@
 #include <stdlib.h>
 #include "base/number/rational.h"
 #include "output/report/decimal_time.h"
+#include "output/report/time_text.h"
+
+/* Of an irrational time. */
+enum { DECIMAL_DIGITS = 17 };
 
 void report_bound(char out[BOUND_ROOM], double bound, int up) {
     mpfr_t x;
@@ -30,21 +34,28 @@ void report_width(char out[BOUND_ROOM], double value, int up) {
     mpfr_clear(read);
 }
 
+/* The time where it is rational, else 0. */
+static int rational_time(fmpq_t out, const graze_scene *scene, const distance *found) {
+    if (found->at && !time_is_rational(found->at))
+        return 0;
+    if (found->at)
+        fmpq_set(out, found->at->low);
+    else
+        distance_time(out, found, scene->motion);
+    return 1;
+}
+
 void report_distance_time(text *out, const graze_scene *scene, const distance *found) {
-    if (found->at && !time_is_rational(found->at)) {
-        char *decimal = decimal_of_time(NULL, found->at, 17);
+    fmpq_t time;
+    fmpq_init(time);
+    if (rational_time(time, scene, found)) {
+        text_rational(out, time);
+    } else {
+        char *decimal = decimal_of_time(NULL, found->at, DECIMAL_DIGITS);
         out->failed |= !decimal;
         text_put(out, decimal ? decimal : "");
         free(decimal);
-        return;
     }
-    fmpq_t time;
-    fmpq_init(time);
-    if (found->at)
-        fmpq_set(time, found->at->low);
-    else
-        distance_time(time, found, scene->motion);
-    text_rational(out, time);
     fmpq_clear(time);
 }
 
@@ -71,6 +82,12 @@ void explain_distance(text *out, const graze_scene *scene, const distance *found
                 scene->options.operation == GRAZE_SWEEP ? "sweep" : "unsweep", low, high,
                 found->wide ? ", which is wider than was asked for" : "");
     text_put(out, found->at ? "The boundary is met at t = " : "This is shown by the time t = ");
-    report_distance_time(out, scene, found);
+    fmpq_t time;
+    fmpq_init(time);
+    if (rational_time(time, scene, found))
+        time_text_rational(out, scene->motion, time);
+    else
+        time_text_near(out, found->at, DECIMAL_DIGITS);
+    fmpq_clear(time);
     text_put(out, ".\n");
 }

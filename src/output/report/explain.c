@@ -10,11 +10,11 @@
 #include "output/report/explain.h"
 
 #include <flint/fmpq_vec.h>
-#include <stdlib.h>
+#include "base/number/decimal.h"
 #include "decide/verdict/verdict.h"
-#include "output/report/decimal_time.h"
 #include "output/report/enclosure.h"
 #include "output/report/formula.h"
+#include "output/report/time_text.h"
 
 enum { DECIMAL_DIGITS = 12 };
 
@@ -62,28 +62,6 @@ static void put_point(text *out, const fmpq *point, int d) {
         put_near(out, point, d);
 }
 
-/* `1/2 = 0.5`, `1/3, about 0.333333333333`, or the root with its polynomial and interval. */
-static void put_time(text *out, const graze_time *time) {
-    int exact;
-    char *decimal = decimal_of_time(&exact, time, DECIMAL_DIGITS);
-    if (time_is_rational(time)) {
-        formula_rational(out, time->low);
-        if (!fmpz_is_one(fmpq_denref(time->low)) || !exact) {
-            text_put(out, exact ? " = " : ", about ");
-            text_put(out, decimal ? decimal : "");
-        }
-    } else {
-        text_format(out, "about %s, the one root of ", decimal ? decimal : "");
-        formula_polynomial(out, time->poly);
-        text_put(out, " between ");
-        formula_rational(out, time->low);
-        text_put(out, " and ");
-        formula_rational(out, time->high);
-    }
-    out->failed |= !decimal;
-    free(decimal);
-}
-
 static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
                        const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
@@ -93,7 +71,9 @@ static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
     text_format(out, " is `%s` for the %s", graze_pmc_name(v->pmc), unsweep ? "unsweep" : "sweep");
     if (!unsweep)
         text_format(out, ", class `%s`", graze_class_name(v->class_));
-    text_format(out, ". Its word is %s.\n", trace->word);
+    text_format(out, ". Its word is %s.", trace->word);
+    time_text_origin(out, scene->motion);
+    text_put(out, "\n");
 }
 
 /* The trajectory's point at u = 0 or 1 of a piece. */
@@ -123,7 +103,10 @@ static void put_end(text *out, const graze_scene *scene, const fmpq *point,
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
     graze_state state = last ? trace->last : trace->first;
     text_format(out, "  t%d = ", last);
-    formula_rational(out, last ? piece->hi : piece->lo);
+    if (last)
+        time_text_rational(out, motion, piece->hi);
+    else
+        formula_rational(out, piece->lo);
     text_format(out, "  %s(t%d) = ", unsweep ? "x" : "c", last);
     put_end_point(out, scene, point, piece, (ulong)last);
     text_format(out, " is %s S", state_phrase(state));
@@ -164,9 +147,9 @@ static void put_trajectory(text *out, const graze_scene *scene, const fmpq *poin
     for (size_t p = 0; p < shown; p++) {
         const motion_piece *piece = &motion->piece[p];
         text_put(out, "  for t from ");
-        formula_rational(out, piece->lo);
+        time_text_rational(out, motion, piece->lo);
         text_put(out, " to ");
-        formula_rational(out, piece->hi);
+        time_text_rational(out, motion, piece->hi);
         text_put(out, "\n");
         for (int k = 0; k < motion->dimension; k++) {
             text_format(out, "    %c = ", "xyz"[k]);
@@ -227,12 +210,12 @@ static void put_reason(text *out, const graze_scene *scene, const contact *c) {
 static void put_contact(text *out, const graze_scene *scene, const contact *c) {
     if (c->from == c->to) {
         text_put(out, "  B  at t = ");
-        put_time(out, c->from);
+        time_text(out, c->from);
     } else {
         text_put(out, "  B  from t = ");
-        put_time(out, c->from);
+        time_text(out, c->from);
         text_put(out, "\n     to t = ");
-        put_time(out, c->to);
+        time_text(out, c->to);
     }
     text_put(out, "\n");
     put_cells(out, scene, c);
@@ -327,7 +310,7 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
 /* The place where the rules end. */
 static void put_undecided_place(text *out, const graze_scene *scene, const undecided_place *place) {
     text_put(out, "\nThe state is not decided\n  at t = ");
-    put_time(out, place->where.from);
+    time_text(out, place->where.from);
     text_put(out, "\n");
     if (place->where.cell_count)
         put_cells(out, scene, &place->where);

@@ -1,0 +1,105 @@
+/* A time is t0 and a difference where that is easier to read.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/report/time_text.h"
+
+#include <stdlib.h>
+#include "output/report/decimal_time.h"
+#include "output/report/formula.h"
+
+enum { DECIMAL_DIGITS = 12 };
+
+/* t0 and what a time is later, `number` being its text. */
+static void put_later(text *out, const char *number) {
+    int negative = number[0] == '-';
+    text_put(out, "t0");
+    if (number[0] != '0' || number[1])
+        text_format(out, negative ? " - %s" : " + %s", number + negative);
+}
+
+static void put_later_ratio(text *out, const fmpq_t later) {
+    text ratio;
+    text_init(&ratio);
+    formula_rational(&ratio, later);
+    put_later(out, ratio.failed ? "" : ratio.data);
+    out->failed |= ratio.failed;
+    text_clear(&ratio);
+}
+
+/* A decimal that is not the number stands behind the ratio, where it is asked for. */
+static void put_rational(text *out, const graze_motion *motion, const fmpq_t time, int with_near) {
+    fmpq_t origin, later;
+    int exact;
+    fmpq_init(origin);
+    fmpq_init(later);
+    int is_large = time_origin(origin, motion);
+    fmpq_sub(later, time, origin);
+    char *decimal = decimal_of_rational(&exact, later, DECIMAL_DIGITS);
+    out->failed |= !decimal;
+    if (!is_large) {
+        formula_rational(out, time);
+        if (with_near && (!fmpz_is_one(fmpq_denref(time)) || !exact))
+            text_format(out, exact ? " = %s" : ", about %s", decimal ? decimal : "");
+    } else if (exact && decimal) {
+        put_later(out, decimal);
+    } else {
+        put_later_ratio(out, later);
+        if (with_near)
+            text_put(out, ", about ");
+        if (with_near && decimal)
+            put_later(out, decimal);
+    }
+    free(decimal);
+    fmpq_clear(origin);
+    fmpq_clear(later);
+}
+
+void time_text_rational(text *out, const graze_motion *motion, const fmpq_t time) {
+    put_rational(out, motion, time, 0);
+}
+
+void time_text_near(text *out, const graze_time *time, int digits) {
+    fmpq_t origin;
+    fmpq_init(origin);
+    int is_large = time_origin(origin, time->motion);
+    char *decimal = decimal_of_time_since(NULL, time, origin, digits);
+    out->failed |= !decimal;
+    if (is_large && decimal)
+        put_later(out, decimal);
+    else
+        text_put(out, decimal ? decimal : "");
+    free(decimal);
+    fmpq_clear(origin);
+}
+
+void time_text(text *out, const graze_time *time) {
+    if (time_is_rational(time)) {
+        put_rational(out, time->motion, time->low, 1);
+        return;
+    }
+    text_put(out, "about ");
+    time_text_near(out, time, DECIMAL_DIGITS);
+    text_put(out, ", the one root of ");
+    formula_polynomial(out, time->poly);
+    text_put(out, " between ");
+    time_text_rational(out, time->motion, time->low);
+    text_put(out, " and ");
+    time_text_rational(out, time->motion, time->high);
+}
+
+void time_text_origin(text *out, const graze_motion *motion) {
+    fmpq_t origin;
+    int exact;
+    fmpq_init(origin);
+    if (time_origin(origin, motion)) {
+        char *decimal = decimal_of_rational(&exact, origin, DECIMAL_DIGITS);
+        out->failed |= !decimal;
+        text_put(out, " Times are told from the motion's start, t0 = ");
+        formula_rational(out, origin);
+        if (!exact || !fmpz_is_one(fmpq_denref(origin)))
+            text_format(out, exact ? " = %s" : ", about %s", decimal ? decimal : "");
+        text_put(out, ".");
+        free(decimal);
+    }
+    fmpq_clear(origin);
+}
