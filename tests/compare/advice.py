@@ -106,6 +106,12 @@ def strata(graze, folder):
     status, out, said = run(graze, "validate", CUBE, decimal, "-n", 30, "--representable", "binary64", "--strata",
                             "random,vertex", "--candidate", right)
     check(status == 0 and "\npoints: no points of the strata vertex have coordinates" in out, status, out[:500], said)
+    turns = write(folder, "turns.json", '{"dimension": 3, "keyframes": [{"t": 0, "position": ["1/3", "1/7", "1/9"], "quaternion": [7, 1, 0, 2]},'
+                  '{"t": 1, "position": ["2/3", "64/7", "1/11"], "quaternion": [7, 5, 3, 0]}]}')
+    for words, count in ((("--strata", "random,vertex"), 0), ((), 1)):
+        _, out, said = run(graze, "generate", CUBE, turns, "-n", 50, "--seed", 1, "--representable", "binary64", *words)
+        check("have coordinates" in said and "motion dyadic" not in said and "`rounded` has" in said, "no dyadic motion turns", said)
+        check(("rounded-vertex" in out) == bool(count), words, out)
     dyadic = os.path.join(folder, "dyadic.json")
     run(graze, "motion", "dyadic", decimal, "--output", dyadic)
     for motion in (dyadic, write(folder, "sixteenths.json", translation(["7/16*t", "8*t", "0"]))):

@@ -127,7 +127,7 @@ def test_signs(graze, folder, rng):
         long = [line for line, (a, b) in enumerate(zip(poses, poses[1:]), 3) if sum(x * y for x, y in zip(a, b)) < 0]
         got, report = made(graze, folder, text)
         check(got and [frame[2] for frame in frames(got)] == poses, "signs are kept")
-        told = re.search(r"^long way: .* lines ([\d, .]*); (\d+) in all", report, re.M)
+        told = re.search(r"^long way: .* lines ([\d, .]*); (\d+) in all; they are kept .*--shortest", report, re.M)
         check(told and [int(x) for x in re.findall(r"\d+", told[1])] == long[:10] and int(told[2]) == len(long), report, long)
 
 

@@ -197,7 +197,7 @@ static void report_long_ways(text *t, pose_list *list) {
                             "up to the poses of lines ",
                             list->item[i].line);
     if (count)
-        text_format(t, "; %zu in all; they are kept\n", count);
+        text_format(t, "; %zu in all; they are kept (`--shortest` changes signs)\n", count);
 }
 
 /* What was read, and what was done with it. */

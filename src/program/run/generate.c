@@ -260,44 +260,9 @@ static int find_lost(maker *m, const generate_options *o) {
             m->made.lost.unrepresentable |= 1u << k;
     m->made.lost.absent &= ~m->made.lost.unrepresentable;
     graze_generator_destroy(any);
+    if (!made && m->made.lost.unrepresentable)
+        made = lost_strata_dyadic(&m->made.lost, &m->l, &o->scene, o->seed, m->weights);
     return complain_of(made, m->l.context);
-}
-
-static void put_stratum_names(text *t, unsigned set) {
-    const char *before = "";
-    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
-        if (set >> k & 1) {
-            text_format(t, "%s%s", before, graze_stratum_name((graze_stratum)k));
-            before = ", ";
-        }
-}
-
-char *lost_strata_text(const lost_strata *lost) {
-    text t;
-    text_init(&t);
-    text_put(&t, "");
-    if (lost->unrepresentable) {
-        text_put(&t, "no points of the strata ");
-        put_stratum_names(&t, lost->unrepresentable);
-        text_put(&t, " have coordinates that a binary64 holds, since numbers of the motion (or of "
-                     "the solid) are not dyadic or too long; `graze motion dyadic` makes a motion "
-                     "near this one that has such points, except of turns");
-        text_put(&t, lost->replaced ? "; `rounded` has their weight: points within an ulp of such "
-                                      "contacts, on both sides"
-                                    : "");
-    }
-    if (lost->absent) {
-        text_put(&t, lost->unrepresentable ? "; the scene has none of "
-                                           : "the scene has no points of the strata ");
-        put_stratum_names(&t, lost->absent);
-    }
-    if (lost->spent) {
-        text_put(&t, lost->unrepresentable | lost->absent ? "; " : "");
-        text_put(&t, "the strata ");
-        put_stratum_names(&t, lost->spent);
-        text_put(&t, " have fewer points than their weights ask for, as no others were found");
-    }
-    return text_take(&t);
 }
 
 /* Say which strata get no points, or fewer. */

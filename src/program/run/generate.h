@@ -6,14 +6,7 @@
 
 #include "program/run/coordinates.h"
 #include "program/run/load.h"
-
-/** Strata with a weight that get fewer points than it asks for, as sets of 1 << graze_stratum:
- * none, as the scene has none, or none whose coordinates a binary64 holds; and those spent, of
- * which no other points were found. */
-typedef struct lost_strata {
-    unsigned absent, unrepresentable, spent;
-    int replaced; /* 1: the stratum `rounded` has the weight of the unrepresentable ones */
-} lost_strata;
+#include "program/run/lost_strata.h"
 
 /** What was made: zeroed at first, generated_clear at last. */
 typedef struct generated {
@@ -42,8 +35,5 @@ typedef struct generate_options {
  * @param[out] made may be NULL; standard error names the lost strata too */
 int generate_run(generated *made, const generate_options *o);
 void generated_clear(generated *made);
-
-/** What is to be said of such strata, or an empty text: malloc'ed, NULL when out of memory. */
-char *lost_strata_text(const lost_strata *lost);
 
 #endif
