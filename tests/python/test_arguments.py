@@ -34,10 +34,10 @@ class Messages(unittest.TestCase):
     def test_poses(self):
         """Poses are counted from 0, and no line is named where there was no file."""
         still, zero = (0, 0, 0, 1, 0, 0, 0), (1, 0, 0, 0, 0, 0, 0)
-        error = self.said("poses[1]: the quaternion is zero", graze.Motion.poses, [still, zero])
+        error = self.said("poses[1]: the quaternion is zero", graze.Motion.poses, [still, zero], quaternions="wxyz")
         self.assertEqual((error.file, error.line, error.item, error.index), ("", 0, "pose", 1))
-        self.said("poses[2]: the time is not after that of poses[1]", graze.Motion.poses, [still] * 3, times=[0, 1, 1])
-        error = self.said("poses: has 1 poses", graze.Motion.poses, [still])
+        self.said("poses[2]: the time is not after that of poses[1]", graze.Motion.poses, [still] * 3, times=[0, 1, 1], quaternions="wxyz")
+        error = self.said("poses: has 1 poses", graze.Motion.poses, [still], quaternions="wxyz")
         self.assertEqual((error.item, error.index), ("", 0))
 
     def test_motion(self):
@@ -57,9 +57,9 @@ class Files(unittest.TestCase):
     def test_endings(self):
         """SVG goes into .svg and HTML into .html, or nothing is written."""
         with tempfile.TemporaryDirectory() as folder:
-            for made, good, bad in ((graze.Picture("<svg/>"), "a.SVG", "a.png"), (graze.Page("<html>"), "a.html", "a.svg")):
+            for made, good, bad in ((graze.Picture("<svg/>", lambda: b""), "a.SVG", "a.gif"), (graze.Page("<html>"), "a.html", "a.svg")):
                 path = os.path.join(folder, bad)
-                with self.assertRaisesRegex(graze.UseError, r"a\.(png|svg): what is saved is (SVG|HTML); expected a name that ends with"):
+                with self.assertRaisesRegex(graze.UseError, r"a\.(gif|svg): what is saved is (SVG or PNG|HTML); expected a name that ends with"):
                     made.save(path)
                 self.assertFalse(os.path.exists(path))
                 made.save(os.path.join(folder, good))

@@ -6,6 +6,7 @@ import csv
 import html.parser
 import json
 import os
+import pathlib
 import subprocess
 import tempfile
 import unittest
@@ -30,6 +31,17 @@ def program(*words):
 def plain(text):
     """A motion file as plain pieces."""
     return graze.Motion(text).json()
+
+
+class Frame:
+    """What Graze asks of a frame."""
+
+    def __init__(self, columns):
+        self._columns = {name: list(column) for name, column in dict(columns).items()}
+        self.columns = list(self._columns)
+
+    def __getitem__(self, name):
+        return self._columns[name]
 
 
 def moved_by(motion, point):
@@ -78,11 +90,12 @@ class Motions(unittest.TestCase):
         if numpy is not None:
             given += [numpy.array(poses, dtype=float) for poses in given]
         for poses in given:
-            motion = graze.Motion.poses(poses, [0, F(1, 3)])
+            order = "wxyz" if len(poses[0]) == 7 else None
+            motion = graze.Motion.poses(poses, [0, F(1, 3)], quaternions=order)
             self.assertEqual(moved_by(motion, (3, 1, 1)), "I")
             self.assertEqual(moved_by(motion, (5, 1, 1)), "O")
             self.assertIn('"1/3"', motion.json())
-        far = graze.Motion.poses([[0.1, 0, 0, 1, 0, 0, 0], [0.1, 0, 0, -1, 0, 0, -1]], shortest=True)
+        far = graze.Motion.poses([[0.1, 0, 0, 1, 0, 0, 0], [0.1, 0, 0, -1, 0, 0, -1]], shortest=True, quaternions="wxyz")
         self.assertIn("signs of quaternions changed at lines 3; 1 in all", far.report)
         self.assertIn(f"({F(0.1).numerator} + ", far.json())
         for bad in ([[1, 2, 3]], [IDENTITY, IDENTITY[:3]], [[0, 0, 0, 1, 0, 0, 0], IDENTITY]):
@@ -91,11 +104,53 @@ class Motions(unittest.TestCase):
         with self.assertRaises(graze.UseError):
             graze.Motion.poses([IDENTITY, QUARTER], [0])
         with self.assertRaisesRegex(graze.InputError, "nan"):
-            graze.Motion.poses([[float("nan"), 0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0, 0]])
+            graze.Motion.poses([[float("nan"), 0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0, 0]], quaternions="wxyz")
         sheared = [[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]], [[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]]
         self.assertEqual(graze.Motion.poses(sheared, affine=True).piece_count, 1)
         with self.assertRaisesRegex(graze.InputError, "no rotation"):
             graze.Motion.poses(sheared)
+
+    def test_orders(self):
+        """The order of a quaternion is told or refused; names of columns tell it."""
+        turned = [[0, 0, 0, 1, 0, 0, 0], [4, 0, 0, 1, 0, 0, 1]]
+        ros = [[0, 0, 0, 0, 0, 0, 1], [4, 0, 0, 0, 0, 1, 1]]
+        wanted = graze.Motion.poses(turned, quaternions="wxyz").json()
+        self.assertEqual(graze.Motion.poses(ros, quaternions="xyzw").json(), wanted)
+        self.assertNotEqual(graze.Motion.poses(ros, quaternions="wxyz").json(), wanted)
+        for given in (turned, ros):
+            for order in (None, "xyz"):
+                with self.assertRaisesRegex(graze.UseError, "expected 'wxyz' for poses x, y, z, qw.*'xyzw'.*ROS"):
+                    graze.Motion.poses(given, quaternions=order)
+        names = ("x", "y", "z", "qx", "qy", "qz", "qw")
+        frame = Frame(zip(names, zip(*ros)))
+        self.assertEqual(graze.Motion.poses(frame).json(), wanted)
+        if numpy is not None:
+            records = numpy.array([tuple(row) for row in ros], dtype=[(name, float) for name in names])
+            self.assertEqual(graze.Motion.poses(records).json(), wanted)
+        with self.assertRaisesRegex(graze.UseError, "the names of columns tell their order"):
+            graze.Motion.poses(frame, quaternions="xyzw")
+
+    def test_logs(self):
+        """Frames and files with other names, other columns and angles, as `graze motion poses` takes them."""
+        wanted = graze.Motion.poses([[0, 0, 0, 1, 0, 0, 0], [4, 0, 0, 1, 0, 0, 1]], [2, 5], quaternions="wxyz").json()
+        columns = {"stamp": [2, 5], "place": [0, 4], "y": [0, 0], "z": [0, 0], "qw": [1, 1], "qx": [0, 0], "qy": [0, 0],
+                   "qz": [0.0, 1.0], "load": [0.5, 0.25]}
+        chosen = {"columns": {"t": "stamp", "x": "place"}, "ignore": ["load"]}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "log.csv")
+            with open(path, "w", encoding="utf-8") as file:
+                csv.writer(file).writerows([columns, *zip(*columns.values())])
+            for source in (Frame(columns), path, pathlib.Path(path)):
+                self.assertEqual(graze.Motion.poses(source, **chosen).json(), wanted)
+                self.assertEqual(graze.Motion.poses(source, columns="t=stamp,x=place", ignore=["load"]).json(), wanted)
+            for wrong in ({"times": [0, 1]}, {"quaternions": "wxyz"}):
+                with self.assertRaisesRegex(graze.UseError, "a file's columns have names"):
+                    graze.Motion.poses(path, **chosen, **wrong)
+            with self.assertRaises(graze.InputError):
+                graze.Motion.poses(Frame(columns), columns={"t": "stamp", "x": "place"})
+            angles = Frame({"x": [0, 4], "y": [0, 0], "z": [0, 0], "a": [0, 90], "b": [0, 0], "c": [0, 0]})
+            turned = graze.Motion.poses(angles, angles="kuka")
+            self.assertEqual((moved_by(turned, (3, 1, 1)), moved_by(turned, (5, 1, 1))), ("I", "O"))
 
     def test_dyadic(self):
         motion = graze.Motion(common.moved("0.443221*t", "8*t", "0"))
@@ -112,6 +167,32 @@ class Motions(unittest.TestCase):
         self.assertEqual(repr(scene.motion), "<graze.Motion in E^3: 1 piece>")
         self.assertEqual(repr(scene), f"<graze.Scene, sweep of {scene.solid!r} by {scene.motion!r}>")
         self.assertIn("4 edges", repr(graze.Solid(common.SQUARE)))
+
+
+class Tools(unittest.TestCase):
+    def test_meshes(self):
+        """The meshes of `graze solid`: the same as solids of its files, by vertices and by answers."""
+        with tempfile.TemporaryDirectory() as folder:
+            inside, outside = (os.path.join(folder, name) for name in ("inside.off", "outside.off"))
+            for made, words in ((lambda **more: graze.tools.cutter(6, 20, corner="3/2", taper=5, tolerance="0.05", **more),
+                                 "cutter --diameter 6 --length 20 --corner 3/2 --taper 5 --tolerance 0.05"),
+                                (lambda **more: graze.tools.ball("2", tolerance="0.1", **more), "ball --diameter 2 --tolerance 0.1"),
+                                (lambda **more: graze.tools.cylinder(2, 1, tolerance="0.1", **more),
+                                 "cylinder --diameter 2 --length 1 --tolerance 0.1")):
+                program("solid", *words.split(), "--inside", inside, "--outside", outside)
+                for path, mesh in ((inside, made()), (outside, made(outside=True))):
+                    with open(path, encoding="utf-8") as file:
+                        lines = [line.split() for line in file if line.strip() and line[0] not in "#O"]
+                    count = int(lines[0][0])
+                    self.assertEqual(mesh[0], [tuple(map(F, line)) for line in lines[1:count + 1]])
+                    self.assertEqual(mesh[1], [[int(k) for k in line[1:]] for line in lines[count + 1:]])
+                    self.assertEqual(graze.Solid(mesh).vertex_count, count)
+        corners, _ = graze.tools.box(1, "1/2", 0.25, at=(1, 0, -1))
+        self.assertEqual((min(corners), max(corners)), ((1, 0, -1), (2, F(1, 2), F(-3, 4))))
+        for wrong in (lambda: graze.tools.cutter(6, 20, corner=4, tolerance=1), lambda: graze.tools.box(0, 1, 1),
+                      lambda: graze.tools.box(1, 1, 1, at=(0, 0)), lambda: graze.tools.ball(1, tolerance=0)):
+            with self.assertRaises(graze.UseError):
+                wrong()
 
 
 class Pictures(unittest.TestCase):
@@ -149,9 +230,28 @@ class Pictures(unittest.TestCase):
         self.assertIn("in the plane z = 1/2", across)
         self.assertEqual(across, scene.draw(grid=8, title="T", plane=([0, 0, -1], -0.5)).svg)
         self.assertIn("in the plane x + 1/3*y = 2", scene.draw(grid=8, plane=((1, "1/3", 0), 2)).svg)
-        for wrong in (((0, 0, 0), 1), ((1, 1), 1), ((1, 1, 1), 999), "z=1", (1, 1, 0, 60)):
-            with self.assertRaises(graze.UseError):
+        for text in ("z=1/2", "z = 0.5", "0,0,2,1", "0, 0, 4, 2"):
+            self.assertEqual(across, scene.draw(grid=8, title="T", plane=text).svg, text)
+        for wrong in (((0, 0, 0), 1), ((1, 1), 1), ((1, 1, 1), 999), "w=1", "1,2,3", "z=", (1, 1, 0, 60)):
+            with self.assertRaises((graze.UseError, graze.InputError)):
                 scene.draw(plane=wrong)
+
+    def test_png(self):
+        """The same bytes as `graze draw` makes; a picture of directions too."""
+        scene = common.cube_scene()
+        flat = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
+        with tempfile.TemporaryDirectory() as folder:
+            path, kept = os.path.join(folder, "a.PNG"), os.path.join(folder, "b.png")
+            solid, motion = os.path.join(common.ROOT, "tests/refuse/common/cube.off"), os.path.join(folder, "move.json")
+            with open(motion, "w", encoding="utf-8") as file:
+                file.write(scene.motion.json())
+            program("draw", solid, motion, "--grid", "8", "--title", "T", "--plane", "z=1/2", "-o", kept)
+            scene.draw(grid=8, title="T", plane="z=1/2").save(path)
+            with open(path, "rb") as made, open(kept, "rb") as wanted:
+                self.assertEqual(made.read(), wanted.read())
+            flat.cones((4, 1)).save(path)
+            with open(path, "rb") as made:
+                self.assertEqual(made.read(8), b"\x89PNG\r\n\x1a\n")
 
     def test_page(self):
         """The same bytes as `graze draw -o scene.html`, in a frame for a notebook."""
@@ -195,6 +295,12 @@ class Comparisons(unittest.TestCase):
                 file.write(scene.table([(5, 1, 1), (5, 1, 2), (5, 3, 1)]))
             with open(mine, "w", encoding="utf-8") as file:
                 file.write("x,y,z,pmc\n5,1,1,in\n5,1,2,out\n5,3,1,out\n")
+            points = {"x": [5, 5, 5], "y": [1.0, 1.0, 3.0], "z": [1, 2, 1]}
+            frames = [Frame({**points, "pmc": answers}) for answers in (["in", "on", "out"], ["in", "out", "out"])]
+            for pair in ((golden, frames[1]), (frames[0], mine), frames):
+                found = graze.compare(*pair)
+                self.assertEqual([found.report[key] for key in ("rows", "agree", "wrong", "missing", "extra")], [3, 2, 1, 0, 0])
+            self.assertEqual((found.report["golden"], found.report["candidate"]), ("golden.csv", "candidate.csv"))
             found = graze.compare(golden, mine, solid="cube.off")
             self.assertEqual([found.report[key] for key in ("rows", "agree", "wrong", "missing", "extra")], [3, 2, 1, 0, 0])
             self.assertTrue(found.differs)

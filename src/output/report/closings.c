@@ -52,15 +52,15 @@ void closings_place(text *t, const graze_scene *scene, const germ *g) {
         fmpq_mul(time, time, &g->time);
         fmpq_add(time, time, motion->piece[k].lo);
         text_put(t, "t = ");
-        time_text_rational(t, motion, time);
+        tell_rational_time(t, motion, time);
         text_put(t, fmpq_is_zero(&g->time)  ? " and after"
                     : fmpq_is_one(&g->time) ? " and before"
                                             : "");
     } else {
         text_put(t, "an irrational t between ");
-        time_text_rational(t, motion, motion->piece[k].lo);
+        tell_rational_time(t, motion, motion->piece[k].lo);
         text_put(t, " and ");
-        time_text_rational(t, motion, motion->piece[k].hi);
+        tell_rational_time(t, motion, motion->piece[k].hi);
     }
     text_format(t, ", %s", cells[motion->dimension - 2][cone_cell_dimension(&g->cone)]);
     fmpq_clear(time);

@@ -85,9 +85,9 @@ void explain_distance(text *out, const graze_scene *scene, const distance *found
     fmpq_t time;
     fmpq_init(time);
     if (rational_time(time, scene, found))
-        time_text_rational(out, scene->motion, time);
+        tell_rational_time(out, scene->motion, time);
     else
-        time_text_near(out, found->at, DECIMAL_DIGITS);
+        tell_near_time(out, found->at, DECIMAL_DIGITS);
     fmpq_clear(time);
     text_put(out, ".\n");
 }

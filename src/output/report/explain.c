@@ -72,7 +72,7 @@ static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
     if (!unsweep)
         text_format(out, ", class `%s`", graze_class_name(v->class_));
     text_format(out, ". Its word is %s.", trace->word);
-    time_text_origin(out, scene->motion);
+    tell_time_origin(out, scene->motion);
     text_put(out, "\n");
 }
 
@@ -104,7 +104,7 @@ static void put_end(text *out, const graze_scene *scene, const fmpq *point,
     graze_state state = last ? trace->last : trace->first;
     text_format(out, "  t%d = ", last);
     if (last)
-        time_text_rational(out, motion, piece->hi);
+        tell_rational_time(out, motion, piece->hi);
     else
         formula_rational(out, piece->lo);
     text_format(out, "  %s(t%d) = ", unsweep ? "x" : "c", last);
@@ -147,9 +147,9 @@ static void put_trajectory(text *out, const graze_scene *scene, const fmpq *poin
     for (size_t p = 0; p < shown; p++) {
         const motion_piece *piece = &motion->piece[p];
         text_put(out, "  for t from ");
-        time_text_rational(out, motion, piece->lo);
+        tell_rational_time(out, motion, piece->lo);
         text_put(out, " to ");
-        time_text_rational(out, motion, piece->hi);
+        tell_rational_time(out, motion, piece->hi);
         text_put(out, "\n");
         for (int k = 0; k < motion->dimension; k++) {
             text_format(out, "    %c = ", "xyz"[k]);
@@ -210,12 +210,12 @@ static void put_reason(text *out, const graze_scene *scene, const contact *c) {
 static void put_contact(text *out, const graze_scene *scene, const contact *c) {
     if (c->from == c->to) {
         text_put(out, "  B  at t = ");
-        time_text(out, c->from);
+        tell_time(out, c->from);
     } else {
         text_put(out, "  B  from t = ");
-        time_text(out, c->from);
+        tell_time(out, c->from);
         text_put(out, "\n     to t = ");
-        time_text(out, c->to);
+        tell_time(out, c->to);
     }
     text_put(out, "\n");
     put_cells(out, scene, c);
@@ -310,7 +310,7 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
 /* The place where the rules end. */
 static void put_undecided_place(text *out, const graze_scene *scene, const undecided_place *place) {
     text_put(out, "\nThe state is not decided\n  at t = ");
-    time_text(out, place->where.from);
+    tell_time(out, place->where.from);
     text_put(out, "\n");
     if (place->where.cell_count)
         put_cells(out, scene, &place->where);

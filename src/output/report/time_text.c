@@ -27,7 +27,7 @@ static void put_later_ratio(text *out, const fmpq_t later) {
 }
 
 /* A decimal that is not the number stands behind the ratio, where it is asked for. */
-static void put_rational(text *out, const graze_motion *motion, const fmpq_t time, int with_near) {
+static void put_told(text *out, const graze_motion *motion, const fmpq_t time, int with_near) {
     fmpq_t origin, later;
     int exact;
     fmpq_init(origin);
@@ -54,11 +54,11 @@ static void put_rational(text *out, const graze_motion *motion, const fmpq_t tim
     fmpq_clear(later);
 }
 
-void time_text_rational(text *out, const graze_motion *motion, const fmpq_t time) {
-    put_rational(out, motion, time, 0);
+void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time) {
+    put_told(out, motion, time, 0);
 }
 
-void time_text_near(text *out, const graze_time *time, int digits) {
+void tell_near_time(text *out, const graze_time *time, int digits) {
     fmpq_t origin;
     fmpq_init(origin);
     int is_large = time_origin(origin, time->motion);
@@ -72,22 +72,22 @@ void time_text_near(text *out, const graze_time *time, int digits) {
     fmpq_clear(origin);
 }
 
-void time_text(text *out, const graze_time *time) {
+void tell_time(text *out, const graze_time *time) {
     if (time_is_rational(time)) {
-        put_rational(out, time->motion, time->low, 1);
+        put_told(out, time->motion, time->low, 1);
         return;
     }
     text_put(out, "about ");
-    time_text_near(out, time, DECIMAL_DIGITS);
+    tell_near_time(out, time, DECIMAL_DIGITS);
     text_put(out, ", the one root of ");
     formula_polynomial(out, time->poly);
     text_put(out, " between ");
-    time_text_rational(out, time->motion, time->low);
+    tell_rational_time(out, time->motion, time->low);
     text_put(out, " and ");
-    time_text_rational(out, time->motion, time->high);
+    tell_rational_time(out, time->motion, time->high);
 }
 
-void time_text_origin(text *out, const graze_motion *motion) {
+void tell_time_origin(text *out, const graze_motion *motion) {
     fmpq_t origin;
     int exact;
     fmpq_init(origin);

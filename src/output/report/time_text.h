@@ -8,16 +8,16 @@
 #include "decide/trace/trace.h"
 
 /** `1/3`, or `t0 + 0.02`, with a ratio where no short decimal is the number itself. */
-void time_text_rational(text *out, const graze_motion *motion, const fmpq_t time);
+void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time);
 
 /** `1/2 = 0.5`, `1/3, about 0.333333333333`, `t0 + 1/3, about t0 + 0.333333333333`, or the root
  * with its polynomial and interval. */
-void time_text(text *out, const graze_time *time);
+void tell_time(text *out, const graze_time *time);
 
 /** A time that is irrational as a decimal of so many digits. */
-void time_text_near(text *out, const graze_time *time, int digits);
+void tell_near_time(text *out, const graze_time *time, int digits);
 
 /** The value of t0, where times are told from it, as a sentence; else nothing. */
-void time_text_origin(text *out, const graze_motion *motion);
+void tell_time_origin(text *out, const graze_motion *motion);
 
 #endif

@@ -16,6 +16,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+from . import tools
 from ._library import VERSION as __version__
 from ._library import library as _load
 from ._motions import Joint, slide, turn
@@ -42,7 +43,7 @@ __all__ = [
     "PatchJoint", "Picture",
     "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "columns", "compare",
-    "decimal", "definition_names", "pmc_names", "slide", "to_dataframe", "turn", "version"]
+    "decimal", "definition_names", "pmc_names", "slide", "to_dataframe", "tools", "turn", "version"]
 
 
 def version() -> str:

@@ -145,6 +145,13 @@ class CJoint(ctypes.Structure):
                 ("center", c_void_p)]
 
 
+class CShape(ctypes.Structure):
+    """graze_shape."""
+
+    _fields_ = [("kind", c_int), ("box", c_void_p), ("diameter", c_void_p), ("length", c_void_p),
+                ("corner", c_void_p), ("taper", c_void_p), ("at", c_void_p)]
+
+
 class CPoseOptions(ctypes.Structure):
     """graze_pose_options."""
 
@@ -237,6 +244,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
                                           c_void_p, c_void_p]),
     "graze_motion_write_pose_list": (c_int, [_OUT, _OUT, c_void_p, c_char_p,
                                              POINTER(CPoseOptions)]),
+    "graze_solid_write_shape": (c_int, [_OUT, _OUT, _OUT, c_void_p, POINTER(CShape), c_void_p]),
     "graze_motion_write_dyadic": (c_int, [_OUT, _OUT, c_void_p, c_void_p, c_void_p]),
     "graze_scene_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, POINTER(COptions)]),
     "graze_scene_destroy": (None, [c_void_p]),

@@ -1,21 +1,16 @@
-"""Motion files made by the library: turns, screws, joints and poses (graze/convert.h).
+"""Motion files made by the library: turns, screws and joints (graze/convert.h).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
 import ctypes
-from fractions import Fraction
-from math import isfinite
 from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Sequence, Tuple
 
 from ._context import Context, settings
-from ._library import CJoint, CPoseOptions, library, take_text
+from ._library import CJoint, library, take_text
 from ._numbers import Rationals
-from .errors import GrazeError, UseError, name_argument
-
-_AFFINE, _SHORTEST = 1, 2
-_SHAPES = {(4, 4): 16, (3, 4): 12, (7,): 7}
+from .errors import UseError
 
 
 class Joint(NamedTuple):
@@ -51,7 +46,7 @@ def written(make: Callable[..., int], *arguments: Any, context: Context) -> Tupl
     return take_text(json), take_text(report)
 
 
-def _filled(values: Sequence[Any], count: int, context: Context, what: str) -> Rationals:
+def filled(values: Sequence[Any], count: int, context: Context, what: str) -> Rationals:
     if len(values) != count:
         raise UseError(f"{what} has {len(values)} numbers; expected {count}")
     out = Rationals(count)
@@ -78,7 +73,7 @@ def by_joints(joints: Iterable[Joint], uniform: bool, tolerance: Any, radius: An
     array, keep = (CJoint * max(len(given), 1))(), []  # type: Tuple[Any, List[Rationals]]
     for out, joint in zip(array, given):
         def address(values: Any, count: int, what: str) -> int:
-            keep.append(_filled(values, count, context, what))
+            keep.append(filled(values, count, context, what))
             return keep[-1].address
         out.kind = int(joint.degrees is None)
         if joint.degrees is not None:
@@ -90,55 +85,9 @@ def by_joints(joints: Iterable[Joint], uniform: bool, tolerance: Any, radius: An
             out.axis = address(joint.axis, d, "an axis")
         if joint.center is not None:
             out.center = address(joint.center, d, "a center")
-    goal = _filled([tolerance, radius], 2, context, "the goal")
+    goal = filled([tolerance, radius], 2, context, "the goal")
     if uniform:
         return written(library().graze_motion_write_joints, d, array, len(given), goal.at(0),
                        goal.at(1), context=context)
     return written(library().graze_motion_write_rotation, d, array, goal.at(0), goal.at(1),
                    context=context)
-
-
-def _text(value: Any) -> str:
-    """A number token of exactly this value."""
-    return str(Fraction(value)) if isinstance(value, float) and isfinite(value) else str(value)
-
-
-def _pose_rows(poses: Any, times: Any) -> str:
-    """Poses as a list with a line of names."""
-    rows = poses.tolist() if hasattr(poses, "tolist") else [list(pose) for pose in poses]
-    flat: List[List[Any]] = []
-    for k, pose in enumerate(rows):
-        nested = bool(pose) and isinstance(pose[0], (list, tuple))
-        shape = (len(pose), len(pose[0])) if nested else (len(pose),)
-        if shape not in _SHAPES:
-            raise UseError(f"pose {k} has the shape {shape}; expected (4, 4), (3, 4), or 7 numbers "
-                           "x, y, z, qw, qx, qy, qz")
-        flat.append([entry for row in pose for entry in row] if nested else list(pose))
-    if len({len(row) for row in flat}) > 1:
-        raise UseError("the poses have several shapes; expected one")
-    width = len(flat[0]) if flat else 7
-    names = (["x", "y", "z", "qw", "qx", "qy", "qz"] if width == 7
-             else [f"m{k // 4}{k % 4}" for k in range(width)])
-    if times is not None:
-        moments = times.tolist() if hasattr(times, "tolist") else list(times)
-        if len(moments) != len(flat):
-            raise UseError(f"{len(moments)} times for {len(flat)} poses; expected as many")
-        names, flat = ["t"] + names, [[t] + row for t, row in zip(moments, flat)]
-    return "\n".join(",".join(_text(entry) for entry in row) for row in [names] + flat) + "\n"
-
-
-def by_poses(poses: Any, times: Any, affine: bool, shortest: bool, tolerance: Any,
-             limits: "Mapping[str, int] | None") -> Tuple[str, str]:
-    """A motion through poses of an array, rows, or a file."""
-    context = Context(settings("none", limits, True))
-    goal = _filled([tolerance], 1, context, "the tolerance")
-    options = CPoseOptions(flags=_AFFINE * affine + _SHORTEST * shortest, tolerance=goal.address,
-                           size=ctypes.sizeof(CPoseOptions))
-    text = _pose_rows(poses, times).encode()
-    options.text, options.length = text, len(text)
-    try:
-        return written(library().graze_motion_write_pose_list, b"poses", ctypes.byref(options),
-                       context=context)
-    except GrazeError as problem:
-        name_argument(problem, "poses", rows=True)
-        raise

@@ -16,10 +16,6 @@ from .errors import UseError
 from .results import Pmc, Sample
 
 _REPRESENTABLE = 1
-# Repeated points in a row after which a stratum, and after which all of them, are given up.
-_SPENT, _OVER = 20, 2000
-# Points passed over for another one of a stratum.
-_PASSED = 1000
 
 
 def strata() -> List[str]:
@@ -53,13 +49,16 @@ def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: 
 
 def _distinct(made: Iterator[Sample]) -> Iterator[Sample]:
     """After a point that repeats, the next one of its stratum, so that each keeps its share."""
+    # Repeated points in a row after which a stratum, and after which all of them, are given up;
+    # points passed over for another one of a stratum.
+    most_tries, most_repeated, most_passed = 20, 2000, 1000
     seen: Set[Any] = set()
     spent: Set[str] = set()
     wanted, tries, passed, idle = None, 0, 0, 0
     for sample in made:
         stratum = "rounded" if sample.stratum.startswith("rounded-") else sample.stratum
         passed += wanted not in (None, stratum)
-        if passed == _PASSED:
+        if passed == most_passed:
             wanted, passed = None, 0
         if wanted not in (None, stratum):
             continue
@@ -69,10 +68,10 @@ def _distinct(made: Iterator[Sample]) -> Iterator[Sample]:
             yield sample
             continue
         tries, passed, idle = tries + 1 if wanted else 1, 0, idle + 1
-        if tries == _SPENT:
+        if tries == most_tries:
             spent.add(stratum)
         wanted = None if stratum in spent else stratum
-        if idle == _OVER:
+        if idle == most_repeated:
             return
 
 

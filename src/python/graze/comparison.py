@@ -4,14 +4,17 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import csv
 import ctypes
 import decimal
 import json
 import os
+import tempfile
 from fractions import Fraction
 from typing import Any, Dict, Mapping, NamedTuple
 
 from ._context import Context, choice, settings
+from ._frames import column_names, read_columns
 from ._library import CCompareOptions, Handle, library, take_text
 from .errors import InputError
 from .scene import Scene
@@ -65,7 +68,8 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
     in any order, and each column is judged that both have.
 
     Args:
-        golden, candidate: paths of CSV files (`graze compare --help` says what they must have).
+        golden, candidate: paths of CSV files (`graze compare --help` says what they must have), or
+            DataFrames with such columns.
         question: `open`, or `closed`: pmc refers to the closed sweep.
         on_as: `on`, or for candidates that only know in and out `any`, `in`, `out`.
         candidate_has: `columns`, or `sdf`: the sign of that column is the answer; where golden is a
@@ -94,13 +98,43 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
                               _number("motion_error", motion_error),
                               scene._handle.pointer if scene is not None else None)
     context, made = Context(settings(round, limits, True)), ctypes.c_void_p()
-    context.run(library().graze_compare, ctypes.byref(made), context.pointer, os.fsencode(golden),
-                os.fsencode(candidate), ctypes.byref(options))
+    with tempfile.TemporaryDirectory() as folder:
+        paths = [_table(table, os.path.join(folder, name))
+                 for table, name in ((golden, "golden.csv"), (candidate, "candidate.csv"))]
+        context.run(library().graze_compare, ctypes.byref(made), context.pointer, *paths,
+                    ctypes.byref(options))
+        return _reported(made, context, folder)
+
+
+def _table(table: Any, path: str) -> bytes:
+    """The path of a table; a frame is written first."""
+    names = column_names(table)
+    if names is None:
+        return os.fsencode(table)
+    columns = [[_field(value) for value in column]
+               for column in read_columns(table, names, "row")]
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([names, *zip(*columns)])
+        file.write(f"# complete {len(columns[0])}\n")
+    return os.fsencode(path)
+
+
+def _field(value: Any) -> str:
+    """A value as a field: the shortest decimal of a float, nothing of what is missing."""
+    if hasattr(value, "item"):
+        value = value.item()
+    if value is None or value != value:
+        return ""
+    return repr(value) if isinstance(value, float) else str(value)
+
+
+def _reported(made: ctypes.c_void_p, context: Context, folder: str) -> Comparison:
+    """The reports, in which tables of a folder have their names alone."""
     texts = []
     with Handle(made, library().graze_comparison_destroy) as pointer:
         for form in (_JSON, _TEXT):
             out = ctypes.c_void_p()
             context.run(library().graze_comparison_report, ctypes.byref(out), context.pointer,
                         pointer, form)
-            texts.append(take_text(out))
+            texts.append(take_text(out).replace(folder + os.sep, ""))
     return Comparison(json.loads(texts[0]), texts[1])

@@ -8,7 +8,7 @@ import ctypes
 import json
 import os
 from fractions import Fraction
-from typing import Any, Iterable, Mapping, Optional, Tuple
+from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple
 
 from . import _motions
 from ._context import Context, Settings, settings
@@ -18,6 +18,7 @@ from ._frames import refuse_masked
 from ._meshes import arrays_of
 from ._motions import Joint
 from ._numbers import Rationals, numpy, read_points
+from ._poses import PoseForm, by_poses
 from .errors import GrazeError, InputError, UseError, name_argument
 
 _TRIANGULATE = 1
@@ -229,20 +230,28 @@ class Motion:
         return cls._made(*_motions.by_joints(joints, True, tolerance, radius, limits), limits)
 
     @classmethod
-    def poses(cls, poses: Any, times: Any = None, *, affine: bool = False, shortest: bool = False,
-              tolerance: Any = "1e-6", limits: "Mapping[str, int] | None" = None) -> "Motion":
+    def poses(cls, poses: Any, times: Any = None, *, quaternions: "str | None" = None,
+              columns: Any = None, angles: "str | None" = None, ignore: Sequence[str] = (),
+              affine: bool = False, shortest: bool = False, tolerance: Any = "1e-6",
+              limits: "Mapping[str, int] | None" = None) -> "Motion":
         """A motion through poses, linear between them (`graze motion poses`).
 
         Args:
-            poses: an array or rows of the shape (n, 4, 4) or (n, 3, 4), or (n, 7) with x, y, z, qw,
-                qx, qy, qz. A float is the dyadic number it is.
-            times: n increasing numbers; without them 0, 1, 2, ...
+            poses: the path of a log; or a DataFrame or an array of records, whose columns have the
+                names that a log may have; or an array or rows of the shape (n, 4, 4), (n, 3, 4), or
+                (n, 7), a position and a quaternion. A float is the dyadic number it is.
+            times: n increasing numbers; without them those of the column, else 0, 1, 2, ...
+            quaternions: of an array (n, 7): `wxyz`, or `xyzw` as ROS and scipy have them. There is
+                no default: the numbers do not tell.
+            columns: names of columns, as {"tx": "pos_x"} or "tx=pos_x,...".
+            angles: the machine of three angles in degrees, as `graze motion poses --angles`.
+            ignore: names of columns to pass over.
             affine: take matrices as they are; else each becomes the nearest rotation, which
                 changes no entry by more than `tolerance`.
             shortest: change signs of quaternions that ask for more than half a turn.
         """
-        made = _motions.by_poses(poses, times, affine, shortest, tolerance, limits)
-        return cls._made(*made, limits)
+        form = PoseForm(quaternions, columns, angles, ignore, affine, shortest, tolerance)
+        return cls._made(*by_poses(poses, times, form, limits), limits)
 
     def dyadic(self, tolerance: Any = "1e-6") -> "Motion":
         """A motion near this one whose contacts have coordinates that a float can be, except those

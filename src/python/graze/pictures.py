@@ -8,7 +8,7 @@ import ctypes
 import html
 import os
 import tempfile
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 from ._context import Context
 from ._library import CDrawOptions, Handle, library
@@ -17,10 +17,10 @@ from .errors import UseError
 from .results import Class
 
 
-def _check_ending(path: Any, ending: str, form: str) -> None:
+def _check_ending(path: Any, ending: str, form: str, other: str = "") -> None:
     if not os.fsdecode(path).lower().endswith(ending):
         raise UseError(f"{os.fsdecode(path)}: what is saved is {form}; expected a name that ends "
-                       f"with {ending}")
+                       f"with {ending}{other}")
 
 
 class Picture(NamedTuple):
@@ -28,22 +28,28 @@ class Picture(NamedTuple):
 
     Attributes:
         svg: its text.
+        png: draws it again, as the bytes of a PNG image.
     """
 
     svg: str
+    png: Callable[[], bytes]
 
     def _repr_svg_(self) -> str:
         return self.svg
 
     def save(self, path: Any) -> None:
-        """Write it into a file, whose name ends with .svg; `graze draw -o FILE.png` makes a PNG.
+        """Write it into a file, whose name ends with .svg or .png.
 
         Raises:
             UseError: another ending.
+            MachineError: a PNG without libgraze-png.
         """
-        _check_ending(path, ".svg", "SVG")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.svg)
+        name = os.fsdecode(path).lower()
+        if not name.endswith(".png"):
+            _check_ending(path, ".svg", "SVG or PNG", " or .png")
+        data = self.png() if name.endswith(".png") else self.svg.encode()
+        with open(path, "wb") as file:
+            file.write(data)
 
     def __repr__(self) -> str:
         return f"<graze.Picture, {len(self.svg)} characters of SVG>"
@@ -82,26 +88,35 @@ def class_colours() -> Dict[str, str]:
             for class_ in Class if class_ != Class.NONE}
 
 
-def draw(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],
-         box: Optional[Tuple[Rationals, Rationals]], plane: Optional[Rationals],
-         **options: Any) -> Picture:
-    """A picture of a scene; `plane` is a normal and a number, `options` are title, grid, times, by."""
+def picture(drawn: Callable[[str], bytes]) -> Picture:
+    """The picture that a function draws into a file of a name."""
+    return Picture(drawn("picture.svg").decode(), lambda: drawn("picture.png"))
+
+
+def draw(name: str, context: Context, scene: Handle, points: Optional[Points],
+         names: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]],
+         plane: Optional[Rationals], **options: Any) -> bytes:
+    """A scene as a file; `plane` is a normal and a number, `options` are title, grid, times, by."""
     chosen = CDrawOptions(size=ctypes.sizeof(CDrawOptions), grid=options["grid"],
                           times=options["times"], title=options["title"].encode(),
                           by=options["by"])
     if plane:
         chosen.normal, chosen.plane = plane.address, plane.at(3)
-    return Picture(_drawn("picture.svg", context, scene, chosen, points, names, None, box))
+    return _drawn(name, context, scene, chosen, points, names, None, box)
 
 
-def cones(context: Context, scene: Handle, point: Rationals, trace: Any) -> Picture:
-    """A picture of the directions that the contacts of a point cover."""
+def cones(name: str, context: Context, scene: Handle, point: Rationals, trace: Any) -> bytes:
+    """The directions that the contacts of a point cover, as a file."""
+    return _written(name, context, library().graze_draw_cones, scene, (point.address, trace))
+
+
+def _written(name: str, context: Context, write: Any, scene: Handle, more: Tuple[Any, ...]) -> bytes:
+    """The bytes of the file that a function of the library writes."""
     with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "cones.svg")
-        context.run(library().graze_draw_cones, context.pointer, scene.pointer, os.fsencode(path),
-                    point.address, trace)
-        with open(path, encoding="utf-8") as file:
-            return Picture(file.read())
+        path = os.path.join(folder, name)
+        context.run(write, context.pointer, scene.pointer, os.fsencode(path), *more)
+        with open(path, "rb") as file:
+            return file.read()
 
 
 def page(context: Context, scene: Handle, points: Optional[Points], names: Optional[Sequence[str]],
@@ -110,7 +125,7 @@ def page(context: Context, scene: Handle, points: Optional[Points], names: Optio
     """A page of a scene; `options` are title, times and surface, -1 for none."""
     chosen = CDrawOptions(size=ctypes.sizeof(CDrawOptions), times=options["times"],
                           title=options["title"].encode(), surface=options["surface"])
-    return Page(_drawn("scene.html", context, scene, chosen, points, names, strata, box))
+    return Page(_drawn("scene.html", context, scene, chosen, points, names, strata, box).decode())
 
 
 def _texts(what: str, given: Sequence[str], count: int) -> Any:
@@ -122,8 +137,8 @@ def _texts(what: str, given: Sequence[str], count: int) -> Any:
 
 def _drawn(name: str, context: Context, scene: Handle, chosen: CDrawOptions,
            points: Optional[Points], names: Optional[Sequence[str]],
-           strata: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]]) -> str:
-    """The text of the file that graze_draw writes with these options."""
+           strata: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]]) -> bytes:
+    """The file that graze_draw writes with these options."""
     keep: List[Any] = []
     if box:
         chosen.low, chosen.high = box[0].address, box[1].address
@@ -136,9 +151,4 @@ def _drawn(name: str, context: Context, scene: Handle, chosen: CDrawOptions,
         if strata is not None:
             keep.append(_texts("strata", list(strata), points.count))
             chosen.strata = ctypes.addressof(keep[-1])
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, name)
-        context.run(library().graze_draw, context.pointer, scene.pointer, os.fsencode(path),
-                    ctypes.byref(chosen))
-        with open(path, encoding="utf-8") as file:
-            return file.read()
+    return _written(name, context, library().graze_draw, scene, (ctypes.byref(chosen),))

@@ -22,7 +22,7 @@ from .boundaries import BUDGET, CONTACTS, DEPTH, Boundary, boundary
 from .envelopes import Envelope, read_envelope
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
-from .pictures import Page, Picture, cones, draw, page
+from .pictures import Page, Picture, cones, draw, page, picture
 from .results import (ENCLOSURE_DTYPE, VERDICT_DTYPE, Cell, Enclosure, Pmc, Sample, Topology,
                       Trace, Verdict)
 from .sites import Site, read_site
@@ -256,9 +256,13 @@ class Scene:
     def cones(self, point: Sequence[Number]) -> Picture:
         """A picture of the directions about a point that its contacts cover to first order (`graze
         explain --svg`): in the plane, of a point that is `on` a sweep. Raises as `trace`."""
-        rationals, context = self._point(point), self._context()
-        with self._trace(rationals) as trace:
-            return cones(context, self._handle, rationals, trace)
+        rationals = self._point(point)
+
+        def drawn(name: str) -> bytes:
+            with self._trace(rationals) as trace:
+                return cones(name, self._context(), self._handle, rationals, trace)
+
+        return picture(drawn)
 
     def site(self, time: Number, body: Optional[Sequence[Number]] = None, *,
              point: Optional[Sequence[Number]] = None) -> Site:
@@ -391,7 +395,7 @@ class Scene:
              grid: int = 0, times: int = 0,
              box: Optional[Tuple[Sequence[Number], Sequence[Number]]] = None,
              by: str = "class",
-             plane: Optional[Tuple[Sequence[Number], Number]] = None) -> Picture:
+             plane: "str | Tuple[Sequence[Number], Number] | None" = None) -> Picture:
         """A picture: the class of every cell, positions of the solid, and for points their inverted
         trajectories with contacts (`graze draw`). A notebook shows it.
 
@@ -402,14 +406,19 @@ class Scene:
             times: positions of the solid, 2 to 64; 0 is 5.
             box: the lowest and the highest corner; None is around the scene.
             by: colours of cells: `class`, or `distance`: bands of the signed distance and levels.
-            plane: in space, a normal and a number: the cells are where normal . x is the number;
-                None is across z, through the middle of the box.
+            plane: in space, as of `graze draw --plane`: "z=0.1" or "A,B,C,D"; or a normal and a
+                number: the cells are where normal . x is the number. None is across z, through the
+                middle of the box.
         """
         corners = (self._point(box[0]), self._point(box[1])) if box else None
         given = None if points is None else self._points(points)
-        return draw(self._context(), self._handle, given, names, corners, self._plane(plane),
-                    title=title, grid=grid, times=times,
-                    by=choice("by", by, ("class", "distance")))
+        normal, kind = self._plane(plane), choice("by", by, ("class", "distance"))
+
+        def drawn(name: str) -> bytes:
+            return draw(name, self._context(), self._handle, given, names, corners, normal,
+                        title=title, grid=grid, times=times, by=kind)
+
+        return picture(drawn)
 
     def page(self, points: Any = None, *, names: Optional[Sequence[str]] = None,
              strata: Optional[Sequence[str]] = None, title: str = "",
@@ -437,11 +446,13 @@ class Scene:
     def _points(self, points: Any) -> Points:
         return read_points(points, self.dimension, self._context())
 
-    def _plane(self, plane: Optional[Tuple[Sequence[Number], Number]]) -> Optional[Rationals]:
+    def _plane(self, plane: Any) -> Optional[Rationals]:
         """A normal and a number, one after the other."""
+        if isinstance(plane, str):
+            plane = _plane_of(plane)
         if plane is None:
             return None
-        if isinstance(plane, str) or len(plane) != 2 or len(plane[0]) != 3:
+        if len(plane) != 2 or len(plane[0]) != 3:
             raise UseError(f"plane is {plane!r}; expected a normal of 3 numbers, and a number")
         normal, place = plane
         out = Rationals(4)
@@ -513,3 +524,14 @@ def _verdicts(out: Any) -> Any:
     if numpy is not None:
         return out
     return [verdict_of(made) for made in out]
+
+
+def _plane_of(text: str) -> Tuple[Sequence[Number], Number]:
+    """`z=1/2`, or `A,B,C,D` for A x + B y + C z = D."""
+    axis, equals, place = text.partition("=")
+    fields = text.split(",")
+    if equals and axis.strip() in ("x", "y", "z"):
+        return [int(axis.strip() == name) for name in "xyz"], place.strip()
+    if len(fields) != 4:
+        raise UseError(f"plane is {text!r}; expected x=, y= or z= and a number, or A,B,C,D")
+    return [field.strip() for field in fields[:3]], fields[3].strip()
