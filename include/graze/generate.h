@@ -87,8 +87,8 @@ GRAZE_API unsigned long graze_stratum_default_weight(graze_stratum stratum);
  */
 GRAZE_API void graze_generator_box(mpq_t *low, mpq_t *high, const graze_generator *generator);
 /**
- * Point of a row, from 0. It depends on scene, seed, weights, flags and row alone; different rows may
- * have equal points.
+ * Point of a row, from 0. It depends on scene, seed, weights, flags and row alone; different rows
+ * may have equal points.
  * @param[out] point d initialised rationals
  * @param[out] time  initialised; the time of the contact, 0 without a contact
  * @param[out] out   the way in which the point was made
