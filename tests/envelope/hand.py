@@ -118,6 +118,9 @@ CASES = [
     # A block that turns by omega and grows by k, k/omega from 1/4 to 1/2: the slice y = 2 k/omega of x = 2 is the only one: of x = 4
     # g = 4k - omega y > 0, and the others have one sign. On it theta > 0, as k and omega change slowly: about 2 omega^2.
     (contact.BLOCK, moves(2, (0, "1/2", {"compose": [{"scale": "1+t/10"}, {"rotate": {"tan_half": "t/8"}}]})), "yes", None, []),
+    # A triangle that turns about the origin with its corner (2, 0), which is nearest to it, on the slice of x = 2 all the time:
+    # theta = 2 omega^2 > 0 there. Of y = 1 g has the sign of x, of the side to (4, 1) that of -(2x + y).
+    ("POLYGON ((2 0, 4 1, 2 1, 2 0))\n", contact.STILL, "yes", None, []),
 ]
 
 

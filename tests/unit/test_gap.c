@@ -14,6 +14,7 @@
 #include "questions/distance/along.h"
 #include "questions/distance/foot.h"
 #include "questions/distance/gap.h"
+#include "questions/distance/time_search.h"
 #include "graze.h"
 #include "base/number/rounding.h"
 
@@ -335,7 +336,19 @@ static void in_space(void **state) {
     check_motions(3, space_motions, sizeof space_motions / sizeof *space_motions);
 }
 
+/* The decimals of a table are wider than the doubles by less than 2^-50 of them, and must be within
+ * the tolerance too. */
+static void room_for_decimals(void **state) {
+    (void)state;
+    const search s = {.tolerance = 0x1p-40};
+    assert_false(search_is_done(&s, 1, 1 + 0x1p-40));
+    assert_false(search_is_done(&s, -1 - 0x1p-40, -1));
+    assert_true(search_is_done(&s, 1, 1 + 0x1p-40 - 0x1p-49));
+    assert_true(search_is_done(&s, -1 - 0x1p-40 + 0x1p-49, -1));
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(in_the_plane), cmocka_unit_test(in_space)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(in_the_plane), cmocka_unit_test(in_space),
+                                       cmocka_unit_test(room_for_decimals)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,6 +7,7 @@
 #include "input/convert/poses.h"
 
 #include <math.h>
+#include <string.h>
 #include "base/number/rounding.h"
 #include "input/convert/joint.h"
 #include "input/convert/poses_nearest.h"
@@ -33,6 +34,7 @@ static graze_status refuse_pose(graze_context *context, const pose_list *list, c
 /* Find the quaternions of all matrices, and report the largest deviation. */
 static graze_status find_rotations(text *report, graze_context *context, pose_list *list,
                                    const fmpq_t tolerance) {
+    static const double unturned[4] = {1, 0, 0, 0};
     double before[4] = {1, 0, 0, 0}, matrix[9], q[4];
     graze_status status = GRAZE_OK;
     fmpq_t deviation, worst;
@@ -50,10 +52,9 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
         int finite = 1;
         for (int k = 0; k < 4; k++)
             finite &= isfinite(q[k]) != 0;
-        for (int k = 0; k < 4 && !status; k++) {
-            before[k] = finite ? q[k] : k == 0;
+        memcpy(before, finite ? q : unturned, sizeof before);
+        for (int k = 0; k < 4 && !status; k++)
             status = rational_from_double(p->quaternion + k, context, before[k]);
-        }
         pose_deviation(deviation, p);
         if (fmpq_cmp(deviation, worst) > 0)
             fmpq_set(worst, deviation);

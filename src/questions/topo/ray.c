@@ -77,7 +77,7 @@ static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time)
     fmpz_poly_t p;
     fmpz_poly_init(p);
     graze_status status = algebraic_sign_at(&sign, m->context, &f->plain_at, time);
-    if (!status && sign)
+    if (!status)
         status = algebraic_sign_at(&slope, m->context, &f->plain_slope, time);
     while (!status && sign * slope < 0 && there != sign && !m->special) {
         fmpz_poly_scalar_mul_fmpz(p, &f->plain_at, fmpq_denref(m->reach));
