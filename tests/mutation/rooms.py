@@ -22,7 +22,7 @@ ROOMS = {
                        "mend/mend", "real/real", "unit/test_meeting"],
     "input/solid": ["unit/test_locate", "unit/test_forms", "unit/test_locate_cells", "unit/test_slabs", "exact cases/cases",
                     "exact agree/near", "exact examples/examples", "api/test_writing", "api/test_handles", "agree/laws"],
-    "input/convert": ["motioncmd/motion", "motioncmd/poses", "api/test_writing", "refuse/run motion", "refuse/run motion-limits"],
+    "input/convert": ["motioncmd/motion", "motioncmd/poses", "api/test_writing", "refuse/run writing motion motion-limits"],
     "input/mend": ["mend/mend", "refuse/run convert"],
     "input/delimited": ["unit/test_stream", "inputs/forms", "inputs/columns", "refuse/run points", "motioncmd/poses"],
     "decide/filter": ["cases/cases", "unit/test_filter", "unit/test_course", "unit/test_stay", "unit/test_interior", "unit/test_velocity",
