@@ -102,8 +102,11 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     const char *wrong = misused(o, (int)d);
     if (wrong)
         return api_misuse(context, "graze_draw", wrong);
-    if (scene->solid->curved)
+    int page = file_has_extension(file, "html");
+    if (scene->solid->curved && (d == 3 || page || o->by == GRAZE_DRAW_BY_DISTANCE))
         return api_curved(context, "graze_draw");
+    if (!solid_bounded(scene->solid))
+        return api_unbounded(context, "graze_draw");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *numbers = _fmpq_vec_init((slong)count);
     status = take_numbers(numbers, context, o, d);
@@ -132,8 +135,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     if (o->normal)
         take_axis(&request, numbers + 2 * d);
     if (!status)
-        status = (file_has_extension(file, "html") ? page_write : draw_picture)(context, scene,
-                                                                                file, &request);
+        status = (page ? page_write : draw_picture)(context, scene, file, &request);
     _fmpq_vec_clear(numbers, (slong)count);
     return status;
 }

@@ -21,6 +21,7 @@ enum { BANDS = 6 };
 /** Colour of a point: its class for a sweep, its pmc for an unsweep, of a cell also a band of its
  * distance. Zero is none. */
 typedef enum tone {
+    TONE_NONE = 0, /* undecided too */
     TONE_REGULAR = 1,
     TONE_FOLD = 2,
     TONE_FOLD_BOUNDARY = 3,

@@ -14,12 +14,17 @@
 /* S at times spread evenly over the motion, both ends included. */
 static graze_status make_positions(picture *p, graze_context *context) {
     const graze_motion *motion = p->scene->motion;
+    const graze_solid *solid = p->scene->solid->curved ? &p->outline : p->scene->solid;
     unsigned long n = p->request->times;
     fmpq_t t, step;
     p->moved = calloc(n, sizeof *p->moved);
     if (!p->moved)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
-    graze_status status = shape_standing(&p->standing, context, p->scene->solid);
+    graze_status status = GRAZE_OK;
+    if (p->scene->solid->curved)
+        status = outline_make(&p->outline, context, p->scene->solid->curved);
+    if (!status)
+        status = shape_standing(&p->standing, context, solid);
     fmpq_init(t);
     fmpq_init(step);
     fmpq_sub(step, motion->piece[motion->piece_count - 1].hi, motion->piece[0].lo);
@@ -27,7 +32,7 @@ static graze_status make_positions(picture *p, graze_context *context) {
         fmpq_set_ui(t, k, n - 1);
         fmpq_mul(t, t, step);
         fmpq_add(t, t, motion->piece[0].lo);
-        status = shape_moved(&p->moved[k], context, p->scene->solid, motion, t,
+        status = shape_moved(&p->moved[k], context, solid, motion, t,
                              p->scene->options.operation == GRAZE_UNSWEEP);
         if (!status)
             status = context_poll(context);
@@ -66,8 +71,10 @@ static graze_status make_legend(picture *p, graze_context *context) {
     int made = 1;
     size_t count = p->cells.count[0] * p->cells.count[1];
     legend *l = &p->legend;
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; k < count; k++) {
         l->tones[p->cells.tone[k]] = 1;
+        p->undecided += p->cells.tone[k] == TONE_NONE;
+    }
     count = p->cells.split_count * p->cells.parts * p->cells.parts;
     for (size_t k = 0; k < count; k++)
         l->tones[p->cells.part[k]] = 1;
@@ -136,7 +143,7 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
     const char *title = p->request->title ? p->request->title : "";
     size_t outside = views_outside(p);
-    char missing[64] = "", parts[64] = "", remark[480];
+    char missing[64] = "", parts[64] = "", open[64] = "", remark[480];
     text plane;
     text_init(&plane);
     if (p->cells.section) {
@@ -149,12 +156,14 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     if (p->cells.split_count)
         snprintf(parts, sizeof parts, ", at borders in %zu × %zu parts", p->cells.parts,
                  p->cells.parts);
+    if (p->undecided)
+        snprintf(open, sizeof open, " · cells undecided and blank: %zu", p->undecided);
     snprintf(remark, sizeof remark,
-             "%zu × %zu cells%s, each %s of its centre%s%s · graze " GRAZE_VERSION,
+             "%zu × %zu cells%s, each %s of its centre%s%s%s · graze " GRAZE_VERSION,
              p->cells.count[0], p->cells.count[1], parts,
              p->request->by_distance ? "on the exact side and by the distance"
                                      : "in the exact class",
-             plane.failed || !p->cells.section ? "" : plane.data, missing);
+             plane.failed || !p->cells.section ? "" : plane.data, open, missing);
     text_clear(&plane);
     layout l = lay_out(p, title, remark);
     canvas *c;
@@ -190,6 +199,7 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
     for (size_t k = 0; k < request->times && p.moved; k++)
         shape_clear(&p.moved[k]);
     shape_clear(&p.standing);
+    outline_clear(&p.outline);
     for (size_t k = 0; k < request->point_count && p.trails; k++)
         trail_clear(&p.trails[k]);
     free(p.moved);

@@ -13,7 +13,7 @@ static graze_status place_vertices(shape *out, graze_context *context, const gra
                                    const double *map) {
     const soup *s = &solid->input;
     int d = s->dimension;
-    *out = (shape){solid, calloc(s->vertex_count, 3 * sizeof(double)), 0};
+    *out = (shape){solid, calloc(s->vertex_count + 1, 3 * sizeof(double)), 0};
     if (!out->at)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
     for (size_t v = 0; v < s->vertex_count; v++)
@@ -83,8 +83,26 @@ static double nodes_apart(size_t count) {
     return count < DENSE ? 0 : .4;
 }
 
+/* Segments in no order, of an outline. */
+static void chain_segments(drawn_path *out, const shape *s, const panel *p) {
+    const simplices *cut = &s->solid->cut;
+    chain_segment *segments = calloc(cut->count + 1, sizeof *segments);
+    out->failed |= !segments;
+    for (size_t f = 0; f < cut->count && segments; f++)
+        for (int k = 0; k < 2; k++) {
+            segments[f].key[k] = cut->item[f].vertex[k];
+            panel_map(&segments[f].x[k], &segments[f].y[k], p,
+                      s->at + 3 * (size_t)cut->item[f].vertex[k]);
+        }
+    if (segments)
+        chain_path(out, segments, cut->count, 0);
+    free(segments);
+}
+
 void shape_rings(drawn_path *out, const shape *s, const panel *p) {
     const soup *input = &s->solid->input;
+    if (input->cycle_count == 0)
+        chain_segments(out, s, p);
     double apart = nodes_apart(input->index_count);
     for (size_t c = 0; c < input->cycle_count; c++) {
         for (size_t k = input->cycle_start[c]; k < input->cycle_start[c + 1]; k++) {

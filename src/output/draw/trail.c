@@ -131,7 +131,7 @@ static void add_contact(follower *f, const contact *from) {
     to->kind = verdict_kind(from->left, from->right);
     to->cell = GRAZE_CELL_FACE;
     for (size_t k = 0; k < from->cell_count; k++)
-        if (from->cell[k].kind > to->cell)
+        if (from->cell[k].kind > to->cell && from->cell[k].kind != GRAZE_CELL_PRIMITIVE)
             to->cell = from->cell[k].kind;
     memcpy(to->at, c->at + 3 * (span->first + span->count / 2), sizeof to->at);
 }

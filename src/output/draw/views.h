@@ -5,6 +5,7 @@
 #define GRAZE_DRAW_VIEWS_H
 
 #include "output/draw/marks.h"
+#include "output/draw/eye_outline.h"
 #include "output/draw/request.h"
 #include "output/draw/shape.h"
 #include "output/draw/trail.h"
@@ -14,8 +15,10 @@ typedef struct picture {
     const graze_scene *scene;
     const draw_request *request;
     cells cells;
-    section section; /* where the request has a normal */
-    shape *moved;    /* at request->times times; for an unsweep under the inverse motion */
+    section section;     /* where the request has a normal */
+    graze_solid outline; /* of a curved solid */
+    size_t undecided;    /* cells */
+    shape *moved;        /* at request->times times; for an unsweep under the inverse motion */
     shape standing;
     trail *trails;  /* one a point */
     double *points; /* three coordinates each */

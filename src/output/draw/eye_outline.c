@@ -1,0 +1,169 @@
+/* Squares of a lattice, whose sides are crossed where the expression changes.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/eye_outline.h"
+
+#include <flint/fmpz.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+
+/* Squares along a side; halvings of a side that is crossed. */
+enum { SQUARES = 256, ACROSS = SQUARES + 1, HALVINGS = 16 };
+
+typedef struct outliner {
+    graze_context *context;
+    const csg *solid;
+    graze_solid *out;
+    double low[2], step[2];
+    double *coefficient; /* of all surfaces, one after another */
+    signed char *sign;
+    uint64_t *truth;
+    unsigned char *inside;  /* by corner */
+    uint32_t *crossing;     /* by side, horizontal ones at even places: its vertex + 1 */
+    size_t room, item_room; /* of vertices, of segments */
+} outliner;
+
+static double surface_value(const csg_surface *s, const double *coefficient, double x, double y) {
+    double sum = 0;
+    for (size_t k = 0; k < s->count; k++) {
+        double term = coefficient[k];
+        for (int power = 0; power < s->power[k][0]; power++)
+            term *= x;
+        for (int power = 0; power < s->power[k][1]; power++)
+            term *= y;
+        sum += term;
+    }
+    return sum;
+}
+
+static int holds_at(outliner *o, double x, double y) {
+    const double *coefficient = o->coefficient;
+    uint64_t all;
+    for (size_t k = 0; k < o->solid->surface_count; k++) {
+        const csg_surface *s = &o->solid->surface[k];
+        o->sign[k] = surface_value(s, coefficient, x, y) < 0 ? -1 : 1;
+        coefficient += s->count;
+    }
+    csg_table(&all, o->truth, o->solid, o->sign, 0);
+    return all == 1;
+}
+
+static graze_status prepare_outline(outliner *o) {
+    const csg *solid = o->solid;
+    size_t terms = 0, n = 0;
+    for (size_t k = 0; k < solid->surface_count; k++)
+        terms += solid->surface[k].count;
+    o->coefficient = malloc((terms + 1) * sizeof *o->coefficient);
+    o->sign = malloc(solid->surface_count + 1);
+    o->truth = malloc(solid->node_count * sizeof *o->truth);
+    o->inside = calloc(ACROSS * ACROSS, 1);
+    o->crossing = calloc(2 * ACROSS * ACROSS, sizeof *o->crossing);
+    if (!o->coefficient || !o->sign || !o->truth || !o->inside || !o->crossing)
+        return context_fail(o->context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
+    for (size_t k = 0; k < solid->surface_count; k++) {
+        slong shift = 0, most = 0; /* scaled, since only signs are asked for */
+        const csg_surface *s = &solid->surface[k];
+        for (size_t i = 0; i < s->count; i++)
+            most = FLINT_MAX(most, (slong)fmpz_bits(s->coefficient + i));
+        for (size_t i = 0; i < s->count; i++) {
+            double mantissa = fmpz_get_d_2exp(&shift, s->coefficient + i);
+            o->coefficient[n++] = ldexp(mantissa, (int)FLINT_MAX(shift - most, -2000));
+        }
+    }
+    return GRAZE_OK;
+}
+
+/* Coordinate `axis` of a corner, a little off the box's own ends. */
+static double lattice_place_of(const outliner *o, int axis, double k) {
+    return o->low[axis] + (k - .37) * o->step[axis];
+}
+
+/* The vertex on a side that begins at a corner; `up`: a vertical one. */
+static graze_status find_side_point(uint32_t *out, outliner *o, size_t i, size_t j, int up) {
+    uint32_t *known = &o->crossing[2 * (j * ACROSS + i) + (size_t)up];
+    size_t n = o->out->input.vertex_count;
+    double from = 0, to = 1;
+    int begins = o->inside[j * ACROSS + i];
+    graze_status status = GRAZE_OK;
+    if (!*known)
+        status = array_grow(o->context, &o->out->low, &o->room, 2 * n + 2, sizeof *o->out->low,
+                            "an outline");
+    if (!*known && !status) {
+        double at[2] = {(double)i, (double)j};
+        for (int k = 0; k < HALVINGS; k++) {
+            double middle = (from + to) / 2;
+            at[up] = (double)(up ? j : i) + middle;
+            int same =
+                holds_at(o, lattice_place_of(o, 0, at[0]), lattice_place_of(o, 1, at[1])) == begins;
+            *(same ? &from : &to) = middle;
+        }
+        for (int axis = 0; axis < 2; axis++)
+            o->out->low[2 * n + (size_t)axis] = lattice_place_of(o, axis, at[axis]);
+        *known = (uint32_t)++o->out->input.vertex_count;
+    }
+    *out = *known - 1;
+    return status;
+}
+
+/* The segments of a square: its crossed sides, in the order around it, two by two. */
+static graze_status add_square(outliner *o, size_t i, size_t j) {
+    static const unsigned char side[4][3] = {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 0, 1}};
+    simplices *cut = &o->out->cut;
+    uint32_t vertex[4];
+    size_t count = 0;
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 4 && !status; k++) {
+        size_t a = i + side[k][0], b = j + side[k][1];
+        int up = side[k][2];
+        size_t other = up ? (b + 1) * ACROSS + a : b * ACROSS + a + 1;
+        if (o->inside[b * ACROSS + a] != o->inside[other])
+            status = find_side_point(&vertex[count++], o, a, b, up);
+    }
+    for (size_t k = 0; k + 1 < count && !status; k += 2) {
+        status = array_grow(o->context, &cut->item, &o->item_room, cut->count + 1,
+                            sizeof *cut->item, "an outline");
+        if (!status)
+            cut->item[cut->count++] = (simplex){.vertex = {vertex[k], vertex[k + 1], 0}};
+    }
+    return status;
+}
+
+static graze_status trace_outline(outliner *o) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < ACROSS * ACROSS && !status; k++) {
+        double i = (double)(k % ACROSS), j = (double)(k / ACROSS);
+        o->inside[k] =
+            (unsigned char)holds_at(o, lattice_place_of(o, 0, i), lattice_place_of(o, 1, j));
+        status = context_poll(o->context);
+    }
+    for (size_t k = 0; k < SQUARES * SQUARES && !status; k++)
+        status = add_square(o, k % SQUARES, k / SQUARES);
+    return status;
+}
+
+graze_status outline_make(graze_solid *out, graze_context *context, const csg *solid) {
+    outliner o = {.context = context, .solid = solid, .out = out};
+    *out = (graze_solid){.input = {.dimension = 2}};
+    for (int k = 0; k < 2; k++) {
+        double high = fmpq_get_d(&solid->box.high[k]);
+        o.low[k] = fmpq_get_d(&solid->box.low[k]);
+        o.step[k] = (high - o.low[k]) / (SQUARES - 1);
+    }
+    graze_status status = prepare_outline(&o);
+    if (!status)
+        status = trace_outline(&o);
+    free(o.coefficient);
+    free(o.sign);
+    free(o.truth);
+    free(o.inside);
+    free(o.crossing);
+    return status;
+}
+
+void outline_clear(graze_solid *outline) {
+    free(outline->low);
+    free(outline->cut.item);
+    outline->low = NULL;
+    outline->cut.item = NULL;
+}
