@@ -180,6 +180,17 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_shape(char **inside, char
                                                              mpq_srcptr tolerance);
 
 /**
+ * Write a shape itself as a `.csg.json` file (graze/curved.h). A taper that is not 0 is rational,
+ * and less than the one given by at most 10^-9 degrees.
+ * @param[out] out    text for graze_free; NULL on failure
+ * @param[out] report text for graze_free: what is not exact; may be NULL
+ * @return GRAZE_EUSE also for a shape that there is not
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_exact_shape(char **out, char **report,
+                                                                   graze_context *context,
+                                                                   const graze_shape *shape);
+
+/**
  * Mend a mesh that bounds no solid, as far as that moves no point: equal vertices become one,
  * facets without area go, edges are split at vertices in their middle, and, where it is not legal
  * yet, facets are turned round. The result is validated as graze_solid_read does.

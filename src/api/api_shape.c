@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include "api/api.h"
 #include "base/context/environment.h"
+#include "input/convert/tool_csg.h"
 #include "input/convert/tool_fit.h"
 #include "input/convert/tool_off.h"
 
@@ -36,22 +37,12 @@ static graze_status finish_shape(char **inside, char **outside, char **report,
     return status;
 }
 
-static graze_status make_round(text *made, graze_context *context, const graze_shape *given,
-                               const fmpq *at, mpq_srcptr tolerance) {
+/* The body of a shape that is no box. */
+static graze_status take_tool(tool *s, graze_context *context, const graze_shape *given) {
     tool_numbers n;
-    tool s;
-    tool_pair pair = {.stretch = {{0, 1}}};
-    fmpq_t goal, square, one;
     int ball = given->kind == GRAZE_SHAPE_BALL, cutter = given->kind == GRAZE_SHAPE_CUTTER;
-    tool_init(&s);
     tool_numbers_init(&n);
-    fmpq_init(goal);
-    fmpq_init(square);
-    fmpq_init(one);
-    fmpq_one(one);
-    graze_status status = take_number(goal, context, tolerance, 1, "tolerance");
-    if (!status)
-        status = take_number(n.diameter, context, given->diameter, 1, "diameter");
+    graze_status status = take_number(n.diameter, context, given->diameter, 1, "diameter");
     if (!status && !ball)
         status = take_number(n.length, context, given->length, 1, "length");
     if (!status && cutter)
@@ -59,7 +50,24 @@ static graze_status make_round(text *made, graze_context *context, const graze_s
     if (!status && cutter && given->taper)
         status = api_rational(n.taper, context, given->taper);
     if (!status)
-        status = tool_take(&s, context, &n, ball);
+        status = tool_take(s, context, &n, ball);
+    tool_numbers_clear(&n);
+    return status;
+}
+
+static graze_status make_round(text *made, graze_context *context, const graze_shape *given,
+                               const fmpq *at, mpq_srcptr tolerance) {
+    tool s;
+    tool_pair pair = {.stretch = {{0, 1}}};
+    fmpq_t goal, square, one;
+    tool_init(&s);
+    fmpq_init(goal);
+    fmpq_init(square);
+    fmpq_init(one);
+    fmpq_one(one);
+    graze_status status = take_number(goal, context, tolerance, 1, "tolerance");
+    if (!status)
+        status = take_tool(&s, context, given);
     if (!status)
         status = tool_fit(&pair, square, context, &s, goal);
     if (!status) {
@@ -71,17 +79,21 @@ static graze_status make_round(text *made, graze_context *context, const graze_s
     fmpq_clear(one);
     fmpq_clear(square);
     fmpq_clear(goal);
-    tool_numbers_clear(&n);
     tool_clear(&s);
+    return status;
+}
+
+static graze_status take_sides(fmpq *size, graze_context *context, const graze_shape *given) {
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 3 && !status; k++)
+        status = take_number(size + k, context, given->box[k], 1, "a side of the box");
     return status;
 }
 
 static graze_status make_box(text *made, graze_context *context, const graze_shape *given,
                              const fmpq *at) {
     fmpq *size = _fmpq_vec_init(3);
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 3 && !status; k++)
-        status = take_number(size + k, context, given->box[k], 1, "a side of the box");
+    graze_status status = take_sides(size, context, given);
     for (int k = 0; k < 2 && !status; k++)
         tool_write_box(made + k, size, at);
     text_put(made + 2, "exact: 8 vertices, 6 facets\n");
@@ -119,6 +131,62 @@ graze_status graze_solid_write_shape(char **inside, char **outside, char **repor
     _fmpq_vec_clear(at, 3);
     if (!status)
         return finish_shape(inside, outside, report, context, made);
+    for (int k = 0; k < 3; k++)
+        text_clear(made + k);
+    return status;
+}
+
+/* The node of a shape, and what of it is not exact. */
+static graze_status make_exact(text *made, text *report, graze_context *context,
+                               const graze_shape *given) {
+    fmpq *size = _fmpq_vec_init(3);
+    tool s;
+    tool_init(&s);
+    int box = given->kind == GRAZE_SHAPE_BOX;
+    graze_status status = box ? take_sides(size, context, given) : take_tool(&s, context, given);
+    if (!status && box)
+        tool_csg_write_box(made, size);
+    else if (!status)
+        tool_csg_write(made, &s);
+    text_put(report, fmpq_equal(s.low + 1, s.high + 1)
+                         ? "exact\n"
+                         : "exact but for the taper, which is less by at most 1e-9 degrees\n");
+    tool_clear(&s);
+    _fmpq_vec_clear(size, 3);
+    return status;
+}
+
+graze_status graze_solid_write_exact_shape(char **out, char **report, graze_context *context,
+                                           const graze_shape *shape) {
+    static const char name[] = "graze_solid_write_exact_shape";
+    if (out)
+        *out = NULL;
+    if (report)
+        *report = NULL;
+    if (!out || !context || !shape)
+        return api_misuse(context, name, "out, context and shape must not be NULL");
+    if (shape->kind > GRAZE_SHAPE_CUTTER)
+        return api_misuse(context, name, "the kind is that of no shape");
+    int box = shape->kind == GRAZE_SHAPE_BOX, ball = shape->kind == GRAZE_SHAPE_BALL;
+    if (box ? !shape->box : !shape->diameter || (!ball && !shape->length))
+        return api_misuse(context, name, "a box has three sides, other shapes diameter and length");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq *at = _fmpq_vec_init(3);
+    text made[3];
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 3; k++)
+        text_init(made + k);
+    for (int k = 0; k < 3 && shape->at && !status; k++)
+        status = api_rational(at + k, context, shape->at[k]);
+    int still = fmpq_is_zero(at) && fmpq_is_zero(at + 1) && fmpq_is_zero(at + 2);
+    const fmpq *moved = still ? NULL : at;
+    tool_csg_begin(made, moved);
+    if (!status)
+        status = make_exact(made, made + 2, context, shape);
+    tool_csg_end(made, moved);
+    _fmpq_vec_clear(at, 3);
+    if (!status)
+        return finish_shape(out, NULL, report, context, made);
     for (int k = 0; k < 3; k++)
         text_clear(made + k);
     return status;

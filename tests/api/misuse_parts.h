@@ -233,6 +233,11 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &short_one));
     graze_shape no_kind = {.kind = (graze_shape_kind)4}, ball = {.kind = GRAZE_SHAPE_BALL};
     graze_shape box = {.kind = GRAZE_SHAPE_BOX}, cutter = {GRAZE_SHAPE_CUTTER, .diameter = one};
+    WRONG_OUT(char, graze_solid_write_exact_shape(&out, NULL, NULL, &ball));
+    WRONG_OUT(char, graze_solid_write_exact_shape(&out, NULL, c, NULL));
+    WRONG_OUT(char, graze_solid_write_exact_shape(NULL, &out, c, &box));
+    WRONG_OUT(char, graze_solid_write_exact_shape(&out, NULL, c, &no_kind));
+    WRONG_OUT(char, graze_solid_write_exact_shape(&out, NULL, c, &cutter));
     WRONG_OUT(char, graze_solid_write_shape(&out, NULL, NULL, NULL, &ball, one));
     WRONG_OUT(char, graze_solid_write_shape(&out, NULL, NULL, c, NULL, one));
     WRONG_OUT(char, graze_solid_write_shape(&out, NULL, NULL, c, &no_kind, one));

@@ -165,13 +165,65 @@ def test_moved(graze):
     check(len({tuple(x > 0 for x in n) + tuple(x < 0 for x in n) for n, _ in planes}) == 6, planes)
 
 
+def on_profile(body, words):
+    """Points of the surface, by the numbers of the profile."""
+    out = [(0, 0, 0), (0, 0, body["height"])]
+    if body["flat"] > 0:
+        out.append((0, body["flat"], 0))
+    if body["corner"] > 0:
+        for c, s in ((F(3, 5), F(4, 5)), (F(5, 13), F(12, 13))):
+            out.append((body["flat"] + body["corner"] * c, 0, body["corner"] - body["corner"] * s))
+    if words[4] == "0":
+        out.append((0, -body["flat"] - body["corner"], (body["corner"] + body["height"]) / 2))
+    return out
+
+
+def test_exact(graze, folder, rng, words):
+    """The body itself: points of the profile are on it, others in and out as by the profile in decimals."""
+    kind, diameter, length, corner, taper, _ = words
+    numbers = [["--" + name, value] for name, value in (("diameter", diameter), ("length", length), ("corner", corner), ("taper", taper))
+               if value is not None and not (kind != "cutter" and name in ("corner", "taper"))]
+    at = rng.choice([(0, 0, 0), (F(1, 3), -2, F(5, 4))])
+    done = harness.run([graze, "solid", kind, "--exact", *sum(numbers, []), "--at", ",".join(map(str, at))])
+    check(done.returncode == 0, words, done.stderr)
+    tilted = kind == "cutter" and taper != "0"
+    check(done.stderr == ("exact but for the taper, which is less by at most 1e-9 degrees\n" if tilted else "exact\n"), done.stderr)
+    solid, points = os.path.join(folder, "exact.csg.json"), os.path.join(folder, "exact.csv")
+    with open(solid, "w", encoding="ascii") as file:
+        file.write(done.stdout)
+    body = Body(kind, diameter, length, corner, taper or "0")
+    size = F(diameter) if kind == "ball" else F(length)
+    wide = F(diameter) / 2 + (size if tilted else 0)
+    wanted = [(p, "on") for p in on_profile({"flat": F(diameter) / 2 - F(corner), "corner": F(corner), "height": size}, words)]
+    for _ in range(150):
+        p = tuple(F(rng.randint(-100, 100)) * wide / 80 for _ in range(2)) + (F(rng.randint(-10, 110)) * size / 100,)
+        if rng.random() < 0.5:
+            p = tuple(x / 3 for x in p)
+        excess = body.excess(*polar(p))
+        if abs(excess) > D("1e-8") * dec(size):
+            wanted.append((p, "out" if excess > 0 else "in"))
+    with open(points, "w", encoding="ascii") as file:
+        file.write("x,y,z\n" + "".join(",".join(str(a + b) for a, b in zip(p, at)) + "\n" for p, _ in wanted))
+    done = harness.run([graze, "classify", solid, os.path.join(folder, "rest.json"), points])
+    rows = [line.split(",") for line in done.stdout.split("\n") if line and line[0] not in "#x"]
+    check(len(rows) == len(wanted), words, done.stderr)
+    for row, (p, want) in zip(rows, wanted):
+        check(row[3] == want, words, *p, row[3], want)
+
+
 def main():
     args = options(__doc__, seed=1)
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "move.json"), "w", encoding="ascii") as file:
             file.write(MOVE)
+        with open(os.path.join(folder, "rest.json"), "w", encoding="ascii") as file:
+            file.write(MOVE.replace("8*t", "0"))
         for tool in TOOLS:
             test_tool(args.graze, folder, args.random, tool)
+            test_exact(args.graze, folder, args.random, tool)
+        # Corners that are wider than the bottom: their torus meets itself.
+        for tool in (("cutter", "10", "20", "4", "0", None), ("cutter", "10", "20", "2.5", "0", None), ("cutter", "10", "7", "4", "0", None)):
+            test_exact(args.graze, folder, args.random, tool)
     test_moved(args.graze)
     checks.finish()
 

@@ -11,7 +11,7 @@
 #include "program/run/waiting.h"
 
 static const char solid_help[] =
-    "graze solid KIND ...: the polyhedron of a tool or a simple body, as OFF\n"
+    "graze solid KIND ...: a tool or a simple body: a polyhedron as OFF, or exactly\n"
     "\n"
     "  cutter --diameter D --length L [--corner R] [--taper A]   a milling tool: its tip is the\n"
     "                       origin, its axis z; R = D/2 is a ball end; A degrees between side and\n"
@@ -23,6 +23,7 @@ static const char solid_help[] =
     "  --tolerance E        no point of the surface is further from the true one (D/200)\n"
     "  --inside FILE        the polyhedron that is a part of the body (standard output)\n"
     "  --outside FILE       the one that the body is a part of; with --inside both\n"
+    "  --exact              the body itself as .csg.json, no polyhedron\n"
     "  --at X,Y,Z           moved by this\n"
     "  --limit NAME=V       cells 100000000, digits 10000\n"
     "\n"
@@ -36,6 +37,7 @@ typedef struct solid_options {
     context_options context;
     const char *own[OWN]; /* NULL: not given */
     const char *inside, *outside;
+    int exact;
 } solid_options;
 
 static const option_entry solid_table[] = {
@@ -48,6 +50,7 @@ static const option_entry solid_table[] = {
     [AT] = OPTION("at", solid_options, own[AT], value_text),
     [OWN] = FILE_WRITTEN("inside", solid_options, inside),
     FILE_WRITTEN("outside", solid_options, outside),
+    FLAG("exact", solid_options, exact, value_flag),
     OPTION("limit", solid_options, context.limits, value_limit),
     {NULL, OPTION_FLAG, NULL, 0}};
 
@@ -115,10 +118,14 @@ static int make_shape(const solid_options *o, graze_context *context, int kind) 
                          .corner = number[CORNER][0],
                          .taper = number[TAPER][0],
                          .at = number[AT]};
+    graze_status made = GRAZE_OK;
+    if (!status && o->exact)
+        made = graze_solid_write_exact_shape(&inside, &report, context, &shape);
+    else if (!status)
+        made = graze_solid_write_shape(&inside, &outside, &report, context, &shape,
+                                       number[TOLERANCE][0]);
     if (!status)
-        status = complain_of_use(graze_solid_write_shape(&inside, &outside, &report, context,
-                                                         &shape, number[TOLERANCE][0]),
-                                 context);
+        status = complain_of_use(made, context);
     if (!status)
         status = write_solid(o, inside, outside, report);
     graze_free(inside);
@@ -139,6 +146,9 @@ static int run_solid(void *options, const operands *given) {
         return complain(EXIT_USAGE,
                         "solid takes box, ball, cylinder or cutter; see graze solid --help");
     int status = check_own(kind, o->own);
+    if (!status && o->exact && (o->own[TOLERANCE] || o->inside || o->outside))
+        status = complain(EXIT_USAGE, "--exact writes no polyhedron: it takes no --tolerance, "
+                                      "--inside or --outside");
     if (!status)
         status = context_make(&context, &o->context);
     if (!status)
