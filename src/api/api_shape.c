@@ -137,7 +137,7 @@ graze_status graze_solid_write_shape(char **inside, char **outside, char **repor
 }
 
 /* The node of a shape, and what of it is not exact. */
-static graze_status make_exact(text *made, text *report, graze_context *context,
+static graze_status write_body(text *made, text *report, graze_context *context,
                                const graze_shape *given) {
     fmpq *size = _fmpq_vec_init(3);
     tool s;
@@ -182,7 +182,7 @@ graze_status graze_solid_write_exact_shape(char **out, char **report, graze_cont
     const fmpq *moved = still ? NULL : at;
     tool_csg_begin(made, moved);
     if (!status)
-        status = make_exact(made, made + 2, context, shape);
+        status = write_body(made, made + 2, context, shape);
     tool_csg_end(made, moved);
     _fmpq_vec_clear(at, 3);
     if (!status)

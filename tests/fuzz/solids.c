@@ -210,6 +210,7 @@ int fuzz_csg(const uint8_t *data, size_t size) {
                graze_solid_surface_count(solid) < 1u << 20);
         EXPECT(graze_motion_from_json(&motion, context, text, strlen(text)) == GRAZE_OK);
         EXPECT(graze_scene_create(&scene, context, solid, motion, NULL) == GRAZE_OK);
+        EXPECT(graze_scene_ends(scene) <= GRAZE_ENDS_UNDECIDED);
         int bounded = graze_solid_bounded(solid);
         status = graze_solid_box(low, high, context, solid);
         EXPECT(status == (bounded ? GRAZE_OK : GRAZE_EINPUT));
