@@ -89,7 +89,3 @@ class Solids(unittest.TestCase):
             S(common.CUBE) | S.ball(1)
         with self.assertRaisesRegex(ValueError, "at least one"):
             S.polynomial({})
-
-
-if __name__ == "__main__":
-    unittest.main()
