@@ -49,7 +49,7 @@ def check_tables(tally, programs, case, files, table):
         check_wrong(tally, programs, case, files, folder, lines[:first - 1] + [",".join(names)] + lines[first:], "name")
     for k, line in enumerate(lines[:first - 1]):
         key = line.split()[1]
-        if key not in ("graze", "overlap", "ends-meet"):
+        if key not in ("graze", "overlap", "coordinates", "ends-meet"):
             wrong = " ".join(line.split()[:2] + ["other"])
             check_wrong(tally, programs, case, files, folder, lines[:k] + [wrong] + lines[k + 1:], key)
             check_wrong(tally, programs, case, files, folder, lines[:k] + lines[k + 1:], "no " + key)

@@ -123,6 +123,23 @@ def figures(graze, folder, golden, names, rows, seed):
     return report
 
 
+def counts_as_floats(graze, folder, golden, names, rows):
+    """Counts as pandas and numpy write them are these counts; a half is none."""
+    candidate = os.path.join(folder, "floats.csv")
+    order = [n for n in names if n in ("x", "y", "z")] + ["i", "t"]
+    for form in ("%.1f", "%.18e", "%.0f."):
+        write_table(candidate, order, [dict(r, i=form % int(r["i"]), t=form % int(r["t"])) for r in rows])
+        status, out, said = run(graze, "compare", golden, candidate, "--format", "json")
+        check(status == 0 and json.loads(out)["wrong"] == 0, form, status, said)
+    write_table(candidate, order, [dict(r, t="1.0" if r["t"] == "0" else "0.0") for r in rows])
+    status, out, _ = run(graze, "compare", golden, candidate, "--format", "json")
+    check(status == 1 and json.loads(out)["wrong-by-column"]["t"] == len(rows), "other counts", out[:300])
+    for wrong in ("1.5", "nan", "-1.0", "1e999999999"):
+        write_table(candidate, order, [dict(rows[0], t=wrong)])
+        status, _, said = run(graze, "compare", golden, candidate)
+        check(status == 3 and f"floats.csv:2: t: '{wrong}' is no answer; expected a whole number" in said, wrong, said)
+
+
 def explanations(graze, folder, golden, names, rows, scene):
     """The command beside a disagreement runs, and its answer is the golden one."""
     candidate = os.path.join(folder, "candidate.csv")
@@ -300,6 +317,7 @@ def main():
             check(len(rows) == 400, scene, len(rows))
             for round_ in range(int(15 * args.scale)):
                 figures(graze, folder, golden, names, rows, args.seed + round_)
+            counts_as_floats(graze, folder, golden, names, rows)
             explanations(graze, folder, golden, names, rows, scene)
             order_of_rows(graze, folder, golden, names, rows)
             written_otherwise(graze, folder, golden, names, rows)

@@ -57,9 +57,11 @@ def rounded(value, digits):
 def as_given(graze, folder):
     path = folder / "given.csv"
     want = points(path, TOKENS)
-    head, names, plain = table(call(graze, "classify", *PLANE, path)[0])
-    got = table(call(graze, "classify", *PLANE, path, "--coordinates", "as-given", "--jobs", "3")[0])
-    check(got[0] == head[:-2] + ["# coordinates as-given"] + head[-2:] or "# coordinates as-given" in got[0], got[0])
+    head, names, plain = table(call(graze, "classify", *PLANE, path, "--coordinates", "exact")[0])
+    text = call(graze, "classify", *PLANE, path, "--coordinates", "as-given", "--jobs", "3")[0]
+    check(text == call(graze, "classify", *PLANE, path)[0], "the default")
+    got = table(text)
+    check("# coordinates as-given" in got[0], got[0])
     check([line for line in got[0] if "coordinates" not in line] == head, "the rest of the head", got[0], head)
     check(got[1] == names, names)
     check([tuple(row[:2]) for row in got[2]] == want, "tokens", [row[:2] for row in got[2]])
@@ -68,6 +70,16 @@ def as_given(graze, folder):
     path.write_text('note;"y";x\n' + "".join(f'n;"{b}"; {a} \n' for a, b in want))
     again = table(call(graze, "classify", *PLANE, path, "--coordinates", "as-given")[0])
     check([tuple(row[:2]) for row in again[2]] == want, "quoted", again[2][:3])
+
+
+def exact_by_default(graze, folder):
+    """Tables beside certificates, of rounded points and of grids, and all forms but CSV, as with exact coordinates."""
+    path, proof = folder / "exact.csv", folder / "proof"
+    points(path, TOKENS)
+    for words in ([path, "--certify", proof], [path, "--round", "binary64"], ["--grid", "3,3"], [path, "--format", "jsonl"],
+                  [path, "--format", "vtk"], [path, "--format", "npy"]):
+        text = call(graze, "classify", *PLANE, *words)[0]
+        check(text == call(graze, "classify", *PLANE, *words, "--coordinates", "exact")[0] and "as-given" not in text, words)
 
 
 def as_decimal(graze, folder):
@@ -127,7 +139,7 @@ def parts(graze, folder, form):
     _, said = call(graze, "classify", *SPACE, path, *form, "--resume", cut, status=3)
     check("cut.csv:21: `7," in said and "expected a table of this run" in said, said)
     again = call(graze, "classify", *SPACE, whole)[0]
-    check(len(again.splitlines()) == len(lines) - 1 and "column" not in again, "as points", form)
+    check(len(again.splitlines()) == len(lines) and "column" not in again, "as points", form)
     started = ranks(checks, graze, 3)
     if started:
         done = run([*started, *SPACE, path, *form], 300, env=MPI_ENVIRONMENT)
@@ -169,6 +181,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="graze-coordinates-") as name:
         folder = pathlib.Path(name)
         as_given(graze, folder)
+        exact_by_default(graze, folder)
         as_decimal(graze, folder)
         for form in (["as-given"], ["decimal"], ["decimal", "--digits", "3"]):
             parts(graze, folder, ["--coordinates", *form])

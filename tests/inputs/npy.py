@@ -36,13 +36,26 @@ def npy(rows, columns, type_="<f8", fortran=False, version=1):
 
 
 def same(graze, folder, scene, rows, type_="<f8", fortran=False, words=()):
-    """An array as .npy and as text give the same bytes."""
+    """An array as .npy and as text give the same bytes but for checksums of their lines; by default rows have the
+    values as decimals."""
     path, text = folder / "points.npy", folder / "points.csv"
     path.write_bytes(npy(rows, 3 if scene is SPACE else 2, type_, fortran))
     text.write_text("".join(",".join(str(Fraction(x)) for x in row) + "\n" for row in rows))
-    got, want = classify(graze, scene, path, *words), classify(graze, scene, text, *words)
+    form = () if {"--format", "--round", "--coordinates"} & set(words) else ("--coordinates", "exact")
+    got, want = classify(graze, scene, path, *words, *form), classify(graze, scene, text, *words, *form)
     check(got.returncode == want.returncode == 0, type_, fortran, words, got.stderr, want.stderr)
-    check(got.stdout == want.stdout and "# complete " in got.stdout, type_, fortran, words, got.stdout[-300:])
+    check(unsummed(got.stdout) == unsummed(want.stdout) and "complete " in got.stdout + "complete " * ("--format" in words),
+          type_, fortran, words, got.stdout[-300:])
+    if form:
+        table, d = classify(graze, scene, path, *words).stdout.splitlines(), 3 if scene is SPACE else 2
+        exact = [line.split(",")[:d] for line in got.stdout.splitlines() if line[0] in "-0123456789"]
+        given = [line.split(",")[:d] for line in table if line[0] in "-0123456789"]
+        check("# coordinates as-given" in table and not any("/" in x for row in given for x in row), type_, table[:15])
+        check([[Fraction(x) for x in row] for row in given] == [[Fraction(x) for x in row] for row in exact], type_, given[:3])
+
+
+def unsummed(table):
+    return [line for line in table.splitlines() if "-checksum " not in line]
 
 
 def values(random, type_):
@@ -135,8 +148,6 @@ def refused(graze, folder):
     with open(path, "rb") as file:
         done = run([graze, "classify", *map(str, PLANE), "-"], 60, stdin=file)
     check(done.returncode == 3 and "is a .npy file, which is no text and is read by its name" in done.stderr, done.stderr)
-    done = classify(graze, PLANE, path, "--coordinates", "as-given")
-    check(done.returncode == 2 and "a .npy file has no numbers as text" in done.stderr, done.stderr)
     done = classify(graze, PLANE, path, "--output", str(path))
     check(done.returncode == 2 and "which is read; expected another file" in done.stderr, done.stderr)
 

@@ -24,9 +24,12 @@ def scenes(bench):
     yield "no points", [*SQUARE, bench.file("none.csv", b"x,y\n")]
 
 
+EXACT = ["--coordinates", "exact"]  # as the table beside a certificate is
+
+
 def plain(words):
-    """Those of a table without a certificate."""
-    return [word for word in words if word != "--times"]
+    """Those of a table with the bytes of one beside a certificate."""
+    return [word for word in words if word != "--times"] + EXACT
 
 
 def cut(certificate):
@@ -53,7 +56,8 @@ def check_whole(bench):
         bench.check((done.returncode, done.stdout) == (0, f"verified: {count} rows\n"), f"{name}: verified", done.stderr)
         beside = bench.folder / "beside.txt"
         for more in (["--format", "csv"], ["--format", "jsonl"], ["--format", "npy"], ["--topo"]):
-            _, table, note = bench.run("classify", *plain(words), *more)
+            forms = plain(words) if more[-1] in ("csv", "--topo") else plain(words)[:-len(EXACT)]
+            _, table, note = bench.run("classify", *forms, *more)
             status, both, its_note = bench.run("classify", *words, *more, "--certify", beside)
             bench.check((status, both, its_note) == (0, table, note) and beside.read_bytes() == whole, f"{name}: with a table {more}")
 
@@ -182,7 +186,7 @@ def check_changes(bench, words, changes):
 def check_refused(bench):
     """Files that do not belong together."""
     words = next(scenes(bench))[1]
-    whole, table = bench.good("certify", *words), bench.good("classify", *words)
+    whole, table = bench.good("certify", *words), bench.good("classify", *words, *EXACT)
     head, rows, _ = cut(whole)
 
     def refused(status, says, *given):
@@ -224,7 +228,7 @@ def check_bad_point(bench):
     status, _, err = bench.run("classify", *CUBE, points, "-o", paths[0], "--certify", paths[1])
     bench.check(status == 3 and b"bad.csv:4" in err and err.count(b"\n") == 1, "the row is named once", status, err)
     good = bench.file("good.csv", b"x,y,z\n5,1,1\n5,1,2\n")
-    wanted = [bench.good(c, *CUBE, good) for c in ("classify", "certify")]
+    wanted = [bench.good("classify", *CUBE, good, *EXACT), bench.good("certify", *CUBE, good)]
     for path, whole in zip(paths, wanted):
         bench.check(path.read_bytes() == whole[:whole.rindex(b"complete")].removesuffix(b"# "), f"{path.name} has two rows")
 

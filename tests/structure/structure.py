@@ -43,7 +43,8 @@ RANK = {room: rank for rank, (_, floor) in enumerate(FLOORS) for room in floor}
 WING = {room: wing for wing, floor in FLOORS for room in floor}
 COMMANDS = {"run", "cli", "mpi"}
 # Small tools that the commands use beside the public header and table/.
-TOOLS = {"src/base/context/array.h", "src/base/context/slots.h", "src/base/number/text.h"}
+TOOLS = {"src/base/context/array.h", "src/base/context/slots.h", "src/base/context/spelling.h",
+         "src/base/number/text.h"}
 # Rooms that the commands include headers of, beside their own.
 SHARED = {"table", "delimited"}
 # Rooms that are built only where their library is installed.

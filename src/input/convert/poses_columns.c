@@ -5,6 +5,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include "base/context/spelling.h"
 
 /* The first line, and where messages say it stands. */
 typedef struct naming {
@@ -47,6 +48,30 @@ static int next_naming(field *name, field *column, const char **at) {
     return 1;
 }
 
+/* The first name of the file that is near to a missing one; empty where none is. */
+static field near_name(const naming *n, field missing) {
+    char wanted[32];
+    const char *name = wanted;
+    size_t length = missing.length < sizeof wanted ? missing.length : 0;
+    memcpy(wanted, missing.start, length);
+    wanted[length] = '\0';
+    for (size_t i = 0; i < n->first->count; i++) {
+        field one = field_content(n->first->item[i]);
+        if (near_among(one.start, one.length, &name, 1))
+            return one;
+    }
+    return (field){"", 0};
+}
+
+static graze_status refuse_missing(const naming *n, field column) {
+    field meant = near_name(n, column);
+    return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                           "the column '%.*s' is missing; expected it among the names of this "
+                           "line%s%.*s%s",
+                           FIELD_SHOWN(column), meant.length ? "; did you mean " : "",
+                           FIELD_SHOWN(meant), meant.length ? "?" : "");
+}
+
 /* Take the columns that the caller names. */
 static graze_status take_given(const naming *n) {
     const char *at = n->given->columns;
@@ -62,10 +87,7 @@ static graze_status take_given(const naming *n) {
                                 "angle of the machine",
                                 FIELD_SHOWN(name));
         if (place < 0)
-            return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
-                                   "the column '%.*s' is missing; expected it among the names of "
-                                   "this line",
-                                   FIELD_SHOWN(column));
+            return refuse_missing(n, column);
         if (n->out->place[k] >= 0)
             return context_fail(n->context, GRAZE_EUSE, "columns: %s is named twice; expected once",
                                 pose_column_name(k, n->given->order));
@@ -121,17 +143,23 @@ static graze_status refuse_stamp(const naming *n, field name) {
 
 static graze_status refuse_name(const naming *n, field name) {
     static const char letters[] = "ABCabc";
+    text meant;
     if (name.length == 1 && strchr(letters, *name.start) && !n->given->order)
         return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
                                "the column '%.*s' is an angle, whose meaning depends on the "
                                "machine; expected its name: kuka, cnc, ...",
                                FIELD_SHOWN(name));
-    return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
-                           "the column '%.*s' is unknown; expected t (time, timestamp), x,y,z "
-                           "(tx, pos_x, position.x, ...), qw,qx,qy,qz (orientation.w, ...), i,j,k, "
-                           "or m00 to m33, in any order; other columns are named as one of these, "
-                           "or as ignored",
-                           FIELD_SHOWN(name));
+    text_init(&meant);
+    pose_name_meant(&meant, name);
+    graze_status status =
+        context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                        "the column '%.*s' is unknown; expected t (time, timestamp), x,y,z "
+                        "(tx, pos_x, position.x, ...), qw,qx,qy,qz (orientation.w, ...), i,j,k, "
+                        "or m00 to m33, in any order; other columns are named as one of these, "
+                        "or as ignored%s",
+                        FIELD_SHOWN(name), meant.data ? meant.data : "");
+    text_clear(&meant);
+    return status;
 }
 
 /* Seconds and nanoseconds are one time: where the caller names one, no other column adds to it. */

@@ -5,6 +5,7 @@
 
 #include <string.h>
 #include <strings.h>
+#include "base/context/spelling.h"
 
 /* Names that stand alone. */
 static const struct {
@@ -121,4 +122,23 @@ int pose_name_is_idle(field name) {
 
 int pose_name_is_stamp(field name) {
     return pose_name_is(take_name_part(&name), "stamp");
+}
+
+static const char *near_in_list(field f, const char *const *list) {
+    size_t count = 0;
+    while (list[count])
+        count++;
+    return near_among(f.start, f.length, list, count);
+}
+
+void pose_name_meant(text *out, field name) {
+    static const char axes[] = "wxyzWXYZ";
+    field last = take_name_part(&name), before = take_name_part(&name);
+    int is_axis = last.length == 1 && strchr(axes, *last.start);
+    const char *meant = near_in_list(is_axis ? before : last, is_axis ? rotations : times);
+    if (!meant)
+        meant = near_in_list(is_axis ? before : last, is_axis ? positions : parts);
+    if (meant)
+        text_format(out, is_axis ? "; did you mean %s.%.*s?" : "; did you mean %s?", meant,
+                    FIELD_SHOWN(last));
 }

@@ -4,6 +4,7 @@
 #ifndef GRAZE_CONVERT_POSES_NAMES_H
 #define GRAZE_CONVERT_POSES_NAMES_H
 
+#include "base/number/text.h"
 #include "input/convert/poses_angles.h"
 #include "input/delimited/field.h"
 
@@ -30,6 +31,9 @@ const char *pose_column_name(int column, const angle_order *order);
  * @param order names of the angles; NULL: there are none
  */
 int pose_column_of(field name, const angle_order *order);
+
+/** Add `; did you mean NAME?` where a name that stands for no column is near to one that does. */
+void pose_name_meant(text *out, field name);
 
 /** Are a name of a file and one of these equal but for large and small letters? */
 int pose_name_is(field name, const char *known);

@@ -18,11 +18,15 @@ column grouping_column(grouping g) {
 }
 
 static graze_status check_golden(const table *t) {
-    if (t->where[COLUMN_PMC] < 0 || !t->dimension)
-        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, 0,
-                               "has no column %s; expected a table that graze classify wrote",
-                               t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y");
-    return GRAZE_OK;
+    static const char *const pmc = "pmc";
+    char meant[TABLE_MEANT] = "";
+    if (t->where[COLUMN_PMC] >= 0 && t->dimension)
+        return GRAZE_OK;
+    if (t->where[COLUMN_PMC] < 0)
+        table_meant(meant, t, &pmc, 1);
+    return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, 0,
+                           "has no column %s; expected a table that graze classify wrote%s",
+                           t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y", meant);
 }
 
 /* Check that both tables are of one scene and one set of options. */
@@ -43,11 +47,15 @@ static graze_status check_notes(const table *golden, const table *candidate) {
 /* Choose the columns to judge: those that the candidate has and the golden table can judge. */
 static graze_status choose_columns(graze_comparison *c, const table *golden,
                                    const table *candidate) {
+    static const char *const answers[] = {"sdf", "pmc", "class", "word"};
     int sdf = c->options.has == GRAZE_HAS_SDF, any = 0;
+    char meant[TABLE_MEANT];
+    table_meant(meant, candidate, sdf ? answers : answers + 1, sdf ? 1 : 3);
     if (sdf && candidate->where[COLUMN_SDF] < 0)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
                                "has no column sdf; expected a signed distance in a column of that "
-                               "name");
+                               "name%s",
+                               meant);
     for (int k = 0; k < JUDGED_SDF; k++) {
         column which = judged_column(k);
         if (!judged_of(k, 0))
@@ -63,11 +71,12 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
     }
     if (!any)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "has no column that can be judged; expected one of %s",
+                               "has no column that can be judged; expected one of %s%s",
                                c->options.question == GRAZE_QUESTION_OPEN &&
                                        !c->options.motion_error
                                    ? "pmc, class, i, t, word"
-                                   : "pmc (or sdf)");
+                                   : "pmc (or sdf)",
+                               meant);
     return values_choose(c, golden);
 }
 

@@ -38,7 +38,7 @@ static int index_of(field f, const char *const *words, int count) {
     return -1;
 }
 
-static int read_whole(unsigned long *out, field f) {
+static int read_digits(unsigned long *out, field f) {
     char text[24], *end;
     if (!f.length || f.length > 18 || *f.start < '0' || *f.start > '9')
         return 0;
@@ -46,6 +46,19 @@ static int read_whole(unsigned long *out, field f) {
     text[f.length] = '\0';
     *out = strtoul(text, &end, 10);
     return !*end;
+}
+
+/* A count, also as readers of floats write it: 1.0, 2.000e+00. */
+static int read_whole(unsigned long *out, const table *t, field f) {
+    fmpq_t value;
+    if (read_digits(out, f))
+        return 1;
+    fmpq_init(value);
+    int whole = !table_number(value, t->in.context, f) && fmpz_is_one(fmpq_denref(value)) &&
+                fmpz_sgn(fmpq_numref(value)) >= 0 && fmpz_abs_fits_ui(fmpq_numref(value));
+    *out = whole ? fmpz_get_ui(fmpq_numref(value)) : 0;
+    fmpq_clear(value);
+    return whole;
 }
 
 /* The sign of a number token is that of its digits before an exponent or a denominator: no value
@@ -98,9 +111,9 @@ graze_status answer_read(answer *out, const table *t, const table_row *row, cons
             return judged_no_answer(t, row, COLUMN_CLASS,
                                     "regular, fold, fold_boundary, boundary or exterior");
     }
-    if (judged[JUDGED_I] && !read_whole(&out->i, table_field(t, row, COLUMN_I)))
+    if (judged[JUDGED_I] && !read_whole(&out->i, t, table_field(t, row, COLUMN_I)))
         return judged_no_answer(t, row, COLUMN_I, "a whole number");
-    if (judged[JUDGED_T] && !read_whole(&out->t, table_field(t, row, COLUMN_T)))
+    if (judged[JUDGED_T] && !read_whole(&out->t, t, table_field(t, row, COLUMN_T)))
         return judged_no_answer(t, row, COLUMN_T, "a whole number");
     out->word = table_field(t, row, COLUMN_WORD);
     return judged[JUDGED_WORD] ? judged_word(t, row) : GRAZE_OK;
@@ -114,10 +127,10 @@ static int surely_boundary(const table *t, const table_row *row) {
     unsigned long i, tangencies, order;
     const char *flat = t->dimension == 2 ? "edge" : "face";
     field cell = table_field(t, row, COLUMN_CELL);
-    int one = read_whole(&i, table_field(t, row, COLUMN_I)) &&
-              read_whole(&tangencies, table_field(t, row, COLUMN_T)) && i + tangencies == 1;
+    int one = read_whole(&i, t, table_field(t, row, COLUMN_I)) &&
+              read_whole(&tangencies, t, table_field(t, row, COLUMN_T)) && i + tangencies == 1;
     int in_face = cell.length >= 4 && memcmp(cell.start, flat, 4) == 0;
-    int instant = read_whole(&order, table_field(t, row, COLUMN_ORDER)) &&
+    int instant = read_whole(&order, t, table_field(t, row, COLUMN_ORDER)) &&
                   !field_is(table_field(t, row, COLUMN_STRATUM), "break");
     return one && in_face && instant && table_field(t, row, COLUMN_K).length == 0;
 }

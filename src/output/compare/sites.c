@@ -59,20 +59,25 @@ static graze_status sites_options(const graze_compare_options *o, const table *g
 
 graze_status sites_choose(graze_comparison *c, const table *golden, const table *candidate) {
     int any = 0;
+    const char *names[JUDGED_COUNT];
+    size_t count = 0;
+    char meant[TABLE_MEANT];
     for (int k = 0; k < JUDGED_COUNT; k++) {
         if (!judged_of(k, 1))
             continue;
+        names[count++] = judged_name(k);
         int right = golden->where[judged_column(k)] >= 0;
         int given = candidate->where[judged_column(k)] >= 0;
         any |= c->judged[k] = right && given;
         c->lacking[k] = right && !given ? 1 : given && !right ? 2 : 0;
     }
+    table_meant(meant, candidate, names, count);
     if (!any)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
                                "has no column that can be judged; expected one of cell, role, "
                                "theta, contact_order, orientation, left, right, trimmed, status, "
-                               "near, near_in, word, shift that %s has too",
-                               golden->in.name);
+                               "near, near_in, word, shift that %s has too%s",
+                               golden->in.name, meant);
     return sites_options(&c->options, golden);
 }
 

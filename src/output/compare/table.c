@@ -3,10 +3,12 @@
  */
 #include "output/compare/table.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/file.h"
+#include "base/context/spelling.h"
 #include "base/number/rational.h"
 
 static const char *const column_names[COLUMN_COUNT] = {
@@ -133,6 +135,17 @@ char *table_row_text(const table_row *row) {
 graze_status table_named_twice(const table *t, column c) {
     return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->head,
                            "the column line names %s twice; expected once", column_names[c]);
+}
+
+void table_meant(char out[TABLE_MEANT], const table *t, const char *const *names, size_t count) {
+    field rest = {t->names, strlen(t->names)}, one;
+    *out = '\0';
+    while (!*out && rest.start && field_take(&one, &rest)) {
+        one = field_content(one);
+        const char *meant = near_among(one.start, one.length, names, count);
+        if (meant && !field_is(one, meant))
+            snprintf(out, TABLE_MEANT, "; did you mean %s by '%.*s'?", meant, FIELD_SHOWN(one));
+    }
 }
 
 /* Find the columns. The first one of a name counts in a table of Graze, where further columns come

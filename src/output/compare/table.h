@@ -115,6 +115,12 @@ void table_row_clear(table_row *row);
 /** GRAZE_EINPUT: the column line names a column twice. */
 graze_status table_named_twice(const table *t, column c);
 
+/** Room for table_meant. */
+enum { TABLE_MEANT = 112 };
+/** `; did you mean NAME by 'COLUMN'?` of the first column that is nearly one of `count` names; else
+ * nothing. */
+void table_meant(char out[TABLE_MEANT], const table *t, const char *const *names, size_t count);
+
 /** A row as it stands in the file, malloc'ed; NULL when out of memory. */
 char *table_row_text(const table_row *row);
 

@@ -24,8 +24,9 @@ static const char classify_help[] =
     "                       solid, with the motion's pieces and their rows of a log then\n"
     "  --topo               one column more, last: the position relative to the closed sweep\n"
     "  --columns all|pmc    answers: all (default), or pmc alone, which is decided sooner\n"
-    "  --coordinates exact|as-given|decimal   of the points in the table: integers and ratios\n"
-    "                       (default), the numbers as they stand in POINTS, or finite decimals\n"
+    "  --coordinates exact|as-given|decimal   of the points in the table: integers and ratios,\n"
+    "                       the numbers as they stand in POINTS (default of csv, without --round,\n"
+    "                       --grid or --certify), or finite decimals\n"
     "  --digits N           round these to N digits where they are longer\n"
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with its contacts\n"
@@ -127,9 +128,18 @@ static int check_columns(const classify_options *o) {
     return complain(EXIT_USAGE, "%s needs all answers; expected no --columns pmc beside it", more);
 }
 
+/* Rows repeat numbers that were read as they are, unless something asks for exact ones. */
+static coordinate_form default_form(const classify_options *o) {
+    int exact = o->certificate || o->scene.rows.format != GRAZE_FORMAT_CSV ||
+                o->scene.context.rounding || o->grid.sizes;
+    return exact ? COORDINATES_EXACT : COORDINATES_AS_GIVEN;
+}
+
 /* Other forms of coordinates are those of CSV rows, of points that were read as they are. */
-static int check_coordinates(const classify_options *o) {
+static int check_coordinates(classify_options *o) {
     const char *other = NULL;
+    if (o->coordinates.form == COORDINATES_UNSET)
+        o->coordinates.form = default_form(o);
     if (o->coordinates.form == COORDINATES_EXACT)
         return coordinates_check(&o->coordinates);
     if (o->certificate)
@@ -182,7 +192,8 @@ static int run_classify(void *options, const operands *given) {
     return status ? status : classify_run(options);
 }
 
-static const classify_options whole_run = {.shard.part = {0, 1}};
+static const classify_options whole_run = {.shard.part = {0, 1},
+                                           .coordinates.form = COORDINATES_UNSET};
 
 const command command_classify = {.name = "classify",
                                   .options = classify_table,

@@ -5,7 +5,7 @@
  * `explain SOLID MOTION -1 2` needs no `--`.
  */
 #include "program/cli/command.h"
-#include "program/cli/near.h"
+#include "base/context/spelling.h"
 
 #include <ctype.h>
 #include <getopt.h>

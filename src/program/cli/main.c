@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "program/cli/commands.h"
-#include "program/cli/near.h"
+#include "base/context/spelling.h"
 #include "program/run/interrupt.h"
 #include "program/run/memory.h"
 #include "program/run/output.h"

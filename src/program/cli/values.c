@@ -6,6 +6,7 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
+#include "base/context/spelling.h"
 #include "program/run/coordinates.h"
 #include "program/run/load.h"
 #include "program/run/numbers.h"
@@ -47,7 +48,9 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
         strcat(list, k == 0 ? "" : k + 1 < count ? ", " : " or ");
         strcat(list, words[k]);
     }
-    return complain(EXIT_USAGE, "--%s %s: expected %s", name, value, list);
+    const char *meant = near_among(value, strlen(value), words, (size_t)count);
+    return complain(EXIT_USAGE, "--%s %s: expected %s%s%s%s", name, value, list,
+                    meant ? "; did you mean " : "", meant ? meant : "", meant ? "?" : "");
 }
 
 /* The number of a value; -1 if it is none. */

@@ -156,11 +156,6 @@ static int prepare_run(run_state *s, const classify_options *o) {
                           s->l.context);
     if (!status && o->sites.wanted)
         csv_expect_sites(s->points, o->sites.snap);
-    if (!status && o->coordinates.form == COORDINATES_AS_GIVEN && csv_is_array(s->points))
-        status = complain(EXIT_USAGE,
-                          "%s: a .npy file has no numbers as text; expected --coordinates exact or "
-                          "decimal",
-                          o->points);
     if (!status)
         status = make_ring(s, ring_size(o));
     answer_task task = {.context = &o->scene.context,

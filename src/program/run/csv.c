@@ -112,10 +112,6 @@ int csv_ready(csv *c) {
     return c->is_array || stream_ready(&c->in);
 }
 
-int csv_is_array(const csv *c) {
-    return c->is_array;
-}
-
 /* The next line of the file, or the next row of an array as one. */
 static int next_point_line(csv *c, field *line) {
     int status = EXIT_DONE;
@@ -125,7 +121,8 @@ static int next_point_line(csv *c, field *line) {
         return site_columns_fault(&c->fault, &c->columns.sites, c->in.name, 1,
                                   "a .npy file has no names");
     if (!c->array)
-        status = npy_open(&c->array, &c->fault, c->in.fd, c->in.name, c->columns.dimension);
+        status = npy_open(&c->array, &c->fault, c->in.context, c->in.fd, c->in.name,
+                          c->columns.dimension);
     if (!status)
         status = npy_next(c->array, &c->fault, line);
     if (!status)

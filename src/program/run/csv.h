@@ -26,8 +26,6 @@ void csv_expect_sites(csv *c, int snap);
 int csv_fill(csv *c, block *b, unsigned long most);
 /** 1 if csv_fill would return without waiting for its input. May read. */
 int csv_ready(csv *c);
-/** Is it a .npy file? Its rows have no text of their own. */
-int csv_is_array(const csv *c);
 /** The error csv_fill met. */
 const fault *csv_fault(const csv *c);
 /** The columns, fixed once a header or a first row has been read. */

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "program/run/numbers.h"
+#include "program/run/status.h"
 
 /* Rows at hand, and the bytes of the largest of them. */
 enum { ROWS = 4096, ROW_BYTES = 24 };
@@ -22,6 +22,7 @@ enum { ROWS = 4096, ROW_BYTES = 24 };
 struct npy {
     npy_head head;
     int fd, dimension;
+    graze_context *context; /* of decimals; borrowed */
     const char *name;
     unsigned long done, from, to; /* rows handed out; rows from..to are at hand */
     text line;
@@ -75,12 +76,13 @@ static int read_array_head(npy *a, fault *f) {
                      a->name, there, a->head.rows, row);
 }
 
-int npy_open(npy **out, fault *f, int fd, const char *name, int dimension) {
+int npy_open(npy **out, fault *f, graze_context *context, int fd, const char *name, int dimension) {
     npy *a = *out = malloc(sizeof *a);
     if (!a)
         return fault_set(f, EXIT_IO, "out of memory");
     a->fd = fd;
     a->name = name;
+    a->context = context;
     a->dimension = dimension;
     a->done = a->from = a->to = 0;
     text_init(&a->line);
@@ -134,25 +136,30 @@ static double float_of(uint64_t bits, int size) {
     return size == 8 ? wide : (double)narrow;
 }
 
-/* Add a float; 0 if it is no number. */
-static int put_float(npy *a, double value) {
+/* Add a float as the decimal that it is; `k` names its column. */
+static int put_float(npy *a, fault *f, double value, int k) {
+    char *decimal = NULL;
     if (!isfinite(value))
-        return 0;
+        return fault_set(f, EXIT_INPUT, "%s: row %lu: %c: expected a finite number", a->name,
+                         a->done + 1, 'x' + k);
     mpq_set_d(a->value, value);
-    text_owned(&a->line, numbers_text(a->value));
-    return 1;
+    int status = fault_of(f, graze_number_decimal(&decimal, a->context, a->value, 0), a->context,
+                          EXIT_FAULT);
+    text_put(&a->line, status ? "" : decimal);
+    graze_free(decimal);
+    return status;
 }
 
-static int put_array_number(npy *a, uint64_t bits) {
+static int put_array_number(npy *a, fault *f, uint64_t bits, int k) {
     int unused = 64 - 8 * a->head.size;
     if (a->head.kind == 'f')
-        return put_float(a, float_of(bits, a->head.size));
+        return put_float(a, f, float_of(bits, a->head.size), k);
     if (a->head.kind == 'u' || !(bits >> (8 * a->head.size - 1)))
         text_format(&a->line, "%llu", (unsigned long long)bits);
     else /* two's complement: the value is -(2^64 - bits), bits filled up with ones */
         text_format(&a->line, "-%llu",
                     (unsigned long long)(0 - (bits | ~(~UINT64_C(0) >> unused))));
-    return 1;
+    return EXIT_DONE;
 }
 
 int npy_next(npy *a, fault *f, field *line) {
@@ -165,9 +172,7 @@ int npy_next(npy *a, fault *f, field *line) {
     a->line.length = 0;
     for (int k = 0; k < a->dimension && !status; k++) {
         text_put(&a->line, k ? "," : "");
-        if (!put_array_number(a, bits_of(a, a->done - a->from, (size_t)k)))
-            status = fault_set(f, EXIT_INPUT, "%s: row %lu: %c: expected a finite number", a->name,
-                               a->done + 1, 'x' + k);
+        status = put_array_number(a, f, bits_of(a, a->done - a->from, (size_t)k), k);
     }
     if (!status && a->line.failed)
         status = fault_set(f, EXIT_IO, "out of memory");

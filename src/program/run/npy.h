@@ -12,9 +12,9 @@ typedef struct npy npy;
 /** Is the plain file behind this descriptor a .npy file, by its name or its first bytes? */
 int npy_is(int fd, const char *name);
 
-/** Read the head of such a file; file and name are borrowed. npy_close in any case.
+/** Read the head of such a file; context, file and name are borrowed. npy_close in any case.
  * @return EXIT_DONE, or the status of the fault, which names the file */
-int npy_open(npy **out, fault *f, int fd, const char *name, int dimension);
+int npy_open(npy **out, fault *f, graze_context *context, int fd, const char *name, int dimension);
 void npy_close(npy *a);
 
 /**

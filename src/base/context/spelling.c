@@ -1,5 +1,5 @@
 /* The edit distance of short words. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/near.h"
+#include "base/context/spelling.h"
 
 #include <string.h>
 
@@ -32,4 +32,16 @@ void near_take(const char **best, const char *word, const char *name) {
     if (steps <= STEPS && 3 * steps <= (int)strlen(name) &&
         (!*best || steps < near_distance(word, *best)))
         *best = name;
+}
+
+const char *near_among(const char *word, size_t length, const char *const *names, size_t count) {
+    char copy[LONGEST + 1];
+    const char *best = NULL;
+    if (length > LONGEST)
+        return NULL;
+    memcpy(copy, word, length);
+    copy[length] = '\0';
+    for (size_t k = 0; k < count; k++)
+        near_take(&best, copy, names[k]);
+    return best;
 }
