@@ -55,17 +55,17 @@ def csv_of(points):
 
 class SameAnswers(unittest.TestCase):
     def test_tables(self):
-        """Scene.table is what `graze classify` prints, byte for byte, with any number of threads."""
+        """Scene.table is what `graze classify --coordinates exact` prints, byte for byte, with any number of threads."""
         for name, flags, options in WAYS:
             with self.subTest(case=name, options=flags):
                 solid, motion, points, scene = scene_of(name, options)
                 given = [sample.point for sample in scene.generate(300 * common.SCALE, common.SEED)]
                 given += [common.coordinates(row) for row in common.read_rows(points)]
-                want = common.program("classify", *flags, solid, motion, "-", text=csv_of(given))
+                want = common.program("classify", "--coordinates", "exact", *flags, solid, motion, "-", text=csv_of(given))
                 self.assertEqual(scene.table(given), want)
                 self.assertEqual(scene.table(given, jobs=3), want)
         fanned = graze.Scene(solid, motion, triangulate=True)
-        self.assertEqual(fanned.table([]), common.program("classify", "--triangulate", solid, motion, "-",
+        self.assertEqual(fanned.table([]), common.program("classify", "--coordinates", "exact", "--triangulate", solid, motion, "-",
                                                           text=""))
 
     def test_traces_and_rows_as_json(self):

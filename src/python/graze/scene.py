@@ -337,7 +337,7 @@ class Scene:
         return [row for first in sorted(pieces) for row in pieces[first]]
 
     def table(self, points: Any, jobs: Optional[int] = 1, progress: Progress = False) -> str:
-        """The whole table of `graze classify`, a text to be written to a file as it is."""
+        """The whole table of `graze classify --coordinates exact`, a text to be written to a file."""
         head = self._head(f"# triangulate {'yes' if self.solid.triangulate else 'no'}\n")
         rows = self.rows(points, jobs=jobs, progress=progress)
         undecided = sum(row.endswith(",undecided") for row in rows)
