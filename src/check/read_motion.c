@@ -177,11 +177,11 @@ static void read_transform(fraction *entry, source *f, int d) {
 
 /* Up to the transform; the line of a log, which may stand there, changes nothing. */
 static void pass_row(source *f) {
-    size_t row;
     word key = token(f);
     if (word_is(key, "\"row\"")) {
         token_want(f, ":");
-        if (!count_read(&row, token(f)))
+        word row = token(f), digits = word_digits(&row);
+        if (digits.length == 0 || row.length > 0)
             source_fail(f, "a row is the line of a log, an integer");
         token_want(f, ",");
         key = token(f);

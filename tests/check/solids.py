@@ -193,6 +193,7 @@ MOTIONS = {
     "a row too many": SCALE.replace("]]", '], ["0", "0", "0", "1"]]') % "1",
     "a time that is none": PIECE % ("0", "one", "t"),
     "a row that is none": PIECE.replace('], "tr', '], "row": x, "tr', 1) % ("0", "1", "t"),
+    "a row that is none behind digits": PIECE.replace('], "tr', '], "row": 1x, "tr', 1) % ("0", "1", "t"),
     "a row alone": '{"t": ["0", "1"], "row": 1}',
     "a row without its transform": '{"t": ["0", "1"], "row": 1, "t": 2}',
     "a key that is none": PIECE.replace("transform", "map") % ("0", "1", "t"),
