@@ -93,6 +93,17 @@ def facts(graze, folder):
     check(lines[4].startswith("x,y,z,id,stratum,") and lines[5].split(",")[3] == "1", lines[4:])
 
 
+def early(graze, folder):
+    """Where fewer points are found than are asked for, a candidate is told how many there are."""
+    said = os.path.join(folder, "count")
+    script = f'echo $GRAZE_ROWS >{shlex.quote(said)}; tail -n +2 "$1" | wc -l >>{shlex.quote(said)}; printf "pmc\n" >"$2"'
+    harness.run([graze, "validate", CUBE, os.path.join(folder, "move.json"), "-n", "20000", "--strata", "vertex", "--quiet",
+                 "--candidate", shlex.join(["sh", "-c", script, "sh"]) + " {points} {out}"])
+    with open(said, encoding="utf-8") as file:
+        told, rows = map(int, file.read().split())
+    check(told == rows < 20000, "GRAZE_ROWS", told, rows)
+
+
 def missing(graze, folder):
     """Without all rows there is no verdict, and no share of wrong ones."""
     motion = os.path.join(folder, "move.json")
@@ -130,6 +141,7 @@ def main():
             rewritten(graze, folder, python, module, ["x", "y", "z", "id", "pmc"], "id")
             rewritten(graze, folder, python, module, ["pmc"], "order")
         facts(graze, folder)
+        early(graze, folder)
         missing(graze, folder)
         failing(graze, folder)
     checks.finish()

@@ -103,7 +103,7 @@ static int tell_candidate(const validation *v, const validate_options *o) {
     const char *values[] = {numbers[0], numbers[1], numbers[2], v->made.box};
     int status = EXIT_DONE;
     snprintf(numbers[0], sizeof *numbers, "%d", v->made.dimension);
-    snprintf(numbers[1], sizeof *numbers, "%lu", validated_count(o));
+    snprintf(numbers[1], sizeof *numbers, "%lu", v->made.rows);
     snprintf(numbers[2], sizeof *numbers, "%llu", validated_seed(o));
     for (int k = 0; k < 4 && !status; k++)
         status = candidate_tell(names[k], values[k]);

@@ -238,6 +238,7 @@ static int put_samples(maker *m, const generate_options *o) {
         row += is_new != 0;
     }
     progress_end(&line, row, (portion){row, o->count});
+    m->made.rows = row;
     m->made.lost.spent = m->points.spent;
     if (!status && distinct_is_over(&m->points))
         complain(EXIT_DONE, "note: %lu of %lu points were made; no others were found", row,

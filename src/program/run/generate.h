@@ -12,6 +12,7 @@
 typedef struct generated {
     lost_strata lost;
     int dimension;
+    unsigned long rows;
     char *box; /* of the points, low then high, as decimals of up to 17 digits between commas */
 } generated;
 
