@@ -79,10 +79,14 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_poses(char **json, char 
 /** Change signs of quaternions where that makes the way from a pose to the next one shorter. */
 #define GRAZE_POSES_SHORTEST 2u
 
+/** Give pieces, as their `row`, the number of the pose that they lead to, counted from 1 with those
+ * that are not taken, and name poses by it in the report; else it is the line of the file. */
+#define GRAZE_POSES_NUMBERED 4u
+
 /** Options of a motion through poses (rule 6). All pointers are borrowed. */
 typedef struct graze_pose_options {
     size_t size;                /**< sizeof(graze_pose_options) */
-    unsigned flags;             /**< 0, or GRAZE_POSES_AFFINE and GRAZE_POSES_SHORTEST added */
+    unsigned flags;             /**< 0, or a sum of GRAZE_POSES_AFFINE, _SHORTEST and _NUMBERED */
     mpq_srcptr tolerance;       /**< as for graze_motion_write_poses; NULL: 10^-6 */
     const char *const *ignored; /**< names of `ignored_count` columns to pass over */
     size_t ignored_count;

@@ -147,6 +147,7 @@ static graze_status take_poses(pose_choice *out, graze_context *context,
                          .has_from = o->from != NULL,
                          .has_to = o->to != NULL,
                          .every = o->every ? o->every : 1,
+                         .numbered = (o->flags & GRAZE_POSES_NUMBERED) != 0,
                          .text = o->text,
                          .length = o->length};
     fmpq_init(out->from);
@@ -206,7 +207,7 @@ graze_status graze_motion_write_pose_list(char **json, char **report, graze_cont
     graze_status status = api_options(&taken, sizeof taken, context, name, options);
     if (status)
         return status;
-    if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST))
+    if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST | GRAZE_POSES_NUMBERED))
         return api_misuse(context, name, "an unknown flag is set");
     if (taken.angles && !angle_order_of(taken.angles))
         return context_fail(context, GRAZE_EUSE,

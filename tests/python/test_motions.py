@@ -96,7 +96,7 @@ class Motions(unittest.TestCase):
             self.assertEqual(moved_by(motion, (5, 1, 1)), "O")
             self.assertIn('"1/3"', motion.json())
         far = graze.Motion.poses([[0.1, 0, 0, 1, 0, 0, 0], [0.1, 0, 0, -1, 0, 0, -1]], shortest=True, quaternions="wxyz")
-        self.assertIn("signs of quaternions changed at lines 3; 1 in all", far.report)
+        self.assertIn("signs of quaternions changed at poses 2; 1 in all", far.report)
         self.assertIn(f"({F(0.1).numerator} + ", far.json())
         for bad in ([[1, 2, 3]], [IDENTITY, IDENTITY[:3]], [[0, 0, 0, 1, 0, 0, 0], IDENTITY]):
             with self.assertRaises(graze.UseError):
@@ -140,9 +140,12 @@ class Motions(unittest.TestCase):
             path = os.path.join(folder, "log.csv")
             with open(path, "w", encoding="utf-8") as file:
                 csv.writer(file).writerows([columns, *zip(*columns.values())])
-            for source in (Frame(columns), path, pathlib.Path(path)):
-                self.assertEqual(graze.Motion.poses(source, **chosen).json(), wanted)
-                self.assertEqual(graze.Motion.poses(source, columns="t=stamp,x=place", ignore=["load"]).json(), wanted)
+            # Poses of a frame have numbers from 1, those of a file its lines.
+            for source, row in ((Frame(columns), 2), (path, 3), (pathlib.Path(path), 3)):
+                there = wanted.replace('"row": 2', f'"row": {row}')
+                self.assertEqual(there.count(f'"row": {row}'), 1)
+                self.assertEqual(graze.Motion.poses(source, **chosen).json(), there)
+                self.assertEqual(graze.Motion.poses(source, columns="t=stamp,x=place", ignore=["load"]).json(), there)
             for wrong in ({"times": [0, 1]}, {"quaternions": "wxyz"}):
                 with self.assertRaisesRegex(graze.UseError, "a file's columns have names"):
                     graze.Motion.poses(path, **chosen, **wrong)
@@ -151,6 +154,37 @@ class Motions(unittest.TestCase):
             angles = Frame({"x": [0, 4], "y": [0, 0], "z": [0, 0], "a": [0, 90], "b": [0, 0], "c": [0, 0]})
             turned = graze.Motion.poses(angles, angles="kuka")
             self.assertEqual((moved_by(turned, (3, 1, 1)), moved_by(turned, (5, 1, 1))), ("I", "O"))
+
+    def test_numbers_of_logs(self):
+        """A log is read as the program reads it, as doubles or as written: 0.1 is more than a tenth as a double."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "log.csv")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("t,x,y,z\n0,0.1,0,0\n1,0.3,0,0\n")
+            for numbers, start in ((None, F(0.1)), ("binary64", F(0.1)), ("written", F(1, 10))):
+                made = graze.Motion.poses(path, numbers=numbers)
+                by_program = graze.Motion(program("motion", "poses", path, *(["--numbers", numbers] if numbers else [])))
+                self.assertEqual(made.json(), by_program.json(), numbers)
+                self.assertIn(f"{start.numerator}/{start.denominator}", made.json(), numbers)
+            with self.assertRaisesRegex(graze.UseError, "expected 'binary64' or 'written'"):
+                graze.Motion.poses(path, numbers="float")
+            with self.assertRaisesRegex(graze.UseError, "numbers is of a log in a file"):
+                graze.Motion.poses([IDENTITY, QUARTER], numbers="written")
+
+    def test_index(self):
+        """An index with a name is a column; without one times count from 0."""
+        class Indexed(Frame):
+            def __init__(self, columns, name):
+                super().__init__(columns)
+                self.index = type("Index", (), {"name": name})()
+
+            def reset_index(self):
+                return Frame({"t": [10, 15], **{name: self[name] for name in "xyz"}})
+
+        columns = {"x": [0, 2], "y": [0, 0], "z": [0, 0]}
+        for name, ends in (("t", (10, 15)), (None, (0, 1))):
+            piece, = json.loads(graze.Motion.poses(Indexed(columns, name)).json())["pieces"]
+            self.assertEqual(tuple(map(int, piece["t"])), ends)
 
     def test_dyadic(self):
         motion = graze.Motion(common.moved("0.443221*t", "8*t", "0"))

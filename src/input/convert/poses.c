@@ -118,7 +118,7 @@ static void put_keyframes(text *t, const pose_list *list) {
             position[k] = p->matrix[4 * k + 3];
         text_put(t, " {\"t\": \"");
         text_rational(t, p->time);
-        text_format(t, "\", \"row\": %lu, \"position\": ", p->line);
+        text_format(t, "\", \"row\": %lu, \"position\": ", p->row);
         put_vector(t, position, 3);
         if (list->form != POSES_OF_POSITIONS) {
             text_put(t, ", \"quaternion\": ");
@@ -148,7 +148,7 @@ static void put_matrices(text *t, const pose_list *list) {
         text_rational(t, p[0].time);
         text_put(t, "\", \"");
         text_rational(t, p[1].time);
-        text_format(t, "\"], \"row\": %lu, \"transform\": {\"matrix\": [\n", p[1].line);
+        text_format(t, "\"], \"row\": %lu, \"transform\": {\"matrix\": [\n", p[1].row);
         for (int k = 0; k < 12; k++) {
             text_put(t, k % 4 ? "\", \"" : "  [\"");
             put_interpolated(t, p[0].matrix + k, p[1].matrix + k);
@@ -165,38 +165,41 @@ static int is_long_way(const pose *p) {
     return pose_along(p) < 0;
 }
 
-/* Begin or go on with a list of lines, of which the first few are named. */
-static void put_line_number(text *t, size_t count, const char *before, unsigned long line) {
+/* Begin or go on with a list of poses, of which the first few are named. */
+static void put_pose_row(text *t, size_t count, const char *before, const char *what,
+                         const pose *p) {
     enum { NAMED = 10 };
     if (count == 0)
-        text_put(t, before);
+        text_format(t, "%s%s ", before, what);
     if (count < NAMED)
-        text_format(t, "%s%lu", count ? ", " : "", line);
+        text_format(t, "%s%lu", count ? ", " : "", p->row);
     else if (count == NAMED)
         text_put(t, ", ...");
 }
 
 /* Give each quaternion the sign that is nearer to the one before. */
-static void take_short_ways(text *t, pose_list *list) {
+static void take_short_ways(text *t, pose_list *list, int numbered) {
     size_t count = 0;
     for (size_t i = 1; i < list->count; i++) {
         pose *p = list->item + i;
         if (!is_long_way(p))
             continue;
         pose_negate(p);
-        put_line_number(t, count++, "shortest: signs of quaternions changed at lines ", p->line);
+        put_pose_row(t, count++, "shortest: signs of quaternions changed at",
+                     numbered ? " poses" : " lines", p);
     }
     text_format(t, count ? "; %zu in all\n" : "shortest: no sign of a quaternion changed\n", count);
 }
 
-static void report_long_ways(text *t, pose_list *list) {
+static void report_long_ways(text *t, pose_list *list, int numbered) {
     size_t count = 0;
     for (size_t i = 1; i < list->count; i++)
         if (is_long_way(list->item + i))
-            put_line_number(t, count++,
-                            "long way: the signs of the quaternions ask for more than half a turn "
-                            "up to the poses of lines ",
-                            list->item[i].line);
+            put_pose_row(
+                t, count++,
+                "long way: the signs of the quaternions ask for more than half a turn up to the "
+                "poses",
+                numbered ? "" : " of lines", &list->item[i]);
     if (count)
         text_format(t, "; %zu in all; they are kept (`--shortest` changes signs)\n", count);
 }
@@ -232,7 +235,7 @@ static graze_status find_quaternions(conversion *out, graze_context *context, po
     else if (list->form != POSES_OF_QUATERNIONS)
         status = poses_turn(&out->report, context, list, choice->naming.order, tolerance);
     if (!status)
-        (shortest ? take_short_ways : report_long_ways)(&out->report, list);
+        (shortest ? take_short_ways : report_long_ways)(&out->report, list, choice->numbered);
     return status ? status : check_quaternions(context, list);
 }
 

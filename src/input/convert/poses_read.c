@@ -45,6 +45,7 @@ static pose *append_pose(reading *r) {
         fmpq_init(p->quaternion + k);
     fmpq_set_ui(p->time, list->rows, 1);
     p->line = r->line;
+    p->row = r->choice->numbered ? list->rows + 1 : r->line;
     return p;
 }
 

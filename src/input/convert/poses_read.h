@@ -14,6 +14,7 @@ typedef struct pose {
     fmpq quaternion[4]; /* w, x, y, z; at first a tool's axis or angles, and found later of these
                            and of matrices */
     unsigned long line; /* in the file, from 1 */
+    unsigned long row;  /* that its piece has and reports name: the line, or its number from 1 */
 } pose;
 
 /** Poses that are taken, and where they stand. */
@@ -23,6 +24,7 @@ typedef struct pose_choice {
     fmpq_t from, to;     /* times, where there are such ends */
     fmpq_t scale;        /* factor of positions, positive */
     unsigned long every; /* of these poses the first, each so manieth, and the last; from 1 up */
+    int numbered;        /* rows are numbers of poses, those not taken counted too */
     const char *text;    /* read in place of the file; NULL: the file is; borrowed */
     size_t length;
 } pose_choice;

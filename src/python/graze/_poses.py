@@ -16,7 +16,7 @@ from ._library import CPoseOptions, library
 from ._motions import filled, written
 from .errors import GrazeError, UseError, name_argument
 
-_AFFINE, _SHORTEST = 1, 2
+_AFFINE, _SHORTEST, _NUMBERED = 1, 2, 4
 _SHAPES = {(4, 4): 16, (3, 4): 12, (7,): 7}
 _ORDERS = {"wxyz": ["qw", "qx", "qy", "qz"], "xyzw": ["qx", "qy", "qz", "qw"]}
 
@@ -31,6 +31,7 @@ class PoseForm(NamedTuple):
     affine: bool
     shortest: bool
     tolerance: Any
+    numbers: Optional[str]
 
 
 def _text(value: Any) -> str:
@@ -44,6 +45,9 @@ def _listed(values: Any) -> List[Any]:
 
 def _frame(poses: Any) -> Optional[Tuple[List[str], List[List[Any]]]]:
     """Names and rows of a table with named columns, an array of records too; None of what has none."""
+    index = getattr(getattr(poses, "index", None), "name", None)
+    if index is not None and hasattr(poses, "reset_index"):
+        poses = poses.reset_index()  # an index that has a name is a column, such as the time
     names = column_names(poses) or getattr(getattr(poses, "dtype", None), "names", None)
     if names is None:
         return None
@@ -93,7 +97,13 @@ def _list_of_poses(poses: Any, times: Any, quaternions: Optional[str]) -> str:
 def by_poses(poses: Any, times: Any, form: PoseForm,
              limits: "Mapping[str, int] | None") -> Tuple[str, str]:
     """A motion through poses of an array, rows, a frame or a file."""
-    context = Context(settings("none", limits, True))
+    is_file = isinstance(poses, (str, bytes, os.PathLike))
+    if form.numbers not in (None, "binary64", "written"):
+        raise UseError(f"numbers is {form.numbers!r}; expected 'binary64' or 'written'")
+    if form.numbers is not None and not is_file:
+        raise UseError("numbers is of a log in a file; those of arrays and frames are what they are")
+    rounded = is_file and form.numbers != "written"
+    context = Context(settings("binary64" if rounded else "none", limits, True))
     goal = filled([form.tolerance], 1, context, "the tolerance")
     options = CPoseOptions(flags=_AFFINE * form.affine + _SHORTEST * form.shortest,
                            tolerance=goal.address, size=ctypes.sizeof(CPoseOptions))
@@ -106,13 +116,14 @@ def by_poses(poses: Any, times: Any, form: PoseForm,
         options.angles = form.angles.encode()
     ignored = (ctypes.c_char_p * len(form.ignore))(*(name.encode() for name in form.ignore))
     options.ignored, options.ignored_count = ctypes.addressof(ignored), len(form.ignore)
-    if isinstance(poses, (str, bytes, os.PathLike)):
+    if is_file:
         if times is not None or form.quaternions is not None:
             raise UseError("times and quaternions are of arrays; a file's columns have names")
         return written(library().graze_motion_write_pose_list, os.fsencode(poses),
                        ctypes.byref(options), context=context)
     text = _list_of_poses(poses, times, form.quaternions).encode()
     options.text, options.length = text, len(text)
+    options.flags |= _NUMBERED
     try:
         return written(library().graze_motion_write_pose_list, b"poses", ctypes.byref(options),
                        context=context)

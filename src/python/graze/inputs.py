@@ -233,13 +233,14 @@ class Motion:
     def poses(cls, poses: Any, times: Any = None, *, quaternions: "str | None" = None,
               columns: Any = None, angles: "str | None" = None, ignore: Sequence[str] = (),
               affine: bool = False, shortest: bool = False, tolerance: Any = "1e-6",
-              limits: "Mapping[str, int] | None" = None) -> "Motion":
+              numbers: "str | None" = None, limits: "Mapping[str, int] | None" = None) -> "Motion":
         """A motion through poses, linear between them (`graze motion poses`).
 
         Args:
             poses: the path of a log; or a DataFrame or an array of records, whose columns have the
                 names that a log may have; or an array or rows of the shape (n, 4, 4), (n, 3, 4), or
-                (n, 7), a position and a quaternion. A float is the dyadic number it is.
+                (n, 7), a position and a quaternion. A float is the dyadic number it is. An index
+                of a frame that has a name, such as t, is a column too.
             times: n increasing numbers; without them those of the column, else 0, 1, 2, ...
             quaternions: of an array (n, 7): `wxyz`, or `xyzw` as ROS and scipy have them. There is
                 no default: the numbers do not tell.
@@ -249,8 +250,14 @@ class Motion:
             affine: take matrices as they are; else each becomes the nearest rotation, which
                 changes no entry by more than `tolerance`.
             shortest: change signs of quaternions that ask for more than half a turn.
+            numbers: of a log in a file: `binary64`, the doubles that they were printed from, as
+                `graze motion poses` takes them and pandas reads them (default), or `written`.
+
+        The columns first_row and last_row of `Scene(moments=True)`, and the report, name poses of a
+        file by their lines, those of arrays and frames by their numbers, from 1: row k is
+        `poses.iloc[k - 1]`. A piece has the row of the pose that it leads to.
         """
-        form = PoseForm(quaternions, columns, angles, ignore, affine, shortest, tolerance)
+        form = PoseForm(quaternions, columns, angles, ignore, affine, shortest, tolerance, numbers)
         return cls._made(*by_poses(poses, times, form, limits), limits)
 
     def dyadic(self, tolerance: Any = "1e-6") -> "Motion":
