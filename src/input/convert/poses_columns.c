@@ -156,7 +156,7 @@ static graze_status refuse_name(const naming *n, field name) {
                         "the column '%.*s' is unknown; expected t (time, timestamp), x,y,z "
                         "(tx, pos_x, position.x, ...), qw,qx,qy,qz (orientation.w, ...), i,j,k, "
                         "or m00 to m33, in any order; other columns are named as one of these, "
-                        "or as ignored%s",
+                        "or as ignored (`--ignore`)%s",
                         FIELD_SHOWN(name), meant.data ? meant.data : "");
     text_clear(&meant);
     return status;

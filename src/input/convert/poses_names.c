@@ -116,6 +116,8 @@ int pose_column_of(field name, const angle_order *order) {
 }
 
 int pose_name_is_idle(field name) {
+    if (pose_name_is(name, "n") || pose_name_is(name, "f") || pose_name_is(name, "feed"))
+        return 1; /* block number and feed of a tool path */
     field last = take_name_part(&name), before = take_name_part(&name);
     return pose_name_is(last, "seq") || (pose_name_is(last, "id") && pose_name_is(before, "frame"));
 }
