@@ -211,14 +211,27 @@ match_way match_better(const match *m) {
     return by_order && !another_order(m) ? MATCH_ORDER : MATCH_INDEXED;
 }
 
+/* There are no columns to match by, and not as many rows: a golden table has coordinates, so the
+ * candidate lacks those, and one of the two an id. */
+static graze_status unmatched(const match *m) {
+    const table *golden = m->golden.table, *candidate = m->candidate.table;
+    const char *axes = golden->dimension == 2 ? "x, y" : "x, y, z";
+    if (candidate->where[COLUMN_ID] >= 0)
+        return context_fail_in(m->context, GRAZE_EINPUT, golden->in.name, 0,
+                               "%lu rows, and no column id by which they are matched with the %lu "
+                               "of %s, which has no columns %s; expected an id, such columns "
+                               "there, or as many rows",
+                               golden->rows, candidate->rows, candidate->in.name, axes);
+    return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
+                           "%lu rows, and no columns %s or id by which they are matched with "
+                           "the %lu of %s; expected as many, or such columns",
+                           candidate->rows, axes, golden->rows, golden->in.name);
+}
+
 graze_status match_finish(const match *m) {
     const table *golden = m->golden.table, *candidate = m->candidate.table;
     if (!m->key.count && golden->rows != candidate->rows)
-        return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
-                               "%lu rows, and no columns %s or id by which they are matched with "
-                               "the %lu of %s; expected as many, or such columns",
-                               candidate->rows, golden->dimension == 2 ? "x, y" : "x, y, z",
-                               golden->rows, golden->in.name);
+        return unmatched(m);
     if (!m->pairs && m->missing_count && m->extra_count)
         return context_fail_in(m->context, GRAZE_EINPUT, candidate->in.name, 0,
                                "no row is one of %s; expected the same %s; "
