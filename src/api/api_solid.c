@@ -74,6 +74,10 @@ static graze_status read_mesh(soup *input, graze_context *context, const char *p
     if (extension && (!strcasecmp(extension, ".wkt") || !strcasecmp(extension, ".nef3")))
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "only meshes are mended; expected .off, .obj, .ply or .stl");
+    if (csg_is_named(path))
+        return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                               "a curved solid needs no mending; expected a mesh in .off, .obj, "
+                               ".ply or .stl");
     return soup_read(input, context, path);
 }
 

@@ -65,6 +65,8 @@ def main():
         golden = bench.file("g.csv", table.stdout)
         pmc = [line.split(",")[3] for line in table.stdout.splitlines() if not line.startswith(("#", "x"))]
         checks.equal(pmc, ["undecided", "out", "out"], "golden", table.stderr)
+        decided = bench.run("classify", solid, motion, bench.file("d.csv", "0,0,5\n0,0,7\n"))
+        checks.equal((decided.returncode, decided.stderr), (0, ""), "no note of no row")
         for answers, agree, wrong, counts in CANDIDATES:
             rows = "".join(f"{p},{a}\n" for p, a in zip(POINTS.split(), answers))
             given = bench.file("c.csv", "x,y,z,pmc\n" + rows)

@@ -100,10 +100,17 @@ def answers(graze, folder, solid):
     return [line for line in done.stdout.splitlines() if not line.startswith("#")]
 
 
+def is_named(graze, path, flags, mended):
+    """check of a damaged mesh names graze mend where it makes a legal solid, and there alone."""
+    done = run([graze, "check", *flags, str(path), str(MOTION)], 120)
+    check(("graze mend makes a legal solid of it" in done.stderr) == (mended and done.returncode == 1), path, done.stderr)
+
+
 def mend(graze, folder, mesh, *flags, status=0):
     path, out = folder / "damaged.off", folder / "mended.off"
     write(path, mesh)
     out.unlink(missing_ok=True)
+    is_named(graze, path, flags, status == 0)
     done = run([graze, "mend", *flags, str(path), "-o", str(out)], 120)
     check(done.returncode == status and out.exists() == (status == 0), status, done.returncode, done.stdout, done.stderr,
           path.read_text()[:2000])

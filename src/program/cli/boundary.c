@@ -177,6 +177,8 @@ static int run_boundary(void *options, const operands *given) {
     o->scene.motion = given->item[1];
     status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
     if (!status)
+        status = load_straight(l.solid, o->scene.solid, "boundary");
+    if (!status)
         status = sample_boundary(&l, o, box);
     loaded_clear(&l);
     for (int k = 0; k < 6; k++)

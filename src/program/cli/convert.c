@@ -35,7 +35,8 @@ static int name_ends_in(const char *path, const char *ending) {
 }
 
 static int is_solid(const char *path) {
-    static const char *const endings[] = {".off", ".obj", ".ply", ".stl", ".nef3", ".wkt"};
+    static const char *const endings[] = {".off",  ".obj", ".ply",     ".stl",
+                                          ".nef3", ".wkt", ".csg.json"};
     for (size_t k = 0; k < sizeof endings / sizeof *endings; k++)
         if (name_ends_in(path, endings[k]))
             return 1;
@@ -54,11 +55,13 @@ static int convert_solid_file(const convert_options *o, graze_context *context) 
     graze_solid *solid = NULL;
     char *text = NULL;
     graze_status made = graze_solid_read(&solid, context, path, o->solid_flags);
-    if (!made)
+    int refused = made ? EXIT_DONE : load_straight(solid, path, "convert");
+    if (!made && !refused)
         made = graze_solid_text(&text, context, solid);
     int space = graze_solid_dimension(solid) == 3;
-    int status =
-        made ? complain_of(made, context) : put_converted(o, text, space ? ".off" : ".wkt");
+    int status = refused ? refused
+                 : made  ? complain_of(made, context)
+                         : put_converted(o, text, space ? ".off" : ".wkt");
     if (!status)
         complain(EXIT_DONE, "note: %s: %zu vertices and %zu %s, %s", path,
                  graze_solid_vertex_count(solid), graze_solid_facet_count(solid),

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include "program/cli/commands.h"
 #include "program/cli/marks.h"
 #include "program/cli/plane.h"
@@ -115,6 +116,16 @@ static int value_title(void *to, const char *name, const char *value) {
     return value_text(to, name, value);
 }
 
+/* What of a picture takes no curved solid; NULL: nothing. */
+static const char *straight_part(const draw_given *o, int dimension) {
+    size_t length = strlen(o->output);
+    if (length > 5 && strcasecmp(o->output + length - 5, ".html") == 0)
+        return "a page";
+    return dimension == 3                    ? "draw in space"
+           : o->by == GRAZE_DRAW_BY_DISTANCE ? "draw --by distance"
+                                             : NULL;
+}
+
 static int draw_scene(const loaded *l, const draw_given *o, const operands *given, marks *m,
                       frame *f) {
     graze_draw_options what = {
@@ -135,6 +146,9 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
     if (!status)
         status = marks_take_points(m, given->repeated, given->repeated_count, l->context);
     marks_give(&what, m);
+    const char *part = straight_part(o, m->dimension);
+    if (!status && part)
+        status = load_straight(l->solid, o->scene.solid, part);
     if (status)
         return status;
     graze_status drawn = graze_draw(l->context, l->scene, o->output, &what);

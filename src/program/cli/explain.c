@@ -36,8 +36,7 @@ typedef struct explain_given {
 static int draw_point(const loaded *l, const char *file, graze_rationals point,
                       const graze_trace *trace) {
     graze_status status = graze_draw_cones(l->context, l->scene, file, point, trace);
-    return status ? complain(exit_for(status, EXIT_USAGE), "--svg: %s",
-                             graze_context_message(l->context))
+    return status ? complain(exit_for(status, EXIT_USAGE), "--svg: %s", complaint_of(l->context))
                   : EXIT_DONE;
 }
 
@@ -101,6 +100,8 @@ static int run_explain(void *options, const operands *given) {
     o->motion = given->item[1];
     mpq_inits(point[0], point[1], point[2], NULL);
     int status = loaded_read(&l, o, EXIT_INPUT, NULL);
+    if (!status && all->picture)
+        status = load_straight(l.solid, o->solid, "--svg");
     if (!status)
         status = read_coordinates(point, &l, given);
     if (!status)

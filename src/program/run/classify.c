@@ -141,6 +141,8 @@ static int load_scene(run_state *s, const classify_options *o) {
     int status = certified ? load_certifiable(o->scene.solid) : EXIT_DONE;
     if (!status)
         status = receipt_load(&s->l, o->receipt, &o->scene);
+    if (!status && o->sites.wanted)
+        status = load_straight(s->l.solid, o->scene.solid, "contact");
     outputs_init(&s->out, o, &s->l);
     return !status && certified ? loaded_certify(&s->l, &o->scene, o->times) : status;
 }

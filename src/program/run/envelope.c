@@ -97,6 +97,8 @@ int envelope_run(const envelope_options *o) {
         return status;
     status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
     if (!status)
+        status = load_straight(l.solid, o->scene.solid, "envelope");
+    if (!status)
         status = complain_of(graze_envelope_create(&envelope, l.context, l.scene), l.context);
     if (!status)
         status = write_tables(o, &l, envelope);

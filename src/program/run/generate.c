@@ -320,6 +320,8 @@ static int replace_lost(maker *m, const generate_options *o) {
 static int write_points(maker *m, const generate_options *o) {
     int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
     if (!status)
+        status = load_straight(m->l.solid, o->scene.solid, "making points");
+    if (!status)
         status = make_generator(m, o);
     if (!status)
         status = find_lost(m, o);

@@ -3,6 +3,7 @@
  */
 #include "program/run/load.h"
 
+#include <stdio.h>
 #include <string.h>
 #include "program/run/interrupt.h"
 #include "program/run/waiting.h"
@@ -26,6 +27,33 @@ int context_make(graze_context **out, const context_options *o) {
     return status ? complain(EXIT_USAGE, "%s", graze_context_message(*out)) : EXIT_DONE;
 }
 
+int load_straight(const graze_solid *solid, const char *path, const char *what) {
+    if (graze_solid_primitive_count(solid) == 0)
+        return EXIT_DONE;
+    return complain(EXIT_INPUT, "%s: the solid is curved; %s takes polyhedra and polygons", path,
+                    what);
+}
+
+/* Positions and distances are those of polyhedra and polygons. */
+static int check_rows(const graze_solid *solid, const scene_options *o) {
+    if (!o->rows.topo && !(o->rows.sdf > 0))
+        return EXIT_DONE;
+    return load_straight(solid, o->solid, o->rows.topo ? "--topo" : "--sdf");
+}
+
+/* Say why a scene was not read, and name graze mend where it makes a legal solid: it is tried. */
+static int complain_of_scene(graze_status status, const loaded *l, const scene_options *o) {
+    char reason[1 << 13];
+    char *mended = NULL;
+    if (status != GRAZE_EILLEGAL || l->solid)
+        return complain_of(status, l->context);
+    snprintf(reason, sizeof reason, "%s", graze_context_message(l->context));
+    int helps = graze_solid_mend(&mended, NULL, l->context, o->solid, o->solid_flags) == GRAZE_OK;
+    graze_free(mended);
+    return complain(EXIT_INPUT, "%s%s", reason,
+                    helps ? "; graze mend makes a legal solid of it" : "");
+}
+
 int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted) {
     memset(out, 0, sizeof *out);
     int code = context_make(&out->context, &o->context);
@@ -35,6 +63,10 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
         trusted
             ? graze_solid_read_trusted(&out->solid, out->context, o->solid, trusted, o->solid_flags)
             : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
+    if (!status)
+        code = check_rows(out->solid, o);
+    if (code)
+        return code;
     if (!status && *graze_solid_note(out->solid))
         complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
     if (!status)
@@ -47,7 +79,7 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
         status = graze_scene_create(&out->scene, out->context, out->solid, out->motion, &scene);
     if (!status && o->sdf_relative)
         status = graze_scene_width(&out->rows.sdf, out->context, out->scene, o->rows.sdf);
-    code = complain_of(status, out->context);
+    code = complain_of_scene(status, out, o);
     return status == GRAZE_EILLEGAL ? illegal : code;
 }
 
@@ -59,7 +91,8 @@ static int has_ending(const char *path, const char *ending) {
 int load_certifiable(const char *solid) {
     if (has_ending(solid, ".off") || has_ending(solid, ".wkt"))
         return EXIT_DONE;
-    return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt", solid);
+    return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt%s", solid,
+                    has_ending(solid, ".csg.json") ? "" : ", which graze convert makes of it");
 }
 
 const char *load_note(const scene_options *o) {

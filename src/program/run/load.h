@@ -47,6 +47,9 @@ typedef struct loaded {
  *                 or NULL
  */
 int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted);
+/** Refuse a curved solid, which `what`, a command or an option, does not take: EXIT_INPUT, with a
+ * message. */
+int load_straight(const graze_solid *solid, const char *path, const char *what);
 /** Can graze-check read solids of this file's form? EXIT_INPUT, with a message, where it cannot. */
 int load_certifiable(const char *solid);
 /** The line of a table's head that says whether facets were cut. Static. */

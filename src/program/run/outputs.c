@@ -360,13 +360,10 @@ int outputs_close(outputs *out, int status) {
             int closed = results_close(&out->file[kind], ended);
             status = closed != ended && status == ended ? closed : status;
         }
-    if (!status && counts_undecided(out))
-        complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided%s%s",
+    if (!status && out->at.undecided)
+        complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided; graze explain%s says why",
                  out->l->rows.topo ? "the position" : "pmc", out->at.undecided,
-                 out->file[RESULT_TABLE].rows, out->at.undecided ? "; graze explain" : "",
-                 !out->at.undecided  ? ""
-                 : out->l->rows.topo ? " --topo says why"
-                                     : " says why");
+                 out->file[RESULT_TABLE].rows, out->l->rows.topo ? " --topo" : "");
     if (!status && out->o->coordinates.digits)
         complain(EXIT_DONE,
                  "note: coordinates of more than %d digits are rounded; the answers are those of "

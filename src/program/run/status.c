@@ -63,15 +63,22 @@ static int exit_of(graze_status status) {
     }
 }
 
+const char *complaint_of(const graze_context *context) {
+    const char *message = graze_context_message(context);
+    size_t n = strncmp(message, "graze_", 6) ? 0 : strspn(message, "abcdefghijklmnopqrstuvwxyz_");
+    return n && strncmp(message + n, ": ", 2) == 0 ? message + n + 2 : message;
+}
+
 int complain_of(graze_status status, const graze_context *context) {
     int code = exit_of(status);
     if (code == EXIT_DONE || code == EXIT_SIGNAL)
         return code;
-    return complain(code, "%s", graze_context_message(context));
+    return complain(code, "%s",
+                    code == EXIT_FAULT ? graze_context_message(context) : complaint_of(context));
 }
 
 int complain_of_use(graze_status status, const graze_context *context) {
-    return status == GRAZE_EUSE ? complain(EXIT_USAGE, "%s", graze_context_message(context))
+    return status == GRAZE_EUSE ? complain(EXIT_USAGE, "%s", complaint_of(context))
                                 : complain_of(status, context);
 }
 

@@ -25,7 +25,11 @@ int complain(int status, const char *format, ...) __attribute__((format(printf, 
 /** Write no more of what complain is called for with EXIT_DONE: notes. */
 void complain_of_faults_alone(void);
 
-/** Write the context's message; returns the exit status of its cause (EXIT_SIGNAL for a cancel). */
+/** The context's message without the name of the public function that it begins with, which users
+ * of commands do not know. Valid as long as the message. */
+const char *complaint_of(const graze_context *context);
+
+/** Write that message; returns the exit status of its cause (EXIT_SIGNAL for a cancel). */
 int complain_of(graze_status status, const graze_context *context);
 
 /** The same, where GRAZE_EUSE is a fault of the command line: EXIT_USAGE. */
