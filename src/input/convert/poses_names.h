@@ -37,7 +37,8 @@ void pose_name_meant(text *out, field name);
 
 /** Are a name of a file and one of these equal but for large and small letters? */
 int pose_name_is(field name, const char *known);
-/** The end of a name that says nothing of a pose: a counter or a frame. */
+/** A name that says nothing of a pose: a counter, a frame, a block number or feed of a tool path.
+ */
 int pose_name_is_idle(field name);
 /** A message's stamp: seconds in some logs, nanoseconds in others. */
 int pose_name_is_stamp(field name);
