@@ -225,7 +225,7 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_pose_list(NULL, &out, c, "a.csv", NULL));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, NULL, "a.csv", NULL));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, NULL, NULL));
-    graze_pose_options unknown = {.size = sizeof unknown, .flags = 4},
+    graze_pose_options unknown = {.size = sizeof unknown, .flags = 8},
                        unnamed = {.size = sizeof unnamed, .ignored_count = 1};
     graze_pose_options short_one = {.size = 7};
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unknown));
