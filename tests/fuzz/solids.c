@@ -235,6 +235,7 @@ int fuzz_csg(const uint8_t *data, size_t size) {
     graze_motion_destroy(motion);
     graze_solid_destroy(solid);
     graze_context_destroy(context);
-    mpq_clears(point[0], point[1], point[2], NULL);
+    mpq_clears(point[0], point[1], point[2], low[0], low[1], low[2], NULL);
+    mpq_clears(high[0], high[1], high[2], NULL);
     return taken;
 }
