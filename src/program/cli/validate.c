@@ -42,7 +42,7 @@ static const char validate_help[] =
     "                       of the stratum level, unless strata are named\n"
     "  --coordinates exact|decimal, --digits N   of the points: decimals with --representable,\n"
     "                       which readers of CSV take for numbers; else integers and ratios\n"
-    "  --points FILE        these points instead; CMD gets FILE as it is, with an id if that has one\n"
+    "  --points FILE        these points instead; CMD gets FILE as it is\n"
     "  --timeout V          seconds the candidate may take (3600)\n"
     "  --keep DIR           leave points.csv, golden.csv, candidate.csv there\n"
     "  --output NAME        write NAME.md and NAME.json instead of to standard output\n"
