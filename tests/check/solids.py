@@ -286,6 +286,9 @@ def check_motions(tally, programs, folder):
     motion = write(os.path.join(folder, "two.json"), '{"dimension": 3, "pieces": [' + ",".join(halves) + "]}")
     points = write(os.path.join(folder, "points.csv"), "1000,1000,1000\n")
     cut = Certificate(programs.certify(solid, motion, points))
+    logged = write(os.path.join(folder, "logged.json"), '{"dimension": 3, "pieces": ['
+                   + PIECE.replace('], "tr', '], "row": 12345678901, "tr', 1) % ("0", "1", "t") + "]}")
+    verify(tally, programs, folder, "a row of a log", solid, logged, points, "read")
     jump = write(os.path.join(folder, "jump.json"), '{"dimension": 3, "pieces": [' + MOTIONS["a jump"] + "]}")
     check_other(tally, programs, folder, cut, "a jump, everything else right", solid, jump, (REFUTED,))
     gap = write(os.path.join(folder, "gap.json"), '{"dimension": 3, "pieces": [' + PIECE % ("0", "1/2", "t") + ","
