@@ -1,8 +1,8 @@
 #!/bin/bash
 # The tests that take long: lint, both sanitizer builds, coverage by file, long agreement runs, 160,000 points with
 # the filter and without it (10^6 with --scale 50), the filter's decisions falsified, and mutants: all of the rules, and of every
-# room that decides a sample that is another each day. Of 19 at random 15 were
-# noticed. Few are asked in five minutes, so that half must be: less is no chance. Each other one is printed.
+# room that decides a sample that is another each day. Of 19 at random 15 were noticed. Few are asked in five minutes, so half must
+# be, which does not fail by chance; each other one is printed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 failed=0

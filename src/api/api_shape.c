@@ -19,11 +19,9 @@ static graze_status take_number(fmpq_t out, graze_context *context, mpq_srcptr v
     return status;
 }
 
-/* The texts that are asked for. */
-static graze_status finish_shape(char **inside, char **outside, char **report,
-                                 graze_context *context, text *made) {
-    char **to[3] = {inside, outside, report};
-    graze_status status = GRAZE_OK;
+/* The texts that are asked for; none after a failure. */
+static graze_status finish_shape(char **const to[3], graze_context *context, text *made,
+                                 graze_status status) {
     for (int k = 0; k < 3; k++)
         if (to[k] && !status)
             status = text_finish(to[k], context, made + k);
@@ -101,39 +99,48 @@ static graze_status make_box(text *made, graze_context *context, const graze_sha
     return status;
 }
 
+/* Check what every shape needs, and begin three texts and the place, which are the caller's. */
+static graze_status begin_shape(fmpq *at, text *made, graze_context *context, const char *name,
+                                const graze_shape *shape) {
+    int ball = shape->kind == GRAZE_SHAPE_BALL, box = shape->kind == GRAZE_SHAPE_BOX;
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 3; k++)
+        text_init(made + k);
+    if (shape->kind > GRAZE_SHAPE_CUTTER)
+        return api_misuse(context, name, "the kind is that of no shape");
+    if (box ? !shape->box : !shape->diameter || (!ball && !shape->length))
+        return api_misuse(context, name, "a box has three sides, other shapes diameter and length");
+    for (int k = 0; k < 3 && shape->at && !status; k++)
+        status = api_rational(at + k, context, shape->at[k]);
+    return status;
+}
+
+static void clear_shapes(char **const to[3]) {
+    for (int k = 0; k < 3; k++)
+        if (to[k])
+            *to[k] = NULL;
+}
+
 graze_status graze_solid_write_shape(char **inside, char **outside, char **report,
                                      graze_context *context, const graze_shape *shape,
                                      mpq_srcptr tolerance) {
     static const char name[] = "graze_solid_write_shape";
-    char **to[3] = {inside, outside, report};
-    for (int k = 0; k < 3; k++)
-        if (to[k])
-            *to[k] = NULL;
+    char **const to[3] = {inside, outside, report};
+    clear_shapes(to);
     if (!context || !shape)
         return api_misuse(context, name, "context and shape must not be NULL");
-    if (shape->kind > GRAZE_SHAPE_CUTTER)
-        return api_misuse(context, name, "the kind is that of no shape");
-    int box = shape->kind == GRAZE_SHAPE_BOX, ball = shape->kind == GRAZE_SHAPE_BALL;
-    if (box ? !shape->box : !shape->diameter || !tolerance || (!ball && !shape->length))
-        return api_misuse(context, name,
-                          "a box has three sides, other shapes diameter, length and tolerance");
+    int box = shape->kind == GRAZE_SHAPE_BOX;
+    if (!box && !tolerance)
+        return api_misuse(context, name, "a shape that is no box needs a tolerance");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *at = _fmpq_vec_init(3);
     text made[3];
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 3; k++)
-        text_init(made + k);
-    for (int k = 0; k < 3 && shape->at && !status; k++)
-        status = api_rational(at + k, context, shape->at[k]);
+    graze_status status = begin_shape(at, made, context, name, shape);
     if (!status)
         status = box ? make_box(made, context, shape, at)
                      : make_round(made, context, shape, at, tolerance);
     _fmpq_vec_clear(at, 3);
-    if (!status)
-        return finish_shape(inside, outside, report, context, made);
-    for (int k = 0; k < 3; k++)
-        text_clear(made + k);
-    return status;
+    return finish_shape(to, context, made, status);
 }
 
 /* The node of a shape, and what of it is not exact. */
@@ -159,25 +166,14 @@ static graze_status write_body(text *made, text *report, graze_context *context,
 graze_status graze_solid_write_exact_shape(char **out, char **report, graze_context *context,
                                            const graze_shape *shape) {
     static const char name[] = "graze_solid_write_exact_shape";
-    if (out)
-        *out = NULL;
-    if (report)
-        *report = NULL;
+    char **const to[3] = {out, NULL, report};
+    clear_shapes(to);
     if (!out || !context || !shape)
         return api_misuse(context, name, "out, context and shape must not be NULL");
-    if (shape->kind > GRAZE_SHAPE_CUTTER)
-        return api_misuse(context, name, "the kind is that of no shape");
-    int box = shape->kind == GRAZE_SHAPE_BOX, ball = shape->kind == GRAZE_SHAPE_BALL;
-    if (box ? !shape->box : !shape->diameter || (!ball && !shape->length))
-        return api_misuse(context, name, "a box has three sides, other shapes diameter and length");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     fmpq *at = _fmpq_vec_init(3);
     text made[3];
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 3; k++)
-        text_init(made + k);
-    for (int k = 0; k < 3 && shape->at && !status; k++)
-        status = api_rational(at + k, context, shape->at[k]);
+    graze_status status = begin_shape(at, made, context, name, shape);
     int still = fmpq_is_zero(at) && fmpq_is_zero(at + 1) && fmpq_is_zero(at + 2);
     const fmpq *moved = still ? NULL : at;
     tool_csg_begin(made, moved);
@@ -185,9 +181,5 @@ graze_status graze_solid_write_exact_shape(char **out, char **report, graze_cont
         status = write_body(made, made + 2, context, shape);
     tool_csg_end(made, moved);
     _fmpq_vec_clear(at, 3);
-    if (!status)
-        return finish_shape(out, NULL, report, context, made);
-    for (int k = 0; k < 3; k++)
-        text_clear(made + k);
-    return status;
+    return finish_shape(to, context, made, status);
 }

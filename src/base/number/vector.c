@@ -20,3 +20,11 @@ void vector_cross(fmpq *out, const fmpq *a, const fmpq *b) {
         fmpq_submul(out + k, a + j, b + i);
     }
 }
+
+void vector_image(fmpq *out, const fmpq_mat_t map, const fmpq *point, int dimension) {
+    for (int i = 0; i < dimension; i++) {
+        fmpq_set(out + i, fmpq_mat_entry(map, i, dimension));
+        for (int j = 0; j < dimension; j++)
+            fmpq_addmul(out + i, fmpq_mat_entry(map, i, j), point + j);
+    }
+}

@@ -5,11 +5,14 @@
 #define GRAZE_NUMBER_VECTOR_H
 
 #include <flint/fmpq.h>
+#include <flint/fmpq_mat.h>
 
 /** out = a + b, out = a - b; `out` may be either. */
 void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 /** out = a x b, in space; `out` is neither. */
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);
+/** The image of a point under a homogeneous matrix of size d + 1; `out` is another vector. */
+void vector_image(fmpq *out, const fmpq_mat_t map, const fmpq *point, int dimension);
 
 #endif

@@ -10,6 +10,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/number/vector.h"
 
 /* Terms of surfaces that are evaluated, at most, but for the first few points; points of the
  * lattice along each coordinate. */
@@ -26,14 +27,6 @@ typedef struct finder {
     int found;
     graze_status status;
 } finder;
-
-static void transform(fmpq *out, const fmpq_mat_struct *map, const fmpq *point, int d) {
-    for (int i = 0; i < d; i++) {
-        fmpq_set(out + i, fmpq_mat_entry(map, i, d));
-        for (int j = 0; j < d; j++)
-            fmpq_addmul(out + i, fmpq_mat_entry(map, i, j), point + j);
-    }
-}
 
 /* Whether a point is known to be in the interior of the solid. */
 static int is_inner(finder *f, const fmpq *point) {
@@ -56,7 +49,7 @@ static void try_point(finder *f, const fmpq *point) {
     if (f->found || f->status || f->left-- <= 0)
         return;
     fmpq *before = _fmpq_vec_init(d);
-    transform(before, f->inverse, point, d);
+    vector_image(before, f->inverse, point, d);
     f->found = is_inner(f, point) && is_inner(f, before);
     _fmpq_vec_clear(before, d);
     f->status = context_poll(f->context);
@@ -68,7 +61,7 @@ static void try_primitives(finder *f) {
     fmpq *v = _fmpq_vec_init(2 * d), *half = v + d;
     for (size_t k = 0; k < f->solid->primitive_count && f->left > lattice; k++) {
         const fmpq *middle = f->solid->primitive[k].middle;
-        transform(v, f->map, middle, d);
+        vector_image(v, f->map, middle, d);
         for (int i = 0; i < d; i++) {
             fmpq_add(half + i, v + i, middle + i);
             fmpq_div_2exp(half + i, half + i, 1);
@@ -108,12 +101,11 @@ static void image_box(csg_box *out, const csg_box *box, const fmpq_mat_struct *m
         fmpq_div_2exp(v + i, v + i, 1);
         fmpq_sub(half + i, &box->high[i], v + i);
     }
+    vector_image(out->low, map, v, d);
     for (int i = 0; i < d; i++) {
-        fmpq_set(&out->low[i], fmpq_mat_entry(map, i, d));
         fmpq_zero(size);
         for (int j = 0; j < d; j++) {
             const fmpq *entry = fmpq_mat_entry(map, i, j);
-            fmpq_addmul(&out->low[i], entry, v + j);
             if (fmpq_sgn(entry) < 0)
                 fmpq_submul(size, entry, half + j);
             else

@@ -15,6 +15,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/number/vector.h"
 #include "decide/scene/common_point.h"
 #include "decide/scene/hash.h"
 #include "decide/scene/meeting.h"
@@ -36,17 +37,8 @@ static void homogeneous_matrix(fmpq_mat_t out, const point_map *map, const fmpq_
 /* The image of a point as homogeneous integers with positive last coordinate. */
 static void image(fmpz *out, const fmpq_mat_t map, const fmpq *point, int d) {
     fmpq *value = _fmpq_vec_init(d);
-    fmpq_t term;
-    fmpq_init(term);
-    for (int row = 0; row < d; row++) {
-        fmpq_set(value + row, fmpq_mat_entry(map, row, d));
-        for (int column = 0; column < d; column++) {
-            fmpq_mul(term, fmpq_mat_entry(map, row, column), point + column);
-            fmpq_add(value + row, value + row, term);
-        }
-    }
+    vector_image(value, map, point, d);
     _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, value, d);
-    fmpq_clear(term);
     _fmpq_vec_clear(value, d);
 }
 

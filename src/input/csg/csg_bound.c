@@ -31,22 +31,16 @@ static void upper_root(fmpq_t out, const fmpq_t value) {
     fmpz_clear(rest);
 }
 
-static void row_product(fmpq_t out, const fmpq *a, const fmpq *b, int d) {
-    fmpq_zero(out);
-    for (int i = 0; i < d; i++)
-        fmpq_addmul(out, a + i, b + i);
-}
-
 /* How far a disk and a ball along it reach in the direction of a form. */
 static void round_reach(fmpq_t out, const fmpq *form, const fmpq *axis, const fmpq_t ball,
                         const fmpq_t disk, int d) {
     fmpq *v = _fmpq_vec_init(3);
-    row_product(v, form, form, d);
+    _fmpq_vec_dot(v, form, form, d);
     upper_root(out, v);
     fmpq_mul(out, out, ball);
     if (!fmpq_is_zero(disk)) {
-        row_product(v + 1, form, axis, d);
-        row_product(v + 2, axis, axis, d);
+        _fmpq_vec_dot(v + 1, form, axis, d);
+        _fmpq_vec_dot(v + 2, axis, axis, d);
         fmpq_mul(v + 1, v + 1, v + 1);
         fmpq_div(v + 1, v + 1, v + 2);
         fmpq_sub(v, v, v + 1);
@@ -71,7 +65,7 @@ void csg_bound_round(csg_reader *r, const fmpq *point, const fmpq *axis, const f
     fmpq *v = _fmpq_vec_init(3), *middle = v, *size = v + 1;
     for (int i = 0; i < d; i++) {
         const fmpq *form = fmpq_mat_entry(r->place, i, 0);
-        row_product(middle, form, point, d);
+        _fmpq_vec_dot(middle, form, point, d);
         fmpq_add(middle, middle, form + d);
         round_reach(size, form, axis, ball, disk, d);
         fmpq_add(v + 2, middle, size);
