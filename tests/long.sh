@@ -12,11 +12,13 @@ stage() {
     local name=$1
     shift
     echo "== $name"
+    local began=$SECONDS
     if "$@"; then passed=$((passed + 1)); else
         failed=$((failed + 1))
         broken+=("$name")
         echo "== $name FAILED"
     fi
+    echo "== $name: $((SECONDS - began)) s"
 }
 under_sanitizers() { # folder, flags
     make -s B="$1" CC=clang CXX=clang++ OPT="-O1 $2 -fno-omit-frame-pointer" "$1/graze" programs &&

@@ -3,11 +3,12 @@
 # FOLDER holds libgraze.so as gcc -fsanitize=thread makes it. The interpreter is an ordinary one that gcc's
 # runtime is loaded into first (clang's, as a shared library, does not start), so that it sees Python's locks
 # too; what the interpreter itself does is not looked at. First it must find a race that is there.
+# The runtime has a dlopen of its own, which does not see where our library looks for pictures: hence LD_LIBRARY_PATH.
 set -eu
 runtime=$(realpath "$(gcc -print-file-name=libtsan.so)")
 python=/usr/bin/python3
 under_sanitizer() {
-    env LD_PRELOAD="$runtime" TSAN_OPTIONS=halt_on_error=1:exitcode=66:ignore_noninstrumented_modules=1 \
+    env LD_PRELOAD="$runtime" LD_LIBRARY_PATH="$(realpath "$1")" TSAN_OPTIONS=halt_on_error=1:exitcode=66:ignore_noninstrumented_modules=1 \
         PYTHONDONTWRITEBYTECODE=1 GRAZE_LIBRARY="$(realpath "$1/libgraze.so")" "$python" "$2" "$3" "$4" "$5"
 }
 gcc -O0 -g -fPIC -shared -fsanitize=thread -o "$1/race.so" tests/python/race.c
