@@ -194,6 +194,30 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_exact_shape(char **out, c
                                                                    graze_context *context,
                                                                    const graze_shape *shape);
 
+/** How OpenSCAD's `.csg` files are taken. Zeros: as they stand. */
+typedef struct graze_scad_options {
+    size_t size;              /**< sizeof(graze_scad_options) */
+    int smooth;               /**< spheres, cylinders, circles and what is revolved are round, also
+                                   with a number of sides, $fn; else they are refused with one */
+    mpq_srcptr near_rotation; /**< positive: a multmatrix is a rotation, times a number, of which
+                                 its linear part over that number is so near in each entry;
+                                 borrowed. NULL: as it stands */
+} graze_scad_options;
+
+/**
+ * Write the solid of an OpenSCAD file, `.csg`, as a `.csg.json` file (graze/curved.h). Without
+ * options graze_solid_read reads such files itself.
+ * @param[out] out    text for graze_free, each node in the line in which the file has it; NULL on
+ * failure
+ * @param[out] report text for graze_free: with `near_rotation` how many maps are taken as rotations
+ * and how far they move a point at most, which is proved; may be NULL
+ * @param options may be NULL
+ * @return as graze_solid_read; GRAZE_EUSE also for a `near_rotation` that is not positive
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_scad_text(char **out, char **report,
+                                                     graze_context *context, const char *path,
+                                                     const graze_scad_options *options);
+
 /**
  * Mend a mesh that bounds no solid, as far as that moves no point: equal vertices become one,
  * facets without area go, edges are split at vertices in their middle, and, where it is not legal

@@ -6,12 +6,15 @@
 #include <string.h>
 #include <strings.h>
 #include "api/api.h"
+#include "api/api_scad.h"
 #include "base/context/environment.h"
+#include "base/context/file.h"
 #include "base/number/rounding.h"
 #include "input/csg/csg_read.h"
 #include "input/mend/mend.h"
 #include "input/read/nesting.h"
 #include "input/read/read.h"
+#include "input/scad/scad_write.h"
 #include "input/solid/create.h"
 #include "input/solid/write_solid.h"
 #include "input/validate/validate.h"
@@ -23,6 +26,8 @@ static graze_status read_solid(graze_solid **out, graze_context *context, const 
     soup input;
     if (csg_is_named(path))
         return solid_create_curved(out, context, path, sha256);
+    if (scad_is_named(path))
+        return api_scad_solid(out, context, path, sha256);
     graze_status status = soup_read(&input, context, path);
     if (status)
         return status;
@@ -65,7 +70,9 @@ graze_status graze_solid_from_csg(graze_solid **out, graze_context *context, con
         return api_misuse(context, "graze_solid_from_csg",
                           "out, context and text must not be NULL");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    return solid_create_curved_text(out, context, text, length);
+    unsigned char sha256[32];
+    file_sha256(sha256, text, length);
+    return solid_create_curved_text(out, context, "solid", text, length, sha256);
 }
 
 /* Read a mesh that may be mended. */
@@ -74,7 +81,7 @@ static graze_status read_mesh(soup *input, graze_context *context, const char *p
     if (extension && (!strcasecmp(extension, ".wkt") || !strcasecmp(extension, ".nef3")))
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "only meshes are mended; expected .off, .obj, .ply or .stl");
-    if (csg_is_named(path))
+    if (csg_is_named(path) || scad_is_named(path))
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "a curved solid needs no mending; expected a mesh in .off, .obj, "
                                ".ply or .stl");

@@ -23,8 +23,8 @@ from scenes import Checks, options  # noqa: E402
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 SCHEMA = os.path.join(ROOT, "src", "program", "cli", "csg.schema.json")
-# What needs sums of powers, or the text of the file.
-UNSEEN = {"powers", "term-twice"}
+# What needs sums of powers, the number of points, or the text of the file.
+UNSEEN = {"powers", "term-twice", "face-without-point"}
 VALIDATE = """
 import json, sys
 import jsonschema

@@ -179,46 +179,25 @@ int fuzz_arrays(const uint8_t *data, size_t size) {
     return taken;
 }
 
-/* A curved solid: its primitives have titles, and a point of a scene is answered or undecided. */
-int fuzz_csg(const uint8_t *data, size_t size) {
+/* A scene of a curved solid: a point is answered or undecided. */
+static void follow_curved(graze_context *context, const graze_solid *solid) {
     static const char *const move[] = {
         "{\"dimension\": 2, \"pieces\": [{\"t\": [-1, 1], \"transform\": {\"translate\": [\"t\", "
         "\"t^2\"]}}]}",
         "{\"dimension\": 3, \"pieces\": [{\"t\": [-1, 1], \"transform\": {\"translate\": [\"t\", "
         "\"t^2\", \"0\"]}}]}"};
-    graze_context *context = fuzz_context();
-    graze_solid *solid = NULL;
+    const char *text = move[graze_solid_dimension(solid) - 2];
     graze_motion *motion = NULL;
     graze_scene *scene = NULL;
     graze_trace *trace = NULL;
     char *row = NULL;
-    mpq_t point[3], low[3], high[3];
-    mpq_inits(point[0], point[1], point[2], low[0], low[1], low[2], NULL);
-    mpq_inits(high[0], high[1], high[2], NULL);
-    graze_status status =
-        graze_solid_read(&solid, context, fuzz_file("solid.csg.json", data, size), 0);
-    int taken = fuzz_taken(status, context, solid);
-    if (taken) {
-        graze_solid *again;
-        EXPECT(graze_solid_from_csg(&again, context, (const char *)data, size) == GRAZE_OK);
-        EXPECT(graze_solid_surface_count(again) == graze_solid_surface_count(solid));
-        graze_solid_destroy(again);
-        const char *text = move[graze_solid_dimension(solid) - 2];
-        size_t primitives = graze_solid_primitive_count(solid);
-        EXPECT(primitives > 0 && graze_solid_vertex_count(solid) == 0);
-        EXPECT(*graze_solid_primitive(solid, primitives - 1) &&
-               graze_solid_surface_count(solid) < 1u << 20);
-        EXPECT(graze_motion_from_json(&motion, context, text, strlen(text)) == GRAZE_OK);
-        EXPECT(graze_scene_create(&scene, context, solid, motion, NULL) == GRAZE_OK);
-        EXPECT(graze_scene_ends(scene) <= GRAZE_ENDS_UNDECIDED);
-        int bounded = graze_solid_bounded(solid);
-        status = graze_solid_box(low, high, context, solid);
-        EXPECT(status == (bounded ? GRAZE_OK : GRAZE_EINPUT));
-        for (int k = 0; bounded && k < graze_solid_dimension(solid); k++)
-            EXPECT(mpq_cmp(low[k], high[k]) < 0);
-        status = graze_trace_create(&trace, context, scene, point);
-        EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
-    }
+    mpq_t point[3];
+    mpq_inits(point[0], point[1], point[2], NULL);
+    EXPECT(graze_motion_from_json(&motion, context, text, strlen(text)) == GRAZE_OK);
+    EXPECT(graze_scene_create(&scene, context, solid, motion, NULL) == GRAZE_OK);
+    EXPECT(graze_scene_ends(scene) <= GRAZE_ENDS_UNDECIDED);
+    graze_status status = graze_trace_create(&trace, context, scene, point);
+    EXPECT(status == GRAZE_OK || status == GRAZE_ELIMIT);
     if (trace) {
         graze_contact where;
         int open = graze_trace_undecided(&where, trace);
@@ -233,9 +212,69 @@ int fuzz_csg(const uint8_t *data, size_t size) {
     graze_trace_destroy(trace);
     graze_scene_destroy(scene);
     graze_motion_destroy(motion);
+    mpq_clears(point[0], point[1], point[2], NULL);
+}
+
+/* A curved solid: its primitives have titles, and its box is one. */
+static void check_curved(graze_context *context, const graze_solid *solid) {
+    mpq_t low[3], high[3];
+    mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
+    size_t primitives = graze_solid_primitive_count(solid);
+    EXPECT(primitives > 0 && graze_solid_vertex_count(solid) == 0);
+    EXPECT(*graze_solid_primitive(solid, primitives - 1) &&
+           graze_solid_surface_count(solid) < 1u << 20);
+    int bounded = graze_solid_bounded(solid);
+    graze_status status = graze_solid_box(low, high, context, solid);
+    EXPECT(status == (bounded ? GRAZE_OK : GRAZE_EINPUT));
+    for (int k = 0; bounded && k < graze_solid_dimension(solid); k++)
+        EXPECT(mpq_cmp(low[k], high[k]) < 0);
+    mpq_clears(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
+    follow_curved(context, solid);
+}
+
+int fuzz_csg(const uint8_t *data, size_t size) {
+    graze_context *context = fuzz_context();
+    graze_solid *solid = NULL, *again = NULL;
+    graze_status status =
+        graze_solid_read(&solid, context, fuzz_file("solid.csg.json", data, size), 0);
+    int taken = fuzz_taken(status, context, solid);
+    if (taken) {
+        EXPECT(graze_solid_from_csg(&again, context, (const char *)data, size) == GRAZE_OK);
+        EXPECT(graze_solid_surface_count(again) == graze_solid_surface_count(solid));
+        check_curved(context, solid);
+    }
+    graze_solid_destroy(again);
     graze_solid_destroy(solid);
     graze_context_destroy(context);
-    mpq_clears(point[0], point[1], point[2], low[0], low[1], low[2], NULL);
-    mpq_clears(high[0], high[1], high[2], NULL);
+    return taken;
+}
+
+/* What is written of a file of OpenSCAD is a solid; with options more files are taken, and those
+ * that are taken without have as many primitives. */
+int fuzz_scad(const uint8_t *data, size_t size) {
+    graze_context *context = fuzz_context();
+    graze_solid *solid = NULL, *made = NULL;
+    char *text = NULL, *report = NULL;
+    mpq_t tolerance;
+    mpq_init(tolerance);
+    mpq_set_ui(tolerance, 1, 1000);
+    const graze_scad_options options = {
+        .size = sizeof options, .smooth = 1, .near_rotation = tolerance};
+    const char *path = fuzz_file("solid.csg", data, size);
+    graze_status status = graze_scad_text(&text, &report, context, path, &options);
+    int taken = fuzz_taken(status, context, text);
+    if (taken) {
+        EXPECT(*report);
+        EXPECT(graze_solid_from_csg(&made, context, text, strlen(text)) == GRAZE_OK);
+        check_curved(context, made);
+        if (graze_solid_read(&solid, context, path, 0) == GRAZE_OK)
+            EXPECT(graze_solid_primitive_count(solid) == graze_solid_primitive_count(made));
+    }
+    graze_free(text);
+    graze_free(report);
+    graze_solid_destroy(solid);
+    graze_solid_destroy(made);
+    mpq_clear(tolerance);
+    graze_context_destroy(context);
     return taken;
 }

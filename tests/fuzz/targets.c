@@ -29,5 +29,6 @@ const fuzz_target fuzz_targets[] = {
     {"sweep", fuzz_sweep},
     {"check", fuzz_check},
     {"csg", fuzz_csg},
+    {"scad", fuzz_scad},
     {NULL, NULL},
 };

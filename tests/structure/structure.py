@@ -29,7 +29,7 @@ import rooms  # noqa: E402
 # Wings from the bottom to the top, and in each its rooms, floor by floor; those of one floor know nothing of one another.
 WINGS = {
     "base": ["context", "number"],
-    "input": ["delimited motion soup", "csg", "validate", "read", "solid", "convert mend"],
+    "input": ["delimited motion soup", "csg", "validate", "read", "solid", "convert mend", "scad"],
     "decide": ["filter", "scene", "trace", "curved", "verdict", "lattice"],
     "questions": ["topo", "contact distance", "envelope generate certify", "boundary"],
     "output": ["table", "report", "compare", "draw", "page png"],

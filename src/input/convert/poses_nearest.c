@@ -3,6 +3,7 @@
  */
 #include "input/convert/poses_nearest.h"
 
+#include <flint/fmpq_vec.h>
 #include <math.h>
 
 /* The symmetric matrix K with x K x = (trace of R(x)^T A) |x|^2 for every quaternion x. */
@@ -68,29 +69,41 @@ static void matrix_entry(fmpq_t out, const fmpq *a, const fmpq *b, int sign, con
     fmpq_div(out, out, norm);
 }
 
-void pose_deviation(fmpq_t out, const pose *p) {
-    const fmpq *q = p->quaternion;
-    fmpq_t norm, entry;
+void pose_rotation(fmpq *out, const fmpq *q) {
+    fmpq_t norm;
     fmpq_init(norm);
-    fmpq_init(entry);
-    fmpq_zero(out);
     for (int k = 0; k < 4; k++)
         fmpq_addmul(norm, q + k, q + k);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
-            int k = 3 - i - j;
+            fmpq *entry = out + 3 * i + j;
             if (i == j) {
                 matrix_entry(entry, q, q, 1, q + 1 + i, q + 1 + i, norm);
                 fmpq_sub_si(entry, entry, 1);
             } else {
                 matrix_entry(entry, q + 1 + i, q + 1 + j, (j - i + 3) % 3 == 1 ? -1 : 1, q,
-                             q + 1 + k, norm);
+                             q + 1 + (3 - i - j), norm);
             }
-            fmpq_sub(entry, entry, p->matrix + 4 * i + j);
-            fmpq_abs(entry, entry);
-            if (fmpq_cmp(entry, out) > 0)
-                fmpq_set(out, entry);
         }
-    fmpq_clear(entry);
     fmpq_clear(norm);
+}
+
+void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int columns) {
+    fmpq_t entry;
+    fmpq_init(entry);
+    fmpq_zero(out);
+    for (int k = 0; k < 9; k++) {
+        fmpq_sub(entry, rotation + k, matrix + columns * (k / 3) + k % 3);
+        fmpq_abs(entry, entry);
+        if (fmpq_cmp(entry, out) > 0)
+            fmpq_set(out, entry);
+    }
+    fmpq_clear(entry);
+}
+
+void pose_deviation(fmpq_t out, const pose *p) {
+    fmpq *rotation = _fmpq_vec_init(9);
+    pose_rotation(rotation, p->quaternion);
+    rotation_distance(out, rotation, p->matrix, 4);
+    _fmpq_vec_clear(rotation, 9);
 }

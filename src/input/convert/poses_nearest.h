@@ -13,6 +13,13 @@
  */
 void pose_nearest(double out[4], const double matrix[9], const double before[4]);
 
+/** The rotation of a quaternion that is not 0: 9 entries, rows. */
+void pose_rotation(fmpq *out, const fmpq *q);
+
+/** The largest absolute difference between an entry of a rotation and of a matrix, of whose rows of
+ * some columns the first three count; exact. */
+void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int columns);
+
 /** The largest absolute difference between an entry of a pose's matrix and of the rotation that its
  * quaternion is; exact. */
 void pose_deviation(fmpq_t out, const pose *p);

@@ -12,8 +12,7 @@
 /* Bits of a root that is not rational. */
 enum { ROOT_BITS = 24 };
 
-/* At least the root of a number that is not negative: the root itself if it is rational. */
-static void upper_root(fmpq_t out, const fmpq_t value) {
+void csg_upper_root(fmpq_t out, const fmpq_t value) {
     fmpz_t n, rest;
     fmpz_init(n);
     fmpz_init(rest);
@@ -36,7 +35,7 @@ static void round_reach(fmpq_t out, const fmpq *form, const fmpq *axis, const fm
                         const fmpq_t disk, int d) {
     fmpq *v = _fmpq_vec_init(3);
     _fmpq_vec_dot(v, form, form, d);
-    upper_root(out, v);
+    csg_upper_root(out, v);
     fmpq_mul(out, out, ball);
     if (!fmpq_is_zero(disk)) {
         _fmpq_vec_dot(v + 1, form, axis, d);
@@ -45,7 +44,7 @@ static void round_reach(fmpq_t out, const fmpq *form, const fmpq *axis, const fm
         fmpq_div(v + 1, v + 1, v + 2);
         fmpq_sub(v, v, v + 1);
         fmpq_mul(v, v, disk);
-        upper_root(v + 1, v);
+        csg_upper_root(v + 1, v);
         fmpq_add(out, out, v + 1);
     }
     _fmpq_vec_clear(v, 3);

@@ -6,6 +6,9 @@
 
 #include "input/csg/csg_reader.h"
 
+/** At least the root of a number that is not negative: the root itself if it is rational. */
+void csg_upper_root(fmpq_t out, const fmpq_t value);
+
 /**
  * Let the reader's box hold, beside what it holds, the sum of a disk and a ball.
  * @param point the centre of the disk, in the frame of the node at hand

@@ -10,6 +10,7 @@
 #include <strings.h>
 #include "base/context/file.h"
 #include "input/csg/csg_bound.h"
+#include "input/csg/polyhedron.h"
 #include "input/csg/polynomial.h"
 #include "input/csg/primitives.h"
 #include "input/motion/entry.h"
@@ -31,13 +32,14 @@ enum {
     QUADRIC,
     POLYNOMIAL,
     POLYGON,
+    POLYHEDRON,
     KEYS
 };
 
-static const char *const key_names[KEYS] = {"name",       "affine",    "union",      "intersection",
-                                            "difference", "halfspace", "box",        "ball",
-                                            "ellipsoid",  "cylinder",  "cone",       "torus",
-                                            "capsule",    "quadric",   "polynomial", "polygon"};
+static const char *const key_names[KEYS] = {
+    "name",    "affine",  "union",      "intersection", "difference", "halfspace",
+    "box",     "ball",    "ellipsoid",  "cylinder",     "cone",       "torus",
+    "capsule", "quadric", "polynomial", "polygon",      "polyhedron"};
 
 static csg_primitive_reader *const readers[KEYS] = {
     [HALFSPACE] = csg_read_halfspace, [BOX] = csg_read_box,
@@ -45,7 +47,7 @@ static csg_primitive_reader *const readers[KEYS] = {
     [CYLINDER] = csg_read_cylinder,   [CONE] = csg_read_cone,
     [TORUS] = csg_read_torus,         [CAPSULE] = csg_read_capsule,
     [QUADRIC] = csg_read_polynomial,  [POLYNOMIAL] = csg_read_polynomial,
-    [POLYGON] = csg_read_polygon};
+    [POLYGON] = csg_read_polygon,     [POLYHEDRON] = csg_read_polyhedron};
 
 int csg_is_named(const char *path) {
     static const char extension[] = ".csg.json";

@@ -35,6 +35,22 @@ void csg_reader_clear(csg_reader *r) {
     fmpq_mpoly_clear(&r->term, ring);
 }
 
+graze_status csg_read_members(const json **out, csg_reader *r, const json *value,
+                              const char *const *names, size_t count, size_t needed) {
+    graze_status status = json_members(out, r->build.context, value, names, count);
+    for (size_t k = 0; k < needed && !status; k++)
+        if (!out[k])
+            status =
+                json_fail(r->build.context, GRAZE_EINPUT, value, "the key %s is missing", names[k]);
+    return status;
+}
+
+graze_status csg_in_space(csg_reader *r, const json *value) {
+    return r->dimension == 3 ? GRAZE_OK
+                             : json_fail(r->build.context, GRAZE_EINPUT, value,
+                                         "this primitive is one of space; expected dimension 3");
+}
+
 graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t count) {
     graze_status status = json_array(r->build.context, value, count);
     const json *item = value->first;

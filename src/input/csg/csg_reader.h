@@ -27,6 +27,13 @@ typedef graze_status csg_primitive_reader(size_t *node, csg_reader *r, const jso
 void csg_reader_init(csg_reader *r);
 void csg_reader_clear(csg_reader *r);
 
+/** The members of a primitive: the first `needed` of `count` must be there. */
+graze_status csg_read_members(const json **out, csg_reader *r, const json *value,
+                              const char *const *names, size_t count, size_t needed);
+
+/** GRAZE_EINPUT in the plane, for a primitive of space. */
+graze_status csg_in_space(csg_reader *r, const json *value);
+
 /** `count` numbers. */
 graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t count);
 

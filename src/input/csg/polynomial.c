@@ -3,7 +3,9 @@
  *
  * A point is in a polygon iff the vertical ray below it crosses an odd number of edges: over each
  * edge stands the set of points above it, between the vertical lines through its ends. Where these
- * lines bound nothing, flipping their sign does not change the parity.
+ * lines bound nothing, flipping their sign does not change the parity. Where a polygon is revolved,
+ * the ray goes from a point outwards, and inside each edge, between the planes through its ends, is
+ * the part of a cone or a cylinder.
  */
 #include "input/csg/polynomial.h"
 
@@ -73,6 +75,7 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
 /* The nodes of the edges of a polygon, and its box. */
 typedef struct edges {
     size_t *node, count, capacity;
+    int revolved;     /* about the z axis: points are distances from it, and heights */
     int bounded;      /* the box holds a point */
     fmpq *low, *high; /* 3 each; heights of a prism last */
 } edges;
@@ -88,35 +91,85 @@ static void hold_corner(edges *e, const fmpq *point) {
     e->bounded = 1;
 }
 
-/* The points above the edge from p to q, between the vertical lines through p and q. */
-static graze_status add_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
-    const fmpq *left = fmpq_cmp(p, q) < 0 ? p : q, *right = left == p ? q : p;
+/* Of an edge from p to q, which differ in coordinate `along`: the points on one side, f <= 0 of the
+ * reader, between the lines, or planes, through p and q. */
+static graze_status add_strip(edges *e, csg_reader *r, const fmpq *p, const fmpq *q, int along) {
+    const fmpq_mpoly_struct *x = &r->coordinate[e->revolved ? 2 : 0];
+    const fmpq *end[2] = {p + along, q + along};
     size_t part[3];
-    if (fmpq_equal(p, q))
-        return GRAZE_OK;
     graze_status status = array_grow(r->build.context, &e->node, &e->capacity, e->count + 1,
                                      sizeof *e->node, "the edges of a polygon");
+    if (!status)
+        status = csg_add_side(&part[0], r, 0);
+    for (int k = 0; k < 2 && !status; k++) {
+        fmpq_mpoly_sub_fmpq(&r->f, x, end[fmpq_cmp(end[0], end[1]) < 0 ? k : 1 - k], r->build.ring);
+        status = csg_add_side(&part[1 + k], r, k == 0);
+    }
+    return status ? status : csg_add_node(&e->node[e->count++], &r->build, CSG_ALL, part, 3);
+}
+
+/* The points above the edge from p to q. */
+static graze_status add_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
+    const fmpq *left = fmpq_cmp(p, q) < 0 ? p : q, *right = left == p ? q : p;
+    if (fmpq_equal(p, q))
+        return GRAZE_OK;
     fmpq *n = _fmpq_vec_init(4);
     fmpq_sub(n, right + 1, left + 1);
     fmpq_sub(n + 1, left, right);
     fmpq_mul(n + 3, n, left);
     fmpq_addmul(n + 3, n + 1, left + 1);
     csg_linear_form(&r->f, r, n, r->coordinate, n + 3);
-    if (!status)
-        status = csg_add_side(&part[0], r, 0);
-    fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[0], left, r->build.ring);
-    if (!status)
-        status = csg_add_side(&part[1], r, 1);
-    fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[0], right, r->build.ring);
-    if (!status)
-        status = csg_add_side(&part[2], r, 0);
-    if (!status)
-        status = csg_add_node(&e->node[e->count++], &r->build, CSG_ALL, part, 3);
     _fmpq_vec_clear(n, 4);
+    return add_strip(e, r, p, q, 0);
+}
+
+/* Let the end of an edge that is beyond the axis be where it meets it. */
+static void cut_at_axis(fmpq *p, const fmpq *q) {
+    fmpq *v = _fmpq_vec_init(2);
+    if (fmpq_sgn(p) < 0) {
+        fmpq_sub(v, q, p);
+        fmpq_sub(v + 1, q + 1, p + 1);
+        fmpq_div(v, v + 1, v);
+        fmpq_submul(p + 1, p, v);
+        fmpq_zero(p);
+    }
+    _fmpq_vec_clear(v, 2);
+}
+
+/* The points that the edge from p to q goes round, as far as it is beside the axis:
+ * (height of the edge)^2 |(x, y)|^2 <= l^2, where the form l of z is that height times the edge's
+ * distance from the axis. */
+static graze_status add_revolved_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
+    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    if (fmpq_equal(p + 1, q + 1) || (fmpq_sgn(p) <= 0 && fmpq_sgn(q) <= 0))
+        return GRAZE_OK;
+    fmpq *v = _fmpq_vec_init(9), *from = v, *to = v + 2, *height = v + 4, *constant = v + 5;
+    for (int i = 0; i < 2; i++) {
+        fmpq_set(from + i, p + i);
+        fmpq_set(to + i, q + i);
+    }
+    cut_at_axis(from, q);
+    cut_at_axis(to, p);
+    fmpq_sub(height, to + 1, from + 1);
+    fmpq_sub(v + 8, to, from);
+    fmpq_mul(constant, v + 8, from + 1);
+    fmpq_submul(constant, from, height);
+    csg_linear_form(&r->along, r, v + 6, r->coordinate, constant);
+    fmpq_mul(height, height, height);
+    fmpq_mpoly_mul(&r->f, &r->coordinate[0], &r->coordinate[0], ring);
+    fmpq_mpoly_mul(&r->term, &r->coordinate[1], &r->coordinate[1], ring);
+    fmpq_mpoly_add(&r->f, &r->f, &r->term, ring);
+    fmpq_mpoly_scalar_mul_fmpq(&r->f, &r->f, height, ring);
+    fmpq_mpoly_mul(&r->term, &r->along, &r->along, ring);
+    fmpq_mpoly_sub(&r->f, &r->f, &r->term, ring);
+    graze_status status = add_strip(e, r, from, to, 1);
+    _fmpq_vec_clear(v, 9);
     return status;
 }
 
 static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value) {
+    graze_status (*add)(edges *, csg_reader *, const fmpq *, const fmpq *) =
+        e->revolved ? add_revolved_edge : add_edge;
     graze_status status = json_array(r->build.context, value, 0);
     if (!status && value->count < 3)
         status = json_fail(r->build.context, GRAZE_EINPUT, value,
@@ -128,14 +181,14 @@ static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value
         status = csg_read_vector(next, r, item, 2);
         hold_corner(e, next);
         if (!status && item->index > 0)
-            status = add_edge(e, r, last, next);
+            status = add(e, r, last, next);
         for (int i = 0; i < 2; i++) {
             fmpq_set(item->index > 0 ? last + i : first + i, next + i);
             fmpq_set(last + i, next + i);
         }
     }
     if (!status)
-        status = add_edge(e, r, last, first);
+        status = add(e, r, last, first);
     _fmpq_vec_clear(point, 6);
     return status;
 }
@@ -158,20 +211,47 @@ static graze_status extrude(size_t *node, edges *e, csg_reader *r, const json *v
     return status ? status : csg_add_node(node, &r->build, CSG_ALL, part, 3);
 }
 
-graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
-    static const char *const names[] = {"points", "holes", "extrude"};
+/* Whether a polygon is revolved, and that it is a prism or revolved where it must be. */
+static graze_status polygon_form(int *revolved, csg_reader *r, const json *value,
+                                 const json *extruded, const json *turns) {
     graze_context *context = r->build.context;
-    const json *member[3];
+    fmpz_t whole;
+    *revolved = turns != NULL;
+    if ((extruded != NULL) + (turns != NULL) != (r->dimension == 3))
+        return json_fail(context, GRAZE_EINPUT, value,
+                         r->dimension == 3 ? "expected one of the keys extrude and revolve, which "
+                                             "a polygon in space needs"
+                                           : "expected no extrude and no revolve in the plane");
+    if (!turns)
+        return GRAZE_OK;
+    fmpz_init(whole);
+    graze_status status = entry_integer(whole, context, turns);
+    if (!status && !fmpz_is_one(whole))
+        status = json_fail(context, GRAZE_EINPUT, turns, "expected 1, a whole turn");
+    fmpz_clear(whole);
+    return status;
+}
+
+/* Let the box be that of what is revolved. */
+static void revolve_box(edges *e) {
+    fmpq_swap(e->low + 1, e->low + 2);
+    fmpq_swap(e->high + 1, e->high + 2);
+    fmpq_set(e->high + 1, e->high);
+    fmpq_neg(e->low, e->high);
+    fmpq_set(e->low + 1, e->low);
+}
+
+graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"points", "holes", "extrude", "revolve"};
+    graze_context *context = r->build.context;
+    const json *member[4];
     edges e = {.low = _fmpq_vec_init(6)};
     e.high = e.low + 3;
-    graze_status status = json_members(member, context, value, names, 3);
+    graze_status status = json_members(member, context, value, names, 4);
     if (!status && !member[0])
         status = json_fail(context, GRAZE_EINPUT, value, "the key points is missing");
-    if (!status && (member[2] != NULL) != (r->dimension == 3))
-        status = json_fail(context, GRAZE_EINPUT, value,
-                           r->dimension == 3 ? "the key extrude is missing, which a polygon in "
-                                               "space needs"
-                                             : "expected no extrude in the plane");
+    if (!status)
+        status = polygon_form(&e.revolved, r, value, member[2], member[3]);
     if (!status)
         status = read_polygon_ring(&e, r, member[0]);
     if (!status && member[1])
@@ -185,6 +265,8 @@ graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
         status = csg_add_node(node, &r->build, CSG_ODD, e.node, e.count);
     if (!status && member[2])
         status = extrude(node, &e, r, member[2]);
+    if (!status && e.revolved)
+        revolve_box(&e);
     if (!status)
         csg_bound_corners(r, e.low, e.high);
     free(e.node);

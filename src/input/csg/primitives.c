@@ -46,17 +46,6 @@ static graze_status read_size(fmpq_t out, csg_reader *r, const json *value) {
     return status;
 }
 
-/* The members of a primitive: the first `needed` ones must be there. */
-static graze_status read_members(const json **out, csg_reader *r, const json *value,
-                                 const char *const *names, size_t count, size_t needed) {
-    graze_status status = json_members(out, r->build.context, value, names, count);
-    for (size_t k = 0; k < needed && !status; k++)
-        if (!out[k])
-            status =
-                json_fail(r->build.context, GRAZE_EINPUT, value, "the key %s is missing", names[k]);
-    return status;
-}
-
 static void set_from(csg_reader *r, const fmpq *point) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     fmpq_mpoly_zero(&r->square, ring);
@@ -148,12 +137,6 @@ static graze_status read_bounds(placed *p, csg_reader *r, const json *from, cons
     return status;
 }
 
-static graze_status in_space(csg_reader *r, const json *value) {
-    return r->dimension == 3 ? GRAZE_OK
-                             : json_fail(r->build.context, GRAZE_EINPUT, value,
-                                         "this primitive is one of space; expected dimension 3");
-}
-
 /* The surface at hand, f, between the bounds that are given. */
 static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
     size_t part[3], count = 1;
@@ -202,7 +185,7 @@ graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value) 
     const json *member[2];
     placed p;
     placed_init(&p);
-    graze_status status = read_members(member, r, value, names, 2, 2);
+    graze_status status = csg_read_members(member, r, value, names, 2, 2);
     if (!status)
         status = csg_read_vector(p.axis, r, member[0], (size_t)r->dimension);
     if (!status)
@@ -223,7 +206,7 @@ graze_status csg_read_box(size_t *node, csg_reader *r, const json *value) {
     const json *member[2];
     size_t part[6], d = (size_t)r->dimension;
     fmpq *end[2] = {_fmpq_vec_init(3), _fmpq_vec_init(3)};
-    graze_status status = read_members(member, r, value, names, 2, 2);
+    graze_status status = csg_read_members(member, r, value, names, 2, 2);
     for (int k = 0; k < 2 && !status; k++)
         status = csg_read_vector(end[k], r, member[k], d);
     for (size_t i = 0; i < d && !status; i++)
@@ -248,7 +231,7 @@ graze_status csg_read_ball(size_t *node, csg_reader *r, const json *value) {
     const json *member[2];
     placed p;
     placed_init(&p);
-    graze_status status = read_members(member, r, value, names, 2, 1);
+    graze_status status = csg_read_members(member, r, value, names, 2, 1);
     if (!status)
         status = read_size(p.first, r, member[0]);
     if (!status && member[1])
@@ -266,7 +249,7 @@ graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value) 
     const json *member[2];
     placed p;
     placed_init(&p);
-    graze_status status = read_members(member, r, value, names, 2, 1);
+    graze_status status = csg_read_members(member, r, value, names, 2, 1);
     if (!status)
         status = json_array(r->build.context, member[0], (size_t)r->dimension);
     if (!status && member[1])
@@ -296,9 +279,9 @@ graze_status csg_read_cylinder(size_t *node, csg_reader *r, const json *value) {
     const json *member[5];
     placed p;
     placed_init(&p);
-    graze_status status = in_space(r, value);
+    graze_status status = csg_in_space(r, value);
     if (!status)
-        status = read_members(member, r, value, names, 5, 3);
+        status = csg_read_members(member, r, value, names, 5, 3);
     if (!status)
         status = read_placed_axis(&p, r, member[0], member[1]);
     if (!status)
@@ -319,9 +302,9 @@ graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
     const json *member[5];
     placed p;
     placed_init(&p);
-    graze_status status = in_space(r, value);
+    graze_status status = csg_in_space(r, value);
     if (!status)
-        status = read_members(member, r, value, names, 5, 3);
+        status = csg_read_members(member, r, value, names, 5, 3);
     if (!status)
         status = read_placed_axis(&p, r, member[0], member[1]);
     if (!status)
@@ -366,9 +349,9 @@ graze_status csg_read_torus(size_t *node, csg_reader *r, const json *value) {
     const json *member[4];
     placed p;
     placed_init(&p);
-    graze_status status = in_space(r, value);
+    graze_status status = csg_in_space(r, value);
     if (!status)
-        status = read_members(member, r, value, names, 4, 4);
+        status = csg_read_members(member, r, value, names, 4, 4);
     if (!status)
         status = read_placed_axis(&p, r, member[0], member[1]);
     if (!status)
@@ -392,7 +375,7 @@ graze_status csg_read_capsule(size_t *node, csg_reader *r, const json *value) {
     size_t part[3];
     placed p;
     placed_init(&p);
-    graze_status status = read_members(member, r, value, names, 3, 3);
+    graze_status status = csg_read_members(member, r, value, names, 3, 3);
     if (!status)
         status = read_placed_axis(&p, r, member[0], member[1]);
     if (!status)

@@ -58,7 +58,7 @@ graze_status soup_read(soup *s, graze_context *context, const char *path) {
     if (format == NULL) {
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "the extension is of no format of solids; expected .off, .obj, "
-                               ".ply, .stl, .nef3, .wkt or .csg.json%s",
+                               ".ply, .stl, .nef3, .wkt, .csg or .csg.json%s",
                                advice_of(path));
     }
     char *text;

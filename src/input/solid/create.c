@@ -147,16 +147,13 @@ graze_status solid_create_curved(graze_solid **out, graze_context *context, cons
     return status ? status : take_curved(out, context, &curved, found);
 }
 
-graze_status solid_create_curved_text(graze_solid **out, graze_context *context, const char *text,
-                                      size_t length) {
+graze_status solid_create_curved_text(graze_solid **out, graze_context *context, const char *name,
+                                      const char *text, size_t length,
+                                      const unsigned char sha256[32]) {
     csg curved;
-    unsigned char sha256[32];
     *out = NULL;
-    graze_status status = csg_read_text(&curved, context, "solid", text, length);
-    if (status)
-        return status;
-    file_sha256(sha256, text, length);
-    return take_curved(out, context, &curved, sha256);
+    graze_status status = csg_read_text(&curved, context, name, text, length);
+    return status ? status : take_curved(out, context, &curved, sha256);
 }
 
 void graze_solid_destroy(graze_solid *solid) {

@@ -1,22 +1,27 @@
-/* graze convert: a solid as exact OFF or WKT, a motion as plain pieces.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* graze convert: a solid as exact OFF or WKT, one of OpenSCAD as .csg.json, a motion as plain
+ * pieces. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <string.h>
 #include <strings.h>
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
 #include "program/run/load.h"
+#include "program/run/numbers.h"
 #include "program/run/output.h"
 
 static const char convert_help[] =
     "graze convert SOLID -o FILE.off|.wkt, graze convert MOTION -o FILE.json: the forms that\n"
-    "graze-check reads\n"
+    "graze-check reads; graze convert FILE.csg -o FILE.csg.json: of OpenSCAD\n"
     "\n"
     "A solid becomes OFF, its facets cut into triangles, or in the plane WKT; a motion becomes\n"
     "pieces with a matrix of polynomials in t or quotients of them. All numbers are exact, and\n"
     "solid and motion are the same; facets and edges have new numbers.\n"
     "Make tables and certificates from the converted files.\n"
     "\n"
+    "  --smooth             FILE.csg: what has a number of sides, $fn, is meant round\n"
+    "  --near-rotation TOL  FILE.csg: take the rotation, times a number, that each entry of a\n"
+    "                       multmatrix over that number is within TOL of; how far that moves a\n"
+    "                       point at most is on standard error\n"
     "  -o, --output FILE    write there instead of to standard output\n"
     "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n"
     "\n"
@@ -25,6 +30,8 @@ static const char convert_help[] =
 
 typedef struct convert_options {
     const char *file, *output;
+    const char *near_rotation;
+    int smooth;
     unsigned solid_flags;
     context_options context;
 } convert_options;
@@ -32,6 +39,11 @@ typedef struct convert_options {
 static int name_ends_in(const char *path, const char *ending) {
     size_t n = strlen(path), m = strlen(ending);
     return n > m && strcasecmp(path + n - m, ending) == 0;
+}
+
+/* A file of OpenSCAD. */
+static int is_scad(const char *path) {
+    return name_ends_in(path, ".csg");
 }
 
 static int is_solid(const char *path) {
@@ -73,6 +85,31 @@ static int convert_solid_file(const convert_options *o, graze_context *context) 
     return status;
 }
 
+static int convert_scad_file(const convert_options *o, graze_context *context) {
+    char *text = NULL, *report = NULL;
+    mpq_t tolerance;
+    mpq_init(tolerance);
+    int status = o->near_rotation ? numbers_read(&tolerance, context, "near-rotation",
+                                                 o->near_rotation, strlen(o->near_rotation), 1)
+                                  : EXIT_DONE;
+    graze_scad_options options = {.size = sizeof options,
+                                  .smooth = o->smooth,
+                                  .near_rotation = o->near_rotation ? tolerance : NULL};
+    if (!status && o->near_rotation && mpq_sgn(tolerance) <= 0)
+        status = complain(EXIT_USAGE, "--near-rotation %s: expected a positive number",
+                          o->near_rotation);
+    if (!status)
+        status = complain_of(graze_scad_text(&text, &report, context, o->file, &options), context);
+    if (!status && *report)
+        complain(EXIT_DONE, "note: %s: %.*s", o->file, (int)strcspn(report, "\n"), report);
+    if (!status)
+        status = put_converted(o, text, ".csg.json");
+    graze_free(text);
+    graze_free(report);
+    mpq_clear(tolerance);
+    return status;
+}
+
 static int convert_motion_file(const convert_options *o, graze_context *context) {
     const char *path = o->file;
     graze_motion *motion = NULL;
@@ -90,6 +127,8 @@ static int convert_motion_file(const convert_options *o, graze_context *context)
 }
 
 static const option_entry convert_table[] = {
+    FLAG("smooth", convert_options, smooth, value_flag),
+    OPTION("near-rotation", convert_options, near_rotation, value_text),
     FLAG("triangulate", convert_options, solid_flags, value_triangulate),
     OPTION("round", convert_options, context.rounding, value_rounding),
     OPTION("limit", convert_options, context.limits, value_limit),
@@ -106,10 +145,14 @@ static int run_convert(void *options, const operands *given) {
                         "--help",
                         given->count);
     o->file = given->item[0];
+    if ((o->smooth || o->near_rotation) && !is_scad(o->file))
+        return complain(EXIT_USAGE, "%s: %s is for files of OpenSCAD; expected .csg", o->file,
+                        o->smooth ? "--smooth" : "--near-rotation");
     int status = context_make(&context, &o->context);
     if (!status)
-        status =
-            is_solid(o->file) ? convert_solid_file(o, context) : convert_motion_file(o, context);
+        status = is_scad(o->file)    ? convert_scad_file(o, context)
+                 : is_solid(o->file) ? convert_solid_file(o, context)
+                                     : convert_motion_file(o, context);
     graze_context_destroy(context);
     graze_thread_finish();
     return status;

@@ -87,9 +87,16 @@ class Expressions:
         return cls._expressed(len(next(iter(terms))), {"polynomial": named})
 
     @classmethod
-    def polygon(cls: Type[Made], points: Any, holes: Any = None, extrude: Any = None) -> Made:
-        """A polygon in the plane; with two heights `extrude` a prism."""
-        return cls._primitive(2 if extrude is None else 3, "polygon", points=points, holes=holes, extrude=extrude)
+    def polygon(cls: Type[Made], points: Any, holes: Any = None, extrude: Any = None, revolve: bool = False) -> Made:
+        """A polygon in the plane; with two heights `extrude` a prism, with `revolve` the solid whose points have their
+        distance from the z axis and their height in the polygon."""
+        return cls._primitive(2 if extrude is None and not revolve else 3, "polygon", points=points, holes=holes, extrude=extrude,
+                              revolve=1 if revolve else None)
+
+    @classmethod
+    def polyhedron(cls: Type[Made], points: Any, faces: Any) -> Made:
+        """A convex polyhedron of its points and, for each face, their numbers from 0 in a row around it."""
+        return cls._primitive(3, "polyhedron", points=points, faces=faces)
 
     def _operand(self) -> Node:
         if self._node is None:

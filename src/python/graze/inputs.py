@@ -39,8 +39,8 @@ class Solid(Expressions):
         """Read and validate a solid.
 
         Args:
-            source: the path of a file (.off .obj .ply .stl .nef3 .wkt .csg.json), a curved solid as
-                a dict or as JSON text that begins with `{`, or (vertices, facets):
+            source: the path of a file (.off .obj .ply .stl .nef3 .wkt .csg.json, OpenSCAD's .csg), a curved
+                solid as a dict or as JSON text that begins with `{`, or (vertices, facets):
                 rows of 2 or 3 numbers, and for each facet (in the plane: ring) its vertices from 0.
                 Both may be arrays of numpy, the vertices a DataFrame too, as for points of a
                 `Scene`: with a column z they are in space. Or a mesh of trimesh or meshio, or a

@@ -1,0 +1,201 @@
+/* Convex polyhedra of curved solids as intersections of half-spaces.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Faces are cut into fans. If no point is beyond the plane of a triangle, and each edge of a face
+ * is one of another, in the other direction, then the triangles cover the boundary of the hull of
+ * the points equally often everywhere, at least once: they lie in it, face outward, and their sum
+ * has no boundary. So the hull is the intersection of the half-spaces of the triangles.
+ */
+#include "input/csg/polyhedron.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "base/number/vector.h"
+#include "input/csg/csg_bound.h"
+#include "input/motion/entry.h"
+
+/* An edge from low to high, or back. */
+typedef struct edge {
+    size_t low, high;
+    int back;
+} edge;
+
+typedef struct faces {
+    csg_reader *r;
+    const json *value; /* of the polyhedron */
+    fmpq *point;       /* 3 each */
+    size_t points;
+    size_t *corner; /* of the face at hand */
+    edge *edge;
+    size_t edges;
+    size_t *node, nodes;
+    int side;   /* of the planes on which the points are; 0: not known yet */
+    fmpq *form; /* 4: a plane n . x = c, and room for 6 more */
+} faces;
+
+static int edge_order(const void *left, const void *right) {
+    const edge *a = left, *b = right;
+    if (a->low != b->low)
+        return a->low < b->low ? -1 : 1;
+    return a->high < b->high ? -1 : a->high > b->high;
+}
+
+/* The side of the plane at hand on which a point is. */
+static int plane_side(const faces *f, size_t point) {
+    fmpq *value = f->form + 4;
+    _fmpq_vec_dot(value, f->form, f->point + 3 * point, 3);
+    return fmpq_cmp(value, f->form + 3);
+}
+
+/* Set the plane of three points; 0 if they are on a line. */
+static int set_plane(faces *f, size_t a, size_t b, size_t c) {
+    fmpq *u = f->form + 4, *v = f->form + 7;
+    vector_sub(u, f->point + 3 * b, f->point + 3 * a, 3);
+    vector_sub(v, f->point + 3 * c, f->point + 3 * a, 3);
+    vector_cross(f->form, u, v);
+    _fmpq_vec_dot(f->form + 3, f->form, f->point + 3 * a, 3);
+    return !(fmpq_is_zero(f->form) && fmpq_is_zero(f->form + 1) && fmpq_is_zero(f->form + 2));
+}
+
+/* All points are on one side of the plane at hand, the same of each plane, and the corners of its
+ * face in it. */
+static graze_status check_plane(faces *f, const json *face) {
+    graze_context *context = f->r->build.context;
+    for (size_t k = 0; k < face->count; k++)
+        if (plane_side(f, f->corner[k]) != 0)
+            return json_fail(context, GRAZE_EILLEGAL, face, "the face is not plane");
+    for (size_t k = 0; k < f->points; k++) {
+        int side = plane_side(f, k);
+        f->side = f->side ? f->side : side;
+        if (side && side != f->side)
+            return json_fail(context, GRAZE_EILLEGAL, face,
+                             "point %zu is beyond the plane of the face; expected a convex "
+                             "polyhedron, its faces all clockwise or all counterclockwise",
+                             k);
+    }
+    return context_work(context, 8 * f->points);
+}
+
+/* The half-space of the plane at hand. */
+static graze_status add_plane(faces *f) {
+    csg_linear_form(&f->r->f, f->r, f->form, f->r->coordinate, f->form + 3);
+    return csg_add_side(&f->node[f->nodes++], f->r, f->side > 0);
+}
+
+static graze_status read_corners(faces *f, const json *face) {
+    graze_context *context = f->r->build.context;
+    fmpz_t number;
+    fmpz_init(number);
+    size_t k = 0;
+    graze_status status = json_array(context, face, 0);
+    if (!status && face->count < 3)
+        status = json_fail(context, GRAZE_EINPUT, face, "expected at least 3 points, not %zu",
+                           face->count);
+    for (const json *item = status ? NULL : face->first; item && !status; item = item->next) {
+        status = entry_integer(number, context, item);
+        if (!status && (fmpz_sgn(number) < 0 || fmpz_cmp_ui(number, f->points) >= 0))
+            status = json_fail(context, GRAZE_EINPUT, item,
+                               "expected the number of a point, below "
+                               "%zu",
+                               f->points);
+        f->corner[k++] = status ? 0 : fmpz_get_ui(number);
+    }
+    fmpz_clear(number);
+    return status;
+}
+
+static graze_status read_face(faces *f, const json *face) {
+    graze_status status = read_corners(f, face);
+    int found = 0;
+    for (size_t k = 0; k < face->count && !status; k++) {
+        size_t a = f->corner[k], b = f->corner[(k + 1) % face->count];
+        f->edge[f->edges++] = (edge){a < b ? a : b, a < b ? b : a, a > b};
+    }
+    for (size_t k = 1; k + 1 < face->count && !status; k++) {
+        if (!set_plane(f, f->corner[0], f->corner[k], f->corner[k + 1]))
+            continue;
+        status = check_plane(f, face);
+        if (!status && !found++)
+            status = add_plane(f);
+    }
+    return status;
+}
+
+/* Each edge is there as often in one direction as in the other. */
+static graze_status check_closed(faces *f) {
+    long sum = 0;
+    qsort(f->edge, f->edges, sizeof *f->edge, edge_order);
+    for (size_t k = 0; k < f->edges; k++) {
+        const edge *e = &f->edge[k];
+        sum += e->low == e->high ? 0 : e->back ? -1 : 1;
+        if (sum && (k + 1 == f->edges || edge_order(e, e + 1) != 0))
+            return json_fail(f->r->build.context, GRAZE_EILLEGAL, f->value,
+                             "the edge of the points %zu and %zu is not one of two faces, in both "
+                             "directions; expected a closed surface",
+                             e->low, e->high);
+    }
+    if (f->nodes == 0 || !f->side)
+        return json_fail(f->r->build.context, GRAZE_EILLEGAL, f->value,
+                         "the polyhedron has no interior");
+    return GRAZE_OK;
+}
+
+static graze_status polyhedron_points(faces *f, const json *value) {
+    graze_status status = GRAZE_OK;
+    fmpq *low = _fmpq_vec_init(6), *high = low + 3;
+    for (const json *item = value->first; item && !status; item = item->next) {
+        fmpq *x = f->point + 3 * item->index;
+        status = csg_read_vector(x, f->r, item, 3);
+        for (int i = 0; i < 3; i++) {
+            if (item->index == 0 || fmpq_cmp(x + i, low + i) < 0)
+                fmpq_set(low + i, x + i);
+            if (item->index == 0 || fmpq_cmp(x + i, high + i) > 0)
+                fmpq_set(high + i, x + i);
+        }
+    }
+    csg_bound_corners(f->r, low, high);
+    _fmpq_vec_clear(low, 6);
+    return status;
+}
+
+static graze_status polyhedron_faces(size_t *node, faces *f, const json *points, const json *list) {
+    size_t corners = 0, most = 0;
+    for (const json *face = list->first; face; face = face->next) {
+        corners += face->count;
+        most = face->count > most ? face->count : most;
+    }
+    f->points = points->count;
+    f->point = _fmpq_vec_init((slong)(3 * f->points));
+    f->form = _fmpq_vec_init(10);
+    f->corner = malloc((most + 1) * sizeof *f->corner);
+    f->edge = malloc((corners + 1) * sizeof *f->edge);
+    f->node = malloc((list->count + 1) * sizeof *f->node);
+    graze_status status =
+        f->corner && f->edge && f->node
+            ? polyhedron_points(f, points)
+            : context_fail(f->r->build.context, GRAZE_ESYSTEM, "out of memory for a polyhedron");
+    for (const json *face = list->first; face && !status; face = face->next)
+        status = read_face(f, face);
+    if (!status)
+        status = check_closed(f);
+    if (!status)
+        status = csg_add_node(node, &f->r->build, CSG_ALL, f->node, f->nodes);
+    _fmpq_vec_clear(f->point, (slong)(3 * f->points));
+    _fmpq_vec_clear(f->form, 10);
+    free(f->corner);
+    free(f->edge);
+    free(f->node);
+    return status;
+}
+
+graze_status csg_read_polyhedron(size_t *node, csg_reader *r, const json *value) {
+    static const char *const names[] = {"points", "faces"};
+    const json *member[2];
+    faces f = {.r = r, .value = value};
+    graze_status status = csg_read_members(member, r, value, names, 2, 2);
+    if (!status)
+        status = csg_in_space(r, value);
+    for (int k = 0; k < 2 && !status; k++)
+        status = json_array(r->build.context, member[k], 0);
+    return status ? status : polyhedron_faces(node, &f, member[0], member[1]);
+}

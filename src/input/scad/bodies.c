@@ -1,0 +1,140 @@
+/* Writes primitives of space.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/scad/bodies.h"
+
+#include <flint/fmpq_vec.h>
+
+static graze_status write_cube(scad_writer *w, const scad_place *p) {
+    fmpq *low = _fmpq_vec_init(6), *high = low + 3;
+    graze_status status = scad_box(low, high, w, p, 3);
+    if (!status)
+        scad_put_box(w, p, low, high, 3);
+    _fmpq_vec_clear(low, 6);
+    return status;
+}
+
+static graze_status write_sphere(scad_writer *w, const scad_place *p) {
+    graze_status status = scad_known(p, "r");
+    if (!status)
+        status = scad_round(w, p);
+    if (!status)
+        status = scad_size(w->reach, p, "r");
+    if (status)
+        return status;
+    scad_begin(w, p, "ball");
+    json_rational(&w->json, "radius", w->reach);
+    scad_end(w, p);
+    return GRAZE_OK;
+}
+
+/* A cylinder, or a cone whose apex is above if its first radius is greater. `low` is the height of
+ * the bottom. */
+static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height, const fmpq *low,
+                         const fmpq *radius) {
+    fmpq *v = _fmpq_vec_init(10), *point = v, *axis = v + 3, *fall = v + 6, *slope = v + 7;
+    int order = fmpq_cmp(radius, radius + 1), up = order > 0;
+    fmpq_set(point + 2, low);
+    fmpq_set_si(axis + 2, up ? -1 : 1, 1);
+    fmpq_sub(fall, radius, radius + 1);
+    fmpq_abs(fall, fall);
+    fmpq_div(slope, fall, height);
+    if (order != 0) {
+        fmpq_div(v + 8, radius, slope);
+        fmpq_div(v + 9, radius + 1, slope);
+        if (up)
+            fmpq_add(point + 2, low, v + 8);
+        else
+            fmpq_sub(point + 2, low, v + 8);
+    } else {
+        fmpq_set(v + 9, height);
+    }
+    scad_begin(w, p, order ? "cone" : "cylinder");
+    scad_put_vector(w, "point", point, 3);
+    scad_put_vector(w, "axis", axis, 3);
+    json_rational(&w->json, order ? "slope" : "radius", order ? slope : radius);
+    json_rational(&w->json, "from", v + 8 + up);
+    json_rational(&w->json, "to", v + 9 - up);
+    scad_end(w, p);
+    _fmpq_vec_clear(v, 10);
+}
+
+static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
+    fmpq *v = _fmpq_vec_init(4), *height = v, *low = v + 1, *radius = v + 2;
+    graze_status status = scad_known(p, "h r1 r2 center");
+    if (!status)
+        status = scad_round(w, p);
+    if (!status)
+        status = scad_size(height, p, "h");
+    if (!status)
+        status = scad_named_number(radius, p, "r1");
+    if (!status)
+        status = scad_named_number(radius + 1, p, "r2");
+    const fmpq *most = fmpq_cmp(radius, radius + 1) < 0 ? radius + 1 : radius;
+    if (!status && (fmpq_sgn(radius) < 0 || fmpq_sgn(radius + 1) < 0 || fmpq_sgn(most) <= 0))
+        status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                           "expected radii of 0 or more, one of them positive");
+    if (!status) {
+        fmpq_add(w->reach, height, most);
+        if (scad_flag(p, "center"))
+            fmpq_div_2exp(low, height, 1);
+        fmpq_neg(low, low);
+        put_cylinder(w, p, height, low, radius);
+    }
+    _fmpq_vec_clear(v, 4);
+    return status;
+}
+
+/* The points of a face by their numbers. */
+static graze_status put_face(scad_writer *w, const scad_place *p, scad_span face, size_t count) {
+    scad_span rest, item;
+    graze_status status = scad_list(&rest, p, face);
+    json_open(&w->json, NULL, '[');
+    while (!status && scad_item(&item, &rest)) {
+        size_t k;
+        status = scad_index(&k, p, item, count);
+        json_count(&w->json, NULL, k);
+    }
+    json_close(&w->json, ']');
+    return status;
+}
+
+static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
+    scad_span points, faces, item;
+    fmpq *x = _fmpq_vec_init(3);
+    size_t count = 0;
+    graze_status status = scad_known(p, "points faces convexity");
+    if (!status)
+        status = scad_named_list(&points, p, "points");
+    if (!status)
+        status = scad_named_list(&faces, p, "faces");
+    scad_begin(w, p, "polyhedron");
+    json_open(&w->json, "points", '[');
+    while (!status && scad_item(&item, &points)) {
+        status = scad_vector(x, p, item, 3);
+        count++;
+        scad_put_vector(w, NULL, x, 3);
+        scad_hold(w->reach, x, 3);
+    }
+    json_close(&w->json, ']');
+    json_open(&w->json, "faces", '[');
+    while (!status && scad_item(&item, &faces))
+        status = put_face(w, p, item, count);
+    json_close(&w->json, ']');
+    scad_end(w, p);
+    _fmpq_vec_clear(x, 3);
+    return status;
+}
+
+graze_status scad_write_body(scad_writer *w, const scad_place *p) {
+    switch (p->file->node[p->node].role) {
+    case SCAD_CUBE:
+        return write_cube(w, p);
+    case SCAD_SPHERE:
+        return write_sphere(w, p);
+    case SCAD_CYLINDER:
+        return write_cylinder(w, p);
+    default:
+        return write_polyhedron(w, p);
+    }
+}

@@ -1,0 +1,102 @@
+/* Reads and composes maps, and bounds what they do.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/scad/map.h"
+
+#include <flint/fmpq_vec.h>
+#include "input/csg/csg_bound.h"
+#include "input/scad/near_rotation.h"
+
+/* Binary places of bounds. */
+enum { BOUND_BITS = 60 };
+
+void scad_map_init(scad_map *m) {
+    m->linear = _fmpq_vec_init(12);
+    m->shift = m->linear + 9;
+    fmpq_init(m->error);
+}
+
+void scad_map_clear(scad_map *m) {
+    _fmpq_vec_clear(m->linear, 12);
+    fmpq_clear(m->error);
+}
+
+/* Let a map be one of the plane, as OpenSCAD does; the third axis is kept, at about the scale. */
+static void flatten(scad_map *m) {
+    fmpq_t square;
+    fmpq_init(square);
+    for (int k = 0; k < 5; k++)
+        if (k != 2)
+            fmpq_addmul(square, m->linear + k, m->linear + k);
+    fmpq_div_2exp(square, square, 1);
+    for (int i = 0; i < 3; i++) {
+        fmpq_zero(m->linear + 6 + i);
+        fmpq_zero(m->linear + 3 * i + 2);
+    }
+    csg_upper_root(m->linear + 8, square);
+    fmpq_zero(m->shift + 2);
+    fmpq_clear(square);
+}
+
+graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, int *turned) {
+    scad_span value, rest, row;
+    fmpq *v = _fmpq_vec_init(16);
+    int rows = 0, good = scad_value(&value, p, NULL);
+    graze_status status = good ? scad_list(&rest, p, value) : GRAZE_OK;
+    for (; good && !status && scad_item(&row, &rest); rows++)
+        if (rows < 4)
+            status = scad_vector(v + 4 * rows, p, row, 4);
+    good = rows == 4 && fmpq_is_one(v + 15);
+    for (int i = 0; i < 3; i++) {
+        good = good && fmpq_is_zero(v + 12 + i);
+        fmpq_set(out->shift + i, v + 4 * i + 3);
+        for (int j = 0; j < 3; j++)
+            fmpq_set(out->linear + 3 * i + j, v + 4 * i + j);
+    }
+    _fmpq_vec_clear(v, 16);
+    if (!status && !good)
+        status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                           "expected 4 rows of 4 numbers, the last one 0, 0, 0, 1");
+    if (p->file->node[p->node].dimension == 2)
+        flatten(out);
+    *turned = !status && w->choice->near_rotation &&
+              scad_turn(out->linear, out->error, w->context, w->choice->near_rotation);
+    return status;
+}
+
+void scad_compose(scad_writer *w, const scad_map *m) {
+    fmpq *v = _fmpq_vec_init(6);
+    for (int i = 0; i < 2; i++) {
+        const fmpq *row = w->map + 3 * i;
+        for (int j = 0; j < 3; j++) {
+            const fmpq *x = j < 2 ? m->linear + j : m->shift, *y = j < 2 ? x + 3 : x + 1;
+            fmpq_mul(v + 3 * i + j, row, x);
+            fmpq_addmul(v + 3 * i + j, row + 1, y);
+        }
+        fmpq_add(v + 3 * i + 2, v + 3 * i + 2, row + 2);
+    }
+    for (int k = 0; k < 6; k++)
+        fmpq_set(w->map + k, v + k);
+    _fmpq_vec_clear(v, 6);
+}
+
+/* At least a number, with few digits. */
+static void round_up(fmpq_t x) {
+    fmpz_mul_2exp(fmpq_numref(x), fmpq_numref(x), BOUND_BITS);
+    fmpz_cdiv_q(fmpq_numref(x), fmpq_numref(x), fmpq_denref(x));
+    fmpz_one(fmpq_denref(x));
+    fmpq_div_2exp(x, x, BOUND_BITS);
+}
+
+void scad_map_bounds(scad_writer *w, const scad_map *m) {
+    fmpq *v = _fmpq_vec_init(2), *norm = v, *far = v + 1;
+    scad_norm(norm, m->linear);
+    fmpq_mul(w->moved, w->moved, norm);
+    fmpq_addmul(w->moved, m->error, w->reach);
+    fmpq_mul(w->reach, w->reach, norm);
+    scad_hold(far, m->shift, 3);
+    fmpq_add(w->reach, w->reach, far);
+    round_up(w->reach);
+    round_up(w->moved);
+    _fmpq_vec_clear(v, 2);
+}

@@ -1,0 +1,284 @@
+/* Writes primitives of the plane: as they are, as prisms, or revolved about an axis.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/scad/outlines.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "input/csg/csg_bound.h"
+
+/* Rings of points, after the map at hand. */
+typedef struct rings {
+    fmpq *point; /* 2 each */
+    size_t count, capacity;
+    size_t *end; /* one past the last point of a ring */
+    size_t ends, end_capacity;
+} rings;
+
+static void rings_clear(rings *r) {
+    for (size_t k = 0; k < 2 * r->count; k++)
+        fmpq_clear(r->point + k);
+    free(r->point);
+    free(r->end);
+}
+
+/* (x, y) under the map at hand. */
+static void map_point(fmpq *out, const scad_writer *w, const fmpq *x) {
+    for (int i = 0; i < 2; i++) {
+        fmpq_mul(out + i, w->map + 3 * i, x);
+        fmpq_addmul(out + i, w->map + 3 * i + 1, x + 1);
+        fmpq_add(out + i, out + i, w->map + 3 * i + 2);
+    }
+}
+
+static graze_status take_corner(rings *r, scad_writer *w, const fmpq *x) {
+    graze_status status = array_grow(w->context, &r->point, &r->capacity, 2 * r->count + 2,
+                                     sizeof *r->point, "the points of a polygon");
+    if (status)
+        return status;
+    fmpq *next = r->point + 2 * r->count++;
+    fmpq_init(next);
+    fmpq_init(next + 1);
+    map_point(next, w, x);
+    scad_hold(w->reach, x, 2);
+    return GRAZE_OK;
+}
+
+static graze_status end_ring(rings *r, scad_writer *w) {
+    graze_status status = array_grow(w->context, &r->end, &r->end_capacity, r->ends + 1,
+                                     sizeof *r->end, "the rings of a polygon");
+    if (!status)
+        r->end[r->ends++] = r->count;
+    return status;
+}
+
+/* The points of a polygon, with the map not used yet. */
+static graze_status scad_points(fmpq **out, size_t *count, const scad_place *p) {
+    scad_span list, rest, item;
+    *count = 0;
+    graze_status status = scad_named_list(&list, p, "points");
+    if (status)
+        return status;
+    for (rest = list; scad_item(&item, &rest);)
+        ++*count;
+    *out = _fmpq_vec_init((slong)(2 * *count));
+    rest = list;
+    for (size_t k = 0; !status && scad_item(&item, &rest); k++)
+        status = scad_vector(*out + 2 * k, p, item, 2);
+    return status;
+}
+
+/* A ring of points by their numbers. */
+static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, scad_span path,
+                              const fmpq *point, size_t count) {
+    scad_span rest, item;
+    graze_status status = scad_list(&rest, p, path);
+    while (!status && scad_item(&item, &rest)) {
+        size_t k;
+        status = scad_index(&k, p, item, count);
+        if (!status)
+            status = take_corner(r, w, point + 2 * k);
+    }
+    return status ? status : end_ring(r, w);
+}
+
+static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) {
+    fmpq *point = NULL;
+    size_t count = 0;
+    scad_span value, rest, item;
+    graze_status status = scad_known(p, "points paths convexity");
+    if (!status)
+        status = scad_points(&point, &count, p);
+    if (!status && scad_value(&value, p, "paths")) {
+        status = scad_list(&rest, p, value);
+        while (!status && scad_item(&item, &rest))
+            status = read_path(r, w, p, item, point, count);
+    } else {
+        for (size_t k = 0; k < count && !status; k++)
+            status = take_corner(r, w, point + 2 * k);
+        if (!status)
+            status = end_ring(r, w);
+    }
+    if (point)
+        _fmpq_vec_clear(point, (slong)(2 * count));
+    if (!status && r->ends == 0)
+        status = scad_fail(p->file, w->context, GRAZE_EILLEGAL, p->node, "expected a path");
+    return status;
+}
+
+static graze_status read_square(rings *r, scad_writer *w, const scad_place *p) {
+    fmpq *low = _fmpq_vec_init(6), *high = low + 2, *corner = low + 4;
+    graze_status status = scad_box(low, high, w, p, 2);
+    for (int k = 0; k < 4 && !status; k++) {
+        fmpq_set(corner, k == 1 || k == 2 ? high : low);
+        fmpq_set(corner + 1, (k < 2 ? low : high) + 1);
+        status = take_corner(r, w, corner);
+    }
+    _fmpq_vec_clear(low, 6);
+    return status ? status : end_ring(r, w);
+}
+
+static graze_status read_rings(rings *r, scad_writer *w, const scad_place *p) {
+    *r = (rings){.count = 0};
+    return p->file->node[p->node].role == SCAD_SQUARE ? read_square(r, w, p)
+                                                      : scad_polygon(r, w, p);
+}
+
+/* A square as a box. */
+static graze_status write_square(scad_writer *w, const scad_place *p) {
+    int d = w->form == SCAD_PRISM ? 3 : 2;
+    fmpq *low = _fmpq_vec_init(6), *high = low + 3;
+    graze_status status = scad_box(low, high, w, p, 2);
+    if (!status) {
+        fmpq_set(low + 2, w->height);
+        fmpq_set(high + 2, w->height + 1);
+        scad_put_box(w, p, low, high, d);
+    }
+    _fmpq_vec_clear(low, 6);
+    return status;
+}
+
+static void put_scad_ring(scad_writer *w, const char *key, const rings *r, size_t ring) {
+    json_open(&w->json, key, '[');
+    for (size_t k = ring ? r->end[ring - 1] : 0; k < r->end[ring]; k++)
+        scad_put_vector(w, NULL, r->point + 2 * k, 2);
+    json_close(&w->json, ']');
+}
+
+static graze_status write_polygon(scad_writer *w, const scad_place *p) {
+    rings r;
+    graze_status status = read_rings(&r, w, p);
+    if (!status) {
+        scad_begin(w, p, "polygon");
+        put_scad_ring(w, "points", &r, 0);
+        if (r.ends > 1)
+            json_open(&w->json, "holes", '[');
+        for (size_t k = 1; k < r.ends; k++)
+            put_scad_ring(w, NULL, &r, k);
+        if (r.ends > 1)
+            json_close(&w->json, ']');
+        if (w->form == SCAD_PRISM)
+            scad_put_vector(w, "extrude", w->height, 2);
+        if (w->form == SCAD_REVOLVED)
+            json_count(&w->json, "revolve", 1);
+        scad_end(w, p);
+    }
+    rings_clear(&r);
+    return status;
+}
+
+/* The radius of a circle after the map at hand, which must keep it one. */
+static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_place *p) {
+    const fmpq *m = w->map;
+    fmpq *v = _fmpq_vec_init(3);
+    for (int i = 0; i < 2; i++) {
+        fmpq_addmul(v, m + 3 * i, m + 3 * i);
+        fmpq_addmul(v + 1, m + 3 * i + 1, m + 3 * i + 1);
+        fmpq_addmul(v + 2, m + 3 * i, m + 3 * i + 1);
+    }
+    int round = fmpq_equal(v, v + 1) && fmpz_is_square(fmpq_numref(v)) &&
+                fmpz_is_square(fmpq_denref(v)) && fmpq_is_zero(v + 2);
+    csg_upper_root(v + 1, v);
+    fmpq_mul(out, out, v + 1);
+    _fmpq_vec_clear(v, 3);
+    return round ? GRAZE_OK
+                 : scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                             "maps make it an ellipse; expected a circle that is revolved");
+}
+
+/* A ball or a torus. */
+static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq_t radius) {
+    fmpq *center = _fmpq_vec_init(6), *axis = center + 3;
+    const fmpq *x = w->map + 2;
+    graze_status status = GRAZE_OK;
+    fmpq_set(center + 2, w->map + 5);
+    fmpq_one(axis + 2);
+    if (!fmpq_is_zero(x) && fmpq_cmp(x, radius) <= 0)
+        status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                           "the circle meets the axis about which it is revolved; expected its "
+                           "centre on the axis, or all of it beside the axis");
+    if (!status) {
+        scad_begin(w, p, fmpq_is_zero(x) ? "ball" : "torus");
+        scad_put_vector(w, fmpq_is_zero(x) ? "center" : "point", center, 3);
+        if (!fmpq_is_zero(x))
+            scad_put_vector(w, "axis", axis, 3);
+        if (!fmpq_is_zero(x))
+            json_rational(&w->json, "major", x);
+        json_rational(&w->json, fmpq_is_zero(x) ? "radius" : "minor", radius);
+        scad_end(w, p);
+    }
+    _fmpq_vec_clear(center, 6);
+    return status;
+}
+
+/* The cylinder over a circle about the origin. */
+static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t radius) {
+    fmpq *point = _fmpq_vec_init(6), *axis = point + 3;
+    fmpq_set(point + 2, w->height);
+    fmpq_sub(axis + 2, w->height + 1, w->height);
+    scad_begin(w, p, "cylinder");
+    scad_put_vector(w, "point", point, 3);
+    scad_put_vector(w, "axis", axis, 3);
+    json_rational(&w->json, "radius", radius);
+    json_count(&w->json, "from", 0);
+    json_count(&w->json, "to", 1);
+    scad_end(w, p);
+    _fmpq_vec_clear(point, 6);
+}
+
+static graze_status read_circle(fmpq_t radius, scad_writer *w, const scad_place *p) {
+    graze_status status = scad_known(p, "r");
+    if (!status)
+        status = scad_round(w, p);
+    if (!status)
+        status = scad_size(radius, p, "r");
+    fmpq_set(w->reach, radius);
+    return status ? status : map_radius(radius, w, p);
+}
+
+static graze_status write_circle(scad_writer *w, const scad_place *p) {
+    fmpq_t radius;
+    fmpq_init(radius);
+    graze_status status = read_circle(radius, w, p);
+    if (!status && w->form == SCAD_REVOLVED) {
+        status = put_revolved(w, p, radius);
+    } else if (!status && w->form == SCAD_PRISM) {
+        put_disk_prism(w, p, radius);
+    } else if (!status) {
+        scad_begin(w, p, "ball");
+        json_rational(&w->json, "radius", radius);
+        scad_end(w, p);
+    }
+    fmpq_clear(radius);
+    return status;
+}
+
+graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_place *p) {
+    rings r = {.count = 0};
+    fmpq *low = low_high, *high = low_high + 1;
+    graze_status status;
+    if (p->file->node[p->node].role == SCAD_CIRCLE) {
+        status = read_circle(high, w, p);
+        fmpq_sub(low, w->map + 2, high);
+        fmpq_add(high, w->map + 2, high);
+    } else {
+        status = read_rings(&r, w, p);
+    }
+    for (size_t k = 0; k < r.count && !status; k++) {
+        const fmpq *x = r.point + 2 * k;
+        if (k == 0 || fmpq_cmp(x, low) < 0)
+            fmpq_set(low, x);
+        if (k == 0 || fmpq_cmp(x, high) > 0)
+            fmpq_set(high, x);
+    }
+    rings_clear(&r);
+    return status;
+}
+
+graze_status scad_write_outline(scad_writer *w, const scad_place *p) {
+    scad_role role = p->file->node[p->node].role;
+    if (role == SCAD_SQUARE && w->form != SCAD_REVOLVED)
+        return write_square(w, p);
+    return role == SCAD_CIRCLE ? write_circle(w, p) : write_polygon(w, p);
+}

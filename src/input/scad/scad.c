@@ -1,0 +1,256 @@
+/* Reads the nodes of OpenSCAD's `.csg` files.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * NAME(ARGUMENTS); or NAME(ARGUMENTS) {NODES}, with a mark before the name. Invariant while
+ * reading: `open` is the innermost node whose brace is not closed, `depth` the number of such ones.
+ */
+#include "input/scad/scad.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+
+typedef struct scan {
+    graze_context *context;
+    scad *file;
+    const char *text;
+    size_t length, at, line, open, depth;
+} scan;
+
+static const struct {
+    const char *name;
+    scad_role role;
+} roles[] = {{"union", SCAD_UNION},
+             {"group", SCAD_UNION},
+             {"color", SCAD_UNION},
+             {"render", SCAD_UNION},
+             {"difference", SCAD_DIFFERENCE},
+             {"intersection", SCAD_INTERSECTION},
+             {"multmatrix", SCAD_MAP},
+             {"linear_extrude", SCAD_EXTRUSION},
+             {"rotate_extrude", SCAD_REVOLUTION},
+             {"cube", SCAD_CUBE},
+             {"sphere", SCAD_SPHERE},
+             {"cylinder", SCAD_CYLINDER},
+             {"polyhedron", SCAD_POLYHEDRON},
+             {"square", SCAD_SQUARE},
+             {"circle", SCAD_CIRCLE},
+             {"polygon", SCAD_POLYGON}};
+
+graze_status scad_fail(const scad *file, graze_context *context, graze_status status, size_t node,
+                       const char *format, ...) {
+    const scad_node *n = &file->node[node];
+    char said[CONTEXT_MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(said, sizeof said, format, arguments);
+    va_end(arguments);
+    return context_fail_in(context, status, file->source, n->line, "%.*s: %s",
+                           n->name.length < 40 ? (int)n->name.length : 40, n->name.at, said);
+}
+
+static graze_status fail_here(scan *s, const char *what) {
+    return context_fail_in(s->context, GRAZE_EINPUT, s->file->source, s->line, "%s", what);
+}
+
+static graze_status limit_here(scan *s, graze_limit limit, const char *what) {
+    return context_in(s->context, context_limit(s->context, limit, what), s->file->source, s->line);
+}
+
+/* The next byte that is no blank; 0 at the end, where a NUL stands too. */
+static char next_byte(scan *s) {
+    for (; s->at < s->length && isspace((unsigned char)s->text[s->at]); s->at++)
+        s->line += s->text[s->at] == '\n';
+    return s->at < s->length ? s->text[s->at] : 0;
+}
+
+static scad_span scan_name(scan *s) {
+    scad_span name = {s->text + s->at, 0};
+    for (; s->at < s->length; s->at++, name.length++)
+        if (!isalnum((unsigned char)s->text[s->at]) && s->text[s->at] != '_')
+            break;
+    return name;
+}
+
+/* What stands in parentheses, of which the first is read. */
+static graze_status scan_arguments(scad_span *out, scan *s) {
+    size_t start = s->at, line = s->line, round = 1;
+    int quoted = 0;
+    for (; s->at < s->length && round > 0; s->at++) {
+        char c = s->text[s->at];
+        s->line += c == '\n';
+        if (quoted && c == '\\')
+            s->at++;
+        else if (c == '"')
+            quoted = !quoted;
+        else if (!quoted)
+            round = c == '(' ? round + 1 : c == ')' ? round - 1 : round;
+    }
+    if (round > 0) {
+        s->line = line;
+        return fail_here(s, "the file ends within the parentheses that begin here");
+    }
+    *out = (scad_span){s->text + start, s->at - 1 - start};
+    return GRAZE_OK;
+}
+
+/* Append a node to the open one. */
+static graze_status add_node(scan *s, const scad_node *made) {
+    scad *file = s->file;
+    if (file->count >= s->context->limits[GRAZE_LIMIT_CELLS])
+        return limit_here(s, GRAZE_LIMIT_CELLS, "nodes of a solid");
+    graze_status status = array_grow(s->context, &file->node, &file->capacity, file->count + 1,
+                                     sizeof *file->node, "the nodes of a solid");
+    if (status)
+        return status;
+    scad_node *parent = &file->node[s->open];
+    if (file->count > 0 && parent->last)
+        file->node[parent->last].next = file->count;
+    else if (file->count > 0)
+        parent->first = file->count;
+    if (file->count > 0)
+        parent->last = file->count;
+    file->node[file->count++] = *made;
+    return GRAZE_OK;
+}
+
+static graze_status scan_node(scan *s) {
+    scad_node n = {.parent = s->open};
+    for (; next_byte(s) && strchr("#%*!", s->text[s->at]); s->at++)
+        n.mark = s->text[s->at] == '#' ? n.mark : s->text[s->at];
+    n.line = s->line;
+    n.name = scan_name(s);
+    if (n.name.length == 0)
+        return fail_here(s, "expected a node, such as sphere(r = 1);");
+    if (next_byte(s) != '(')
+        return fail_here(s, "expected ( after a name");
+    s->at++;
+    graze_status status = scan_arguments(&n.arguments, s);
+    if (!status)
+        status = add_node(s, &n);
+    if (status)
+        return status;
+    char after = next_byte(s);
+    if (after != ';' && after != '{')
+        return fail_here(s, "expected ; or { after )");
+    s->at++;
+    if (after == '{') {
+        s->open = s->file->count - 1;
+        if (++s->depth > s->context->limits[GRAZE_LIMIT_DEPTH])
+            return limit_here(s, GRAZE_LIMIT_DEPTH, "nesting of nodes");
+    }
+    return GRAZE_OK;
+}
+
+static graze_status scan_nodes(scan *s) {
+    graze_status status = add_node(s, &(scad_node){.line = 1});
+    for (char c = next_byte(s); c && !status; c = next_byte(s)) {
+        if (c == '}' && s->depth == 0)
+            return fail_here(s, "expected no } here: none is open");
+        if (c == '}') {
+            s->open = s->file->node[s->open].parent;
+            s->depth--;
+            s->at++;
+        } else {
+            status = scan_node(s);
+        }
+    }
+    if (!status && s->at < s->length)
+        return fail_here(s, "a NUL byte; expected text");
+    if (!status && s->depth > 0)
+        return fail_here(s, "the file ends before a { is closed");
+    return status;
+}
+
+/* Marks, and roles of what is part of the solid. */
+static graze_status take_parts(scad *file, graze_context *context) {
+    for (size_t n = 1; n < file->count && !file->root; n++)
+        if (file->node[n].mark == '!')
+            file->root = n;
+    file->node[0].absent = file->root > 0;
+    for (size_t k = 1; k < file->count; k++) {
+        scad_node *n = &file->node[k];
+        n->absent =
+            k != file->root && (file->node[n->parent].absent || n->mark == '%' || n->mark == '*');
+        if (n->absent)
+            continue;
+        size_t r = 0, known = sizeof roles / sizeof *roles;
+        while (r < known && (strlen(roles[r].name) != n->name.length ||
+                             memcmp(roles[r].name, n->name.at, n->name.length) != 0))
+            r++;
+        if (r == known)
+            return scad_fail(file, context, GRAZE_EINPUT, k,
+                             "not taken; expected cubes, spheres, "
+                             "cylinders, convex polyhedra, squares, circles and polygons, moved, "
+                             "combined and extruded");
+        n->role = roles[r].role;
+        if (n->first && n->role >= SCAD_CUBE)
+            return scad_fail(file, context, GRAZE_EINPUT, k, "expected ; after it, no nodes");
+    }
+    return GRAZE_OK;
+}
+
+size_t scad_next(const scad *file, size_t child) {
+    do
+        child = file->node[child].next;
+    while (child && file->node[child].absent);
+    return child;
+}
+
+size_t scad_first(const scad *file, size_t node) {
+    size_t child = file->node[node].first;
+    return child && file->node[child].absent ? scad_next(file, child) : child;
+}
+
+/* Whether a node is empty, and its dimension, by its children. */
+static graze_status take_dimension(scad *file, graze_context *context, size_t k) {
+    scad_node *n = &file->node[k];
+    if (n->role >= SCAD_CUBE) {
+        n->dimension = n->role < SCAD_SQUARE ? 3 : 2;
+        return GRAZE_OK;
+    }
+    size_t first = scad_first(file, k);
+    n->empty = !first || (n->role == SCAD_DIFFERENCE && file->node[first].empty);
+    int some = 0;
+    for (size_t c = first; c; c = scad_next(file, c)) {
+        const scad_node *child = &file->node[c];
+        n->empty |= n->role == SCAD_INTERSECTION && child->empty;
+        some |= !child->empty;
+        if (n->dimension && child->dimension && n->dimension != child->dimension)
+            return scad_fail(file, context, GRAZE_EINPUT, c,
+                             "it has dimension %d; expected %d, as what stands before it",
+                             child->dimension, n->dimension);
+        n->dimension = child->dimension ? child->dimension : n->dimension;
+    }
+    n->empty |= !some;
+    if (n->role != SCAD_EXTRUSION && n->role != SCAD_REVOLUTION)
+        return GRAZE_OK;
+    if (n->dimension == 3)
+        return scad_fail(file, context, GRAZE_EINPUT, k, "expected nodes of the plane in it");
+    n->dimension = n->dimension ? 3 : 0;
+    return GRAZE_OK;
+}
+
+graze_status scad_parse(scad *out, graze_context *context, const char *source, const char *text,
+                        size_t length) {
+    *out = (scad){.source = source};
+    scan s = {.context = context, .file = out, .text = text, .length = length, .line = 1};
+    graze_status status = scan_nodes(&s);
+    if (!status)
+        status = take_parts(out, context);
+    for (size_t k = out->count; k-- > 0 && !status;)
+        if (!out->node[k].absent)
+            status = take_dimension(out, context, k);
+    if (!status && out->node[out->root].empty)
+        status = context_fail_in(context, GRAZE_EILLEGAL, source, 0,
+                                 "empty; expected a solid of OpenSCAD");
+    return status;
+}
+
+void scad_clear(scad *file) {
+    free(file->node);
+    *file = (scad){.source = NULL};
+}

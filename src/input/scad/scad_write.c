@@ -1,0 +1,275 @@
+/* Writes the nodes of OpenSCAD's `.csg` files as those of `.csg.json`.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Boolean operations commute with prisms and with revolution, where a point of space is in the
+ * solid iff (distance from the axis, height) is in the outline: so nodes of the plane are written
+ * where they stand, in the form of the extrusion around them.
+ */
+#include "input/scad/scad_write.h"
+
+#include <flint/fmpq_vec.h>
+#include <string.h>
+#include <strings.h>
+#include "base/number/decimal.h"
+#include "input/scad/bodies.h"
+#include "input/scad/map.h"
+#include "input/scad/outlines.h"
+
+static graze_status write_node(scad_writer *w, size_t node);
+
+int scad_is_named(const char *path) {
+    size_t length = strlen(path);
+    return length > 4 && strcasecmp(path + length - 4, ".csg") == 0;
+}
+
+/* The child of an operation after another one, or the first after 0, that is not empty. */
+static size_t operand_after(const scad *file, size_t node, size_t child) {
+    do
+        child = child ? scad_next(file, child) : scad_first(file, node);
+    while (child && file->node[child].empty);
+    return child;
+}
+
+/* The children of an operation; a single one stands for itself. */
+static graze_status write_operands(scad_writer *w, const scad_place *p) {
+    static const char *const keys[] = {
+        [SCAD_DIFFERENCE] = "difference", [SCAD_INTERSECTION] = "intersection"};
+    scad_role role = p->file->node[p->node].role;
+    size_t child = operand_after(p->file, p->node, 0);
+    if (!operand_after(p->file, p->node, child))
+        return write_node(w, child);
+    fmpq *most = _fmpq_vec_init(2);
+    graze_status status = GRAZE_OK;
+    scad_open(w, p, role <= SCAD_INTERSECTION && keys[role] ? keys[role] : "union", '[');
+    for (; child && !status; child = operand_after(p->file, p->node, child)) {
+        status = write_node(w, child);
+        if (fmpq_cmp(w->reach, most) > 0)
+            fmpq_set(most, w->reach);
+        if (fmpq_cmp(w->moved, most + 1) > 0)
+            fmpq_set(most + 1, w->moved);
+    }
+    json_close(&w->json, ']');
+    json_close(&w->json, '}');
+    fmpq_swap(w->reach, most);
+    fmpq_swap(w->moved, most + 1);
+    _fmpq_vec_clear(most, 2);
+    return status;
+}
+
+/* Rows of the matrix of a map, that of a prism keeps heights. */
+static void put_map_rows(scad_writer *w, const scad_map *m) {
+    int d = w->dimension, flat = d == 3 && w->form == SCAD_PRISM;
+    fmpq *row = _fmpq_vec_init(4);
+    json_open(&w->json, "matrix", '[');
+    for (int i = 0; i < d; i++) {
+        for (int j = 0; j < d; j++)
+            fmpq_set(row + j, m->linear + 3 * i + j);
+        fmpq_set(row + d, m->shift + i);
+        if (flat && i == 2)
+            fmpq_one(row + 2);
+        scad_put_vector(w, NULL, row, (size_t)d + 1);
+    }
+    json_close(&w->json, ']');
+    _fmpq_vec_clear(row, 4);
+}
+
+static graze_status write_mapped(scad_writer *w, const scad_place *p) {
+    fmpq *before = _fmpq_vec_init(6);
+    int turned;
+    scad_map m;
+    scad_map_init(&m);
+    graze_status status = scad_map_read(&m, w, p, &turned);
+    w->turned += (size_t)turned;
+    if (!status && w->form == SCAD_REVOLVED) {
+        for (int k = 0; k < 6; k++)
+            fmpq_set(before + k, w->map + k);
+        scad_compose(w, &m);
+        status = write_operands(w, p);
+        for (int k = 0; k < 6; k++)
+            fmpq_swap(w->map + k, before + k);
+    } else if (!status) {
+        scad_open(w, p, "affine", '{');
+        put_map_rows(w, &m);
+        w->key = "of";
+        status = write_operands(w, p);
+        json_close(&w->json, '}');
+        json_close(&w->json, '}');
+    }
+    if (!status && w->choice->near_rotation)
+        scad_map_bounds(w, &m);
+    scad_map_clear(&m);
+    _fmpq_vec_clear(before, 6);
+    return status;
+}
+
+/* Let the map of what is revolved be the identity, or the reflection that keeps heights. */
+static void reset_map(scad_writer *w, int sign) {
+    for (int k = 0; k < 6; k++)
+        fmpq_set_si(w->map + k, k == 0 ? sign : k == 4, 1);
+}
+
+/* An interval that holds the first coordinates of an outline, after the map at hand. */
+static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
+    scad_place p = {w->file, w->context, node};
+    scad_role role = w->file->node[node].role;
+    if (role >= SCAD_CUBE)
+        return scad_outline_extent(out, w, &p);
+    fmpq *v = _fmpq_vec_init(8), *before = v, *next = v + 6;
+    size_t c = 0;
+    int first = 1, turned;
+    scad_map m;
+    scad_map_init(&m);
+    graze_status status = role == SCAD_MAP ? scad_map_read(&m, w, &p, &turned) : GRAZE_OK;
+    for (int k = 0; k < 6; k++)
+        fmpq_set(before + k, w->map + k);
+    if (role == SCAD_MAP)
+        scad_compose(w, &m);
+    for (; !status && (c = operand_after(w->file, node, c)); first = 0) {
+        if (role == SCAD_DIFFERENCE && !first)
+            break;
+        status = find_extent(next, w, c);
+        for (int k = 0; k < 2; k++)
+            if (first || (fmpq_cmp(next + k, out + k) < 0) == ((role == SCAD_INTERSECTION) == k))
+                fmpq_set(out + k, next + k);
+    }
+    for (int k = 0; k < 6; k++)
+        fmpq_swap(w->map + k, before + k);
+    scad_map_clear(&m);
+    _fmpq_vec_clear(v, 8);
+    return status;
+}
+
+/* The side of the axis on which an outline is, by a map that brings it to the right. */
+static graze_status find_side(scad_writer *w, const scad_place *p) {
+    fmpq *extent = _fmpq_vec_init(2);
+    reset_map(w, 1);
+    graze_status status = find_extent(extent, w, p->node);
+    if (!status && fmpq_sgn(extent) < 0 && fmpq_sgn(extent + 1) > 0)
+        status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                           "the outline is on both sides of the axis; expected x of one sign");
+    reset_map(w, fmpq_sgn(extent) < 0 ? -1 : 1);
+    _fmpq_vec_clear(extent, 2);
+    return status;
+}
+
+static graze_status write_revolution(scad_writer *w, const scad_place *p) {
+    fmpq_t angle;
+    scad_span value;
+    fmpq_init(angle);
+    graze_status status = scad_known(p, "angle start convexity");
+    if (!status)
+        status = scad_round(w, p);
+    fmpq_set_si(angle, 360, 1);
+    if (!status && scad_value(&value, p, "angle"))
+        status = scad_number(angle, p, value);
+    if (!status && fmpq_cmp_si(angle, 360) != 0)
+        status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                           "only whole turns are taken; expected angle = 360");
+    fmpq_clear(angle);
+    if (!status)
+        status = find_side(w, p);
+    w->form = SCAD_REVOLVED;
+    if (!status)
+        status = write_operands(w, p);
+    w->form = SCAD_ITSELF;
+    reset_map(w, 1);
+    return status;
+}
+
+/* That an extrusion is a prism over its outline. */
+static graze_status check_straight(const scad_place *p) {
+    fmpq *v = _fmpq_vec_init(3), *twist = v, *scale = v + 1;
+    scad_span value;
+    graze_status status = GRAZE_OK;
+    fmpq_one(scale);
+    fmpq_one(scale + 1);
+    if (scad_value(&value, p, "twist"))
+        status = scad_number(twist, p, value);
+    if (!status && scad_value(&value, p, "scale"))
+        status = scad_vector(scale, p, value, 2);
+    if (!status && !(fmpq_is_zero(twist) && fmpq_is_one(scale) && fmpq_is_one(scale + 1)))
+        status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                           "only prisms are taken; expected no twist and a scale of 1");
+    _fmpq_vec_clear(v, 3);
+    return status;
+}
+
+static graze_status write_prism(scad_writer *w, const scad_place *p) {
+    fmpq *high = w->height + 1;
+    graze_status status = scad_known(p, "height center convexity twist slices segments scale");
+    if (!status)
+        status = check_straight(p);
+    if (!status)
+        status = scad_size(high, p, "height");
+    if (!status && scad_flag(p, "center")) {
+        fmpq_div_2exp(high, high, 1);
+        fmpq_neg(w->height, high);
+    }
+    w->form = SCAD_PRISM;
+    if (!status)
+        status = write_operands(w, p);
+    w->form = SCAD_ITSELF;
+    fmpq_add(w->reach, w->reach, high);
+    fmpq_zero(w->height);
+    return status;
+}
+
+static graze_status write_node(scad_writer *w, size_t node) {
+    scad_place p = {w->file, w->context, node};
+    fmpq_zero(w->reach);
+    fmpq_zero(w->moved);
+    scad_role role = w->file->node[node].role;
+    if (role == SCAD_MAP)
+        return write_mapped(w, &p);
+    if (role == SCAD_EXTRUSION)
+        return write_prism(w, &p);
+    if (role == SCAD_REVOLUTION)
+        return write_revolution(w, &p);
+    if (role < SCAD_CUBE)
+        return write_operands(w, &p);
+    graze_status status = role < SCAD_SQUARE ? scad_write_body(w, &p) : scad_write_outline(w, &p);
+    return status ? status : context_work(w->context, 16);
+}
+
+/* What was done with rotations. */
+static void put_report(text *report, const scad_writer *w) {
+    if (!w->choice->near_rotation)
+        return;
+    fmpq_set_si(w->height, 101, 100); /* three digits may be less by half a hundredth */
+    fmpq_mul(w->moved, w->moved, w->height);
+    text_put(report, "maps taken as rotations: ");
+    text_count(report, w->turned);
+    text_put(report, "; no point moves by more than ");
+    text_owned(report, decimal_of_rational(NULL, w->moved, 3));
+    text_put(report, "\n");
+}
+
+graze_status scad_write(text *out, text *report, graze_context *context, const char *source,
+                        const char *bytes, size_t length, const scad_choice *choice) {
+    scad file;
+    fmpq *v = _fmpq_vec_init(10);
+    graze_status status = scad_parse(&file, context, source, bytes, length);
+    scad_writer w = {.file = &file,
+                     .context = context,
+                     .choice = choice,
+                     .json.out = out,
+                     .line = 1,
+                     .key = "solid",
+                     .height = v,
+                     .map = v + 2,
+                     .reach = v + 8,
+                     .moved = v + 9};
+    if (!status) {
+        w.dimension = file.node[file.root].dimension;
+        reset_map(&w, 1);
+        json_open(&w.json, NULL, '{');
+        json_count(&w.json, "dimension", (unsigned long)w.dimension);
+        status = write_node(&w, file.root);
+        json_close(&w.json, '}');
+        text_put(out, "\n");
+        put_report(report, &w);
+    }
+    scad_clear(&file);
+    _fmpq_vec_clear(v, 10);
+    return status;
+}

@@ -1,0 +1,93 @@
+/* Writes what nodes of OpenSCAD's files have in common.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/scad/writer.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdio.h>
+
+void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket) {
+    for (; w->line < p->file->node[p->node].line; w->line++)
+        text_put(w->json.out, "\n");
+    json_open(&w->json, w->key, '{');
+    json_open(&w->json, key, bracket);
+    w->key = NULL;
+}
+
+void scad_begin(scad_writer *w, const scad_place *p, const char *key) {
+    scad_open(w, p, key, '{');
+}
+
+void scad_end(scad_writer *w, const scad_place *p) {
+    char name[40];
+    json_close(&w->json, '}');
+    snprintf(name, sizeof name, "line %zu", p->file->node[p->node].line);
+    json_text(&w->json, "name", name);
+    json_close(&w->json, '}');
+}
+
+void scad_put_vector(scad_writer *w, const char *key, const fmpq *x, size_t count) {
+    json_open(&w->json, key, '[');
+    for (size_t k = 0; k < count; k++)
+        json_rational(&w->json, NULL, x + k);
+    json_close(&w->json, ']');
+}
+
+graze_status scad_size(fmpq_t out, const scad_place *p, const char *name) {
+    graze_status status = scad_named_number(out, p, name);
+    return !status && fmpq_sgn(out) <= 0
+               ? scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                           "%s is not positive; expected a positive number", name)
+               : status;
+}
+
+graze_status scad_round(const scad_writer *w, const scad_place *p) {
+    fmpq_t sides;
+    scad_span value;
+    graze_status status = GRAZE_OK;
+    fmpq_init(sides);
+    if (scad_value(&value, p, "$fn"))
+        status = scad_number(sides, p, value);
+    if (!status && fmpq_sgn(sides) > 0 && !w->choice->smooth)
+        status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                           "$fn = %.*s asks for so many sides; expected 0, or that it is said to "
+                           "be smooth",
+                           value.length < 20 ? (int)value.length : 20, value.at);
+    fmpq_clear(sides);
+    return status;
+}
+
+void scad_hold(fmpq_t reach, const fmpq *x, int dimension) {
+    fmpq *v = _fmpq_vec_init(2), *sum = v, *size = v + 1;
+    for (int i = 0; i < dimension; i++) {
+        fmpq_abs(size, x + i);
+        fmpq_add(sum, sum, size);
+    }
+    if (fmpq_cmp(sum, reach) > 0)
+        fmpq_set(reach, sum);
+    _fmpq_vec_clear(v, 2);
+}
+
+graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p, int dimension) {
+    graze_status status = scad_known(p, "size center");
+    if (!status)
+        status = scad_named_vector(high, p, "size", (size_t)dimension);
+    for (int i = 0; i < dimension && !status; i++)
+        if (fmpq_sgn(high + i) <= 0)
+            status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                               "expected a size of positive numbers");
+    for (int i = 0; i < dimension && !status && scad_flag(p, "center"); i++) {
+        fmpq_div_2exp(high + i, high + i, 1);
+        fmpq_neg(low + i, high + i);
+    }
+    scad_hold(w->reach, high, dimension);
+    return status;
+}
+
+void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fmpq *high,
+                  int dimension) {
+    scad_begin(w, p, "box");
+    scad_put_vector(w, "low", low, (size_t)dimension);
+    scad_put_vector(w, "high", high, (size_t)dimension);
+    scad_end(w, p);
+}

@@ -1,0 +1,289 @@
+#!/usr/bin/env python3
+# suite
+"""OpenSCAD's `.csg` files: words and times of each construct derived by hand, the same answers as of `.csg.json` twins, and
+what --smooth and --near-rotation take. tests/refuse/scad.txt has what is refused.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+c(t), the inverted trajectory of the origin, is the path that is given. Where a text is as OpenSCAD 2021.01 writes it, it
+has all of the arguments; a reason stands beside a word that is not evident.
+"""
+import json
+import os
+import re
+import sys
+import tempfile
+from fractions import Fraction as F
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+
+from scenes import (Checks, Curved, Graze, along, ball, box, common, cone, cylinder, minus, options, torus,  # noqa: E402
+                    union)
+from harness import run  # noqa: E402
+
+ORIGIN = {2: (0, 0), 3: (0, 0, 0)}
+ROUND = "$fn = 0, $fa = 12, $fs = 2, "
+
+
+def sphere(r):
+    return f"sphere({ROUND}r = {r});"
+
+
+def rod(h, r1, r2, center="false"):
+    return f"cylinder({ROUND}h = {h}, r1 = {r1}, r2 = {r2}, center = {center});"
+
+
+def cube(*size, center="false"):
+    return f"cube(size = {list(size)}, center = {center});"
+
+
+def square(*size, center="false"):
+    return f"square(size = {list(size)}, center = {center});"
+
+
+def circle(r):
+    return f"circle({ROUND}r = {r});"
+
+
+def moved(x, y, z, *nodes):
+    return f"multmatrix([[1, 0, 0, {x}], [0, 1, 0, {y}], [0, 0, 1, {z}], [0, 0, 0, 1]]) {{\n" + "\n".join(nodes) + "\n}"
+
+
+def mapped(rows, *nodes):
+    return f"multmatrix({[list(row) for row in rows] + [[0, 0, 0, 1]]}) {{\n" + "\n".join(nodes) + "\n}"
+
+
+def of(name, *nodes, arguments=""):
+    return f"{name}({arguments}) {{\n" + "\n".join(nodes) + "\n}\n"
+
+
+def prism(height, *nodes, center="false"):
+    return of("linear_extrude", *nodes,
+              arguments=f"height = {height}, center = {center}, convexity = 1, scale = [1, 1], $fn = 0, $fa = 12, $fs = 2")
+
+
+def turned(*nodes):
+    return of("rotate_extrude", *nodes, arguments="angle = 360, convexity = 2, $fn = 0, $fa = 12, $fs = 2")
+
+
+QUARTER = ((0, -1, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0))
+VASE = "polygon(points = [[0, 0], [8, 4], [4, 8], [4, 12], [12, 16], [0, 20]], paths = undef, convexity = 1);"
+PYRAMID = ("polyhedron(points = [[10, 0, 0], [0, 10, 0], [-10, 0, 0], [0, -10, 0], [0, 0, 10]], "
+           "faces = [[0, 1, 2, 3], [4, 1, 0], [4, 2, 1], [4, 3, 2], [4, 0, 3]], convexity = 1);")
+PLATE = "polygon(points = [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [2, 1], [2, 2]], paths = [[0, 1, 2, 3], [4, 5, 6]], convexity = 1);"
+# name, text, path over [-20, 20], word, times
+SCENES = [
+    ("cube", cube(2, 4, 6), ("t", "2", "3"), "OBIBO", [0, 2]),
+    ("cube in the middle", cube(2, 4, 6, center="true"), ("t", "0", "0"), "OBIBO", [-1, 1]),
+    ("sphere", sphere(5), ("t", "3", "0"), "OBIBO", [-4, 4]),
+    ("cylinder", rod(10, 5, 5), ("0", "3", "t"), "OBIBO", [0, 10]),
+    ("cylinder in the middle", rod(10, 5, 5, "true"), ("t", "3", "5"), "OBO", [(-4, 4)]),
+    ("frustum", rod(4, 4, 2), ("t", "0", "2"), "OBIBO", [-3, 3]),          # of radius 4 - z / 2
+    ("frustum, its top", rod(4, 4, 2), ("t", "0", "4"), "OBO", [(-2, 2)]),
+    ("frustum upside down", rod(4, 2, 4, "true"), ("t", "0", "0"), "OBIBO", [-3, 3]),
+    ("cone", rod(3, 0, 3), ("t", "0", "2"), "OBIBO", [-2, 2]),
+    ("cone, its apex", rod(3, 3, 0), ("t", "0", "3"), "OBO", [0]),
+    ("polyhedron", PYRAMID, ("t", "0", "5"), "OBIBO", [-5, 5]),             # |x| + |y| + z <= 10
+    ("polyhedron, an edge", PYRAMID, ("0", "t", "0"), "OBO", [(-10, 10)]),
+    ("scaled", mapped(((2, 0, 0, 1), (0, 1, 0, 0), (0, 0, 1, 0)), sphere(1)), ("t", "0", "0"), "OBIBO", [-1, 3]),
+    ("two in a row", moved(-1, 0, 0, sphere(1)) + moved(1, 0, 0, sphere(1)), ("t", "0", "0"), "OBIBIBO", [-2, 0, 2]),
+    ("names of a union", of("group", of("color", of("render", of("union", cube(1, 1, 1)), arguments="convexity = 1"),
+                                        arguments="[1, 0, 0, 1]")), ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
+    ("difference", of("difference", cube(4, 4, 4, center="true"), sphere(1), moved(2, 0, 0, sphere("0.5"))), ("t", "0", "0"),
+     "OBIBOBIBO", [-2, -1, 1, F(3, 2)]),
+    ("intersection", of("intersection", cube(4, 4, 4), sphere(2)), ("t", "1", "0"), "OBO", [(0, [-3, 0, 1])]),
+    ("prism of a disk", prism(6, circle(5), center="true"), ("0", "3", "t"), "OBIBO", [-3, 3]),
+    # x^2 + y^2 <= 9 without the square [0, 2] x [-1, 1], which is turned from [-1, 1] x [-2, 0].
+    ("prism of a difference", prism(2, of("difference", circle(3), mapped(QUARTER, moved(-1, -2, 0, square(2, 2))))),
+     ("t", "0", "1"), "OBIBOBIBO", [-3, 0, 2, 3]),
+    ("ring", turned(moved(10, 0, 0, square(5, 5))), ("t", "0", "1"), "OBIBOBIBO", [-15, -10, 10, 15]),
+    ("ring of what is on the left", turned(moved(-15, 0, 0, square(5, 5))), ("0", "t", "1"), "OBIBOBIBO", [-15, -10, 10, 15]),
+    ("torus", turned(moved(5, 1, 0, circle(2))), ("t", "0", "1"), "OBIBOBIBO", [-7, -3, 3, 7]),
+    ("torus of a turned disk", turned(mapped(QUARTER, moved(0, -5, 0, circle(2)))), ("t", "0", "2"), "OBOBO", [-5, 5]),     # its top
+    ("ball of half a disk", turned(of("intersection", circle(5), moved(0, -5, 0, square(5, 10)))), ("t", "3", "0"), "OBIBO",
+     [-4, 4]),
+    ("vase, cone", turned(VASE), ("t", "0", "2"), "OBIBO", [-4, 4]),        # radius 8 at height 4, 0 at 0
+    ("vase, edge", turned(VASE), ("t", "0", "4"), "OBIBO", [-8, 8]),
+    ("vase, inwards", turned(VASE), ("t", "0", "6"), "OBIBO", [-6, 6]),
+    ("vase, cylinder", turned(VASE), ("t", "0", "10"), "OBIBO", [-4, 4]),
+    ("vase, axis", turned(VASE), ("0", "0", "t+5"), "OBIBO", [-5, 15]),
+    # At height z the axis-crossing triangle is beside the axis from 0 to 4 - 2 |z|, on whose apexes z = +-2 the axis leaves it.
+    ("outline cut at the axis", turned(of("intersection", "polygon(points = [[4, 0], [-4, 4], [-4, -4]], paths = undef);",
+                                          moved(0, -9, 0, square(9, 18)))), ("t", "0", "1"), "OBIBO", [-2, 2]),
+    ("disk", circle(5), ("t", "3"), "OBIBO", [-4, 4]),
+    ("square", mapped(QUARTER, square(2, 6)), ("t", "1"), "OBIBO", [-6, 0]),
+    # At height 3/2 the triangle reaches from 3/2 to 2.
+    ("polygon with a path inside", PLATE, ("t", "3/2"), "OBIBOBIBO", [0, F(3, 2), 2, 4]),
+    ("marks", of("intersection", cube(1, 1, 1), "%\t" + cube(3, 3, 3), "*hull() {" + cube(5, 5, 5) + "}", "#\t" + cube(2, 2, 2)),
+     ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
+    ("background first", of("difference", "%" + cube(9, 9, 9), cube(2, 2, 2), cube(1, 2, 2)), ("t", "1", "1"), "OBIBO", [1, 2]),
+    ("root", moved(5, 0, 0, "!" + cube(1, 1, 1), "import(file = \"a.stl\");"), ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
+    ("nothing taken away", of("difference", cube(1, 1, 1), "group();", of("intersection", cube(2, 2, 2), "group();")) + "group();",
+     ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
+    ("exponents", "sphere(r = 1e-2);", ("t", "0", "0"), "OBIBO", [F(-1, 100), F(1, 100)]),
+]
+# The same solids as nodes of .csg.json: points of a lattice, which meets their surfaces, and of random fractions.
+TWINS = [
+    (of("difference", cube(4, 4, 4, center="true"), moved(1, 0, 0, sphere(2)), rod(6, 1, 1, "true")),
+     minus(box((-2, -2, -2), (2, 2, 2)), ball((1, 0, 0), 2), cylinder((0, 0, -3), (0, 0, 1), 1, 0, 6))),
+    (of("union", rod(2, 3, 1), moved(0, 0, 2, rod(1, 1, 0))),
+     union(minus(cone((0, 0, 3), (0, 0, -1), 1, 3), {"halfspace": {"normal": ["0", "0", "-1"], "offset": "-2"}}),
+           cone((0, 0, 3), (0, 0, -1), 1, 1))),
+    (turned(moved(3, 0, 0, circle(1))), torus((0, 0, 0), (0, 0, 1), 3, 1)),
+    (turned(moved(1, 0, 0, square(2, 2))), minus(cylinder((0, 0, 0), (0, 0, 1), 3, 0, 2), cylinder((0, 0, 0), (0, 0, 1), 1, 0, 2))),
+    (turned("polygon(points = [[1, 0], [3, 0], [1, 2]], paths = undef);"),
+     minus(cone((0, 0, 3), (0, 0, -1), 1, 3), cylinder((0, 0, -1), (0, 0, 1), 1, 0, 9))),
+    (PYRAMID.replace("10", "3"), common(*({"halfspace": {"normal": [str(a), str(b), "1"], "offset": "3"}}
+                                          for a in (-1, 1) for b in (-1, 1)), {"halfspace": {"normal": ["0", "0", "-1"], "offset": "0"}})),
+    (prism(3, of("difference", circle(3), "polygon(points = [[0, 0], [2, 0], [0, 2]], paths = undef);")),
+     minus(cylinder((0, 0, 0), (0, 0, 3), 3, 0, 1), {"polygon": {"points": [["0", "0"], ["2", "0"], ["0", "2"]], "extrude": ["-1", "4"]}})),
+]
+
+class Scad:
+    """A text in a dimension, as a file."""
+    suffix = ".csg"
+
+    def __init__(self, dimension, text):
+        self.dimension, self.given = dimension, text
+
+    def text(self):
+        return self.given
+
+
+def times_of(contacts):
+    out = []
+    for c in contacts:
+        ends = [F(x) if isinstance(x, str) else [int(a) for a in x["poly"]] for x in (c["from"], c["to"])]
+        out.append(ends[0] if c["from"] == c["to"] else tuple(ends))
+    return out
+
+
+def check_scenes(graze, checks):
+    for name, text, path, word, times in SCENES:
+        d = len(path)
+        answers = graze.classify(name, Scad(d, text), along(-20, 20, *path), [ORIGIN[d]])
+        if answers:
+            checks.equal(answers[0].word, word, name)
+            checks.equal(times_of(answers[0].contacts), times, name)
+
+
+def check_twins(graze, checks, args):
+    pick = args.random
+    points = [(x, y, z) for x in range(-4, 5, 2) for y in (-1, 0, 1, 2) for z in (0, 1, 2)]
+    points += [tuple(F(pick.randint(-40, 40), pick.randint(1, 11)) for _ in range(3)) for _ in range(100 * args.scale)]
+    for k, (text, node) in enumerate(TWINS):
+        motion = along(-3, 3, "t", "t^2/4", "t/2")
+        both = [graze.classify(f"twin {k}", solid, motion, points) for solid in (Scad(3, text), Curved(3, node))]
+        if not (both[0] and both[1]):
+            continue
+        checks.holds(len({a.word for a in both[1]}) > 3, f"twin {k}", "too few words to tell solids apart")
+        for point, got, want in zip(points, *both):
+            checks.equal((got.counts(), got.times()), (want.counts(), want.times()), f"twin {k}", point)
+
+
+class Bench:
+    def __init__(self, args, checks, folder):
+        self.args, self.checks, self.folder = args, checks, folder
+
+    def convert(self, text, *options):
+        path = os.path.join(self.folder, "s.csg")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return run([self.args.graze, "convert", path, *options], memory=self.args.memory)
+
+
+def check_smooth(bench):
+    """With --smooth the file is that of the same text without numbers of sides."""
+    text = of("union", "sphere($fn = 30, r = 2);", "cylinder($fn = 6, h = 1, r1 = 1, r2 = 2);", turned(moved(5, 0, 0, "circle($fn = 9, r = 1);")))
+    round_one = bench.convert(re.sub(r"\$fn = \d+", "$fn = 0", text))
+    smooth = bench.convert(text, "--smooth")
+    bench.checks.equal((smooth.returncode, smooth.stdout), (0, round_one.stdout), "smooth", smooth.stderr)
+
+
+def matrices(node, out):
+    """The linear parts of the maps of a node, outermost first."""
+    if isinstance(node, dict):
+        if "affine" in node:
+            out.append([[F(x) for x in row[:-1]] for row in node["affine"]["matrix"]])
+        for value in node.values():
+            matrices(value, out)
+    elif isinstance(node, list):
+        for value in node:
+            matrices(value, out)
+    return out
+
+
+def gram(m):
+    """The product of the transpose and the matrix."""
+    n = len(m)
+    return [[sum(m[k][i] * m[k][j] for k in range(n)) for j in range(n)] for i in range(n)]
+
+
+# rows, tolerance, the scale of the rotation that must be found, or None
+NEAR = [
+    (((0.866025, -0.5, 0, 3), (0.5, 0.866025, 0, 0), (0, 0, 1, 0)), "1e-6", 1),
+    (((0.353553, -0.612372, 0.707107, 0), (0.866025, 0.5, 0, 0), (-0.353553, 0.612372, 0.707107, 0)), "1e-6", 1),
+    (((-0.866025, 0.5, 0, 0), (0.5, 0.866025, 0, 0), (0, 0, 1, 0)), "1e-6", 1),              # a reflection
+    (((1.73205, -1, 0, 0), (1, 1.73205, 0, 0), (0, 0, 2, 0)), "1e-5", 2),
+    (((0.8, -0.6, 0, 0), (0.6, 0.8, 0, 0), (0, 0, 1, 0)), "1e-6", None),                      # exact: it stays
+    (((2, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0)), "1e-6", None),                               # a stretch: it stays
+    (((0.866025, -0.5, 0, 0), (0.5, 0.866025, 0, 0), (0, 0, 1, 0)), "1e-8", None),            # not so near
+]
+
+
+def check_near(bench):
+    """The map that is written, over the scale, is exactly orthogonal and as near in each entry as the tolerance; no corner of the
+    cube moves by more than is told, and that is no more than all errors of a column together for its distance from the origin."""
+    checks = bench.checks
+    for rows, tolerance, scale in NEAR:
+        done = bench.convert(mapped(rows, cube(6, 6, 6, center="true")), "--near-rotation", tolerance)
+        if not checks.equal(done.returncode, 0, rows, done.stderr):
+            continue
+        given = [[F(str(x)) for x in row[:3]] for row in rows]
+        got = matrices(json.loads(done.stdout), [])[0]
+        told = re.search(r"maps taken as rotations: (\d+); no point moves by more than (\S+)", done.stderr)
+        checks.equal(told and told[1], "0" if scale is None else "1", rows, done.stderr)
+        if scale is None:
+            checks.equal(got, given, rows)
+            continue
+        checks.equal(gram(got), [[F(scale) ** 2 * (i == j) for j in range(3)] for i in range(3)], rows)
+        change = [[a - b for a, b in zip(*pair)] for pair in zip(got, given)]
+        most = max(abs(x) for row in change for x in row)
+        checks.holds(0 < most <= F(tolerance) * scale, rows, "within the tolerance", float(most))
+        shifts = [sum((3 * sum(s * x for s, x in zip(signs, row))) ** 2 for row in change)
+                  for signs in ((a, b, c) for a in (-1, 1) for b in (-1, 1) for c in (-1, 1))]
+        bound = F(told[2])
+        checks.holds(max(shifts) <= bound ** 2 <= (9 * 3 * most * F(11, 10)) ** 2, rows, "displacement", float(max(shifts)) ** 0.5, told[2])
+
+
+def check_near_chain(bench):
+    """What an inner map moves, an outer one enlarges; revolved and flat nodes have their maps turned too."""
+    third = NEAR[0][0]
+    text = mapped(((10, 0, 0, 0), (0, 10, 0, 0), (0, 0, 10, 0)), mapped(third, sphere(1)))
+    told = [F(re.search(r"more than (\S+)", bench.convert(t, "--near-rotation", "1e-6").stderr)[1])
+            for t in (mapped(third, sphere(1)), text)]
+    bench.checks.holds(0 < told[0] and F(9) < told[1] / told[0] < 11, "ten times", told)
+    flat = mapped(third, moved(0, 0, 0, circle(1)))
+    for text in (flat, prism(1, flat), turned(moved(5, 0, 0, flat))):
+        done = bench.convert(text, "--near-rotation", "1e-6")
+        bench.checks.holds(done.returncode == 0 and "as rotations: 1;" in done.stderr, text, done.stderr)
+    # Without a rotation the disk is an ellipse, of which no revolution is taken; with one it is a torus.
+    bench.checks.holds('"torus"' in done.stdout and bench.convert(text).returncode == 3, "torus", done.stdout)
+
+
+def main():
+    args = options(__doc__.splitlines()[0])
+    checks = Checks()
+    graze = Graze(args, checks)
+    check_scenes(graze, checks)
+    check_twins(graze, checks, args)
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(args, checks, folder)
+        check_smooth(bench)
+        check_near(bench)
+        check_near_chain(bench)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
