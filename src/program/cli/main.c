@@ -39,8 +39,8 @@ static const char overview[] =
     "  graze COMMAND --help                 options and an example, as graze help COMMAND\n"
     "  graze --version                      versions of graze and its libraries\n"
     "\n"
-    "SOLID is .off .obj .ply .stl .nef3 (3D), .wkt (2D), .csg or .csg.json, MOTION is JSON, POINTS is "
-    "CSV or -.\n"
+    "SOLID is .off .obj .ply .stl .nef3 (3D), .wkt (2D), .csg or .csg.json, MOTION is JSON,\n"
+    "POINTS is CSV or -.\n"
     "\n"
     "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 a fault of graze,\n"
     "5 reading or writing failed, or memory ran out, 6 a limit was met.\n";
