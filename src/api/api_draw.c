@@ -103,7 +103,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     if (wrong)
         return api_misuse(context, "graze_draw", wrong);
     int page = file_has_extension(file, "html");
-    if (scene->solid->curved && (d == 3 || page || o->by == GRAZE_DRAW_BY_DISTANCE))
+    if (scene->solid->curved && ((page && o->surface > 0) || o->by == GRAZE_DRAW_BY_DISTANCE))
         return api_curved(context, "graze_draw");
     if (!solid_bounded(scene->solid))
         return api_unbounded(context, "graze_draw");

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # suite
-"""Pictures of curved solids of the plane: the outline is near the surfaces, cells have the class of their centre, and cells
+"""Pictures of curved solids: the outline is near the surfaces, cells have the class of their centre, and cells
 that are undecided are blank and counted.
 
-A ring with the radii 1 and 2 moves by (8, 0): it sweeps the points nearer than 2 to the segment, but for the last hole.
+A ring with the radii 1 and 2 moves by (8, 0): it sweeps the points nearer than 2 to the segment, but for the last hole. So
+does a shell in space, in a plane through its centre.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
@@ -14,10 +15,12 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
-from scenes import Checks, Curved, Motion, ball, common, minus, options, union  # noqa: E402
+from scenes import Checks, Curved, Motion, ball, box, common, minus, options, union  # noqa: E402
 
 RING = minus(ball((0, 0), 2), ball((0, 0), 1))
+SHELL = minus(ball((0, 0, 0), 2), ball((0, 0, 0), 1))
 AWAY = Motion(2, [(0, 1, {"translate": ["8*t", "0"]})])
+AWAY_IN_SPACE = Motion(3, [(0, 1, {"translate": ["8*t", "0", "0"]})])
 REST = Motion(2, [(0, 1, {"translate": ["0", "0"]})])
 TRIPLES = [(3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13), (8, 15, 17), (15, 8, 17), (7, 24, 25)]
 PATH = re.compile(r'<path (?:class="(\w+)" )?fill="([^"]*)"[^>]*? d="([^"]*)"')
@@ -101,7 +104,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         def draw(node, motion, *more):
             paths = [os.path.join(folder, name) for name in ("s.csg.json", "m.json", "out.svg")]
-            for path, text in zip(paths, (Curved(2, node).text(), motion.text())):
+            for path, text in zip(paths, (Curved(motion.dimension, node).text(), motion.text())):
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
             done = subprocess.run([os.path.abspath(args.graze), "draw", *paths[:2], *more, "-o", paths[2]],
@@ -114,12 +117,21 @@ def main():
         points = os.path.join(folder, "p.csv")
         with open(points, "w", encoding="utf-8") as file:
             file.write("5,1\n")
-        picture = draw(RING, AWAY, points, "--grid", "40")
+        for picture in (draw(RING, AWAY, points, "--grid", "40"),
+                        draw(SHELL, AWAY_IN_SPACE, "-p", "5,1,0", "--plane", "z=0", "--grid", "40"),
+                        draw(SHELL, AWAY_IN_SPACE, "-p", "5,1,0", "--plane", "0,0,3,0", "--grid", "40")):
+            if picture:
+                check_outline(checks, picture, 'stroke="#222222" stroke-width="2" stroke-linejoin="round"', 0)
+                check_outline(checks, picture, 'stroke="#222222" stroke-width="2" stroke-linejoin="round" stroke-dasharray="5"', 8)
+                check_cells(checks, picture)
+                checks.holds("blank" not in picture.text and 'class="trajectories"' in picture.text)
+                checks.holds("made for the eye" in picture.text)
+        # Edges stay sharp: the section of a box has its corners.
+        picture = draw(box((0, 0, 0), (3, 2, 1)), AWAY_IN_SPACE, "--plane", "z=1/2", "--grid", "9")
         if picture:
-            check_outline(checks, picture, 'stroke="#222222" stroke-width="2" stroke-linejoin="round"', 0)
-            check_outline(checks, picture, 'stroke="#222222" stroke-width="2" stroke-linejoin="round" stroke-dasharray="5"', 8)
-            check_cells(checks, picture)
-            checks.holds("blank" not in picture.text and 'class="trajectories"' in picture.text)
+            (ring, *_), _ = picture.lines('stroke="#222222" stroke-width="2" stroke-linejoin="round"')
+            for x, y in ((0, 0), (3, 0), (3, 2), (0, 2)):
+                checks.holds(min(abs(a - x) + abs(b - y) for a, b in ring) < .03, "a corner", str((x, y)))
         # The origin lies on 14 circles, more than the rules take; its cell alone is blank.
         disks = [ball((f"{s * a}/{c}", f"{b}/{c}"), 1) for a, b, c in TRIPLES for s in (1, -1)]
         many = common(*(union(a, b) for a, b in zip(disks[::2], disks[1::2])))

@@ -426,7 +426,7 @@ def main():
                     browser.screenshot(os.path.join(args.pictures, name + ".png"))
             test_slider(browser, args.graze, folder)
             shoot("slider")
-            for name in ("bracket", "figures-5-7-8"):
+            for name in ("bracket", "figures-5-7-8", "curved-plate-hole"):
                 test_clicks(browser, args.graze, folder, name)
                 shoot(name)
             for test in (test_root, test_late, test_fill, test_texts, test_theme_and_keys, test_phone):

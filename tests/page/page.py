@@ -72,7 +72,7 @@ def page_points(data):
     tones = base64.b64decode(points["tones"], validate=True)
     check(len(tones) == len(points["lines"]), "tones of points", len(tones), len(points["lines"]))
     for line, tone in zip(points["lines"], tones):
-        at, word, numbers, contacts = line.split("|")
+        at, word, numbers, contacts = line.split("|")[:4]
         yield (at, word, tone, *map(int, numbers.split()), [contact.split(",") for contact in contacts.split(";")] if contacts else [])
 
 
@@ -106,7 +106,8 @@ def test_rows(data, lines, operation):
             times = [x if isinstance(x, str) else (x[1].split(" "), x[2], x[3]) for x in map(page_time, (begin, end or begin))]
             check(times == [time_of(contact["from"]), time_of(contact["to"])], at, times, contact)
             check((end == "") == (contact["from"] == contact["to"]), at, "instant", end)
-            cells = [letter[kind] + ("-".join(map(str, cell)) if isinstance(cell, list) else str(cell))
+            cells = [f"p{data['primitives'].index(cell)}" if kind == "primitive" else
+                     letter[kind] + ("-".join(map(str, cell)) if isinstance(cell, list) else str(cell))
                      for feature in contact["features"] for kind, cell in feature.items()]
             check(says.split() == ["X" if contact["kind"] == "intersection" else "T", *cells], at, says, contact)
 
@@ -257,9 +258,10 @@ def test_page(graze, folder):
 def test_cases(graze, folder):
     page = os.path.join(folder, "case.html")
     for name, more in (("bracket", []), ("figures-5-7-8", []), ("figure2-rotation-3d", []), ("bracket", ["--operation", "unsweep"]),
-                       ("combinations-2d-combined", ["--folds", "combined"])):
+                       ("combinations-2d-combined", ["--folds", "combined"]), ("curved-plate-hole", []), ("curved-parabola", [])):
         solid, motion, points = case(name)
-        run(graze, "draw", solid, motion, points, "-o", page, "--surface", "none", "--grid", 40, *more)
+        curved = name.startswith("curved")
+        run(graze, "draw", solid, motion, points, "-o", page, *([] if curved else ["--surface", "none"]), "--grid", 40, *more)
         _, data = read_page(page)
         if "combined" not in more:
             test_cells(graze, data, solid, motion, "unsweep" if "unsweep" in more else "sweep")
@@ -267,6 +269,38 @@ def test_cases(graze, folder):
         operation = "unsweep" if "unsweep" in more else "sweep"
         check(data["operation"] == operation and (data["folds"] == "combined") == ("combined" in more), name, data["operation"])
         test_rows(data, lines, operation)
+
+
+def test_curved(graze, folder):
+    """A shell turned about: triangles around each radius, all looking outwards. Of two undecided points the page has place and reason."""
+    solid, motion, page = (os.path.join(folder, name) for name in ("s.csg.json", "m.json", "s.html"))
+
+    def draw(d, node, *more):
+        with open(solid, "w", encoding="utf-8") as file:
+            json.dump({"dimension": d, "solid": node}, file)
+        with open(motion, "w", encoding="utf-8") as file:
+            file.write('{"dimension": %d, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["t"%s]}}]}' % (d, ', "0"' * (d - 1)))
+        run(graze, "draw", solid, motion, *more, "-o", page, "--grid", 8)
+        return read_page(page)[1]
+    data = draw(3, {"difference": [{"ball": {"radius": 2}}, {"ball": {"radius": 1}, "name": "hole"}]})
+    at, faces = numbers(data["solid"]["vertices"], "d", 8), numbers(data["solid"]["triangles"], "I", 4)
+    places = [at[k:k + 3] for k in range(0, len(at), 3)]
+    radii = [sum(x * x for x in p) ** .5 for p in places]
+    check(data["primitives"] == ["ball 0", 'ball 1 "hole"'] and data["surface"] is None, data["primitives"])
+    check(all(min(abs(r - 1), abs(r - 2)) < .01 for r in radii), "radii", min(radii), max(radii))
+    volume = sum(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+                 for a, b, c in ([places[v] for v in faces[k:k + 3]] for k in range(0, len(faces), 3))) / 6
+    check(abs(volume / (4 / 3 * 3.14159265 * 7) - 1) < .01, "the volume between the spheres", volume)
+    # Thirteen half-planes through the origin, which lies on all of their borders: more than the rules take.
+    planes = [{"halfspace": {"normal": [str(k), str(k * k + 1)], "offset": "0"}} for k in range(1, 14)]
+    body = {"intersection": [{"ball": {"radius": 1}}, *({"union": pair} for pair in zip(planes[:-1], planes[1:]))]}
+    data = draw(2, body, "-p", "0,0")
+    _, word, _, _, place, why = data["points"]["lines"][0].split("|")
+    kind, *cells = place.split(",")[2].split()
+    explained = run(graze, "explain", solid, motion, "0", "0")
+    check("?" in word and why and why in explained and kind == "U", word, place, why)
+    check(all(data["primitives"][int(cell[1:])] in explained for cell in cells), cells)
+    check(data["tones"][base64.b64decode(data["points"]["tones"])[0]][0] == "undecided", "the tone")
 
 
 def test_compare(graze, folder):
@@ -294,6 +328,7 @@ def main():
         test_page(graze, folder)
         test_cases(graze, folder)
         test_motion(graze, folder)
+        test_curved(graze, folder)
         test_compare(graze, folder)
     checks.finish()
 

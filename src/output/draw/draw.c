@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "output/draw/eye_solid.h"
 #include "output/draw/levels.h"
 #include "output/draw/picture_kind.h"
 #include "output/draw/request_cells.h"
@@ -14,7 +15,7 @@
 /* S at times spread evenly over the motion, both ends included. */
 static graze_status make_positions(picture *p, graze_context *context) {
     const graze_motion *motion = p->scene->motion;
-    const graze_solid *solid = p->scene->solid->curved ? &p->outline : p->scene->solid;
+    const graze_solid *solid = p->scene->solid->curved ? &p->made : p->scene->solid;
     unsigned long n = p->request->times;
     fmpq_t t, step;
     p->moved = calloc(n, sizeof *p->moved);
@@ -22,7 +23,7 @@ static graze_status make_positions(picture *p, graze_context *context) {
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
     graze_status status = GRAZE_OK;
     if (p->scene->solid->curved)
-        status = outline_make(&p->outline, context, p->scene->solid->curved);
+        status = eye_solid_make(&p->made, context, p->scene->solid->curved);
     if (!status)
         status = shape_standing(&p->standing, context, solid);
     fmpq_init(t);
@@ -159,11 +160,12 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     if (p->undecided)
         snprintf(open, sizeof open, " · cells undecided and blank: %zu", p->undecided);
     snprintf(remark, sizeof remark,
-             "%zu × %zu cells%s, each %s of its centre%s%s%s · graze " GRAZE_VERSION,
+             "%zu × %zu cells%s, each %s of its centre%s%s%s%s · graze " GRAZE_VERSION,
              p->cells.count[0], p->cells.count[1], parts,
              p->request->by_distance ? "on the exact side and by the distance"
                                      : "in the exact class",
-             plane.failed || !p->cells.section ? "" : plane.data, open, missing);
+             plane.failed || !p->cells.section ? "" : plane.data, open, missing,
+             p->scene->solid->curved ? " · S is drawn as it was made for the eye" : "");
     text_clear(&plane);
     layout l = lay_out(p, title, remark);
     canvas *c;
@@ -199,7 +201,7 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
     for (size_t k = 0; k < request->times && p.moved; k++)
         shape_clear(&p.moved[k]);
     shape_clear(&p.standing);
-    outline_clear(&p.outline);
+    eye_solid_clear(&p.made);
     for (size_t k = 0; k < request->point_count && p.trails; k++)
         trail_clear(&p.trails[k]);
     free(p.moved);

@@ -3,75 +3,35 @@
  */
 #include "output/draw/eye_outline.h"
 
-#include <flint/fmpz.h>
-#include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "output/draw/eye_field.h"
 
 /* Squares along a side; halvings of a side that is crossed. */
 enum { SQUARES = 256, ACROSS = SQUARES + 1, HALVINGS = 16 };
 
 typedef struct outliner {
     graze_context *context;
-    const csg *solid;
+    eye_field field;
     graze_solid *out;
     double low[2], step[2];
-    double *coefficient; /* of all surfaces, one after another */
-    signed char *sign;
-    uint64_t *truth;
     unsigned char *inside;  /* by corner */
     uint32_t *crossing;     /* by side, horizontal ones at even places: its vertex + 1 */
     size_t room, item_room; /* of vertices, of segments */
 } outliner;
 
-static double surface_value(const csg_surface *s, const double *coefficient, double x, double y) {
-    double sum = 0;
-    for (size_t k = 0; k < s->count; k++) {
-        double term = coefficient[k];
-        for (int power = 0; power < s->power[k][0]; power++)
-            term *= x;
-        for (int power = 0; power < s->power[k][1]; power++)
-            term *= y;
-        sum += term;
-    }
-    return sum;
-}
-
 static int holds_at(outliner *o, double x, double y) {
-    const double *coefficient = o->coefficient;
-    uint64_t all;
-    for (size_t k = 0; k < o->solid->surface_count; k++) {
-        const csg_surface *s = &o->solid->surface[k];
-        o->sign[k] = surface_value(s, coefficient, x, y) < 0 ? -1 : 1;
-        coefficient += s->count;
-    }
-    csg_table(&all, o->truth, o->solid, o->sign, 0);
-    return all == 1;
+    return eye_field_holds(&o->field, (double[]){x, y});
 }
 
-static graze_status prepare_outline(outliner *o) {
-    const csg *solid = o->solid;
-    size_t terms = 0, n = 0;
-    for (size_t k = 0; k < solid->surface_count; k++)
-        terms += solid->surface[k].count;
-    o->coefficient = malloc((terms + 1) * sizeof *o->coefficient);
-    o->sign = malloc(solid->surface_count + 1);
-    o->truth = malloc(solid->node_count * sizeof *o->truth);
+static graze_status prepare_outline(outliner *o, const csg *solid) {
+    graze_status status = eye_field_make(&o->field, o->context, solid);
     o->inside = calloc(ACROSS * ACROSS, 1);
     o->crossing = calloc(2 * ACROSS * ACROSS, sizeof *o->crossing);
-    if (!o->coefficient || !o->sign || !o->truth || !o->inside || !o->crossing)
-        return context_fail(o->context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
-    for (size_t k = 0; k < solid->surface_count; k++) {
-        slong shift = 0, most = 0; /* scaled, since only signs are asked for */
-        const csg_surface *s = &solid->surface[k];
-        for (size_t i = 0; i < s->count; i++)
-            most = FLINT_MAX(most, (slong)fmpz_bits(s->coefficient + i));
-        for (size_t i = 0; i < s->count; i++) {
-            double mantissa = fmpz_get_d_2exp(&shift, s->coefficient + i);
-            o->coefficient[n++] = ldexp(mantissa, (int)FLINT_MAX(shift - most, -2000));
-        }
-    }
-    return GRAZE_OK;
+    if (!status && (!o->inside || !o->crossing))
+        status =
+            context_fail(o->context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
+    return status;
 }
 
 /* Coordinate `axis` of a corner, a little off the box's own ends. */
@@ -142,28 +102,18 @@ static graze_status trace_outline(outliner *o) {
     return status;
 }
 
-graze_status outline_make(graze_solid *out, graze_context *context, const csg *solid) {
-    outliner o = {.context = context, .solid = solid, .out = out};
-    *out = (graze_solid){.input = {.dimension = 2}};
+graze_status eye_outline_make(graze_solid *out, graze_context *context, const csg *solid) {
+    outliner o = {.context = context, .out = out};
     for (int k = 0; k < 2; k++) {
         double high = fmpq_get_d(&solid->box.high[k]);
         o.low[k] = fmpq_get_d(&solid->box.low[k]);
         o.step[k] = (high - o.low[k]) / (SQUARES - 1);
     }
-    graze_status status = prepare_outline(&o);
+    graze_status status = prepare_outline(&o, solid);
     if (!status)
         status = trace_outline(&o);
-    free(o.coefficient);
-    free(o.sign);
-    free(o.truth);
+    eye_field_clear(&o.field);
     free(o.inside);
     free(o.crossing);
     return status;
-}
-
-void outline_clear(graze_solid *outline) {
-    free(outline->low);
-    free(outline->cut.item);
-    outline->low = NULL;
-    outline->cut.item = NULL;
 }

@@ -6,16 +6,16 @@
 static const struct {
     const char *name;
     unsigned colour;
-} tones[TONE_COUNT] = {{"none", 0xffffff},     {"regular", 0x56b4e9},
-                       {"fold", 0xe69f00},     {"fold_boundary", 0x0072b2},
-                       {"boundary", 0xd55e00}, {"exterior", 0xffffff},
-                       {"in", 0x56b4e9},       {"on", 0xd55e00},
-                       {"out", 0xffffff},      {"inner-1", 0xc6e2f5},
-                       {"inner-2", 0x93c6e8},  {"inner-3", 0x5aa5d6},
-                       {"inner-4", 0x2b80ba},  {"inner-5", 0x0f5c94},
-                       {"inner-6", 0x063a63},  {"outer-1", 0xfff3d6},
-                       {"outer-2", 0xfde0a3},  {"outer-3", 0xf5c566},
-                       {"outer-4", 0xe6a12e},  {"outer-5", 0xbd7a10},
+} tones[TONE_COUNT] = {{"undecided", 0xffffff}, {"regular", 0x56b4e9},
+                       {"fold", 0xe69f00},      {"fold_boundary", 0x0072b2},
+                       {"boundary", 0xd55e00},  {"exterior", 0xffffff},
+                       {"in", 0x56b4e9},        {"on", 0xd55e00},
+                       {"out", 0xffffff},       {"inner-1", 0xc6e2f5},
+                       {"inner-2", 0x93c6e8},   {"inner-3", 0x5aa5d6},
+                       {"inner-4", 0x2b80ba},   {"inner-5", 0x0f5c94},
+                       {"inner-6", 0x063a63},   {"outer-1", 0xfff3d6},
+                       {"outer-2", 0xfde0a3},   {"outer-3", 0xf5c566},
+                       {"outer-4", 0xe6a12e},   {"outer-5", 0xbd7a10},
                        {"outer-6", 0x855207}};
 
 const style outline_start = {.stroke = PAINT(INK), .width = 2};

@@ -5,7 +5,6 @@
 #define GRAZE_DRAW_VIEWS_H
 
 #include "output/draw/marks.h"
-#include "output/draw/eye_outline.h"
 #include "output/draw/request.h"
 #include "output/draw/shape.h"
 #include "output/draw/trail.h"
@@ -15,10 +14,10 @@ typedef struct picture {
     const graze_scene *scene;
     const draw_request *request;
     cells cells;
-    section section;     /* where the request has a normal */
-    graze_solid outline; /* of a curved solid */
-    size_t undecided;    /* cells */
-    shape *moved;        /* at request->times times; for an unsweep under the inverse motion */
+    section section;  /* where the request has a normal */
+    graze_solid made; /* for the eye, of a curved solid */
+    size_t undecided; /* cells */
+    shape *moved;     /* at request->times times; for an unsweep under the inverse motion */
     shape standing;
     trail *trails;  /* one a point */
     double *points; /* three coordinates each */

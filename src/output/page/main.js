@@ -234,7 +234,7 @@ function fillTexts() {
   document.title = scene.title || "Graze";
   $("title").textContent = document.title;
   $("remark").textContent = "classified exactly" + (surface
-    ? ` · boundary of the ${name} sampled at level ${surface.level}, details smaller than a cell may be missing` : "") + (zero ? ` · t0 = ${decimal(zero, 17).text}` : "") + ` · graze ${scene.version}`;
+    ? ` · boundary of the ${name} sampled at level ${surface.level}, details smaller than a cell may be missing` : "") + (scene.primitives ? " · S is drawn as triangles made for the eye" : "") + (zero ? ` · t0 = ${decimal(zero, 17).text}` : "") + ` · graze ${scene.version}`;
   $("world-title").textContent = unsweep ? "M(t)⁻¹S and the unsweep" : "S at time t and the sweep";
   $("body-title").textContent = (unsweep ? "M(t)P" : "M(t)⁻¹P, the inverted trajectory of the point,") + " through the standing S";
   $("sweep-name").textContent = d === 2 ? `boundary of the ${name}` : name;

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "decide/scene/box.h"
+#include "output/draw/eye_solid.h"
 #include "output/draw/marks.h"
 #include "output/draw/range.h"
 #include "output/draw/save.h"
@@ -50,6 +51,25 @@ static graze_status put_scene_box(text *out, double box[6], graze_context *conte
     return status;
 }
 
+/* A curved solid as it is made for the eye, and the titles of its primitives. */
+static graze_status put_solid(text *out, graze_context *context, const graze_solid *solid) {
+    const csg *curved = solid->curved;
+    graze_solid made;
+    if (!curved)
+        return page_solid(out, context, solid);
+    graze_status status = eye_solid_make(&made, context, curved);
+    if (!status)
+        status = page_solid(out, context, &made);
+    eye_solid_clear(&made);
+    text_put(out, ",\n\"primitives\":[");
+    for (size_t k = 0; k < curved->primitive_count && !status; k++) {
+        text_put(out, k ? "," : "");
+        encode_string(out, curved->primitive[k].title);
+    }
+    text_put(out, "]");
+    return status;
+}
+
 static graze_status put_scene(text *out, graze_context *context, const graze_scene *scene,
                               const draw_request *request) {
     int unsweep = scene->options.operation == GRAZE_UNSWEEP, d = scene->motion->dimension;
@@ -58,7 +78,9 @@ static graze_status put_scene(text *out, graze_context *context, const graze_sce
                 GRAZE_VERSION, d, unsweep ? "unsweep" : "sweep",
                 scene->options.folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(out, "\"meet\":%s,\"since\":%s,\"times\":%lu,\"title\":",
-                scene->ends == GRAZE_ENDS_MEET ? "true" : "false",
+                scene->ends == GRAZE_ENDS_MEET    ? "true"
+                : scene->ends == GRAZE_ENDS_APART ? "false"
+                                                  : "null",
                 time_origin(NULL, scene->motion) ? "true" : "false", request->times);
     encode_string(out, request->title ? request->title : "");
     text_put(out, ",\"tones\":");
@@ -71,7 +93,7 @@ static graze_status put_scene(text *out, graze_context *context, const graze_sce
     page_motion(out, scene->motion, scene->options.operation);
     text_put(out, ",\n\"solid\":");
     if (!status)
-        status = page_solid(out, context, scene->solid);
+        status = put_solid(out, context, scene->solid);
     text_put(out, ",\n\"surface\":");
     if (!status)
         status = page_surface(out, context, scene, request, centre);

@@ -45,10 +45,10 @@ static void put_page_time(text *out, const graze_time *time, int exact) {
         text_rational(out, time->high);
 }
 
-/* X or T for the kind, then the cells: `X f3 e1-2 v5`. */
-static void put_page_cells(text *out, const contact *c) {
-    static const char letters[] = " fev";
-    text_put(out, verdict_kind(c->left, c->right) == GRAZE_INTERSECTION ? "X" : "T");
+/* X or T for the kind, then the cells: `X f3 e1-2 v5`, `T p0`. */
+static void put_page_cells(text *out, const char *kind, const contact *c) {
+    static const char letters[] = " fevp";
+    text_put(out, kind);
     for (size_t k = 0; k < c->cell_count; k++) {
         const graze_cell *cell = &c->cell[k];
         text_format(out, " %c%zu", letters[cell->kind], cell->a);
@@ -57,16 +57,28 @@ static void put_page_cells(text *out, const contact *c) {
     }
 }
 
+static void put_page_contact(text *out, const char *kind, const contact *c, int exact) {
+    put_page_time(out, c->from, exact);
+    text_put(out, ",");
+    if (c->from != c->to)
+        put_page_time(out, c->to, exact);
+    text_put(out, ",");
+    put_page_cells(out, kind, c);
+}
+
+/* The contacts; behind a bar the first place that is not decided, and behind one more the reason.
+ */
 static void put_contacts_of(text *out, const graze_trace *trace, int exact) {
     for (size_t k = 0; k < trace->contact_count; k++) {
         const contact *c = &trace->contact[k];
+        int crossing = verdict_kind(c->left, c->right) == GRAZE_INTERSECTION;
         text_put(out, k ? ";" : "");
-        put_page_time(out, c->from, exact);
-        text_put(out, ",");
-        if (c->from != c->to)
-            put_page_time(out, c->to, exact);
-        text_put(out, ",");
-        put_page_cells(out, c);
+        put_page_contact(out, crossing ? "X" : "T", c, exact);
+    }
+    if (trace->undecided) {
+        text_put(out, "|");
+        put_page_contact(out, "U", &trace->undecided->where, exact);
+        text_format(out, "|%s", trace->undecided->reason);
     }
 }
 

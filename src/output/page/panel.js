@@ -36,7 +36,7 @@ function putSection([heading, ...rest]) {
   for (const line of rest) putLine($("says"), line);
 }
 
-const LETTERS = {I: "inside S", B: "on the boundary of S", O: "outside S"};
+const LETTERS = {I: "inside S", B: "on the boundary of S", O: "outside S", "?": "not decided"};
 
 /** The word as letters; those of contacts lead to their times. */
 function putWord(p, go) {
@@ -67,6 +67,10 @@ function say(p, go) {
       button.addEventListener("click", () => go(time));
     }
     for (const line of lines.slice(1)) putLine($("says"), line, "more");
+  }
+  if (p.open) {
+    putSection(openLines(p));
+    return;
   }
   putSection(endLines(p));
   if (!unsweep) putSection(countLines(p));

@@ -46,8 +46,8 @@ function plainText(time) {
 }
 
 function cellText(cell) {
-  const name = {f: "face ", e: "edge ", v: "vertex "}[cell[0]];
-  return name + cell.slice(1);
+  if (cell[0] === "p") return scene.primitives[Number(cell.slice(1))];
+  return {f: "face ", e: "edge ", v: "vertex "}[cell[0]] + cell.slice(1);
 }
 
 function cellsText(cells) {
@@ -82,6 +82,10 @@ function timeLines(p) {
     return {letter, lines: [`${letter}  ${when}`]};
   });
 }
+
+/** Where the rules end, of a point of a curved solid that is undecided. */
+const openLines = (p) => ["The state is not decided", ["at t = ", timeText(p.open.from)],
+  ...(p.open.cells.length ? [cellsText(p.open.cells)] : []), p.open.why];
 
 function countLines(p) {
   const plural = (name, n, one, many) => `${name} = ${n} ${n === 1 ? one : many}`;
@@ -144,6 +148,8 @@ function endLines(p) {
 
 /** What the places of S at the two ends have to do with [EI]. */
 function meetLines() {
+  if (scene.meet === null)
+    return ["Whether S at the start (S^0) and S at the end (S^1) have points in common is not decided.", "The answer is no less certain."];
   return scene.meet ? ["S at the start (S^0) and S at the end (S^1) have points in common. The answer is no less certain:",
     "[EI] speaks of motions without such points, and Graze cites `ext` where it goes beyond them."]
     : ["S at the start (S^0) and S at the end (S^1) have no point in common, as [EI] assumes."];

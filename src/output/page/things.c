@@ -37,6 +37,17 @@ static void put_polygons(text *out, const soup *s) {
     text_put(out, "]");
 }
 
+/* The outline of a curved solid of E^2, which has no polygons. */
+static void put_segments(text *out, const graze_solid *solid) {
+    encoder e;
+    text_put(out, ",\"edges\":");
+    encode_begin(&e, out);
+    for (size_t k = 0; k < solid->cut.count; k++)
+        for (int i = 0; i < 2; i++)
+            encode_count(&e, solid->cut.item[k].vertex[i]);
+    encode_end(&e);
+}
+
 graze_status page_solid(text *out, graze_context *context, const graze_solid *solid) {
     const soup *s = &solid->input;
     size_t d = (size_t)s->dimension;
@@ -50,6 +61,8 @@ graze_status page_solid(text *out, graze_context *context, const graze_solid *so
     if (d == 2) {
         text_put(out, ",\"polygons\":");
         put_polygons(out, s);
+        if (!s->cycle_count)
+            put_segments(out, solid);
     } else {
         edge_list edges;
         text_put(out, ",\"triangles\":");
@@ -144,7 +157,7 @@ graze_status page_surface(text *out, graze_context *context, const graze_scene *
                           const draw_request *request, const double *centre) {
     enum { CONTACTS = 300, BUDGET = 1000000 };
     unsigned coarse = scene->motion->dimension == 2 ? 5 : 4;
-    if (!request->surface) {
+    if (!request->surface || scene->solid->curved) {
         text_put(out, "null");
         return GRAZE_OK;
     }

@@ -58,7 +58,7 @@ function ringSides(polygons) {
 const solid = (() => {
   const array = centred(vertices, bodyCentre);
   const faces = shell(array, d === 3 ? counts(scene.solid.triangles) : filled(scene.solid.polygons));
-  const edges = shell(array, d === 3 ? counts(scene.solid.edges) : ringSides(scene.solid.polygons));
+  const edges = shell(array, scene.solid.edges !== undefined ? counts(scene.solid.edges) : ringSides(scene.solid.polygons));
   return {faces, edges};
 })();
 
@@ -167,7 +167,7 @@ function trajectory(group, p) {
     const contact = letter === "B" ? p.contacts[next++] : p.contacts[next];
     const to = letter === "B" ? timeValue(contact.to) : contact ? timeValue(contact.from) : end;
     if (to > from) {
-      const [name, width] = {B: ["slide", 6], I: ["ink", 4], O: ["ink", 1.5]}[letter];
+      const [name, width] = {B: ["slide", 6], I: ["ink", 4], O: ["ink", 1.5], "?": ["soft", 1.5]}[letter];
       group.add(polyline(trail(p.place, from, to).map(body), tint(name), width));
     }
     from = to;

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include "program/cli/commands.h"
 #include "program/cli/marks.h"
 #include "program/cli/plane.h"
@@ -117,11 +116,8 @@ static int value_title(void *to, const char *name, const char *value) {
 }
 
 /* What of a picture takes no curved solid; NULL: nothing. */
-static const char *straight_part(const draw_given *o, int dimension) {
-    size_t length = strlen(o->output);
-    if (length > 5 && strcasecmp(o->output + length - 5, ".html") == 0)
-        return "a page";
-    return dimension == 3                    ? "draw in space"
+static const char *straight_part(const draw_given *o) {
+    return o->surface > 0                    ? "draw --surface"
            : o->by == GRAZE_DRAW_BY_DISTANCE ? "draw --by distance"
                                              : NULL;
 }
@@ -146,7 +142,7 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
     if (!status)
         status = marks_take_points(m, given->repeated, given->repeated_count, l->context);
     marks_give(&what, m);
-    const char *part = straight_part(o, m->dimension);
+    const char *part = straight_part(o);
     if (!status && part)
         status = load_straight(l->solid, o->scene.solid, part);
     if (status)
