@@ -62,6 +62,24 @@ SNAPPED = ("time,bx,by,cell\n" + "".join(f"1/2,{x},1,edge {k}-{k + 1}\n" for k, 
 # Scenes of ../examples with a point that each level of a position decides.
 WAYS = [("q2.wkt", "seam"), ("dd.wkt", "bent_diagonal"), ("dd.wkt", "pinch_sqrt2"), ("tt.wkt", "apex_28"), ("tt.wkt", "apex_30"),
         ("crossed_roofs.off", "roofs_51"), ("crossed_roofs.off", "roofs_52"), ("tt_prism.off", "apex_28_3"), ("tt_prism.off", "apex_29_3")]
+# A bracket of most primitives, its hole's rim in the way of a point; in the plane a cusp, a disk on a plate, and the apex where 14
+# half-planes meet, which is undecided.
+BODY3 = """{"dimension": 3, "solid": {"difference": [{"union": [
+  {"box": {"low": ["0", "0", "0"], "high": ["2", "2", "2"]}, "name": "block"},
+  {"affine": {"matrix": [["1", "0", "0", "1"], ["0", "1", "0", "1"], ["0", "0", "1", "2"]], "of": {"torus":
+    {"point": ["0", "0", "0"], "axis": ["0", "0", "1"], "major": "3/4", "minor": "1/4"}}}},
+  {"cone": {"point": ["1", "1", "3"], "axis": ["0", "0", "-1"], "slope": "1/2", "to": "1"}}]},
+  {"cylinder": {"point": ["1", "1", "0"], "axis": ["0", "0", "1"], "radius": "1/2", "from": "0", "to": "2"}}]}}
+"""
+PLANES = ", ".join(f'{{"union": [{{"halfspace": {{"normal": ["{k}", "{k * k + 1}"], "offset": "0"}}}}, '
+                   f'{{"halfspace": {{"normal": ["{k + 1}", "{(k + 1) ** 2 + 1}"], "offset": "0"}}}}]}}' for k in range(1, 14))
+BODY2 = f"""{{"dimension": 2, "solid": {{"union": [
+  {{"intersection": [{{"ball": {{"radius": "1"}}}}, {PLANES}]}},
+  {{"intersection": [{{"polynomial": {{"0,2": "1", "3,0": "-1"}}}}, {{"ball": {{"center": ["5", "0"], "radius": "2"}}}}]}},
+  {{"polygon": {{"points": [["6", "-3"], ["8", "-3"], ["8", "-2"]]}}}}]}}}}
+"""
+BALL = '{"dimension": %d, "solid": {"ball": {"radius": "1"}}}'
+CURVED2, CURVED3 = "id,x,y\na,0,0\nb,5,1\nc,8,-2\nd,9,1/3\n", "x,y,z,id\n1,1,3,p\n5,1,2,q\n3/2,1,1,r\n2,1,9/4,s\n5,3,1,t\n"
 ANSWERS = "id,x,y,pmc,class\na,3,1,in,regular\nb,9,2,out,exterior\nc,7,4,out,exterior\nd,-1,0,in,fold\n"
 
 
@@ -95,6 +113,7 @@ def put(folder):
     texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
              "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES,
              "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3,
+             "body3.csg.json": BODY3, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
              "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
     place = folder / "input"
     place.mkdir()
@@ -195,6 +214,14 @@ def make(graze, folder):
                                  "--surface", "s.stl"], tables=("s.stl",))
     yield Scene("boundary-sharp", ["boundary", u, roll, "--depth", "4", "--coarse", "4", "--contacts", "0", "--sharp",
                                    "--surface", "s.ply"], tables=("s.ply",))
+    body2, body3 = at["body2.csg.json"], at["body3.csg.json"]
+    yield Scene("curved-check", ["check", body3, turn])
+    yield Scene("curved", ["classify", *one, "--format", "jsonl", body2, roll, at["curved2.csv"]])
+    yield Scene("curved-3", ["classify", *one, body3, turn, at["curved3.csv"]])
+    yield Scene("curved-moments", ["classify", *one, "--moments", body3, turn, at["curved3.csv"]])
+    yield Scene("curved-explain", ["explain", body2, roll, "0", "0"])
+    yield Scene("curved-draw", ["draw", at["ball2.csg.json"], roll, "--grid", "2", "-p", "5,1", "-o", "made.svg"])
+    yield Scene("curved-page", ["draw", at["ball3.csg.json"], turn, "--grid", "2", "-o", "made.html"])
     yield Scene("rotate", ["motion", "rotate", "--degrees", "37.5", "--axis", "0,0,1", "--center", "1,1,0", "--output",
                            "made", "--report", "report"])
     yield Scene("screw", ["motion", "screw", "--degrees", "100", "--axis", "0,0,1", "--pitch", "2", "--tolerance",
