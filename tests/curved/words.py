@@ -112,6 +112,8 @@ SCENES = [
     # A node of a cubic, and its cusp: y^2 = x^2 + x^3, y^2 = x^3.
     ("node", polynomial({"0,2": 1, "2,0": -1, "3,0": -1}), along(F(-1, 2), F(1, 2), "0", "t"), "OBO", [0]),
     ("node, along", polynomial({"0,2": 1, "2,0": -1, "3,0": -1}), along(F(-1, 2), F(1, 2), "t", "0"), "IBI", [0]),
+    ("cusp, into it and back", polynomial({"0,2": 1, "3,0": -1}), along(-1, 1, "t^2", "0"), "IBI", [0]),
+    ("around a cusp, to it and back", polynomial({"0,2": -1, "3,0": 1}), along(-1, 1, "t^2", "0"), "OBO", [0]),
     # Two balls that touch.
     ("two balls through", union(*TWO), along(-3, 3, "t", "0", "0"), "OBIBIBO", [-2, 0, 2]),
     ("two balls between", union(*TWO), along(-1, 1, "0", "t", "0"), "OBO", [0]),
@@ -161,6 +163,9 @@ SCENES = [
     ("edge open, across", corner({"0,1,0": 1, "0,0,1": 1, "2,0,0": -1}), along(-1, 1, "0", "t", "0"), "OBO", [0]),
     ("edge half open", corner({"0,1,0": 1, "0,0,1": 1, "3,0,0": 1}), along(-1, 1, "t", "0", "0"), "BO", [(-1, 0)]),
     ("edge half open, across", corner({"0,1,0": 1, "0,0,1": 1, "3,0,0": 1}), along(-1, 1, "0", "t", "t"), "OBO", [0]),
+    # At 0 fifteen lines meet, more than the rules take; but a boundary on either side is enough.
+    ("slide past many", union(halfspace((0, 1)), common(*(halfspace((k, k * k + 1)) for k in range(-7, 8) if k))),
+     along(-1, 1, "t", "0"), "B", [(-1, 1)]),
     # Slides whose answer changes at a time at which no surface does: on SECOND = 0, FIRST = y^2 (x - 1) / (2 (1 + 2 x)).
     ("slide from 1", minus(SECOND, FIRST), along(0, 3, "t", "0", "0"), "OB", [(1, 3)]),
     ("slide until 1", minus(FIRST, SECOND), along(0, F(3, 2), "t", "0", "0"), "BO", [(0, 1)]),
