@@ -23,6 +23,14 @@ CMOCKA_PASSED = re.compile(r"\[  PASSED  \] (\d+) test")
 CMOCKA_FAILED = re.compile(r"\[  FAILED  \] (\d+) test")
 CMOCKA_SKIPPED = re.compile(r"\[  SKIPPED \] (\d+) test")
 RECORD = "tests/README.md"
+# Suites that run in the plain build alone, not with a sanitizer nor for coverage: those about sources and other programs, and those
+# that give many more inputs to code which other suites run too, as the coverage by file without them shows.
+PLAIN_ALONE = [
+    "structure/", "install/", "readme/", "cases/recompute", "curved/schema", "motioncmd/schema",
+    "agree/", "words/", "unsweep/properties", "curved/germs", "curved/polyhedra", "check/contacts",
+    "topo/germs", "topo/straight", "topo/orders", "topo/prisms", "topo/roofs", "topo/sides",
+    "filter/equal", "filter/columns", "filter/contraction", "envelope/derivation", "contact/derivation",
+]
 # | `folder/file` | ... | least number of checks, or `by hand` | time |
 ROW = re.compile(r"^\| `([\w./-]+)` \|.*\| (\d+|by hand) \|[^|]*\|$", re.M)
 
@@ -102,12 +110,15 @@ def main():
     parser.add_argument("--skip", action="append", default=[], help="leave out suites whose path contains this text")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--scale", type=int, default=1, help="multiplies random tests")
-    parser.add_argument("--sanitizers", action="store_true", help="the build has a sanitizer: no limits of memory")
+    parser.add_argument("--sanitizers", action="store_true", help="the build has a sanitizer or counts coverage: no limits of "
+                        "memory, without the suites that run in the plain build alone")
     parser.add_argument("--limit", type=float, default=900, help="seconds for one suite")
     options = parser.parse_args()
     for which in (signal.SIGINT, signal.SIGHUP):   # ignored in a shell's background; suites send them
         if signal.getsignal(which) == signal.SIG_IGN:
             signal.signal(which, signal.SIG_DFL)
+    if options.sanitizers:
+        options.skip += ["tests/" + path for path in PLAIN_ALONE]
     record, faults = recorded()
     for fault in faults:
         print("FAILED", fault)

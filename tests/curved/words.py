@@ -105,6 +105,10 @@ SCENES = [
     ("cone in two steep planes", common(NAPPES, halfspace((-1, 0, 2)), ABOVE), along(-1, 1, "0", "t", "0"), "O", []),
     ("cone over a cell", minus(common(halfspace((1, 0, -1)), halfspace((-1, 0, -1)), halfspace((0, 1, -1)),
                                       halfspace((0, -1, -1))), NAPPES), along(-1, 1, "t", "0", "0"), "OBO", [0]),
+    # 97/100 |a|^2 |x|^2 <= (a x)^2, a = (1, 2, 3): a cone about a that no coordinate plane meets, as 97/100 > 13/14.
+    ("cone within an octant", common(ABOVE, halfspace((-1, 0, 0)), halfspace((0, -1, 0)), polynomial(
+        {"2,0,0": F(629, 50), "0,2,0": F(479, 50), "0,0,2": F(229, 50), "1,1,0": -4, "1,0,1": -6, "0,1,1": -12})),
+     along(-1, 1, "t", "-t", "0"), "OBO", [0]),
     # A line of points where x^2 + y^2 = 0: no boundary.
     ("a line that is none", polynomial({"2,0,0": 1, "0,2,0": 1}), along(-1, 1, "t", "0", "t"), "O", []),
     ("a line of all", polynomial({"2,0,0": -1, "0,2,0": -1}), along(-1, 1, "t", "0", "t"), "I", []),

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void put_coefficients(double *out, const csg_surface *s) {
+static void put_scaled(double *out, const csg_surface *s) {
     slong shift = 0, most = 0;
     for (size_t i = 0; i < s->count; i++)
         most = FLINT_MAX(most, (slong)fmpz_bits(s->coefficient + i));
@@ -30,7 +30,7 @@ graze_status eye_field_make(eye_field *out, graze_context *context, const csg *s
     if (!out->coefficient || !out->sign || !out->other || !out->truth)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture of the solid");
     for (size_t k = 0; k < solid->surface_count; n += solid->surface[k++].count)
-        put_coefficients(out->coefficient + n, &solid->surface[k]);
+        put_scaled(out->coefficient + n, &solid->surface[k]);
     return GRAZE_OK;
 }
 
@@ -55,7 +55,7 @@ static double surface_value(const csg_surface *s, const double *coefficient, con
     return sum;
 }
 
-static void put_signs(signed char *out, const eye_field *field, const double *at) {
+static void put_field_signs(signed char *out, const eye_field *field, const double *at) {
     const double *coefficient = field->coefficient;
     const csg *solid = field->solid;
     for (size_t k = 0; k < solid->surface_count; coefficient += solid->surface[k++].count) {
@@ -66,7 +66,7 @@ static void put_signs(signed char *out, const eye_field *field, const double *at
 
 int eye_field_holds(eye_field *field, const double *at) {
     uint64_t all;
-    put_signs(field->sign, field, at);
+    put_field_signs(field->sign, field, at);
     csg_table(&all, field->truth, field->solid, field->sign, 0);
     return all == 1;
 }
@@ -78,8 +78,8 @@ void eye_field_normal(double out[3], eye_field *field, const double *from, const
     double length = 0, along = 0;
     size_t k = 0;
     memset(out, 0, 3 * sizeof *out);
-    put_signs(field->sign, field, from);
-    put_signs(field->other, field, to);
+    put_field_signs(field->sign, field, from);
+    put_field_signs(field->other, field, to);
     while (k < solid->surface_count && field->sign[k] == field->other[k])
         coefficient += solid->surface[k++].count;
     for (int i = 0; i < solid->dimension && k < solid->surface_count; i++) {

@@ -34,7 +34,7 @@ typedef struct surface_maker {
 } surface_maker;
 
 /* A corner or a place between corners, a little off the box's own ends. */
-static void place_of(double out[3], const surface_maker *m, const double at[3]) {
+static void place_in_lattice(double out[3], const surface_maker *m, const double at[3]) {
     for (int k = 0; k < 3; k++)
         out[k] = m->low[k] + (at[k] - .37) * m->step[k];
 }
@@ -45,7 +45,7 @@ static size_t cell_index(const size_t at[3]) {
 
 static int holds_in(surface_maker *m, const double at[3]) {
     double place[3];
-    place_of(place, m, at);
+    place_in_lattice(place, m, at);
     return eye_field_holds(&m->field, place);
 }
 
@@ -72,8 +72,8 @@ static graze_status mark_corners(surface_maker *m) {
 }
 
 /* Where a side along `axis` is crossed, and the normal there, both in units of the lattice. */
-static void find_crossing(double place[3], double normal[3], surface_maker *m, const size_t at[3],
-                          int axis) {
+static void cross_side(double place[3], double normal[3], surface_maker *m, const size_t at[3],
+                       int axis) {
     double from[3], to[3], ends[2][3], length = 0;
     for (int k = 0; k < 3; k++)
         from[k] = to[k] = place[k] = (double)at[k];
@@ -83,8 +83,8 @@ static void find_crossing(double place[3], double normal[3], surface_maker *m, c
         int same = holds_in(m, place) == m->inside[cell_index(at)];
         (same ? from : to)[axis] = place[axis];
     }
-    place_of(ends[0], m, from);
-    place_of(ends[1], m, to);
+    place_in_lattice(ends[0], m, from);
+    place_in_lattice(ends[1], m, to);
     eye_field_normal(normal, &m->field, ends[0], ends[1], m->step[axis] / 256);
     for (int k = 0; k < 3; k++) {
         normal[k] *= m->step[k]; /* a covector */
@@ -131,7 +131,7 @@ static graze_status add_side(surface_maker *m, const size_t at[3], int axis) {
     simplices *cut = &m->out->cut;
     double place[3], normal[3];
     uint32_t corner[4];
-    find_crossing(place, normal, m, at, axis);
+    cross_side(place, normal, m, at, axis);
     graze_status status = array_grow(m->context, &cut->item, &m->item_room, cut->count + 2,
                                      sizeof *cut->item, "a surface for the eye");
     for (int k = 0; k < 4 && !status; k++) {
@@ -148,7 +148,7 @@ static graze_status add_side(surface_maker *m, const size_t at[3], int axis) {
     return GRAZE_OK;
 }
 
-static graze_status add_sides(surface_maker *m) {
+static graze_status add_crossed_sides(surface_maker *m) {
     graze_status status = GRAZE_OK;
     size_t at[3];
     for (at[2] = 0; at[2] < ALONG; at[2]++)
@@ -185,7 +185,7 @@ static void solve_cell(double out[3], const crossings *met) {
     }
 }
 
-static graze_status put_vertices(surface_maker *m) {
+static graze_status put_cell_vertices(surface_maker *m) {
     graze_solid *out = m->out;
     out->low = malloc((m->count + 1) * 3 * sizeof *out->low);
     if (!out->low)
@@ -195,7 +195,7 @@ static graze_status put_vertices(surface_maker *m) {
         solve_cell(at, &m->met[k]);
         for (int i = 0; i < 3; i++)
             at[i] += (double)m->met[k].cell[i];
-        place_of(out->low + 3 * k, m, at);
+        place_in_lattice(out->low + 3 * k, m, at);
     }
     out->input.vertex_count = m->count;
     return GRAZE_OK;
@@ -217,9 +217,9 @@ graze_status eye_surface_make(graze_solid *out, graze_context *context, const cs
     if (!status)
         status = mark_corners(&m);
     if (!status)
-        status = add_sides(&m);
+        status = add_crossed_sides(&m);
     if (!status)
-        status = put_vertices(&m);
+        status = put_cell_vertices(&m);
     eye_field_clear(&m.field);
     free(m.inside);
     free(m.vertex);

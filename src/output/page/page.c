@@ -52,7 +52,7 @@ static graze_status put_scene_box(text *out, double box[6], graze_context *conte
 }
 
 /* A curved solid as it is made for the eye, and the titles of its primitives. */
-static graze_status put_solid(text *out, graze_context *context, const graze_solid *solid) {
+static graze_status put_any_solid(text *out, graze_context *context, const graze_solid *solid) {
     const csg *curved = solid->curved;
     graze_solid made;
     if (!curved)
@@ -93,7 +93,7 @@ static graze_status put_scene(text *out, graze_context *context, const graze_sce
     page_motion(out, scene->motion, scene->options.operation);
     text_put(out, ",\n\"solid\":");
     if (!status)
-        status = put_solid(out, context, scene->solid);
+        status = put_any_solid(out, context, scene->solid);
     text_put(out, ",\n\"surface\":");
     if (!status)
         status = page_surface(out, context, scene, request, centre);
