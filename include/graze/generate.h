@@ -12,7 +12,10 @@ extern "C" {
 
 /**
  * Way to make a query point. A point of a contact stratum is P = M(t) y, with y a boundary point
- * and t a rational time: the trajectory of P is at y at the time t.
+ * and t a rational time: the trajectory of P is at y at the time t. The facets of a curved solid
+ * are its surfaces, with their tangent planes; edges are curves in which two of them meet or touch;
+ * vertices apexes, and points in which more meet or two touch; in the plane all points in which two
+ * meet.
  */
 typedef enum graze_stratum {
     GRAZE_STRATUM_RANDOM = 0,   /**< anywhere in the box of the sweep */
@@ -49,6 +52,8 @@ typedef struct graze_sample {
     int decade;      /**< level: 10^decade <= |s| < 10^(decade + 1), s < 0 unless outward */
     graze_stratum origin; /**< rounded: that of the contact, which order and cell describe */
     graze_pmc pmc;        /**< rounded: the exact answer for the point, else GRAZE_PMC_NONE */
+    unsigned undecided; /**< points tried for this row and left out, as rules for their answers end;
+                           0 but of curved solids */
 } graze_sample;
 
 /** Source of query points. It never changes: threads may share it. */
@@ -59,14 +64,16 @@ typedef struct graze_generator graze_generator;
 
 /**
  * Make a generator of query points for a scene, which is borrowed and must outlive it. A stratum
- * that a number of tries does not find in the scene gets the weight 0. The decades of `level` are
+ * that a number of tries does not find in the scene gets the weight 0; of a curved solid, that are
+ * strata of which no rational point is found, and `level`. The decades of `level` are
  * those from the largest of an `in` point that is found down to 1e-9 of the diagonal of S^0's box,
  * on both sides; those that a number of tries does not find are missing.
  * @param weights GRAZE_STRATUM_COUNT weights of at most 10^6, or NULL for the defaults, with which
  * at least 70 % of the points are degenerate
  * @param flags   0 or GRAZE_GENERATE_REPRESENTABLE
- * @return GRAZE_EUSE an unknown flag, all weights 0, or no stratum with a weight can be made;
- * GRAZE_ELIMIT, with `level` also as in graze_distances; GRAZE_ECANCELED, GRAZE_ESYSTEM
+ * @return GRAZE_EINPUT a curved solid without a box; GRAZE_EUSE an unknown flag, all weights 0, or
+ * no stratum with a weight can be made; GRAZE_ELIMIT, with `level` also as in graze_distances;
+ * GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status
 graze_generator_create(graze_generator **out, graze_context *context, const graze_scene *scene,

@@ -36,8 +36,8 @@ graze_status graze_generator_create(graze_generator **out, graze_context *contex
                           "out, context and scene must not be NULL");
     if (flags & ~GRAZE_GENERATE_REPRESENTABLE)
         return api_misuse(context, "graze_generator_create", "an unknown flag is set");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_generator_create");
+    if (!solid_bounded(scene->solid))
+        return api_unbounded(context, "graze_generator_create");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     unsigned long chosen[GRAZE_STRATUM_COUNT];
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {

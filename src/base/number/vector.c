@@ -13,6 +13,13 @@ void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
         fmpq_sub(out + k, a + k, b + k);
 }
 
+int vector_is_zero(const fmpq *a, int dimension) {
+    int zero = 1;
+    for (int i = 0; i < dimension && zero; i++)
+        zero = fmpq_is_zero(a + i);
+    return zero;
+}
+
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b) {
     for (int k = 0; k < 3; k++) {
         int i = (k + 1) % 3, j = (k + 2) % 3;

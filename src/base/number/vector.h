@@ -10,6 +10,7 @@
 /** out = a + b, out = a - b; `out` may be either. */
 void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
+int vector_is_zero(const fmpq *a, int dimension);
 /** out = a x b, in space; `out` is neither. */
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);
 /** The image of a point under a homogeneous matrix of size d + 1; `out` is another vector. */

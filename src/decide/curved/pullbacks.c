@@ -44,6 +44,32 @@ static void pull_surface_back(fmpz_poly_t out, monomials *m, const csg_surface *
     }
 }
 
+static monomials *monomials_create(graze_context *context, const trajectory *c) {
+    monomials *m = calloc(1, sizeof *m);
+    if (m)
+        m->c = c;
+    else
+        (void)context_fail(context, GRAZE_ESYSTEM, "out of memory for a trajectory");
+    return m;
+}
+
+static void monomials_free(monomials *m) {
+    for (int k = 0; k < MONOMIALS; k++)
+        if (m->made[k])
+            fmpz_poly_clear(&m->product[k]);
+    free(m);
+}
+
+graze_status pullback_surface(fmpz_poly_t out, graze_context *context, const trajectory *c,
+                              const csg_surface *surface) {
+    monomials *m = monomials_create(context, c);
+    if (!m)
+        return GRAZE_ESYSTEM;
+    pull_surface_back(out, m, surface);
+    monomials_free(m);
+    return GRAZE_OK;
+}
+
 graze_status pullbacks_init(pullbacks *p, graze_context *context, const csg *solid) {
     *p = (pullbacks){.context = context, .solid = solid};
     algebraic_list_init(&p->time);
@@ -125,10 +151,9 @@ static graze_status rank_zeros(pullbacks *p) {
 graze_status pullbacks_set(pullbacks *p, const trajectory *c) {
     dyadic_interval unit;
     graze_status status = context_poll(p->context);
-    monomials *m = calloc(1, sizeof *m);
+    monomials *m = monomials_create(p->context, c);
     if (!m)
-        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a trajectory");
-    m->c = c;
+        return GRAZE_ESYSTEM;
     p->time.count = p->zero_count = p->slide_count = 0;
     dyadic_interval_init(&unit);
     dyadic_interval_set_si(&unit, 0, 1);
@@ -141,10 +166,7 @@ graze_status pullbacks_set(pullbacks *p, const trajectory *c) {
         else
             status = add_roots(p, k, &unit);
     }
-    for (int k = 0; k < MONOMIALS; k++)
-        if (m->made[k])
-            fmpz_poly_clear(&m->product[k]);
-    free(m);
+    monomials_free(m);
     dyadic_interval_clear(&unit);
     return status ? status : rank_zeros(p);
 }

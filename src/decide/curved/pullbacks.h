@@ -31,6 +31,10 @@ typedef struct pullbacks {
 graze_status pullbacks_init(pullbacks *p, graze_context *context, const csg *solid);
 void pullbacks_clear(pullbacks *p);
 
+/** The pullback of one surface. @return GRAZE_ESYSTEM */
+graze_status pullback_surface(fmpz_poly_t out, graze_context *context, const trajectory *c,
+                              const csg_surface *surface);
+
 /** Those of another trajectory. */
 graze_status pullbacks_set(pullbacks *p, const trajectory *c);
 

@@ -19,6 +19,7 @@ typedef struct maker {
     unsigned long weights[GRAZE_STRATUM_COUNT];
     mpq_t point[3], time, low[3], high[3]; /* low, high: of the box */
     distinct points;
+    unsigned long undecided; /* points left out */
     output out;
     int opened;
 } maker;
@@ -137,7 +138,7 @@ static void put_points_head(maker *m, const generate_options *o) {
 }
 
 static void put_sample_cell(output *out, const graze_cell *cell) {
-    static const char *const names[] = {"", "face", "edge", "vertex"};
+    static const char *const names[] = {"", "face", "edge", "vertex", "primitive"};
     char text[96];
     if (cell->kind == GRAZE_CELL_EDGE)
         snprintf(text, sizeof text, "edge %zu-%zu", cell->a, cell->b);
@@ -217,6 +218,7 @@ static int put_sample(int *is_new, maker *m, const generate_options *o, unsigned
     graze_status found =
         graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, draw);
     int status = found ? complain_of(found, m->l.context) : EXIT_DONE;
+    m->undecided += found ? 0 : made.undecided;
     if (!status && distinct_wants(&m->points, made.stratum))
         status = put_sample_point(is_new, m, &o->coordinates, &made, row);
     if (!status && *is_new)
@@ -243,6 +245,9 @@ static int put_samples(maker *m, const generate_options *o) {
     if (!status && distinct_is_over(&m->points))
         complain(EXIT_DONE, "note: %lu of %lu points were made; no others were found", row,
                  o->count);
+    if (!status && m->undecided)
+        complain(EXIT_DONE, "note: %lu points are left out, as their answers are undecided",
+                 m->undecided);
     return status;
 }
 
@@ -319,8 +324,6 @@ static int replace_lost(maker *m, const generate_options *o) {
 
 static int write_points(maker *m, const generate_options *o) {
     int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
-    if (!status)
-        status = load_straight(m->l.solid, o->scene.solid, "making points");
     if (!status)
         status = make_generator(m, o);
     if (!status)

@@ -84,7 +84,8 @@ class CSample(ctypes.Structure):
     """graze_sample."""
 
     _fields_ = [("stratum", c_int), ("order", c_int), ("cell", CCell), ("k", c_int),
-                ("outward", c_int), ("decade", c_int), ("origin", c_int), ("pmc", c_int)]
+                ("outward", c_int), ("decade", c_int), ("origin", c_int), ("pmc", c_int),
+                ("undecided", c_uint)]
 
 
 class CSiteFacts(ctypes.Structure):

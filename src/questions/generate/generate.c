@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "decide/scene/box.h"
+#include "decide/verdict/classify.h"
 #include "questions/generate/level.h"
 #include "questions/generate/rounded.h"
 
@@ -56,6 +57,19 @@ static graze_status list_joints(struct graze_generator *g, graze_context *contex
     return GRAZE_OK;
 }
 
+/* Drop a point that has no answer; contacts that stay where they are have one. */
+static graze_status keep_decided(int *made, sample *out, graze_context *context,
+                                 const struct graze_generator *g) {
+    graze_verdict found = {.pmc = GRAZE_PMC_NONE};
+    if (out->made.order && !out->made.k && out->made.stratum != GRAZE_STRATUM_ROUNDED)
+        return GRAZE_OK;
+    graze_status status =
+        classify_verdict(&found, context, g->scene, (query_point){.rational = out->point});
+    *made = !status && found.pmc != GRAZE_PMC_UNDECIDED;
+    out->undecided += !status && !*made;
+    return status;
+}
+
 static graze_status try_row(int *made, sample *out, graze_context *context,
                             const struct graze_generator *g, graze_stratum stratum,
                             random_stream *r) {
@@ -67,7 +81,9 @@ static graze_status try_row(int *made, sample *out, graze_context *context,
         else if (stratum == GRAZE_STRATUM_ROUNDED)
             status = rounded_try(made, out, context, g, r);
         else
-            *made = stratum_try(out, g, stratum, r);
+            status = stratum_try(made, out, context, g, stratum, r);
+        if (*made && !status && g->atlas)
+            status = keep_decided(made, out, context, g);
     }
     return status;
 }
@@ -112,6 +128,15 @@ static graze_status try_strata(struct graze_generator *g, graze_context *context
     return context_poll(context);
 }
 
+/* Look for points of a curved solid, of which no signed distance is known. */
+static graze_status survey_curved(struct graze_generator *g, graze_context *context) {
+    g->weight[GRAZE_STRATUM_LEVEL] = 0;
+    g->atlas = calloc(1, sizeof *g->atlas);
+    if (!g->atlas)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a generator");
+    return atlas_make(g->atlas, context, g->scene->solid->curved, g->instants, g->instant_count);
+}
+
 graze_status generator_make(struct graze_generator *out, graze_context *context,
                             const graze_scene *scene, uint64_t seed, const unsigned long *weights,
                             int representable) {
@@ -125,12 +150,14 @@ graze_status generator_make(struct graze_generator *out, graze_context *context,
         fmpq_init(out->high + i);
     }
     graze_status status = scene_box(out->low, out->high, context, scene);
-    if (!status)
+    if (!status && !scene->solid->curved)
         status = specials_find(&out->special, context, scene);
     if (!status)
         status = list_joints(out, context);
     if (!status)
         status = make_instants(out, context);
+    if (!status && scene->solid->curved)
+        status = survey_curved(out, context);
     return status ? status : try_strata(out, context);
 }
 
@@ -144,6 +171,9 @@ void generator_clear(struct graze_generator *g) {
         instant_clear(&g->instants[k]);
     for (size_t k = 0; k < g->joint_count; k++)
         instant_clear(&g->joints[k]);
+    if (g->atlas)
+        atlas_clear(g->atlas);
+    free(g->atlas);
     free(g->instants);
     free(g->joints);
 }
@@ -164,8 +194,10 @@ graze_status generator_sample(sample *out, graze_context *context, const struct 
     random_stream r;
     graze_status status = GRAZE_OK;
     random_seed(&r, g->seed, row);
+    out->undecided = 0;
     for (int made = 0; !made && !status;)
         status = try_row(&made, out, context, g, draw_stratum(g, &r), &r);
+    out->made.undecided = out->undecided;
     if (out->made.order == 0)
         fmpq_zero(out->time);
     return status;

@@ -159,10 +159,12 @@ static graze_status try_level(int *made, sample *out, graze_context *context,
                                          GRAZE_STRATUM_START, GRAZE_STRATUM_END,
                                          GRAZE_STRATUM_EDGE,  GRAZE_STRATUM_VERTEX};
     fmpq *normal = _fmpq_vec_init(3);
-    graze_status status = GRAZE_OK;
+    int touches = 0;
     *made = 0;
     out->made = (graze_sample){.stratum = GRAZE_STRATUM_LEVEL};
-    if (stratum_contact(out, normal, g, from[random_below(r, sizeof from / sizeof *from)], r))
+    graze_status status = stratum_contact(&touches, out, normal, context, g,
+                                          from[random_below(r, sizeof from / sizeof *from)], r);
+    if (touches)
         status = place_beside(made, out, context, g, normal, where, r);
     out->made.outward = where.outward;
     out->made.decade = where.decade;

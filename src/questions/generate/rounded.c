@@ -89,11 +89,10 @@ graze_status rounded_try(int *made, sample *out, graze_context *context,
     neighbours near;
     out->made = (graze_sample){.stratum = GRAZE_STRATUM_ROUNDED,
                                .origin = from[random_below(r, sizeof from / sizeof *from)]};
-    *made = stratum_contact(out, NULL, g, out->made.origin, r);
+    graze_status status = stratum_contact(made, out, NULL, context, g, out->made.origin, r);
     if (!*made)
-        return GRAZE_OK;
-    graze_status status =
-        point_neighbours(&near, context, out->point, g->scene->motion->dimension, r);
+        return status;
+    status = point_neighbours(&near, context, out->point, g->scene->motion->dimension, r);
     *made = !status && near.moved > 0;
     return *made ? take_side(out, context, g, &near, r) : status;
 }

@@ -11,7 +11,7 @@
 #include "input/solid/planes.h"
 
 /* Planes times pieces looked at, and special instants kept. */
-enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512, FACTORED_DEGREE = 40 };
+enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512 };
 
 /* The homogeneous position of a body point, d + 1 polynomials in u. */
 static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq *y) {
@@ -27,10 +27,8 @@ static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq
     _fmpz_vec_clear(x, d + 1);
 }
 
-/* The derivative by u of the pullback of `form` along the trajectory of P = M(u) y, at u itself:
- * zero where the normal velocity of y is zero. */
-static void normal_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece,
-                            const fmpz *form, const fmpq *y) {
+void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, const fmpz *form,
+                      const fmpq *y) {
     const motion_piece *p = &scene->motion->piece[piece];
     const point_map *tracing = motion_tracing(p, scene->options.operation);
     int d = tracing->dimension;
@@ -72,26 +70,35 @@ static graze_status append_special(specials *out, graze_context *context, const 
     return GRAZE_OK;
 }
 
-/* The rational roots in (0, 1) of g, the common part of the vertices' normal velocities. */
+int special_roots(fmpq *out, const fmpz_poly_t p) {
+    fmpz_poly_factor_t factors;
+    int count = 0;
+    if (fmpz_poly_degree(p) < 1 || fmpz_poly_degree(p) > SPECIAL_ROOTS)
+        return 0;
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor(factors, p);
+    for (slong k = 0; k < factors->num; k++) {
+        if (fmpz_poly_degree(factors->p + k) != 1)
+            continue;
+        fmpq *u = out + count;
+        fmpq_set_fmpz_frac(u, factors->p[k].coeffs, factors->p[k].coeffs + 1);
+        fmpq_neg(u, u);
+        count += fmpq_sgn(u) > 0 && fmpq_cmp_ui(u, 1) < 0;
+    }
+    fmpz_poly_factor_clear(factors);
+    return count;
+}
+
+/* The rational roots of g, the common part of the vertices' normal velocities. */
 static graze_status append_common_roots(specials *out, graze_context *context,
                                         const graze_scene *scene, size_t piece, size_t simplex,
                                         const fmpz_poly_t g) {
     graze_status status = GRAZE_OK;
-    fmpz_poly_factor_t factors;
-    fmpq_t u;
-    fmpz_poly_factor_init(factors);
-    fmpq_init(u);
-    fmpz_poly_factor(factors, g);
-    for (slong k = 0; k < factors->num && !status && out->count < MOST_SPECIALS; k++) {
-        if (fmpz_poly_degree(factors->p + k) != 1)
-            continue;
-        fmpq_set_fmpz_frac(u, factors->p[k].coeffs, factors->p[k].coeffs + 1);
-        fmpq_neg(u, u);
-        if (fmpq_sgn(u) > 0 && fmpq_cmp_ui(u, 1) < 0)
-            status = append_special(out, context, scene, piece, u, simplex, 0);
-    }
-    fmpz_poly_factor_clear(factors);
-    fmpq_clear(u);
+    fmpq *u = _fmpq_vec_init(SPECIAL_ROOTS);
+    int count = special_roots(u, g);
+    for (int k = 0; k < count && !status && out->count < MOST_SPECIALS; k++)
+        status = append_special(out, context, scene, piece, u + k, simplex, 0);
+    _fmpq_vec_clear(u, SPECIAL_ROOTS);
     return status;
 }
 
@@ -106,14 +113,14 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     fmpq_init(half);
     fmpq_set_si(half, 1, 2);
     for (int k = 0; k < d; k++) {
-        normal_velocity(velocity, scene, piece, plane,
-                        solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
+        special_velocity(velocity, scene, piece, plane,
+                         solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
         fmpz_poly_gcd(common, common, velocity);
     }
     graze_status status = GRAZE_OK;
     if (fmpz_poly_is_zero(common))
         status = append_special(out, context, scene, piece, half, simplex, 1);
-    else if (fmpz_poly_degree(common) > 0 && fmpz_poly_degree(common) <= FACTORED_DEGREE)
+    else
         status = append_common_roots(out, context, scene, piece, simplex, common);
     fmpz_poly_clear(common);
     fmpz_poly_clear(velocity);

@@ -28,4 +28,13 @@ typedef struct specials {
 graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene);
 void specials_clear(specials *list);
 
+/** The derivative by u of the pullback of a plane form along the trajectory of P = M(u) y, at u
+ * itself: zero where the normal velocity of y is zero. */
+void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, const fmpz *form,
+                      const fmpq *y);
+
+/** Rational roots of a polynomial in (0, 1), at most SPECIAL_ROOTS; how many. */
+enum { SPECIAL_ROOTS = 40 };
+int special_roots(fmpq *out, const fmpz_poly_t p);
+
 #endif

@@ -1,0 +1,301 @@
+/* Charts of surfaces, of pairs of them, and of each with its normal velocity.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/atlas.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Surfaces, pairs of surfaces, lines with surfaces, and surfaces at instants, that are looked at.
+ */
+enum { MOST_SURFACES = 400, MOST_PAIRS = 400, MOST_CORNERS = 1500, MOST_TOUCHES = 240 };
+/* Components of normals of planes that may cut circles from a surface of degree 4; further planes
+ * through points of these circles, or anywhere; planes in all; and lines of one
+ * surface at one time. */
+enum { REACH = 4, FURTHER = 24, MOST_SECTIONS = 4000, LINES = 6 };
+
+/* What is under way. */
+typedef struct surveyor {
+    atlas *out;
+    graze_context *context;
+    fmpq_mpoly_struct *polynomial; /* by surface */
+    size_t *order, count;          /* surfaces as they come in the file, each once */
+    int sections;                  /* planes tried so far */
+    fmpq_mpoly_t linear, term;
+    random_stream random;
+} surveyor;
+
+static void polynomial_of(fmpq_mpoly_t out, const csg_surface *s, const fmpq_mpoly_ctx_t ring) {
+    fmpq_mpoly_zero(out, ring);
+    for (size_t k = 0; k < s->count; k++) {
+        ulong power[3] = {s->power[k][0], s->power[k][1], s->power[k][2]};
+        fmpq_mpoly_push_term_fmpz_ui(out, s->coefficient + k, power, ring);
+    }
+    fmpq_mpoly_sort_terms(out, ring);
+    fmpq_mpoly_reduce(out, ring);
+}
+
+/* Surfaces in the order of the primitives, so that neighbours are often of one body. */
+static graze_status order_surfaces(surveyor *s) {
+    const csg *solid = s->out->solid;
+    char *seen = calloc(solid->surface_count + 1, 1);
+    s->order = malloc((solid->surface_count + 1) * sizeof *s->order);
+    s->polynomial = malloc((solid->surface_count + 1) * sizeof *s->polynomial);
+    if (!seen || !s->order || !s->polynomial) {
+        free(seen);
+        return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
+                            solid->surface_count);
+    }
+    for (size_t n = 0; n < solid->node_count; n++)
+        for (size_t k = 0; k < solid->node[n].count && solid->node[n].operation == CSG_SIGN; k++) {
+            size_t surface = solid->operand[solid->node[n].first + k];
+            if (seen[surface] || s->count >= MOST_SURFACES)
+                continue;
+            seen[surface] = 1;
+            fmpq_mpoly_init(&s->polynomial[s->count], s->out->ring);
+            polynomial_of(&s->polynomial[s->count], &solid->surface[surface], s->out->ring);
+            s->order[s->count++] = surface;
+        }
+    free(seen);
+    return GRAZE_OK;
+}
+
+/* linear = normal . (x - point) */
+static void plane_through(surveyor *s, const slong *normal, const fmpq *point) {
+    const fmpq_mpoly_ctx_struct *ring = s->out->ring;
+    fmpq_mpoly_zero(s->linear, ring);
+    for (int i = 0; i < s->out->solid->dimension; i++) {
+        fmpq_mpoly_gen(s->term, i, ring);
+        fmpq_mpoly_sub_fmpq(s->term, s->term, point + i, ring);
+        fmpq_mpoly_scalar_mul_si(s->term, s->term, normal[i], ring);
+        fmpq_mpoly_add(s->linear, s->linear, s->term, ring);
+    }
+}
+
+/* The middle of the first primitive that has a surface. */
+static const fmpq *surface_middle(const csg *solid, size_t surface) {
+    for (size_t n = 0; n < solid->node_count; n++)
+        for (size_t k = 0; k < solid->node[n].count && solid->node[n].operation == CSG_SIGN; k++)
+            if (solid->operand[solid->node[n].first + k] == surface)
+                return solid->primitive[solid->node[n].primitive].middle;
+    return solid->primitive[0].middle;
+}
+
+/* A point at random. */
+static void draw_in_box(fmpq *point, surveyor *s) {
+    chart all = {.bent = 0};
+    flat_init(&all.place, s->out->solid->dimension);
+    (void)chart_draw(point, &all, &s->random, s->out->low, s->out->high);
+    flat_clear(&all.place);
+}
+
+/* Sections by planes through points of the sections found so far, parallel to those that cut such
+ * ones. */
+static graze_status add_parallel_sections(surveyor *s, const fmpq_mpoly_struct *p, size_t first,
+                                          slong (*normal)[3], size_t normals) {
+    charts *faces = &s->out->faces;
+    graze_status status = GRAZE_OK;
+    fmpq *point = _fmpq_vec_init(3);
+    for (int k = 0; k < FURTHER && !status && faces->count > first; k++) {
+        const chart *from = &faces->item[first + random_below(&s->random, faces->count - first)];
+        if (!chart_draw(point, from, &s->random, s->out->low, s->out->high))
+            continue;
+        if (k % 2)
+            draw_in_box(point, s);
+        plane_through(s, normal[random_below(&s->random, normals)], point);
+        status = charts_add_common(faces, s->linear, p);
+    }
+    _fmpq_vec_clear(point, 3);
+    return status;
+}
+
+/* Conics of a surface of degree 3 or 4, such as circles of a torus: by planes with short normals
+ * through the middle of its primitive. */
+static graze_status add_conics(surveyor *s, const fmpq_mpoly_struct *p, size_t surface) {
+    enum { SIDE = 2 * REACH + 1, ALL = SIDE * SIDE * SIDE };
+    charts *faces = &s->out->faces;
+    slong normal[ALL / 2][3];
+    size_t first = faces->count, normals = 0;
+    graze_status status = GRAZE_OK;
+    for (int k = ALL / 2 + 1; k < ALL && !status && s->sections < MOST_SECTIONS; k++) {
+        size_t before = faces->count;
+        slong *n = normal[normals];
+        if (s->out->solid->dimension == 2 && k % SIDE != REACH)
+            continue;
+        s->sections++;
+        n[0] = k / (SIDE * SIDE) - REACH;
+        n[1] = k / SIDE % SIDE - REACH;
+        n[2] = k % SIDE - REACH;
+        plane_through(s, n, surface_middle(s->out->solid, surface));
+        status = charts_add_common(faces, s->linear, p);
+        normals += faces->count > before;
+    }
+    return status || !normals ? status : add_parallel_sections(s, p, first, normal, normals);
+}
+
+static graze_status survey_faces(surveyor *s) {
+    flat space;
+    graze_status status = GRAZE_OK;
+    flat_init(&space, s->out->solid->dimension);
+    for (size_t k = 0; k < s->count && !status; k++) {
+        s->out->faces.mark = s->order[k];
+        if (s->out->solid->surface[s->order[k]].degree <= 2)
+            status = charts_add_section(&s->out->faces, &space, &s->polynomial[k]);
+        else
+            status = add_conics(s, &s->polynomial[k], s->order[k]);
+    }
+    flat_clear(&space);
+    return status;
+}
+
+/* What two surfaces have in common, those near each other in the file first. */
+static graze_status survey_pairs(surveyor *s, charts *to) {
+    int left = MOST_PAIRS;
+    graze_status status = GRAZE_OK;
+    for (size_t apart = 1; apart < s->count && left > 0 && !status; apart++)
+        for (size_t k = 0; k + apart < s->count && left > 0 && !status; k++, left--)
+            status = charts_add_common(to, &s->polynomial[k], &s->polynomial[k + apart]);
+    return status;
+}
+
+/* Singular points of quadrics. */
+static graze_status survey_apexes(surveyor *s) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < s->count && !status; k++)
+        if (s->out->solid->surface[s->order[k]].degree == 2)
+            status = charts_add_singular(&s->out->vertices, &s->polynomial[k]);
+    return status;
+}
+
+/* Where edges that are straight meet further surfaces. */
+static graze_status survey_corners(surveyor *s) {
+    int left = MOST_CORNERS;
+    graze_status status = GRAZE_OK;
+    for (size_t e = 0; e < s->out->edges.count && left > 0 && !status; e++) {
+        const chart *edge = &s->out->edges.item[e];
+        if (edge->bent || edge->place.count != 1)
+            continue;
+        for (size_t k = 0; k < s->count && left > 0 && !status; k++, left--)
+            status = charts_add_section(&s->out->vertices, &edge->place, &s->polynomial[k]);
+    }
+    return status;
+}
+
+/* The normal velocity at a time, for points of a surface: the sum of each derivative of p times
+ * that coordinate's velocity. */
+static void normal_velocity(fmpq_mpoly_t out, surveyor *s, const fmpq_mpoly_struct *p,
+                            const instant *at) {
+    const fmpq_mpoly_ctx_struct *ring = s->out->ring;
+    int d = at->dimension;
+    fmpq_mpoly_zero(out, ring);
+    for (int i = 0; i < d; i++) {
+        const fmpz *row = at->carried[0] + i * (d + 1);
+        fmpq_mpoly_set_fmpz(s->linear, row + d, ring);
+        for (int j = 0; j < d; j++) {
+            fmpq_mpoly_gen(s->term, j, ring);
+            fmpq_mpoly_scalar_mul_fmpz(s->term, s->term, row + j, ring);
+            fmpq_mpoly_add(s->linear, s->linear, s->term, ring);
+        }
+        /* Velocities are those of homogeneous coordinates. */
+        fmpq_mpoly_gen(s->term, i, ring);
+        fmpq_mpoly_scalar_mul_fmpz(s->term, s->term, at->carried[0] + d * (d + 1) + d, ring);
+        fmpq_mpoly_sub(s->linear, s->linear, s->term, ring);
+        fmpq_mpoly_derivative(s->term, p, i, ring);
+        fmpq_mpoly_mul(s->term, s->term, s->linear, ring);
+        fmpq_mpoly_add(out, out, s->term, ring);
+    }
+}
+
+/* Where lines of a cylinder or a cone are touched. */
+static graze_status add_ruled(surveyor *s, size_t surface, const fmpq_mpoly_t velocity) {
+    const charts *faces = &s->out->faces;
+    graze_status status = GRAZE_OK;
+    size_t k = 0;
+    while (k < faces->count && faces->item[k].mark != surface)
+        k++;
+    if (k == faces->count || !faces->item[k].bent)
+        return GRAZE_OK;
+    flat line;
+    flat_init(&line, s->out->solid->dimension);
+    line.count = 1;
+    for (int n = 0; n < LINES && !status; n++)
+        if (chart_draw(line.origin, &faces->item[k], &s->random, s->out->low, s->out->high) &&
+            quadratic_ruling(line.direction[0], &faces->item[k].curve, line.origin))
+            status = charts_add_section(&s->out->touches, &line, velocity);
+    flat_clear(&line);
+    return status;
+}
+
+/* Where the surfaces are touched at instants: at many where there are few surfaces. */
+static graze_status survey_touches(surveyor *s, const instant *instants, size_t count) {
+    int left = MOST_TOUCHES;
+    graze_status status = GRAZE_OK;
+    fmpq_mpoly_t velocity;
+    fmpq_mpoly_init(velocity, s->out->ring);
+    size_t stride = count * s->count / MOST_TOUCHES + 1;
+    for (size_t at = 0; at < count && left > 0 && !status; at += stride)
+        for (size_t k = 0; k < s->count && left > 0 && !status; k++, left--) {
+            normal_velocity(velocity, s, &s->polynomial[k], &instants[at]);
+            s->out->touches.mark = at;
+            size_t before = s->out->touches.count;
+            status = charts_add_common(&s->out->touches, &s->polynomial[k], velocity);
+            if (!status && s->out->touches.count == before)
+                status = add_ruled(s, s->order[k], velocity);
+        }
+    fmpq_mpoly_clear(velocity, s->out->ring);
+    return status;
+}
+
+static graze_status survey(surveyor *s, const instant *instants, size_t count) {
+    int d = s->out->solid->dimension;
+    graze_status status = order_surfaces(s);
+    if (!status)
+        status = survey_faces(s);
+    if (!status)
+        status = survey_pairs(s, d == 3 ? &s->out->edges : &s->out->vertices);
+    if (!status)
+        status = survey_apexes(s);
+    if (!status && d == 3)
+        status = survey_corners(s);
+    return status ? status : survey_touches(s, instants, count);
+}
+
+graze_status atlas_make(atlas *out, graze_context *context, const csg *solid,
+                        const instant *instants, size_t count) {
+    surveyor s = {.out = out, .context = context};
+    memset(out, 0, sizeof *out);
+    out->solid = solid;
+    fmpq_mpoly_ctx_init(out->ring, solid->dimension, ORD_LEX);
+    charts empty = {.context = context, .ring = out->ring, .dimension = solid->dimension};
+    out->faces = out->edges = out->vertices = out->touches = empty;
+    for (int i = 0; i < 3; i++) {
+        fmpq_init(&out->low[i]);
+        fmpq_init(&out->high[i]);
+        fmpq_set(&out->low[i], &solid->box.low[i]);
+        fmpq_set(&out->high[i], &solid->box.high[i]);
+    }
+    fmpq_mpoly_init(s.linear, out->ring);
+    fmpq_mpoly_init(s.term, out->ring);
+    random_seed(&s.random, 0, 0);
+    graze_status status = survey(&s, instants, count);
+    for (size_t k = 0; k < s.count; k++)
+        fmpq_mpoly_clear(&s.polynomial[k], out->ring);
+    fmpq_mpoly_clear(s.linear, out->ring);
+    fmpq_mpoly_clear(s.term, out->ring);
+    free(s.polynomial);
+    free(s.order);
+    return status;
+}
+
+void atlas_clear(atlas *a) {
+    charts_clear(&a->faces);
+    charts_clear(&a->edges);
+    charts_clear(&a->vertices);
+    charts_clear(&a->touches);
+    for (int i = 0; i < 3; i++) {
+        fmpq_clear(&a->low[i]);
+        fmpq_clear(&a->high[i]);
+    }
+    fmpq_mpoly_ctx_clear(a->ring);
+}

@@ -1,0 +1,222 @@
+/* Common zeros by factors and remainders of division.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/charts.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpq_mpoly_factor.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+
+/* Coordinates are multiples of 1/256 of the box; components of directions, from -16 to 16, or
+ * simple ones. */
+enum { PARTS = 256, REACH = 16 };
+
+void charts_clear(charts *list) {
+    for (size_t k = 0; k < list->count; k++) {
+        flat_clear(&list->item[k].place);
+        quadratic_clear(&list->item[k].curve);
+    }
+    free(list->item);
+    list->item = NULL;
+    list->count = list->capacity = 0;
+}
+
+static graze_status append_chart(charts *list, const flat *place, const quadratic *curve) {
+    graze_status status = array_grow(list->context, &list->item, &list->capacity, list->count + 1,
+                                     sizeof *list->item, "rational points of surfaces");
+    if (status)
+        return status;
+    chart *to = &list->item[list->count++];
+    *to = (chart){.bent = curve != NULL, .mark = list->mark};
+    flat_init(&to->place, place->dimension);
+    flat_set(&to->place, place);
+    quadratic_init(&to->curve);
+    if (curve)
+        quadratic_set(&to->curve, curve);
+    return GRAZE_OK;
+}
+
+/* The point where a quadratic polynomial and its gradient are zero, if there is one. */
+static graze_status add_singular(charts *list, const flat *place, quadratic *q) {
+    flat point;
+    graze_status status = GRAZE_OK;
+    flat_init(&point, place->dimension);
+    if (quadratic_center(q) && fmpq_is_zero(q->value)) {
+        flat_point(point.origin, place, q->start);
+        point.count = 0;
+        status = append_chart(list, &point, NULL);
+        if (!status)
+            list->item[list->count - 1].isolated = 1;
+    }
+    flat_clear(&point);
+    return status;
+}
+
+/* The zeros of one factor: a flat, or a quadric on which a point is found. */
+static graze_status add_factor_zeros(charts *list, const flat *place, const fmpq_mpoly_t factor) {
+    slong degree = fmpq_mpoly_total_degree_si(factor, list->ring);
+    graze_status status = GRAZE_OK;
+    if (degree == 1) {
+        flat part;
+        flat_init(&part, place->dimension);
+        flat_set(&part, place);
+        flat_cut(&part, factor, list->ring);
+        status = append_chart(list, &part, NULL);
+        flat_clear(&part);
+    } else if (degree == 2 && place->count > 1) {
+        quadratic q;
+        quadratic_init(&q);
+        quadratic_read(&q, factor, place->count, list->ring);
+        if (quadratic_find_zero(&q))
+            status = append_chart(list, place, &q);
+        else
+            status = add_singular(list, place, &q);
+        quadratic_clear(&q);
+    }
+    return status ? status : context_poll(list->context);
+}
+
+static graze_status add_zeros(charts *list, const flat *place, const fmpq_mpoly_t p) {
+    fmpq_mpoly_factor_t parts;
+    graze_status status = GRAZE_OK;
+    fmpq_mpoly_factor_init(parts, list->ring);
+    if (!fmpq_mpoly_is_zero(p, list->ring) && fmpq_mpoly_factor(parts, p, list->ring))
+        for (slong k = 0; k < parts->num && !status; k++)
+            status = add_factor_zeros(list, place, parts->poly + k);
+    fmpq_mpoly_factor_clear(parts, list->ring);
+    return status;
+}
+
+graze_status charts_add_section(charts *list, const flat *place, const fmpq_mpoly_t p) {
+    fmpq_mpoly_struct x[3], *at[3] = {&x[0], &x[1], &x[2]};
+    fmpq_mpoly_t rest;
+    for (int i = 0; i < 3; i++)
+        fmpq_mpoly_init(&x[i], list->ring);
+    fmpq_mpoly_init(rest, list->ring);
+    flat_coordinates(x, place, list->ring);
+    graze_status status = GRAZE_OK;
+    if (fmpq_mpoly_compose_fmpq_mpoly(rest, p, at, list->ring, list->ring))
+        status = add_zeros(list, place, rest);
+    fmpq_mpoly_clear(rest, list->ring);
+    for (int i = 0; i < 3; i++)
+        fmpq_mpoly_clear(&x[i], list->ring);
+    return status;
+}
+
+/* The zeros of p where a linear polynomial is zero. */
+static graze_status add_plane_section(charts *list, const fmpq_mpoly_t linear,
+                                      const fmpq_mpoly_t p) {
+    flat part;
+    flat_init(&part, list->dimension);
+    flat_cut(&part, linear, list->ring);
+    graze_status status = charts_add_section(list, &part, p);
+    flat_clear(&part);
+    return status;
+}
+
+/* The zeros of p where a linear factor of q is zero. */
+static graze_status add_sections(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
+    fmpq_mpoly_factor_t parts;
+    graze_status status = GRAZE_OK;
+    fmpq_mpoly_factor_init(parts, list->ring);
+    if (!fmpq_mpoly_is_zero(q, list->ring) && fmpq_mpoly_factor(parts, q, list->ring))
+        for (slong k = 0; k < parts->num && !status; k++)
+            if (fmpq_mpoly_total_degree_si(parts->poly + k, list->ring) == 1)
+                status = add_plane_section(list, parts->poly + k, p);
+    fmpq_mpoly_factor_clear(parts, list->ring);
+    return status;
+}
+
+/* Where what the division of one by another leaves has linear factors. */
+static graze_status add_remainder(charts *list, const fmpq_mpoly_t high, const fmpq_mpoly_t low) {
+    fmpq_mpoly_t quotient, rest;
+    fmpq_mpoly_init(quotient, list->ring);
+    fmpq_mpoly_init(rest, list->ring);
+    fmpq_mpoly_divrem(quotient, rest, high, low, list->ring);
+    graze_status status = add_sections(list, low, rest);
+    fmpq_mpoly_clear(quotient, list->ring);
+    fmpq_mpoly_clear(rest, list->ring);
+    return status;
+}
+
+/* The common zeros of irreducible polynomials. */
+static graze_status add_pair(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
+    slong of_p = fmpq_mpoly_total_degree_si(p, list->ring);
+    slong of_q = fmpq_mpoly_total_degree_si(q, list->ring);
+    size_t before = list->count;
+    if (of_p == 1)
+        return add_plane_section(list, p, q);
+    if (of_q == 1)
+        return add_plane_section(list, q, p);
+    graze_status status = of_p >= of_q ? add_remainder(list, p, q) : GRAZE_OK;
+    if (!status && of_p <= of_q && list->count == before)
+        status = add_remainder(list, q, p);
+    return status;
+}
+
+graze_status charts_add_common(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
+    fmpq_mpoly_factor_t parts;
+    graze_status status = GRAZE_OK;
+    fmpq_mpoly_factor_init(parts, list->ring);
+    if (!fmpq_mpoly_is_zero(q, list->ring) && fmpq_mpoly_factor(parts, q, list->ring))
+        for (slong k = 0; k < parts->num && !status; k++)
+            status = add_pair(list, p, parts->poly + k);
+    fmpq_mpoly_factor_clear(parts, list->ring);
+    return status;
+}
+
+graze_status charts_add_singular(charts *list, const fmpq_mpoly_t p) {
+    quadratic q;
+    flat space;
+    quadratic_init(&q);
+    quadratic_read(&q, p, list->dimension, list->ring);
+    flat_init(&space, list->dimension);
+    graze_status status = add_singular(list, &space, &q);
+    flat_clear(&space);
+    quadratic_clear(&q);
+    return status;
+}
+
+/* The power of two that is at most the length of a side. */
+static void side_size(fmpq_t out, const fmpq_t low, const fmpq_t high) {
+    fmpq_sub(out, high, low);
+    slong bits = (slong)fmpz_bits(fmpq_numref(out)) - (slong)fmpz_bits(fmpq_denref(out)) - 1;
+    fmpq_one(out);
+    if (bits >= 0)
+        fmpq_mul_2exp(out, out, (ulong)bits);
+    else
+        fmpq_div_2exp(out, out, (ulong)-bits);
+}
+
+/* A component of a direction: of three kinds of them, to meet points with short coordinates too. */
+static slong draw_component(random_stream *r, size_t kind) {
+    return kind == 0 ? (slong)random_below(r, 3) - 1
+                     : (slong)random_below(r, 2 * REACH + 1) - REACH;
+}
+
+int chart_draw(fmpq *point, const chart *from, random_stream *r, const fmpq *low,
+               const fmpq *high) {
+    int n = from->place.count, made = 1;
+    size_t kind = random_below(r, 4);
+    fmpq *s = _fmpq_vec_init(6), *v = s + 3;
+    for (int j = 0; j < n; j++) {
+        int axis = from->place.axis[j];
+        if (from->bent) {
+            side_size(v + j, low + axis, high + axis);
+            fmpq_mul_si(v + j, v + j, draw_component(r, kind));
+        } else {
+            fmpq_sub(v + j, high + axis, low + axis);
+            fmpq_set_si(s + j, (slong)random_below(r, PARTS + 1), PARTS);
+            fmpq_mul(s + j, s + j, v + j);
+            fmpq_add(s + j, s + j, low + axis);
+        }
+    }
+    if (from->bent)
+        made = quadratic_other_zero(s, &from->curve, v);
+    flat_point(point, &from->place, s);
+    _fmpq_vec_clear(s, 6);
+    return made;
+}

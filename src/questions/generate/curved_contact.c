@@ -1,0 +1,338 @@
+/* Draws a point of a surface and a time, and asks the exact path whether it is a contact.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/curved_contact.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/number/order.h"
+#include "base/number/vector.h"
+#include "decide/curved/pullbacks.h"
+#include "decide/curved/truth.h"
+#include "decide/verdict/classify.h"
+
+/* One draw: a body point, a time, and what is there. */
+typedef struct touchpoint {
+    graze_context *context;
+    const struct graze_generator *g;
+    const instant *when;
+    instant own; /* if `when` is it */
+    fmpq y[3];
+    dependence at;  /* the surfaces that matter at y */
+    int isolated;   /* a singular point of an intersection */
+    int kind;       /* dimension of the cell of y; -1: y is not on the boundary */
+    size_t surface; /* one of them */
+    fmpz *form;     /* its tangent plane, positive outside; all 0 at an apex */
+    graze_sample *made;
+} touchpoint;
+
+static void touchpoint_init(touchpoint *p, graze_context *context,
+                            const struct graze_generator *g) {
+    *p = (touchpoint){.context = context, .g = g, .kind = -1};
+    for (int i = 0; i < 3; i++)
+        fmpq_init(p->y + i);
+    p->form = _fmpz_vec_init(4);
+}
+
+static void touchpoint_clear(touchpoint *p) {
+    if (p->when == &p->own)
+        instant_clear(&p->own);
+    for (int i = 0; i < 3; i++)
+        fmpq_clear(p->y + i);
+    _fmpz_vec_clear(p->form, 4);
+}
+
+static int draw_from(touchpoint *p, const charts *list, random_stream *r, const chart **from) {
+    if (list->count == 0)
+        return 0;
+    *from = &list->item[random_below(r, list->count)];
+    p->isolated = (*from)->isolated;
+    return chart_draw(p->y, *from, r, p->g->atlas->low, p->g->atlas->high);
+}
+
+/* The gradient of a surface at y. */
+static void surface_gradient(fmpq *out, const csg_surface *s, const fmpq *y, int d) {
+    fmpq *term = _fmpq_vec_init(1);
+    for (int i = 0; i < d; i++) {
+        fmpq_zero(out + i);
+        for (size_t k = 0; k < s->count; k++) {
+            fmpq_set_fmpz(term, s->coefficient + k);
+            fmpq_mul_si(term, term, s->power[k][i]);
+            for (int j = 0; j < d && !fmpq_is_zero(term); j++)
+                for (int power = s->power[k][j] - (i == j); power > 0; power--)
+                    fmpq_mul(term, term, y + j);
+            fmpq_add(out + i, out + i, term);
+        }
+    }
+    _fmpq_vec_clear(term, 1);
+}
+
+/* form = gradient . (x - y), in integers */
+static void tangent_plane(fmpz *form, const csg_surface *s, const fmpq *y, int d) {
+    fmpz_t common;
+    fmpq *plane = _fmpq_vec_init(4);
+    fmpz_init(common);
+    surface_gradient(plane, s, y, d);
+    for (int i = 0; i < d; i++)
+        fmpq_submul(plane + d, plane + i, y + i);
+    _fmpq_vec_get_fmpz_vec_fmpz(form, common, plane, d + 1);
+    _fmpq_vec_clear(plane, 4);
+    fmpz_clear(common);
+}
+
+/* A time at which the normal velocity of a point of a surface is zero, in a random piece. */
+static int draw_time(touchpoint *p, size_t surface, random_stream *r) {
+    const graze_scene *scene = p->g->scene;
+    size_t piece = random_below(r, scene->motion->piece_count);
+    fmpz_poly_t velocity;
+    fmpq *u = _fmpq_vec_init(SPECIAL_ROOTS);
+    fmpz_poly_init(velocity);
+    tangent_plane(p->form, &p->g->atlas->solid->surface[surface], p->y, scene->motion->dimension);
+    special_velocity(velocity, scene, piece, p->form, p->y);
+    int found = special_roots(u, velocity);
+    if (found) {
+        instant_init(&p->own, scene, piece, u + random_below(r, (size_t)found));
+        p->when = &p->own;
+    }
+    fmpz_poly_clear(velocity);
+    _fmpq_vec_clear(u, SPECIAL_ROOTS);
+    return found > 0;
+}
+
+/* Either the time comes first, or the point. */
+static int draw_tangency(touchpoint *p, random_stream *r) {
+    const chart *from;
+    const atlas *a = p->g->atlas;
+    if (random_below(r, 2) && a->touches.count) {
+        int made = draw_from(p, &a->touches, r, &from);
+        p->when = &p->g->instants[from->mark];
+        return made;
+    }
+    return draw_from(p, &a->faces, r, &from) && draw_time(p, from->mark, r);
+}
+
+static int draw_any_chart(touchpoint *p, random_stream *r) {
+    const atlas *a = p->g->atlas;
+    const chart *from;
+    size_t choice = random_below(r, 4);
+    return draw_from(p, choice < 2 ? &a->faces : choice == 2 ? &a->edges : &a->vertices, r, &from);
+}
+
+static int draw_touch(touchpoint *p, graze_stratum stratum, random_stream *r) {
+    const struct graze_generator *g = p->g;
+    const chart *from;
+    p->when = stratum_instant(g, stratum, r);
+    if (!p->when)
+        return 0;
+    switch (stratum) {
+    case GRAZE_STRATUM_FACE:
+    case GRAZE_STRATUM_FACE_ODD:
+        return draw_tangency(p, r);
+    case GRAZE_STRATUM_SLIDE:
+        return random_below(r, 2) ? draw_tangency(p, r) : draw_from(p, &g->atlas->faces, r, &from);
+    case GRAZE_STRATUM_EDGE:
+        return draw_from(p, &g->atlas->edges, r, &from);
+    case GRAZE_STRATUM_VERTEX:
+        return draw_from(p, random_below(r, 2) ? &g->atlas->vertices : &g->atlas->edges, r, &from);
+    case GRAZE_STRATUM_CROSSING:
+        return draw_from(p, &g->atlas->faces, r, &from);
+    case GRAZE_STRATUM_START:
+    case GRAZE_STRATUM_END:
+    case GRAZE_STRATUM_BREAK:
+        return draw_any_chart(p, r);
+    default:
+        return 0;
+    }
+}
+
+/* On which surfaces through y the expression depends. */
+static graze_status find_dependence(touchpoint *p) {
+    const csg *solid = p->g->atlas->solid;
+    int d = solid->dimension;
+    expression e;
+    fmpz *x = _fmpz_vec_init(d + 1);
+    size_t count = 0, *vanishing = malloc((solid->surface_count + 1) * sizeof *vanishing);
+    graze_status status = expression_init(&e, p->context, solid);
+    if (!status && !vanishing)
+        status = context_fail(p->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
+                              solid->surface_count);
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, p->y, d);
+    for (size_t k = 0; k < solid->surface_count && !status; k++) {
+        e.sign[k] = (signed char)csg_surface_sign(&solid->surface[k], x, d);
+        if (!e.sign[k])
+            vanishing[count++] = k;
+    }
+    if (!status)
+        status = expression_ask(&p->at, &e, vanishing, count);
+    expression_clear(&e);
+    free(vanishing);
+    _fmpz_vec_clear(x, d + 1);
+    return status;
+}
+
+/* The dimension of the cell: of one smooth surface d - 1, of surfaces through a curve 1. */
+static void measure_cell(touchpoint *p) {
+    const csg *solid = p->g->atlas->solid;
+    int d = solid->dimension, apex = 0;
+    fmpq_mat_t gradients;
+    if (p->at.count == 0)
+        return;
+    fmpq_mat_init(gradients, p->at.count, d);
+    for (int k = 0; k < p->at.count; k++) {
+        fmpq *row = fmpq_mat_entry(gradients, k, 0);
+        surface_gradient(row, &solid->surface[p->at.surface[k]], p->y, d);
+        apex |= vector_is_zero(row, d);
+    }
+    p->kind = 0;
+    if (!apex && p->at.count == 1)
+        p->kind = d - 1;
+    else if (!apex && !p->isolated && d == 3 && fmpq_mat_rref(gradients, gradients) < 3)
+        p->kind = 1;
+    fmpq_mat_clear(gradients);
+}
+
+static int kind_fits(graze_stratum stratum, int kind, int d) {
+    switch (stratum) {
+    case GRAZE_STRATUM_FACE:
+    case GRAZE_STRATUM_FACE_ODD:
+    case GRAZE_STRATUM_CROSSING:
+    case GRAZE_STRATUM_SLIDE:
+        return kind == d - 1;
+    case GRAZE_STRATUM_EDGE:
+        return kind == 1;
+    case GRAZE_STRATUM_VERTEX:
+        return kind == 0;
+    default:
+        return kind >= 0;
+    }
+}
+
+/* Choose one of the surfaces, and turn its tangent plane outwards: to the side that some signs of
+ * the others have outside. */
+static void choose_surface(touchpoint *p, random_stream *r) {
+    int k = (int)random_below(r, (size_t)p->at.count), facing = 0;
+    const csg *solid = p->g->atlas->solid;
+    p->surface = p->at.surface[k];
+    tangent_plane(p->form, &solid->surface[p->surface], p->y, solid->dimension);
+    for (unsigned s = 0; s < 1u << p->at.count && !facing; s++)
+        facing = pattern_has(&p->at.truth, s | 1u << k) - pattern_has(&p->at.truth, s & ~(1u << k));
+    if (facing < 0)
+        _fmpz_vec_neg(p->form, p->form, solid->dimension + 1);
+}
+
+/* Order of the contact with the surface: the multiplicity of the root, or that of a slide. */
+static graze_status order_of_contact(int *order, const touchpoint *p, const fmpq *world) {
+    trajectory c;
+    fmpz_poly_t f;
+    fmpq_t value;
+    *order = 0;
+    trajectory_init(&c, p->when->dimension);
+    fmpz_poly_init(f);
+    fmpq_init(value);
+    trajectory_set(
+        &c,
+        motion_tracing(&p->g->scene->motion->piece[p->when->piece], p->g->scene->options.operation),
+        world);
+    graze_status status =
+        pullback_surface(f, p->context, &c, &p->g->atlas->solid->surface[p->surface]);
+    if (fmpz_poly_is_zero(f))
+        *order = GRAZE_ORDER_SLIDE;
+    while (!status && *order >= 0 && fmpq_is_zero(value)) {
+        fmpz_poly_evaluate_fmpq(value, f, p->when->u);
+        fmpz_poly_derivative(f, f);
+        *order += fmpq_is_zero(value);
+    }
+    trajectory_clear(&c);
+    fmpz_poly_clear(f);
+    fmpq_clear(value);
+    return status;
+}
+
+/* The sign of a time of contact minus that of the instant. */
+static graze_status compare_times(int *out, const touchpoint *p, graze_time *time) {
+    algebraic u;
+    algebraic_init(&u);
+    algebraic_set_rational(&u, p->when->u);
+    graze_status status = GRAZE_OK;
+    *out = time->piece < p->when->piece ? -1 : 1;
+    if (time->piece == p->when->piece)
+        status = algebraic_compare(out, p->context, &time->u, &u);
+    else if (time->piece + 1 == p->when->piece && fmpq_is_zero(p->when->u))
+        *out = time_is_piece_end(time) ? 0 : -1;
+    algebraic_clear(&u);
+    return status;
+}
+
+/* The primitive of a contact that has the surface; the number of primitives for none. */
+static size_t touched_primitive(const touchpoint *p, const contact *c) {
+    const csg *solid = p->g->atlas->solid;
+    for (size_t n = 0; n < solid->node_count; n++)
+        for (size_t k = 0; k < solid->node[n].count && solid->node[n].operation == CSG_SIGN; k++)
+            for (size_t at = 0; at < c->cell_count; at++)
+                if (solid->operand[solid->node[n].first + k] == p->surface &&
+                    c->cell[at].a == solid->node[n].primitive)
+                    return c->cell[at].a;
+    return solid->primitive_count;
+}
+
+/* Ask the trace whether there is such a contact. */
+static graze_status confirm(int *made, sample *out, const touchpoint *p) {
+    graze_trace trace;
+    graze_status status = classify_point(&trace, p->context, p->g->scene,
+                                         (query_point){.rational = out->point}, TRACE_CONTACTS);
+    *made = 0;
+    if (status)
+        return status;
+    out->undecided += trace.undecided != NULL;
+    for (size_t k = 0; k < trace.contact_count && !trace.undecided && !*made && !status; k++) {
+        int from = 0, to = 0;
+        const contact *c = &trace.contact[k];
+        status = compare_times(&from, p, c->from);
+        if (!status)
+            status = compare_times(&to, p, c->to);
+        if (status || from > 0 || to < 0)
+            continue;
+        out->made.cell = (graze_cell){.kind = GRAZE_CELL_PRIMITIVE, .a = touched_primitive(p, c)};
+        *made = out->made.cell.a < p->g->atlas->solid->primitive_count;
+    }
+    trace_clear(&trace);
+    return status;
+}
+
+static graze_status finish_contact(int *made, sample *out, fmpq *normal, touchpoint *p,
+                                   graze_stratum stratum) {
+    fmpq_set(out->time, p->when->t);
+    graze_status status = order_of_contact(&out->made.order, p, out->point);
+    *made = !status && stratum_takes_order(stratum, out->made.order);
+    if (*made && normal) {
+        instant_normal(normal, p->when, p->form);
+        *made = !vector_is_zero(normal, p->when->dimension);
+    }
+    return *made ? confirm(made, out, p) : status;
+}
+
+graze_status curved_contact(int *made, sample *out, fmpq *normal, graze_context *context,
+                            const struct graze_generator *g, graze_stratum stratum,
+                            random_stream *r) {
+    touchpoint p;
+    graze_status status = GRAZE_OK;
+    touchpoint_init(&p, context, g);
+    *made = draw_touch(&p, stratum, r);
+    if (*made) {
+        instant_move(out->point, p.when, p.y);
+        *made = out->made.stratum == GRAZE_STRATUM_ROUNDED || sample_is_kept(out, g);
+    }
+    if (*made)
+        status = find_dependence(&p);
+    if (*made && !status)
+        measure_cell(&p);
+    *made = *made && !status && kind_fits(stratum, p.kind, g->atlas->solid->dimension);
+    if (*made) {
+        choose_surface(&p, r);
+        status = finish_contact(made, out, normal, &p, stratum);
+    }
+    touchpoint_clear(&p);
+    return status ? status : context_poll(context);
+}

@@ -1,0 +1,107 @@
+/* Flats by parameters that are coordinates.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/flat.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpq_vec.h>
+
+void flat_init(flat *f, int dimension) {
+    f->dimension = f->count = dimension;
+    f->origin = _fmpq_vec_init(12);
+    for (int i = 0; i < 3; i++) {
+        f->axis[i] = i;
+        f->direction[i] = f->origin + 3 + 3 * i;
+        fmpq_one(f->direction[i] + i);
+    }
+}
+
+void flat_set(flat *to, const flat *from) {
+    to->dimension = from->dimension;
+    to->count = from->count;
+    for (int i = 0; i < 3; i++) {
+        to->axis[i] = from->axis[i];
+        fmpq_set(to->origin + i, from->origin + i);
+        for (int j = 0; j < 3; j++)
+            fmpq_set(to->direction[j] + i, from->direction[j] + i);
+    }
+}
+
+void flat_clear(flat *f) {
+    _fmpq_vec_clear(f->origin, 12);
+}
+
+void flat_point(fmpq *out, const flat *f, const fmpq *s) {
+    for (int i = 0; i < f->dimension; i++) {
+        fmpq_set(out + i, f->origin + i);
+        for (int j = 0; j < f->count; j++)
+            fmpq_addmul(out + i, f->direction[j] + i, s + j);
+    }
+}
+
+/* The coefficient of parameter j, or with j = -1 the constant. */
+static void linear_coefficient(fmpq_t out, const fmpq_mpoly_t linear, int j,
+                               const fmpq_mpoly_ctx_t ring) {
+    ulong power[3] = {0, 0, 0};
+    if (j >= 0)
+        power[j] = 1;
+    fmpq_mpoly_get_coeff_fmpq_ui(out, linear, power, ring);
+}
+
+/* The parameter whose coefficient is the largest. */
+static int find_pivot(const fmpq *h, int count) {
+    int pivot = 0;
+    fmpq *size = _fmpq_vec_init(2);
+    for (int j = 0; j < count; j++) {
+        fmpq_abs(size + 1, h + j);
+        if (fmpq_cmp(size + 1, size) <= 0)
+            continue;
+        fmpq_swap(size, size + 1);
+        pivot = j;
+    }
+    _fmpq_vec_clear(size, 2);
+    return pivot;
+}
+
+void flat_coordinates(fmpq_mpoly_struct *out, const flat *f, const fmpq_mpoly_ctx_t ring) {
+    fmpq_mpoly_t term;
+    fmpq_mpoly_init(term, ring);
+    for (int i = 0; i < f->dimension; i++) {
+        fmpq_mpoly_set_fmpq(&out[i], f->origin + i, ring);
+        for (int j = 0; j < f->count; j++) {
+            fmpq_mpoly_gen(term, j, ring);
+            fmpq_mpoly_scalar_mul_fmpq(term, term, f->direction[j] + i, ring);
+            fmpq_mpoly_add(&out[i], &out[i], term, ring);
+        }
+    }
+    fmpq_mpoly_clear(term, ring);
+}
+
+/* With s_pivot = -(constant + sum h_j s_j) / h_pivot the others are the parameters. */
+void flat_cut(flat *f, const fmpq_mpoly_t linear, const fmpq_mpoly_ctx_t ring) {
+    fmpq *h = _fmpq_vec_init(4), *constant = h + 3;
+    for (int j = 0; j < f->count; j++)
+        linear_coefficient(h + j, linear, j, ring);
+    linear_coefficient(constant, linear, -1, ring);
+    int pivot = find_pivot(h, f->count), to = 0;
+    fmpq_div(constant, constant, h + pivot);
+    for (int i = 0; i < 3; i++)
+        fmpq_submul(f->origin + i, constant, f->direction[pivot] + i);
+    for (int j = 0; j < f->count; j++) {
+        if (j == pivot)
+            continue;
+        fmpq_div(h + j, h + j, h + pivot);
+        for (int i = 0; i < 3; i++)
+            fmpq_submul(f->direction[j] + i, h + j, f->direction[pivot] + i);
+    }
+    for (int j = 0; j < f->count; j++) {
+        if (j == pivot)
+            continue;
+        fmpq *swapped = f->direction[to];
+        f->direction[to] = f->direction[j];
+        f->direction[j] = swapped;
+        f->axis[to++] = f->axis[j];
+    }
+    f->count--;
+    _fmpq_vec_clear(h, 4);
+}

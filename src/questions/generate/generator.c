@@ -1,0 +1,63 @@
+/* Samples, and the points and orders that are wanted.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/generator.h"
+
+#include <string.h>
+
+void sample_init(sample *s) {
+    memset(&s->made, 0, sizeof s->made);
+    for (int i = 0; i < 3; i++)
+        fmpq_init(s->point + i);
+    fmpq_init(s->time);
+    s->undecided = 0;
+}
+
+void sample_clear(sample *s) {
+    for (int i = 0; i < 3; i++)
+        fmpq_clear(s->point + i);
+    fmpq_clear(s->time);
+}
+
+const instant *stratum_instant(const struct graze_generator *g, graze_stratum stratum,
+                               random_stream *r) {
+    const instant *any = &g->instants[random_below(r, g->instant_count)];
+    if (stratum == GRAZE_STRATUM_START)
+        return &g->joints[0];
+    if (stratum == GRAZE_STRATUM_END)
+        return &g->joints[g->joint_count - 1];
+    if (stratum != GRAZE_STRATUM_BREAK)
+        return any;
+    return g->joint_count < 3 ? NULL : &g->joints[1 + random_below(r, g->joint_count - 2)];
+}
+
+int stratum_takes_order(graze_stratum stratum, int order) {
+    switch (stratum) {
+    case GRAZE_STRATUM_FACE:
+        return order >= 2 && order % 2 == 0;
+    case GRAZE_STRATUM_FACE_ODD:
+        return order >= 3 && order % 2 == 1;
+    case GRAZE_STRATUM_CROSSING:
+        return order == 1;
+    case GRAZE_STRATUM_SLIDE:
+        return order == GRAZE_ORDER_SLIDE;
+    default:
+        return 1;
+    }
+}
+
+/* A binary64 number, and not at the ends of the exponent's range. */
+static int is_double(const fmpq_t x) {
+    const fmpz *p = fmpq_numref(x), *q = fmpq_denref(x);
+    if (fmpz_is_zero(p))
+        return 1;
+    return fmpz_val2(q) + 1 == fmpz_bits(q) && fmpz_bits(p) - fmpz_val2(p) <= 53 &&
+           fmpz_bits(p) < 1000 && fmpz_bits(q) < 1000;
+}
+
+int sample_is_kept(const sample *s, const struct graze_generator *g) {
+    for (int i = 0; g->representable && i < g->scene->motion->dimension; i++)
+        if (!is_double(s->point + i))
+            return 0;
+    return 1;
+}

@@ -1,0 +1,231 @@
+/* Zeros on lines whose discriminant is a square.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/quadratic.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include "base/number/vector.h"
+
+/* Numbers in all; integers of directions, by variables; places beside the centre, in eighths. */
+enum { NUMBERS = 16, REACH_PLANE = 8, REACH_SPACE = 4, BESIDE = 16, PARTS = 8 };
+
+void quadratic_init(quadratic *q) {
+    q->count = 0;
+    q->start = _fmpq_vec_init(NUMBERS);
+    q->slope = q->start + 3;
+    q->value = q->start + 6;
+    q->form = q->start + 7;
+}
+
+void quadratic_set(quadratic *to, const quadratic *from) {
+    to->count = from->count;
+    for (int k = 0; k < NUMBERS; k++)
+        fmpq_set(to->start + k, from->start + k);
+}
+
+void quadratic_clear(quadratic *q) {
+    _fmpq_vec_clear(q->start, NUMBERS);
+}
+
+void quadratic_read(quadratic *q, const fmpq_mpoly_t p, int count, const fmpq_mpoly_ctx_t ring) {
+    q->count = count;
+    for (int i = 0; i < 3; i++)
+        fmpq_zero(q->start + i);
+    for (int i = -1; i < count; i++)
+        for (int j = i < 0 ? -1 : i; j < count; j++) {
+            ulong power[3] = {0, 0, 0};
+            if (i >= 0)
+                power[i]++;
+            if (j >= 0)
+                power[j]++;
+            fmpq *to = j < 0 ? q->value : i < 0 ? q->slope + j : q->form + 3 * i + j;
+            fmpq_mpoly_get_coeff_fmpq_ui(to, p, power, ring);
+            if (i < 0 || i == j)
+                continue;
+            fmpq_div_2exp(to, to, 1);
+            fmpq_set(q->form + 3 * j + i, to);
+        }
+}
+
+/* out = form v */
+static void apply_form(fmpq *out, const quadratic *q, const fmpq *v) {
+    for (int i = 0; i < q->count; i++)
+        _fmpq_vec_dot(out + i, q->form + 3 * i, v, q->count);
+}
+
+static void move_start(quadratic *q, const fmpq *v) {
+    fmpq *image = _fmpq_vec_init(4);
+    apply_form(image, q, v);
+    for (int i = 0; i < q->count; i++) {
+        fmpq_add(image + 3, q->slope + i, image + i);
+        fmpq_addmul(q->value, image + 3, v + i);
+        fmpq_add(q->slope + i, image + 3, image + i);
+        fmpq_add(q->start + i, q->start + i, v + i);
+    }
+    _fmpq_vec_clear(image, 4);
+}
+
+/* 2 form v = -slope */
+int quadratic_center(quadratic *q) {
+    fmpq_mat_t form, slope, v;
+    fmpq_mat_init(form, q->count, q->count);
+    fmpq_mat_init(slope, q->count, 1);
+    fmpq_mat_init(v, q->count, 1);
+    for (int i = 0; i < q->count; i++) {
+        for (int j = 0; j < q->count; j++)
+            fmpq_mul_2exp(fmpq_mat_entry(form, i, j), q->form + 3 * i + j, 1);
+        fmpq_neg(fmpq_mat_entry(slope, i, 0), q->slope + i);
+    }
+    int found = fmpq_mat_can_solve(v, form, slope);
+    if (found)
+        move_start(q, fmpq_mat_entry(v, 0, 0));
+    fmpq_mat_clear(form);
+    fmpq_mat_clear(slope);
+    fmpq_mat_clear(v);
+    return found;
+}
+
+static int is_square(const fmpq_t x) {
+    return fmpz_is_square(fmpq_numref(x)) && fmpz_is_square(fmpq_denref(x));
+}
+
+/* Coefficients of the polynomial along a line: of the square, and of the first power. */
+static void restrict_to_line(fmpq *square, fmpq *first, const quadratic *q, const fmpq *v) {
+    fmpq *image = _fmpq_vec_init(3);
+    apply_form(image, q, v);
+    _fmpq_vec_dot(square, image, v, q->count);
+    _fmpq_vec_dot(first, q->slope, v, q->count);
+    _fmpq_vec_clear(image, 3);
+}
+
+/* A rational root of a x^2 + b x + value, in x[2]. */
+static int root_on_line(fmpq *x, const quadratic *q, const fmpq *v) {
+    fmpq *a = x, *b = x + 1, *root = x + 2;
+    restrict_to_line(a, b, q, v);
+    if (fmpq_is_zero(a)) {
+        if (fmpq_is_zero(b))
+            return 0;
+        fmpq_div(root, q->value, b);
+        fmpq_neg(root, root);
+        return 1;
+    }
+    fmpq_mul(root, a, q->value);
+    fmpq_mul_2exp(root, root, 2);
+    fmpq_mul(x + 3, b, b);
+    fmpq_sub(root, x + 3, root);
+    if (fmpq_sgn(root) < 0 || !is_square(root))
+        return 0;
+    fmpz_sqrt(fmpq_numref(root), fmpq_numref(root));
+    fmpz_sqrt(fmpq_denref(root), fmpq_denref(root));
+    fmpq_sub(root, root, b);
+    fmpq_div(root, root, a);
+    fmpq_div_2exp(root, root, 1);
+    return 1;
+}
+
+/* Start from a zero on the line along v that has a gradient. */
+static int take_zero_along(quadratic *q, const fmpq *v) {
+    quadratic moved;
+    fmpq *x = _fmpq_vec_init(7), *step = x + 4;
+    int found = root_on_line(x, q, v);
+    quadratic_init(&moved);
+    if (found) {
+        for (int i = 0; i < q->count; i++)
+            fmpq_mul(step + i, v + i, x + 2);
+        quadratic_set(&moved, q);
+        move_start(&moved, step);
+        found = !vector_is_zero(moved.slope, q->count);
+    }
+    if (found)
+        quadratic_set(q, &moved);
+    quadratic_clear(&moved);
+    _fmpq_vec_clear(x, 7);
+    return found;
+}
+
+/* Directions of small integers, the first one that is not zero positive. */
+static int search_lines(quadratic *q, int reach) {
+    fmpq *v = _fmpq_vec_init(3);
+    int side = 2 * reach + 1, count = 1, found = 0;
+    for (int i = 0; i < q->count; i++)
+        count *= side;
+    for (int k = count / 2 + 1; k < count && !found; k++) {
+        for (int i = 0, rest = k; i < q->count; i++, rest /= side)
+            fmpq_set_si(v + i, rest % side - reach, 1);
+        found = take_zero_along(q, v);
+    }
+    _fmpq_vec_clear(v, 3);
+    return found;
+}
+
+/* Along axes through places beside the start. */
+static int search_beside(quadratic *q) {
+    quadratic moved;
+    fmpq *v = _fmpq_vec_init(3);
+    int found = 0;
+    quadratic_init(&moved);
+    for (int k = 0; k < 2 * BESIDE * q->count && !found; k++) {
+        int axis = k % q->count, part = 1 + k / q->count / 2;
+        quadratic_set(&moved, q);
+        fmpq_set_si(v + axis, k / q->count % 2 ? part : -part, PARTS);
+        move_start(&moved, v);
+        for (int i = 0; i < q->count; i++)
+            fmpq_zero(v + i);
+        for (int i = 0; i < q->count && !found; i++) {
+            fmpq_one(v + i);
+            found = i != axis && take_zero_along(&moved, v);
+            fmpq_zero(v + i);
+        }
+    }
+    if (found)
+        quadratic_set(q, &moved);
+    quadratic_clear(&moved);
+    _fmpq_vec_clear(v, 3);
+    return found;
+}
+
+int quadratic_find_zero(quadratic *q) {
+    (void)quadratic_center(q);
+    return search_lines(q, q->count == 2 ? REACH_PLANE : REACH_SPACE) || search_beside(q);
+}
+
+/* The axis of a cylinder: the direction that the form maps to 0. */
+static int cylinder_axis(fmpq *out, const quadratic *q) {
+    fmpq *image = _fmpq_vec_init(4);
+    int found = 0;
+    for (int k = 0; k < 3 && !found; k++) {
+        vector_cross(out, q->form + 3 * k, q->form + 3 * ((k + 1) % 3));
+        apply_form(image, q, out);
+        _fmpq_vec_dot(image + 3, q->slope, out, 3);
+        found = !vector_is_zero(out, 3) && vector_is_zero(image, 4);
+    }
+    _fmpq_vec_clear(image, 4);
+    return found;
+}
+
+int quadratic_ruling(fmpq *out, const quadratic *q, const fmpq *x) {
+    quadratic apex;
+    if (q->count != 3 || cylinder_axis(out, q))
+        return q->count == 3;
+    quadratic_init(&apex);
+    quadratic_set(&apex, q);
+    int found = quadratic_center(&apex) && fmpq_is_zero(apex.value);
+    vector_sub(out, x, apex.start, 3);
+    quadratic_clear(&apex);
+    return found && !vector_is_zero(out, 3);
+}
+
+int quadratic_other_zero(fmpq *out, const quadratic *q, const fmpq *direction) {
+    fmpq *x = _fmpq_vec_init(3);
+    restrict_to_line(x, x + 1, q, direction);
+    int found = !fmpq_is_zero(x) && !fmpq_is_zero(x + 1);
+    if (found)
+        fmpq_div(x + 2, x + 1, x);
+    for (int i = 0; i < q->count && found; i++) {
+        fmpq_set(out + i, q->start + i);
+        fmpq_submul(out + i, x + 2, direction + i);
+    }
+    _fmpq_vec_clear(x, 3);
+    return found;
+}

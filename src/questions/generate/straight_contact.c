@@ -1,0 +1,300 @@
+/* Draws a point of a facet, an edge or a vertex, and a time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/generate/straight_contact.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "decide/trace/trajectory.h"
+#include "questions/generate/velocity.h"
+
+/* Weights of points are multiples of 1/256. */
+enum { PARTS = 256 };
+
+/* One draw: where and when a body point touches. */
+typedef struct touchpoint {
+    const instant *when;
+    size_t simplex;
+    unsigned zero; /* the sides it lies on */
+    fmpq y[3];
+} touchpoint;
+
+static const fmpq *simplex_corner(const struct graze_generator *g, size_t simplex, int k) {
+    const graze_solid *solid = g->scene->solid;
+    return solid->input.coordinates +
+           solid->cut.item[simplex].vertex[k] * (size_t)solid->input.dimension;
+}
+
+/* y = sum of weight[k] corner k, over `total`. */
+static void combine(fmpq *y, const struct graze_generator *g, size_t simplex, const fmpq *weight) {
+    int d = g->scene->solid->input.dimension;
+    for (int i = 0; i < d; i++) {
+        fmpq_zero(y + i);
+        for (int k = 0; k < d; k++)
+            fmpq_addmul(y + i, weight + k, simplex_corner(g, simplex, k) + i);
+    }
+}
+
+/* A body point in the relative interior of a simplex, of one of its input edges, or at a corner.
+ * Only `dimension` - 1 and less make sense for `cell_dimension`. Returns 0 where the side drawn is
+ * no edge of the input. */
+static int draw_on_cell(touchpoint *p, const struct graze_generator *g, random_stream *r,
+                        int cell_dimension) {
+    const graze_solid *solid = g->scene->solid;
+    int d = solid->input.dimension, first = (int)random_below(r, (size_t)d);
+    size_t a = 1 + random_below(r, PARTS - 2), b = 1 + random_below(r, PARTS - 2);
+    slong part[3] = {0, 0, 0};
+    if (cell_dimension == 0) {
+        part[first] = PARTS;
+        p->zero = d == 2 ? 1u << first : 1u << first | 1u << (first + 2) % 3;
+    } else if (cell_dimension == 1) {
+        part[first] = (slong)a;
+        part[(first + 1) % d] = (slong)(PARTS - a);
+        p->zero = d == 2 ? 0 : 1u << first;
+        if (d == 3 && (solid->cut.item[p->simplex].diagonal & p->zero))
+            return 0;
+    } else {
+        slong low = (slong)(a < b ? a : b), high = (slong)(a < b ? b : a);
+        part[0] = low;
+        part[1] = high - low + 1;
+        part[2] = PARTS - high - 1;
+        p->zero = 0;
+        if (part[2] <= 0)
+            return 0;
+    }
+    fmpq *weight = _fmpq_vec_init(3);
+    for (int k = 0; k < 3; k++)
+        fmpq_set_si(weight + k, part[k], PARTS);
+    combine(p->y, g, p->simplex, weight);
+    _fmpq_vec_clear(weight, 3);
+    return 1;
+}
+
+/* The plane form of the touched simplex, d + 1 integers to be cleared by the caller, and whether it
+ * is positive (+1) or negative (-1) outside. */
+static fmpz *touched_plane(int *facing, const touchpoint *p, const struct graze_generator *g) {
+    fmpz *plane = _fmpz_vec_init(p->when->dimension + 1);
+    *facing = solid_plane(plane, g->scene->solid, p->simplex);
+    return plane;
+}
+
+/* Derivative of order k of the plane's pullback for the body point at each corner, times a positive
+ * number that is the same for all: affine over the simplex. */
+static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_generator *g,
+                             int k) {
+    int d = p->when->dimension, facing;
+    fmpz *plane = touched_plane(&facing, p, g), *form = _fmpz_vec_init(d + 1);
+    fmpq_t term;
+    fmpq_init(term);
+    instant_pullback(form, p->when, plane, k);
+    for (int c = 0; c < d; c++) {
+        fmpq_set_fmpz(out + c, form + d);
+        for (int j = 0; j < d; j++) {
+            fmpq_mul_fmpz(term, simplex_corner(g, p->simplex, c) + j, form + j);
+            fmpq_add(out + c, out + c, term);
+        }
+    }
+    _fmpz_vec_clear(plane, d + 1);
+    _fmpz_vec_clear(form, d + 1);
+    fmpq_clear(term);
+}
+
+/* A place between the ends of a line, in parts. */
+static slong draw_place(random_stream *r) {
+    return 1 + (slong)random_below(r, PARTS - 1);
+}
+
+/* A point where the affine function with these corner values vanishes, strictly inside the simplex:
+ * between two points of its sides, at a random place. */
+static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_stream *r,
+                        const fmpq *value) {
+    int d = p->when->dimension, found = 0;
+    fmpq *end = _fmpq_vec_init(6), *weight = _fmpq_vec_init(3);
+    fmpq_t span;
+    fmpq_init(span);
+    for (int k = 0; k < (d == 2 ? 1 : 3) && found < 2; k++) {
+        int next = (k + 1) % d;
+        if (fmpq_sgn(value + k) * fmpq_sgn(value + next) >= 0)
+            continue;
+        fmpq_sub(span, value + k, value + next);
+        fmpq_div(end + 3 * found + next, value + k, span);
+        fmpq_neg(span, span);
+        fmpq_div(end + 3 * found + k, value + next, span);
+        found++;
+    }
+    int enough = found == d - 1;
+    slong a = draw_place(r);
+    for (int k = 0; k < d && enough; k++) {
+        fmpq_set_si(span, d == 2 ? PARTS : a, PARTS);
+        fmpq_mul(weight + k, end + k, span);
+        fmpq_set_si(span, d == 2 ? 0 : PARTS - a, PARTS);
+        fmpq_addmul(weight + k, end + 3 + k, span);
+    }
+    if (enough)
+        combine(p->y, g, p->simplex, weight);
+    p->zero = 0;
+    _fmpq_vec_clear(end, 6);
+    _fmpq_vec_clear(weight, 3);
+    fmpq_clear(span);
+    return enough;
+}
+
+/* The one point of a triangle where two affine functions vanish, if it lies strictly inside: its
+ * weights are the cross product of their corner values. */
+static int draw_on_point(touchpoint *p, const struct graze_generator *g, const fmpq *f,
+                         const fmpq *h) {
+    fmpq *weight = _fmpq_vec_init(3);
+    fmpq_t total;
+    fmpq_init(total);
+    for (int k = 0; k < 3; k++) {
+        fmpq_mul(weight + k, f + (k + 1) % 3, h + (k + 2) % 3);
+        fmpq_submul(weight + k, f + (k + 2) % 3, h + (k + 1) % 3);
+        fmpq_add(total, total, weight + k);
+    }
+    int sign = fmpq_sgn(weight), inside = sign != 0;
+    for (int k = 1; k < 3; k++)
+        inside = inside && fmpq_sgn(weight + k) == sign;
+    for (int k = 0; k < 3 && inside; k++)
+        fmpq_div(weight + k, weight + k, total);
+    if (inside)
+        combine(p->y, g, p->simplex, weight);
+    p->zero = 0;
+    _fmpq_vec_clear(weight, 3);
+    fmpq_clear(total);
+    return inside;
+}
+
+/* Order of the contact with the simplex's plane: the multiplicity of the pullback's root, or that
+ * of a slide. */
+static int order_at(const struct graze_generator *g, const touchpoint *p, const fmpq *world) {
+    trajectory c;
+    fmpz_poly_t f;
+    fmpq_t value;
+    int order = 0, facing;
+    fmpz *plane = touched_plane(&facing, p, g);
+    trajectory_init(&c, p->when->dimension);
+    fmpz_poly_init(f);
+    fmpq_init(value);
+    trajectory_set(
+        &c, motion_tracing(&g->scene->motion->piece[p->when->piece], g->scene->options.operation),
+        world);
+    trajectory_pullback(f, &c, plane);
+    if (fmpz_poly_is_zero(f)) {
+        order = GRAZE_ORDER_SLIDE;
+    } else {
+        fmpz_poly_evaluate_fmpq(value, f, p->when->u);
+        for (; fmpq_is_zero(value); order++) {
+            fmpz_poly_derivative(f, f);
+            fmpz_poly_evaluate_fmpq(value, f, p->when->u);
+        }
+    }
+    _fmpz_vec_clear(plane, p->when->dimension + 1);
+    trajectory_clear(&c);
+    fmpz_poly_clear(f);
+    fmpq_clear(value);
+    return order;
+}
+
+/* A whole face touched at once, sliding or not. */
+static int draw_special(touchpoint *p, const struct graze_generator *g, random_stream *r,
+                        int slides) {
+    if (g->special.count == 0)
+        return 0;
+    const special *s = &g->special.item[random_below(r, g->special.count)];
+    /* A slide is entered at any time of its piece. */
+    if (s->slides != slides)
+        return 0;
+    p->simplex = s->simplex;
+    p->when = &s->when;
+    return draw_on_cell(p, g, r, g->scene->motion->dimension - 1);
+}
+
+static int draw_tangent(touchpoint *p, const struct graze_generator *g, random_stream *r, int odd) {
+    if (random_below(r, 2) == 0 && draw_special(p, g, r, 0))
+        return 1;
+    int drawn, at_point = odd && p->when->dimension == 3;
+    if (velocity_has_one_sign(p->when, g->scene->solid, p->simplex)) {
+        if (!at_point)
+            (void)draw_place(r);
+        return 0;
+    }
+    fmpq *velocity = _fmpq_vec_init(3), *bend = _fmpq_vec_init(3);
+    corner_pullbacks(velocity, p, g, 1);
+    if (at_point) {
+        corner_pullbacks(bend, p, g, 2);
+        drawn = draw_on_point(p, g, velocity, bend);
+    } else {
+        drawn = draw_on_line(p, g, r, velocity);
+    }
+    _fmpq_vec_clear(velocity, 3);
+    _fmpq_vec_clear(bend, 3);
+    return drawn;
+}
+
+/* Cells of all dimensions, faces most often. */
+static int draw_anywhere(touchpoint *p, const struct graze_generator *g, random_stream *r) {
+    int d = g->scene->motion->dimension;
+    size_t choice = random_below(r, 4);
+    return draw_on_cell(p, g, r, choice < 2 ? d - 1 : choice == 2 && d == 3 ? 1 : 0);
+}
+
+/* A time and a body point for a stratum of contacts. */
+static int draw_contact(touchpoint *p, const struct graze_generator *g, graze_stratum stratum,
+                        random_stream *r) {
+    int d = g->scene->motion->dimension;
+    p->when = stratum_instant(g, stratum, r);
+    if (!p->when)
+        return 0;
+    p->simplex = random_below(r, g->scene->solid->cut.count);
+    switch (stratum) {
+    case GRAZE_STRATUM_FACE:
+    case GRAZE_STRATUM_FACE_ODD:
+        return draw_tangent(p, g, r, stratum == GRAZE_STRATUM_FACE_ODD);
+    case GRAZE_STRATUM_EDGE:
+        return d == 3 && draw_on_cell(p, g, r, 1);
+    case GRAZE_STRATUM_VERTEX:
+        return draw_on_cell(p, g, r, 0);
+    case GRAZE_STRATUM_CROSSING:
+        return draw_on_cell(p, g, r, d - 1);
+    case GRAZE_STRATUM_START:
+    case GRAZE_STRATUM_END:
+    case GRAZE_STRATUM_BREAK:
+        return draw_anywhere(p, g, r);
+    case GRAZE_STRATUM_SLIDE:
+        return draw_special(p, g, r, 1);
+    default:
+        return 0;
+    }
+}
+
+/* An outward normal of the moved facet. */
+static void outward_normal(fmpq *out, const touchpoint *p, const struct graze_generator *g) {
+    int d = p->when->dimension, facing;
+    fmpz *plane = touched_plane(&facing, p, g);
+    instant_normal(out, p->when, plane);
+    for (int i = 0; i < d && facing < 0; i++)
+        fmpq_neg(out + i, out + i);
+    _fmpz_vec_clear(plane, d + 1);
+}
+
+int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
+                     graze_stratum stratum, random_stream *r) {
+    touchpoint p = {.zero = 0};
+    for (int i = 0; i < 3; i++)
+        fmpq_init(p.y + i);
+    int made = draw_contact(&p, g, stratum, r);
+    if (made) {
+        instant_move(out->point, p.when, p.y);
+        out->made.order = order_at(g, &p, out->point);
+        size_t names;
+        graze_cell cell = solid_cell(g->scene->solid, p.simplex, p.zero);
+        out->made.cell = *cell_names_of(&names, &g->scene->solid->cut.names, &cell);
+        fmpq_set(out->time, p.when->t);
+        made = stratum_takes_order(stratum, out->made.order);
+    }
+    if (made && normal)
+        outward_normal(normal, &p, g);
+    for (int i = 0; i < 3; i++)
+        fmpq_clear(p.y + i);
+    return made;
+}
