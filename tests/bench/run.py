@@ -14,6 +14,7 @@ import tempfile
 
 import certificates
 import contacts
+import curved
 import distances
 import positions
 import scenes
@@ -310,6 +311,7 @@ class Bench:
         turns.measure(self)
         turns.measure_poses(self)
         distances.measure(self)
+        curved.measure(self)
         self.table.head("Over all sizes")
         if len(self.sizes) > 1:
             self.grown()

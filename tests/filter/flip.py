@@ -9,7 +9,7 @@ on a line, and lines `site K NAME`; with GRAZE_FLIP_SITE=K it turns the answer o
 one call of 10^4, and says on standard error how many calls and flips there were. A flip is noticed
 when the output is another, or the program ends with status 4. The files of points are long, so
 that each site is called often enough, and cover single crossings, misses, coincidences, curved
-pieces, negative weights and coordinates that doubles hold badly; the last six are made for one
+pieces, negative weights and coordinates that doubles hold badly; the last ones are made for one
 site each. A site that no file notices is a failure: it has no test, or it decides nothing. Not a
 suite: it takes a minute.
 """
@@ -122,6 +122,24 @@ def through_tips(graze, rng, count):
     return query
 
 
+TURN = {"rotate": {"axis": ["2/7", "3/7", "6/7"], "tan_half": "t"}}
+# Points with -0.016 < z < 0.0016 go through z = 0 three times.
+THRICE = {"translate": ["0", "0", "(t-1/10)*(t-1/5)*(t-4/5)"]}
+
+
+def curved(graze, name, nodes, transform, points):
+    """A union of curved bodies."""
+    solid = json.dumps({"dimension": 3, "solid": {"union": nodes}})
+    motion = json.dumps({"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": transform}]})
+    points = written(3, [("", p) for p in points])
+    texts = ((".csg.json", solid), (".json", motion), (".csv", points))
+    return Query(name, [graze.write(name + suffix, text) for suffix, text in texts])
+
+
+def ball(x, y, radius):
+    return {"ball": {"center": [str(x), str(y), "1"], "radius": radius}}
+
+
 def grid(graze, name, scene, sizes):
     """Points decided by cells, of all sizes beside the boundary."""
     paths = [graze.write(name + suffix, text) for suffix, text in zip((scene.solid.suffix, ".json"), scene.texts())]
@@ -145,7 +163,7 @@ def over_the_break(graze, rng, count):
 
 
 def queries(graze, rng, scale):
-    """The files of FILES and the six made for one site, written, and two grids."""
+    """The files of FILES and those made for one site, written, and two grids."""
     plane = plane_solids(), plane_adversaries()
     space = dict(space_solids(), ridges=terrain(20, random.Random(5))), space_adversaries()
     for k, (solid, motion, place, form, *counts) in enumerate(FILES):
@@ -166,6 +184,12 @@ def queries(graze, rng, scale):
     yield weights(graze, rng, 12000 * scale)
     yield weights(graze, rng, 12000 * scale, 2)
     yield through_tips(graze, rng, 12000 * scale)
+    rod = {"cylinder": {"point": ["0", "0", "1"], "axis": ["0", "0", "1"], "radius": "1", "from": "0", "to": "3"}}
+    points = [[F(rng.uniform(-4, 4)) for _ in range(3)] for _ in range(12000 * scale)]
+    yield curved(graze, "rod", [ball(0, 0, "1"), rod], TURN, points)
+    yield curved(graze, "balls", [ball(x, y, "3/4") for x in range(-4, 5, 2) for y in range(-4, 5, 2)], TURN, points)
+    points = [(0, 0, F(rng.uniform(-0.002, 0.0013))) for _ in range(24000 * scale)]
+    yield curved(graze, "thrice", [{"halfspace": {"normal": ["0", "0", "1"], "offset": "0"}}], THRICE, points)
     yield grid(graze, "comb", Scene("comb", plane[0]["comb"], plane[1]["parabola"], places(2)[""]), "330,290")
     yield grid(graze, "torus", Scene("torus", space[0]["torus"], space[1]["slide"], places(3)[""]), "60,50,50")
     yield from over_the_break(graze, rng, 24000 * scale)

@@ -29,7 +29,7 @@ ROOMS = {
     "decide/curved": ["curved/words", "cases/cases --only curved", "curved/undecided", "curved/germs", "curved/polyhedra", "curved/laws"],
     "decide/filter": ["cases/cases", "unit/test_filter", "unit/test_course", "unit/test_stay", "unit/test_interior", "unit/test_velocity",
                       "examples/examples", "api/test_exact_count", "api/test_grid", "agree/near", "words/words", "agree/laws",
-                      "filter/equal"],
+                      "filter/equal", "filter/surfaces"],
     "decide/scene": ["unit/test_meeting", "cases/cases", "examples/examples", "api/test_reports", "api/test_exact_count", "agree/laws"],
     "decide/trace": ["api/test_classify", "cases/cases", "api/test_exact_count", *KERNEL],
     "decide/verdict": ["api/test_word", "api/test_classify", "cases/cases", "words/words", "unsweep/properties", "filter/columns"],

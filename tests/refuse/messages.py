@@ -57,6 +57,7 @@ UNREACHED = {
     "a trace has lost a contact": "a fault of Graze itself",
     "one after the other, disagree on the state": "a fault of Graze itself",
     "an exact location disagree on a state": "a fault of Graze itself",
+    "and the exact path disagree on a sign": "a fault of Graze itself",
     "one after the other, are not in order of time": "a fault of Graze itself",
     "between two contacts of a trace is neither": "a fault of Graze itself",
     "between two contacts is neither": "a fault of Graze itself",

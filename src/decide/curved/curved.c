@@ -1,264 +1,143 @@
-/* From the roots of the surfaces along a trajectory to its states, piece after piece.
+/* The trace of a point: certain crossings of the filter, and states in the windows it asks for.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Between two roots each sign is constant but of surfaces in which the trajectory runs; there the
- * state is constant between the roots of all signs that were asked for (C101). A time is decided
- * when the gap behind it is known, since the states beside it say what is arbitrarily near (C95).
+ * Without the filter, or where it cannot be used, each piece is one window for all surfaces.
  */
 #include "decide/curved/curved.h"
 
 #include <stdlib.h>
-#include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/sign.h"
-#include "decide/curved/truth.h"
-#include "decide/curved/letters.h"
-#include "decide/curved/pullbacks.h"
-#include "decide/trace/tracer.h"
+#include <string.h>
+#include "decide/curved/walker.h"
+#include "decide/filter/surface_search.h"
 
-typedef struct walker {
+typedef struct finding_walk {
     tracer *r;
-    const csg *solid;
-    letters word;
-    expression expression;
-    pullbacks at;
-    size_t piece;
-    const trajectory *c;
-    algebraic *pending; /* a time that is not decided yet; NULL before the first */
-    size_t *vanishing;  /* surfaces that vanish there */
-    size_t vanishing_count;
-    graze_state before; /* the state of the gap before it */
-} walker;
+    const surface_filter *filter;
+    truths *truths;
+    findings *found;
+    letters *word;
+    walker walker; /* begun with the first window */
+    int walks;
+    graze_state state; /* of the gap in which the walk is */
+} finding_walk;
 
-/* Whether a primitive has one of some surfaces. */
-static int node_meets(const csg *solid, const csg_node *node, const dependence *d) {
-    for (size_t k = 0; k < node->count && node->operation == CSG_SIGN; k++)
-        for (int s = 0; s < d->count; s++)
-            if (solid->operand[node->first + k] == d->surface[s])
-                return 1;
-    return 0;
+static graze_state state_now(const finding_walk *f) {
+    return truths_all(f->truths, &f->filter->expression) ? GRAZE_STATE_I : GRAZE_STATE_O;
 }
 
-/* Name the primitives on whose surfaces the expression depends. */
-static graze_status name_primitives(walker *w, contact *to, const dependence *d) {
+static graze_status disagree(const finding_walk *f) {
+    return context_fail(f->r->context, GRAZE_EINTERNAL,
+                        "a certain crossing and the exact path disagree on a sign");
+}
+
+/* Through one surface, at a time at which no other vanishes (proofs/surfaces.md C107). */
+static graze_status walk_crossing(finding_walk *f, const crossing *c) {
+    if (f->truths->sign[c->simplex] != (c->enters ? 1 : -1))
+        return disagree(f);
+    graze_status status = f->walks ? walker_settle(&f->walker, f->state) : GRAZE_OK;
+    truths_flip(f->truths, &f->filter->expression, c->simplex);
+    graze_state after = state_now(f);
+    if (!status && after != f->state)
+        status = letters_put_crossing(f->word);
+    f->state = after;
+    return status ? status : letters_put_gap(f->word, after);
+}
+
+static graze_status begin_walker(finding_walk *f) {
+    graze_state before = f->walker.before;
+    graze_status status = walker_init(&f->walker, f->r, f->word);
+    f->walks = 1;
+    f->walker.before = before;
+    return status;
+}
+
+/* Signs of the surfaces of a window, as the exact path left them. */
+static void take_signs(finding_walk *f, const exact_window *window, const candidate *asked) {
+    for (size_t k = 0; k < window->count; k++)
+        if (f->walker.expression.sign[asked[k].simplex] != f->truths->sign[asked[k].simplex])
+            truths_flip(f->truths, &f->filter->expression, asked[k].simplex);
+    f->state = state_now(f);
+}
+
+static graze_status walk_asked(finding_walk *f, const exact_window *window) {
+    const candidate *asked = f->found->asked.item + window->first;
     graze_status status = GRAZE_OK;
-    for (size_t n = 0; n < w->solid->node_count && !status && w->r->detail == TRACE_CONTACTS; n++)
-        if (node_meets(w->solid, &w->solid->node[n], d))
-            status = letters_add_cell(&w->word, to, w->solid->node[n].primitive);
+    int starts = window->piece == 0 && window->from == 0;
+    if (!f->walks)
+        status = begin_walker(f);
+    /* A time between two pieces is decided once, with the later one. */
+    if (!status && f->walker.pending && (window->from > 0 || window->piece != f->walker.piece + 1))
+        status = walker_settle(&f->walker, f->state);
+    if (status)
+        return status;
+    if (!f->walker.pending)
+        f->walker.before = starts ? GRAZE_STATE_ABSENT : f->state;
+    memcpy(f->walker.expression.sign, f->truths->sign, f->filter->surface_count);
+    status = walker_walk(&f->walker, window, asked);
+    take_signs(f, window, asked);
     return status;
 }
 
-static contact *last_contact(walker *w) {
-    return &w->r->out->contact[w->r->out->contact_count - 1];
+static int is_before(const crossing *c, const exact_window *w) {
+    return c->piece != w->piece ? c->piece < w->piece : c->from * WINDOW_WHOLE < w->from;
 }
 
-/* Keep the first place where the rules end. */
-static graze_status keep_undecided(walker *w, const dependence *d, const algebraic *time) {
-    graze_trace *out = w->r->out;
-    if (out->undecided)
-        return GRAZE_OK;
-    out->undecided = calloc(1, sizeof *out->undecided);
-    if (!out->undecided)
-        return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for a trace");
-    contact *where = &out->undecided->where;
-    where->from = where->to = time_create(w->r->scene->motion, w->piece, time);
-    if (!where->from)
-        return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for a trace");
-    out->undecided->reason = d->too_many
-                                 ? "more than 12 surfaces meet there"
-                                 : "no rule tells which signs of these surfaces occur near there";
-    return name_primitives(w, where, d);
-}
-
-/* The state by the rules, where the expression depends on surfaces. */
-static graze_status ask_situation(graze_state *out, walker *w, const dependence *d, moment_field *f,
-                                  graze_state before, graze_state after) {
-    situation at = {.solid = w->solid,
-                    .c = w->c,
-                    .surface = d->surface,
-                    .count = d->count,
-                    .truth = d->truth,
-                    .near_in = before == GRAZE_STATE_I || after == GRAZE_STATE_I,
-                    .near_out = before == GRAZE_STATE_O || after == GRAZE_STATE_O};
-    return state_decide(out, &at, f);
-}
-
-/* The state at the pending time, between two gaps; ABSENT at an end of the motion. */
-static graze_status decide_time(graze_state *out, walker *w, const dependence *d,
-                                graze_state after) {
-    graze_state before = w->before;
-    *out = d->state;
-    if (*out)
-        return GRAZE_OK;
-    *out = GRAZE_STATE_B;
-    if (before == GRAZE_STATE_B || after == GRAZE_STATE_B ||
-        (before == GRAZE_STATE_I && after == GRAZE_STATE_O) ||
-        (before == GRAZE_STATE_O && after == GRAZE_STATE_I))
-        return GRAZE_OK;
-    *out = GRAZE_STATE_UNDECIDED;
-    if (d->too_many)
-        return GRAZE_OK;
-    moment_field f;
-    field_init(&f, w->r->context, w->pending, 0);
-    graze_status status = f.status ? f.status : ask_situation(out, w, d, &f, before, after);
-    field_clear(&f);
-    return status;
-}
-
-/* Put the pending time, whose next gap has the state `after`. */
-static graze_status settle_pending(walker *w, graze_state after) {
-    dependence d;
-    graze_state state;
-    if (!w->pending)
-        return GRAZE_OK;
-    graze_status status = expression_ask(&d, &w->expression, w->vanishing, w->vanishing_count);
-    if (!status)
-        status = decide_time(&state, w, &d, after);
-    if (!status && state == GRAZE_STATE_UNDECIDED)
-        status = keep_undecided(w, &d, w->pending);
-    if (!status)
-        status = letters_put_time(&w->word, state, w->piece, w->pending);
-    if (!status && state == GRAZE_STATE_B)
-        status = name_primitives(w, last_contact(w), &d);
-    w->pending = NULL;
-    return status;
-}
-
-/* Let a time wait for the gap behind it; there vanish all surfaces of the slide, and those of the
- * zeros. */
-static void wait_for(walker *w, algebraic *time, const zero *zeros, size_t count) {
-    w->pending = time;
-    w->vanishing_count = 0;
-    for (size_t k = 0; k < w->at.slide_count; k++)
-        w->vanishing[w->vanishing_count++] = w->at.slide[k];
-    for (size_t k = 0; k < count; k++)
-        w->vanishing[w->vanishing_count++] = zeros[k].surface;
-}
-
-/* Put a gap of one state. */
-static graze_status put_whole_gap(walker *w, graze_state state, const dependence *d,
-                                  const algebraic *sample) {
-    graze_status status = settle_pending(w, state);
-    if (!status && state == GRAZE_STATE_UNDECIDED)
-        status = keep_undecided(w, d, sample);
-    if (!status)
-        status = letters_put_gap(&w->word, state);
-    if (!status && state == GRAZE_STATE_B)
-        status = name_primitives(w, last_contact(w), d);
-    w->before = state;
-    return status;
-}
-
-/* The roots, strictly between two times, of what was asked on their gap. */
-static graze_status find_slide_cuts(algebraic_list *cuts, walker *w, const moment_field *f,
-                                    algebraic *low, algebraic *high) {
-    dyadic_interval unit;
-    algebraic_list roots;
+/* Crossings and windows in order of time. */
+static graze_status walk_findings(finding_walk *f) {
+    const findings *found = f->found;
+    const exact_window *first = found->window;
+    size_t c = 0, w = 0;
     graze_status status = GRAZE_OK;
-    dyadic_interval_init(&unit);
-    dyadic_interval_set_si(&unit, 0, 1);
-    algebraic_list_init(&roots);
-    for (size_t k = 0; k < f->asked_count && !status; k++)
-        status = algebraic_roots(&roots, w->r->context, &f->asked[k], &unit);
-    for (size_t k = 0; k < roots.count && !status; k++) {
-        int after = 0, before = 0;
-        status = algebraic_compare(&after, w->r->context, &roots.item[k], low);
-        if (!status)
-            status = algebraic_compare(&before, w->r->context, &roots.item[k], high);
-        if (!status && after > 0 && before < 0)
-            algebraic_set(algebraic_list_append(cuts), &roots.item[k]);
+    f->state = state_now(f);
+    if (!found->window_count || first->piece > 0 || first->from > 0)
+        status = letters_put_gap(f->word, f->state);
+    while (!status && (c < found->crossing_count || w < found->window_count)) {
+        if (w == found->window_count ||
+            (c < found->crossing_count && is_before(&found->crossing[c], &found->window[w])))
+            status = walk_crossing(f, &found->crossing[c++]);
+        else
+            status = walk_asked(f, &found->window[w++]);
     }
-    algebraic_list_clear(&roots);
-    dyadic_interval_clear(&unit);
+    if (!status && f->walks) {
+        int ends = f->walker.piece + 1 == f->r->scene->motion->piece_count;
+        status = walker_settle(&f->walker, ends ? GRAZE_STATE_ABSENT : f->state);
+    }
     return status;
 }
 
-static graze_status walk_slide(walker *w, algebraic *low, algebraic *high);
-
-/* Walk the parts of a gap that is cut. */
-static graze_status walk_parts(walker *w, algebraic_list *cuts, algebraic *low, algebraic *high) {
-    size_t count = cuts->count;
-    algebraic **order = malloc(count * sizeof(algebraic *));
-    if (!order)
-        return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for %zu times", count);
-    for (size_t k = 0; k < count; k++)
-        order[k] = &cuts->item[k];
-    graze_status status = times_rank(order, &count, w->r->context, NULL, NULL);
-    for (size_t k = 0; k <= count && !status; k++) {
-        status = walk_slide(w, k ? order[k - 1] : low, k < count ? order[k] : high);
-        if (!status && k < count)
-            wait_for(w, order[k], NULL, 0);
-    }
-    /* The last cut is decided with its gap, so no time of the list waits any longer. */
-    free(order);
-    return status;
-}
-
-/* A gap on which the trajectory runs in surfaces that matter. */
-static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
-    dependence d;
-    graze_state state = GRAZE_STATE_UNDECIDED;
-    algebraic sample;
-    algebraic_list cuts;
-    moment_field f;
-    graze_status status = expression_ask(&d, &w->expression, w->at.slide, w->at.slide_count);
-    algebraic_init(&sample);
-    algebraic_list_init(&cuts);
+/* Each piece is a window for all surfaces. */
+static graze_status walk_pieces(tracer *r, letters *word) {
+    walker w;
+    size_t n = r->scene->solid->curved->surface_count;
+    graze_status status = walker_init(&w, r, word);
+    candidate *all = malloc((n + 1) * sizeof *all);
+    if (!status && !all)
+        status = context_fail(r->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
+    for (size_t k = 0; k < n && !status; k++)
+        all[k] = (candidate){.simplex = (uint32_t)k};
+    for (size_t k = 0; k < r->scene->motion->piece_count && !status; k++)
+        status = walker_walk(&w, &(exact_window){(uint32_t)k, 0, WINDOW_WHOLE, 0, n}, all);
     if (!status)
-        status = algebraic_between(sample.value, w->r->context, low, high);
-    field_init(&f, w->r->context, &sample, 1);
-    if (!status && d.state)
-        state = d.state;
-    else if (!status && !d.too_many)
-        status = ask_situation(&state, w, &d, &f, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
-    if (!status)
-        status = find_slide_cuts(&cuts, w, &f, low, high);
-    if (!status)
-        status =
-            cuts.count ? walk_parts(w, &cuts, low, high) : put_whole_gap(w, state, &d, &sample);
-    field_clear(&f);
-    algebraic_clear(&sample);
-    algebraic_list_clear(&cuts);
+        status = walker_settle(&w, GRAZE_STATE_ABSENT);
+    walker_clear(&w);
+    free(all);
     return status;
 }
 
-/* Signs in the gap behind a rank: of surfaces that vanish there, or at the first one of all. */
-static graze_status update_signs(walker *w, size_t rank, const zero *zeros, size_t count) {
-    algebraic sample;
-    graze_status status;
-    size_t n = rank ? count : w->solid->surface_count;
-    algebraic_init(&sample);
-    status = algebraic_between(sample.value, w->r->context, w->at.by_rank[rank],
-                               w->at.by_rank[rank + 1]);
-    for (size_t k = 0; k < n && !status; k++) {
-        size_t surface = rank ? zeros[k].surface : k;
-        int sign = 1;
-        if (!fmpz_poly_is_zero(&w->at.form[surface]))
-            status = algebraic_sign_at(&sign, w->r->context, &w->at.form[surface], &sample);
-        w->expression.sign[surface] = (signed char)sign;
-    }
-    algebraic_clear(&sample);
-    return status;
-}
-
-static graze_status walk_piece(walker *w, size_t piece) {
-    size_t next = 0, n;
-    w->piece = piece;
-    w->c = tracer_exact(w->r, piece);
-    if (!w->c)
-        return GRAZE_ESYSTEM;
-    graze_status status = pullbacks_set(&w->at, w->c);
-    for (size_t rank = 0; rank < w->at.rank_count && !status; rank++, next += n) {
-        const zero *zeros = next < w->at.zero_count ? w->at.zero + next : NULL;
-        for (n = 0; next + n < w->at.zero_count && zeros[n].time == rank;)
-            n++;
-        wait_for(w, w->at.by_rank[rank], zeros, n);
-        if (rank + 1 == w->at.rank_count)
-            break;
-        status = update_signs(w, rank, zeros, n);
-        if (!status)
-            status = walk_slide(w, w->at.by_rank[rank], w->at.by_rank[rank + 1]);
-    }
+static graze_status walk_point(tracer *r, letters *word) {
+    const surface_filter *filter = r->scene->surfaces;
+    graze_status status = context_poll(r->context);
+    if (status || !r->workspace || !filter ||
+        !surfaces_search(r->workspace, filter, &r->near, r->detail == TRACE_CONTACTS))
+        return status ? status : walk_pieces(r, word);
+    finding_walk f = {.r = r,
+                      .filter = filter,
+                      .truths = &r->workspace->truths,
+                      .found = &r->workspace->found,
+                      .word = word};
+    status = walk_findings(&f);
+    if (f.walks)
+        walker_clear(&f.walker);
     return status;
 }
 
@@ -266,23 +145,11 @@ graze_status curved_trace(graze_trace *out, graze_context *context, const graze_
                           query_point point, trace_detail detail) {
     *out = (graze_trace){.word = NULL};
     tracer r = {.out = out, .context = context, .scene = scene, .point = point, .detail = detail};
-    const csg *solid = scene->solid->curved;
-    walker w = {.r = &r, .solid = solid, .before = GRAZE_STATE_ABSENT};
-    w.word = (letters){.out = out, .context = context, .motion = scene->motion};
-    graze_status status = expression_init(&w.expression, context, solid);
-    graze_status other = pullbacks_init(&w.at, context, solid);
-    w.vanishing = malloc((solid->surface_count + 1) * sizeof *w.vanishing);
+    letters word = {.out = out, .context = context, .motion = scene->motion};
+    tracer_begin(&r);
+    graze_status status = walk_point(&r, &word);
     if (!status)
-        status = w.vanishing ? other : context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    for (size_t k = 0; k < scene->motion->piece_count && !status; k++)
-        status = walk_piece(&w, k);
-    if (!status)
-        status = settle_pending(&w, GRAZE_STATE_ABSENT);
-    if (!status)
-        status = letters_finish(&w.word);
-    expression_clear(&w.expression);
-    pullbacks_clear(&w.at);
-    free(w.vanishing);
+        status = letters_finish(&word);
     tracer_clear(&r);
     if (status)
         trace_clear(out);

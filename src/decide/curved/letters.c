@@ -34,19 +34,28 @@ static graze_status no_memory(letters *l) {
     return context_fail(l->context, GRAZE_ESYSTEM, "out of memory for the contacts of a trace");
 }
 
+/* One more contact, between times that may be NULL. */
+static graze_status begin_contact(letters *l, graze_time *time) {
+    graze_trace *out = l->out;
+    if (!array_reserve(&out->contact, &out->contact_capacity, out->contact_count + 1,
+                       sizeof *out->contact))
+        return no_memory(l);
+    out->contact[out->contact_count++] = (contact){.from = time, .to = time};
+    return GRAZE_OK;
+}
+
 /* A contact begins, or goes on, at a time. */
 static graze_status touch_at(letters *l, int begins, size_t piece, const algebraic *u) {
     graze_trace *out = l->out;
     graze_time *time = time_create(l->motion, piece, u);
     if (!time)
         return no_memory(l);
-    if (begins && !array_reserve(&out->contact, &out->contact_capacity, out->contact_count + 1,
-                                 sizeof *out->contact)) {
-        time_destroy(time);
-        return no_memory(l);
+    if (begins) {
+        graze_status status = begin_contact(l, time);
+        if (status)
+            time_destroy(time);
+        return status;
     }
-    if (begins)
-        out->contact[out->contact_count++] = (contact){.from = time, .to = time};
     contact *c = &out->contact[out->contact_count - 1];
     if (c->to != c->from)
         time_destroy(c->to);
@@ -66,6 +75,11 @@ graze_status letters_put_gap(letters *l, graze_state state) {
     if (state == GRAZE_STATE_B && last_of(l) != GRAZE_STATE_B)
         return context_fail(l->context, GRAZE_EINTERNAL, "a slide does not begin on the boundary");
     return append_letter(l, state);
+}
+
+graze_status letters_put_crossing(letters *l) {
+    graze_status status = append_letter(l, GRAZE_STATE_B);
+    return status ? status : begin_contact(l, NULL);
 }
 
 graze_status letters_add_cell(letters *l, contact *c, size_t primitive) {

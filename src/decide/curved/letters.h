@@ -6,7 +6,8 @@
 
 #include "decide/trace/trace.h"
 
-/** States come as time, gap, time, ..., time. */
+/** States come as time, gap, time, ..., time; times at which a gap's state goes on may be left out.
+ */
 typedef struct letters {
     graze_trace *out;
     graze_context *context;
@@ -19,6 +20,9 @@ graze_status letters_put_time(letters *l, graze_state state, size_t piece, const
 
 /** The state between the last time and the next one. */
 graze_status letters_put_gap(letters *l, graze_state state);
+
+/** A certain crossing, whose time is not wanted; its gap follows. */
+graze_status letters_put_crossing(letters *l);
 
 /** Add a primitive to the cells of a contact. */
 graze_status letters_add_cell(letters *l, contact *c, size_t primitive);

@@ -7,6 +7,7 @@
 #include "base/context/array.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
+#include "decide/filter/curve.h"
 
 enum { SIDE = CSG_DEGREE + 1, MONOMIALS = SIDE * SIDE * SIDE * SIDE };
 
@@ -89,6 +90,7 @@ void pullbacks_clear(pullbacks *p) {
     free(p->by_rank);
     free(p->zero);
     free(p->slide);
+    free(p->asked);
 }
 
 /* Add the roots of a surface, as zeros at times by their indices. */
@@ -148,25 +150,56 @@ static graze_status rank_zeros(pullbacks *p) {
     return status;
 }
 
-graze_status pullbacks_set(pullbacks *p, const trajectory *c) {
-    dyadic_interval unit;
+static int compare_numbers_asked(const void *left, const void *right) {
+    const size_t *a = left, *b = right;
+    return *a < *b ? -1 : *a > *b;
+}
+
+/* The surfaces of a window, each once, in order. */
+static graze_status ask_surfaces(pullbacks *p, const exact_window *window, const candidate *asked) {
+    size_t kept = 0;
+    graze_status status = array_grow(p->context, &p->asked, &p->asked_capacity, window->count + 1,
+                                     sizeof *p->asked, "the surfaces of a window");
+    for (size_t k = 0; k < window->count && !status; k++)
+        p->asked[k] = asked[k].simplex;
+    if (!status && window->count)
+        qsort(p->asked, window->count, sizeof *p->asked, compare_numbers_asked);
+    for (size_t k = 0; k < window->count && !status; k++)
+        if (!kept || p->asked[kept - 1] != p->asked[k])
+            p->asked[kept++] = p->asked[k];
+    p->asked_count = kept;
+    return status;
+}
+
+static void set_interval(dyadic_interval *out, const exact_window *window) {
+    int whole = window->from == 0 && window->to == WINDOW_WHOLE;
+    dyadic_interval_init(out);
+    dyadic_interval_set_si(out, window->from, whole ? 1 : window->to);
+    out->exponent = whole ? 0 : WINDOW_LEVELS;
+}
+
+graze_status pullbacks_set(pullbacks *p, const trajectory *c, const exact_window *window,
+                           const candidate *asked) {
+    dyadic_interval where;
     graze_status status = context_poll(p->context);
     monomials *m = monomials_create(p->context, c);
     if (!m)
         return GRAZE_ESYSTEM;
+    if (!status)
+        status = ask_surfaces(p, window, asked);
     p->time.count = p->zero_count = p->slide_count = 0;
-    dyadic_interval_init(&unit);
-    dyadic_interval_set_si(&unit, 0, 1);
-    algebraic_set_dyadic(algebraic_list_append(&p->time), unit.low, 0);
-    algebraic_set_dyadic(algebraic_list_append(&p->time), unit.high, 0);
-    for (size_t k = 0; k < p->solid->surface_count && !status; k++) {
-        pull_surface_back(&p->form[k], m, &p->solid->surface[k]);
-        if (fmpz_poly_is_zero(&p->form[k]))
-            p->slide[p->slide_count++] = k;
+    set_interval(&where, window);
+    algebraic_set_dyadic(algebraic_list_append(&p->time), where.low, where.exponent);
+    algebraic_set_dyadic(algebraic_list_append(&p->time), where.high, where.exponent);
+    for (size_t k = 0; k < p->asked_count && !status; k++) {
+        size_t surface = p->asked[k];
+        pull_surface_back(&p->form[surface], m, &p->solid->surface[surface]);
+        if (fmpz_poly_is_zero(&p->form[surface]))
+            p->slide[p->slide_count++] = surface;
         else
-            status = add_roots(p, k, &unit);
+            status = add_roots(p, surface, &where);
     }
     monomials_free(m);
-    dyadic_interval_clear(&unit);
+    dyadic_interval_clear(&where);
     return status ? status : rank_zeros(p);
 }

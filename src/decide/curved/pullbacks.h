@@ -5,6 +5,7 @@
 #define GRAZE_CURVED_PULLBACKS_H
 
 #include "base/number/algebraic.h"
+#include "decide/filter/findings.h"
 #include "decide/trace/trajectory.h"
 #include "input/csg/csg.h"
 
@@ -13,11 +14,14 @@ typedef struct zero {
     size_t time, surface; /* time: an index, after pullbacks_set a rank */
 } zero;
 
-/** Times are 0, 1 and all roots; those of rank r are equal, and by_rank[r] is one of them. */
+/** Times are both ends of a window and all roots in it; those of rank r are equal, and by_rank[r]
+ * is one of them. */
 typedef struct pullbacks {
     graze_context *context;
     const csg *solid;
-    fmpz_poly_struct *form; /* by surface */
+    fmpz_poly_struct *form; /* by surface, of those that are asked */
+    size_t *asked;
+    size_t asked_count, asked_capacity;
     algebraic_list time;
     algebraic **by_rank;
     size_t rank_count;
@@ -35,8 +39,10 @@ void pullbacks_clear(pullbacks *p);
 graze_status pullback_surface(fmpz_poly_t out, graze_context *context, const trajectory *c,
                               const csg_surface *surface);
 
-/** Those of another trajectory. */
-graze_status pullbacks_set(pullbacks *p, const trajectory *c);
+/** Those of another trajectory, or of another window.
+ * @param asked the window's count of them: surfaces, which may come twice */
+graze_status pullbacks_set(pullbacks *p, const trajectory *c, const exact_window *window,
+                           const candidate *asked);
 
 /** Sort times and leave of equal ones the first; *count is their number afterwards. `rank_of`, if
  * not NULL, has the rank of each by its place in `first`. */

@@ -11,6 +11,7 @@
 #include "base/context/array.h"
 #include "decide/filter/flip.h"
 #include "decide/filter/normal.h"
+#include "decide/filter/span_pullback.h"
 
 #define U UNIT_ROUNDING
 #define SLACK FILTER_SLACK
@@ -251,25 +252,13 @@ int curve_set_segment(curve *c, int dimension, const double *at, const double *e
     return !c->spans[0].lost;
 }
 
-/* Averages of neighbours, level after level: one rounding each. */
-static void halve_coefficients(double *left, double *right, const double *x, int n) {
-    for (int k = 0; k <= n; k++)
-        right[k] = x[k];
-    left[0] = x[0];
-    for (int level = 1; level <= n; level++) {
-        for (int k = 0; k <= n - level; k++)
-            right[k] = 0.5 * (right[k] + right[k + 1]);
-        left[level] = right[0];
-    }
-}
-
 static void cut_piece(curve *c, const span *whole, uint32_t child) {
     int n = whole->degree;
     double error[4];
     for (int i = 0; i <= c->dimension; i++) {
-        halve_coefficients(c->coefficients + child * c->stride + (size_t)(i * (n + 1)),
-                           c->coefficients + (child + 1) * c->stride + (size_t)(i * (n + 1)),
-                           curve_coefficients(c, whole, i), n);
+        pullback_halve(c->coefficients + child * c->stride + (size_t)(i * (n + 1)),
+                       c->coefficients + (child + 1) * c->stride + (size_t)(i * (n + 1)),
+                       curve_coefficients(c, whole, i), n);
         error[i] = whole->error[i] + (n + 1) * U * whole->size[i];
     }
     for (uint32_t half = 0; half < 2; half++) {

@@ -15,7 +15,7 @@
 _Static_assert(FLT_EVAL_METHOD == 0, "the filter's bounds are those of arithmetic in double alone");
 
 /** Windows of time are counted in units of 2^-WINDOW_LEVELS of a piece. */
-enum { WINDOW_LEVELS = 24 };
+enum { WINDOW_LEVELS = 24, WINDOW_WHOLE = 1 << WINDOW_LEVELS };
 
 /**
  * The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1].

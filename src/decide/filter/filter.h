@@ -12,6 +12,7 @@
 #include "decide/filter/curve.h"
 #include "decide/filter/findings.h"
 #include "decide/filter/interior.h"
+#include "decide/filter/surface_curve.h"
 #include "input/solid/known.h"
 #include "input/solid/solid.h"
 
@@ -46,6 +47,9 @@ typedef struct filter_workspace {
     curve curve, ray;
     findings found, ray_found;
     form_memory forms; /* of the solid that was asked last */
+    /* Of a curved solid: products along the curve, and truths at the start of the motion. */
+    surface_curve along;
+    truths truths;
 } filter_workspace;
 
 /** Set the workspace's curve, unless it is; 0 if the filter cannot be used for it. */

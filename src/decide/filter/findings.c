@@ -3,8 +3,27 @@
  */
 #include "decide/filter/findings.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "decide/filter/curve.h"
+
+candidate candidate_in(time_part part, uint32_t simplex, const meet_window *w) {
+    double length = (double)(UINT32_C(1) << (WINDOW_LEVELS - part.level));
+    double from = fmax(0, floor(w->low * length) - 1 + part.start);
+    double to =
+        fmin((double)(UINT32_C(1) << WINDOW_LEVELS), ceil(w->high * length) + 1 + part.start);
+    return (candidate){part.piece, simplex, (uint32_t)from, (uint32_t)to};
+}
+
+/* The start is a multiple of 2^-24, so only the product and the sum are rounded: by less than 2^-52
+ * together. */
+crossing crossing_in(time_part part, uint32_t simplex, const meet_window *w) {
+    double start = ldexp(part.start, -WINDOW_LEVELS);
+    return (crossing){start + ldexp(w->low, -part.level) - 0x1p-51,
+                      start + ldexp(w->high, -part.level) + 0x1p-51, part.piece, simplex,
+                      w->enters};
+}
 
 int candidates_append(candidates *list, candidate item) {
     if (!array_reserve(&list->item, &list->capacity, list->count + 1, sizeof *list->item))

@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include "decide/filter/span_pullback.h"
 
 /** The trajectory may meet the simplex within the closed window, in units of 2^-WINDOW_LEVELS. */
 typedef struct candidate {
@@ -17,6 +18,15 @@ typedef struct candidates {
     size_t count, capacity;
     candidate *item;
 } candidates;
+
+/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, in units of 2^-WINDOW_LEVELS. */
+typedef struct time_part {
+    uint32_t piece, start;
+    int level;
+} time_part;
+
+/** A window of a part's own parameter as one of the piece, outward. */
+candidate candidate_in(time_part part, uint32_t simplex, const meet_window *w);
 
 /** Append; 0 without memory. */
 int candidates_append(candidates *list, candidate item);
@@ -31,6 +41,9 @@ typedef struct crossing {
     uint32_t piece, simplex;
     int enters;
 } crossing;
+
+/** A crossing in a window of a part's own parameter. */
+crossing crossing_in(time_part part, uint32_t simplex, const meet_window *w);
 
 /** Candidates first ... first + count - 1 with overlapping windows: the exact path answers for all
  * of [from, to] at once. */

@@ -34,6 +34,9 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_JOIN] = "join",
     [FLIP_INTERIOR] = "interior",
     [FLIP_SLAB] = "slab",
+    [FLIP_SURFACE_SIGN] = "surface sign",
+    [FLIP_SURFACE_ROOT] = "surface root",
+    [FLIP_SURFACE_BOX] = "surface box",
 };
 
 static atomic_ulong calls;

@@ -31,6 +31,9 @@ typedef enum flip_site {
     FLIP_JOIN,         /* nothing of the boundary is between a box of points and a place */
     FLIP_INTERIOR,     /* a place is in bricks of one state */
     FLIP_SLAB,         /* a span, or a box, misses a slab */
+    FLIP_SURFACE_SIGN, /* a surface's pullback has one sign on a part of a span */
+    FLIP_SURFACE_ROOT, /* it has just one root there */
+    FLIP_SURFACE_BOX,  /* a span misses the boxes of surfaces */
     FLIP_SITE_COUNT
 } flip_site;
 

@@ -8,18 +8,12 @@
 #include "decide/filter/meet.h"
 
 #include <math.h>
-#include <string.h>
 #include "decide/filter/flip.h"
 #include "decide/filter/normal.h"
 
 #define U UNIT_ROUNDING
 #define SLACK FILTER_SLACK
 #define FLOOR FILTER_FLOOR
-
-/* A pullback in Bernstein form with one error bound for all coefficients. */
-typedef struct pullback {
-    double at[CARRIER_DEGREE + 1], error, size;
-} pullback;
 
 typedef struct meeter {
     const curve *c;
@@ -28,6 +22,7 @@ typedef struct meeter {
     double corner_error;
     normal normal;
     shift_bound shift;
+    double at[CARRIER_DEGREE + 1];
     pullback plane;
 } meeter;
 
@@ -37,6 +32,7 @@ static void make_plane(meeter *m) {
     const double *w = curve_coefficients(m->c, m->piece, d);
     double norm = 0;
     pullback *p = &m->plane;
+    *p = (pullback){.degree = n, .at = m->at};
     for (int i = 0; i < d; i++) {
         const double *x = curve_coefficients(m->c, m->piece, i);
         double a = m->normal.at[i], v = m->corner[i];
@@ -48,13 +44,7 @@ static void make_plane(meeter *m) {
     p->error =
         SLACK * (norm * (s->error + 4 * U * s->size) + 3 * m->normal.error * (s->size + s->error)) +
         FLOOR;
-    p->size = 0;
-    for (int k = 0; k <= n; k++)
-        p->size = larger(p->size, fabs(p->at[k]));
-}
-
-static int sign_beyond(double value, double error) {
-    return value > error ? 1 : value < -error ? -1 : 0;
+    pullback_measure(p);
 }
 
 /* D = X - v W in two coordinates, exact up to `error` in each. */
@@ -81,7 +71,7 @@ static int side_sign(const meeter *m, int k, int drop, const shifted *at) {
         value = m->normal.at[drop] > 0 ? value : -value;
     }
     double error = SLACK * (length * (at->error + 8 * U * size) + 4 * ev * size) + FLOOR;
-    return sign_beyond(value, error);
+    return pullback_sign(value, error);
 }
 
 /* The two coordinates that side_sign asks for. */
@@ -107,61 +97,6 @@ static int is_beside(const meeter *m, int drop) {
             beyond = side_sign(m, side, drop, &at) < 0;
         }
         if (beyond)
-            return 1;
-    }
-    return 0;
-}
-
-/* The plane's pullback at s; its error is that of the coefficients and of de Casteljau's scheme. */
-static int plane_sign(const meeter *m, double s, double *value) {
-    int n = m->piece->degree;
-    double row[CARRIER_DEGREE + 1];
-    memcpy(row, m->plane.at, (size_t)(n + 1) * sizeof *row);
-    for (int level = 1; level <= n; level++)
-        for (int k = 0; k <= n - level; k++)
-            row[k] += s * (row[k + 1] - row[k]);
-    *value = row[0];
-    return sign_beyond(row[0], SLACK * (m->plane.error + 5 * n * U * m->plane.size));
-}
-
-/* A guess at the root between two places of opposite sign: the Illinois method. */
-static double guess_root(const meeter *m) {
-    double low = 0, high = 1, at_low = m->plane.at[0], at_high = m->plane.at[m->piece->degree];
-    double s = at_low / (at_low - at_high), value;
-    int kept = 0;
-    for (int step = 0; step < 24 && m->piece->degree > 1; step++) {
-        if (plane_sign(m, s, &value) == 0)
-            break;
-        if ((value > 0) == (at_low > 0)) {
-            low = s;
-            at_low = value;
-            at_high *= kept > 0 ? 0.5 : 1;
-            kept = 1;
-        } else {
-            high = s;
-            at_high = value;
-            at_low *= kept < 0 ? 0.5 : 1;
-            kept = -1;
-        }
-        double next = (low * at_high - high * at_low) / (at_high - at_low);
-        if (!(fabs(next - s) > 0x1p-40))
-            break;
-        s = next;
-    }
-    return s;
-}
-
-/* A window around the one root, its ends certain; 0 if none is found. */
-static int find_window(meet_window *out, const meeter *m) {
-    const double *p = m->plane.at;
-    int n = m->piece->degree, before = p[0] > 0 ? 1 : -1;
-    double s = guess_root(m), value;
-    double width = 0x1p-48 + 4 * m->plane.error / fabs(p[n] - p[0]);
-    for (int attempt = 0; attempt < 8; attempt++, width *= 32) {
-        out->low = s - width > 0 ? s - width : 0;
-        out->high = s + width < 1 ? s + width : 1;
-        if ((out->low == 0 || plane_sign(m, out->low, &value) == before) &&
-            (out->high == 1 || plane_sign(m, out->high, &value) == -before))
             return 1;
     }
     return 0;
@@ -197,32 +132,6 @@ static meeting judge_window(const meeter *m, const meet_window *w) {
     return flip(FLIP_ROOT_INSIDE, inside == all) ? MEET_CROSSING : MEET_ASK;
 }
 
-/* What the signs of the plane's coefficients say. */
-typedef struct signs {
-    int first, last; /* of the coefficients 0 and n; 0: not certain */
-    int one;         /* all have the sign `first` */
-    int single;      /* they change once, whatever the one that may be uncertain is */
-} signs;
-
-static signs read_signs(const meeter *m) {
-    int n = m->piece->degree;
-    enum { FIRST_RUN, UNCERTAIN, LAST_RUN };
-    int before = FIRST_RUN;
-    signs s = {sign_beyond(m->plane.at[0], m->plane.error),
-               sign_beyond(m->plane.at[n], m->plane.error), 1, 0};
-    s.one = s.first != 0;
-    s.single = s.first * s.last < 0;
-    for (int k = 0; k <= n; k++) {
-        int sign = sign_beyond(m->plane.at[k], m->plane.error);
-        int here = sign == 0 ? UNCERTAIN : sign == s.first ? FIRST_RUN : LAST_RUN;
-        s.one = s.one && sign == s.first;
-        /* An uncertain coefficient among those of one sign could be of the other: three changes. */
-        s.single = s.single && here >= before && !(here == UNCERTAIN && before == UNCERTAIN);
-        before = here;
-    }
-    return s;
-}
-
 static meeter begin_meeter(const curve *c, const span *piece, const double *corner,
                            double corner_error) {
     meeter m = {.c = c, .piece = piece, .corner = corner, .corner_error = corner_error};
@@ -248,12 +157,12 @@ meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const 
     meeter m = begin_meeter(c, piece, corner, corner_error);
     *out = (meet_window){0, 1, 0};
     make_plane(&m);
-    signs s = read_signs(&m);
+    pullback_signs s = pullback_read(&m.plane);
     if (flip(FLIP_ONE_SIGN, s.one))
         return MEET_NONE;
     if (flip(FLIP_ONE_ROOT, s.single)) {
         out->enters = flip(FLIP_DIRECTION, s.first > 0);
-        if (find_window(out, &m))
+        if (pullback_window(out, &m.plane))
             return judge_window(&m, out);
         *out = (meet_window){0, 1, 0};
         return MEET_ASK;

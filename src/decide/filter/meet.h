@@ -5,6 +5,7 @@
 #define GRAZE_FILTER_MEET_H
 
 #include "decide/filter/curve.h"
+#include "decide/filter/span_pullback.h"
 
 typedef enum meeting {
     MEET_NONE,     /* no time of the closed span is on the closed simplex */
@@ -13,12 +14,6 @@ typedef enum meeting {
     MEET_ASK,      /* the filter cannot say; every time on the simplex lies in the window given */
     MEET_CUT       /* as MEET_ASK, but halves of the span may decide */
 } meeting;
-
-/** Where in the span, s in [low, high] of [0, 1]; `enters`: a crossing from outside to inside. */
-typedef struct meet_window {
-    double low, high;
-    int enters;
-} meet_window;
 
 /**
  * @param corner d corners of d coordinates, outward oriented (validate.h)

@@ -22,22 +22,8 @@ typedef struct searcher {
     int failed;       /* without memory, or too many spans */
 } searcher;
 
-/* A window of a span's own parameter, outward, in units of 2^-WINDOW_LEVELS. */
-static candidate whole_units(uint32_t simplex, const span *piece, const meet_window *w) {
-    double length = (double)(UINT32_C(1) << (WINDOW_LEVELS - piece->level));
-    double from = floor(w->low * length) - 1, to = ceil(w->high * length) + 1;
-    from = larger(0, from + piece->start);
-    to = smaller((double)(UINT32_C(1) << WINDOW_LEVELS), to + piece->start);
-    return (candidate){piece->piece, simplex, (uint32_t)from, (uint32_t)to};
-}
-
-/* The same window in units of the piece. The start is a multiple of 2^-24, so only the product and
- * the sum are rounded: by less than 2^-52 together. */
-static crossing whole_crossing(uint32_t simplex, const span *piece, const meet_window *w) {
-    double start = ldexp(piece->start, -WINDOW_LEVELS);
-    return (crossing){start + ldexp(w->low, -piece->level) - 0x1p-51,
-                      start + ldexp(w->high, -piece->level) + 0x1p-51, piece->piece, simplex,
-                      w->enters};
+static time_part part_of(const span *piece) {
+    return (time_part){piece->piece, piece->start, piece->level};
 }
 
 /* How far the middle of a chord is from that of the solid's box, squared. */
@@ -110,7 +96,7 @@ static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const
     if (s->early)
         s->early->met = crossing_is_alone(s->curve, piece, s->solid, simplex, at);
     return (s->early && s->early->met) ||
-           findings_add_crossing(s->out, whole_crossing(simplex, piece, at));
+           findings_add_crossing(s->out, crossing_in(part_of(piece), simplex, at));
 }
 
 static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
@@ -134,7 +120,7 @@ static void meet_leaf(searcher *s, uint32_t node, uint32_t span_index) {
     else if (found == MEET_CROSSING)
         kept = take_crossing(s, piece, simplex, &window);
     else if (found != MEET_NONE)
-        kept = candidates_append(&s->out->asked, whole_units(simplex, piece, &window));
+        kept = candidates_append(&s->out->asked, candidate_in(part_of(piece), simplex, &window));
     s->failed |= !kept;
 }
 

@@ -172,7 +172,10 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
         status = make_memo(&out->memo, context);
     if (!status)
         status = make_memo(&out->ground, context);
-    if (!status && !solid->curved)
+    if (!status && solid->curved)
+        status = surface_filter_make(&out->surfaces, context, solid->curved, motion,
+                                     out->options.operation);
+    else if (!status)
         status = filter_make(&out->filter, context, solid, motion, out->options.operation);
     if (status) {
         free_memo(out->memo);
@@ -186,4 +189,5 @@ void scene_clear(graze_scene *scene) {
     free_memo(scene->memo);
     free_memo(scene->ground);
     filter_clear(&scene->filter);
+    surface_filter_free(scene->surfaces);
 }

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends` is decided
- * exactly, of a curved solid where it is decided. A curved solid has no filter. A scene never
+ * exactly, of a curved solid where it is decided. A scene never
  * changes once made, but for its memo.
  */
 #ifndef GRAZE_SCENE_SCENE_H
@@ -11,6 +11,7 @@
 
 #include <pthread.h>
 #include "decide/filter/filter.h"
+#include "decide/filter/surfaces.h"
 #include "input/motion/motion.h"
 #include "input/solid/solid.h"
 
@@ -27,7 +28,8 @@ struct graze_scene {
     const graze_solid *solid;
     const graze_motion *motion;
     graze_options options;
-    filter filter;             /* for the operation of the options */
+    filter filter;             /* for the operation of the options; not of a curved solid */
+    surface_filter *surfaces;  /* that of a curved solid; or NULL */
     graze_ends ends;           /* whether S^0 and S^1 have a point in common */
     unsigned char sha256[32];  /* of the canonical text of solid and motion, see scene_hash */
     scene_memo *memo, *ground; /* of topo and of distances */
