@@ -110,8 +110,8 @@ SCENES = [
         {"2,0,0": F(629, 50), "0,2,0": F(479, 50), "0,0,2": F(229, 50), "1,1,0": -4, "1,0,1": -6, "0,1,1": -12})),
      along(-1, 1, "t", "-t", "0"), "OBO", [0]),
     # x + z^2 >= z in the cone: between x = z - z^2 and x = z, y = 0, though not in the tangent plane's half space.
-    ("cone and a bent plane", common(NAPPES, polynomial({"1,0,0": -1, "0,0,1": 1, "0,0,2": -1})),
-     along(F(-1, 2), F(1, 2), "0", "t", "0"), "OBO", [0]),
+    ("cone and a bent plane", common(NAPPES, ABOVE, polynomial({"1,0,0": -1, "0,0,1": 1, "0,0,2": -1})),
+     along(F(-1, 2), F(1, 2), "0", "t", "t^2"), "OBO", [0]),
     # A line of points where x^2 + y^2 = 0: no boundary.
     ("a line that is none", polynomial({"2,0,0": 1, "0,2,0": 1}), along(-1, 1, "t", "0", "t"), "O", []),
     ("a line of all", polynomial({"2,0,0": -1, "0,2,0": -1}), along(-1, 1, "t", "0", "t"), "I", []),
@@ -191,6 +191,7 @@ SCENES = [
 # Scenes that no rule need decide: the word is this one, or it is undecided at the time.
 OPEN = [
     ("beside a cusp", polynomial({"0,2": 1, "3,0": -1}), along(-1, 1, "0", "t"), "OBO"),       # y^2 <= x^3
+    ("below a cusp", polynomial({"2,0": 1, "0,3": -1}), along(-1, 1, "t", "0"), "OBO"),
     ("beside a cusp of the complement", polynomial({"0,2": -1, "3,0": 1}), along(-1, 1, "0", "t"), "IBI"),
 ]
 # A ball that grows while it moves: F = |P - b|^2 - (1 + t)^2.
