@@ -76,6 +76,17 @@ static void solids(bench *b) {
     HARMLESS(graze_solid_vertex_count, !graze_solid_vertex_count(NULL));
     HARMLESS(graze_solid_facet_count, !graze_solid_facet_count(NULL));
     HARMLESS(graze_solid_component_count, !graze_solid_component_count(NULL));
+    WRONG(graze_scad_text(NULL, NULL, c, "x.csg", NULL));
+    WRONG_OUT(char, graze_scad_text(&out, NULL, NULL, "x.csg", NULL));
+    WRONG_OUT(char, graze_scad_text(&out, NULL, c, NULL, NULL));
+    const graze_scad_options no_size = {.size = 1};
+    WRONG_OUT(char, graze_scad_text(&out, NULL, c, "x.csg", &no_size));
+    mpq_t below;
+    mpq_init(below);
+    mpq_set_si(below, -1, 1);
+    const graze_scad_options no_tolerance = {.size = sizeof no_tolerance, .near_rotation = below};
+    WRONG_OUT(char, graze_scad_text(&out, NULL, c, "x.csg", &no_tolerance));
+    mpq_clear(below);
     WRONG(graze_solid_mend(NULL, NULL, c, "x.off", 0));
     WRONG_OUT(char, graze_solid_mend(&out, NULL, NULL, "x.off", 0));
     WRONG_OUT(char, graze_solid_mend(&out, NULL, c, NULL, 0));

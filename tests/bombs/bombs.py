@@ -12,6 +12,7 @@ each command: what it leaves out is a failure, and its options are tried.
 it runs out of memory. To add a bomb, add a row to BOMBS.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import json
 import os
 import random
 import re
@@ -105,7 +106,19 @@ class Bomb:
         self.without, self.ends, self.says = without, ends, says or f"{limit}="
 
 
+def mapped(numbers, depth, node):
+    """A curved solid under maps whose numbers are these in turn."""
+    rows = [[numbers[(i + 3 * j) % len(numbers)] for j in range(4)] for i in range(3)]
+    for _ in range(depth):
+        node = {"affine": {"matrix": rows, "of": node}}
+    return json.dumps({"dimension": 3, "solid": node})
+
+
+BALLS = {"union": [{"ball": {"radius": 1, "center": [k, 0, 0]}} for k in range(100000)]}
+LONG = [f"{d}" * n + "/" + f"{e}" * (n - 1) for d, e, n in ((1, 7, 9998), (3, 1, 9999), (7, 9, 9997), (9, 8, 9996))]
 CHECK = "check {cube.off} {move.json}"
+CURVED = "check {s.csg.json} {move.json}"
+SCAD = "check {s.csg} {move.json}"
 BOMBS = [
     Bomb("digits-of-a-token", "digits", CHECK, {"move.json": moved('{"translate": ["1e99999999*t", 0, 0]}')},
          "--limit digits=100000000"),
@@ -128,6 +141,14 @@ BOMBS = [
     Bomb("depth-of-an-expression", "depth", CHECK,
          {"move.json": moved('{"translate": ["' + "(" * 1000000 + '", 0, 0]}')}, None),
     Bomb("depth-of-transforms", "depth", CHECK, {"move.json": moved('{"compose": [' * 400000)}, None),
+    Bomb("depth-of-a-curved-solid", "depth", CURVED, {"s.csg.json": '{"dimension": 3, "solid": ' + '{"union": [' * 500000}, None),
+    Bomb("depth-of-openscad", "depth", SCAD, {"s.csg": "group() {" * 500000}, None),
+    Bomb("digits-of-maps", "digits", CURVED, {"s.csg.json": mapped(LONG, 30, {"ball": {"radius": 1}})},
+         "--limit digits=100000000 --limit work=1000000000000000"),
+    Bomb("digits-of-a-box", "digits", CURVED, {"s.csg.json": mapped(["0", *LONG], 1, {"ball": {"radius": 1}})}, None),
+    Bomb("work-of-a-curved-solid", "work", CURVED + " --limit work=1000000", {"s.csg.json": mapped([x[:300] + "1" for x in LONG], 1, BALLS)},
+         "--limit work=1000000000000000"),
+    Bomb("cells-of-openscad", "cells", SCAD + " --limit cells=100000", {"s.csg": "sphere(r = 1);" * 200000}, None),
     Bomb("grid-of-many", "grid", "classify --jobs 1 {cube.off} {move.json} --grid 3000,3000,3000", {},
          "--limit grid=1000000000000000000"),
     Bomb("grid-past-64-bits", "grid",

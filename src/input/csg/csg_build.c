@@ -7,12 +7,16 @@
 #include "input/csg/csg_build.h"
 
 #include <flint/fmpq.h>
+#include <flint/fmpz_mat.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+
+enum { TERM_WORK = 4 };   /* what a term costs, for each of its words */
+enum { LONG_WORDS = 64 }; /* from here on a common divisor costs more than a word's time each */
 
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension) {
     *out = (csg){.dimension = dimension};
@@ -103,22 +107,79 @@ static graze_status add_surface(csg_builder *b, const fmpz_mpoly_t factor) {
     return GRAZE_OK;
 }
 
-graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f) {
+/* Whether f has degree 1, or degree 2 and a matrix of rank 3 or more; then it is irreducible, as a
+ * product of two linear forms has one of rank 2 or less. */
+static int is_plainly_irreducible(const csg_builder *b, const fmpz_mpoly_t f) {
+    int d = b->out->dimension, rank;
+    slong terms = fmpz_mpoly_length(f, b->ring->zctx);
+    fmpz_mat_t form;
+    fmpz_t c;
+    if (fmpz_mpoly_total_degree_si(f, b->ring->zctx) != 2)
+        return fmpz_mpoly_total_degree_si(f, b->ring->zctx) == 1;
+    fmpz_mat_init(form, d + 1, d + 1);
+    fmpz_init(c);
+    for (slong k = 0; k < terms; k++) {
+        ulong power[3] = {0, 0, 0};
+        int at[2] = {d, d}, n = 0;
+        fmpz_mpoly_get_term_exp_ui(power, f, k, b->ring->zctx);
+        fmpz_mpoly_get_term_coeff_fmpz(c, f, k, b->ring->zctx);
+        for (int i = 0; i < d; i++)
+            for (ulong p = power[i]; p > 0; p--)
+                at[n++] = i;
+        fmpz_add(fmpz_mat_entry(form, at[0], at[1]), fmpz_mat_entry(form, at[0], at[1]), c);
+        fmpz_add(fmpz_mat_entry(form, at[1], at[0]), fmpz_mat_entry(form, at[1], at[0]), c);
+    }
+    rank = (int)fmpz_mat_rank(form);
+    fmpz_clear(c);
+    fmpz_mat_clear(form);
+    return rank >= 3;
+}
+
+/* Add the factors of odd order, `count` of them so far. */
+static graze_status add_factors(size_t *operand, size_t *count, int *negative, csg_builder *b,
+                                const fmpz_mpoly_t f) {
     fmpz_mpoly_factor_t parts;
-    size_t operand[CSG_DEGREE], count = 0;
     const fmpz_mpoly_ctx_struct *ring = b->ring->zctx;
     graze_status status = GRAZE_OK;
     fmpz_mpoly_factor_init(parts, ring);
-    if (!fmpz_mpoly_factor(parts, f->zpoly, ring))
+    if (!fmpz_mpoly_factor(parts, f, ring))
         status = context_fail(b->context, GRAZE_EINTERNAL, "a polynomial cannot be factored");
-    int negative = fmpq_sgn(f->content) * fmpz_sgn(parts->constant) < 0;
+    *negative ^= fmpz_sgn(parts->constant) < 0;
     for (slong k = 0; k < parts->num && !status; k++) {
         if (fmpz_is_even(parts->exp + k))
             continue;
-        operand[count++] = b->out->surface_count;
+        operand[(*count)++] = b->out->surface_count;
         status = add_surface(b, parts->poly + k);
     }
     fmpz_mpoly_factor_clear(parts, ring);
+    return status;
+}
+
+/* Count the work on a polynomial, as the limit `work` does. */
+static graze_status spend(csg_builder *b, const fmpz_mpoly_t f) {
+    graze_context *context = b->context;
+    unsigned long words = (unsigned long)labs(fmpz_mpoly_max_bits(f)) / FLINT_BITS + 1;
+    unsigned long limit = context->limits[GRAZE_LIMIT_WORK];
+    unsigned long terms = (unsigned long)fmpz_mpoly_length(f, b->ring->zctx);
+    unsigned long work = TERM_WORK * terms * (words + words * words / LONG_WORDS);
+    if (context->work > limit || work > limit - context->work)
+        return context_limit(context, GRAZE_LIMIT_WORK, "the polynomials of a solid, all together");
+    context->work += work;
+    return context_work(context, work);
+}
+
+graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f) {
+    size_t operand[CSG_DEGREE] = {b->out->surface_count}, count = 0;
+    int negative = fmpq_sgn(f->content) < 0;
+    graze_status status = spend(b, f->zpoly);
+    if (status)
+        return status;
+    if (is_plainly_irreducible(b, f->zpoly)) {
+        count = 1;
+        status = add_surface(b, f->zpoly);
+    } else {
+        status = add_factors(operand, &count, &negative, b, f->zpoly);
+    }
     if (!status)
         status = csg_add_node(node, b, CSG_SIGN, operand, count);
     if (!status && negative)

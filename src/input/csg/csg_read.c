@@ -49,6 +49,8 @@ static csg_primitive_reader *const readers[KEYS] = {
     [QUADRIC] = csg_read_polynomial,  [POLYNOMIAL] = csg_read_polynomial,
     [POLYGON] = csg_read_polygon,     [POLYHEDRON] = csg_read_polyhedron};
 
+enum { DIGITS_A_LIMB = 20 }; /* more than a limb has */
+
 int csg_is_named(const char *path) {
     static const char extension[] = ".csg.json";
     size_t length = strlen(path), wanted = sizeof extension - 1;
@@ -106,6 +108,23 @@ static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, cons
     return status;
 }
 
+/* More digits than the limit allows; fmpz_sizeinbase is exact or one too large. */
+static int has_many_digits(const graze_context *context, const fmpz_t value) {
+    size_t digits = context->limits[GRAZE_LIMIT_DIGITS];
+    return (size_t)fmpz_size(value) > digits / DIGITS_A_LIMB &&
+           fmpz_sizeinbase(value, 10) - 1 > digits;
+}
+
+/* GRAZE_ELIMIT at a value if a number of what comes of it is too long. */
+static graze_status check_digits(csg_reader *r, const fmpq *x, slong count, const json *value,
+                                 const char *what) {
+    graze_context *context = r->build.context;
+    for (slong k = 0; k < count; k++)
+        if (has_many_digits(context, fmpq_numref(x + k)) || has_many_digits(context, fmpq_denref(x + k)))
+            return json_at(context, context_limit(context, GRAZE_LIMIT_DIGITS, what), value);
+    return GRAZE_OK;
+}
+
 static graze_status read_affine(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"matrix", "of"};
     const json *member[2];
@@ -122,7 +141,11 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
     fmpq_mat_init(inverse, d + 1, d + 1);
     fmpq_init(constant);
     status = read_map(map, inverse, r, member[0]);
-    fmpq_mat_mul(map, r->place, map);
+    if (!status)
+        fmpq_mat_mul(map, r->place, map);
+    if (!status)
+        status = check_digits(r, map->entries, (d + 1) * (d + 1), member[0],
+                              "numbers of the map, with those around it");
     fmpq_mat_swap(map, r->place);
     for (int i = 0; i < d; i++)
         outer[i] = r->coordinate[i];
@@ -165,6 +188,7 @@ static graze_status read_primitive(size_t *node, csg_reader *r, const json *valu
     r->box.dimension = 0;
     if (!status)
         status = readers[key](node, r, value);
+    status = json_at_last(r->build.context, status, value);
     for (int i = 0; i < r->box.dimension && !status; i++) {
         fmpq *middle = &r->build.out->primitive[r->build.out->primitive_count - 1].middle[i];
         fmpq_add(middle, &r->box.low[i], &r->box.high[i]);
@@ -222,6 +246,10 @@ static graze_status read_csg(csg *out, graze_context *context, const json *root)
     status = read_node(&node, &r, member[1]);
     if (!status)
         status = csg_build_finish(&r.build);
+    if (!status)
+        status = check_digits(&r, r.box.low, r.box.dimension, member[1], "a box of the solid");
+    if (!status)
+        status = check_digits(&r, r.box.high, r.box.dimension, member[1], "a box of the solid");
     csg_box_set(&out->box, &r.box);
     csg_reader_clear(&r);
     csg_build_clear(&r.build);

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <yajl/yajl_parse.h>
+#include "base/context/array.h"
 #include "base/context/json_memory.h"
 #include "input/motion/json_tree.h"
 
@@ -21,8 +22,9 @@ typedef struct builder {
     json_memory memory;
     yajl_handle handle;
     json *open;
-    char *key;
-    size_t key_length;
+    char *key; /* the last one, whose value is still to come if `keyed` */
+    size_t key_length, key_room;
+    int keyed;
     size_t depth, line, counted; /* lines are counted up to byte `counted` */
     graze_status status;
 } builder;
@@ -40,34 +42,43 @@ static int out_of_memory(builder *b) {
     return 0;
 }
 
-static char *copy_bytes(const char *bytes, size_t length) {
-    char *copy = malloc(length + 1);
-    if (copy != NULL) {
-        if (length > 0) {
-            memcpy(copy, bytes, length);
-        }
-        copy[length] = '\0';
+/* Copy bytes and a NUL to a place; the place behind them. */
+static char *keep_bytes(char *out, const char *bytes, size_t length) {
+    if (length > 0) {
+        memcpy(out, bytes, length);
     }
-    return copy;
+    out[length] = '\0';
+    return out + length + 1;
 }
 
-/* A new value under the open one; NULL when memory is short. */
-static json *append_value(builder *b, json_kind kind) {
+/* A new value under the open one, with its text if there are bytes; its key stands behind it, and
+ * then the text. NULL when memory is short. */
+static json *append_value(builder *b, json_kind kind, const char *bytes, size_t length) {
     count_lines(b);
-    json *value = malloc(sizeof *value);
+    size_t room = (b->keyed ? b->key_length + 1 : 0) + (bytes != NULL ? length + 1 : 0);
+    json *value = malloc(sizeof *value + room);
     if (value == NULL) {
         out_of_memory(b);
         return NULL;
     }
+    char *behind = (char *)(value + 1);
     *value = (json){.kind = kind,
                     .line = b->line,
-                    .key = b->key,
-                    .key_length = b->key_length,
                     .parent = b->open,
                     .source = b->source,
                     .previous = b->document->newest};
+    if (b->keyed) {
+        value->key = behind;
+        value->key_length = b->key_length;
+        behind = keep_bytes(behind, b->key, b->key_length);
+    }
+    if (bytes != NULL) {
+        value->text = behind;
+        value->length = length;
+        keep_bytes(behind, bytes, length);
+    }
     b->document->newest = value;
-    b->key = NULL;
+    b->keyed = 0;
     if (b->open == NULL) {
         b->document->root = value;
         return value;
@@ -82,42 +93,36 @@ static json *append_value(builder *b, json_kind kind) {
     return value;
 }
 
-static int on_text(builder *b, json_kind kind, const char *bytes, size_t length) {
-    json *value = append_value(b, kind);
-    if (value == NULL) {
-        return 0;
-    }
-    value->text = copy_bytes(bytes, length);
-    value->length = length;
-    return value->text != NULL ? 1 : out_of_memory(b);
-}
-
 static int on_null(void *data) {
-    return append_value(data, JSON_NULL) != NULL;
+    return append_value(data, JSON_NULL, NULL, 0) != NULL;
 }
 
 static int on_boolean(void *data, int value) {
     (void)value;
-    return append_value(data, JSON_BOOLEAN) != NULL;
+    return append_value(data, JSON_BOOLEAN, NULL, 0) != NULL;
 }
 
 static int on_number(void *data, const char *bytes, size_t length) {
-    return on_text(data, JSON_NUMBER, bytes, length);
+    return append_value(data, JSON_NUMBER, bytes, length) != NULL;
 }
 
 static int on_string(void *data, const unsigned char *bytes, size_t length) {
-    return on_text(data, JSON_STRING, (const char *)bytes, length);
+    return append_value(data, JSON_STRING, (const char *)bytes, length) != NULL;
 }
 
 static int on_key(void *data, const unsigned char *bytes, size_t length) {
     builder *b = data;
-    b->key = copy_bytes((const char *)bytes, length);
+    if (!array_reserve(&b->key, &b->key_room, length + 1, 1)) {
+        return out_of_memory(b);
+    }
+    keep_bytes(b->key, (const char *)bytes, length);
     b->key_length = length;
-    return b->key != NULL ? 1 : out_of_memory(b);
+    b->keyed = 1;
+    return 1;
 }
 
 static int on_start(builder *b, json_kind kind) {
-    json *value = append_value(b, kind);
+    json *value = append_value(b, kind, NULL, 0);
     if (value == NULL) {
         return 0;
     }
@@ -207,8 +212,6 @@ graze_status json_parse(json_document *out, graze_context *context, const char *
 void json_clear(json_document *document) {
     for (json *value = document->newest; value != NULL;) {
         json *previous = value->previous;
-        free(value->text);
-        free(value->key);
         free(value);
         value = previous;
     }

@@ -15,7 +15,8 @@ typedef enum json_kind {
     JSON_OBJECT
 } json_kind;
 
-/** One value. Children stand in the order of the text; an object's may repeat a key. */
+/** One value, in one block with its text and its key. Children stand in the order of the text; an
+ * object's may repeat a key. */
 typedef struct json {
     json_kind kind;
     size_t line; /* from 1 */
