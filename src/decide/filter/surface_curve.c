@@ -97,6 +97,47 @@ static void make_product(const maker *make, int k) {
                     (n + 2) * U * size * other;
 }
 
+/* Bounds of a product's values. */
+typedef struct range {
+    double low, high;
+} range;
+
+static range multiply_ranges(range a, range b) {
+    double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
+    return (range){smaller(smaller(p, q), smaller(r, s)), larger(larger(p, q), larger(r, s))};
+}
+
+int surface_sign_on(const surface_filter *filter, size_t surface, const span *piece) {
+    const surface_form *form = &filter->surface[surface];
+    range of[4];
+    int d = filter->course.dimension;
+    double low = 0, high = 0, most = 0;
+    for (int i = 0; i < d; i++) {
+        double end = piece->from[i] + piece->along[i];
+        double far = piece->thick[i] + 0x1p-50 * (fabs(piece->from[i]) + fabs(end));
+        of[i] = (range){smaller(piece->from[i], end) - far, larger(piece->from[i], end) + far};
+        most = larger(most, larger(-of[i].low, of[i].high));
+    }
+    if (!(most <= COORDINATE_REACH))
+        return 0;
+    of[d] = (range){1, 1};
+    most = 0;
+    for (int t = 0; t < form->count; t++) {
+        double a = form->coefficient[t];
+        range value = {a, a};
+        int k = form->product[t];
+        for (int degree = filter->product[k].degree; degree > 0; degree--) {
+            value = multiply_ranges(value, of[filter->product[k].coordinate]);
+            k = filter->product[k].parent;
+        }
+        low += value.low;
+        high += value.high;
+        most += larger(fabs(value.low), fabs(value.high));
+    }
+    double error = 0x1p-40 * most + PULLBACK_FLOOR;
+    return low > error ? 1 : high < -error ? -1 : 0;
+}
+
 static int within_reach(const span *piece) {
     for (int i = 0; i < 4; i++)
         if (!(piece->size[i] <= COORDINATE_REACH))

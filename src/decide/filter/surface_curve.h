@@ -29,6 +29,10 @@ typedef struct surface_curve {
 void surface_curve_begin(surface_curve *m, const surface_filter *filter, const curve *curve);
 void surface_curve_clear(surface_curve *m);
 
+/** The sign of a surface on the set that holds a bounded span, perhaps of several pieces; 0 if it
+ * is not certain (proofs/surfaces.md C106). */
+int surface_sign_on(const surface_filter *filter, size_t surface, const span *piece);
+
 /**
  * The pullback of a surface on a span that is a piece, or a part of one.
  * @param at room for PULLBACK_DEGREE + 1 coefficients

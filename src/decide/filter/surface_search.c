@@ -1,5 +1,5 @@
-/* Surfaces with a box by the tree, time and tree cut together; all others on every piece. On a
- * span the signs of Bernstein coefficients decide, on halves where they do not.
+/* Surfaces with a box by the tree, time and tree cut together; all others one by one. On a span the
+ * signs of Bernstein coefficients decide, on halves where they do not.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/surface_search.h"
@@ -98,13 +98,26 @@ static void descend_boxes(surface_search *s, uint32_t node, uint32_t span_index)
     }
 }
 
-static void search_open(surface_search *s) {
+/* A surface without a box: several pieces at once where it is far. */
+static void meet_open(surface_search *s, uint32_t span_index, uint32_t surface) {
     curve *c = &s->w->curve;
-    for (size_t k = 0; k < s->filter->course.piece_count && !s->failed; k++) {
-        const span *piece = curve_piece(c, k);
-        s->failed |= !piece || piece->lost;
-        for (size_t n = 0; n < s->filter->open_count && !s->failed; n++)
-            meet_surface(s, (uint32_t)(piece - c->spans), s->filter->open[n]);
+    const span *piece = &c->spans[span_index];
+    s->failed |= piece->lost;
+    if (s->failed)
+        return;
+    if (piece->degree) {
+        meet_surface(s, span_index, surface);
+        return;
+    }
+    int sign = piece->bounded ? surface_sign_on(s->filter, surface, piece) : 0;
+    if (flip(FLIP_SURFACE_SIGN, sign != 0)) {
+        keep_start(s, (time_part){piece->piece, 0, 0}, surface, sign);
+    } else if (curve_cut(c, span_index)) {
+        uint32_t half = c->spans[span_index].child;
+        meet_open(s, half, surface);
+        meet_open(s, half + 1, surface);
+    } else {
+        s->failed = 1;
     }
 }
 
@@ -138,7 +151,8 @@ int surfaces_search(filter_workspace *w, const surface_filter *f, const filter_p
     surface_search s = {f, w, 0};
     if (!begin_search(&s, point))
         return 0;
-    search_open(&s);
+    for (size_t k = 0; k < f->open_count && !s.failed; k++)
+        meet_open(&s, 0, f->open[k]);
     if (f->boxed_count && !s.failed)
         descend_boxes(&s, 0, 0);
     return !s.failed && (!exactly || ask_all(&w->found)) && findings_settle(&w->found);
