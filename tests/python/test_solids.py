@@ -24,6 +24,18 @@ def word(solid, point, motion=None):
 
 
 class Solids(unittest.TestCase):
+    def test_generate(self):
+        """Points of a bead with a bore: kinds of them, and a contact with the primitive at the time."""
+        scene = graze.Scene(S.ball(1) - S.cylinder("3/5", low=-2, high=2), common.moved("10*t", "0", "0"))
+        made = list(scene.generate(60, seed=1))
+        self.assertEqual(len({sample.point for sample in made}), 60)
+        self.assertLessEqual({"face", "edge", "crossing", "start", "end", "near", "miss"}, {sample.stratum for sample in made})
+        for sample in made:
+            trace = scene.trace(sample.point)
+            self.assertNotIn("?", trace.word)
+            if sample.cell and not sample.k:
+                self.assertTrue(any(contact.start <= sample.time <= contact.end and sample.cell in contact.cells for contact in trace.contacts), sample)
+
     def test_primitives(self):
         """Each touches the line of (5, 1, 0), or of (5, 1), once from outside."""
         one = {

@@ -65,8 +65,8 @@ static graze_status keep_decided(int *made, sample *out, graze_context *context,
         return GRAZE_OK;
     graze_status status =
         classify_verdict(&found, context, g->scene, (query_point){.rational = out->point});
-    *made = !status && found.pmc != GRAZE_PMC_UNDECIDED;
-    out->undecided += !status && !*made;
+    *made = found.pmc != GRAZE_PMC_UNDECIDED;
+    out->undecided += !*made;
     return status;
 }
 
@@ -150,14 +150,13 @@ graze_status generator_make(struct graze_generator *out, graze_context *context,
         fmpq_init(out->high + i);
     }
     graze_status status = scene_box(out->low, out->high, context, scene);
-    if (!status && !scene->solid->curved)
-        status = specials_find(&out->special, context, scene);
     if (!status)
         status = list_joints(out, context);
     if (!status)
         status = make_instants(out, context);
-    if (!status && scene->solid->curved)
-        status = survey_curved(out, context);
+    if (!status)
+        status = scene->solid->curved ? survey_curved(out, context)
+                                      : specials_find(&out->special, context, scene);
     return status ? status : try_strata(out, context);
 }
 
