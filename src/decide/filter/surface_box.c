@@ -75,14 +75,10 @@ static int invert_form(fmpz_mat_t inverse, fmpz_t denominator, const quadric *q)
     fmpz_mat_det(denominator, q->form);
     if (fmpz_sgn(denominator) <= 0 || !fmpz_mat_inv(inverse, denominator, q->form))
         return 0;
-    if (fmpz_sgn(denominator) < 0) {
-        fmpz_mat_neg(inverse, inverse);
-        fmpz_neg(denominator, denominator);
-    }
     /* Sylvester's rule: the minor of d - 1 rows is the denominator times the inverse's last entry.
      */
     int last = q->dimension - 1;
-    return fmpz_sgn(fmpz_mat_entry(q->form, 0, 0)) > 0 &&
+    return fmpz_sgn(denominator) > 0 && fmpz_sgn(fmpz_mat_entry(q->form, 0, 0)) > 0 &&
            fmpz_sgn(fmpz_mat_entry(inverse, last, last)) > 0;
 }
 
