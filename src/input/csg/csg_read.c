@@ -120,7 +120,8 @@ static graze_status check_digits(csg_reader *r, const fmpq *x, slong count, cons
                                  const char *what) {
     graze_context *context = r->build.context;
     for (slong k = 0; k < count; k++)
-        if (has_many_digits(context, fmpq_numref(x + k)) || has_many_digits(context, fmpq_denref(x + k)))
+        if (has_many_digits(context, fmpq_numref(x + k)) ||
+            has_many_digits(context, fmpq_denref(x + k)))
             return json_at(context, context_limit(context, GRAZE_LIMIT_DIGITS, what), value);
     return GRAZE_OK;
 }

@@ -3,6 +3,7 @@
  */
 #include "input/csg/csg_reader.h"
 
+#include "base/number/rational.h"
 #include "input/motion/entry.h"
 
 void csg_reader_init(csg_reader *r) {
@@ -51,11 +52,20 @@ graze_status csg_in_space(csg_reader *r, const json *value) {
                                          "this primitive is one of space; expected dimension 3");
 }
 
+graze_status csg_read_number(fmpq_t out, csg_reader *r, const json *value) {
+    graze_context *context = r->build.context;
+    int written = value->kind == JSON_NUMBER || value->kind == JSON_STRING;
+    if (!written || !rational_is_token(value->text, value->length))
+        return entry_number(out, context, value);
+    graze_status status = rational_parse(out, context, value->text, value->length);
+    return status ? json_at(context, status, value) : GRAZE_OK;
+}
+
 graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t count) {
     graze_status status = json_array(r->build.context, value, count);
     const json *item = value->first;
     for (size_t k = 0; k < count && !status; k++, item = item->next)
-        status = entry_number(out + k, r->build.context, item);
+        status = csg_read_number(out + k, r, item);
     return status;
 }
 

@@ -34,6 +34,9 @@ graze_status csg_read_members(const json **out, csg_reader *r, const json *value
 /** GRAZE_EINPUT in the plane, for a primitive of space. */
 graze_status csg_in_space(csg_reader *r, const json *value);
 
+/** A number, as entry_number; one that is written as a token is no calculation. */
+graze_status csg_read_number(fmpq_t out, csg_reader *r, const json *value);
+
 /** `count` numbers. */
 graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t count);
 

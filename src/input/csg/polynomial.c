@@ -61,7 +61,7 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
                 status = json_fail(context, GRAZE_EINPUT, term,
                                    "this key is repeated; the first is in line %zu", other->line);
         if (!status)
-            status = entry_number(coefficient, context, term);
+            status = csg_read_number(coefficient, r, term);
         if (!status)
             add_term(r, coefficient, power);
     }

@@ -40,7 +40,7 @@ static void placed_clear(placed *p) {
 
 /* A number that is positive. */
 static graze_status read_size(fmpq_t out, csg_reader *r, const json *value) {
-    graze_status status = entry_number(out, r->build.context, value);
+    graze_status status = csg_read_number(out, r, value);
     if (!status && fmpq_sgn(out) <= 0)
         status = json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected a positive number");
     return status;
@@ -127,9 +127,9 @@ static graze_status read_placed_axis(placed *p, csg_reader *r, const json *point
 }
 
 static graze_status read_bounds(placed *p, csg_reader *r, const json *from, const json *to) {
-    graze_status status = from ? entry_number(p->from, r->build.context, from) : GRAZE_OK;
+    graze_status status = from ? csg_read_number(p->from, r, from) : GRAZE_OK;
     if (!status && to)
-        status = entry_number(p->to, r->build.context, to);
+        status = csg_read_number(p->to, r, to);
     p->has_from = from != NULL;
     p->has_to = to != NULL;
     if (!status && from && to && fmpq_cmp(p->from, p->to) >= 0)
@@ -189,7 +189,7 @@ graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value) 
     if (!status)
         status = csg_read_vector(p.axis, r, member[0], (size_t)r->dimension);
     if (!status)
-        status = entry_number(p.first, r->build.context, member[1]);
+        status = csg_read_number(p.first, r, member[1]);
     if (!status)
         csg_linear_form(&r->f, r, p.axis, r->coordinate, p.first);
     if (!status && fmpq_mpoly_is_fmpq(&r->f, r->build.ring))

@@ -90,11 +90,6 @@ graze_status entry_vector(fmpz_poly_q_t *out, graze_context *context, const json
 
 graze_status entry_number(fmpq_t out, graze_context *context, const json *value) {
     fmpz_poly_q_t constant;
-    int written = value->kind == JSON_NUMBER || value->kind == JSON_STRING;
-    if (written && rational_is_token(value->text, value->length)) {
-        graze_status read = rational_parse(out, context, value->text, value->length);
-        return read == GRAZE_OK ? read : json_at(context, read, value);
-    }
     fmpz_poly_q_init(constant);
     graze_status status = read_value(constant, context, value, NULL, NULL);
     if (status == GRAZE_OK) {
