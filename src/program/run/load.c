@@ -92,7 +92,9 @@ int load_certifiable(const char *solid) {
     if (has_ending(solid, ".off") || has_ending(solid, ".wkt"))
         return EXIT_DONE;
     return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt%s", solid,
-                    has_ending(solid, ".csg.json") ? "" : ", which graze convert makes of it");
+                    has_ending(solid, ".csg.json") || has_ending(solid, ".csg")
+                        ? ""
+                        : ", which graze convert makes of it");
 }
 
 const char *load_note(const scene_options *o) {
