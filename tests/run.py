@@ -117,7 +117,7 @@ def main():
     for which in (signal.SIGINT, signal.SIGHUP):   # ignored in a shell's background; suites send them
         if signal.getsignal(which) == signal.SIG_IGN:
             signal.signal(which, signal.SIG_DFL)
-    if options.sanitizers:
+    if options.sanitizers and not options.only:
         options.skip += ["tests/" + path for path in PLAIN_ALONE]
     record, faults = recorded()
     for fault in faults:
