@@ -5,6 +5,7 @@
 The point at which two surfaces touch in order 4 is one that the rules leave open; beside it are points of balls.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
 import json
 import os
 import subprocess
@@ -65,6 +66,10 @@ def main():
         golden = bench.file("g.csv", table.stdout)
         pmc = [line.split(",")[3] for line in table.stdout.splitlines() if not line.startswith(("#", "x"))]
         checks.equal(pmc, ["undecided", "out", "out"], "golden", table.stderr)
+        for operation, word in (("sweep", "undecided"), ("unsweep", "")):
+            told = bench.run("classify", solid, motion, points, "--quiet", "--operation", operation).stdout
+            row = next(csv.DictReader(line for line in told.splitlines() if not line.startswith("#")))
+            checks.equal((row["pmc"], row.get("class") or ""), ("undecided", word), operation)
         decided = bench.run("classify", solid, motion, bench.file("d.csv", "0,0,5\n0,0,7\n"))
         checks.equal((decided.returncode, decided.stderr), (0, ""), "no note of no row")
         for answers, agree, wrong, counts in CANDIDATES:

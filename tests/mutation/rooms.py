@@ -32,7 +32,7 @@ ROOMS = {
                       "filter/equal", "filter/surfaces"],
     "decide/scene": ["unit/test_meeting", "cases/cases", "examples/examples", "api/test_reports", "api/test_exact_count", "agree/laws"],
     "decide/trace": ["api/test_classify", "cases/cases", "api/test_exact_count", *KERNEL],
-    "decide/verdict": ["api/test_word", "api/test_classify", "cases/cases", "words/words", "unsweep/properties", "filter/columns"],
+    "decide/verdict": ["api/test_word", "api/test_classify", "cases/cases", "curved/undecided", "words/words", "unsweep/properties", "filter/columns"],
     "decide/lattice": ["api/test_grid", "unit/test_interior", "filter/columns", "filter/equal"],
     "questions/topo": ["unit/test_cover", "api/test_topo", "topo/edges", "topo/verdicts", "topo/sides", "topo/roofs", "topo/degrees", "unit/test_eliminate",
                        "unit/test_places", "topo/prisms", "topo/germs", "topo/orders", "topo/witness", "unit/test_topo", "topo/straight"],
