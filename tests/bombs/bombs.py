@@ -342,7 +342,8 @@ def check_tables(graze):
 
 
 def check_options(graze):
-    files = {"cube.off": CUBE, "move.json": MOVE, "poses.csv": "t,x,y,z\n0,0,0,0\n1,1,0,0\n", "g.csv": SIGNED}
+    files = {"cube.off": CUBE, "move.json": MOVE, "poses.csv": "t,x,y,z\n0,0,0,0\n1,1,0,0\n", "g.csv": SIGNED,
+             "ball.csg": "sphere($fn = 0, $fa = 12, $fs = 2, r = 1);\n"}
     with tempfile.TemporaryDirectory(prefix="graze-bombs-") as folder:
         for name, content in files.items():
             put(os.path.join(folder, name), content, None)

@@ -70,7 +70,8 @@ ROWS = [
 # Options whose text is none of a file, and short names of others.
 TEXTS = {"grid", "box", "at", "strata", "times", "plane", "view", "title", "depth", "coarse", "budget", "contacts", "candidate",
          "degrees", "axis", "center", "pitch", "tolerance", "radius", "affine", "shortest", "scale", "from", "to", "every",
-         "numbers", "dyadic", "dimension", "folder", "o", "columns", "angles", "diameter", "length", "corner", "taper", "size"}
+         "numbers", "dyadic", "dimension", "folder", "o", "columns", "angles", "diameter", "length", "corner", "taper", "size",
+         "near-rotation"}
 EXTRA = {("validate", "keep"), ("validate", "output")}  # their commands add what they write
 COLUMNS = {("motion", "--ignore")}
 

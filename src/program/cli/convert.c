@@ -89,7 +89,7 @@ static int convert_scad_file(const convert_options *o, graze_context *context) {
     char *text = NULL, *report = NULL;
     mpq_t tolerance;
     mpq_init(tolerance);
-    int status = o->near_rotation ? numbers_read(&tolerance, context, "near-rotation",
+    int status = o->near_rotation ? numbers_read(&tolerance, context, "--near-rotation",
                                                  o->near_rotation, strlen(o->near_rotation), 1)
                                   : EXIT_DONE;
     graze_scad_options options = {.size = sizeof options,
