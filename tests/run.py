@@ -28,7 +28,7 @@ RECORD = "tests/README.md"
 PLAIN_ALONE = [
     "structure/", "install/", "readme/", "cases/recompute", "curved/schema", "motioncmd/schema",
     "agree/", "words/", "unsweep/properties", "curved/germs", "curved/polyhedra", "check/contacts",
-    "topo/germs", "topo/straight", "topo/orders", "topo/prisms", "topo/roofs", "topo/sides",
+    "topo/germs", "topo/straight", "topo/orders", "topo/prisms",
     "filter/equal", "filter/columns", "filter/contraction", "envelope/derivation", "contact/derivation",
 ]
 # | `folder/file` | ... | least number of checks, or `by hand` | time |
