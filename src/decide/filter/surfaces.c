@@ -62,12 +62,13 @@ static int convert_surface(surface_form *out, const surface_filter *f, const csg
 }
 
 static void make_binomials(surface_filter *f) {
-    for (int n = 0; n <= PULLBACK_DEGREE; n++)
-        for (int k = 0; k <= n; k++) {
-            f->binomial[n][k] =
-                k == 0 || k == n ? 1 : f->binomial[n - 1][k - 1] + f->binomial[n - 1][k];
+    for (int n = 0; n <= PULLBACK_DEGREE; n++) {
+        f->binomial[n][0] = f->binomial[n][n] = 1;
+        for (int k = 1; k < n; k++)
+            f->binomial[n][k] = f->binomial[n - 1][k - 1] + f->binomial[n - 1][k];
+        for (int k = 0; k <= n; k++)
             f->inverse[n][k] = 1 / f->binomial[n][k];
-        }
+    }
 }
 
 /* Sort the surfaces into those that have a box and those that have none. */

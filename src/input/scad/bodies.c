@@ -87,7 +87,7 @@ static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
 
 /* The points of a face by their numbers. */
 static graze_status put_face(scad_writer *w, const scad_place *p, scad_span face, size_t count) {
-    scad_span rest, item;
+    scad_span rest = {NULL, 0}, item;
     graze_status status = scad_list(&rest, p, face);
     json_open(&w->json, NULL, '[');
     while (!status && scad_item(&item, &rest)) {
@@ -100,7 +100,7 @@ static graze_status put_face(scad_writer *w, const scad_place *p, scad_span face
 }
 
 static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
-    scad_span points, faces, item;
+    scad_span points = {NULL, 0}, faces = {NULL, 0}, item;
     fmpq *x = _fmpq_vec_init(3);
     size_t count = 0;
     graze_status status = scad_known(p, "points faces convexity");
