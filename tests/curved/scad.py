@@ -18,7 +18,7 @@ from fractions import Fraction as F
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from scenes import (Checks, Curved, Graze, along, ball, box, common, cone, cylinder, minus, options, torus,  # noqa: E402
-                    union)
+                    times_of, union)
 from harness import run  # noqa: E402
 
 ORIGIN = {2: (0, 0), 3: (0, 0, 0)}
@@ -148,14 +148,6 @@ class Scad:
 
     def text(self):
         return self.given
-
-
-def times_of(contacts):
-    out = []
-    for c in contacts:
-        ends = [F(x) if isinstance(x, str) else [int(a) for a in x["poly"]] for x in (c["from"], c["to"])]
-        out.append(ends[0] if c["from"] == c["to"] else tuple(ends))
-    return out
 
 
 def check_scenes(graze, checks):

@@ -15,7 +15,7 @@ from fractions import Fraction as F
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from scenes import (Checks, Curved, Graze, Motion, along, ball, box, capsule, common, cone, cylinder, halfspace,  # noqa: E402
-                    minus, options, polynomial, torus, union)
+                    minus, options, polynomial, times_of, torus, union)
 
 ORIGIN = {2: (0, 0), 3: (0, 0, 0)}
 # Solids that several scenes share.
@@ -197,14 +197,6 @@ OPEN = [
 # A ball that grows while it moves: F = |P - b|^2 - (1 + t)^2.
 GROWING = Motion(2, [(0, 1, {"compose": [{"scale": "1+t"}, {"translate": ["8*t", "0"]}]})])
 POINTS = [(4, F(3, 2), "OBIBO"), (0, 1, "BIBO"), (8, 2, "OB")]
-
-
-def times_of(contacts):
-    out = []
-    for c in contacts:
-        ends = [F(x) if isinstance(x, str) else [int(a) for a in x["poly"]] for x in (c["from"], c["to"])]
-        out.append(ends[0] if c["from"] == c["to"] else tuple(ends))
-    return out
 
 
 def main():

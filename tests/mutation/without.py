@@ -22,9 +22,9 @@ CURVED, CSG = "src/decide/curved/", "src/input/csg/"
 RULES = [
     ("C94", "factors of even order are no surfaces", CSG + "csg_build.c", "if (fmpz_is_even(parts->exp + k))", "if (0)"),
     ("C94", "the sign of the constant factor", CSG + "csg_build.c", "if (!status && negative)", "if (0)"),
-    ("C95", "a gap in I shows a pattern", CURVED + "curved.c", ".near_in = before == GRAZE_STATE_I || after == GRAZE_STATE_I,", ".near_in = 0,"),
-    ("C95", "a gap in O shows a pattern", CURVED + "curved.c", ".near_out = before == GRAZE_STATE_O || after == GRAZE_STATE_O};", ".near_out = 0};"),
-    ("C95", "a gap in B makes B", CURVED + "curved.c", "if (before == GRAZE_STATE_B || after == GRAZE_STATE_B ||", "if ("),
+    ("C95", "a gap in I shows a pattern", CURVED + "walker.c", ".near_in = before == GRAZE_STATE_I || after == GRAZE_STATE_I,", ".near_in = 0,"),
+    ("C95", "a gap in O shows a pattern", CURVED + "walker.c", ".near_out = before == GRAZE_STATE_O || after == GRAZE_STATE_O};", ".near_out = 0};"),
+    ("C95", "a gap in B makes B", CURVED + "walker.c", "if (before == GRAZE_STATE_B || after == GRAZE_STATE_B ||", "if ("),
     ("C96", "(a) cells of the tangent planes", CURVED + "state.c", "    see_cells(g, smooth);\n    graze_state", "    graze_state"),
     ("C96", "(c) circuits of d + 1 members", CURVED + "circuits.c", "is_linear(g, c) || c->size == g->dimension + 1 ? none", "is_linear(g, c) ? none"),
     ("C96", "(c) circuits of planes alone", CURVED + "circuits.c", "if (g->member[c->member[k]].degree > 1)", "if (0)"),
@@ -47,7 +47,7 @@ RULES = [
     ("C99", "(c) only of quadrics among planes", CURVED + "apex.c", "ask_cell(q, &a, smooth, s, quadric && planes);", "ask_cell(q, &a, smooth, s, 1 || (quadric && planes));"),
     ("C100", "curves in two surfaces", CURVED + "state.c", "            see_in_curves(g, smooth, j, k);", "            (void)see_in_curves;"),
     ("C100", "curves in one surface", CURVED + "state.c", "        see_in_surfaces(g, smooth, k);\n", "        (void)see_in_surfaces;\n"),
-    ("C101", "gaps are cut at the roots of what was asked", CURVED + "curved.c",
+    ("C101", "gaps are cut at the roots of what was asked", CURVED + "walker.c",
      "        status = find_slide_cuts(&cuts, w, &f, low, high);", "        (void)find_slide_cuts;"),
 ]
 

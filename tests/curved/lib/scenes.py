@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import json
 import os
 import sys
+from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "agree", "lib"))
 
@@ -36,6 +37,15 @@ class Motion:
 def along(low, high, *path):
     """The motion by which the inverted trajectory of the origin is the path: expressions in t."""
     return Motion(len(path), [(low, high, {"translate": [f"-({x})" for x in path]})])
+
+
+def times_of(contacts):
+    """Times of contacts: a ratio, or the coefficients of a root's polynomial; of a stay two of them."""
+    out = []
+    for c in contacts:
+        ends = [F(x) if isinstance(x, str) else [int(a) for a in x["poly"]] for x in (c["from"], c["to"])]
+        out.append(ends[0] if c["from"] == c["to"] else tuple(ends))
+    return out
 
 
 def texts(values):
