@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")/.."
 sources=$(git ls-files 'include/*.h' 'src/*.c' 'src/*.h' 'src/*.cpp' 'src/*.hpp' 'tests/*.c' 'tests/*.h' 'tests/*.cpp')
 # shellcheck disable=SC2086 # a list of files
-clang-format --dry-run -Werror $sources
-cppcheck --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr \
+printf '%s\n' $sources | xargs -P "$(nproc)" -n 40 clang-format --dry-run -Werror
+cppcheck --quiet -j "$(nproc)" --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr \
     --suppress=missingIncludeSystem --suppress=CastIntegerToAddressAtReturn:src/input/motion/affine.c -Iinclude -Isrc src/*/*.c src/*/*/*.c
 echo "1 passed, 0 failed"

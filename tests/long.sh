@@ -8,17 +8,45 @@ cd "$(dirname "$0")/.."
 failed=0
 passed=0
 broken=()
-stage() {
-    local name=$1
-    shift
-    echo "== $name"
-    local began=$SECONDS
-    if "$@"; then passed=$((passed + 1)); else
+report() { # name, seconds, status
+    if [ "$3" = 0 ]; then passed=$((passed + 1)); else
         failed=$((failed + 1))
-        broken+=("$name")
-        echo "== $name FAILED"
+        broken+=("$1")
+        echo "== $1 FAILED"
     fi
-    echo "== $name: $((SECONDS - began)) s"
+    echo "== $1: $2 s"
+}
+stage() { # name, command
+    local began=$SECONDS status=0
+    echo "== $1"
+    "${@:2}" || status=$?
+    report "$1" $((SECONDS - began)) "$status"
+}
+# A stage of one process: as many of these run at a time as there are cores. What each said is shown when all have ended.
+names=()
+said=$(mktemp -d)
+trap 'rm -rf "$said"' EXIT
+beside() { # name, command
+    local log=$said/${#names[@]}
+    names+=("$1")
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+    echo "== $1 begins"
+    (
+        SECONDS=0 status=0
+        "${@:2}" || status=$?
+        echo "$SECONDS $status" >"$log.end"
+    ) >"$log" 2>&1 &
+}
+show_beside() {
+    local k seconds status
+    wait
+    for k in "${!names[@]}"; do
+        echo "== ${names[k]}"
+        cat "$said/$k"
+        seconds=0 status=1
+        read -r seconds status <"$said/$k.end" || true
+        report "${names[k]}" "$seconds" "$status"
+    done
 }
 # Beside the suites that run in the plain build alone (run.py): more inputs to code that others run, processes that are stopped and
 # begun again.
@@ -55,7 +83,10 @@ threads_of_classify() {
 }
 # Built by gcc, whose runtime an ordinary Python can be started with.
 threads() {
-    make -s B=build-tsan OPT="-O1 -fsanitize=thread" build-tsan/graze programs &&
+    local api
+    api=$(cd tests/api && printf 'build-tsan/tests/api/%s ' test_*.c)
+    # shellcheck disable=SC2086 # several words
+    make -s B=build-tsan OPT="-O1 -fsanitize=thread" all ${api//.c/} &&
         TSAN_OPTIONS=halt_on_error=1 python3 tests/run.py --build build-tsan --only tests/api &&
         threads_of_classify && tests/python/threads.sh build-tsan
 }
@@ -66,17 +97,19 @@ stage "lint" tests/lint.sh
 stage "address and undefined behaviour" under_sanitizers build-asan "-fsanitize=address,undefined -fno-sanitize-recover=all"
 stage "threads" threads
 stage "coverage" make -s coverage
-stage "1,000 distances to Minkowski sums" python3 tests/run.py --build build --only tests/distance/cgal --scale 4 --limit 3000
-stage "1,000 contact points probed" python3 tests/run.py --build build --only tests/contact/probe --scale 4 --limit 3000
-stage "with and without the filter" python3 tests/run.py --build build --only tests/filter/equal --scale 2 --limit 3000
-stage "certificates of 300 rows a case" python3 tests/run.py --build build --only tests/check/golden --scale 15 --limit 3000
-stage "forged certificates" python3 tests/check/forged.py --graze build/graze
 stage "the checker weakened" python3 tests/check/weakened.py --graze build/graze --only verdict.c,trace.c,legal.c
-stage "falsified decisions" flips
-stage "the site" make -s docs
-stage "packages of Python" python3 tests/python/packages.py --graze build/graze
-stage "candidates in pandas" python3 tests/compare/python_candidates.py --graze build/graze --pandas
-stage "pages in a browser" python3 tests/page/browser.py --graze build/graze
+suite() { python3 tests/run.py --build build --limit 3000 --only "$@"; }
+beside "falsified decisions" flips
+beside "1,000 distances to Minkowski sums" suite tests/distance/cgal --scale 4
+beside "with and without the filter" suite tests/filter/equal --scale 2
+beside "certificates of 300 rows a case" suite tests/check/golden --scale 15
+beside "forged certificates" python3 tests/check/forged.py --graze build/graze
+beside "pages in a browser" python3 tests/page/browser.py --graze build/graze
+beside "1,000 contact points probed" suite tests/contact/probe --scale 4
+beside "the site" make -s docs
+beside "candidates in pandas" python3 tests/compare/python_candidates.py --graze build/graze --pandas
+beside "packages of Python" python3 tests/python/packages.py --graze build/graze
+show_beside
 stage "mutants of the rules" python3 tests/mutate.py --only decide/verdict --each 1000
 stage "mutants of every room" python3 tests/mutate.py --minutes 3 --wanted 50
 echo "$passed passed, $failed failed"

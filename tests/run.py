@@ -32,7 +32,7 @@ PLAIN_ALONE = [
     "filter/equal", "filter/columns", "filter/contraction", "envelope/derivation", "contact/derivation",
 ]
 # | `folder/file` | ... | least number of checks, or `by hand` | time |
-ROW = re.compile(r"^\| `([\w./-]+)` \|.*\| (\d+|by hand) \|[^|]*\|$", re.M)
+ROW = re.compile(r"^\| `([\w./-]+)` \|.*\| (\d+|by hand) \| *(\d*)[^|]*\|$", re.M)
 
 
 def found():
@@ -46,16 +46,16 @@ def found():
 
 
 def recorded():
-    """Path -> least number of checks, None for a script that is run by hand; and the faults of the record."""
+    """Path -> least number of checks, None for a script that is run by hand; path -> seconds; and the faults of the record."""
     with open(RECORD, encoding="utf-8") as file:
         rows = ROW.findall(file.read())
-    record = {path: None if least == "by hand" else int(least) for path, least in rows}
+    record = {path: None if least == "by hand" else int(least) for path, least, _ in rows}
     there = found()
     faults = [f"{RECORD}: {path} has two rows" for path in record if sum(row[0] == path for row in rows) > 1]
     faults += [f"{RECORD}: tests/{path} has no row" for path in there if path not in record]
     faults += [f"{RECORD}: there is no suite or script tests/{path}" for path in record if path not in there]
     faults += [f"{RECORD}: {path}: expected a number of checks above 0" for path, least in record.items() if least == 0]
-    return record, faults
+    return record, {path: int(seconds or 0) for path, _, seconds in rows}, faults
 
 
 def command(path, options):
@@ -119,11 +119,12 @@ def main():
             signal.signal(which, signal.SIG_DFL)
     if options.sanitizers and not options.only:
         options.skip += ["tests/" + path for path in PLAIN_ALONE]
-    record, faults = recorded()
+    record, seconds_of, faults = recorded()
     for fault in faults:
         print("FAILED", fault)
     chosen = [path for path in found() if record.get(path, 1) is not None and options.only in "tests/" + path
               and not any(text in "tests/" + path for text in options.skip)]
+    chosen.sort(key=lambda path: -seconds_of.get(path, 0))  # long ones first: none runs alone at the end
     total = [0, len(faults), 0]
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for path, output, status, seconds in pool.map(lambda path: run(path, options), chosen):
