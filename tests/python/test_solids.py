@@ -54,6 +54,30 @@ class Solids(unittest.TestCase):
         for solid in (S.ball(1, (0, 0)), S.capsule(1, (0, -2)), S.polygon([(0, 0), (2, 0), (1, 1)], [[(1, "1/4"), (1, "1/2"), ("5/4", "1/4")]])):
             self.assertEqual((solid.dimension, word(solid, (5, 1))), (2, "OBO"))
 
+    def test_scad(self):
+        """A ball turned by six digits is an ellipsoid that does not reach y = 1, and a ball as a rotation."""
+        sphere = "sphere($fn = %d, $fa = 12, $fs = 2, r = 1);"
+        turned = "multmatrix([[0.866025, -0.5, 0, 0], [0.5, 0.866025, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { %s }" % (sphere % 0)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "ball.csg")
+
+            def scad(text, **options):
+                with open(path, "w", encoding="ascii") as file:
+                    file.write(text)
+                return S.scad(path, **options)
+
+            self.assertEqual((word(scad(turned), (5, 1, 0)), S.scad(path).report), ("O", ""))
+            ball = scad(turned, near_rotation="1e-6")
+            self.assertEqual([word(ball, (5, y, 0)) for y in (1, -1, F(10001, 10000))], ["OBO", "OBO", "O"])
+            self.assertRegex(ball.report, r"^maps taken as rotations: 1; no point moves by more than [\d./e-]+$")
+            self.assertEqual(word(ball - S.ball(1), (5, 0, 0)), "O")
+            self.assertEqual(word(scad(turned, near_rotation=1e-8), (5, 1, 0)), "O")
+            with self.assertRaises(graze.UseError):
+                S.scad(path, near_rotation=0)
+            with self.assertRaises(graze.InputError):
+                scad(sphere % 48)
+            self.assertEqual(word(S.scad(path, smooth=True), (5, 1, 0)), "OBO")
+
     def test_operators(self):
         """A plate with a hole, its parts, a chain, a name."""
         plate, hole = S.box((-3, -3, 0), (3, 3, 1)), S.cylinder(1)

@@ -162,6 +162,12 @@ class CPoseOptions(ctypes.Structure):
                 ("length", c_size_t), ("columns", c_char_p), ("angles", c_char_p)]
 
 
+class CScadOptions(ctypes.Structure):
+    """graze_scad_options."""
+
+    _fields_ = [("size", c_size_t), ("smooth", c_int), ("near_rotation", c_void_p)]
+
+
 class CDrawOptions(ctypes.Structure):
     """graze_draw_options."""
 
@@ -223,6 +229,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_solid_from_doubles": (c_int, [_OUT, c_void_p, c_int, c_void_p, c_size_t, c_void_p,
                                          c_size_t, c_void_p, c_uint]),
     "graze_solid_from_csg": (c_int, [_OUT, c_void_p, c_char_p, c_size_t]),
+    "graze_scad_text": (c_int, [_OUT, _OUT, c_void_p, c_char_p, POINTER(CScadOptions)]),
     "graze_solid_primitive_count": (c_size_t, [c_void_p]),
     "graze_solid_primitive": (c_char_p, [c_void_p, c_size_t]),
     "graze_solid_destroy": (None, [c_void_p]),

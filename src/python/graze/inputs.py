@@ -13,7 +13,7 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple
 from . import _motions
 from ._context import Context, Settings, settings
 from ._expressions import Expressions
-from ._library import Handle, library, take_text
+from ._library import CScadOptions, Handle, library, take_text
 from ._frames import refuse_masked
 from ._meshes import arrays_of
 from ._motions import Joint
@@ -32,7 +32,11 @@ class Solid(Expressions):
 
     Attributes:
         triangulate: whether facets that are not planar were fanned.
+        report: for one made by `scad` with `near_rotation`, how many maps were taken as rotations, and
+            how far they move a point at most; else "".
     """
+
+    report = ""
 
     def __init__(self, source: Any, *, triangulate: bool = False, round: str = "none",
                  limits: "Mapping[str, int] | None" = None) -> None:
@@ -88,6 +92,26 @@ class Solid(Expressions):
             raise
         self._node, self._given = document["solid"], document
         self._kept = Handle(pointer, library().graze_solid_destroy)
+
+    @classmethod
+    def scad(cls, path: Any, *, smooth: bool = False, near_rotation: Any = None,
+             limits: "Mapping[str, int] | None" = None) -> "Solid":
+        """The solid of an OpenSCAD file, `.csg`, as an expression (`graze convert`).
+
+        Args:
+            smooth: take what has a number of sides, `$fn`, as round; else it is refused.
+            near_rotation: take the rotation, times a number, that each entry of a map is so near to;
+                six digits of OpenSCAD make a turned ball an ellipsoid.
+        """
+        context, options = Context(settings("none", limits, True)), CScadOptions(smooth=smooth)
+        options.size = ctypes.sizeof(options)
+        if near_rotation is not None:
+            goal = _motions.filled([near_rotation], 1, context, "near_rotation")
+            options.near_rotation = goal.address
+        text, report = _motions.written(library().graze_scad_text, _path(path), ctypes.byref(options), context=context)
+        made = cls(text, limits=limits)
+        made.report = report.strip()
+        return made
 
     @classmethod
     def _expressed(cls, dimension: int, node: "Mapping[str, Any]", *, lazily: bool = False) -> "Solid":
