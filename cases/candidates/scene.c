@@ -122,7 +122,7 @@ static void make_plane(const scene *s, facet *f) {
     }
 }
 
-static void read_motion(scene *s, const char *path) {
+void scene_read_motion(scene *s, const char *path) {
     const char *pieces[] = {"pieces", NULL}, *times[] = {"t", NULL}, *map[] = {"transform", NULL};
     char problem[256], *text = whole_file(path);
     yajl_val root = yajl_tree_parse(text, problem, sizeof problem);
@@ -147,17 +147,21 @@ static void read_motion(scene *s, const char *path) {
     free(text);
 }
 
-void scene_read(scene *out, const char *solid, const char *motion) {
-    const char *dot = strrchr(solid, '.');
+void scene_read_solid(scene *out, const char *path) {
+    const char *dot = strrchr(path, '.');
     memset(out, 0, sizeof *out);
     out->dimension = dot && strcmp(dot, ".wkt") == 0 ? 2 : 3;
     if (out->dimension == 2)
-        read_wkt(out, solid);
+        read_wkt(out, path);
     else
-        read_off(out, solid);
+        read_off(out, path);
     for (int f = 0; f < out->facets; f++)
         make_plane(out, &out->facet[f]);
-    read_motion(out, motion);
+}
+
+void scene_read(scene *out, const char *solid, const char *motion) {
+    scene_read_solid(out, solid);
+    scene_read_motion(out, motion);
 }
 
 /* A direction that is parallel to nothing in sight. */

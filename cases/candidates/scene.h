@@ -29,8 +29,11 @@ typedef struct scene {
     piece *piece;
 } scene;
 
-/** Both end the program with a message on what they cannot read. */
+/** All end the program with a message on what they cannot read. */
 void scene_read(scene *out, const char *solid, const char *motion);
+void scene_read_solid(scene *out, const char *path);
+/** Of a scene whose solid is read; another motion takes the place of the one before. */
+void scene_read_motion(scene *s, const char *path);
 /** The inverse of M(t), d rows of d + 1 entries, in the piece of that number. */
 void scene_inverse(double out[3][4], const scene *s, int piece, double t);
 typedef double inverse[3][4];
