@@ -50,7 +50,7 @@ MPI_O   := $(filter-out %/main.o %/run/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(
 # PNG pictures need cairo, which nothing else does: a shared object loaded at need, built where cairo is.
 PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION).so)
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
-ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances
+ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances $B/tests/pairs
 FLIP_O  := $(patsubst src/decide/filter/%.c,$B/tests/flip/%.o,$(wildcard src/decide/filter/*.c))
 BENCH   := $B/tests/bench/inside $B/tests/bench/peers
 # The targets of the fuzzer and the command line they fuzz, without a main.
@@ -164,18 +164,15 @@ $B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
 $(addsuffix .o,$(UNIT)): | $B/.packages-test
-$B/tests/minkowski: tests/agree/minkowski.cpp tests/agree/shells.h | $B/.packages-build
+# CGAL's side of the tests.
+$B/tests/minkowski: tests/agree/minkowski.cpp
+$B/tests/to_nef: tests/agree/to_nef.cpp
+$B/tests/distances: tests/distance/oracle.cpp
+$B/tests/pairs: tests/collide/oracle.cpp
+$(ORACLES): tests/agree/shells.h tests/agree/legs.h | $B/.packages-build
 	@mkdir -p $(@D)
-	@$(call say,CXX,$<)
-	$Q$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
-$B/tests/distances: tests/distance/oracle.cpp tests/agree/shells.h | $B/.packages-build
-	@mkdir -p $(@D)
-	@$(call say,CXX,$<)
-	$Q$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
-$B/tests/to_nef: tests/agree/to_nef.cpp tests/agree/shells.h | $B/.packages-build
-	@mkdir -p $(@D)
-	@$(call say,CXX,$<)
-	$Q$(CXX) -std=c++17 -O1 -frounding-math -o $@ $< -lmpfr -lgmp
+	@$(call say,CXX,$(filter %.cpp,$^))
+	$Q$(CXX) -std=c++17 -O1 -frounding-math -o $@ $(filter %.cpp,$^) -lmpfr -lgmp
 $B/tests/bench/inside: $B/tests/bench/inside.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)

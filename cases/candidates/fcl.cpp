@@ -7,8 +7,7 @@
  * for each line of standard input:
  *   discrete N MOTION   collide at N evenly spread times, the first that says yes
  *   every N MOTION      the same, and no time is left out after that
- *   transforms N MOTION continuousCollide of N parts of the motion, given by the poses at the ends
- *   motion N MOTION     the same with a motion object whose reference point is the origin
+ *   advance N MOTION    continuousCollide of N parts of the motion, each given by its end poses
  * A motion is rigid and starts and ends within doubles. `hit` is 0 or 1, `t` the time of contact,
  * `seconds` the CPU time without reading anything; `loaded` is that of building FCL's models.
  *
@@ -109,7 +108,7 @@ static contact discrete(const body &a, const body &b, const std::vector<Pose> &p
 }
 
 /* FCL's own requests, but for the kinds of motion and solver. */
-static contact advance(const body &a, const body &b, const std::vector<Pose> &poses, bool object) {
+static contact advance(const body &a, const body &b, const std::vector<Pose> &poses) {
     bool straight = true;
     for (const Pose &p : poses)
         straight = straight && p.linear().isApprox(poses[0].linear(), 1e-15);
@@ -119,16 +118,8 @@ static contact advance(const body &a, const body &b, const std::vector<Pose> &po
     size_t parts = poses.size() - 1;
     for (size_t k = 0; k < parts; k++) {
         fcl::ContinuousCollisionResultd result;
-        Pose from = poses[k] * a.place, to = poses[k + 1] * a.place;
-        if (object && !straight) {
-            fcl::InterpMotion<double> moves(from.linear(), from.translation(), to.linear(),
-                                            to.translation(), fcl::Vector3d::Zero());
-            fcl::TranslationMotiond stands(b.place, b.place);
-            fcl::continuousCollide(a.shape.get(), &moves, b.shape.get(), &stands, request, result);
-        } else {
-            fcl::continuousCollide(a.shape.get(), from, to, b.shape.get(), b.place, b.place,
-                                   request, result);
-        }
+        fcl::continuousCollide(a.shape.get(), poses[k] * a.place, poses[k + 1] * a.place,
+                               b.shape.get(), b.place, b.place, request, result);
         if (result.is_collide)
             return {true, (double(k) + result.time_of_contact) / double(parts)};
     }
@@ -142,10 +133,7 @@ static void answer(const body &a, const body &b, scene &s, const char *method, i
     bool sampled = std::strcmp(method, "discrete") == 0 || std::strcmp(method, "every") == 0;
     std::vector<Pose> poses = poses_of(s, sampled ? n : n + 1);
     double start = seconds();
-    if (sampled)
-        found = discrete(a, b, poses, *method == 'e');
-    else
-        found = advance(a, b, poses, std::strcmp(method, "motion") == 0);
+    found = sampled ? discrete(a, b, poses, *method == 'e') : advance(a, b, poses);
     double spent = seconds() - start, from = s.piece[0].from, to = s.piece[s.pieces - 1].to;
     std::printf("hit=%d t=%.17g seconds=%.9f\n", found.hit, from + (to - from) * found.at, spent);
 }

@@ -8,25 +8,10 @@
  * solid, `out` if in neither. Second, the position in the closed sweep as a point set: interior,
  * boundary, exterior.
  */
-#include "shells.h"
-#include <CGAL/minkowski_sum_3.h>
+#include "legs.h"
 #include <iostream>
-#include <list>
-#include <utility>
 
 namespace {
-
-Nef segment(const Point &from, const Point &to) {
-    std::vector<Point> points{from, to};
-    using Range = std::pair<std::vector<Point>::iterator, std::vector<Point>::iterator>;
-    std::list<Range> lines{{points.begin(), points.end()}};
-    return Nef(lines.begin(), lines.end(), Nef::Polylines_tag());
-}
-
-/* minkowski_sum_3 cuts its arguments into convex parts in place, hence by value. */
-Nef sum(Nef solid, Nef leg) {
-    return CGAL::minkowski_sum_3(solid, leg);
-}
 
 enum class Place { outside, boundary, inside };
 

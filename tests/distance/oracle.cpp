@@ -9,7 +9,7 @@
  *            points, and the points. One line a point: the least over the poses of the signed
  *            distance to the solid, negative inside.
  */
-#include "../agree/shells.h"
+#include "../agree/legs.h"
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -19,13 +19,10 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
-#include <CGAL/minkowski_sum_3.h>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <limits>
-#include <list>
-#include <utility>
 
 namespace {
 
@@ -33,18 +30,6 @@ using Triangle = Kernel::Triangle_3;
 using Triangles = std::vector<Triangle>;
 using Piece = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 using ExactTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Piece>>;
-
-Nef segment(const Point &from, const Point &to) {
-    std::vector<Point> points{from, to};
-    using Range = std::pair<std::vector<Point>::iterator, std::vector<Point>::iterator>;
-    std::list<Range> lines{{points.begin(), points.end()}};
-    return Nef(lines.begin(), lines.end(), Nef::Polylines_tag());
-}
-
-/* minkowski_sum_3 cuts its arguments into convex parts in place, hence by value. */
-Nef sum(Nef solid, Nef leg) {
-    return CGAL::minkowski_sum_3(solid, leg);
-}
 
 const char *place(const Nef &set, const Point &point) {
     Nef::Volume_const_handle volume;
