@@ -20,9 +20,9 @@ from harness import ROOT, Checks, run  # noqa: E402,F401  (suites take them from
 KEEP = ("--keep", {"help": "folder that keeps the files of every run"})
 
 
-def options(description):
+def options(description, *more):
     """Those of every suite, and --keep."""
-    return harness.options(description, KEEP)
+    return harness.options(description, KEEP, *more)
 
 
 class Answer:
