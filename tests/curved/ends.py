@@ -85,6 +85,8 @@ MOVED = [
     ("one onto the other", FAR, 10, "yes"),
     ("one between", FAR, 5, "undecided"),                                  # apart, but their boxes are not
     ("both past", FAR, 13, "no"),
+    # Beads of a hundredth: only half way between a middle and its image is a common inner point that is tried.
+    ("half way", union(ball((0, 10), F(1, 100)), ball((10, -10), F(1, 100))), F(3, 200), "yes"),
     ("a lens", common(ball((0, 0), 1), ball((1, 0), 1)), F(3, 4), "yes"),
     ("past a lens", common(ball((0, 0), 1), ball((1, 0), 1)), F(5, 4), "no"),
     ("less a half", minus(ball((0, 0), 1), halfspace((1, 0))), F(1, 4), "yes"),

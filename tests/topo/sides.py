@@ -102,6 +102,9 @@ def check_words(checks, graze, name, files):
     if checks.holds(near, name, "a point that is out", said):
         found = graze.classify(name + " hint", *files, [near[1].split(", ")])
         checks.equal(found and found[0].record["pmc"], "out", name, near[1])
+        away = max(abs(F(x)) for x in near[1].split(", ")) * 2 ** int(near[2])
+        wide = max(map(F, re.search("^box of S.*size (.*)$", graze.call("check", *files).stdout, re.M)[1].split(" x ")))
+        checks.holds(wide / 4 <= away <= 4 * wide, name, "as far as is said", float(away / wide))
 
 
 def probes(e):

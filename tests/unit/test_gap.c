@@ -347,8 +347,26 @@ static void room_for_decimals(void **state) {
     assert_true(search_is_done(&s, -1 - 0x1p-40 + 0x1p-49, -1));
 }
 
+/* An instant of a piece that is not rigid, made by hand: the point is at X, W is 1, the maps are
+ * the unit matrix up to `linear_stray` in each entry. Along m the distance is m X / |B m|, where an
+ * entry b more in each place makes |B m| of m = (1, 1, 1) as large as (1 + 3 b) sqrt(3). */
+static void errors_of_the_map(void **state) {
+    (void)state;
+    const double first[] = {1, 0, 0}, diagonal[] = {1, 1, 1};
+    point_arc still = {.dimension = 3};
+    window w = {.of = &still,
+                .x = {{8}, {8}, {8}, {1}},
+                .linear = {{1}, {0}, {0}, {0}, {1}, {0}, {0}, {0}, {1}}};
+    double bound = gap_along(&w, first, 0);
+    assert_true(bound <= 8 && bound > 8 - 0x1p-40);
+    w.linear_stray = 0.25;
+    bound = gap_along(&w, diagonal, 0);
+    assert_true(bound <= 24 / (1.75 * sqrt(3)) && bound > 7);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(in_the_plane), cmocka_unit_test(in_space),
-                                       cmocka_unit_test(room_for_decimals)};
+                                       cmocka_unit_test(room_for_decimals),
+                                       cmocka_unit_test(errors_of_the_map)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,6 +15,13 @@ typedef struct hint_maker {
     int found;
 } hint_maker;
 
+static void divide_2exp(fmpq_t x, slong places) {
+    if (places < 0)
+        fmpq_mul_2exp(x, x, (ulong)-places);
+    else
+        fmpq_div_2exp(x, x, (ulong)places);
+}
+
 /* out = the point + 2^-places (v + 2^-places w), for vectors of a length near the solid's width; is
  * it out? */
 static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
@@ -22,12 +29,12 @@ static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong
     fmpq_t step, bend;
     fmpq_init(step);
     fmpq_init(bend);
-    slong down = FLINT_MAX((slong)places - m->exponent, 0);
+    slong down = (slong)places - m->exponent;
     for (int k = 0; k < 3; k++) {
         fmpq_set_fmpz(step, v + k);
         fmpq_set_fmpz(bend, w + k);
-        fmpq_div_2exp(step, step, (ulong)(down + FLINT_ABS(_fmpz_vec_max_bits(v, 3))));
-        fmpq_div_2exp(bend, bend, (ulong)(2 * down + FLINT_ABS(_fmpz_vec_max_bits(w, 3)) + 3));
+        divide_2exp(step, down + FLINT_ABS(_fmpz_vec_max_bits(v, 3)));
+        divide_2exp(bend, 2 * down + FLINT_ABS(_fmpz_vec_max_bits(w, 3)) + 3);
         fmpq_add(step, step, bend);
         fmpq_add(m->out + k, m->point + k, step);
     }
