@@ -53,7 +53,7 @@ show_beside() {
 unsanitized=(/laws check/mutants draw/dense contact/probe contact/snap topo/degrees topo/witness topo/sides shards/ended shards/mpi
     shards/contacts shards/certificates refuse/progress refuse/onto)
 under_sanitizers() { # folder, flags
-    make -s B="$1" CC=clang CXX=clang++ OPT="-O1 $2 -fno-omit-frame-pointer" "$1/graze" programs &&
+    make -s B="$1" CC=clang CXX=clang++ OPT="-O1 $2 -fno-omit-frame-pointer" CFLAGS=-g1 CXXFLAGS=-g1 "$1/graze" programs &&
         ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1 \
             python3 tests/run.py --build "$1" --limit 2400 --sanitizers "${unsanitized[@]/#/--skip=}"
 }
@@ -86,7 +86,7 @@ threads() {
     local api
     api=$(cd tests/api && printf 'build-tsan/tests/api/%s ' test_*.c)
     # shellcheck disable=SC2086 # several words
-    make -s B=build-tsan OPT="-O1 -fsanitize=thread" all ${api//.c/} &&
+    make -s B=build-tsan OPT="-O1 -fsanitize=thread" CFLAGS=-g1 CXXFLAGS=-g1 all ${api//.c/} &&
         TSAN_OPTIONS=halt_on_error=1 python3 tests/run.py --build build-tsan --only tests/api &&
         threads_of_classify && tests/python/threads.sh build-tsan
 }
@@ -99,15 +99,15 @@ stage "threads" threads
 stage "coverage" make -s coverage
 stage "the checker weakened" python3 tests/check/weakened.py --graze build/graze --only verdict.c,trace.c,legal.c
 suite() { python3 tests/run.py --build build --limit 3000 --only "$@"; }
-beside "falsified decisions" flips
-beside "1,000 distances to Minkowski sums" suite tests/distance/cgal --scale 4
-beside "with and without the filter" suite tests/filter/equal --scale 2
-beside "certificates of 300 rows a case" suite tests/check/golden --scale 15
-beside "forged certificates" python3 tests/check/forged.py --graze build/graze
-beside "pages in a browser" python3 tests/page/browser.py --graze build/graze
-beside "1,000 contact points probed" suite tests/contact/probe --scale 4
 beside "the site" make -s docs
+beside "with and without the filter" suite tests/filter/equal --scale 2
+beside "falsified decisions" flips
+beside "1,000 contact points probed" suite tests/contact/probe --scale 4
+beside "pages in a browser" python3 tests/page/browser.py --graze build/graze
+beside "forged certificates" python3 tests/check/forged.py --graze build/graze
+beside "certificates of 300 rows a case" suite tests/check/golden --scale 15
 beside "candidates in pandas" python3 tests/compare/python_candidates.py --graze build/graze --pandas
+beside "1,000 distances to Minkowski sums" suite tests/distance/cgal --scale 4
 beside "packages of Python" python3 tests/python/packages.py --graze build/graze
 show_beside
 stage "mutants of the rules" python3 tests/mutate.py --only decide/verdict --each 1000
