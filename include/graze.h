@@ -79,5 +79,6 @@
 #include <graze/topo.h>     /* positions relative to the closed sweep */
 #include <graze/contact.h>  /* contact points of the envelope */
 #include <graze/envelope.h> /* events of the envelope */
+#include <graze/pair.h>     /* a moving solid against a fixed one */
 
 #endif

@@ -1,16 +1,13 @@
 /* Two descents of one tree at a time, the second through its image, leave out what is apart in
  * doubles; what is left is tested exactly, some simplices at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * A box of centre c and half sides h has its image in the box of centre A c + b and half sides
- * |A| h, widened by far more than what rounding takes (proofs/filter.md C34). Comparisons that are
- * false for NaN leave nothing out.
  */
 #include "decide/scene/meeting.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/number/rounding.h"
+#include "input/solid/box_image.h"
 #include "input/validate/overlap.h"
 
 /* Simplices tested together: few at first, since a meeting is often found at once. */
@@ -73,22 +70,15 @@ static void hold(finder *f, uint32_t simplex) {
     f->held[simplex] = 1;
 }
 
-/* Certainly apart: a box, and the image of another. */
+/* Certainly apart: a box, and the image of another. Comparisons that are false for NaN leave
+ * nothing out. */
 static int are_apart(const finder *f, const box *standing, const box *moving) {
     int d = f->solid->input.dimension;
+    box image;
+    box_image(&image, f->entry, d, moving);
     for (int i = 0; i < d; i++) {
-        const double *row = f->entry + i * (d + 1);
-        double centre = row[d], half = 0, size = fabs(row[d]);
-        for (int j = 0; j < d; j++) {
-            double c = 0.5 * moving->low[j] + 0.5 * moving->high[j];
-            double h = 0.5 * moving->high[j] - 0.5 * moving->low[j];
-            centre += row[j] * c;
-            half += fabs(row[j]) * h;
-            size += fabs(row[j]) * (fabs(moving->low[j]) + fabs(moving->high[j]));
-        }
-        half += 0x1p-40 * size + 0x1p-900;
         double margin = 0x1p-40 * (fabs(standing->low[i]) + fabs(standing->high[i]));
-        if (centre + half < standing->low[i] - margin || centre - half > standing->high[i] + margin)
+        if (image.high[i] < standing->low[i] - margin || image.low[i] > standing->high[i] + margin)
             return 1;
     }
     return 0;

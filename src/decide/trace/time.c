@@ -50,6 +50,35 @@ int time_is_end(const graze_time *time) {
     return time && time->piece + 1 == time->motion->piece_count && time_is_piece_end(time);
 }
 
+graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze_time *before,
+                          graze_time *after) {
+    algebraic zero, one;
+    algebraic_init(&zero);
+    algebraic_init(&one);
+    fmpq_one(one.value);
+    *piece = before->piece;
+    algebraic *low = &before->u;
+    int order = 0;
+    graze_status status = algebraic_compare(&order, context, low, &one);
+    if (status == GRAZE_OK && order == 0) {
+        ++*piece;
+        low = &zero;
+    }
+    algebraic *high = after->piece == *piece ? &after->u : &one;
+    if (status == GRAZE_OK)
+        status = algebraic_compare(&order, context, low, high);
+    /* Windows that were not apart would give one time twice, between which there is none. */
+    if (status == GRAZE_OK && after->piece >= *piece && order < 0) {
+        status = algebraic_between(u, context, low, high);
+    } else if (status == GRAZE_OK) {
+        status = context_fail(context, GRAZE_EINTERNAL,
+                              "two contacts, one after the other, are not in order of time");
+    }
+    algebraic_clear(&zero);
+    algebraic_clear(&one);
+    return status;
+}
+
 /* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a
  * positive number, as a polynomial in t. */
 static void to_motion_parameter(fmpz_poly_t out, const fmpz_poly_t p, const motion_piece *piece) {

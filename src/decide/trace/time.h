@@ -32,6 +32,10 @@ int time_is_start(const graze_time *time);
 int time_is_piece_end(const graze_time *time);
 int time_is_end(const graze_time *time);
 
+/** A rational time u of a piece strictly between two times, one after the other. */
+graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze_time *before,
+                          graze_time *after);
+
 /** Make the canonical form of a time; idempotent. The context may be NULL: then there is no limit.
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED */
 graze_status time_canonicalise(graze_time *time, graze_context *context);

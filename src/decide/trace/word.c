@@ -4,39 +4,16 @@
 #include "decide/trace/word.h"
 
 #include <stdlib.h>
-#include "base/number/order.h"
 #include "decide/trace/contact.h"
 
 static graze_status locate_between(graze_state *out, tracer *r, graze_time *before,
                                    graze_time *after) {
-    algebraic zero, one;
+    size_t piece;
     fmpq_t sample;
-    algebraic_init(&zero);
-    algebraic_init(&one);
-    fmpq_one(one.value);
     fmpq_init(sample);
-    size_t piece = before->piece;
-    algebraic *low = &before->u;
-    int order = 0;
-    graze_status status = algebraic_compare(&order, r->context, low, &one);
-    if (status == GRAZE_OK && order == 0) {
-        piece++;
-        low = &zero;
-    }
-    algebraic *high = after->piece == piece ? &after->u : &one;
+    graze_status status = time_between(&piece, sample, r->context, before, after);
     if (status == GRAZE_OK)
-        status = algebraic_compare(&order, r->context, low, high);
-    /* Windows that were not apart would give one time twice, between which there is none. */
-    if (status == GRAZE_OK && after->piece >= piece && order < 0) {
-        status = algebraic_between(sample, r->context, low, high);
-        if (status == GRAZE_OK)
-            status = tracer_locate(out, r, piece, sample);
-    } else if (status == GRAZE_OK) {
-        status = context_fail(r->context, GRAZE_EINTERNAL,
-                              "two contacts, one after the other, are not in order of time");
-    }
-    algebraic_clear(&zero);
-    algebraic_clear(&one);
+        status = tracer_locate(out, r, piece, sample);
     fmpq_clear(sample);
     return status;
 }

@@ -12,7 +12,7 @@ static const command *const commands[] = {
     &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,
     &command_cases, &command_compare,  &command_validate, &command_motion,  &command_boundary,
     &command_draw,  &command_certify,  &command_convert,  &command_contact, &command_envelope,
-    &command_mend,  &command_solid};
+    &command_mend,  &command_solid,    &command_collide};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -35,6 +35,7 @@ static const char overview[] =
     "  graze mend SOLID -o FILE.off         a legal solid out of a mesh that is none\n"
     "  graze contact SOLID MOTION CONTACTS  boundary points at given times, and the envelope\n"
     "  graze envelope SOLID MOTION          when the contact with the envelope changes\n"
+    "  graze collide MOVING MOTION FIXED    do two solids meet, when first, with which cells\n"
     "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 options and an example, as graze help COMMAND\n"
     "  graze --version                      versions of graze and its libraries\n"

@@ -1,0 +1,99 @@
+/* graze/pair.h - a moving solid against a fixed one: do they meet, when, and with which cells.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The pair word ([IS] 1, 22, 23) has a letter for each state of the two closed solids, in order of
+ * time: O apart, B they meet but their interiors do not, I their interiors meet
+ * (proofs/collision.md).
+ */
+#ifndef GRAZE_PAIR_H
+#define GRAZE_PAIR_H
+
+#include <graze/core.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct graze_pair graze_pair;
+
+/** Answer for a pair. Zero is never an answer. */
+typedef enum graze_pair_verdict {
+    GRAZE_PAIR_NONE = 0,
+    GRAZE_PAIR_CLEAR = 1,  /**< the closed solids never meet */
+    GRAZE_PAIR_TOUCH = 2,  /**< they meet, their interiors never do */
+    GRAZE_PAIR_OVERLAP = 3 /**< their interiors meet */
+} graze_pair_verdict;
+
+/** Question about a pair. */
+typedef enum graze_pair_question {
+    GRAZE_PAIR_MEETS = 0, /**< the moving solid against the fixed one */
+    GRAZE_PAIR_INSIDE = 1 /**< the moving solid against the closure of the fixed one's complement:
+                             clear or touch if it stays inside the fixed one ([IS] 23) */
+} graze_pair_question;
+
+/** Options of a pair (rule 6). */
+typedef struct graze_pair_options {
+    size_t size; /**< sizeof(graze_pair_options) */
+    graze_pair_question question;
+    int first; /**< 1: up to the first contact alone, which is much cheaper */
+} graze_pair_options;
+
+/** Two boundary cells, relatively open, that have a point in common; in the numbering of the input.
+ */
+typedef struct graze_cell_pair {
+    graze_cell moving, fixed;
+} graze_cell_pair;
+
+/** A contact: a maximal interval [from, to] of times at which the solids touch only. */
+typedef struct graze_pair_contact {
+    graze_kind kind;         /**< as for points; 0 if only the first contact was asked for */
+    graze_state left, right; /**< I, O, or absent at an end of the motion or if not asked for */
+    const graze_time *from;  /**< borrowed from the pair; NULL: there is no contact */
+    const graze_time *to;    /**< the handle `from` for an instant; NULL if not asked for */
+    const graze_cell_pair *cells; /**< all pairs of cells that meet at `from`; borrowed */
+    size_t cell_count;
+} graze_pair_contact;
+
+/**
+ * Decide how a moving solid meets a fixed one. The solids may be one handle; all have one dimension
+ * and are polyhedra or polygons. Solids and motions are borrowed: they outlive the pair.
+ * @param motion_of_fixed NULL: `fixed` stands still; else it is carried by this motion, and the
+ * time span is that of both
+ * @param options NULL: the defaults
+ * @return GRAZE_EUSE a NULL; GRAZE_EINPUT a curved solid; GRAZE_EILLEGAL dimensions differ, or the
+ * motions have no time span in common; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_pair_create(graze_pair **out, graze_context *context,
+                                                       const graze_solid *moving,
+                                                       const graze_motion *motion,
+                                                       const graze_solid *fixed,
+                                                       const graze_motion *motion_of_fixed,
+                                                       const graze_pair_options *options);
+/** Free a pair with its times. NULL is allowed. */
+GRAZE_API void graze_pair_destroy(graze_pair *pair);
+/** The verdict; of a pair up to the first contact, of that time. GRAZE_PAIR_NONE for NULL. */
+GRAZE_API graze_pair_verdict graze_pair_get_verdict(const graze_pair *pair);
+/** The word, such as "OBI"; up to the first contact one of "O", "OB", "B", "I". "" for NULL.
+ * Borrowed. */
+GRAZE_API const char *graze_pair_word(const graze_pair *pair);
+/** Number of contacts; 0 for NULL. */
+GRAZE_API size_t graze_pair_contact_count(const graze_pair *pair);
+/** Contact `index`, in order of time; zero past the end. */
+GRAZE_API graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index);
+/** The first time at which the interiors meet or are about to: t0, or the end of the contact before
+ * it; NULL if they never do, or if only the first contact was asked for. Borrowed. */
+GRAZE_API const graze_time *graze_pair_overlap_time(const graze_pair *pair);
+/** "clear", "touch", "overlap", else "none". Static. */
+GRAZE_API const char *graze_pair_verdict_name(graze_pair_verdict verdict);
+/** Kinds of two cells, the moving one first: "vertex-facet", "edge-edge", ...; "" for cells that
+ * are none. Static. */
+GRAZE_API const char *graze_cell_pair_name(const graze_cell_pair *cells);
+/** The pair as one object of JSON (formats.md, Collisions). @param[out] out text for graze_free
+ * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
+GRAZE_API GRAZE_CHECKED graze_status graze_pair_json(char **out, graze_context *context,
+                                                     const graze_pair *pair);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

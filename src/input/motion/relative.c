@@ -1,0 +1,100 @@
+/* Drafts of both motions over their common times. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "input/motion/relative.h"
+
+#include "input/motion/draft.h"
+
+/* The later start and the earlier end. */
+static void common_interval(fmpq_t lo, fmpq_t hi, const graze_motion *a, const graze_motion *b) {
+    const fmpq *a_hi = a->piece[a->piece_count - 1].hi, *b_hi = b->piece[b->piece_count - 1].hi;
+    fmpq_set(lo, fmpq_cmp(a->piece[0].lo, b->piece[0].lo) > 0 ? a->piece[0].lo : b->piece[0].lo);
+    fmpq_set(hi, fmpq_cmp(a_hi, b_hi) < 0 ? a_hi : b_hi);
+}
+
+/* u of a piece at a time t. */
+static void local_time(fmpq_t u, const motion_piece *piece, const fmpq_t t) {
+    fmpq_t width;
+    fmpq_init(width);
+    fmpq_sub(u, t, piece->lo);
+    fmpq_sub(width, piece->hi, piece->lo);
+    fmpq_div(u, u, width);
+    fmpq_clear(width);
+}
+
+/* The forward map of a piece as an affine map of quotients, between two of its times. */
+static graze_status add_part(draft *out, graze_context *context, const motion_piece *piece,
+                             const fmpq_t lo, const fmpq_t hi) {
+    draft_piece *made;
+    calculation c = {context, GRAZE_OK};
+    graze_status status = draft_append(&made, context, out);
+    if (status)
+        return status;
+    affine whole;
+    fmpq_t from, to;
+    fmpq_init(from);
+    fmpq_init(to);
+    affine_init(&whole, out->dimension);
+    for (int k = 0; k < out->dimension * (out->dimension + 1); k++) {
+        fmpz_poly_set(fmpz_poly_q_numref(whole.entry[k]), &piece->forward.entry[k]);
+        fmpz_poly_set(fmpz_poly_q_denref(whole.entry[k]), piece->forward.weight);
+        quotient_reduce(whole.entry[k]);
+    }
+    local_time(from, piece, lo);
+    local_time(to, piece, hi);
+    affine_substitute(&c, &made->map, &whole, from, to);
+    fmpq_set(made->lo, lo);
+    fmpq_set(made->hi, hi);
+    made->row = piece->row;
+    affine_clear(&whole);
+    fmpq_clear(from);
+    fmpq_clear(to);
+    return c.status;
+}
+
+/* The parts of a motion between two of its times. */
+static graze_status cut_out(draft *out, graze_context *context, const graze_motion *motion,
+                            const fmpq_t lo, const fmpq_t hi) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < motion->piece_count && !status; k++) {
+        const motion_piece *piece = &motion->piece[k];
+        const fmpq *from = fmpq_cmp(piece->lo, lo) > 0 ? piece->lo : lo;
+        const fmpq *to = fmpq_cmp(piece->hi, hi) < 0 ? piece->hi : hi;
+        if (fmpq_cmp(from, to) < 0)
+            status = add_part(out, context, piece, from, to);
+    }
+    return status;
+}
+
+graze_status motion_relative(graze_motion **out, graze_context *context, const graze_motion *moving,
+                             const graze_motion *frame) {
+    graze_status status = GRAZE_OK;
+    draft a, b, relative;
+    fmpq_t lo, hi;
+    *out = NULL;
+    if (moving->dimension != frame->dimension)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "the motions have dimensions %d and %d; expected one dimension",
+                            moving->dimension, frame->dimension);
+    fmpq_init(lo);
+    fmpq_init(hi);
+    draft_init(&a, moving->dimension);
+    draft_init(&b, moving->dimension);
+    draft_init(&relative, moving->dimension);
+    common_interval(lo, hi, moving, frame);
+    if (fmpq_cmp(lo, hi) >= 0)
+        status =
+            context_fail(context, GRAZE_EILLEGAL, "the motions have no interval of time in common");
+    if (!status)
+        status = cut_out(&a, context, moving, lo, hi);
+    if (!status)
+        status = cut_out(&b, context, frame, lo, hi);
+    if (!status)
+        status = draft_relative(&relative, context, &a, &b);
+    if (!status)
+        status = draft_finish(out, context, &relative);
+    draft_clear(&a);
+    draft_clear(&b);
+    draft_clear(&relative);
+    fmpq_clear(lo);
+    fmpq_clear(hi);
+    return status;
+}

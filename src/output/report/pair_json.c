@@ -1,0 +1,89 @@
+/* Verdict, word, contacts and cells. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/report/pair_json.h"
+
+#include <stdlib.h>
+#include "decide/verdict/verdict.h"
+#include "output/report/decimal_time.h"
+#include "output/report/json_values.h"
+
+enum { NEAR_DIGITS = 17 };
+
+const char *pair_verdict_name(graze_pair_verdict verdict) {
+    return verdict == GRAZE_PAIR_CLEAR     ? "clear"
+           : verdict == GRAZE_PAIR_TOUCH   ? "touch"
+           : verdict == GRAZE_PAIR_OVERLAP ? "overlap"
+                                           : "none";
+}
+
+const char *cell_pair_name(const graze_cell_pair *cells) {
+    static const char *const names[4][4] = {{"", "", "", ""},
+                                            {"", "facet-facet", "facet-edge", "facet-vertex"},
+                                            {"", "edge-facet", "edge-edge", "edge-vertex"},
+                                            {"", "vertex-facet", "vertex-edge", "vertex-vertex"}};
+    unsigned a = cells->moving.kind, b = cells->fixed.kind;
+    return a < 4 && b < 4 ? names[a][b] : "";
+}
+
+static void put_near(json_writer *w, const graze_time *time) {
+    char *decimal = decimal_of_time(NULL, time, NEAR_DIGITS);
+    if (decimal)
+        json_number(w, "near", decimal);
+    else
+        w->out->failed = 1;
+    free(decimal);
+}
+
+static void put_cells(json_writer *w, const cell_pairs *cells) {
+    json_open(w, "cells", '[');
+    for (size_t k = 0; cells && k < cells->count; k++) {
+        json_open(w, NULL, '{');
+        json_cell(w, "moving", &cells->item[k].moving);
+        json_cell(w, "fixed", &cells->item[k].fixed);
+        json_text(w, "type", cell_pair_name(&cells->item[k]));
+        json_close(w, '}');
+    }
+    json_close(w, ']');
+}
+
+static void put_contact(json_writer *w, const char *key, const graze_pair *pair,
+                        const pair_contact *c) {
+    json_open(w, key, '{');
+    json_time(w, "from", c->from);
+    json_time(w, "to", pair->options.first ? NULL : c->to);
+    put_near(w, c->from);
+    json_text(w, "kind",
+              pair->options.first                                     ? NULL
+              : verdict_kind(c->left, c->right) == GRAZE_INTERSECTION ? "intersection"
+                                                                      : "tangency");
+    put_cells(w, &c->cells);
+    json_close(w, '}');
+}
+
+/* The first contact; where the motion begins in I, its start without cells. */
+static void put_first(json_writer *w, const graze_pair *pair) {
+    if (pair->start) {
+        json_open(w, "first", '{');
+        json_time(w, "from", pair->start);
+        put_near(w, pair->start);
+        put_cells(w, NULL);
+        json_close(w, '}');
+    } else if (pair->walk.contact_count) {
+        put_contact(w, "first", pair, &pair->walk.contact[0]);
+    } else {
+        json_text(w, "first", NULL);
+    }
+}
+
+void pair_json(text *out, const graze_pair *pair) {
+    json_writer w = {.out = out};
+    json_open(&w, NULL, '{');
+    json_text(&w, "verdict", pair_verdict_name(collide_verdict(pair)));
+    json_text(&w, "word", pair->walk.word);
+    put_first(&w, pair);
+    json_open(&w, "contacts", '[');
+    for (size_t k = 0; k < pair->walk.contact_count; k++)
+        put_contact(&w, NULL, pair, &pair->walk.contact[k]);
+    json_close(&w, ']');
+    json_close(&w, '}');
+    text_put(out, "\n");
+}

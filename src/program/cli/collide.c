@@ -1,0 +1,235 @@
+/* graze collide: a moving solid against a fixed one.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <string.h>
+#include "base/number/text.h"
+#include "program/cli/commands.h"
+#include "program/cli/values.h"
+#include "program/run/load.h"
+#include "program/run/output.h"
+
+static const char collide_help[] =
+    "graze collide MOVING MOTION FIXED: does a moving solid meet a fixed one, when, with what\n"
+    "\n"
+    "Prints `clear`, `touch` or `overlap`, and the pair word: a letter for each state in order of\n"
+    "time, O apart, B only the boundaries meet, I the interiors meet. Then each contact, a time "
+    "or\n"
+    "an interval of B, exactly, with all pairs of cells that meet when it begins.\n"
+    "Exit status: 0 clear, 1 touch or overlap.\n"
+    "\n"
+    "  --first              the first contact alone, which is much cheaper\n"
+    "  --ask any|overlap    what exit status 1 tells: touch or overlap (default), overlap alone\n"
+    "  --inside             does MOVING stay inside FIXED? `inside`, `inside, touching`, or when "
+    "it\n"
+    "                       leaves; the word is that with the closed complement of FIXED\n"
+    "  --motion-of-fixed MOTION   FIXED moves too; times are those that both motions have\n"
+    "  --format text|json   json: one object, with all pairs of cells and exact times\n"
+    "  --triangulate, --round, --limit NAME=V   as in graze classify\n"
+    "\n"
+    "Example: graze collide bar.off turn.json post.off --first\n";
+
+typedef struct collide_given {
+    context_options context;
+    unsigned solid_flags;
+    graze_pair_options pair;
+    int overlap_alone, json;
+    const char *motion_of_fixed;
+} collide_given;
+
+/* All that a pair is made of. */
+typedef struct collide_scene {
+    graze_context *context;
+    graze_solid *moving, *fixed;
+    graze_motion *motion, *motion_of_fixed;
+    graze_pair *pair;
+} collide_scene;
+
+static int value_ask(void *to, const char *name, const char *value) {
+    int overlap = strcmp(value, "overlap") == 0;
+    *(int *)to = overlap;
+    return overlap || strcmp(value, "any") == 0
+               ? EXIT_DONE
+               : complain(EXIT_USAGE, "--%s %s: expected any or overlap", name, value);
+}
+
+static int value_json(void *to, const char *name, const char *value) {
+    int json = strcmp(value, "json") == 0;
+    *(int *)to = json;
+    return json || strcmp(value, "text") == 0
+               ? EXIT_DONE
+               : complain(EXIT_USAGE, "--%s %s: expected text or json", name, value);
+}
+
+static const option_entry collide_table[] = {
+    FLAG("first", collide_given, pair.first, value_flag),
+    OPTION("ask", collide_given, overlap_alone, value_ask),
+    FLAG("inside", collide_given, pair.question, value_flag),
+    FILE_READ("motion-of-fixed", collide_given, motion_of_fixed),
+    OPTION("format", collide_given, json, value_json),
+    FLAG("triangulate", collide_given, solid_flags, value_triangulate),
+    OPTION("round", collide_given, context.rounding, value_rounding),
+    OPTION("limit", collide_given, context.limits, value_limit),
+    {NULL, OPTION_FLAG, NULL, 0}};
+
+static int read_solid(graze_solid **out, const collide_scene *s, const char *path, unsigned flags) {
+    int code = complain_of(graze_solid_read(out, s->context, path, flags), s->context);
+    return code ? code : load_straight(*out, path, "collide");
+}
+
+static int read_all(collide_scene *s, const collide_given *o, char **file) {
+    int code = context_make(&s->context, &o->context);
+    if (!code)
+        code = read_solid(&s->moving, s, file[0], o->solid_flags);
+    if (!code)
+        code = complain_of(graze_motion_read(&s->motion, s->context, file[1]), s->context);
+    if (!code)
+        code = read_solid(&s->fixed, s, file[2], o->solid_flags);
+    if (!code && o->motion_of_fixed)
+        code = complain_of(graze_motion_read(&s->motion_of_fixed, s->context, o->motion_of_fixed),
+                           s->context);
+    return code;
+}
+
+static void scene_free(collide_scene *s) {
+    graze_pair_destroy(s->pair);
+    graze_motion_destroy(s->motion_of_fixed);
+    graze_motion_destroy(s->motion);
+    graze_solid_destroy(s->fixed);
+    graze_solid_destroy(s->moving);
+    graze_context_destroy(s->context);
+    graze_thread_finish();
+}
+
+/* A rational as it is, an irrational time as a decimal. */
+static graze_status put_time(text *t, const collide_scene *s, const graze_time *time) {
+    char *decimal = NULL;
+    mpq_t exact;
+    mpq_init(exact);
+    graze_status status = GRAZE_OK;
+    if (graze_time_rational(exact, time)) {
+        fmpq_t value;
+        fmpq_init(value);
+        fmpq_set_mpq(value, exact);
+        text_rational(t, value);
+        fmpq_clear(value);
+    } else {
+        status = graze_time_decimal(&decimal, s->context, time, 17);
+        text_format(t, "%s...", decimal ? decimal : "");
+    }
+    graze_free(decimal);
+    mpq_clear(exact);
+    return status;
+}
+
+static void put_cell(text *t, const graze_cell *cell) {
+    if (cell->kind == GRAZE_CELL_EDGE)
+        text_format(t, "edge %zu-%zu", cell->a, cell->b);
+    else
+        text_format(t, "%s %zu", cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
+}
+
+enum { CELLS_SHOWN = 8 };
+
+static void put_cells(text *t, const graze_pair_contact *c) {
+    for (size_t k = 0; k < c->cell_count && k < CELLS_SHOWN; k++) {
+        text_put(t, k ? ", " : ": ");
+        put_cell(t, &c->cells[k].moving);
+        text_put(t, " of MOVING with ");
+        put_cell(t, &c->cells[k].fixed);
+    }
+    if (c->cell_count > CELLS_SHOWN)
+        text_format(t, ", and %zu more", c->cell_count - CELLS_SHOWN);
+    text_put(t, "\n");
+}
+
+static graze_status put_contact(text *t, const collide_scene *s, const graze_pair_contact *c) {
+    text_put(t, c->to ? "contact " : "first contact ");
+    graze_status status = put_time(t, s, c->from);
+    if (!status && c->to && c->to != c->from) {
+        text_put(t, " to ");
+        status = put_time(t, s, c->to);
+    }
+    if (c->kind)
+        text_put(t, c->kind == GRAZE_INTERSECTION ? ", intersection" : ", tangency");
+    put_cells(t, c);
+    return status;
+}
+
+/* The answer in words; whether a solid stays inside is one of its own. */
+static graze_status put_verdict(text *t, const collide_scene *s, int inside) {
+    graze_pair_verdict verdict = graze_pair_get_verdict(s->pair);
+    graze_status status = GRAZE_OK;
+    if (!inside) {
+        text_put(t, graze_pair_verdict_name(verdict));
+    } else if (verdict != GRAZE_PAIR_OVERLAP) {
+        text_put(t, verdict == GRAZE_PAIR_CLEAR ? "inside" : "inside, touching");
+    } else {
+        text_put(t, "leaves at ");
+        status = put_time(t, s, graze_pair_overlap_time(s->pair));
+    }
+    text_put(t, "\n");
+    return status;
+}
+
+static int print_text(const collide_scene *s, const collide_given *o) {
+    text t;
+    text_init(&t);
+    graze_status status = put_verdict(&t, s, o->pair.question == GRAZE_PAIR_INSIDE);
+    text_format(&t, "word %s\n", graze_pair_word(s->pair));
+    for (size_t k = 0; k < graze_pair_contact_count(s->pair) && !status; k++) {
+        graze_pair_contact c = graze_pair_get_contact(s->pair, k);
+        status = put_contact(&t, s, &c);
+    }
+    int code = complain_of(status, s->context);
+    if (!code)
+        code = t.failed ? complain(EXIT_IO, "out of memory") : output_text(NULL, t.data);
+    text_clear(&t);
+    return code;
+}
+
+static int print_json(const collide_scene *s) {
+    char *json = NULL;
+    int code = complain_of(graze_pair_json(&json, s->context, s->pair), s->context);
+    if (!code)
+        code = output_text(NULL, json);
+    graze_free(json);
+    return code;
+}
+
+static int answer(collide_scene *s, const collide_given *o) {
+    graze_pair_options options = o->pair;
+    options.size = sizeof options;
+    int code = complain_of(graze_pair_create(&s->pair, s->context, s->moving, s->motion, s->fixed,
+                                             s->motion_of_fixed, &options),
+                           s->context);
+    if (!code)
+        code = o->json ? print_json(s) : print_text(s, o);
+    if (code)
+        return code;
+    graze_pair_verdict least = o->overlap_alone ? GRAZE_PAIR_OVERLAP : GRAZE_PAIR_TOUCH;
+    return graze_pair_get_verdict(s->pair) >= least ? EXIT_NO : EXIT_DONE;
+}
+
+static int run_collide(void *options, const operands *given) {
+    const collide_given *o = options;
+    collide_scene s = {0};
+    if (given->count != 3)
+        return complain(EXIT_USAGE,
+                        "collide takes MOVING, MOTION and FIXED, %d operands given; see graze "
+                        "collide --help",
+                        given->count);
+    if (o->pair.first && o->overlap_alone)
+        return complain(EXIT_USAGE, "--first ends before an overlap is known; expected --first or "
+                                    "--ask overlap");
+    int code = read_all(&s, o, given->item);
+    if (!code)
+        code = answer(&s, o);
+    scene_free(&s);
+    return code;
+}
+
+const command command_collide = {.name = "collide",
+                                 .options = collide_table,
+                                 .size = sizeof(collide_given),
+                                 .reads = 3,
+                                 .help = collide_help,
+                                 .run = run_collide};

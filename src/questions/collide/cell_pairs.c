@@ -1,0 +1,69 @@
+/* A mean of some corners of a common part lies on the sides that hold all of them, and every pair
+ * of cells that meets holds such a mean. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/collide/cell_pairs.h"
+
+#include <stdlib.h>
+#include "base/context/array.h"
+
+/** Sides that hold a point: of the moving simplex the low three bits, then the fixed one's. */
+typedef unsigned side_mask;
+enum { SIDE_MASKS = 64, FIXED_SHIFT = 3 };
+
+/* Mark the means of all sets of corners: the masks, closed under intersection. */
+static void close_masks(unsigned char held[SIDE_MASKS], const common_points *points) {
+    for (int k = 0; k < points->count; k++) {
+        side_mask corner = points->item[k].zero[0] | points->item[k].zero[1] << FIXED_SHIFT;
+        for (side_mask m = 0; m < SIDE_MASKS; m++)
+            if (held[m])
+                held[m & corner] = 1;
+        held[corner] = 1;
+    }
+}
+
+static void add(cell_pairs *out, placing *p, graze_cell moving, graze_cell fixed) {
+    if (!p->status)
+        p->status = array_grow(p->context, &out->item, &out->capacity, out->count + 1,
+                               sizeof *out->item, "pairs of cells");
+    if (!p->status)
+        out->item[out->count++] = (graze_cell_pair){moving, fixed};
+}
+
+/* All names that the input has for the two cells. */
+static void add_names(cell_pairs *out, placing *p, near_pair simplices, side_mask mask) {
+    const graze_solid *a = p->pair->moving, *b = p->pair->fixed;
+    graze_cell moving = solid_cell(a, simplices.moving, mask & 7);
+    graze_cell fixed = solid_cell(b, simplices.fixed, mask >> FIXED_SHIFT);
+    size_t m, n;
+    const graze_cell *first = cell_names_of(&m, &a->cut.names, &moving);
+    const graze_cell *second = cell_names_of(&n, &b->cut.names, &fixed);
+    for (size_t i = 0; i < m; i++)
+        for (size_t j = 0; j < n; j++)
+            add(out, p, first[i], second[j]);
+}
+
+static int compare(const void *left, const void *right) {
+    const graze_cell_pair *a = left, *b = right;
+    int order = cell_compare(&a->moving, &b->moving);
+    return order ? order : cell_compare(&a->fixed, &b->fixed);
+}
+
+void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near) {
+    for (size_t k = 0; k < near->count && !p->status; k++) {
+        unsigned char held[SIDE_MASKS] = {0};
+        common_points found;
+        common_points_find(&found, p, near->item[k]);
+        if (!p->status)
+            close_masks(held, &found);
+        for (side_mask m = 0; m < SIDE_MASKS; m++)
+            if (held[m])
+                add_names(out, p, near->item[k], m);
+    }
+    size_t kept = 0;
+    if (out->count)
+        qsort(out->item, out->count, sizeof *out->item, compare);
+    for (size_t k = 0; k < out->count; k++)
+        if (kept == 0 || compare(&out->item[kept - 1], &out->item[k]) != 0)
+            out->item[kept++] = out->item[k];
+    out->count = kept;
+}

@@ -1,0 +1,53 @@
+/* The word, its contacts and what follows. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/collide/collide.h"
+
+#include <string.h>
+#include "questions/collide/pair_search.h"
+
+/* t0, where the motion begins in state I. */
+static graze_status mark_start(graze_pair *pair, graze_context *context) {
+    algebraic zero;
+    if (pair->walk.word[0] != GRAZE_STATE_I)
+        return GRAZE_OK;
+    algebraic_init(&zero);
+    pair->start = time_create(pair->pair.motion, 0, &zero);
+    algebraic_clear(&zero);
+    if (!pair->start)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time");
+    return time_canonicalise(pair->start, context);
+}
+
+graze_status collide_answer(graze_pair *pair, graze_context *context) {
+    pair_walk *walk = &pair->walk;
+    *walk = (pair_walk){.pair = &pair->pair, .context = context, .first = pair->options.first};
+    pair->pair.complement = pair->options.question == GRAZE_PAIR_INSIDE;
+    graze_status status = pair_walk_begin(walk);
+    if (!status && !walk->done)
+        status = pair_search(walk);
+    if (!status)
+        status = pair_walk_end(walk);
+    if (!status)
+        status = mark_start(pair, context);
+    return status ? status : times_canonicalise(walk->time, walk->time_count, context);
+}
+
+void collide_clear(graze_pair *pair) {
+    pair_walk_clear(&pair->walk);
+    time_destroy(pair->start);
+    if (pair->own)
+        motion_destroy(pair->own);
+}
+
+graze_pair_verdict collide_verdict(const graze_pair *pair) {
+    const char *word = pair->walk.word;
+    return strchr(word, GRAZE_STATE_I)   ? GRAZE_PAIR_OVERLAP
+           : strchr(word, GRAZE_STATE_B) ? GRAZE_PAIR_TOUCH
+                                         : GRAZE_PAIR_CLEAR;
+}
+
+const graze_time *collide_overlap_time(const graze_pair *pair) {
+    for (size_t k = 0; k < pair->walk.contact_count && !pair->start; k++)
+        if (pair->walk.contact[k].right == GRAZE_STATE_I)
+            return pair->walk.contact[k].to;
+    return pair->start;
+}

@@ -1,0 +1,129 @@
+/* Corners of common parts by the signs of planes, sides and pairs of edges.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/collide/common_points.h"
+
+typedef struct finder {
+    common_points *out;
+    placing *p;
+    near_pair simplices;
+    int plane[2][3]; /* of each one's corners, at the plane of the other */
+} finder;
+
+static uint32_t simplex_of(near_pair simplices, pair_side side) {
+    return side == SIDE_MOVING ? simplices.moving : simplices.fixed;
+}
+
+static uint32_t corner_of(const finder *f, pair_side side, int k) {
+    return placing_solid(f->p, side)->cut.item[simplex_of(f->simplices, side)].vertex[k];
+}
+
+void simplex_side(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k) {
+    const uint32_t *vertex = solid->cut.item[simplex].vertex;
+    out[0] = vertex[k];
+    out[1] = solid->input.dimension == 3 ? vertex[(k + 1) % 3] : vertex[k];
+}
+
+/* The sides of a simplex that hold its corner k. */
+static unsigned sides_at_corner(int d, int k) {
+    return d == 3 ? 1u << k | 1u << (k + 2) % 3 : 1u << k;
+}
+
+static void add(finder *f, common_corner corner) {
+    f->out->item[f->out->count++] = corner;
+}
+
+/* The corners' signs at the other one's plane; 0 if all are on one side of it. */
+static int look_at_plane(finder *f, pair_side side) {
+    int d = f->p->pair->motion->dimension, above = 0, below = 0;
+    pair_side other = (pair_side)!side;
+    for (int k = 0; k < d; k++) {
+        f->plane[side][k] =
+            placing_plane_sign(f->p, other, simplex_of(f->simplices, other), corner_of(f, side, k));
+        above += f->plane[side][k] > 0;
+        below += f->plane[side][k] < 0;
+    }
+    return above < d && below < d && !f->p->status;
+}
+
+/* Corners of one that are in the other. */
+static void add_vertices(finder *f, pair_side side) {
+    int d = f->p->pair->motion->dimension;
+    pair_side other = (pair_side)!side;
+    for (int k = 0; k < d && !f->p->status; k++) {
+        common_corner c = {.kind = side == SIDE_MOVING ? CORNER_MOVING : CORNER_FIXED};
+        if (f->plane[side][k] == 0 &&
+            placing_inside(&c.zero[other], f->p, other, simplex_of(f->simplices, other),
+                           corner_of(f, side, k))) {
+            c.zero[side] = sides_at_corner(d, k);
+            c.at[side] = k;
+            c.at[other] = -1;
+            add(f, c);
+        }
+    }
+}
+
+/* Does side k of one pass the line of side l of the other strictly between its ends, if the two
+ * lines meet? It does where its ends are on different sides of the other's plane, or, in that
+ * plane, of that line. */
+static int passes(placing *p, near_pair simplices, pair_side side, int k, int l,
+                  const int plane[3]) {
+    pair_side other = (pair_side)!side;
+    uint32_t end[2];
+    int first = plane[k], second = plane[(k + 1) % 3];
+    if (first == 0 && second == 0) {
+        simplex_side(end, placing_solid(p, side), simplex_of(simplices, side), k);
+        first = placing_side_sign(p, other, simplex_of(simplices, other), l, end[0]);
+        second = placing_side_sign(p, other, simplex_of(simplices, other), l, end[1]);
+    }
+    return first * second < 0;
+}
+
+int edges_cross(placing *p, near_pair simplices, int k, int l, int plane[2][3]) {
+    return passes(p, simplices, SIDE_MOVING, k, l, plane[SIDE_MOVING]) &&
+           passes(p, simplices, SIDE_FIXED, l, k, plane[SIDE_FIXED]);
+}
+
+static int edges_sign(finder *f, int k, int l) {
+    uint32_t moving[2], fixed[2];
+    simplex_side(moving, f->p->pair->moving, f->simplices.moving, k);
+    simplex_side(fixed, f->p->pair->fixed, f->simplices.fixed, l);
+    return placing_edges_sign(f->p, moving, fixed);
+}
+
+/* Does an edge pass strictly through the triangle of the other side? `sign` are those of the
+ * determinants with its three sides. */
+static int passes_through(const int plane[3], int k, const int sign[3]) {
+    return plane[k] * plane[(k + 1) % 3] < 0 && sign[0] && sign[0] == sign[1] && sign[1] == sign[2];
+}
+
+static void add_edges(finder *f) {
+    int sign[3][3], turned[3][3];
+    for (int k = 0; k < 3 && !f->p->status; k++)
+        for (int l = 0; l < 3 && !f->p->status; l++) {
+            int may = f->plane[SIDE_MOVING][k] * f->plane[SIDE_MOVING][(k + 1) % 3] <= 0 ||
+                      f->plane[SIDE_FIXED][l] * f->plane[SIDE_FIXED][(l + 1) % 3] <= 0;
+            sign[k][l] = may ? edges_sign(f, k, l) : 0;
+            turned[l][k] = sign[k][l];
+            if (may && !sign[k][l] && edges_cross(f->p, f->simplices, k, l, f->plane)) {
+                common_corner c = {CORNER_EDGES, {1u << k, 1u << l}, {k, l}};
+                add(f, c);
+            }
+        }
+    for (int k = 0; k < 3 && !f->p->status; k++)
+        f->out->crossing |= passes_through(f->plane[SIDE_MOVING], k, sign[k]) ||
+                            passes_through(f->plane[SIDE_FIXED], k, turned[k]);
+}
+
+void common_points_find(common_points *out, placing *p, near_pair simplices) {
+    finder f = {.out = out, .p = p, .simplices = simplices};
+    *out = (common_points){.count = 0};
+    if (!look_at_plane(&f, SIDE_MOVING) || !look_at_plane(&f, SIDE_FIXED))
+        return;
+    add_vertices(&f, SIDE_MOVING);
+    add_vertices(&f, SIDE_FIXED);
+    if (p->pair->motion->dimension == 3)
+        add_edges(&f);
+    else
+        out->crossing = f.plane[0][0] * f.plane[0][1] < 0 && f.plane[1][0] * f.plane[1][1] < 0;
+}

@@ -1,0 +1,93 @@
+/* Contacts of a vertex's trajectory with the other boundary, before and after a time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/collide/deep_vertex.h"
+
+#include <stdlib.h>
+#include "base/number/order.h"
+#include "decide/trace/touch.h"
+
+/* Vertices that are tried, of each solid, and of these so many trajectories. */
+enum { MOST_TRIED = 16, MOST_TRACED = 4 };
+
+/* The contacts next to a time narrow [low, high]. */
+static graze_status narrow(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
+                           algebraic *time) {
+    graze_status status = GRAZE_OK;
+    fmpq_t from, to;
+    fmpq_init(from);
+    fmpq_init(to);
+    for (size_t k = 0; k < t->time.count && !status; k++) {
+        int order = 0;
+        status = algebraic_compare(&order, context, &t->time.item[k], time);
+        algebraic_bounds(from, to, &t->time.item[k]);
+        if (order < 0 && fmpq_cmp(to, low) > 0)
+            fmpq_set(low, to);
+        if (order > 0 && fmpq_cmp(from, high) < 0)
+            fmpq_set(high, from);
+    }
+    fmpq_clear(from);
+    fmpq_clear(to);
+    return status;
+}
+
+/* The vertex is in the other one's interior at `time`: until when, and since when? */
+static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side side,
+                                 uint32_t vertex, algebraic *time) {
+    const graze_solid *other = placing_solid(whole, (pair_side)!side);
+    const trajectory *c = placing_vertex(whole, side, vertex);
+    candidates list = {0};
+    touches found;
+    fmpq_t low, high, width;
+    touches_init(&found);
+    fmpq_init(low);
+    fmpq_init(high);
+    fmpq_init(width);
+    fmpq_set_si(high, 1, 1);
+    graze_status status = c ? candidates_find(&list, whole->context, other, c) : whole->status;
+    if (!status)
+        status = touches_find(&found, whole->context, other, c, NULL, &list);
+    if (!status)
+        status = narrow(low, high, whole->context, &found, time);
+    fmpq_sub(width, out->high, out->low);
+    fmpq_add(width, width, low);
+    if (!status && fmpq_cmp(high, width) > 0) {
+        fmpq_set(out->low, low);
+        fmpq_set(out->high, high);
+    }
+    fmpq_clear(low);
+    fmpq_clear(high);
+    fmpq_clear(width);
+    touches_clear(&found);
+    free(list.item);
+    return status;
+}
+
+graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
+                              const near_list *near, const dyadic_interval *interval) {
+    placing at;
+    algebraic middle;
+    graze_status status = GRAZE_OK;
+    int traced = 0;
+    algebraic_init(&middle);
+    fmpz_add(fmpq_numref(middle.value), interval->low, interval->high);
+    fmpq_div_2exp(middle.value, middle.value, interval->exponent + 1);
+    fmpq_zero(out->low);
+    fmpq_zero(out->high);
+    placing_init_at(&at, whole->context, whole->pair, piece, middle.value);
+    for (size_t k = 0; k < 2 * MOST_TRIED && traced < MOST_TRACED && !status; k++) {
+        near_pair s = near->item[(k / 2) * near->count / MOST_TRIED];
+        pair_side side = k % 2 ? SIDE_FIXED : SIDE_MOVING;
+        uint32_t vertex =
+            placing_solid(whole, side)->cut.item[k % 2 ? s.fixed : s.moving].vertex[0];
+        int inside = placing_in_interior(&at, side, vertex);
+        status = at.status;
+        if (!status && inside) {
+            status = trace_vertex(out, whole, side, vertex, &middle);
+            traced++;
+        }
+    }
+    placing_clear(&at);
+    algebraic_clear(&middle);
+    return status;
+}

@@ -1,0 +1,220 @@
+/* Roots of planes at vertices, and of determinants of edges.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Neighbouring simplices share vertices and edges, so these are brought together first.
+ */
+#include "questions/collide/incidences.h"
+
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "base/number/rootless.h"
+
+/** A vertex against a simplex of `side`, or two edges; with the pair that it was found in. */
+typedef struct meeting_cells {
+    uint32_t key[4];
+    near_pair simplices;
+    int k, l; /* the corner, or the sides */
+} meeting_cells;
+
+typedef struct cell_list {
+    size_t count, capacity;
+    meeting_cells *item;
+} cell_list;
+
+typedef struct finder {
+    algebraic_list found; /* in no order */
+    placing *p;
+    const near_list *near;
+    const motion_stretch *at;
+    const dyadic_interval *interval;
+} finder;
+
+static int compare_cells(const void *left, const void *right) {
+    const meeting_cells *a = left, *b = right;
+    for (int i = 0; i < 4; i++)
+        if (a->key[i] != b->key[i])
+            return a->key[i] < b->key[i] ? -1 : 1;
+    return 0;
+}
+
+static void add(cell_list *list, finder *f, meeting_cells item) {
+    if (!f->p->status)
+        f->p->status = array_grow(f->p->context, &list->item, &list->capacity, list->count + 1,
+                                  sizeof *list->item, "cells that may meet");
+    if (!f->p->status)
+        list->item[list->count++] = item;
+}
+
+static void leave_each_once(cell_list *list) {
+    size_t kept = 0;
+    if (list->count)
+        qsort(list->item, list->count, sizeof *list->item, compare_cells);
+    for (size_t k = 0; k < list->count; k++)
+        if (kept == 0 || compare_cells(&list->item[kept - 1], &list->item[k]) != 0)
+            list->item[kept++] = list->item[k];
+    list->count = kept;
+}
+
+static uint32_t simplex_on(near_pair simplices, pair_side side) {
+    return side == SIDE_MOVING ? simplices.moving : simplices.fixed;
+}
+
+/* The vertices of each pair's simplex that is not of `side`, with the one that is. */
+static void gather_vertices(cell_list *out, finder *f, pair_side side) {
+    const graze_solid *of = placing_solid(f->p, (pair_side)!side);
+    for (size_t i = 0; i < f->near->count; i++)
+        for (int k = 0; k < of->input.dimension; k++) {
+            near_pair s = f->near->item[i];
+            uint32_t vertex = of->cut.item[simplex_on(s, (pair_side)!side)].vertex[k];
+            add(out, f, (meeting_cells){{vertex, simplex_on(s, side), 0, 0}, s, k, 0});
+        }
+    leave_each_once(out);
+}
+
+static void order_ends(uint32_t *key, const uint32_t end[2]) {
+    key[0] = end[0] < end[1] ? end[0] : end[1];
+    key[1] = end[0] < end[1] ? end[1] : end[0];
+}
+
+static void gather_edges(cell_list *out, finder *f) {
+    for (size_t i = 0; i < f->near->count; i++)
+        for (int k = 0; k < 3; k++)
+            for (int l = 0; l < 3; l++) {
+                meeting_cells m = {{0, 0, 0, 0}, f->near->item[i], k, l};
+                uint32_t end[2];
+                simplex_side(end, f->p->pair->moving, m.simplices.moving, k);
+                order_ends(m.key, end);
+                simplex_side(end, f->p->pair->fixed, m.simplices.fixed, l);
+                order_ends(m.key + 2, end);
+                add(out, f, m);
+            }
+    leave_each_once(out);
+}
+
+/* Append the roots of q, not zero, in the interval. */
+static void find_roots(algebraic_list *roots, finder *f, const fmpz_poly_t q) {
+    if (!f->p->status && !certainly_rootless(q, f->interval))
+        f->p->status = algebraic_roots(roots, f->p->context, q, f->interval);
+}
+
+static void note(finder *f, const algebraic *time) {
+    algebraic_set(algebraic_list_append(&f->found), time);
+}
+
+/* Certainly off the plane all the time? */
+static int is_off(const finder *f, pair_side side, const meeting_cells *m) {
+    pair_side other = (pair_side)!side;
+    const corners *a = &placing_solid(f->p, side)->corners;
+    const corners *b = &placing_solid(f->p, other)->corners;
+    const control_maps *maps = side == SIDE_FIXED ? &f->at->forward : &f->at->inverse;
+    size_t d = (size_t)f->p->pair->motion->dimension, moved = simplex_on(m->simplices, other);
+    return a->at && b->at && maps->count &&
+           vertex_off_plane(a, m->key[1], maps, b->at + (moved * d + (size_t)m->k) * d, b->error,
+                            b->reach);
+}
+
+/* Times at which the vertex is in the simplex, or, if it stays in its plane, at which it may change
+ * its cell there. */
+static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
+    int d = f->p->pair->motion->dimension;
+    unsigned zero;
+    fmpz_poly_t q;
+    algebraic_list roots;
+    if (f->at && is_off(f, side, m))
+        return;
+    fmpz_poly_init(q);
+    algebraic_list_init(&roots);
+    placing_plane(q, f->p, side, m->key[1], m->key[0]);
+    if (!fmpz_poly_is_zero(q))
+        find_roots(&roots, f, q);
+    else
+        for (int k = 0; k < d; k++) {
+            placing_side(q, f->p, side, m->key[1], k, m->key[0]);
+            if (!fmpz_poly_is_zero(q))
+                find_roots(&roots, f, q);
+        }
+    for (size_t k = 0; k < roots.count && !f->p->status; k++) {
+        f->p->when = &roots.item[k];
+        if (placing_inside(&zero, f->p, side, m->key[1], m->key[0]))
+            note(f, &roots.item[k]);
+    }
+    algebraic_list_clear(&roots);
+    fmpz_poly_clear(q);
+}
+
+/* The signs of both triangles' corners at the other one's plane. */
+static void look_at_planes(int plane[2][3], placing *p, near_pair s) {
+    for (int k = 0; k < 3; k++) {
+        plane[SIDE_MOVING][k] = placing_plane_sign(p, SIDE_FIXED, s.fixed,
+                                                   p->pair->moving->cut.item[s.moving].vertex[k]);
+        plane[SIDE_FIXED][k] = placing_plane_sign(p, SIDE_MOVING, s.moving,
+                                                  p->pair->fixed->cut.item[s.fixed].vertex[k]);
+    }
+}
+
+static void meet_edges(finder *f, const meeting_cells *m) {
+    uint32_t moving[2], fixed[2];
+    int plane[2][3];
+    fmpz_poly_t q;
+    algebraic_list roots;
+    fmpz_poly_init(q);
+    algebraic_list_init(&roots);
+    simplex_side(moving, f->p->pair->moving, m->simplices.moving, m->k);
+    simplex_side(fixed, f->p->pair->fixed, m->simplices.fixed, m->l);
+    placing_edges(q, f->p, moving, fixed);
+    if (!fmpz_poly_is_zero(q))
+        find_roots(&roots, f, q);
+    for (size_t k = 0; k < roots.count && !f->p->status; k++) {
+        f->p->when = &roots.item[k];
+        look_at_planes(plane, f->p, m->simplices);
+        if (edges_cross(f->p, m->simplices, m->k, m->l, plane))
+            note(f, &roots.item[k]);
+    }
+    algebraic_list_clear(&roots);
+    fmpz_poly_clear(q);
+}
+
+/* Move the times found into `out`, in order, each once. */
+static void order_times(algebraic_list *out, finder *f) {
+    size_t n = f->found.count;
+    algebraic **order = malloc((n ? n : 1) * sizeof(algebraic *));
+    if (!order && !f->p->status)
+        f->p->status = context_fail(f->p->context, GRAZE_ESYSTEM, "out of memory for %zu times", n);
+    for (size_t k = 0; order && k < n; k++)
+        order[k] = &f->found.item[k];
+    if (!f->p->status)
+        f->p->status = algebraic_sort(order, n, f->p->context);
+    for (size_t k = 0, last = 0; k < n && !f->p->status; k++) {
+        int differ = 1;
+        if (k > 0)
+            f->p->status = algebraic_compare(&differ, f->p->context, order[last], order[k]);
+        if (differ)
+            algebraic_set(algebraic_list_append(out), order[last = k]);
+    }
+    free(order);
+}
+
+graze_status incidences_find(algebraic_list *out, placing *p, const near_list *near,
+                             const motion_stretch *at, const dyadic_interval *interval) {
+    finder f = {.p = p, .near = near, .at = at, .interval = interval};
+    cell_list list = {0};
+    algebraic_list_init(&f.found);
+    for (int side = 0; side < 2 && !p->status; side++) {
+        list.count = 0;
+        gather_vertices(&list, &f, (pair_side)side);
+        for (size_t k = 0; k < list.count && !p->status; k++)
+            meet_vertex(&f, (pair_side)side, &list.item[k]);
+    }
+    list.count = 0;
+    if (p->pair->motion->dimension == 3 && !p->status)
+        gather_edges(&list, &f);
+    for (size_t k = 0; k < list.count && !p->status; k++)
+        meet_edges(&f, &list.item[k]);
+    if (!p->status)
+        order_times(out, &f);
+    free(list.item);
+    algebraic_list_clear(&f.found);
+    return p->status;
+}

@@ -1,0 +1,206 @@
+/* Edges that pass through, bodies inside one another, and cones at common points.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/collide/interiors.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "questions/collide/open_cones.h"
+#include "questions/collide/star.h"
+
+/** A common point: the vertex or the two edges, with a pair that has it as a corner. */
+typedef struct meeting_point {
+    corner_kind kind;
+    uint32_t key[4];
+    near_pair simplices;
+    common_corner corner;
+} meeting_point;
+
+typedef struct looker {
+    pair_state *out;
+    placing *p;
+    size_t count, capacity;
+    meeting_point *point;
+} looker;
+
+static int compare_points(const void *left, const void *right) {
+    const meeting_point *a = left, *b = right;
+    if (a->kind != b->kind)
+        return a->kind < b->kind ? -1 : 1;
+    for (int i = 0; i < 4; i++)
+        if (a->key[i] != b->key[i])
+            return a->key[i] < b->key[i] ? -1 : 1;
+    return 0;
+}
+
+static void set_key(meeting_point *m, const placing *p) {
+    if (m->kind == CORNER_EDGES) {
+        for (int side = 0; side < 2; side++) {
+            uint32_t end[2];
+            simplex_side(end, placing_solid(p, (pair_side)side),
+                         side ? m->simplices.fixed : m->simplices.moving, m->corner.at[side]);
+            m->key[2 * side] = end[0] < end[1] ? end[0] : end[1];
+            m->key[2 * side + 1] = end[0] < end[1] ? end[1] : end[0];
+        }
+        return;
+    }
+    int side = m->kind == CORNER_MOVING ? 0 : 1;
+    const simplices *cut = &placing_solid(p, (pair_side)side)->cut;
+    m->key[0] = m->key[1] =
+        cut->item[side ? m->simplices.fixed : m->simplices.moving].vertex[m->corner.at[side]];
+}
+
+static void add_point(looker *l, near_pair simplices, const common_corner *corner) {
+    if (!l->p->status)
+        l->p->status = array_grow(l->p->context, &l->point, &l->capacity, l->count + 1,
+                                  sizeof *l->point, "common points");
+    if (l->p->status)
+        return;
+    meeting_point *m = &l->point[l->count++];
+    *m = (meeting_point){.kind = corner->kind, .simplices = simplices, .corner = *corner};
+    set_key(m, l->p);
+}
+
+/* Common points of all pairs, up to an edge that passes through. */
+static void gather_points(looker *l, const near_list *near) {
+    common_points found;
+    for (size_t k = 0; k < near->count && !l->p->status; k++) {
+        common_points_find(&found, l->p, near->item[k]);
+        if (found.crossing && !l->p->status) {
+            *l->out = (pair_state){GRAZE_STATE_I, 1, near->item[k]};
+            return;
+        }
+        for (int c = 0; c < found.count; c++)
+            add_point(l, near->item[k], &found.item[c]);
+        if (k % 64 == 63 && !l->p->status)
+            l->p->status = context_poll(l->p->context);
+    }
+    if (l->count)
+        qsort(l->point, l->count, sizeof *l->point, compare_points);
+}
+
+/* Is a vertex one of the common points? */
+static int is_common(const looker *l, pair_side side, uint32_t vertex) {
+    meeting_point m = {.kind = side == SIDE_MOVING ? CORNER_MOVING : CORNER_FIXED,
+                       .key = {vertex, vertex, 0, 0}};
+    return l->count && bsearch(&m, l->point, l->count, sizeof *l->point, compare_points) != NULL;
+}
+
+/* Has a component of a boundary, one that meets the other boundary nowhere, a vertex in the other
+ * one's interior? */
+static int finds_inside(looker *l, placing *rational, pair_side side) {
+    const simplices *cut = &placing_solid(l->p, side)->cut;
+    unsigned char *seen = calloc(cut->component_count, 1);
+    int found = 0;
+    if (!seen)
+        l->p->status = context_fail(l->p->context, GRAZE_ESYSTEM, "out of memory for %zu parts",
+                                    cut->component_count);
+    for (size_t k = 0; k < cut->count && seen && !found && !l->p->status; k++) {
+        uint32_t vertex = cut->item[k].vertex[0];
+        if (seen[cut->item[k].component])
+            continue;
+        seen[cut->item[k].component] = 1;
+        found = !is_common(l, side, vertex) && placing_in_interior(rational, side, vertex);
+        if (rational->status)
+            l->p->status = rational->status;
+    }
+    free(seen);
+    return found;
+}
+
+/* The shares of the ends of an edge in its crossing with another: the distances of the other end
+ * from what it crosses, the other one's plane, or in that plane the other edge. */
+static void set_shares(fmpz_poly_struct share[2], placing *p, const meeting_point *m,
+                       pair_side side, const uint32_t end[2]) {
+    pair_side other = (pair_side)!side;
+    uint32_t simplex = other == SIDE_FIXED ? m->simplices.fixed : m->simplices.moving;
+    for (int k = 0; k < 2; k++) {
+        placing_plane(&share[!k], p, other, simplex, end[k]);
+        if (placing_sign(p, &share[!k]) == 0)
+            placing_side(&share[!k], p, other, simplex, m->corner.at[other], end[k]);
+        if (placing_sign(p, &share[!k]) < 0)
+            fmpz_poly_neg(&share[!k], &share[!k]);
+    }
+    /* Forms are values times the weights of the ends. */
+    for (int k = 0; k < 2; k++) {
+        const trajectory *c = placing_vertex(p, side, end[k]);
+        if (c)
+            fmpz_poly_mul(&share[k], &share[k], &c->x[p->pair->motion->dimension]);
+    }
+}
+
+/* The sectors of a side at a common point. */
+static void gather_sectors(sectors_about *out, placing *p, const meeting_point *m, pair_side side) {
+    star about = {0};
+    uint32_t end[2];
+    fmpz_poly_struct share[2];
+    fmpz_poly_init(&share[0]);
+    fmpz_poly_init(&share[1]);
+    memcpy(end, m->key, sizeof end);
+    if (m->kind == CORNER_EDGES) {
+        memcpy(end, m->key + 2 * side, sizeof end);
+        set_shares(share, p, m, side, end);
+    }
+    star_find(&about, p, side, end, share);
+    for (size_t k = 0; k < about.count && !p->status; k++)
+        sectors_about_add(out, p, side, about.item[k].simplex, about.item[k].zero);
+    fmpz_poly_clear(&share[0]);
+    fmpz_poly_clear(&share[1]);
+    free(about.item);
+}
+
+/* The sectors at a vertex of the other side: simplices that have the vertex are in a pair each. */
+static void gather_sectors_of_pairs(sectors_about *out, placing *p, const meeting_point *m,
+                                    size_t count, pair_side side) {
+    for (size_t k = 0; k < count && !p->status; k++) {
+        uint32_t simplex = side == SIDE_FIXED ? m[k].simplices.fixed : m[k].simplices.moving;
+        int seen = 0;
+        for (size_t j = 0; j < k && !seen; j++)
+            seen = simplex == (side == SIDE_FIXED ? m[j].simplices.fixed : m[j].simplices.moving);
+        if (!seen)
+            sectors_about_add(out, p, side, simplex, m[k].corner.zero[side]);
+    }
+}
+
+/* Do the open cones meet at a common point, with which `count` entries of the list begin? */
+static int cones_meet_at(placing *p, const meeting_point *m, size_t count) {
+    sectors_about about[2] = {{0}, {0}};
+    for (int side = 0; side < 2; side++)
+        if (m->kind == CORNER_EDGES || (int)m->kind == side)
+            gather_sectors(&about[side], p, m, (pair_side)side);
+        else
+            gather_sectors_of_pairs(&about[side], p, m, count, (pair_side)side);
+    int found = !p->status && open_cones_meet(p, &about[0], &about[1]);
+    sectors_about_clear(&about[0]);
+    sectors_about_clear(&about[1]);
+    return found;
+}
+
+static int cones_meet(looker *l) {
+    int found = 0;
+    for (size_t k = 0, end; k < l->count && !found && !l->p->status; k = end) {
+        for (end = k + 1; end < l->count;)
+            if (compare_points(&l->point[k], &l->point[end++]) != 0) {
+                end--;
+                break;
+            }
+        found = cones_meet_at(l->p, &l->point[k], end - k);
+        if (!l->p->status)
+            l->p->status = context_poll(l->p->context);
+    }
+    return found;
+}
+
+void interiors_look(pair_state *out, placing *p, const near_list *near, placing *before) {
+    looker l = {.out = out, .p = p};
+    placing *rational = before ? before : p;
+    *out = (pair_state){.state = GRAZE_STATE_ABSENT};
+    gather_points(&l, near);
+    if (!p->status && !out->state) {
+        int found = finds_inside(&l, rational, SIDE_MOVING) ||
+                    finds_inside(&l, rational, SIDE_FIXED) || cones_meet(&l);
+        out->state = found ? GRAZE_STATE_I : l.count ? GRAZE_STATE_B : GRAZE_STATE_O;
+    }
+    free(l.point);
+}

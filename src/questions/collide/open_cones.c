@@ -1,0 +1,367 @@
+/* Arcs of one cone, cut where they pass the other one's planes, and located in it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The common interior of two open sets on the sphere is bounded by parts of their arcs, so it is
+ * enough to look at a point of each part.
+ */
+#include "questions/collide/open_cones.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+
+static void vector_init(moving_vector *v) {
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_init(&v->c[i]);
+}
+
+static void vector_clear(moving_vector *v) {
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_clear(&v->c[i]);
+}
+
+static void vector_set(moving_vector *out, const moving_vector *v) {
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_set(&out->c[i], &v->c[i]);
+}
+
+static void vector_negate(moving_vector *v) {
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_neg(&v->c[i], &v->c[i]);
+}
+
+static void vector_dot(fmpz_poly_t out, const moving_vector *a, const moving_vector *b) {
+    fmpz_poly_t term;
+    fmpz_poly_init(term);
+    fmpz_poly_zero(out);
+    for (int i = 0; i < 3; i++) {
+        fmpz_poly_mul(term, &a->c[i], &b->c[i]);
+        fmpz_poly_add(out, out, term);
+    }
+    fmpz_poly_clear(term);
+}
+
+/* out is neither. */
+static void vector_cross(moving_vector *out, const moving_vector *a, const moving_vector *b) {
+    fmpz_poly_t term;
+    fmpz_poly_init(term);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        fmpz_poly_mul(&out->c[i], &a->c[j], &b->c[k]);
+        fmpz_poly_mul(term, &a->c[k], &b->c[j]);
+        fmpz_poly_sub(&out->c[i], &out->c[i], term);
+    }
+    fmpz_poly_clear(term);
+}
+
+static int dot_sign(placing *p, const moving_vector *a, const moving_vector *b) {
+    fmpz_poly_t dot;
+    fmpz_poly_init(dot);
+    vector_dot(dot, a, b);
+    int sign = placing_sign(p, dot);
+    fmpz_poly_clear(dot);
+    return sign;
+}
+
+/* The sign of (a x b) . n: is b to the left of a, seen against n? */
+static int turn_sign(placing *p, const moving_vector *a, const moving_vector *b,
+                     const moving_vector *n) {
+    moving_vector cross;
+    vector_init(&cross);
+    vector_cross(&cross, a, b);
+    int sign = dot_sign(p, &cross, n);
+    vector_clear(&cross);
+    return sign;
+}
+
+/* out = i a + j b with small numbers; out may be a. */
+static void vector_combine(moving_vector *out, slong i, const moving_vector *a, slong j,
+                           const moving_vector *b) {
+    fmpz_poly_t term;
+    fmpz_poly_init(term);
+    for (int k = 0; k < 3; k++) {
+        fmpz_poly_scalar_mul_si(term, &b->c[k], j);
+        fmpz_poly_scalar_mul_si(&out->c[k], &a->c[k], i);
+        fmpz_poly_add(&out->c[k], &out->c[k], term);
+    }
+    fmpz_poly_clear(term);
+}
+
+/* On the arc from a to b the ray of the plane with normal n, that passes between them: the signs of
+ * n . a and n . b differ, and are not 0. */
+static void ray_between(moving_vector *out, placing *p, const moving_vector *a,
+                        const moving_vector *b, const moving_vector *n) {
+    fmpz_poly_t at_a, at_b, term;
+    fmpz_poly_init(at_a);
+    fmpz_poly_init(at_b);
+    fmpz_poly_init(term);
+    vector_dot(at_a, n, a);
+    vector_dot(at_b, n, b);
+    if (placing_sign(p, at_b) < 0)
+        fmpz_poly_neg(at_b, at_b);
+    else
+        fmpz_poly_neg(at_a, at_a);
+    for (int k = 0; k < 3; k++) {
+        fmpz_poly_mul(&out->c[k], &a->c[k], at_b);
+        fmpz_poly_mul(term, &b->c[k], at_a);
+        fmpz_poly_add(&out->c[k], &out->c[k], term);
+    }
+    fmpz_poly_clear(at_a);
+    fmpz_poly_clear(at_b);
+    fmpz_poly_clear(term);
+}
+
+void sectors_about_clear(sectors_about *list) {
+    for (size_t k = 0; k < list->count; k++) {
+        vector_clear(&list->item[k].from);
+        vector_clear(&list->item[k].to);
+        vector_clear(&list->item[k].normal);
+    }
+    free(list->item);
+    *list = (sectors_about){0};
+}
+
+static void add_sector(sectors_about *list, placing *p, const moving_vector *from,
+                       const moving_vector *to) {
+    if (!p->status)
+        p->status = array_grow(p->context, &list->item, &list->capacity, list->count + 1,
+                               sizeof *list->item, "the sectors of a cone");
+    if (p->status)
+        return;
+    sector *s = &list->item[list->count++];
+    vector_init(&s->from);
+    vector_init(&s->to);
+    vector_init(&s->normal);
+    vector_set(&s->from, from);
+    vector_set(&s->to, to);
+    vector_cross(&s->normal, from, to);
+}
+
+/* The edge from corner a to corner b of a simplex, in the fixed solid's space. */
+static void edge_vector(moving_vector *out, placing *p, pair_side side, uint32_t simplex, int a,
+                        int b) {
+    const graze_solid *solid = placing_solid(p, side);
+    slong d = solid->input.dimension;
+    const uint32_t *vertex = solid->cut.item[simplex].vertex;
+    fmpq *difference = _fmpq_vec_init(d);
+    fmpz *integer = _fmpz_vec_init(d + 1);
+    fmpz_poly_t term;
+    fmpz_poly_init(term);
+    for (slong i = 0; i < d; i++)
+        fmpq_sub(difference + i, solid->input.coordinates + vertex[b] * (size_t)d + i,
+                 solid->input.coordinates + vertex[a] * (size_t)d + i);
+    _fmpq_vec_get_fmpz_vec_fmpz(integer, integer + d, difference, d);
+    const point_map *map = p->map[SIDE_MOVING];
+    for (slong i = 0; i < d; i++) {
+        fmpz_poly_zero(&out->c[i]);
+        if (side == SIDE_FIXED)
+            fmpz_poly_set_fmpz(&out->c[i], integer + i);
+        for (slong j = 0; j < d && side == SIDE_MOVING; j++) {
+            fmpz_poly_scalar_mul_fmpz(term, &map->entry[i * (d + 1) + j], integer + j);
+            fmpz_poly_add(&out->c[i], &out->c[i], term);
+        }
+    }
+    fmpz_poly_clear(term);
+    _fmpz_vec_clear(integer, d + 1);
+    _fmpq_vec_clear(difference, d);
+}
+
+/* A sector, turned where the motion or the complement turns outside in. */
+static void add_oriented(sectors_about *list, placing *p, pair_side side, const moving_vector *from,
+                         const moving_vector *to) {
+    int turned = side == SIDE_MOVING ? p->mirrored : p->pair->complement;
+    add_sector(list, p, turned ? to : from, turned ? from : to);
+}
+
+/* Half of a plane, beyond the line of `along`, to the side of `across`. */
+static void add_half_plane(sectors_about *list, placing *p, pair_side side, moving_vector *along,
+                           moving_vector *across) {
+    add_oriented(list, p, side, along, across);
+    vector_negate(along);
+    add_oriented(list, p, side, across, along);
+    vector_negate(along);
+}
+
+/* A segment of the plane stands for a strip of all heights: outward is to the right of it. */
+static void add_strip(sectors_about *list, placing *p, pair_side side, moving_vector *ray,
+                      int backward) {
+    moving_vector up;
+    vector_init(&up);
+    fmpz_poly_set_si(&up.c[2], backward ? -1 : 1);
+    add_half_plane(list, p, side, &up, ray);
+    vector_clear(&up);
+}
+
+/* In E^2: the rays to the ends of a segment that the point is not at. */
+static void add_segment(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
+                        unsigned zero) {
+    moving_vector ray;
+    vector_init(&ray);
+    edge_vector(&ray, p, side, simplex, 0, 1);
+    if (!(zero & 2))
+        add_strip(list, p, side, &ray, 1);
+    vector_negate(&ray);
+    if (!(zero & 1))
+        add_strip(list, p, side, &ray, 0);
+    vector_clear(&ray);
+}
+
+void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
+                       unsigned zero) {
+    if (p->pair->motion->dimension == 2) {
+        add_segment(list, p, side, simplex, zero);
+        return;
+    }
+    moving_vector along, across;
+    vector_init(&along);
+    vector_init(&across);
+    /* The corner, or the first one of the side, that holds the point. */
+    static const int first[8] = {0, 0, 1, 1, 2, 0, 2, 0};
+    int k = first[zero & 7];
+    edge_vector(&along, p, side, simplex, k, (k + 1) % 3);
+    edge_vector(&across, p, side, simplex, k, (k + 2) % 3);
+    if (zero & (zero - 1)) {
+        add_oriented(list, p, side, &along, &across);
+    } else {
+        add_half_plane(list, p, side, &along, &across);
+        if (!zero) {
+            vector_negate(&along);
+            vector_negate(&across);
+            add_half_plane(list, p, side, &along, &across);
+        }
+    }
+    vector_clear(&along);
+    vector_clear(&across);
+}
+
+/* Is a direction, which lies in the plane of a sector, strictly inside it? */
+static int is_inside(placing *p, const sector *s, const moving_vector *v) {
+    return turn_sign(p, &s->from, v, &s->normal) > 0 && turn_sign(p, v, &s->to, &s->normal) > 0;
+}
+
+/* How the way from a direction to one strictly inside a sector passes another sector: 0 not at all,
+ * 1 strictly inside it, -1 in a special position. */
+static int passes_sector(placing *p, const moving_vector *from, const moving_vector *to,
+                         const sector *s) {
+    int before = dot_sign(p, &s->normal, from), after = dot_sign(p, &s->normal, to);
+    if (before == 0 && after == 0)
+        return -1;
+    if (before * after >= 0)
+        return 0;
+    moving_vector at;
+    vector_init(&at);
+    ray_between(&at, p, from, to, &s->normal);
+    int left = turn_sign(p, &s->from, &at, &s->normal);
+    int right = turn_sign(p, &at, &s->to, &s->normal);
+    vector_clear(&at);
+    return left > 0 && right > 0 ? 1 : left < 0 || right < 0 ? 0 : -1;
+}
+
+/* Locate a direction by the way to one in sector `last`: -1 if that is in a special position, else
+ * whether it is in the open cone. */
+static int locate_by(placing *p, const sectors_about *cone, const moving_vector *v, size_t last,
+                     const moving_vector *to) {
+    int side = dot_sign(p, &cone->item[last].normal, v), inside = side < 0;
+    for (size_t k = 0; k < cone->count && side && !p->status; k++) {
+        int passes = k == last ? 0 : passes_sector(p, v, to, &cone->item[k]);
+        side = passes < 0 ? 0 : side;
+        inside ^= passes == 1;
+    }
+    return side ? inside : -1;
+}
+
+/* Is a direction that is in no sector in the open cone? Of the ways to a sector only a few are in a
+ * special position: those in the planes of the direction and the ends of sectors. */
+static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector *v) {
+    int found = -1;
+    moving_vector to;
+    vector_init(&to);
+    for (slong weight = 1; found < 0 && !p->status; weight++)
+        for (size_t k = 0; k < cone->count && found < 0 && !p->status; k++) {
+            vector_combine(&to, weight, &cone->item[k].from, 1, &cone->item[k].to);
+            found = locate_by(p, cone, v, k, &to);
+        }
+    vector_clear(&to);
+    return found > 0;
+}
+
+/* Rays on a sector, ascending from its first end to its last. */
+typedef struct ray_list {
+    size_t count, capacity;
+    moving_vector *item;
+} ray_list;
+
+/* Insert a ray that is strictly inside the sector, unless it is there. */
+static void insert_ray(ray_list *list, placing *p, const sector *s, const moving_vector *ray) {
+    size_t at = list->count;
+    int turn = -1;
+    while (at > 0 && (turn = turn_sign(p, &list->item[at - 1], ray, &s->normal)) < 0)
+        at--;
+    if (at > 0 && turn == 0)
+        return;
+    if (!p->status)
+        p->status = array_grow(p->context, &list->item, &list->capacity, list->count + 1,
+                               sizeof *list->item, "the cuts of a sector");
+    if (p->status)
+        return;
+    for (size_t k = list->count; k > at; k--)
+        list->item[k] = list->item[k - 1];
+    vector_init(&list->item[at]);
+    vector_set(&list->item[at], ray);
+    list->count++;
+}
+
+/* Where a sector passes another one's plane, or, in that plane, the other one's ends. */
+static void cut_by(ray_list *list, placing *p, const sector *s, const sector *by) {
+    int first = dot_sign(p, &by->normal, &s->from), last = dot_sign(p, &by->normal, &s->to);
+    if (first == 0 && last == 0) {
+        if (is_inside(p, s, &by->from))
+            insert_ray(list, p, s, &by->from);
+        if (is_inside(p, s, &by->to))
+            insert_ray(list, p, s, &by->to);
+    } else if (first * last < 0) {
+        moving_vector ray;
+        vector_init(&ray);
+        ray_between(&ray, p, &s->from, &s->to, &by->normal);
+        insert_ray(list, p, s, &ray);
+        vector_clear(&ray);
+    }
+}
+
+/* Is the part of a sector with this ray inside it next to both open cones? */
+static int part_meets(placing *p, const sector *s, const moving_vector *ray,
+                      const sectors_about *other) {
+    for (size_t k = 0; k < other->count && !p->status; k++)
+        if (dot_sign(p, &other->item[k].normal, ray) == 0 && is_inside(p, &other->item[k], ray))
+            return dot_sign(p, &s->normal, &other->item[k].normal) > 0;
+    return !p->status && is_in_cone(p, other, ray);
+}
+
+static int sector_meets(placing *p, const sector *s, const sectors_about *other) {
+    ray_list cuts = {0};
+    int found = 0;
+    moving_vector middle;
+    vector_init(&middle);
+    for (size_t k = 0; k < other->count && !p->status; k++)
+        cut_by(&cuts, p, s, &other->item[k]);
+    for (size_t k = 0; k <= cuts.count && !found && !p->status; k++) {
+        vector_combine(&middle, 1, k > 0 ? &cuts.item[k - 1] : &s->from, 1,
+                       k < cuts.count ? &cuts.item[k] : &s->to);
+        found = part_meets(p, s, &middle, other);
+    }
+    for (size_t k = 0; k < cuts.count; k++)
+        vector_clear(&cuts.item[k]);
+    free(cuts.item);
+    vector_clear(&middle);
+    return found;
+}
+
+int open_cones_meet(placing *p, const sectors_about *a, const sectors_about *b) {
+    int found = 0;
+    for (size_t k = 0; k < a->count && !found && !p->status; k++)
+        found = sector_meets(p, &a->item[k], b);
+    for (size_t k = 0; k < b->count && !found && !p->status; k++)
+        found = sector_meets(p, &b->item[k], a);
+    return found && !p->status;
+}

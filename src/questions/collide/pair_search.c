@@ -1,0 +1,181 @@
+/* Intervals are halved while pairs of boxes move further than they are large; what is left of pairs
+ * is asked exactly. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/collide/pair_search.h"
+
+#include <stdlib.h>
+#include "questions/collide/deep_vertex.h"
+#include "questions/collide/incidences.h"
+
+/* Halvings of a piece; beyond them pairs are asked whatever their way is. From so many pairs on a
+ * vertex that is deep in the other solid is looked for. */
+enum { MOST_HALVINGS = 60, MANY_PAIRS = 24 };
+
+typedef struct searcher {
+    pair_walk *walk;
+    size_t piece;
+    placing whole; /* on the piece */
+    deep_interval deep;
+} searcher;
+
+/* An interval of the piece, with what is known of the motion in it. */
+typedef struct stretch_forms {
+    dyadic_interval interval;
+    int level;
+    map_forms forward, inverse;
+} stretch_forms;
+
+static void forms_clear(stretch_forms *s) {
+    dyadic_interval_clear(&s->interval);
+    map_forms_clear(&s->forward);
+    map_forms_clear(&s->inverse);
+}
+
+/* The interval becomes its left half. */
+static void forms_split(stretch_forms *s, stretch_forms *right) {
+    dyadic_interval_init(&right->interval);
+    dyadic_interval_halves(&s->interval, &right->interval, &s->interval);
+    right->level = ++s->level;
+    map_forms_split(&s->forward, &right->forward);
+    map_forms_split(&s->inverse, &right->inverse);
+}
+
+/* The ends of an interval. */
+static void ends_of(fmpq_t low, fmpq_t high, const dyadic_interval *interval) {
+    dyadic_value(low, interval->low, interval->exponent);
+    dyadic_value(high, interval->high, interval->exponent);
+}
+
+/* How much of an interval the known deep one covers: 2 all of it, 1 a quarter at least, 0 less. */
+static int is_deep(const searcher *s, const dyadic_interval *interval) {
+    fmpq_t low, high, part;
+    fmpq_init(low);
+    fmpq_init(high);
+    fmpq_init(part);
+    ends_of(low, high, interval);
+    int deep = fmpq_cmp(s->deep.low, low) < 0 && fmpq_cmp(high, s->deep.high) < 0 ? 2 : 0;
+    fmpq_sub(part, high, low);
+    fmpq_div_2exp(part, part, 2);
+    if (fmpq_cmp(s->deep.low, low) > 0)
+        fmpq_set(low, s->deep.low);
+    if (fmpq_cmp(s->deep.high, high) < 0)
+        fmpq_set(high, s->deep.high);
+    fmpq_sub(high, high, low);
+    deep = deep ? deep : fmpq_cmp(high, part) >= 0;
+    fmpq_clear(low);
+    fmpq_clear(high);
+    fmpq_clear(part);
+    return deep;
+}
+
+/* Go over an interval during all of which the interiors meet. */
+static graze_status pass(searcher *s, const dyadic_interval *interval) {
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    ends_of(low, high, interval);
+    graze_status status = pair_walk_pass(s->walk, s->piece, high);
+    fmpq_clear(low);
+    fmpq_clear(high);
+    return status;
+}
+
+static graze_status search(searcher *s, stretch_forms *during, const node_list *of);
+
+static graze_status search_halves(searcher *s, stretch_forms *during, const node_list *of) {
+    stretch_forms right;
+    forms_split(during, &right);
+    graze_status status = search(s, during, of);
+    if (!status && !s->walk->done)
+        status = search(s, &right, of);
+    forms_clear(&right);
+    return status;
+}
+
+/* The same interval once more, where a part of it at least can be gone over. */
+static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
+                                const near_list *near, const node_list *leaves) {
+    *done = 0;
+    if (s->walk->first || near->count < MANY_PAIRS || during->level >= MOST_HALVINGS)
+        return GRAZE_OK;
+    int deep = is_deep(s, &during->interval);
+    graze_status status = GRAZE_OK;
+    if (!deep)
+        status = deep_vertex_find(&s->deep, &s->whole, s->piece, near, &during->interval);
+    *done = !status && (deep || is_deep(s, &during->interval));
+    return *done ? search_halves(s, during, leaves) : status;
+}
+
+/* Ask for the times at which the boundaries of pairs of leaves meet, and walk to each. */
+static graze_status ask(searcher *s, stretch_forms *during, const motion_stretch *at,
+                        const node_list *leaves) {
+    near_list near = {0};
+    algebraic_list times;
+    int done = 0;
+    algebraic_list_init(&times);
+    graze_status status = near_pairs_take(&near, s->walk->context, s->walk->pair, leaves);
+    if (!status)
+        status = search_deep(&done, s, during, &near, leaves);
+    if (!status && !done)
+        status = incidences_find(&times, &s->whole, &near, at, &during->interval);
+    for (size_t k = 0; k < times.count && !status && !s->walk->done; k++)
+        status = pair_walk_to(s->walk, &s->whole, s->piece, &times.item[k], leaves);
+    algebraic_list_clear(&times);
+    free(near.item);
+    return status;
+}
+
+/* Pairs of leaves stand first in `left`, then those that a shorter interval tells more of. */
+static graze_status search(searcher *s, stretch_forms *during, const node_list *of) {
+    node_list left = {0}, coarse = {0};
+    if (is_deep(s, &during->interval) == 2)
+        return pass(s, &during->interval);
+    motion_stretch at = {{0}, {0}};
+    int made = control_maps_set(&at.forward, &during->forward) &&
+               control_maps_set(&at.inverse, &during->inverse);
+    graze_status status = GRAZE_OK;
+    if (!made)
+        status = context_fail(s->walk->context, GRAZE_ESYSTEM, "out of memory for a motion");
+    int halve = during->level < MOST_HALVINGS;
+    if (!status)
+        status = near_pairs_refine(&left, halve ? &coarse : NULL, s->walk->context, s->walk->pair,
+                                   &at, of, !halve);
+    halve = halve && coarse.count > 0;
+    for (size_t k = 0; k < coarse.count && !status; k++)
+        status = node_list_add(&left, s->walk->context, coarse.item[k]);
+    if (!status && left.count)
+        status = halve ? search_halves(s, during, &left) : ask(s, during, &at, &left);
+    free(left.item);
+    free(coarse.item);
+    control_maps_clear(&at.forward);
+    control_maps_clear(&at.inverse);
+    return status;
+}
+
+static graze_status search_piece(pair_walk *walk, size_t piece) {
+    searcher s = {.walk = walk, .piece = piece};
+    const motion_piece *m = &walk->pair->motion->piece[piece];
+    stretch_forms whole = {.level = 0};
+    node_pair roots = {0, 0};
+    const node_list all = {1, 1, &roots};
+    dyadic_interval_init(&whole.interval);
+    dyadic_interval_set_si(&whole.interval, 0, 1);
+    map_forms_init(&whole.forward, &m->forward, &whole.interval);
+    map_forms_init(&whole.inverse, &m->inverse, &whole.interval);
+    placing_init(&s.whole, walk->context, walk->pair, piece);
+    fmpq_init(s.deep.low);
+    fmpq_init(s.deep.high);
+    graze_status status = search(&s, &whole, &all);
+    placing_clear(&s.whole);
+    fmpq_clear(s.deep.low);
+    fmpq_clear(s.deep.high);
+    forms_clear(&whole);
+    return status;
+}
+
+graze_status pair_search(pair_walk *walk) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < walk->pair->motion->piece_count && !status && !walk->done; k++)
+        status = search_piece(walk, k);
+    return status;
+}

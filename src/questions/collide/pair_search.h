@@ -1,0 +1,12 @@
+/* A search of the motion for times at which two boundaries meet, in order of time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_COLLIDE_PAIR_SEARCH_H
+#define GRAZE_COLLIDE_PAIR_SEARCH_H
+
+#include "questions/collide/pair_walk.h"
+
+/** Walk through the whole motion, or up to the first contact. `walk` has begun. */
+graze_status pair_search(pair_walk *walk);
+
+#endif

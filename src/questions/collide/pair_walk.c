@@ -1,0 +1,334 @@
+/* States at rational times between, and at the times themselves.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The interiors meet in an open set of times and the closed solids in a closed one: so a time next
+ * to O or B is B, and one next to I is I or B.
+ */
+#include "questions/collide/pair_walk.h"
+
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/order.h"
+#include "base/number/refine.h"
+#include "questions/collide/interiors.h"
+
+/* What stands at one time: the pairs that may meet, and exact places. */
+typedef struct scene_then {
+    motion_stretch at;
+    node_list leaves;
+    near_list near;
+    placing p;
+    int placed;
+} scene_then;
+
+void pair_walk_clear(pair_walk *walk) {
+    for (size_t k = 0; k < walk->contact_count; k++)
+        free(walk->contact[k].cells.item);
+    for (size_t k = 0; k < walk->time_count; k++)
+        time_destroy(walk->time[k]);
+    free(walk->contact);
+    free(walk->word);
+    free(walk->time);
+    *walk = (pair_walk){0};
+}
+
+static void then_clear(scene_then *s) {
+    control_maps_clear(&s->at.forward);
+    control_maps_clear(&s->at.inverse);
+    free(s->leaves.item);
+    free(s->near.item);
+    if (s->placed)
+        placing_clear(&s->p);
+}
+
+static graze_status no_memory(graze_context *context) {
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for a motion at a time");
+}
+
+/* Doubles and pairs at a rational time: of all pairs, or of those given. */
+static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
+                                 const node_list *of) {
+    node_pair roots = {0, 0};
+    const node_list all = {1, 1, &roots};
+    int d = walk->pair->motion->dimension;
+    const motion_piece *m = &walk->pair->motion->piece[piece];
+    fmpq *map = _fmpq_vec_init(d * (d + 1));
+    point_map_at(map, &m->forward, u);
+    int made = control_maps_set_one(&out->at.forward, map, d);
+    point_map_at(map, &m->inverse, u);
+    made = made && control_maps_set_one(&out->at.inverse, map, d);
+    _fmpq_vec_clear(map, d * (d + 1));
+    graze_status status = made ? GRAZE_OK : no_memory(walk->context);
+    if (!status)
+        status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->at,
+                                   of ? of : &all, 1);
+    return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
+}
+
+static graze_status place_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
+                             const node_list *of) {
+    graze_status status = find_near_at(out, walk, piece, u, of);
+    placing_init_at(&out->p, walk->context, walk->pair, piece, u);
+    out->placed = 1;
+    return status;
+}
+
+/* The same at an irrational time, which is narrowed: by the motion during its interval. */
+static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piece, algebraic *time,
+                                   const node_list *of) {
+    graze_status status = GRAZE_OK;
+    ulong gain = FIRST_GAIN;
+    const motion_piece *m = &walk->pair->motion->piece[piece];
+    for (int step = 0; step < 2 * CHEAP_HALVINGS && !status && !algebraic_is_rational(time); step++)
+        status = algebraic_narrow(walk->context, time, step, &gain);
+    if (status)
+        return status;
+    if (algebraic_is_rational(time))
+        return find_near_at(out, walk, piece, time->value, of);
+    map_forms forms;
+    map_forms_init(&forms, &m->forward, &time->where);
+    int made = control_maps_set(&out->at.forward, &forms);
+    map_forms_clear(&forms);
+    map_forms_init(&forms, &m->inverse, &time->where);
+    made = made && control_maps_set(&out->at.inverse, &forms);
+    map_forms_clear(&forms);
+    status = made ? GRAZE_OK : no_memory(walk->context);
+    if (!status)
+        status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->at, of, 1);
+    return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
+}
+
+static graze_status add_letter(pair_walk *walk, graze_state state) {
+    if (walk->length && walk->word[walk->length - 1] == (char)state)
+        return GRAZE_OK;
+    graze_status status = array_grow(walk->context, &walk->word, &walk->word_capacity,
+                                     walk->length + 2, 1, "the word of a pair");
+    if (!status) {
+        walk->word[walk->length++] = (char)state;
+        walk->word[walk->length] = '\0';
+    }
+    return status;
+}
+
+/* Keep a time, as the last one. */
+static graze_status keep_time(pair_walk *walk, size_t piece, const algebraic *u) {
+    graze_status status =
+        array_grow(walk->context, &walk->time, &walk->time_capacity, walk->time_count + 1,
+                   sizeof *walk->time, "the times of a pair");
+    if (status)
+        return status;
+    graze_time *time = time_create(walk->pair->motion, piece, u);
+    if (!time)
+        return no_memory(walk->context);
+    walk->time[walk->time_count++] = walk->last = time;
+    return GRAZE_OK;
+}
+
+static graze_status keep_rational(pair_walk *walk, size_t piece, const fmpq_t u) {
+    algebraic x;
+    algebraic_init(&x);
+    fmpq_set(x.value, u);
+    graze_status status = keep_time(walk, piece, &x);
+    algebraic_clear(&x);
+    return status;
+}
+
+/* A contact begins at the last time, with the cells that meet at a placing. */
+static graze_status open_contact(pair_walk *walk, graze_state left, placing *p,
+                                 const near_list *near) {
+    graze_status status =
+        array_grow(walk->context, &walk->contact, &walk->contact_capacity, walk->contact_count + 1,
+                   sizeof *walk->contact, "the contacts of a pair");
+    if (status)
+        return status;
+    pair_contact *c = &walk->contact[walk->contact_count++];
+    *c = (pair_contact){.left = left, .from = walk->last};
+    walk->open = 1;
+    cell_pairs_find(&c->cells, p, near);
+    return p->status;
+}
+
+/* The state of a gap is known: a contact goes on or has ended. */
+static graze_status enter_gap(pair_walk *walk, graze_state state) {
+    walk->gap = state;
+    if (walk->open && state != GRAZE_STATE_B) {
+        walk->contact[walk->contact_count - 1].right = state;
+        walk->open = 0;
+    }
+    return add_letter(walk, state);
+}
+
+/* At t0, where no incidence is: of a gap that slides the contact begins there. */
+static graze_status enter_start(pair_walk *walk, const pair_state *found, scene_then *then) {
+    graze_status status = GRAZE_OK;
+    if (found->state == GRAZE_STATE_B) {
+        fmpq_t zero;
+        fmpq_init(zero);
+        status = keep_rational(walk, 0, zero);
+        fmpq_clear(zero);
+        if (!status)
+            status = open_contact(walk, GRAZE_STATE_ABSENT, &then->p, &then->near);
+    }
+    return status ? status : enter_gap(walk, found->state);
+}
+
+/* Look at the solids at a rational time, and enter the gap that has it. */
+static graze_status look_between(pair_walk *walk, size_t piece, const fmpq_t u) {
+    scene_then then = {0};
+    pair_state found = {0};
+    graze_status status = place_at(&then, walk, piece, u, NULL);
+    if (!status) {
+        interiors_look(&found, &then.p, &then.near, NULL);
+        status = then.p.status;
+    }
+    if (!status)
+        status = walk->last ? enter_gap(walk, found.state) : enter_start(walk, &found, &then);
+    then_clear(&then);
+    return status;
+}
+
+graze_status pair_walk_begin(pair_walk *walk) {
+    fmpq_t zero;
+    if (!walk->first)
+        return GRAZE_OK;
+    fmpq_init(zero);
+    graze_status status = look_between(walk, 0, zero);
+    fmpq_clear(zero);
+    walk->done = walk->gap != GRAZE_STATE_O;
+    return status;
+}
+
+/* A rational time between the last one, or t0, and another one. */
+static graze_status time_before(size_t *piece, fmpq_t u, pair_walk *walk, graze_time *next) {
+    if (walk->last)
+        return time_between(piece, u, walk->context, walk->last, next);
+    *piece = 0;
+    fmpq_zero(u);
+    return GRAZE_OK;
+}
+
+/* Know the gap before `next`; and its time, for what is asked there. */
+static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_time *next) {
+    graze_status status = time_before(piece, u, walk, next);
+    return status || walk->gap ? status : look_between(walk, *piece, u);
+}
+
+/* The state at a time at which the boundaries meet, after a gap in state I or none. */
+static graze_status look_at(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
+                            int at_start, size_t before, const fmpq_t u) {
+    pair_state found = {0};
+    placing rational;
+    if (!p->is_frozen && !at_start) {
+        placing_init_at(&rational, walk->context, walk->pair, before, u);
+        interiors_look(&found, p, &then->near, &rational);
+        placing_clear(&rational);
+    } else {
+        interiors_look(&found, p, &then->near, NULL);
+    }
+    *out = found.state;
+    if (!p->status && found.state == GRAZE_STATE_O)
+        return context_fail(walk->context, GRAZE_EINTERNAL,
+                            "two boundaries that meet have no point in common");
+    return p->status;
+}
+
+/* The last time, just reached, is in a state. */
+static graze_status enter_time(pair_walk *walk, graze_state left, graze_state state, placing *p,
+                               const near_list *near) {
+    graze_status status = add_letter(walk, state);
+    walk->gap = state == GRAZE_STATE_I ? GRAZE_STATE_I : GRAZE_STATE_ABSENT;
+    if (!status && state == GRAZE_STATE_B && !walk->open)
+        status = open_contact(walk, left, p, near);
+    if (!status && state == GRAZE_STATE_B)
+        walk->contact[walk->contact_count - 1].to = walk->last;
+    walk->done = walk->first;
+    return status;
+}
+
+/* The time itself, with the gap before it known. */
+static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left, size_t before,
+                              const fmpq_t u, const node_list *near) {
+    scene_then then = {0};
+    graze_time *time = walk->last;
+    graze_state state = GRAZE_STATE_B;
+    graze_status status = algebraic_is_rational(&time->u)
+                              ? place_at(&then, walk, time->piece, time->u.value, near)
+                              : find_near_root(&then, walk, time->piece, &time->u, near);
+    placing *p = then.placed ? &then.p : whole;
+    whole->when = &time->u;
+    if (!status && left != GRAZE_STATE_O && left != GRAZE_STATE_B)
+        status = look_at(&state, walk, &then, p, time_is_start(time), before, u);
+    if (!status)
+        status = enter_time(walk, left, state, p, &then.near);
+    then_clear(&then);
+    return status;
+}
+
+/* Is a time the last one? Also where one piece ends and the next begins. */
+static graze_status is_last(int *out, pair_walk *walk, size_t piece, algebraic *time) {
+    int order = 1;
+    graze_status status = GRAZE_OK;
+    if (walk->last && walk->last->piece == piece)
+        status = algebraic_compare(&order, walk->context, &walk->last->u, time);
+    else if (walk->last && walk->last->piece + 1 == piece)
+        order = !time_is_piece_end(walk->last) || !algebraic_is_rational(time) ||
+                !fmpq_is_zero(time->value);
+    *out = order == 0;
+    return status;
+}
+
+graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const algebraic *time,
+                          const node_list *near) {
+    int same = 0;
+    size_t before = 0;
+    fmpq_t u;
+    algebraic own;
+    algebraic_init(&own);
+    algebraic_set(&own, time);
+    graze_status status = is_last(&same, walk, piece, &own);
+    graze_time *next = status || same ? NULL : time_create(walk->pair->motion, piece, &own);
+    algebraic_clear(&own);
+    if (status || same)
+        return status;
+    if (!next)
+        return no_memory(walk->context);
+    fmpq_init(u);
+    if (!time_is_start(next))
+        status = know_gap(walk, &before, u, next);
+    graze_state left = walk->gap;
+    if (!status)
+        status = keep_time(walk, piece, &next->u);
+    if (!status)
+        status = walk_into(walk, whole, left, before, u, near);
+    time_destroy(next);
+    fmpq_clear(u);
+    return status;
+}
+
+graze_status pair_walk_pass(pair_walk *walk, size_t piece, const fmpq_t u) {
+    graze_status status = walk->gap ? GRAZE_OK : enter_gap(walk, GRAZE_STATE_I);
+    return status ? status : keep_rational(walk, piece, u);
+}
+
+graze_status pair_walk_end(pair_walk *walk) {
+    size_t piece = walk->pair->motion->piece_count - 1;
+    graze_status status = GRAZE_OK;
+    fmpq_t end;
+    if (walk->done || (walk->last && time_is_end(walk->last)))
+        return GRAZE_OK;
+    fmpq_init(end);
+    fmpq_one(end);
+    if (!walk->last)
+        fmpq_zero(end);
+    if (!walk->gap)
+        status = look_between(walk, walk->last ? piece : 0, end);
+    if (!status && walk->open && !walk->first) {
+        fmpq_one(end);
+        status = keep_rational(walk, piece, end);
+        if (!status)
+            walk->contact[walk->contact_count - 1].to = walk->last;
+    }
+    fmpq_clear(end);
+    return status;
+}

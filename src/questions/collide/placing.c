@@ -1,0 +1,245 @@
+/* Forms pulled back to vertices. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/collide/placing.h"
+
+#include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/sign.h"
+#include "input/solid/locate.h"
+
+/* Does the motion reverse orientation? Its determinant never vanishes. */
+static int is_mirrored(const point_map *map) {
+    slong d = map->dimension;
+    fmpq_t start, det;
+    fmpq *value = _fmpq_vec_init(d * (d + 1));
+    fmpq_mat_t linear;
+    fmpq_init(start);
+    fmpq_init(det);
+    fmpq_mat_init(linear, d, d);
+    point_map_at(value, map, start);
+    for (slong i = 0; i < d; i++)
+        for (slong j = 0; j < d; j++)
+            fmpq_set(fmpq_mat_entry(linear, i, j), value + i * (d + 1) + j);
+    fmpq_mat_det(det, linear);
+    int mirrored = fmpq_sgn(det) < 0;
+    fmpq_mat_clear(linear);
+    fmpq_clear(start);
+    fmpq_clear(det);
+    _fmpq_vec_clear(value, d * (d + 1));
+    return mirrored;
+}
+
+static void init(placing *p, graze_context *context, const solid_pair *pair) {
+    *p = (placing){.pair = pair, .context = context};
+    p->mirrored = is_mirrored(&pair->motion->piece[0].forward);
+}
+
+void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece) {
+    init(p, context, pair);
+    p->map[SIDE_MOVING] = &pair->motion->piece[piece].forward;
+    p->map[SIDE_FIXED] = &pair->motion->piece[piece].inverse;
+}
+
+/* The map at u, as one without u. */
+static void freeze(point_map *out, const point_map *map, const fmpq_t u) {
+    int n = map->dimension * (map->dimension + 1);
+    fmpq *value = _fmpq_vec_init(n);
+    fmpz *entry = _fmpz_vec_init(n + 1);
+    point_map_init(out, map->dimension);
+    point_map_at(value, map, u);
+    _fmpq_vec_get_fmpz_vec_fmpz(entry, entry + n, value, n);
+    for (int k = 0; k < n; k++)
+        fmpz_poly_set_fmpz(&out->entry[k], entry + k);
+    fmpz_poly_set_fmpz(out->weight, entry + n);
+    _fmpq_vec_clear(value, n);
+    _fmpz_vec_clear(entry, n + 1);
+}
+
+void placing_init_at(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
+                     const fmpq_t u) {
+    init(p, context, pair);
+    p->is_frozen = 1;
+    freeze(&p->frozen[SIDE_MOVING], &pair->motion->piece[piece].forward, u);
+    freeze(&p->frozen[SIDE_FIXED], &pair->motion->piece[piece].inverse, u);
+    for (int side = 0; side < 2; side++)
+        p->map[side] = &p->frozen[side];
+}
+
+void placing_clear(placing *p) {
+    for (int side = 0; side < 2; side++) {
+        placed_vertices *v = &p->vertices[side];
+        for (size_t k = 0; k < v->index.count; k++) {
+            trajectory_clear(v->at[k]);
+            free(v->at[k]);
+        }
+        free(v->vertex);
+        free(v->at);
+        slots_clear(&v->index);
+        form_memory_clear(&p->forms[side]);
+        if (p->is_frozen)
+            point_map_clear(&p->frozen[side]);
+    }
+}
+
+const graze_solid *placing_solid(const placing *p, pair_side side) {
+    return side == SIDE_MOVING ? p->pair->moving : p->pair->fixed;
+}
+
+/* Room for one more vertex: the index, the array and the trajectory. */
+static trajectory *add_vertex(placing *p, pair_side side, uint32_t vertex) {
+    placed_vertices *v = &p->vertices[side];
+    size_t count = v->index.count, capacity = v->capacity;
+    trajectory *made = malloc(sizeof *made);
+    if (!made || !array_reserve(&v->vertex, &capacity, count + 1, sizeof *v->vertex) ||
+        !array_reserve(&v->at, &v->capacity, count + 1, sizeof(trajectory *)) ||
+        !slots_add(&v->index, slots_mix(vertex))) {
+        free(made);
+        p->status = context_fail(p->context, GRAZE_ESYSTEM, "out of memory for moved vertices");
+        return NULL;
+    }
+    int d = p->pair->motion->dimension;
+    trajectory_init(made, d);
+    trajectory_set(made, p->map[side],
+                   placing_solid(p, side)->input.coordinates + vertex * (size_t)d);
+    v->vertex[count] = vertex;
+    v->at[count] = made;
+    return made;
+}
+
+const trajectory *placing_vertex(placing *p, pair_side side, uint32_t vertex) {
+    const placed_vertices *v = &p->vertices[side];
+    uint64_t hash = slots_mix(vertex);
+    for (size_t at = 0, k; (k = slots_next(&v->index, hash, &at)) != SLOTS_NONE;)
+        if (v->vertex[k] == vertex)
+            return v->at[k];
+    return add_vertex(p, side, vertex);
+}
+
+static void pull_back(fmpz_poly_t out, placing *p, pair_side side, const fmpz *form,
+                      uint32_t vertex) {
+    const trajectory *c = placing_vertex(p, (pair_side)!side, vertex);
+    if (c)
+        trajectory_pullback(out, c, form);
+    else
+        fmpz_poly_zero(out);
+}
+
+void placing_plane(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {
+    fmpz *form = _fmpz_vec_init(4);
+    known_plane(form, &p->forms[side], placing_solid(p, side), simplex);
+    pull_back(out, p, side, form, vertex);
+    _fmpz_vec_clear(form, 4);
+}
+
+void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, int k,
+                  uint32_t vertex) {
+    fmpz *plane = _fmpz_vec_init(8);
+    known_plane(plane, &p->forms[side], placing_solid(p, side), simplex);
+    pull_back(out, p, side,
+              known_side(plane + 4, &p->forms[side], placing_solid(p, side), simplex, plane, k),
+              vertex);
+    _fmpz_vec_clear(plane, 8);
+}
+
+/* d + 1 homogeneous integers of a vertex, the last one positive. */
+static void homogeneous(fmpz *out, const graze_solid *solid, uint32_t vertex) {
+    slong d = solid->input.dimension;
+    _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, solid->input.coordinates + vertex * (size_t)d, d);
+}
+
+/* det(a, b, p, q) = sum over i < j of (a_i b_j - a_j b_i) k_ij, with k_ij the complementary minor
+ * of p and q; that is a K b for the skew matrix K. */
+void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const uint32_t fixed[2]) {
+    static const int other[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
+                                       {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
+                                       {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
+                                       {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
+    const trajectory *a = placing_vertex(p, SIDE_MOVING, moving[0]);
+    const trajectory *b = a ? placing_vertex(p, SIDE_MOVING, moving[1]) : NULL;
+    fmpz *end = _fmpz_vec_init(12), *row = end + 8;
+    fmpz_poly_t product;
+    fmpz_poly_init(product);
+    fmpz_poly_zero(out);
+    homogeneous(end, p->pair->fixed, fixed[0]);
+    homogeneous(end + 4, p->pair->fixed, fixed[1]);
+    for (int i = 0; i < 4 && b; i++) {
+        for (int j = 0; j < 4; j++) {
+            const int *m = other[i][j];
+            fmpz_mul(row + j, end + m[0], end + 4 + m[1]);
+            fmpz_submul(row + j, end + m[1], end + 4 + m[0]);
+        }
+        trajectory_pullback(product, b, row);
+        fmpz_poly_mul(product, product, &a->x[i]);
+        fmpz_poly_add(out, out, product);
+    }
+    fmpz_poly_clear(product);
+    _fmpz_vec_clear(end, 12);
+}
+
+int placing_sign(placing *p, const fmpz_poly_t q) {
+    int sign = 0;
+    if (fmpz_poly_length(q) <= 1)
+        return fmpz_poly_is_zero(q) ? 0 : fmpz_sgn(q->coeffs);
+    if (!p->status)
+        p->status = algebraic_sign_at(&sign, p->context, q, p->when);
+    return sign;
+}
+
+/* The sign of a polynomial that is cleared. */
+static int sign_of(placing *p, fmpz_poly_t q) {
+    int sign = placing_sign(p, q);
+    fmpz_poly_clear(q);
+    return sign;
+}
+
+int placing_plane_sign(placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {
+    fmpz_poly_t q;
+    fmpz_poly_init(q);
+    placing_plane(q, p, side, simplex, vertex);
+    return sign_of(p, q);
+}
+
+int placing_side_sign(placing *p, pair_side side, uint32_t simplex, int k, uint32_t vertex) {
+    fmpz_poly_t q;
+    fmpz_poly_init(q);
+    placing_side(q, p, side, simplex, k, vertex);
+    return sign_of(p, q);
+}
+
+int placing_edges_sign(placing *p, const uint32_t moving[2], const uint32_t fixed[2]) {
+    fmpz_poly_t q;
+    fmpz_poly_init(q);
+    placing_edges(q, p, moving, fixed);
+    return sign_of(p, q);
+}
+
+int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {
+    *zero = 0;
+    for (int k = 0; k < p->pair->motion->dimension; k++) {
+        int sign = placing_side_sign(p, side, simplex, k, vertex);
+        if (sign < 0 || p->status)
+            return 0;
+        *zero |= sign == 0 ? 1u << k : 0;
+    }
+    return 1;
+}
+
+int placing_in_interior(placing *p, pair_side side, uint32_t vertex) {
+    int d = p->pair->motion->dimension, inside = 0;
+    const trajectory *c = placing_vertex(p, side, vertex);
+    fmpz *x = _fmpz_vec_init(d + 1);
+    for (int i = 0; i <= d && c; i++)
+        fmpz_poly_get_coeff_fmpz(x + i, &c->x[i], 0);
+    if (c) {
+        graze_state state = solid_locate(placing_solid(p, (pair_side)!side), x);
+        if (state == GRAZE_STATE_ABSENT)
+            p->status = context_fail(p->context, GRAZE_EINTERNAL,
+                                     "the crossings of a ray through a solid do not add up");
+        inside =
+            state == (side == SIDE_MOVING && p->pair->complement ? GRAZE_STATE_O : GRAZE_STATE_I);
+    }
+    _fmpz_vec_clear(x, d + 1);
+    return inside;
+}

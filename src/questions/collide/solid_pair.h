@@ -1,0 +1,25 @@
+/* A moving solid and a fixed one. SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_COLLIDE_SOLID_PAIR_H
+#define GRAZE_COLLIDE_SOLID_PAIR_H
+
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+
+/** Borrowed: the motion carries `moving`; nothing carries `fixed`. All have one dimension. */
+typedef struct solid_pair {
+    const graze_solid *moving, *fixed;
+    const graze_motion *motion;
+    int complement; /* 1: in place of `fixed` the closure of its complement */
+} solid_pair;
+
+/** Simplices of the two boundaries that may meet. */
+typedef struct near_pair {
+    uint32_t moving, fixed;
+} near_pair;
+
+typedef struct near_list {
+    size_t count, capacity;
+    near_pair *item;
+} near_list;
+
+#endif

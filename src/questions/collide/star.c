@@ -1,0 +1,100 @@
+/* A search of the tree with the box of the edge, then signs of planes and sides.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/collide/star.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "base/context/array.h"
+
+typedef struct finder {
+    star *out;
+    placing *p;
+    pair_side side;
+    const graze_solid *solid;
+    box box;
+    trajectory at; /* the point */
+} finder;
+
+static int form_sign_there(finder *f, const fmpz *form) {
+    fmpz_poly_t q;
+    fmpz_poly_init(q);
+    trajectory_pullback(q, &f->at, form);
+    int sign = placing_sign(f->p, q);
+    fmpz_poly_clear(q);
+    return sign;
+}
+
+static void look_at(finder *f, uint32_t simplex) {
+    star_simplex found = {.simplex = simplex};
+    fmpz *plane = _fmpz_vec_init(8);
+    known_plane(plane, &f->p->forms[f->side], f->solid, simplex);
+    int held = form_sign_there(f, plane) == 0;
+    for (int k = 0; k < f->solid->input.dimension && held; k++) {
+        int sign = form_sign_there(
+            f, known_side(plane + 4, &f->p->forms[f->side], f->solid, simplex, plane, k));
+        held = sign >= 0;
+        found.zero |= sign == 0 ? 1u << k : 0;
+    }
+    _fmpz_vec_clear(plane, 8);
+    if (held && !f->p->status)
+        f->p->status = array_grow(f->p->context, &f->out->item, &f->out->capacity,
+                                  f->out->count + 1, sizeof *f->out->item, "simplices at a point");
+    if (held && !f->p->status)
+        f->out->item[f->out->count++] = found;
+}
+
+static void descend(finder *f, uint32_t node) {
+    const tree_node *n = &f->solid->boxes.node[node];
+    if (f->p->status || !box_meets(&f->box, &n->box))
+        return;
+    if (!n->child) {
+        look_at(f, n->simplex);
+        return;
+    }
+    descend(f, n->child);
+    descend(f, n->child + 1);
+}
+
+/* The point as d + 1 polynomials: the ends, over one denominator, times their shares. */
+static void place_point(finder *f, const uint32_t edge[2], const fmpz_poly_struct share[2]) {
+    slong d = f->solid->input.dimension;
+    int ends = edge[0] == edge[1] ? 1 : 2;
+    fmpq *end = _fmpq_vec_init(2 * d);
+    fmpz *entry = _fmpz_vec_init(2 * d + 1);
+    fmpz_poly_t term;
+    fmpz_poly_init(term);
+    for (int k = 0; k < 2; k++)
+        for (slong i = 0; i < d; i++)
+            fmpq_set(end + k * d + i, f->solid->input.coordinates + edge[k] * (size_t)d + i);
+    _fmpq_vec_get_fmpz_vec_fmpz(entry, entry + 2 * d, end, 2 * d);
+    for (slong i = 0; i <= d; i++)
+        for (int k = 0; k < ends; k++) {
+            const fmpz *value = i < d ? entry + k * d + i : entry + 2 * d;
+            if (ends == 1)
+                fmpz_poly_set_fmpz(term, value);
+            else
+                fmpz_poly_scalar_mul_fmpz(term, &share[k], value);
+            fmpz_poly_add(&f->at.x[i], &f->at.x[i], term);
+        }
+    fmpz_poly_clear(term);
+    _fmpz_vec_clear(entry, 2 * d + 1);
+    _fmpq_vec_clear(end, 2 * d);
+}
+
+void star_find(star *out, placing *p, pair_side side, const uint32_t edge[2],
+               const fmpz_poly_struct share[2]) {
+    finder f = {.out = out, .p = p, .side = side, .solid = placing_solid(p, side)};
+    int d = f.solid->input.dimension;
+    const double *low = f.solid->low, *high = f.solid->high;
+    for (int i = 0; i < d; i++) {
+        size_t a = edge[0] * (size_t)d + (size_t)i, b = edge[1] * (size_t)d + (size_t)i;
+        f.box.low[i] = low[a] < low[b] ? low[a] : low[b];
+        f.box.high[i] = high[a] > high[b] ? high[a] : high[b];
+    }
+    trajectory_init(&f.at, d);
+    place_point(&f, edge, share);
+    out->count = 0;
+    descend(&f, 0);
+    trajectory_clear(&f.at);
+}
