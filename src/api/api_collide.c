@@ -9,8 +9,8 @@
 
 static const char name[] = "graze_pair_create";
 
-static graze_status check_solids(graze_context *context, const graze_solid *moving,
-                                 const graze_motion *motion, const graze_solid *fixed) {
+static graze_status check_pair_solids(graze_context *context, const graze_solid *moving,
+                                      const graze_motion *motion, const graze_solid *fixed) {
     if (moving->curved || fixed->curved)
         return api_curved(context, name);
     if (moving->input.dimension != motion->dimension || fixed->input.dimension != motion->dimension)
@@ -21,8 +21,8 @@ static graze_status check_solids(graze_context *context, const graze_solid *movi
     return GRAZE_OK;
 }
 
-static graze_status check_options(graze_pair_options *out, graze_context *context,
-                                  const graze_pair_options *options) {
+static graze_status check_pair_options(graze_pair_options *out, graze_context *context,
+                                       const graze_pair_options *options) {
     graze_status status = api_options(out, sizeof *out, context, name, options);
     if (!status && (unsigned)out->question > GRAZE_PAIR_INSIDE)
         status = api_misuse(context, name, "there is no such question");
@@ -41,9 +41,9 @@ graze_status graze_pair_create(graze_pair **out, graze_context *context, const g
         return api_misuse(context, name, "out, context, moving, motion and fixed must not be NULL");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_pair_options checked;
-    graze_status status = check_options(&checked, context, options);
+    graze_status status = check_pair_options(&checked, context, options);
     if (!status)
-        status = check_solids(context, moving, motion, fixed);
+        status = check_pair_solids(context, moving, motion, fixed);
     graze_pair *made = status ? NULL : calloc(1, sizeof *made);
     if (!made)
         return status ? status : context_fail(context, GRAZE_ESYSTEM, "out of memory");

@@ -313,6 +313,35 @@ static void grids(bench *b) {
         mpq_clears(low[k], high[k], NULL);
 }
 
+static void pairs(bench *b) {
+    graze_context *c = b->s.context;
+    graze_pair *p = NULL;
+    graze_pair_options unknown = {.size = sizeof unknown, .question = (graze_pair_question)2};
+    graze_pair_options twice = {.size = sizeof twice, .first = 2};
+    const graze_solid *s = b->s.solid;
+    const graze_motion *m = b->s.motion;
+    WRONG(graze_pair_create(NULL, c, s, m, s, NULL, NULL));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, NULL, s, m, s, NULL, NULL));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, NULL, m, s, NULL, NULL));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, NULL, s, NULL, NULL));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, NULL, NULL, NULL));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &unknown));
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &twice));
+    assert_int_equal(graze_pair_create(&p, c, s, m, s, NULL, NULL), GRAZE_OK);
+    WRONG(graze_pair_json(NULL, c, p));
+    WRONG_OUT(char, graze_pair_json(&out, NULL, p));
+    WRONG_OUT(char, graze_pair_json(&out, c, NULL));
+    HARMLESS(graze_pair_destroy, CALLS(graze_pair_destroy(NULL)));
+    HARMLESS(graze_pair_get_verdict, graze_pair_get_verdict(NULL) == GRAZE_PAIR_NONE);
+    HARMLESS(graze_pair_word, *graze_pair_word(NULL) == '\0');
+    HARMLESS(graze_pair_contact_count, graze_pair_contact_count(NULL) == 0);
+    HARMLESS(graze_pair_get_contact, graze_pair_get_contact(NULL, 0).from == NULL);
+    HARMLESS(graze_pair_overlap_time, graze_pair_overlap_time(NULL) == NULL);
+    HARMLESS(graze_pair_verdict_name, strcmp(graze_pair_verdict_name(-1), "none") == 0);
+    HARMLESS(graze_cell_pair_name, *graze_cell_pair_name(NULL) == '\0');
+    graze_pair_destroy(p);
+}
+
 static void envelopes(bench *b) {
     graze_context *c = b->s.context;
     graze_envelope *e = NULL;

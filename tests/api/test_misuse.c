@@ -283,6 +283,7 @@ static void all(void **state) {
     distances(&b);
     grids(&b);
     envelopes(&b);
+    pairs(&b);
     contact_points(&b);
     none_is_left_out(&b);
     graze_comparison_destroy(b.comparison);

@@ -61,6 +61,7 @@ ROWS = [
     Row("mend S.off", ["S.off"], {"--output": "o.off", "-o": "o.off"}),
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o"}),
+    Row("collide S.wkt M.json S.wkt", SCENE, {}, reads=["--motion-of-fixed"], ends=1),
     Row("motion poses Q.csv", ["Q.csv"], {"--output": "o", "--report": "o"}),
     Row("motion dyadic M.json", ["M.json"], {"--output": "o", "--report": "o"}),
     Row("motion joints slide:1,0,0", [], {"--output": "o", "--report": "o"}),
@@ -131,7 +132,7 @@ def changed(before, after):
 
 def given(bench, row):
     """Words of a run of that row."""
-    values = {"--receipt": "R", "--solid": "S.wkt", "--motion": "M.json", "--points": "P.csv"}
+    values = {"--receipt": "R", "--solid": "S.wkt", "--motion": "M.json", "--points": "P.csv", "--motion-of-fixed": "M.json"}
     words = list(row.words) + [bench.candidate] * (row.words[-1] == "--candidate")
     return words + [word for option in row.reads for word in (option, values[option])]
 

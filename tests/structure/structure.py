@@ -31,7 +31,7 @@ WINGS = {
     "base": ["context", "number"],
     "input": ["delimited motion soup", "csg", "validate", "read", "solid", "convert mend", "scad"],
     "decide": ["filter", "scene", "trace", "curved", "verdict", "lattice"],
-    "questions": ["topo", "contact distance", "envelope generate certify", "boundary"],
+    "questions": ["topo", "contact distance collide", "envelope generate certify", "boundary"],
     "output": ["table", "report", "compare", "draw", "page png"],
     "api": ["api"],
     "program": ["run", "cli", "mpi"],
@@ -57,6 +57,7 @@ PARTS = {room: room for room in ("report", "generate", "compare", "convert", "dr
                                   "topo", "contact", "distance", "envelope", "curved")}
 PARTS["table"] = "report"
 PARTS["page"] = "draw"
+PARTS["collide"] = "pair"
 # What the checker of certificates may include.
 STANDARD = {"float.h", "gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",
             "unistd.h"}

@@ -21,8 +21,8 @@ static void local_time(fmpq_t u, const motion_piece *piece, const fmpq_t t) {
 }
 
 /* The forward map of a piece as an affine map of quotients, between two of its times. */
-static graze_status add_part(draft *out, graze_context *context, const motion_piece *piece,
-                             const fmpq_t lo, const fmpq_t hi) {
+static graze_status add_cut(draft *out, graze_context *context, const motion_piece *piece,
+                            const fmpq_t lo, const fmpq_t hi) {
     draft_piece *made;
     calculation c = {context, GRAZE_OK};
     graze_status status = draft_append(&made, context, out);
@@ -59,7 +59,7 @@ static graze_status cut_out(draft *out, graze_context *context, const graze_moti
         const fmpq *from = fmpq_cmp(piece->lo, lo) > 0 ? piece->lo : lo;
         const fmpq *to = fmpq_cmp(piece->hi, hi) < 0 ? piece->hi : hi;
         if (fmpq_cmp(from, to) < 0)
-            status = add_part(out, context, piece, from, to);
+            status = add_cut(out, context, piece, from, to);
     }
     return status;
 }

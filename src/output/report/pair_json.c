@@ -24,7 +24,7 @@ const char *cell_pair_name(const graze_cell_pair *cells) {
     return a < 4 && b < 4 ? names[a][b] : "";
 }
 
-static void put_near(json_writer *w, const graze_time *time) {
+static void put_near_decimal(json_writer *w, const graze_time *time) {
     char *decimal = decimal_of_time(NULL, time, NEAR_DIGITS);
     if (decimal)
         json_number(w, "near", decimal);
@@ -33,7 +33,7 @@ static void put_near(json_writer *w, const graze_time *time) {
     free(decimal);
 }
 
-static void put_cells(json_writer *w, const cell_pairs *cells) {
+static void put_cell_pairs(json_writer *w, const cell_pairs *cells) {
     json_open(w, "cells", '[');
     for (size_t k = 0; cells && k < cells->count; k++) {
         json_open(w, NULL, '{');
@@ -45,17 +45,17 @@ static void put_cells(json_writer *w, const cell_pairs *cells) {
     json_close(w, ']');
 }
 
-static void put_contact(json_writer *w, const char *key, const graze_pair *pair,
-                        const pair_contact *c) {
+static void put_pair_contact(json_writer *w, const char *key, const graze_pair *pair,
+                             const pair_contact *c) {
     json_open(w, key, '{');
     json_time(w, "from", c->from);
     json_time(w, "to", pair->options.first ? NULL : c->to);
-    put_near(w, c->from);
+    put_near_decimal(w, c->from);
     json_text(w, "kind",
               pair->options.first                                     ? NULL
               : verdict_kind(c->left, c->right) == GRAZE_INTERSECTION ? "intersection"
                                                                       : "tangency");
-    put_cells(w, &c->cells);
+    put_cell_pairs(w, &c->cells);
     json_close(w, '}');
 }
 
@@ -64,11 +64,11 @@ static void put_first(json_writer *w, const graze_pair *pair) {
     if (pair->start) {
         json_open(w, "first", '{');
         json_time(w, "from", pair->start);
-        put_near(w, pair->start);
-        put_cells(w, NULL);
+        put_near_decimal(w, pair->start);
+        put_cell_pairs(w, NULL);
         json_close(w, '}');
     } else if (pair->walk.contact_count) {
-        put_contact(w, "first", pair, &pair->walk.contact[0]);
+        put_pair_contact(w, "first", pair, &pair->walk.contact[0]);
     } else {
         json_text(w, "first", NULL);
     }
@@ -82,7 +82,7 @@ void pair_json(text *out, const graze_pair *pair) {
     put_first(&w, pair);
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)
-        put_contact(&w, NULL, pair, &pair->walk.contact[k]);
+        put_pair_contact(&w, NULL, pair, &pair->walk.contact[k]);
     json_close(&w, ']');
     json_close(&w, '}');
     text_put(out, "\n");

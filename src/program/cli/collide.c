@@ -4,6 +4,7 @@
 #include "base/number/text.h"
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
+#include "program/run/cell_text.h"
 #include "program/run/load.h"
 #include "program/run/output.h"
 
@@ -70,19 +71,19 @@ static const option_entry collide_table[] = {
     OPTION("limit", collide_given, context.limits, value_limit),
     {NULL, OPTION_FLAG, NULL, 0}};
 
-static int read_solid(graze_solid **out, const collide_scene *s, const char *path, unsigned flags) {
+static int read_side(graze_solid **out, const collide_scene *s, const char *path, unsigned flags) {
     int code = complain_of(graze_solid_read(out, s->context, path, flags), s->context);
     return code ? code : load_straight(*out, path, "collide");
 }
 
-static int read_all(collide_scene *s, const collide_given *o, char **file) {
+static int read_pair(collide_scene *s, const collide_given *o, char **file) {
     int code = context_make(&s->context, &o->context);
     if (!code)
-        code = read_solid(&s->moving, s, file[0], o->solid_flags);
+        code = read_side(&s->moving, s, file[0], o->solid_flags);
     if (!code)
         code = complain_of(graze_motion_read(&s->motion, s->context, file[1]), s->context);
     if (!code)
-        code = read_solid(&s->fixed, s, file[2], o->solid_flags);
+        code = read_side(&s->fixed, s, file[2], o->solid_flags);
     if (!code && o->motion_of_fixed)
         code = complain_of(graze_motion_read(&s->motion_of_fixed, s->context, o->motion_of_fixed),
                            s->context);
@@ -100,7 +101,7 @@ static void scene_free(collide_scene *s) {
 }
 
 /* A rational as it is, an irrational time as a decimal. */
-static graze_status put_time(text *t, const collide_scene *s, const graze_time *time) {
+static graze_status tell_pair_time(text *t, const collide_scene *s, const graze_time *time) {
     char *decimal = NULL;
     mpq_t exact;
     mpq_init(exact);
@@ -120,42 +121,35 @@ static graze_status put_time(text *t, const collide_scene *s, const graze_time *
     return status;
 }
 
-static void put_cell(text *t, const graze_cell *cell) {
-    if (cell->kind == GRAZE_CELL_EDGE)
-        text_format(t, "edge %zu-%zu", cell->a, cell->b);
-    else
-        text_format(t, "%s %zu", cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
-}
-
 enum { CELLS_SHOWN = 8 };
 
-static void put_cells(text *t, const graze_pair_contact *c) {
+static void tell_cells(text *t, const graze_pair_contact *c) {
     for (size_t k = 0; k < c->cell_count && k < CELLS_SHOWN; k++) {
         text_put(t, k ? ", " : ": ");
-        put_cell(t, &c->cells[k].moving);
+        text_cell(t, &c->cells[k].moving);
         text_put(t, " of MOVING with ");
-        put_cell(t, &c->cells[k].fixed);
+        text_cell(t, &c->cells[k].fixed);
     }
     if (c->cell_count > CELLS_SHOWN)
         text_format(t, ", and %zu more", c->cell_count - CELLS_SHOWN);
     text_put(t, "\n");
 }
 
-static graze_status put_contact(text *t, const collide_scene *s, const graze_pair_contact *c) {
+static graze_status tell_contact(text *t, const collide_scene *s, const graze_pair_contact *c) {
     text_put(t, c->to ? "contact " : "first contact ");
-    graze_status status = put_time(t, s, c->from);
+    graze_status status = tell_pair_time(t, s, c->from);
     if (!status && c->to && c->to != c->from) {
         text_put(t, " to ");
-        status = put_time(t, s, c->to);
+        status = tell_pair_time(t, s, c->to);
     }
     if (c->kind)
         text_put(t, c->kind == GRAZE_INTERSECTION ? ", intersection" : ", tangency");
-    put_cells(t, c);
+    tell_cells(t, c);
     return status;
 }
 
 /* The answer in words; whether a solid stays inside is one of its own. */
-static graze_status put_verdict(text *t, const collide_scene *s, int inside) {
+static graze_status tell_verdict(text *t, const collide_scene *s, int inside) {
     graze_pair_verdict verdict = graze_pair_get_verdict(s->pair);
     graze_status status = GRAZE_OK;
     if (!inside) {
@@ -164,7 +158,7 @@ static graze_status put_verdict(text *t, const collide_scene *s, int inside) {
         text_put(t, verdict == GRAZE_PAIR_CLEAR ? "inside" : "inside, touching");
     } else {
         text_put(t, "leaves at ");
-        status = put_time(t, s, graze_pair_overlap_time(s->pair));
+        status = tell_pair_time(t, s, graze_pair_overlap_time(s->pair));
     }
     text_put(t, "\n");
     return status;
@@ -173,11 +167,11 @@ static graze_status put_verdict(text *t, const collide_scene *s, int inside) {
 static int print_text(const collide_scene *s, const collide_given *o) {
     text t;
     text_init(&t);
-    graze_status status = put_verdict(&t, s, o->pair.question == GRAZE_PAIR_INSIDE);
+    graze_status status = tell_verdict(&t, s, o->pair.question == GRAZE_PAIR_INSIDE);
     text_format(&t, "word %s\n", graze_pair_word(s->pair));
     for (size_t k = 0; k < graze_pair_contact_count(s->pair) && !status; k++) {
         graze_pair_contact c = graze_pair_get_contact(s->pair, k);
-        status = put_contact(&t, s, &c);
+        status = tell_contact(&t, s, &c);
     }
     int code = complain_of(status, s->context);
     if (!code)
@@ -195,7 +189,7 @@ static int print_json(const collide_scene *s) {
     return code;
 }
 
-static int answer(collide_scene *s, const collide_given *o) {
+static int answer_pair(collide_scene *s, const collide_given *o) {
     graze_pair_options options = o->pair;
     options.size = sizeof options;
     int code = complain_of(graze_pair_create(&s->pair, s->context, s->moving, s->motion, s->fixed,
@@ -220,9 +214,9 @@ static int run_collide(void *options, const operands *given) {
     if (o->pair.first && o->overlap_alone)
         return complain(EXIT_USAGE, "--first ends before an overlap is known; expected --first or "
                                     "--ask overlap");
-    int code = read_all(&s, o, given->item);
+    int code = read_pair(&s, o, given->item);
     if (!code)
-        code = answer(&s, o);
+        code = answer_pair(&s, o);
     scene_free(&s);
     return code;
 }

@@ -2,19 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/run/envelope.h"
 
-#include "base/number/text.h"
+#include "program/run/cell_text.h"
 #include "program/run/envelope_files.h"
 #include "program/run/output.h"
-
-/* `face 3`; nothing for kind 0. */
-static void put_cell(text *t, const graze_cell *cell) {
-    static const char *const kinds[] = {"", "face ", "edge ", "vertex "};
-    text_put(t, kinds[cell->kind]);
-    if (cell->kind == GRAZE_CELL_EDGE)
-        text_format(t, "%zu-%zu", cell->a, cell->b);
-    else if (cell->kind)
-        text_format(t, "%zu", cell->a);
-}
 
 /* Numbers of events by kind. */
 static void put_event_counts(text *t, const graze_envelope *envelope) {
@@ -36,11 +26,11 @@ static graze_status put_decomposable_reason(text *t, graze_context *context,
     text_format(t, "why: %s", graze_decomposable_reason_name(f->reason));
     if (f->facet.kind) {
         text_put(t, ", ");
-        put_cell(t, &f->facet);
+        text_cell(t, &f->facet);
     }
     if (f->cell.kind) {
         text_put(t, f->facet.kind ? " at " : ", ");
-        put_cell(t, &f->cell);
+        text_cell(t, &f->cell);
     }
     if (when)
         text_format(t, ", time %s", when);

@@ -21,7 +21,7 @@ static void close_masks(unsigned char held[SIDE_MASKS], const common_points *poi
     }
 }
 
-static void add(cell_pairs *out, placing *p, graze_cell moving, graze_cell fixed) {
+static void add_cell_pair(cell_pairs *out, placing *p, graze_cell moving, graze_cell fixed) {
     if (!p->status)
         p->status = array_grow(p->context, &out->item, &out->capacity, out->count + 1,
                                sizeof *out->item, "pairs of cells");
@@ -39,10 +39,10 @@ static void add_names(cell_pairs *out, placing *p, near_pair simplices, side_mas
     const graze_cell *second = cell_names_of(&n, &b->cut.names, &fixed);
     for (size_t i = 0; i < m; i++)
         for (size_t j = 0; j < n; j++)
-            add(out, p, first[i], second[j]);
+            add_cell_pair(out, p, first[i], second[j]);
 }
 
-static int compare(const void *left, const void *right) {
+static int compare_cell_pairs(const void *left, const void *right) {
     const graze_cell_pair *a = left, *b = right;
     int order = cell_compare(&a->moving, &b->moving);
     return order ? order : cell_compare(&a->fixed, &b->fixed);
@@ -61,9 +61,9 @@ void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near) {
     }
     size_t kept = 0;
     if (out->count)
-        qsort(out->item, out->count, sizeof *out->item, compare);
+        qsort(out->item, out->count, sizeof *out->item, compare_cell_pairs);
     for (size_t k = 0; k < out->count; k++)
-        if (kept == 0 || compare(&out->item[kept - 1], &out->item[k]) != 0)
+        if (kept == 0 || compare_cell_pairs(&out->item[kept - 1], &out->item[k]) != 0)
             out->item[kept++] = out->item[k];
     out->count = kept;
 }

@@ -14,7 +14,7 @@ static uint32_t simplex_of(near_pair simplices, pair_side side) {
     return side == SIDE_MOVING ? simplices.moving : simplices.fixed;
 }
 
-static uint32_t corner_of(const finder *f, pair_side side, int k) {
+static uint32_t corner_vertex(const finder *f, pair_side side, int k) {
     return placing_solid(f->p, side)->cut.item[simplex_of(f->simplices, side)].vertex[k];
 }
 
@@ -25,11 +25,11 @@ void simplex_side(uint32_t out[2], const graze_solid *solid, uint32_t simplex, i
 }
 
 /* The sides of a simplex that hold its corner k. */
-static unsigned sides_at_corner(int d, int k) {
+static unsigned sides_of_corner(int d, int k) {
     return d == 3 ? 1u << k | 1u << (k + 2) % 3 : 1u << k;
 }
 
-static void add(finder *f, common_corner corner) {
+static void note_corner(finder *f, common_corner corner) {
     f->out->item[f->out->count++] = corner;
 }
 
@@ -38,8 +38,8 @@ static int look_at_plane(finder *f, pair_side side) {
     int d = f->p->pair->motion->dimension, above = 0, below = 0;
     pair_side other = (pair_side)!side;
     for (int k = 0; k < d; k++) {
-        f->plane[side][k] =
-            placing_plane_sign(f->p, other, simplex_of(f->simplices, other), corner_of(f, side, k));
+        f->plane[side][k] = placing_plane_sign(f->p, other, simplex_of(f->simplices, other),
+                                               corner_vertex(f, side, k));
         above += f->plane[side][k] > 0;
         below += f->plane[side][k] < 0;
     }
@@ -47,18 +47,18 @@ static int look_at_plane(finder *f, pair_side side) {
 }
 
 /* Corners of one that are in the other. */
-static void add_vertices(finder *f, pair_side side) {
+static void add_vertex_corners(finder *f, pair_side side) {
     int d = f->p->pair->motion->dimension;
     pair_side other = (pair_side)!side;
     for (int k = 0; k < d && !f->p->status; k++) {
         common_corner c = {.kind = side == SIDE_MOVING ? CORNER_MOVING : CORNER_FIXED};
         if (f->plane[side][k] == 0 &&
             placing_inside(&c.zero[other], f->p, other, simplex_of(f->simplices, other),
-                           corner_of(f, side, k))) {
-            c.zero[side] = sides_at_corner(d, k);
+                           corner_vertex(f, side, k))) {
+            c.zero[side] = sides_of_corner(d, k);
             c.at[side] = k;
             c.at[other] = -1;
-            add(f, c);
+            note_corner(f, c);
         }
     }
 }
@@ -97,7 +97,7 @@ static int passes_through(const int plane[3], int k, const int sign[3]) {
     return plane[k] * plane[(k + 1) % 3] < 0 && sign[0] && sign[0] == sign[1] && sign[1] == sign[2];
 }
 
-static void add_edges(finder *f) {
+static void add_edge_corners(finder *f) {
     int sign[3][3], turned[3][3];
     for (int k = 0; k < 3 && !f->p->status; k++)
         for (int l = 0; l < 3 && !f->p->status; l++) {
@@ -107,7 +107,7 @@ static void add_edges(finder *f) {
             turned[l][k] = sign[k][l];
             if (may && !sign[k][l] && edges_cross(f->p, f->simplices, k, l, f->plane)) {
                 common_corner c = {CORNER_EDGES, {1u << k, 1u << l}, {k, l}};
-                add(f, c);
+                note_corner(f, c);
             }
         }
     for (int k = 0; k < 3 && !f->p->status; k++)
@@ -120,10 +120,10 @@ void common_points_find(common_points *out, placing *p, near_pair simplices) {
     *out = (common_points){.count = 0};
     if (!look_at_plane(&f, SIDE_MOVING) || !look_at_plane(&f, SIDE_FIXED))
         return;
-    add_vertices(&f, SIDE_MOVING);
-    add_vertices(&f, SIDE_FIXED);
+    add_vertex_corners(&f, SIDE_MOVING);
+    add_vertex_corners(&f, SIDE_FIXED);
     if (p->pair->motion->dimension == 3)
-        add_edges(&f);
+        add_edge_corners(&f);
     else
         out->crossing = f.plane[0][0] * f.plane[0][1] < 0 && f.plane[1][0] * f.plane[1][1] < 0;
 }

@@ -32,7 +32,7 @@ void map_forms_split(map_forms *forms, map_forms *right) {
         bernstein_form_split(&forms->form[k], &right->form[k]);
 }
 
-static int make_room(control_maps *out, size_t count, int d) {
+static int make_map_room(control_maps *out, size_t count, int d) {
     double *grown = realloc(out->entry, count * (size_t)(d * (d + 1)) * sizeof *grown);
     if (!grown)
         return 0;
@@ -52,7 +52,7 @@ static double quotient(const fmpz_t x, const fmpz_t w) {
 
 int control_maps_set(control_maps *out, const map_forms *forms) {
     int d = forms->dimension, n = form_count(d) - 1;
-    if (!make_room(out, (size_t)forms->degree + 1, d))
+    if (!make_map_room(out, (size_t)forms->degree + 1, d))
         return 0;
     fmpz_t x, w;
     fmpz_init(x);
@@ -72,11 +72,12 @@ int control_maps_set(control_maps *out, const map_forms *forms) {
 }
 
 int control_maps_set_one(control_maps *out, const fmpq *map, int dimension) {
-    if (!make_room(out, 1, dimension))
+    if (!make_map_room(out, 1, dimension))
         return 0;
     for (int k = 0; k < dimension * (dimension + 1); k++) {
-        double high;
-        rational_bounds(&out->entry[k], &high, map + k);
+        double low, high;
+        rational_bounds(&low, &high, map + k);
+        out->entry[k] = isinf(high) ? high : low;
     }
     return 1;
 }
@@ -96,6 +97,10 @@ void control_maps_bound(box *out, const control_maps *maps, const box *of) {
         box image;
         box_image(&image, maps->entry + k * (size_t)(d * (d + 1)), d, of);
         for (int i = 0; i < d; i++) {
+            if (!(image.low[i] <= image.high[i])) { /* past the range of doubles */
+                image.low[i] = -INFINITY;
+                image.high[i] = INFINITY;
+            }
             out->low[i] = image.low[i] < out->low[i] ? image.low[i] : out->low[i];
             out->high[i] = image.high[i] > out->high[i] ? image.high[i] : out->high[i];
         }

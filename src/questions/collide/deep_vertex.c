@@ -11,8 +11,8 @@
 enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 
 /* The contacts next to a time narrow [low, high]. */
-static graze_status narrow(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
-                           algebraic *time) {
+static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
+                                    algebraic *time) {
     graze_status status = GRAZE_OK;
     fmpq_t from, to;
     fmpq_init(from);
@@ -48,7 +48,7 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
     if (!status)
         status = touches_find(&found, whole->context, other, c, NULL, &list);
     if (!status)
-        status = narrow(low, high, whole->context, &found, time);
+        status = narrow_interval(low, high, whole->context, &found, time);
     fmpq_sub(width, out->high, out->low);
     fmpq_add(width, width, low);
     if (!status && fmpq_cmp(high, width) > 0) {

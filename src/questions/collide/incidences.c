@@ -39,7 +39,7 @@ static int compare_cells(const void *left, const void *right) {
     return 0;
 }
 
-static void add(cell_list *list, finder *f, meeting_cells item) {
+static void add_meeting(cell_list *list, finder *f, meeting_cells item) {
     if (!f->p->status)
         f->p->status = array_grow(f->p->context, &list->item, &list->capacity, list->count + 1,
                                   sizeof *list->item, "cells that may meet");
@@ -68,12 +68,12 @@ static void gather_vertices(cell_list *out, finder *f, pair_side side) {
         for (int k = 0; k < of->input.dimension; k++) {
             near_pair s = f->near->item[i];
             uint32_t vertex = of->cut.item[simplex_on(s, (pair_side)!side)].vertex[k];
-            add(out, f, (meeting_cells){{vertex, simplex_on(s, side), 0, 0}, s, k, 0});
+            add_meeting(out, f, (meeting_cells){{vertex, simplex_on(s, side), 0, 0}, s, k, 0});
         }
     leave_each_once(out);
 }
 
-static void order_ends(uint32_t *key, const uint32_t end[2]) {
+static void order_edge(uint32_t *key, const uint32_t end[2]) {
     key[0] = end[0] < end[1] ? end[0] : end[1];
     key[1] = end[0] < end[1] ? end[1] : end[0];
 }
@@ -85,21 +85,21 @@ static void gather_edges(cell_list *out, finder *f) {
                 meeting_cells m = {{0, 0, 0, 0}, f->near->item[i], k, l};
                 uint32_t end[2];
                 simplex_side(end, f->p->pair->moving, m.simplices.moving, k);
-                order_ends(m.key, end);
+                order_edge(m.key, end);
                 simplex_side(end, f->p->pair->fixed, m.simplices.fixed, l);
-                order_ends(m.key + 2, end);
-                add(out, f, m);
+                order_edge(m.key + 2, end);
+                add_meeting(out, f, m);
             }
     leave_each_once(out);
 }
 
 /* Append the roots of q, not zero, in the interval. */
-static void find_roots(algebraic_list *roots, finder *f, const fmpz_poly_t q) {
+static void find_times(algebraic_list *roots, finder *f, const fmpz_poly_t q) {
     if (!f->p->status && !certainly_rootless(q, f->interval))
         f->p->status = algebraic_roots(roots, f->p->context, q, f->interval);
 }
 
-static void note(finder *f, const algebraic *time) {
+static void note_time(finder *f, const algebraic *time) {
     algebraic_set(algebraic_list_append(&f->found), time);
 }
 
@@ -128,24 +128,24 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     algebraic_list_init(&roots);
     placing_plane(q, f->p, side, m->key[1], m->key[0]);
     if (!fmpz_poly_is_zero(q))
-        find_roots(&roots, f, q);
+        find_times(&roots, f, q);
     else
         for (int k = 0; k < d; k++) {
             placing_side(q, f->p, side, m->key[1], k, m->key[0]);
             if (!fmpz_poly_is_zero(q))
-                find_roots(&roots, f, q);
+                find_times(&roots, f, q);
         }
     for (size_t k = 0; k < roots.count && !f->p->status; k++) {
         f->p->when = &roots.item[k];
         if (placing_inside(&zero, f->p, side, m->key[1], m->key[0]))
-            note(f, &roots.item[k]);
+            note_time(f, &roots.item[k]);
     }
     algebraic_list_clear(&roots);
     fmpz_poly_clear(q);
 }
 
 /* The signs of both triangles' corners at the other one's plane. */
-static void look_at_planes(int plane[2][3], placing *p, near_pair s) {
+static void see_planes(int plane[2][3], placing *p, near_pair s) {
     for (int k = 0; k < 3; k++) {
         plane[SIDE_MOVING][k] = placing_plane_sign(p, SIDE_FIXED, s.fixed,
                                                    p->pair->moving->cut.item[s.moving].vertex[k]);
@@ -154,7 +154,7 @@ static void look_at_planes(int plane[2][3], placing *p, near_pair s) {
     }
 }
 
-static void meet_edges(finder *f, const meeting_cells *m) {
+static void meet_two_edges(finder *f, const meeting_cells *m) {
     uint32_t moving[2], fixed[2];
     int plane[2][3];
     fmpz_poly_t q;
@@ -165,12 +165,12 @@ static void meet_edges(finder *f, const meeting_cells *m) {
     simplex_side(fixed, f->p->pair->fixed, m->simplices.fixed, m->l);
     placing_edges(q, f->p, moving, fixed);
     if (!fmpz_poly_is_zero(q))
-        find_roots(&roots, f, q);
+        find_times(&roots, f, q);
     for (size_t k = 0; k < roots.count && !f->p->status; k++) {
         f->p->when = &roots.item[k];
-        look_at_planes(plane, f->p, m->simplices);
+        see_planes(plane, f->p, m->simplices);
         if (edges_cross(f->p, m->simplices, m->k, m->l, plane))
-            note(f, &roots.item[k]);
+            note_time(f, &roots.item[k]);
     }
     algebraic_list_clear(&roots);
     fmpz_poly_clear(q);
@@ -211,7 +211,7 @@ graze_status incidences_find(algebraic_list *out, placing *p, const near_list *n
     if (p->pair->motion->dimension == 3 && !p->status)
         gather_edges(&list, &f);
     for (size_t k = 0; k < list.count && !p->status; k++)
-        meet_edges(&f, &list.item[k]);
+        meet_two_edges(&f, &list.item[k]);
     if (!p->status)
         order_times(out, &f);
     free(list.item);

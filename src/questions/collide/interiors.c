@@ -24,7 +24,7 @@ typedef struct looker {
     meeting_point *point;
 } looker;
 
-static int compare_points(const void *left, const void *right) {
+static int compare_meetings(const void *left, const void *right) {
     const meeting_point *a = left, *b = right;
     if (a->kind != b->kind)
         return a->kind < b->kind ? -1 : 1;
@@ -51,7 +51,7 @@ static void set_key(meeting_point *m, const placing *p) {
         cut->item[side ? m->simplices.fixed : m->simplices.moving].vertex[m->corner.at[side]];
 }
 
-static void add_point(looker *l, near_pair simplices, const common_corner *corner) {
+static void add_meeting_point(looker *l, near_pair simplices, const common_corner *corner) {
     if (!l->p->status)
         l->p->status = array_grow(l->p->context, &l->point, &l->capacity, l->count + 1,
                                   sizeof *l->point, "common points");
@@ -72,19 +72,19 @@ static void gather_points(looker *l, const near_list *near) {
             return;
         }
         for (int c = 0; c < found.count; c++)
-            add_point(l, near->item[k], &found.item[c]);
+            add_meeting_point(l, near->item[k], &found.item[c]);
         if (k % 64 == 63 && !l->p->status)
             l->p->status = context_poll(l->p->context);
     }
     if (l->count)
-        qsort(l->point, l->count, sizeof *l->point, compare_points);
+        qsort(l->point, l->count, sizeof *l->point, compare_meetings);
 }
 
 /* Is a vertex one of the common points? */
 static int is_common(const looker *l, pair_side side, uint32_t vertex) {
     meeting_point m = {.kind = side == SIDE_MOVING ? CORNER_MOVING : CORNER_FIXED,
                        .key = {vertex, vertex, 0, 0}};
-    return l->count && bsearch(&m, l->point, l->count, sizeof *l->point, compare_points) != NULL;
+    return l->count && bsearch(&m, l->point, l->count, sizeof *l->point, compare_meetings) != NULL;
 }
 
 /* Has a component of a boundary, one that meets the other boundary nowhere, a vertex in the other
@@ -181,7 +181,7 @@ static int cones_meet(looker *l) {
     int found = 0;
     for (size_t k = 0, end; k < l->count && !found && !l->p->status; k = end) {
         for (end = k + 1; end < l->count;)
-            if (compare_points(&l->point[k], &l->point[end++]) != 0) {
+            if (compare_meetings(&l->point[k], &l->point[end++]) != 0) {
                 end--;
                 break;
             }

@@ -67,8 +67,8 @@ static double spanned(double *s, double *t, const double *p, int d, const double
 }
 
 /* The side of a simplex's plane on which a point is at one control map: 0 if it is not certain. */
-static int side_at(const corners *plane_of, uint32_t simplex, int d, const double *entry,
-                   const double *vertex, double error, double reach) {
+static int side_at_control(const corners *plane_of, uint32_t simplex, int d, const double *entry,
+                           const double *vertex, double error, double reach) {
     double x[3], s, t, far = image_reach(entry, d, reach);
     image_of(x, entry, d, vertex);
     double value = spanned(&s, &t, plane_of->at + (size_t)simplex * (size_t)(d * d), d, x);
@@ -82,8 +82,8 @@ int vertex_off_plane(const corners *plane_of, uint32_t simplex, const control_ma
                      const double *vertex, double error, double reach) {
     int side = 0, d = maps->dimension;
     for (size_t k = 0; k < maps->count; k++) {
-        int here = side_at(plane_of, simplex, d, maps->entry + k * (size_t)(d * (d + 1)), vertex,
-                           error, reach);
+        int here = side_at_control(plane_of, simplex, d, maps->entry + k * (size_t)(d * (d + 1)),
+                                   vertex, error, reach);
         if (!here || (k > 0 && here != side))
             return 0;
         side = here;
@@ -125,7 +125,7 @@ typedef struct refiner {
     graze_status status;
 } refiner;
 
-static void refine(refiner *r, node_pair p) {
+static void refine_pair(refiner *r, node_pair p) {
     const tree_node *a = &r->pair->moving->boxes.node[p.moving];
     const tree_node *b = &r->pair->fixed->boxes.node[p.fixed];
     box moved, begun = a->box;
@@ -143,11 +143,11 @@ static void refine(refiner *r, node_pair p) {
     } else if (leaves) {
         r->status = node_list_add(r->near, r->context, p);
     } else if (a->child && (!b->child || size >= other)) {
-        refine(r, (node_pair){a->child, p.fixed});
-        refine(r, (node_pair){a->child + 1, p.fixed});
+        refine_pair(r, (node_pair){a->child, p.fixed});
+        refine_pair(r, (node_pair){a->child + 1, p.fixed});
     } else {
-        refine(r, (node_pair){p.moving, b->child});
-        refine(r, (node_pair){p.moving, b->child + 1});
+        refine_pair(r, (node_pair){p.moving, b->child});
+        refine_pair(r, (node_pair){p.moving, b->child + 1});
     }
 }
 
@@ -157,7 +157,7 @@ graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context
     refiner r = {.pair = pair, .at = at, .near = near, .coarse = coarse, .at_once = at_once};
     r.context = context;
     for (size_t k = 0; k < in->count && !r.status; k++) {
-        refine(&r, in->item[k]);
+        refine_pair(&r, in->item[k]);
         if (!r.status && k % 64 == 0)
             r.status = context_poll(context);
     }

@@ -11,27 +11,27 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 
-static void vector_init(moving_vector *v) {
+static void moving_init(moving_vector *v) {
     for (int i = 0; i < 3; i++)
         fmpz_poly_init(&v->c[i]);
 }
 
-static void vector_clear(moving_vector *v) {
+static void moving_clear(moving_vector *v) {
     for (int i = 0; i < 3; i++)
         fmpz_poly_clear(&v->c[i]);
 }
 
-static void vector_set(moving_vector *out, const moving_vector *v) {
+static void moving_set(moving_vector *out, const moving_vector *v) {
     for (int i = 0; i < 3; i++)
         fmpz_poly_set(&out->c[i], &v->c[i]);
 }
 
-static void vector_negate(moving_vector *v) {
+static void moving_negate(moving_vector *v) {
     for (int i = 0; i < 3; i++)
         fmpz_poly_neg(&v->c[i], &v->c[i]);
 }
 
-static void vector_dot(fmpz_poly_t out, const moving_vector *a, const moving_vector *b) {
+static void dot_moving(fmpz_poly_t out, const moving_vector *a, const moving_vector *b) {
     fmpz_poly_t term;
     fmpz_poly_init(term);
     fmpz_poly_zero(out);
@@ -43,7 +43,7 @@ static void vector_dot(fmpz_poly_t out, const moving_vector *a, const moving_vec
 }
 
 /* out is neither. */
-static void vector_cross(moving_vector *out, const moving_vector *a, const moving_vector *b) {
+static void cross_moving(moving_vector *out, const moving_vector *a, const moving_vector *b) {
     fmpz_poly_t term;
     fmpz_poly_init(term);
     for (int i = 0; i < 3; i++) {
@@ -58,25 +58,25 @@ static void vector_cross(moving_vector *out, const moving_vector *a, const movin
 static int dot_sign(placing *p, const moving_vector *a, const moving_vector *b) {
     fmpz_poly_t dot;
     fmpz_poly_init(dot);
-    vector_dot(dot, a, b);
+    dot_moving(dot, a, b);
     int sign = placing_sign(p, dot);
     fmpz_poly_clear(dot);
     return sign;
 }
 
 /* The sign of (a x b) . n: is b to the left of a, seen against n? */
-static int turn_sign(placing *p, const moving_vector *a, const moving_vector *b,
-                     const moving_vector *n) {
+static int turn_about(placing *p, const moving_vector *a, const moving_vector *b,
+                      const moving_vector *n) {
     moving_vector cross;
-    vector_init(&cross);
-    vector_cross(&cross, a, b);
+    moving_init(&cross);
+    cross_moving(&cross, a, b);
     int sign = dot_sign(p, &cross, n);
-    vector_clear(&cross);
+    moving_clear(&cross);
     return sign;
 }
 
 /* out = i a + j b with small numbers; out may be a. */
-static void vector_combine(moving_vector *out, slong i, const moving_vector *a, slong j,
+static void combine_moving(moving_vector *out, slong i, const moving_vector *a, slong j,
                            const moving_vector *b) {
     fmpz_poly_t term;
     fmpz_poly_init(term);
@@ -96,8 +96,8 @@ static void ray_between(moving_vector *out, placing *p, const moving_vector *a,
     fmpz_poly_init(at_a);
     fmpz_poly_init(at_b);
     fmpz_poly_init(term);
-    vector_dot(at_a, n, a);
-    vector_dot(at_b, n, b);
+    dot_moving(at_a, n, a);
+    dot_moving(at_b, n, b);
     if (placing_sign(p, at_b) < 0)
         fmpz_poly_neg(at_b, at_b);
     else
@@ -114,9 +114,9 @@ static void ray_between(moving_vector *out, placing *p, const moving_vector *a,
 
 void sectors_about_clear(sectors_about *list) {
     for (size_t k = 0; k < list->count; k++) {
-        vector_clear(&list->item[k].from);
-        vector_clear(&list->item[k].to);
-        vector_clear(&list->item[k].normal);
+        moving_clear(&list->item[k].from);
+        moving_clear(&list->item[k].to);
+        moving_clear(&list->item[k].normal);
     }
     free(list->item);
     *list = (sectors_about){0};
@@ -130,12 +130,12 @@ static void add_sector(sectors_about *list, placing *p, const moving_vector *fro
     if (p->status)
         return;
     sector *s = &list->item[list->count++];
-    vector_init(&s->from);
-    vector_init(&s->to);
-    vector_init(&s->normal);
-    vector_set(&s->from, from);
-    vector_set(&s->to, to);
-    vector_cross(&s->normal, from, to);
+    moving_init(&s->from);
+    moving_init(&s->to);
+    moving_init(&s->normal);
+    moving_set(&s->from, from);
+    moving_set(&s->to, to);
+    cross_moving(&s->normal, from, to);
 }
 
 /* The edge from corner a to corner b of a simplex, in the fixed solid's space. */
@@ -178,33 +178,33 @@ static void add_oriented(sectors_about *list, placing *p, pair_side side, const 
 static void add_half_plane(sectors_about *list, placing *p, pair_side side, moving_vector *along,
                            moving_vector *across) {
     add_oriented(list, p, side, along, across);
-    vector_negate(along);
+    moving_negate(along);
     add_oriented(list, p, side, across, along);
-    vector_negate(along);
+    moving_negate(along);
 }
 
 /* A segment of the plane stands for a strip of all heights: outward is to the right of it. */
-static void add_strip(sectors_about *list, placing *p, pair_side side, moving_vector *ray,
-                      int backward) {
+static void add_upright(sectors_about *list, placing *p, pair_side side, moving_vector *ray,
+                        int backward) {
     moving_vector up;
-    vector_init(&up);
+    moving_init(&up);
     fmpz_poly_set_si(&up.c[2], backward ? -1 : 1);
     add_half_plane(list, p, side, &up, ray);
-    vector_clear(&up);
+    moving_clear(&up);
 }
 
 /* In E^2: the rays to the ends of a segment that the point is not at. */
 static void add_segment(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
                         unsigned zero) {
     moving_vector ray;
-    vector_init(&ray);
+    moving_init(&ray);
     edge_vector(&ray, p, side, simplex, 0, 1);
     if (!(zero & 2))
-        add_strip(list, p, side, &ray, 1);
-    vector_negate(&ray);
+        add_upright(list, p, side, &ray, 1);
+    moving_negate(&ray);
     if (!(zero & 1))
-        add_strip(list, p, side, &ray, 0);
-    vector_clear(&ray);
+        add_upright(list, p, side, &ray, 0);
+    moving_clear(&ray);
 }
 
 void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
@@ -214,8 +214,8 @@ void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t
         return;
     }
     moving_vector along, across;
-    vector_init(&along);
-    vector_init(&across);
+    moving_init(&along);
+    moving_init(&across);
     /* The corner, or the first one of the side, that holds the point. */
     static const int first[8] = {0, 0, 1, 1, 2, 0, 2, 0};
     int k = first[zero & 7];
@@ -226,18 +226,18 @@ void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t
     } else {
         add_half_plane(list, p, side, &along, &across);
         if (!zero) {
-            vector_negate(&along);
-            vector_negate(&across);
+            moving_negate(&along);
+            moving_negate(&across);
             add_half_plane(list, p, side, &along, &across);
         }
     }
-    vector_clear(&along);
-    vector_clear(&across);
+    moving_clear(&along);
+    moving_clear(&across);
 }
 
 /* Is a direction, which lies in the plane of a sector, strictly inside it? */
-static int is_inside(placing *p, const sector *s, const moving_vector *v) {
-    return turn_sign(p, &s->from, v, &s->normal) > 0 && turn_sign(p, v, &s->to, &s->normal) > 0;
+static int is_in_sector(placing *p, const sector *s, const moving_vector *v) {
+    return turn_about(p, &s->from, v, &s->normal) > 0 && turn_about(p, v, &s->to, &s->normal) > 0;
 }
 
 /* How the way from a direction to one strictly inside a sector passes another sector: 0 not at all,
@@ -250,11 +250,11 @@ static int passes_sector(placing *p, const moving_vector *from, const moving_vec
     if (before * after >= 0)
         return 0;
     moving_vector at;
-    vector_init(&at);
+    moving_init(&at);
     ray_between(&at, p, from, to, &s->normal);
-    int left = turn_sign(p, &s->from, &at, &s->normal);
-    int right = turn_sign(p, &at, &s->to, &s->normal);
-    vector_clear(&at);
+    int left = turn_about(p, &s->from, &at, &s->normal);
+    int right = turn_about(p, &at, &s->to, &s->normal);
+    moving_clear(&at);
     return left > 0 && right > 0 ? 1 : left < 0 || right < 0 ? 0 : -1;
 }
 
@@ -276,13 +276,13 @@ static int locate_by(placing *p, const sectors_about *cone, const moving_vector 
 static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector *v) {
     int found = -1;
     moving_vector to;
-    vector_init(&to);
+    moving_init(&to);
     for (slong weight = 1; found < 0 && !p->status; weight++)
         for (size_t k = 0; k < cone->count && found < 0 && !p->status; k++) {
-            vector_combine(&to, weight, &cone->item[k].from, 1, &cone->item[k].to);
+            combine_moving(&to, weight, &cone->item[k].from, 1, &cone->item[k].to);
             found = locate_by(p, cone, v, k, &to);
         }
-    vector_clear(&to);
+    moving_clear(&to);
     return found > 0;
 }
 
@@ -296,7 +296,7 @@ typedef struct ray_list {
 static void insert_ray(ray_list *list, placing *p, const sector *s, const moving_vector *ray) {
     size_t at = list->count;
     int turn = -1;
-    while (at > 0 && (turn = turn_sign(p, &list->item[at - 1], ray, &s->normal)) < 0)
+    while (at > 0 && (turn = turn_about(p, &list->item[at - 1], ray, &s->normal)) < 0)
         at--;
     if (at > 0 && turn == 0)
         return;
@@ -307,8 +307,8 @@ static void insert_ray(ray_list *list, placing *p, const sector *s, const moving
         return;
     for (size_t k = list->count; k > at; k--)
         list->item[k] = list->item[k - 1];
-    vector_init(&list->item[at]);
-    vector_set(&list->item[at], ray);
+    moving_init(&list->item[at]);
+    moving_set(&list->item[at], ray);
     list->count++;
 }
 
@@ -316,16 +316,16 @@ static void insert_ray(ray_list *list, placing *p, const sector *s, const moving
 static void cut_by(ray_list *list, placing *p, const sector *s, const sector *by) {
     int first = dot_sign(p, &by->normal, &s->from), last = dot_sign(p, &by->normal, &s->to);
     if (first == 0 && last == 0) {
-        if (is_inside(p, s, &by->from))
+        if (is_in_sector(p, s, &by->from))
             insert_ray(list, p, s, &by->from);
-        if (is_inside(p, s, &by->to))
+        if (is_in_sector(p, s, &by->to))
             insert_ray(list, p, s, &by->to);
     } else if (first * last < 0) {
         moving_vector ray;
-        vector_init(&ray);
+        moving_init(&ray);
         ray_between(&ray, p, &s->from, &s->to, &by->normal);
         insert_ray(list, p, s, &ray);
-        vector_clear(&ray);
+        moving_clear(&ray);
     }
 }
 
@@ -333,7 +333,7 @@ static void cut_by(ray_list *list, placing *p, const sector *s, const sector *by
 static int part_meets(placing *p, const sector *s, const moving_vector *ray,
                       const sectors_about *other) {
     for (size_t k = 0; k < other->count && !p->status; k++)
-        if (dot_sign(p, &other->item[k].normal, ray) == 0 && is_inside(p, &other->item[k], ray))
+        if (dot_sign(p, &other->item[k].normal, ray) == 0 && is_in_sector(p, &other->item[k], ray))
             return dot_sign(p, &s->normal, &other->item[k].normal) > 0;
     return !p->status && is_in_cone(p, other, ray);
 }
@@ -342,18 +342,18 @@ static int sector_meets(placing *p, const sector *s, const sectors_about *other)
     ray_list cuts = {0};
     int found = 0;
     moving_vector middle;
-    vector_init(&middle);
+    moving_init(&middle);
     for (size_t k = 0; k < other->count && !p->status; k++)
         cut_by(&cuts, p, s, &other->item[k]);
     for (size_t k = 0; k <= cuts.count && !found && !p->status; k++) {
-        vector_combine(&middle, 1, k > 0 ? &cuts.item[k - 1] : &s->from, 1,
+        combine_moving(&middle, 1, k > 0 ? &cuts.item[k - 1] : &s->from, 1,
                        k < cuts.count ? &cuts.item[k] : &s->to);
         found = part_meets(p, s, &middle, other);
     }
     for (size_t k = 0; k < cuts.count; k++)
-        vector_clear(&cuts.item[k]);
+        moving_clear(&cuts.item[k]);
     free(cuts.item);
-    vector_clear(&middle);
+    moving_clear(&middle);
     return found;
 }
 

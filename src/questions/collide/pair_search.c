@@ -69,7 +69,7 @@ static int is_deep(const searcher *s, const dyadic_interval *interval) {
 }
 
 /* Go over an interval during all of which the interiors meet. */
-static graze_status pass(searcher *s, const dyadic_interval *interval) {
+static graze_status go_over(searcher *s, const dyadic_interval *interval) {
     fmpq_t low, high;
     fmpq_init(low);
     fmpq_init(high);
@@ -80,14 +80,14 @@ static graze_status pass(searcher *s, const dyadic_interval *interval) {
     return status;
 }
 
-static graze_status search(searcher *s, stretch_forms *during, const node_list *of);
+static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of);
 
 static graze_status search_halves(searcher *s, stretch_forms *during, const node_list *of) {
     stretch_forms right;
     forms_split(during, &right);
-    graze_status status = search(s, during, of);
+    graze_status status = search_stretch(s, during, of);
     if (!status && !s->walk->done)
-        status = search(s, &right, of);
+        status = search_stretch(s, &right, of);
     forms_clear(&right);
     return status;
 }
@@ -107,8 +107,8 @@ static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
 }
 
 /* Ask for the times at which the boundaries of pairs of leaves meet, and walk to each. */
-static graze_status ask(searcher *s, stretch_forms *during, const motion_stretch *at,
-                        const node_list *leaves) {
+static graze_status ask_exactly(searcher *s, stretch_forms *during, const motion_stretch *at,
+                                const node_list *leaves) {
     near_list near = {0};
     algebraic_list times;
     int done = 0;
@@ -126,10 +126,10 @@ static graze_status ask(searcher *s, stretch_forms *during, const motion_stretch
 }
 
 /* Pairs of leaves stand first in `left`, then those that a shorter interval tells more of. */
-static graze_status search(searcher *s, stretch_forms *during, const node_list *of) {
+static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of) {
     node_list left = {0}, coarse = {0};
     if (is_deep(s, &during->interval) == 2)
-        return pass(s, &during->interval);
+        return go_over(s, &during->interval);
     motion_stretch at = {{0}, {0}};
     int made = control_maps_set(&at.forward, &during->forward) &&
                control_maps_set(&at.inverse, &during->inverse);
@@ -144,7 +144,7 @@ static graze_status search(searcher *s, stretch_forms *during, const node_list *
     for (size_t k = 0; k < coarse.count && !status; k++)
         status = node_list_add(&left, s->walk->context, coarse.item[k]);
     if (!status && left.count)
-        status = halve ? search_halves(s, during, &left) : ask(s, during, &at, &left);
+        status = halve ? search_halves(s, during, &left) : ask_exactly(s, during, &at, &left);
     free(left.item);
     free(coarse.item);
     control_maps_clear(&at.forward);
@@ -165,7 +165,7 @@ static graze_status search_piece(pair_walk *walk, size_t piece) {
     placing_init(&s.whole, walk->context, walk->pair, piece);
     fmpq_init(s.deep.low);
     fmpq_init(s.deep.high);
-    graze_status status = search(&s, &whole, &all);
+    graze_status status = search_stretch(&s, &whole, &all);
     placing_clear(&s.whole);
     fmpq_clear(s.deep.low);
     fmpq_clear(s.deep.high);

@@ -42,7 +42,7 @@ static void then_clear(scene_then *s) {
         placing_clear(&s->p);
 }
 
-static graze_status no_memory(graze_context *context) {
+static graze_status lack_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for a motion at a time");
 }
 
@@ -59,15 +59,15 @@ static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece,
     point_map_at(map, &m->inverse, u);
     made = made && control_maps_set_one(&out->at.inverse, map, d);
     _fmpq_vec_clear(map, d * (d + 1));
-    graze_status status = made ? GRAZE_OK : no_memory(walk->context);
+    graze_status status = made ? GRAZE_OK : lack_memory(walk->context);
     if (!status)
         status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->at,
                                    of ? of : &all, 1);
     return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
 }
 
-static graze_status place_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
-                             const node_list *of) {
+static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
+                                  const node_list *of) {
     graze_status status = find_near_at(out, walk, piece, u, of);
     placing_init_at(&out->p, walk->context, walk->pair, piece, u);
     out->placed = 1;
@@ -93,7 +93,7 @@ static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piec
     map_forms_init(&forms, &m->inverse, &time->where);
     made = made && control_maps_set(&out->at.inverse, &forms);
     map_forms_clear(&forms);
-    status = made ? GRAZE_OK : no_memory(walk->context);
+    status = made ? GRAZE_OK : lack_memory(walk->context);
     if (!status)
         status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->at, of, 1);
     return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
@@ -120,7 +120,7 @@ static graze_status keep_time(pair_walk *walk, size_t piece, const algebraic *u)
         return status;
     graze_time *time = time_create(walk->pair->motion, piece, u);
     if (!time)
-        return no_memory(walk->context);
+        return lack_memory(walk->context);
     walk->time[walk->time_count++] = walk->last = time;
     return GRAZE_OK;
 }
@@ -174,10 +174,10 @@ static graze_status enter_start(pair_walk *walk, const pair_state *found, scene_
 }
 
 /* Look at the solids at a rational time, and enter the gap that has it. */
-static graze_status look_between(pair_walk *walk, size_t piece, const fmpq_t u) {
+static graze_status look_into_gap(pair_walk *walk, size_t piece, const fmpq_t u) {
     scene_then then = {0};
     pair_state found = {0};
-    graze_status status = place_at(&then, walk, piece, u, NULL);
+    graze_status status = place_both_at(&then, walk, piece, u, NULL);
     if (!status) {
         interiors_look(&found, &then.p, &then.near, NULL);
         status = then.p.status;
@@ -193,7 +193,7 @@ graze_status pair_walk_begin(pair_walk *walk) {
     if (!walk->first)
         return GRAZE_OK;
     fmpq_init(zero);
-    graze_status status = look_between(walk, 0, zero);
+    graze_status status = look_into_gap(walk, 0, zero);
     fmpq_clear(zero);
     walk->done = walk->gap != GRAZE_STATE_O;
     return status;
@@ -211,12 +211,12 @@ static graze_status time_before(size_t *piece, fmpq_t u, pair_walk *walk, graze_
 /* Know the gap before `next`; and its time, for what is asked there. */
 static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_time *next) {
     graze_status status = time_before(piece, u, walk, next);
-    return status || walk->gap ? status : look_between(walk, *piece, u);
+    return status || walk->gap ? status : look_into_gap(walk, *piece, u);
 }
 
 /* The state at a time at which the boundaries meet, after a gap in state I or none. */
-static graze_status look_at(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
-                            int at_start, size_t before, const fmpq_t u) {
+static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
+                                    int at_start, size_t before, const fmpq_t u) {
     pair_state found = {0};
     placing rational;
     if (!p->is_frozen && !at_start) {
@@ -253,12 +253,12 @@ static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left,
     graze_time *time = walk->last;
     graze_state state = GRAZE_STATE_B;
     graze_status status = algebraic_is_rational(&time->u)
-                              ? place_at(&then, walk, time->piece, time->u.value, near)
+                              ? place_both_at(&then, walk, time->piece, time->u.value, near)
                               : find_near_root(&then, walk, time->piece, &time->u, near);
     placing *p = then.placed ? &then.p : whole;
     whole->when = &time->u;
     if (!status && left != GRAZE_STATE_O && left != GRAZE_STATE_B)
-        status = look_at(&state, walk, &then, p, time_is_start(time), before, u);
+        status = look_at_contact(&state, walk, &then, p, time_is_start(time), before, u);
     if (!status)
         status = enter_time(walk, left, state, p, &then.near);
     then_clear(&then);
@@ -292,7 +292,7 @@ graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const a
     if (status || same)
         return status;
     if (!next)
-        return no_memory(walk->context);
+        return lack_memory(walk->context);
     fmpq_init(u);
     if (!time_is_start(next))
         status = know_gap(walk, &before, u, next);
@@ -322,7 +322,7 @@ graze_status pair_walk_end(pair_walk *walk) {
     if (!walk->last)
         fmpq_zero(end);
     if (!walk->gap)
-        status = look_between(walk, walk->last ? piece : 0, end);
+        status = look_into_gap(walk, walk->last ? piece : 0, end);
     if (!status && walk->open && !walk->first) {
         fmpq_one(end);
         status = keep_rational(walk, piece, end);

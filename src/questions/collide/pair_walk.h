@@ -1,4 +1,5 @@
-/* The pair word, letter by letter, from the times at which it can change.
+/* The pair word, letter by letter, from the times at which it can change (proofs/collision.md
+ * C112).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COLLIDE_PAIR_WALK_H

@@ -117,8 +117,8 @@ const trajectory *placing_vertex(placing *p, pair_side side, uint32_t vertex) {
     return add_vertex(p, side, vertex);
 }
 
-static void pull_back(fmpz_poly_t out, placing *p, pair_side side, const fmpz *form,
-                      uint32_t vertex) {
+static void pull_to_vertex(fmpz_poly_t out, placing *p, pair_side side, const fmpz *form,
+                           uint32_t vertex) {
     const trajectory *c = placing_vertex(p, (pair_side)!side, vertex);
     if (c)
         trajectory_pullback(out, c, form);
@@ -129,7 +129,7 @@ static void pull_back(fmpz_poly_t out, placing *p, pair_side side, const fmpz *f
 void placing_plane(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {
     fmpz *form = _fmpz_vec_init(4);
     known_plane(form, &p->forms[side], placing_solid(p, side), simplex);
-    pull_back(out, p, side, form, vertex);
+    pull_to_vertex(out, p, side, form, vertex);
     _fmpz_vec_clear(form, 4);
 }
 
@@ -137,14 +137,14 @@ void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex,
                   uint32_t vertex) {
     fmpz *plane = _fmpz_vec_init(8);
     known_plane(plane, &p->forms[side], placing_solid(p, side), simplex);
-    pull_back(out, p, side,
-              known_side(plane + 4, &p->forms[side], placing_solid(p, side), simplex, plane, k),
-              vertex);
+    pull_to_vertex(
+        out, p, side,
+        known_side(plane + 4, &p->forms[side], placing_solid(p, side), simplex, plane, k), vertex);
     _fmpz_vec_clear(plane, 8);
 }
 
 /* d + 1 homogeneous integers of a vertex, the last one positive. */
-static void homogeneous(fmpz *out, const graze_solid *solid, uint32_t vertex) {
+static void homogeneous_vertex(fmpz *out, const graze_solid *solid, uint32_t vertex) {
     slong d = solid->input.dimension;
     _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, solid->input.coordinates + vertex * (size_t)d, d);
 }
@@ -162,8 +162,8 @@ void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const 
     fmpz_poly_t product;
     fmpz_poly_init(product);
     fmpz_poly_zero(out);
-    homogeneous(end, p->pair->fixed, fixed[0]);
-    homogeneous(end + 4, p->pair->fixed, fixed[1]);
+    homogeneous_vertex(end, p->pair->fixed, fixed[0]);
+    homogeneous_vertex(end + 4, p->pair->fixed, fixed[1]);
     for (int i = 0; i < 4 && b; i++) {
         for (int j = 0; j < 4; j++) {
             const int *m = other[i][j];
@@ -188,7 +188,7 @@ int placing_sign(placing *p, const fmpz_poly_t q) {
 }
 
 /* The sign of a polynomial that is cleared. */
-static int sign_of(placing *p, fmpz_poly_t q) {
+static int sign_and_clear(placing *p, fmpz_poly_t q) {
     int sign = placing_sign(p, q);
     fmpz_poly_clear(q);
     return sign;
@@ -198,21 +198,21 @@ int placing_plane_sign(placing *p, pair_side side, uint32_t simplex, uint32_t ve
     fmpz_poly_t q;
     fmpz_poly_init(q);
     placing_plane(q, p, side, simplex, vertex);
-    return sign_of(p, q);
+    return sign_and_clear(p, q);
 }
 
 int placing_side_sign(placing *p, pair_side side, uint32_t simplex, int k, uint32_t vertex) {
     fmpz_poly_t q;
     fmpz_poly_init(q);
     placing_side(q, p, side, simplex, k, vertex);
-    return sign_of(p, q);
+    return sign_and_clear(p, q);
 }
 
 int placing_edges_sign(placing *p, const uint32_t moving[2], const uint32_t fixed[2]) {
     fmpz_poly_t q;
     fmpz_poly_init(q);
     placing_edges(q, p, moving, fixed);
-    return sign_of(p, q);
+    return sign_and_clear(p, q);
 }
 
 int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {

@@ -25,7 +25,7 @@ static int form_sign_there(finder *f, const fmpz *form) {
     return sign;
 }
 
-static void look_at(finder *f, uint32_t simplex) {
+static void look_at_simplex(finder *f, uint32_t simplex) {
     star_simplex found = {.simplex = simplex};
     fmpz *plane = _fmpz_vec_init(8);
     known_plane(plane, &f->p->forms[f->side], f->solid, simplex);
@@ -44,16 +44,16 @@ static void look_at(finder *f, uint32_t simplex) {
         f->out->item[f->out->count++] = found;
 }
 
-static void descend(finder *f, uint32_t node) {
+static void descend_star(finder *f, uint32_t node) {
     const tree_node *n = &f->solid->boxes.node[node];
     if (f->p->status || !box_meets(&f->box, &n->box))
         return;
     if (!n->child) {
-        look_at(f, n->simplex);
+        look_at_simplex(f, n->simplex);
         return;
     }
-    descend(f, n->child);
-    descend(f, n->child + 1);
+    descend_star(f, n->child);
+    descend_star(f, n->child + 1);
 }
 
 /* The point as d + 1 polynomials: the ends, over one denominator, times their shares. */
@@ -95,6 +95,6 @@ void star_find(star *out, placing *p, pair_side side, const uint32_t edge[2],
     trajectory_init(&f.at, d);
     place_point(&f, edge, share);
     out->count = 0;
-    descend(&f, 0);
+    descend_star(&f, 0);
     trajectory_clear(&f.at);
 }

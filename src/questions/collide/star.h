@@ -1,5 +1,5 @@
-/* The simplices of a boundary that hold a point which moves. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* The simplices of a boundary that hold a moving point.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COLLIDE_STAR_H
 #define GRAZE_COLLIDE_STAR_H
