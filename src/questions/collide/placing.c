@@ -178,13 +178,26 @@ void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const 
     _fmpz_vec_clear(end, 12);
 }
 
-int placing_sign(placing *p, const fmpz_poly_t q) {
+/* Each sign that is 0 narrows the time a little. Of thousands of signs at one time so many places
+ * are kept, and not more. */
+enum { MOST_PLACES = 200 };
+
+static int sign_at_root(placing *p, const fmpz_poly_t q) {
     int sign = 0;
+    algebraic time;
+    algebraic_init(&time);
+    algebraic_set(&time, p->when);
+    p->status = algebraic_sign_at(&sign, p->context, q, &time);
+    if (algebraic_is_rational(&time) || time.where.exponent <= MOST_PLACES)
+        algebraic_set(p->when, &time);
+    algebraic_clear(&time);
+    return sign;
+}
+
+int placing_sign(placing *p, const fmpz_poly_t q) {
     if (fmpz_poly_length(q) <= 1)
         return fmpz_poly_is_zero(q) ? 0 : fmpz_sgn(q->coeffs);
-    if (!p->status)
-        p->status = algebraic_sign_at(&sign, p->context, q, p->when);
-    return sign;
+    return p->status ? 0 : sign_at_root(p, q);
 }
 
 /* The sign of a polynomial that is cleared. */
