@@ -179,6 +179,8 @@ def make(graze, folder):
                              "--curve", "c.csv"], tables=("e.csv", "p.csv", "j.csv", "c.csv"))
     yield Scene("envelope-3", ["envelope", cube, turn, "--patches", "p.csv", "--joints", "j.csv", "-n", "3", "--points", "n.csv"],
                 tables=("p.csv", "j.csv", "n.csv"))
+    yield Scene("collide", ["collide", cube, turn, cube, "--motion-of-fixed", turn, "--format", "json"], 1)
+    yield Scene("collide-2", ["collide", u, roll, u], 1)
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
     yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))

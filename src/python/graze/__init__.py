@@ -21,6 +21,7 @@ from ._library import VERSION as __version__
 from ._library import library as _load
 from ._motions import Joint, slide, turn
 from .boundaries import Boundary
+from .collisions import CellPair, Collision, PairContact, collide
 from .comparison import Comparison, compare
 from .envelopes import Envelope, Event
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
@@ -36,13 +37,15 @@ from .sites import Site, SiteFacet
 from .times import AlgebraicNumber, Time, decimal
 
 __all__ = [
-    "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "Class", "Comparison",
+    "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "CellPair", "Class", "Collision",
+    "Comparison",
     "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "IllegalError",
     "InputError", "InternalError",
     "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Page", "Patch",
-    "PatchJoint", "Picture",
+    "PairContact", "PatchJoint", "Picture",
     "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
-    "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "columns", "compare",
+    "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "collide", "columns",
+    "compare",
     "decimal", "definition_names", "pmc_names", "slide", "to_dataframe", "tools", "turn", "version"]
 
 

@@ -117,6 +117,25 @@ class CEnvelopeFacts(ctypes.Structure):
                 ("time", c_void_p)]
 
 
+class CPairOptions(ctypes.Structure):
+    """graze_pair_options."""
+
+    _fields_ = [("size", c_size_t), ("question", c_int), ("first", c_int)]
+
+
+class CCellPair(ctypes.Structure):
+    """graze_cell_pair."""
+
+    _fields_ = [("moving", CCell), ("fixed", CCell)]
+
+
+class CPairContact(ctypes.Structure):
+    """graze_pair_contact."""
+
+    _fields_ = [("kind", c_int), ("left", c_int), ("right", c_int), ("start", c_void_p),
+                ("end", c_void_p), ("cells", POINTER(CCellPair)), ("cell_count", c_size_t)]
+
+
 class CCurvePart(ctypes.Structure):
     """graze_curve_part."""
 
@@ -290,6 +309,15 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_topology_path": (c_int, [c_void_p, c_void_p, c_void_p, POINTER(c_size_t), c_void_p, c_void_p]),
     "graze_topology_square": (c_int, [c_void_p, c_void_p, c_void_p]),
     "graze_topo_name": (c_char_p, [c_int]),
+    "graze_pair_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p, POINTER(CPairOptions)]),
+    "graze_pair_destroy": (None, [c_void_p]),
+    "graze_pair_get_verdict": (c_int, [c_void_p]),
+    "graze_pair_word": (c_char_p, [c_void_p]),
+    "graze_pair_contact_count": (c_size_t, [c_void_p]),
+    "graze_pair_get_contact": (CPairContact, [c_void_p, c_size_t]),
+    "graze_pair_overlap_time": (c_void_p, [c_void_p]),
+    "graze_pair_verdict_name": (c_char_p, [c_int]),
+    "graze_cell_pair_name": (c_char_p, [POINTER(CCellPair)]),
     "graze_envelope_create": (c_int, [_OUT, c_void_p, c_void_p]),
     "graze_envelope_destroy": (None, [c_void_p]),
     "graze_envelope_get": (CEnvelopeFacts, [c_void_p]),

@@ -13,7 +13,7 @@ from ._numbers import Rationals
 from .results import Cell, Class, Contact, Pmc, Topology, Trace, Verdict
 from .times import AlgebraicNumber, Time
 
-_KINDS = {1: "intersection", 2: "tangency"}
+KINDS = {1: "intersection", 2: "tangency"}
 _CELLS = {1: "face", 2: "edge", 3: "vertex", 4: "primitive"}
 
 
@@ -44,7 +44,7 @@ def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
         start = time_of(made.start)
         end = start if made.end == made.start else time_of(made.end)
         cells = tuple(cell for cell in map(cell_of, made.cells[:made.cell_count]) if cell)
-        contacts.append(Contact(_KINDS[made.kind], chr(made.left) if made.left else None,
+        contacts.append(Contact(KINDS[made.kind], chr(made.left) if made.left else None,
                                 chr(made.right) if made.right else None, start, end, cells))
     return Trace(point, library().graze_trace_word(trace).decode(),
                  verdict_of(library().graze_trace_verdict(trace)), tuple(contacts))

@@ -1,0 +1,117 @@
+"""A moving solid against a fixed one: do they meet, when, and with which cells.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import ctypes
+import os
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional, Tuple, Union
+
+from ._context import Context, settings
+from ._library import CPairContact, CPairOptions, Handle, library
+from ._traces import KINDS, cell_of, time_of
+from .errors import UseError
+from .inputs import Motion, Solid, input_handle, input_settings
+from .results import Cell
+from .times import Time
+
+MotionLike = Union[Motion, str, "os.PathLike[str]", Mapping[str, Any]]
+
+
+@dataclass(frozen=True)
+class CellPair:
+    """Two relatively open cells that have a point in common; `type` is `vertex-facet`, `edge-edge`, ...,
+    the moving one first."""
+
+    moving: Cell
+    fixed: Cell
+    type: str
+
+
+@dataclass(frozen=True)
+class PairContact:
+    """A maximal interval [start, end] of times at which the solids touch only. `cells` are all pairs that
+    meet at `start`. `kind` is `intersection` or `tangency`; `kind`, `left`, `right` and `end` are None
+    where only the first contact was asked for, `left` and `right` beyond an end of the motion."""
+
+    kind: Optional[str]
+    left: Optional[str]
+    right: Optional[str]
+    start: Time
+    end: Optional[Time]
+    cells: Tuple[CellPair, ...]
+
+
+@dataclass(frozen=True)
+class Collision:
+    """How two solids meet. `verdict` is `clear`, `touch` or `overlap`; `word` has a letter for each state
+    in order of time: `O` apart, `B` the boundaries alone meet, `I` the interiors meet. `overlap` is the
+    time at which the first `I` begins, None if there is none."""
+
+    verdict: str
+    word: str
+    contacts: Tuple[PairContact, ...]
+    overlap: Optional[Time]
+
+    def __bool__(self) -> bool:
+        """Whether the closed solids meet."""
+        return self.verdict != "clear"
+
+
+def _cells(made: CPairContact) -> Tuple[CellPair, ...]:
+    out = []
+    for k in range(made.cell_count):
+        pair = made.cells[k]
+        moving, fixed = cell_of(pair.moving), cell_of(pair.fixed)
+        if moving and fixed:
+            name = library().graze_cell_pair_name(ctypes.byref(pair)).decode()
+            out.append(CellPair(moving, fixed, name))
+    return tuple(out)
+
+
+def _contact(made: CPairContact) -> PairContact:
+    start = time_of(made.start)
+    end = start if made.end == made.start else time_of(made.end) if made.end else None
+    return PairContact(KINDS.get(made.kind), chr(made.left) if made.left else None,
+                       chr(made.right) if made.right else None, start, end, _cells(made))
+
+
+def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Optional[MotionLike] = None,
+            *, first: bool = False, inside: bool = False, round: str = "none",
+            limits: Optional[Mapping[str, int]] = None) -> Collision:
+    """Decide exactly how a moving solid meets a fixed one.
+
+    Args:
+        moving, fixed: a `Solid`, or what one is made of; both may be one object.
+        motion: a `Motion`, or what one is made of.
+        motion_of_fixed: if given, `fixed` moves too; times are those that both motions have.
+        first: end at the first contact, which is much cheaper.
+        inside: put the closure of the complement of `fixed` in its place: `moving` stays inside unless
+            the verdict is `overlap`.
+        round: `binary64` or `binary32` rounds every number of solids and motions first.
+        limits: limits by name, as of `graze --limit`.
+    Raises:
+        InputError: a curved solid; IllegalError: dimensions differ, or no time is in both motions;
+        LimitError; and what `Solid` and `Motion` raise.
+    """
+    chosen = settings(round, limits, True)
+    made = [part if isinstance(part, kind) else kind(part, round=round, limits=limits)
+            for kind, part in ((Solid, moving), (Motion, motion), (Solid, fixed))]
+    if motion_of_fixed is not None:
+        made.append(motion_of_fixed if isinstance(motion_of_fixed, Motion)
+                    else Motion(motion_of_fixed, round=round, limits=limits))
+    if any(input_settings(part).rounding != chosen.rounding for part in made):
+        raise UseError("solids and motions must be rounded alike")
+    parts = [input_handle(part) for part in made]
+    context, pointer, call = Context(chosen), ctypes.c_void_p(), library()
+    options = CPairOptions(ctypes.sizeof(CPairOptions), int(inside), int(first))
+    context.run(call.graze_pair_create, ctypes.byref(pointer), context.pointer, *(part.pointer for part in parts[:3]),
+                parts[3].pointer if len(parts) > 3 else None, ctypes.byref(options))
+    with Handle(pointer, call.graze_pair_destroy, *parts) as pair:
+        contacts = tuple(_contact(call.graze_pair_get_contact(pair, k))
+                         for k in range(call.graze_pair_contact_count(pair)))
+        overlap = call.graze_pair_overlap_time(pair)
+        verdict = call.graze_pair_verdict_name(call.graze_pair_get_verdict(pair)).decode()
+        return Collision(verdict, call.graze_pair_word(pair).decode(), contacts, time_of(overlap) if overlap else None)

@@ -1,0 +1,78 @@
+"""Pairs of solids: words, times and cells derived here, and the words of `graze collide`.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from fractions import Fraction
+
+import common
+import graze
+
+FAR = ([(3, 0), (4, 0), (4, 1), (3, 1)], [[0, 1, 2, 3]])
+
+
+class Collisions(unittest.TestCase):
+    def test_head_on(self):
+        """[t, t + 1] x [0, 1] meets [3, 4] x [0, 1] for t in [2, 4], by the whole side x = t + 1 at t = 2 and x = t at 4."""
+        found = graze.collide(common.SQUARE, common.moved("t", "0", end="5"), FAR)
+        self.assertEqual((found.verdict, found.word, found.overlap, bool(found)), ("overlap", "OBIBO", 2, True))
+        first, last = found.contacts
+        self.assertEqual((first.kind, first.left, first.right, first.start, first.end), ("intersection", "O", "I", 2, 2))
+        self.assertEqual({(str(c.moving), str(c.fixed), c.type) for c in first.cells},
+                         {("edge 1-2", "edge 0-3", "edge-edge"), ("vertex 1", "vertex 0", "vertex-vertex"),
+                          ("vertex 2", "vertex 3", "vertex-vertex")})
+        self.assertEqual(last.start, 4)
+
+    def test_first(self):
+        """With t^2 in place of t the first contact is at the root of 2."""
+        found = graze.collide(common.SQUARE, common.moved("t^2", "0", end="5"), FAR, first=True)
+        contact, = found.contacts
+        self.assertEqual((found.verdict, found.word, contact.kind, contact.end), ("touch", "OB", None, None))
+        self.assertEqual(list(contact.start.coefficients), [-2, 0, 1])
+
+    def test_never(self):
+        found = graze.collide(common.SQUARE, common.moved("t", "2"), FAR)
+        self.assertEqual((found.verdict, found.word, found.contacts, found.overlap, bool(found)), ("clear", "O", (), None, False))
+
+    def test_both_move(self):
+        """Two squares with one motion stand still relative to each other; the times are those of both motions."""
+        square, motion = graze.Solid(common.SQUARE), graze.Motion(common.moved("t", "t^2", end="5"))
+        self.assertEqual(graze.collide(square, motion, FAR, motion).word, "O")
+        slower = common.moved("t/2", "0", start="2", end="10")
+        # t + 1 = 3 + t/2 at t = 4; the motions have [2, 5] in common.
+        found = graze.collide(square, common.moved("t", "0", end="5"), FAR, slower)
+        self.assertEqual((found.word, found.contacts[0].start), ("OBI", 4))
+        with self.assertRaises(graze.IllegalError):
+            graze.collide(square, motion, FAR, common.moved("t", "0", start="5", end="6"))
+
+    def test_inside(self):
+        """[t, t + 1] stays in [0, 4] up to t = 3, touching at t = 0."""
+        room = ([(0, -1), (4, -1), (4, 2), (0, 2)], [[0, 1, 2, 3]])
+        found = graze.collide(common.SQUARE, common.moved("t", "0", end="4"), room, inside=True)
+        self.assertEqual((found.word, found.overlap, [c.start for c in found.contacts]), ("BOBI", 3, [0, 3]))
+        self.assertEqual(graze.collide(common.SQUARE, common.moved("1 + t", "0"), room, inside=True).verdict, "clear")
+
+    def test_rounding(self):
+        with self.assertRaises(graze.UseError):
+            graze.collide(graze.Solid(common.SQUARE), common.moved("t", "0"), FAR, round="binary64")
+
+    def test_program(self):
+        """The word and the first time are those of the command's JSON."""
+        with tempfile.TemporaryDirectory() as folder:
+            names = [os.path.join(folder, name) for name in ("moving.wkt", "motion.json", "fixed.wkt")]
+            with open(names[0], "w") as file:
+                file.write("POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))")
+            with open(names[1], "w") as file:
+                json.dump(common.moved("t", "t/3", end="5"), file)
+            with open(names[2], "w") as file:
+                file.write("POLYGON((3 0, 4 0, 4 1, 3 1, 3 0))")
+            done = subprocess.run([common.GRAZE, "collide", *names, "--format", "json"], capture_output=True)
+            told = json.loads(done.stdout)
+            found = graze.collide(*names)
+            self.assertEqual((done.returncode, told["verdict"], told["word"]), (1, found.verdict, found.word))
+            self.assertEqual(Fraction(told["first"]["from"]), found.contacts[0].start)
+            self.assertEqual([c["type"] for c in told["first"]["cells"]], [c.type for c in found.contacts[0].cells])
