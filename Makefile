@@ -52,7 +52,9 @@ PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances $B/tests/pairs
 FLIP_O  := $(patsubst src/decide/filter/%.c,$B/tests/flip/%.o,$(wildcard src/decide/filter/*.c))
-BENCH   := $B/tests/bench/inside $B/tests/bench/peers
+# FCL is measured against where Debian's libfcl-dev is.
+FCL     := $(if $(wildcard /usr/include/fcl/fcl.h),$B/tests/bench/fcl)
+BENCH   := $B/tests/bench/inside $B/tests/bench/pairs $B/tests/bench/peers $(FCL)
 # The targets of the fuzzer and the command line they fuzz, without a main.
 FUZZ_O  := $(patsubst %.c,$B/%.o,$(filter-out %/entry.c %/replay.c,$(wildcard tests/fuzz/*.c))) $(filter-out %/main.o,$(CLI_O)) $B/tests/fuzz/checker.o
 CHECKER_O := $(patsubst src/check/%.c,$B/tests/fuzz/checker/%.o,$(filter-out %/main.c %/ends.c,$(wildcard src/check/*.c))) $B/tests/fuzz/checker/inside.o
@@ -173,7 +175,7 @@ $(ORACLES): tests/agree/shells.h tests/agree/legs.h | $B/.packages-build
 	@mkdir -p $(@D)
 	@$(call say,CXX,$(filter %.cpp,$^))
 	$Q$(CXX) -std=c++17 -O1 -frounding-math -o $@ $(filter %.cpp,$^) -lmpfr -lgmp
-$B/tests/bench/inside: $B/tests/bench/inside.o $B/libgraze.a
+$B/tests/bench/inside $B/tests/bench/pairs: $B/tests/bench/%: $B/tests/bench/%.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The C functions from a word to a class, with a solid that answers from the word.
@@ -198,6 +200,10 @@ $B/tests/bench/peers: tests/bench/peers.cpp | $B/.packages-build
 	@mkdir -p $(@D)
 	@$(call say,CXX,$<)
 	$Q$(CXX) -std=c++17 -O2 -DNDEBUG -frounding-math -o $@ $< -lmpfr -lgmp
+$B/tests/bench/fcl: cases/candidates/fcl.cpp $B/cases/candidates/scene.o $B/cases/candidates/motion.o
+	@mkdir -p $(@D)
+	@$(call say,CXX,$<)
+	$Q$(CXX) -std=c++17 -O2 -DNDEBUG -isystem /usr/include/eigen3 -o $@ $^ -lfcl -lccd -lyajl -lm
 # A locale with a decimal comma, for the tests that must not notice it.
 build/tests/locale/de_DE.UTF-8: | $B/.packages-test
 	@mkdir -p $(@D)

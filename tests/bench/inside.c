@@ -16,16 +16,14 @@
  *   validate SOLID                 the geometric checks alone
  * Times are CPU seconds of the process.
  */
-#include <malloc.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 #include "graze.h"
 #include "input/read/read.h"
 #include "input/validate/validate.h"
+#include "process.h"
 
 /* Absent from graze.h until the filter counts what it hands on; then `exact=-1` turns into a
  * number by itself, and this declaration can go. */
@@ -48,11 +46,6 @@ typedef struct points {
     graze_rationals rationals;
 } points;
 
-static void fail(const char *what, const char *why) {
-    fprintf(stderr, "inside: %s: %s\n", what, why);
-    exit(1);
-}
-
 static void check(graze_status status, const bench *b, const char *what) {
     if (status)
         fail(what, graze_context_message(b->context));
@@ -63,23 +56,6 @@ static void *allocate(size_t count, size_t size) {
     if (!memory)
         fail("memory", "out of it");
     return memory;
-}
-
-static double seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-/* Bytes of the process in memory, what malloc could give back given back. */
-static unsigned long resident(void) {
-    unsigned long size = 0, pages = 0;
-    malloc_trim(0);
-    FILE *file = fopen("/proc/self/statm", "r");
-    if (!file || fscanf(file, "%lu %lu", &size, &pages) != 2)
-        fail("/proc/self/statm", "cannot be read");
-    fclose(file);
-    return pages * (unsigned long)sysconf(_SC_PAGESIZE);
 }
 
 static long exact_count(const bench *b) {

@@ -13,6 +13,7 @@ import statistics
 import tempfile
 
 import certificates
+import collisions
 import contacts
 import curved
 import distances
@@ -312,6 +313,7 @@ class Bench:
         turns.measure_poses(self)
         distances.measure(self)
         curved.measure(self)
+        collisions.measure(self)
         self.table.head("Over all sizes")
         if len(self.sizes) > 1:
             self.grown()
