@@ -272,16 +272,21 @@ static int locate_by(placing *p, const sectors_about *cone, const moving_vector 
 }
 
 /* Is a direction that is in no sector in the open cone? Of the ways to a sector only a few are in a
- * special position: those in the planes of the direction and the ends of sectors. */
+ * special position: those in the planes of the direction and the ends of sectors, at most three for
+ * each other sector. */
 static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector *v) {
     int found = -1;
     moving_vector to;
     moving_init(&to);
-    for (slong weight = 1; found < 0 && !p->status; weight++)
+    for (slong weight = 1; found < 0 && !p->status; weight++) {
+        if ((size_t)weight > 3 * cone->count + 1)
+            p->status = context_fail(p->context, GRAZE_EINTERNAL,
+                                     "a direction has no place in the cone at a common point");
         for (size_t k = 0; k < cone->count && found < 0 && !p->status; k++) {
             combine_moving(&to, weight, &cone->item[k].from, 1, &cone->item[k].to);
             found = locate_by(p, cone, v, k, &to);
         }
+    }
     moving_clear(&to);
     return found > 0;
 }
