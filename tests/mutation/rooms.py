@@ -47,7 +47,7 @@ ROOMS = {
     "questions/generate": ["generate/generate", "generate/levels", "refuse/run generate"],
     "questions/certify": ["unit/test_control", "check/golden", "api/test_certificate", "check/contacts", "shards/certificates"],
     "questions/boundary": ["boundary/sharp", "boundary/boundary", "boundary/vertices"],
-    "output/report": ["unit/test_report", "api/test_reports", "cases/cases", "explain/explain", "examples/examples", "topo/table",
+    "output/report": ["unit/test_report", "api/test_reports", "envelope/joints", "cases/cases", "explain/explain", "examples/examples", "topo/table",
                       "contact/hand", "refuse/run usage certify"],
     "output/compare": ["unit/test_compare", "compare/compare", "compare/contacts", "compare/values", "compare/advice",
                        "refuse/run compare"],

@@ -255,12 +255,13 @@ graze_status root_set_germ(int *found, germ *g, const germ_place *place, const a
     algebraic_init(&at);
     algebraic_set(&at, time);
     graze_status status = place_find(found, x, near, place, &at);
-    if (!status && *found)
+    if (!status && *found) {
         status = cone_make(&g->cone, place->context, place->solid, place->planes, x);
-    if (!status && *found)
-        status = germ_make_root(g, place->context, &at);
-    if (!status && *found)
-        status = set_ways(found, g, place, minimal, near);
+        if (!status)
+            status = germ_make_root(g, place->context, &at);
+        if (!status)
+            status = set_ways(found, g, place, minimal, near);
+    }
     _fmpz_vec_clear(x, d + 1);
     fmpq_clear(near);
     algebraic_clear(&at);
