@@ -309,9 +309,9 @@ def tables():
                                       for line in section.splitlines() if line.startswith("|")][2:] for section in sections}
 
 
-OPERANDS = {"SOLID": "solid", "MOTION": "motion", "POINTS": "points", "X": "points", "GOLDEN": "tables", "CANDIDATE": "tables",
+OPERANDS = {"SOLID": "solid", "MOTION": "motion", "MOVING": "solid", "FIXED": "solid", "POINTS": "points", "X": "points", "GOLDEN": "tables", "CANDIDATE": "tables",
             "PART...": "parts", "CONTACTS": "points", "KIND": "options", "{solid}": "solid", "{motion}": "motion"}
-NO_NUMBER = {"NAME=COLUMN,...", "MACHINE", "FILE", "FILE,", "DIR", "CMD", "NAME", "NAME=V", "NAME=V,", "NAME=W,...", "TEXT", "FOLDER", "FILE.off", "SOLID"}
+NO_NUMBER = {"NAME=COLUMN,...", "MACHINE", "FILE", "FILE,", "DIR", "CMD", "NAME", "NAME=V", "NAME=V,", "NAME=W,...", "TEXT", "FOLDER", "FILE.off", "SOLID", "MOTION"}
 
 
 def numeric_options(text):

@@ -13,13 +13,18 @@ from ._numbers import Rationals
 from .results import Cell, Class, Contact, Pmc, Topology, Trace, Verdict
 from .times import AlgebraicNumber, Time
 
-KINDS = {1: "intersection", 2: "tangency"}
+_KINDS = {1: "intersection", 2: "tangency"}
 _CELLS = {1: "face", 2: "edge", 3: "vertex", 4: "primitive"}
 
 
 def verdict_of(made: CVerdict) -> Verdict:
     """A verdict as a tuple."""
     return Verdict(Pmc(made.pmc), Class(made.class_), made.definition, made.case, made.i, made.t)
+
+
+def kind_of(kind: int) -> str:
+    """The word of a kind of contact; "" for 0."""
+    return _KINDS.get(kind, "")
 
 
 def cell_of(made: CCell) -> Optional[Cell]:
@@ -44,7 +49,7 @@ def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
         start = time_of(made.start)
         end = start if made.end == made.start else time_of(made.end)
         cells = tuple(cell for cell in map(cell_of, made.cells[:made.cell_count]) if cell)
-        contacts.append(Contact(KINDS[made.kind], chr(made.left) if made.left else None,
+        contacts.append(Contact(kind_of(made.kind), chr(made.left) if made.left else None,
                                 chr(made.right) if made.right else None, start, end, cells))
     return Trace(point, library().graze_trace_word(trace).decode(),
                  verdict_of(library().graze_trace_verdict(trace)), tuple(contacts))

@@ -11,7 +11,7 @@ from typing import Any, Mapping, Optional, Tuple, Union
 
 from ._context import Context, settings
 from ._library import CPairContact, CPairOptions, Handle, library
-from ._traces import KINDS, cell_of, time_of
+from ._traces import cell_of, kind_of, time_of
 from .errors import UseError
 from .inputs import Motion, Solid, input_handle, input_settings
 from .results import Cell
@@ -74,7 +74,7 @@ def _cells(made: CPairContact) -> Tuple[CellPair, ...]:
 def _contact(made: CPairContact) -> PairContact:
     start = time_of(made.start)
     end = start if made.end == made.start else time_of(made.end) if made.end else None
-    return PairContact(KINDS.get(made.kind), chr(made.left) if made.left else None,
+    return PairContact(kind_of(made.kind) or None, chr(made.left) if made.left else None,
                        chr(made.right) if made.right else None, start, end, _cells(made))
 
 
