@@ -156,15 +156,15 @@ static graze_status order_crossings(root_sweep *s, int side) {
     return status;
 }
 
-/* The signs at the cuts of a rank, or, `beyond`, just beyond them. */
-static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank, int beyond) {
+/* The signs at the cuts of a rank; -1: before all. The cone is closed: what it has of the places
+ * beyond a cut it has at the cut. */
+static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank) {
     graze_state state = GRAZE_STATE_O;
     for (size_t j = 0; j < s->count; j++)
         s->sign[j] = s->at_sign[j] ? s->at_sign[j] : (signed char)(side * s->way_sign[j]);
     for (size_t k = 0; k < s->cut_count && s->rank[k] <= rank; k++)
-        s->sign[s->cut[k]] = s->rank[k] < rank || beyond
-                                 ? (signed char)(side * s->way_sign[s->cut[k]])
-                                 : (signed char)0;
+        s->sign[s->cut[k]] =
+            s->rank[k] < rank ? (signed char)(side * s->way_sign[s->cut[k]]) : (signed char)0;
     graze_status status = signs_state(&state, &s->g->cone, s->context, s->sign);
     *covered = *covered || state != GRAZE_STATE_O;
     return status;
@@ -174,11 +174,8 @@ static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank
 static graze_status look_at_side(int *covered, root_sweep *s, int side) {
     graze_status status = order_crossings(s, side);
     int last = s->cut_count > 0 ? s->rank[s->cut_count - 1] : -1;
-    if (!status)
-        status = look_at_rank(covered, s, side, -1, 0);
-    for (int rank = 0; rank <= last && !status && !*covered; rank++)
-        for (int beyond = 0; beyond < 2 && !status; beyond++)
-            status = look_at_rank(covered, s, side, rank, beyond);
+    for (int rank = -1; rank <= last && !status && !*covered; rank++)
+        status = look_at_rank(covered, s, side, rank);
     return status;
 }
 
