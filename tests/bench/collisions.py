@@ -72,18 +72,24 @@ class Way:
         return json.dumps({"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"compose": [turn, go]} if self.turns else go}]})
 
 
-def over(vertices, rng, axis, gap):
+def ends(vertices):
+    """The lowest and the highest vertex along each axis."""
+    exact = [tuple(map(F, p)) for p in vertices]
+    return {axis: [f(exact, key=lambda p, n=axis: dot(n, p)) for f in (min, max)] for axis in AXES}
+
+
+def over(extremes, rng, axis, gap):
     """The lowest vertex passes the highest one of the same solid at a gap: a plane across the axis lies between."""
-    low, high = (f(vertices, key=lambda p: dot(axis, p)) for f in (min, max))
+    low, high = extremes[axis]
     return Way(rng, axis).text([x + gap * n for x, n in zip(high, axis)], low)
 
 
-def pass_by(vertices, rng):
-    return over(vertices, rng, rng.choice(AXES), F(rng.randint(1, 16), 64))
+def pass_by(extremes, rng):
+    return over(extremes, rng, rng.choice(AXES), F(rng.randint(1, 16), 64))
 
 
-def near_miss(vertices, rng):
-    return over(vertices, rng, rng.choice(AXES), NEAR)
+def near_miss(extremes, rng):
+    return over(extremes, rng, rng.choice(AXES), NEAR)
 
 
 def collision(_, rng):
@@ -96,16 +102,16 @@ def slide(_, rng):
     return Way(rng, (F(0), F(0), F(1))).text((F(rng.randint(-16, 16), 64), F(rng.randint(-16, 16), 64), 1), (0, 0, 0))
 
 
-# name -> mesh, whether they meet, (vertices, random numbers) -> motion
+# name -> mesh, whether they meet, (its ends, random numbers) -> motion
 FAMILIES = {"pass by": ("torus", False, pass_by), "collision": ("torus", True, collision), "near miss of 1e-6": ("torus", False, near_miss),
             "slide": ("block", True, slide)}
 
 
 class Family:
-    def __init__(self, bench, name, size, mesh):
-        self.name, self.size, self.faces = name, size, len(mesh[1])
+    def __init__(self, bench, name, faces, extremes):
+        self.name, self.faces = name, faces
         _, self.meets, self.make = FAMILIES[name]
-        self.vertices, self.bench = [tuple(map(F, p)) for p in mesh[0]], bench
+        self.extremes, self.bench = extremes, bench
         self.graze, self.fcl, self.first = [], [], []
         self.wrong, self.wrong_fcl = 0, 0
 
@@ -113,7 +119,7 @@ class Family:
         rng, path = random.Random(7), self.bench.path("pair.json")
         for _ in range(count):
             with open(path, "w", encoding="ascii") as file:
-                file.write(self.make(self.vertices, rng))
+                file.write(self.make(self.extremes, rng))
             mine = graze.ask("first", path)
             self.graze.append(mine["seconds"])
             self.wrong += bool(mine["hit"]) != self.meets
@@ -151,8 +157,9 @@ def measure(bench):
             write_off(solid, mesh)
             graze = Server(os.path.join(bench.programs, "pairs"), solid, solid)
             fcl = Server(peer, "mesh", solid, solid) if os.path.exists(peer) else None
+            extremes = ends(mesh[0])
             for name in (n for n, family in FAMILIES.items() if family[0] == kind):
-                family = Family(bench, name, size, mesh)
+                family = Family(bench, name, len(mesh[1]), extremes)
                 family.ask(graze, fcl, count)
                 family.rows()
             used = graze.ask("memory")["bytes"] / (2 * len(mesh[1]))
