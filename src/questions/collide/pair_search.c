@@ -10,6 +10,9 @@
 /* Halvings of a piece; beyond them pairs are asked whatever their way is. From so many pairs on a
  * vertex that is deep in the other solid is looked for. */
 enum { MOST_HALVINGS = 60, MANY_PAIRS = 24 };
+/* Before a first contact intervals with more pairs than a few are halved while that halves the
+ * pairs: those that meet later are in intervals that are never looked at. */
+enum { FEW_PAIRS = 8 };
 
 typedef struct searcher {
     pair_walk *walk;
@@ -22,6 +25,7 @@ typedef struct searcher {
 typedef struct stretch_forms {
     dyadic_interval interval;
     int level;
+    size_t most; /* pairs with which a first contact lets it be halved; 0: any number */
     map_forms forward, inverse;
 } stretch_forms;
 
@@ -36,6 +40,7 @@ static void forms_split(stretch_forms *s, stretch_forms *right) {
     dyadic_interval_init(&right->interval);
     dyadic_interval_halves(&s->interval, &right->interval, &s->interval);
     right->level = ++s->level;
+    right->most = s->most;
     map_forms_split(&s->forward, &right->forward);
     map_forms_split(&s->inverse, &right->inverse);
 }
@@ -140,7 +145,11 @@ static graze_status search_stretch(searcher *s, stretch_forms *during, const nod
     if (!status)
         status = near_pairs_refine(&left, halve ? &coarse : NULL, s->walk->context, s->walk->pair,
                                    &at, of, !halve);
-    halve = halve && coarse.count > 0;
+    int many =
+        s->walk->first && left.count > FEW_PAIRS && (!during->most || left.count <= during->most);
+    if (coarse.count == 0)
+        during->most = left.count / 2;
+    halve = halve && (coarse.count > 0 || many);
     for (size_t k = 0; k < coarse.count && !status; k++)
         status = node_list_add(&left, s->walk->context, coarse.item[k]);
     if (!status && left.count)
