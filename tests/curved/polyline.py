@@ -4,8 +4,8 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
-A point is `in`, `on` or `out` as its least squared distance from the segments is below, at or above the radius squared. A third of the
-points lie exactly at that distance from one segment or corner. A scale of 35 makes 100,000 points.
+A point is `in`, `on` or `out` as its least squared distance from the segments is below, at or above the radius squared. Three of five
+points lie exactly at that distance from one segment or corner, and of these two thirds are inside no other part. A scale of 35 makes 100,000 points.
 """
 import os
 import sys
@@ -52,7 +52,7 @@ def some_path(rng, d):
 
 def some_point(rng, d, path, frames, radius):
     """Exactly at the radius from a segment, just beside that, or anywhere near."""
-    kind = rng.choice(["on", "beside", "free"])
+    kind = rng.choice(["on", "on", "on", "beside", "free"])
     k = rng.randrange(len(frames))
     foot = plus(path[k], plus(path[k + 1], path[k], -1), rng.choice([F(0), F(1), F(rng.randint(0, 8), 8)]))
     if kind == "free":
@@ -81,7 +81,7 @@ def main():
             seen[want] += 1
             checks.equal(answer.record["pmc"], want, number, path, radius, p)
     print(", ".join(f"{count} {pmc}" for pmc, count in seen.items()))
-    checks.holds(5 * seen["on"] > sum(seen.values()), "a fifth of the points are `on`", seen)
+    checks.holds(3 * seen["on"] > sum(seen.values()), "a third of the points are `on`", seen)
     checks.finish()
 
 
