@@ -111,8 +111,7 @@ static int is_off(const finder *f, pair_side side, const meeting_cells *m) {
     const control_maps *maps = side == SIDE_FIXED ? &f->at->forward : &f->at->inverse;
     size_t d = (size_t)f->p->pair->motion->dimension, moved = simplex_on(m->simplices, other);
     return a->at && b->at && maps->count &&
-           vertex_off_plane(a, m->key[1], maps, b->at + (moved * d + (size_t)m->k) * d, b->error,
-                            b->reach);
+           vertex_off_plane(a, m->key[1], maps, b->at + (moved * d + (size_t)m->k) * d, b);
 }
 
 /* Times at which the vertex is in the simplex, or, if it stays in its plane, at which it may change

@@ -27,63 +27,56 @@ graze_status near_pairs_take(near_list *out, graze_context *context, const solid
     return status;
 }
 
-static void image_of(double out[3], const double *entry, int d, const double *x) {
-    for (int i = 0; i < d; i++) {
-        const double *row = entry + i * (d + 1);
-        out[i] = row[d];
-        for (int j = 0; j < d; j++)
-            out[i] += row[j] * x[j];
-    }
-}
+/* The plane of a simplex: a corner, a normal, and how far its corners are apart. */
+typedef struct rough_plane {
+    const double *at;
+    double normal[3], s;
+} rough_plane;
 
-/* Bounds of what an image errs by and of how far it is from the origin. */
-static double image_reach(const double *entry, int d, double reach) {
-    double most = 0;
-    for (int i = 0; i < d; i++) {
-        double sum = fabs(entry[i * (d + 1) + d]);
-        for (int j = 0; j < d; j++)
-            sum += fabs(entry[i * (d + 1) + j]) * reach;
-        most = fmax(most, sum);
-    }
-    return most;
-}
-
-/* The volume (E^2: area) that a simplex's corners p span with x, from differences of at most s
- * within the simplex and at most t to x. */
-static double spanned(double *s, double *t, const double *p, int d, const double *x) {
-    double u[3] = {0}, v[3] = {0}, w[3] = {0};
-    *s = *t = 0;
+static void find_plane(rough_plane *out, const corners *of, uint32_t simplex, int d) {
+    const double *p = of->at + (size_t)simplex * (size_t)(d * d);
+    double u[3] = {0}, v[3] = {0};
+    out->at = p;
+    out->s = 0;
     for (int i = 0; i < d; i++) {
         u[i] = p[d + i] - p[i];
         v[i] = d == 3 ? p[2 * d + i] - p[i] : 0;
-        w[i] = x[i] - p[i];
-        *s = fmax(*s, fmax(fabs(u[i]), fabs(v[i])));
-        *t = fmax(*t, fabs(w[i]));
+        out->s = fmax(out->s, fmax(fabs(u[i]), fabs(v[i])));
     }
-    if (d == 2)
-        return u[0] * w[1] - u[1] * w[0];
-    return (u[1] * v[2] - u[2] * v[1]) * w[0] + (u[2] * v[0] - u[0] * v[2]) * w[1] +
-           (u[0] * v[1] - u[1] * v[0]) * w[2];
+    out->normal[0] = d == 3 ? u[1] * v[2] - u[2] * v[1] : -u[1];
+    out->normal[1] = d == 3 ? u[2] * v[0] - u[0] * v[2] : u[0];
+    out->normal[2] = d == 3 ? u[0] * v[1] - u[1] * v[0] : 0;
 }
 
-/* The side of a simplex's plane on which a point is at one control map: 0 if it is not certain. */
-static int side_at_control(const corners *plane_of, uint32_t simplex, int d, const double *entry,
-                           const double *vertex, double error, double reach) {
-    double x[3], s, t, far = image_reach(entry, d, reach);
-    image_of(x, entry, d, vertex);
-    double value = spanned(&s, &t, plane_of->at + (size_t)simplex * (size_t)(d * d), d, x);
+/* The side of a plane on which a vertex is at control map k: 0 if it is not certain. The value is
+ * the volume (E^2: area) that the simplex spans with the vertex. */
+static int side_at_control(const rough_plane *plane, const corners *plane_of,
+                           const control_maps *maps, size_t k, const double *vertex,
+                           const corners *of) {
+    int d = maps->dimension;
+    double value = 0, t = 0, s = plane->s, far = maps->shift[k] + maps->slope[k] * of->reach;
+    for (int i = 0; i < d; i++) {
+        const double *row = maps->entry + k * (size_t)(d * (d + 1)) + i * (d + 1);
+        double x = row[d];
+        for (int j = 0; j < d; j++)
+            x += row[j] * vertex[j];
+        double w = x - plane->at[i];
+        value += plane->normal[i] * w;
+        t = fmax(t, fabs(w));
+    }
     /* What a difference of coordinates errs by. */
-    double e = 0x1p-44 * (far + plane_of->reach) + plane_of->error + error * (1 + far / reach);
+    double e =
+        0x1p-44 * (far + plane_of->reach) + plane_of->error + of->error * (1 + maps->slope[k]);
     double bound = 16 * e * (d == 3 ? s + e : 1) * (s + t + e) + 0x1p-600;
     return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
-int vertex_off_plane(const corners *plane_of, uint32_t simplex, const control_maps *maps,
-                     const double *vertex, double error, double reach) {
-    int side = 0, d = maps->dimension;
+/* The side on which a vertex is all the time, or 0. */
+static int side_throughout(const rough_plane *plane, const corners *plane_of,
+                           const control_maps *maps, const double *vertex, const corners *of) {
+    int side = 0;
     for (size_t k = 0; k < maps->count; k++) {
-        int here = side_at_control(plane_of, simplex, d, maps->entry + k * (size_t)(d * (d + 1)),
-                                   vertex, error, reach);
+        int here = side_at_control(plane, plane_of, maps, k, vertex, of);
         if (!here || (k > 0 && here != side))
             return 0;
         side = here;
@@ -91,15 +84,23 @@ int vertex_off_plane(const corners *plane_of, uint32_t simplex, const control_ma
     return side;
 }
 
+int vertex_off_plane(const corners *plane_of, uint32_t simplex, const control_maps *maps,
+                     const double *vertex, const corners *of) {
+    rough_plane plane;
+    find_plane(&plane, plane_of, simplex, maps->dimension);
+    return side_throughout(&plane, plane_of, maps, vertex, of) != 0;
+}
+
 /* Are all corners of `simplex` on one side of the plane of `other` all the time? */
 static int plane_between(const corners *corners_of, uint32_t simplex, const corners *plane_of,
                          uint32_t other, const control_maps *maps) {
     size_t d = (size_t)maps->dimension;
     const double *at = corners_of->at + simplex * d * d;
+    rough_plane plane;
     int side = 0;
+    find_plane(&plane, plane_of, other, maps->dimension);
     for (size_t k = 0; k < d; k++) {
-        int here = vertex_off_plane(plane_of, other, maps, at + k * d, corners_of->error,
-                                    corners_of->reach);
+        int here = side_throughout(&plane, plane_of, maps, at + k * d, corners_of);
         if (!here || (k > 0 && here != side))
             return 0;
         side = here;
@@ -125,29 +126,45 @@ typedef struct refiner {
     graze_status status;
 } refiner;
 
-static void refine_pair(refiner *r, node_pair p) {
-    const tree_node *a = &r->pair->moving->boxes.node[p.moving];
-    const tree_node *b = &r->pair->fixed->boxes.node[p.fixed];
-    box moved, begun = a->box;
-    control_maps_bound(&moved, &r->at->forward, &a->box);
-    if (r->status || !box_meets(&moved, &b->box))
+/* A node of the moving tree during the interval: its box, and how large it is at one time. */
+typedef struct moved_node {
+    uint32_t node;
+    box box;
+    double size;
+} moved_node;
+
+static void move_node(moved_node *out, const refiner *r, uint32_t node) {
+    const control_maps *maps = &r->at->forward;
+    box begun = r->pair->moving->boxes.node[node].box;
+    out->node = node;
+    control_maps_bound(&out->box, maps, &begun);
+    if (maps->count)
+        box_image(&begun, maps->entry, maps->dimension, &r->pair->moving->boxes.node[node].box);
+    out->size = box_extent(&begun);
+}
+
+static void refine_pair(refiner *r, const moved_node *moved, uint32_t fixed) {
+    const tree_node *a = &r->pair->moving->boxes.node[moved->node];
+    const tree_node *b = &r->pair->fixed->boxes.node[fixed];
+    if (r->status || !box_meets(&moved->box, &b->box))
         return;
-    if (r->at->forward.count)
-        box_image(&begun, r->at->forward.entry, r->at->forward.dimension, &a->box);
-    double size = box_extent(&begun), other = box_extent(&b->box);
+    double other = box_extent(&b->box);
     int leaves = !a->child && !b->child;
     if (leaves && near_pair_apart(r->pair, r->at, (near_pair){a->simplex, b->simplex}))
         return;
-    if (!r->at_once && box_extent(&moved) > size + 2 * fmax(size, other)) {
-        r->status = node_list_add(r->coarse, r->context, p);
+    if (!r->at_once && box_extent(&moved->box) > moved->size + 2 * fmax(moved->size, other)) {
+        r->status = node_list_add(r->coarse, r->context, (node_pair){moved->node, fixed});
     } else if (leaves) {
-        r->status = node_list_add(r->near, r->context, p);
-    } else if (a->child && (!b->child || size >= other)) {
-        refine_pair(r, (node_pair){a->child, p.fixed});
-        refine_pair(r, (node_pair){a->child + 1, p.fixed});
+        r->status = node_list_add(r->near, r->context, (node_pair){moved->node, fixed});
+    } else if (a->child && (!b->child || moved->size >= other)) {
+        for (uint32_t k = 0; k < 2; k++) {
+            moved_node child;
+            move_node(&child, r, a->child + k);
+            refine_pair(r, &child, fixed);
+        }
     } else {
-        refine_pair(r, (node_pair){p.moving, b->child});
-        refine_pair(r, (node_pair){p.moving, b->child + 1});
+        refine_pair(r, moved, b->child);
+        refine_pair(r, moved, b->child + 1);
     }
 }
 
@@ -156,8 +173,11 @@ graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context
                                const node_list *in, int at_once) {
     refiner r = {.pair = pair, .at = at, .near = near, .coarse = coarse, .at_once = at_once};
     r.context = context;
+    moved_node moved;
     for (size_t k = 0; k < in->count && !r.status; k++) {
-        refine_pair(&r, in->item[k]);
+        if (k == 0 || in->item[k].moving != in->item[k - 1].moving)
+            move_node(&moved, &r, in->item[k].moving);
+        refine_pair(&r, &moved, in->item[k].fixed);
         if (!r.status && k % 64 == 0)
             r.status = context_poll(context);
     }

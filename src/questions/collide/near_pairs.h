@@ -44,10 +44,10 @@ graze_status near_pairs_take(near_list *out, graze_context *context, const solid
  */
 int near_pair_apart(const solid_pair *pair, const motion_stretch *at, near_pair simplices);
 
-/** Is a vertex of a simplex of one solid, whose place in doubles is given, certainly off the plane
- * of a simplex of the other one all the time? `maps` carry the vertex. */
+/** Is a vertex of one solid, whose place in doubles is given, certainly off the plane of a simplex
+ * of the other one all the time? `maps` carry the vertex, one of those of `of`. */
 int vertex_off_plane(const corners *plane_of, uint32_t simplex, const control_maps *maps,
-                     const double *vertex, double error, double reach);
+                     const double *vertex, const corners *of);
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item);
 
