@@ -5,6 +5,7 @@
  */
 #include "questions/collide/incidences.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/number/isolate.h"
@@ -143,32 +144,60 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     fmpz_poly_clear(q);
 }
 
-/* The signs of both triangles' corners at the other one's plane. */
-static void see_planes(int plane[2][3], placing *p, near_pair s) {
-    for (int k = 0; k < 3; k++) {
-        plane[SIDE_MOVING][k] = placing_plane_sign(p, SIDE_FIXED, s.fixed,
-                                                   p->pair->moving->cut.item[s.moving].vertex[k]);
-        plane[SIDE_FIXED][k] = placing_plane_sign(p, SIDE_MOVING, s.moving,
-                                                  p->pair->fixed->cut.item[s.fixed].vertex[k]);
+/* Do two edges, whose lines lie in one plane at the time, cross inside both? The signs of their
+ * ends at the other triangle's plane, as far as they are needed. */
+static int cross_then(placing *p, const meeting_cells *m) {
+    int plane[2][3] = {{0}, {0}};
+    near_pair s = m->simplices;
+    for (int i = 0; i < 2; i++) {
+        int corner = (m->k + i) % 3;
+        plane[SIDE_MOVING][corner] = placing_plane_sign(
+            p, SIDE_FIXED, s.fixed, p->pair->moving->cut.item[s.moving].vertex[corner]);
     }
+    if (plane[SIDE_MOVING][m->k] * plane[SIDE_MOVING][(m->k + 1) % 3] > 0)
+        return 0;
+    for (int i = 0; i < 2; i++) {
+        int corner = (m->l + i) % 3;
+        plane[SIDE_FIXED][corner] = placing_plane_sign(
+            p, SIDE_MOVING, s.moving, p->pair->fixed->cut.item[s.fixed].vertex[corner]);
+    }
+    return edges_cross(p, s, m->k, m->l, plane);
+}
+
+/* A box of an edge. */
+static void bound_edge(box *out, const graze_solid *solid, const uint32_t end[2]) {
+    for (size_t i = 0; i < 3; i++) {
+        size_t a = end[0] * (size_t)3 + i, b = end[1] * (size_t)3 + i;
+        out->low[i] = fmin(solid->low[a], solid->low[b]);
+        out->high[i] = fmax(solid->high[a], solid->high[b]);
+    }
+}
+
+/* Are two edges certainly apart all the time? */
+static int edges_apart(const finder *f, const uint32_t moving[2], const uint32_t fixed[2]) {
+    box moved, standing;
+    bound_edge(&standing, f->p->pair->moving, moving);
+    control_maps_bound(&moved, &f->at->forward, &standing);
+    bound_edge(&standing, f->p->pair->fixed, fixed);
+    return !box_meets(&moved, &standing);
 }
 
 static void meet_two_edges(finder *f, const meeting_cells *m) {
     uint32_t moving[2], fixed[2];
-    int plane[2][3];
     fmpz_poly_t q;
     algebraic_list roots;
-    fmpz_poly_init(q);
-    algebraic_list_init(&roots);
     simplex_side(moving, f->p->pair->moving, m->simplices.moving, m->k);
     simplex_side(fixed, f->p->pair->fixed, m->simplices.fixed, m->l);
+    if (f->at && edges_apart(f, moving, fixed))
+        return;
+    fmpz_poly_init(q);
+    algebraic_list_init(&roots);
     placing_edges(q, f->p, moving, fixed);
     if (!fmpz_poly_is_zero(q))
         find_times(&roots, f, q);
     for (size_t k = 0; k < roots.count && !f->p->status; k++) {
         f->p->when = &roots.item[k];
-        see_planes(plane, f->p, m->simplices);
-        if (edges_cross(f->p, m->simplices, m->k, m->l, plane))
+        if (cross_then(f->p, m) && !f->p->status)
             note_time(f, &roots.item[k]);
     }
     algebraic_list_clear(&roots);
