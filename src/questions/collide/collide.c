@@ -28,7 +28,9 @@ graze_status collide_answer(graze_pair *pair, graze_context *context) {
         status = pair_walk_end(walk);
     if (!status)
         status = mark_start(pair, context);
-    return status ? status : times_canonicalise(walk->time, walk->time_count, context);
+    if (status || walk->time_count == 0)
+        return status;
+    return times_canonicalise(walk->time, walk->time_count, context);
 }
 
 void collide_clear(graze_pair *pair) {
