@@ -364,6 +364,24 @@ def nef(collide, checks, args):
                 checks.equal(Counter(x["type"] for x in c["cells"]), Counter(FULL_FACE), "nef", name)
 
 
+def text(collide, checks):
+    """[6 + t^2, 7 + t^2] leaves [0, 9] at the root of t^2 = 2, by its right side. Squares that coincide have their four sides and
+    corners in common."""
+    write = collide.graze.write
+    small, large = (write(name, f"POLYGON(({a} {c}, {b} {c}, {b} {d}, {a} {d}, {a} {c}))")
+                    for name, (a, b, c, d) in (("small.wkt", (6, 7, 1, 2)), ("large.wkt", (0, 9, 0, 9))))
+    way = write("way.json", '{"dimension": 2, "pieces": [{"t": [0, 2], "transform": {"translate": ["t^2", 0]}}]}')
+    out = collide.graze.call("collide", small, way, large, "--inside")
+    checks.equal((out.returncode, out.stdout.splitlines()[:2]), (1, ["leaves at 1.4142135623730950...", "word OBI"]), "text")
+    still = write("still.json", '{"dimension": 2, "pieces": [{"t": [0, 1], "transform": {"translate": [0, 0]}}]}')
+    out = collide.graze.call("collide", small, still, small, "--inside")
+    first, word, contact = out.stdout.splitlines()
+    checks.equal((out.returncode, first, word), (1, "inside, touching", "word B"), "text")
+    checks.holds(contact.startswith("contact 0 to 1, tangency: edge 0-1 of MOVING with edge 0-1, "), "text", contact)
+    # Four pairs of edges, four of vertices: no more than the eight that are printed.
+    checks.equal(contact.count(" of MOVING with "), 8, "text", contact)
+
+
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
@@ -371,6 +389,7 @@ def main():
     for one in SCENES:
         check_scene(collide, checks, *one)
     nef(collide, checks, args)
+    text(collide, checks)
     print(f"{len(SCENES)} pairs")
     checks.finish()
 

@@ -5,7 +5,7 @@
 #include "base/number/text.h"
 #include "graze.h"
 
-/** `face 3`, `edge 1-2`, `vertex 5`; nothing for kind 0. */
+/** `face 3`, `edge 1-2`, `vertex 5`. */
 void text_cell(text *t, const graze_cell *cell);
 
 #endif

@@ -22,7 +22,7 @@ graze_status collide_answer(graze_pair *pair, graze_context *context) {
     *walk = (pair_walk){.pair = &pair->pair, .context = context, .first = pair->options.first};
     pair->pair.complement = pair->options.question == GRAZE_PAIR_INSIDE;
     graze_status status = pair_walk_begin(walk);
-    if (!status && !walk->done)
+    if (!status)
         status = pair_search(walk);
     if (!status)
         status = pair_walk_end(walk);

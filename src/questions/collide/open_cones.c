@@ -340,7 +340,7 @@ static int part_meets(placing *p, const sector *s, const moving_vector *ray,
     for (size_t k = 0; k < other->count && !p->status; k++)
         if (dot_sign(p, &other->item[k].normal, ray) == 0 && is_in_sector(p, &other->item[k], ray))
             return dot_sign(p, &s->normal, &other->item[k].normal) > 0;
-    return !p->status && is_in_cone(p, other, ray);
+    return is_in_cone(p, other, ray);
 }
 
 static int sector_meets(placing *p, const sector *s, const sectors_about *other) {
@@ -368,5 +368,5 @@ int open_cones_meet(placing *p, const sectors_about *a, const sectors_about *b) 
         found = sector_meets(p, &a->item[k], b);
     for (size_t k = 0; k < b->count && !found && !p->status; k++)
         found = sector_meets(p, &b->item[k], a);
-    return found && !p->status;
+    return found;
 }

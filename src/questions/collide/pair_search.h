@@ -6,7 +6,7 @@
 
 #include "questions/collide/pair_walk.h"
 
-/** Walk through the whole motion, or up to the first contact. `walk` has begun. */
+/** Walk through the whole motion, or up to the first contact, if that is not found yet. */
 graze_status pair_search(pair_walk *walk);
 
 #endif
