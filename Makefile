@@ -374,7 +374,7 @@ fuzz: $B/.packages-all
 
 .PHONY: coverage
 coverage: $B/.packages-all
-	@$(MAKE) -s B=build-coverage OPT="-O1 --coverage -fprofile-update=atomic" CFLAGS=-g0 CXXFLAGS=-g0 programs
+	@$(MAKE) -s B=build-coverage OPT="-O1 --coverage -fprofile-update=atomic" programs
 	@python3 tests/coverage.py
 
 .PHONY: bench
