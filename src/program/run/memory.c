@@ -7,7 +7,7 @@
 #include "program/run/memory.h"
 
 #include <flint/flint.h>
-#include <stdatomic.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
 #include "program/run/status.h"
@@ -18,12 +18,11 @@ void memory_before_end(void (*what)(void)) {
     before_end = what;
 }
 
-/* One message, however many threads come here. */
+/* One message, however many threads come here: the others wait for the end of the process. */
 static _Noreturn void end_without_memory(void) {
-    static atomic_flag told = ATOMIC_FLAG_INIT;
+    static pthread_mutex_t told = PTHREAD_MUTEX_INITIALIZER;
     static const char message[] = "graze: out of memory\n";
-    while (atomic_flag_test_and_set(&told))
-        pause();
+    pthread_mutex_lock(&told);
     ssize_t ignored = write(STDERR_FILENO, message, sizeof message - 1);
     (void)ignored;
     if (before_end)
