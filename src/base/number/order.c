@@ -248,3 +248,20 @@ graze_status algebraic_sort(algebraic **order, size_t count, graze_context *cont
     flint_free(spare);
     return status;
 }
+
+graze_status algebraic_sort_once(algebraic **order, size_t *count, graze_context *context,
+                                 const algebraic *first, size_t *rank_of) {
+    size_t kept = 0;
+    graze_status status = algebraic_sort(order, *count, context);
+    for (size_t k = 0; k < *count && !status; k++) {
+        int differ = 1;
+        if (kept > 0)
+            status = algebraic_compare(&differ, context, order[kept - 1], order[k]);
+        if (rank_of)
+            rank_of[order[k] - first] = kept - (differ == 0);
+        if (differ)
+            order[kept++] = order[k];
+    }
+    *count = kept;
+    return status;
+}

@@ -21,4 +21,11 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
 /** Order pointers to numbers ascending, equal ones as they came. */
 graze_status algebraic_sort(algebraic **order, size_t count, graze_context *context);
 
+/**
+ * The same, with one pointer for equal numbers; *count is then their number.
+ * @param[out] rank_of by the index of a number from `first` on its rank; or NULL, with `first`
+ */
+graze_status algebraic_sort_once(algebraic **order, size_t *count, graze_context *context,
+                                 const algebraic *first, size_t *rank_of);
+
 #endif

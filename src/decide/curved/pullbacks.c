@@ -106,23 +106,6 @@ static graze_status add_roots(pullbacks *p, size_t surface, const dyadic_interva
     return status;
 }
 
-graze_status times_rank(algebraic **order, size_t *count, graze_context *context,
-                        const algebraic *first, size_t *rank_of) {
-    size_t kept = 0;
-    graze_status status = algebraic_sort(order, *count, context);
-    for (size_t k = 0; k < *count && !status; k++) {
-        int differ = 1;
-        if (kept > 0)
-            status = algebraic_compare(&differ, context, order[kept - 1], order[k]);
-        if (rank_of)
-            rank_of[order[k] - first] = kept - (differ == 0);
-        if (differ)
-            order[kept++] = order[k];
-    }
-    *count = kept;
-    return status;
-}
-
 static int compare_zeros(const void *left, const void *right) {
     const zero *a = left, *b = right;
     if (a->time != b->time)
@@ -141,7 +124,8 @@ static graze_status rank_zeros(pullbacks *p) {
     for (size_t k = 0; k < n; k++)
         p->by_rank[k] = &p->time.item[k];
     p->rank_count = n;
-    graze_status status = times_rank(p->by_rank, &p->rank_count, p->context, p->time.item, rank_of);
+    graze_status status =
+        algebraic_sort_once(p->by_rank, &p->rank_count, p->context, p->time.item, rank_of);
     for (size_t k = 0; k < p->zero_count && !status; k++)
         p->zero[k].time = rank_of[p->zero[k].time];
     if (p->zero_count)

@@ -44,9 +44,4 @@ graze_status pullback_surface(fmpz_poly_t out, graze_context *context, const tra
 graze_status pullbacks_set(pullbacks *p, const trajectory *c, const exact_window *window,
                            const candidate *asked);
 
-/** Sort times and leave of equal ones the first; *count is their number afterwards. `rank_of`, if
- * not NULL, has the rank of each by its place in `first`. */
-graze_status times_rank(algebraic **order, size_t *count, graze_context *context,
-                        const algebraic *first, size_t *rank_of);
-
 #endif

@@ -164,7 +164,7 @@ static graze_status walk_parts(walker *w, algebraic_list *cuts, algebraic *low, 
         return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for %zu times", count);
     for (size_t k = 0; k < count; k++)
         order[k] = &cuts->item[k];
-    graze_status status = times_rank(order, &count, w->r->context, NULL, NULL);
+    graze_status status = algebraic_sort_once(order, &count, w->r->context, NULL, NULL);
     for (size_t k = 0; k <= count && !status; k++) {
         status = walk_slide(w, k ? order[k - 1] : low, k < count ? order[k] : high);
         if (!status && k < count)

@@ -260,20 +260,6 @@ static void touch_between(finder *f, const candidate *slide, algebraic **cut, si
     algebraic_clear(&sample);
 }
 
-/* Order the cuts and leave out those that are there already. */
-static size_t order_cuts(finder *f, algebraic **order, size_t count) {
-    size_t kept = 0;
-    f->status = algebraic_sort(order, count, f->context);
-    for (size_t k = 0; k < count && !finder_failed(f); k++) {
-        int differ = 1;
-        if (kept > 0)
-            f->status = algebraic_compare(&differ, f->context, order[kept - 1], order[k]);
-        if (differ != 0)
-            order[kept++] = order[k];
-    }
-    return kept;
-}
-
 static void touch_slide(finder *f, const candidate *slide) {
     algebraic_list cuts;
     algebraic_list_init(&cuts);
@@ -283,7 +269,9 @@ static void touch_slide(finder *f, const candidate *slide) {
         run_out_of_memory(f);
     for (size_t k = 0; order && k < cuts.count; k++)
         order[k] = &cuts.item[k];
-    size_t kept = finder_failed(f) ? 0 : order_cuts(f, order, cuts.count);
+    size_t kept = cuts.count;
+    if (!finder_failed(f))
+        f->status = algebraic_sort_once(order, &kept, f->context, NULL, NULL);
     if (!finder_failed(f))
         touch_between(f, slide, order, kept);
     free(order);

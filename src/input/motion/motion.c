@@ -3,6 +3,7 @@
  */
 #include "input/motion/motion.h"
 
+#include <flint/fmpq_mat.h>
 #include <stdlib.h>
 
 void point_map_init(point_map *map, int dimension) {
@@ -18,6 +19,21 @@ void point_map_clear(point_map *map) {
     for (int k = 0; k < POINT_MAP_ENTRIES; k++) {
         fmpz_poly_clear(&map->entry[k]);
     }
+}
+
+int affine_orientation(const fmpq *map, int d) {
+    fmpq_mat_t linear;
+    fmpq_t determinant;
+    fmpq_mat_init(linear, d, d);
+    fmpq_init(determinant);
+    for (int i = 0; i < d; i++)
+        for (int j = 0; j < d; j++)
+            fmpq_set(fmpq_mat_entry(linear, i, j), map + i * (d + 1) + j);
+    fmpq_mat_det(determinant, linear);
+    int sign = fmpq_sgn(determinant);
+    fmpq_mat_clear(linear);
+    fmpq_clear(determinant);
+    return sign;
 }
 
 void motion_destroy(graze_motion *motion) {

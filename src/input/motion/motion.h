@@ -54,6 +54,9 @@ void point_map_clear(point_map *map);
  * d*(d+1) initialised fmpq. */
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);
 
+/** The sign of the determinant of an affine map as point_map_at gives it. */
+int affine_orientation(const fmpq *map, int d);
+
 void motion_destroy(graze_motion *motion);
 
 #endif

@@ -26,9 +26,8 @@ static void json_features(json_writer *w, const graze_scene *scene, const contac
 }
 
 static void json_contact(json_writer *w, const graze_scene *scene, const contact *c) {
-    graze_kind kind = verdict_kind(c->left, c->right);
     json_open(w, NULL, '{');
-    json_text(w, "kind", kind == GRAZE_INTERSECTION ? "intersection" : "tangency");
+    json_kind(w, "kind", verdict_kind(c->left, c->right));
     json_state(w, "left", c->left);
     json_state(w, "right", c->right);
     json_time(w, "from", c->from);

@@ -14,6 +14,13 @@ void json_state(json_writer *w, const char *key, graze_state state) {
                                           : "?");
 }
 
+void json_kind(json_writer *w, const char *key, graze_kind kind) {
+    json_text(w, key,
+              kind == GRAZE_INTERSECTION ? "intersection"
+              : kind == GRAZE_TANGENCY   ? "tangency"
+                                         : NULL);
+}
+
 static void put_root(json_writer *w, const char *key, const graze_time *time) {
     json_open(w, key, '{');
     json_open(w, "poly", '[');

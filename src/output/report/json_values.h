@@ -9,6 +9,8 @@
 
 /** A cell as an object. */
 void json_cell(json_writer *w, const char *key, const graze_cell *cell);
+/** "intersection" or "tangency"; null for 0. */
+void json_kind(json_writer *w, const char *key, graze_kind kind);
 /** "I", "B", "O", or null beyond an end of the motion. */
 void json_state(json_writer *w, const char *key, graze_state state);
 /** A time (src/program/cli/formats.md, TIME); makes it canonical. NULL: null. */

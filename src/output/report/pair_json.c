@@ -51,10 +51,7 @@ static void put_pair_contact(json_writer *w, const char *key, const graze_pair *
     json_time(w, "from", c->from);
     json_time(w, "to", pair->options.first ? NULL : c->to);
     put_near_decimal(w, c->from);
-    json_text(w, "kind",
-              pair->options.first                                     ? NULL
-              : verdict_kind(c->left, c->right) == GRAZE_INTERSECTION ? "intersection"
-                                                                      : "tangency");
+    json_kind(w, "kind", pair->options.first ? 0 : verdict_kind(c->left, c->right));
     put_cell_pairs(w, &c->cells);
     json_close(w, '}');
 }

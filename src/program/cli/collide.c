@@ -1,6 +1,5 @@
 /* graze collide: a moving solid against a fixed one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <string.h>
 #include "base/number/text.h"
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
@@ -45,19 +44,13 @@ typedef struct collide_scene {
 } collide_scene;
 
 static int value_ask(void *to, const char *name, const char *value) {
-    int overlap = strcmp(value, "overlap") == 0;
-    *(int *)to = overlap;
-    return overlap || strcmp(value, "any") == 0
-               ? EXIT_DONE
-               : complain(EXIT_USAGE, "--%s %s: expected any or overlap", name, value);
+    static const char *const words[] = {"any", "overlap"};
+    return value_choice(to, name, value, words, 2);
 }
 
 static int value_json(void *to, const char *name, const char *value) {
-    int json = strcmp(value, "json") == 0;
-    *(int *)to = json;
-    return json || strcmp(value, "text") == 0
-               ? EXIT_DONE
-               : complain(EXIT_USAGE, "--%s %s: expected text or json", name, value);
+    static const char *const words[] = {"text", "json"};
+    return value_choice(to, name, value, words, 2);
 }
 
 static const option_entry collide_table[] = {

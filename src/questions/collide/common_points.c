@@ -10,10 +10,6 @@ typedef struct finder {
     int plane[2][3]; /* of each one's corners, at the plane of the other */
 } finder;
 
-static uint32_t simplex_of(near_pair simplices, pair_side side) {
-    return side == SIDE_MOVING ? simplices.moving : simplices.fixed;
-}
-
 static uint32_t corner_vertex(const finder *f, pair_side side, int k) {
     return placing_solid(f->p, side)->cut.item[simplex_of(f->simplices, side)].vertex[k];
 }
@@ -22,6 +18,13 @@ void simplex_side(uint32_t out[2], const graze_solid *solid, uint32_t simplex, i
     const uint32_t *vertex = solid->cut.item[simplex].vertex;
     out[0] = vertex[k];
     out[1] = solid->input.dimension == 3 ? vertex[(k + 1) % 3] : vertex[k];
+}
+
+void simplex_edge(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k) {
+    uint32_t end[2];
+    simplex_side(end, solid, simplex, k);
+    out[0] = end[0] < end[1] ? end[0] : end[1];
+    out[1] = end[0] < end[1] ? end[1] : end[0];
 }
 
 /* The sides of a simplex that hold its corner k. */

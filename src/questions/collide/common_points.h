@@ -32,6 +32,8 @@ void common_points_find(common_points *out, placing *p, near_pair simplices);
 
 /** Side k of a triangle of a side as its two vertices, or a segment's vertex k twice. */
 void simplex_side(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
+/** The same, the lower number first: the key of the edge. */
+void simplex_edge(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
 
 /**
  * Of two sides k and l of triangles: do they meet inside both, when their lines lie in one plane?

@@ -58,25 +58,16 @@ static void leave_each_once(cell_list *list) {
     list->count = kept;
 }
 
-static uint32_t simplex_on(near_pair simplices, pair_side side) {
-    return side == SIDE_MOVING ? simplices.moving : simplices.fixed;
-}
-
 /* The vertices of each pair's simplex that is not of `side`, with the one that is. */
 static void gather_vertices(cell_list *out, finder *f, pair_side side) {
     const graze_solid *of = placing_solid(f->p, (pair_side)!side);
     for (size_t i = 0; i < f->near->count; i++)
         for (int k = 0; k < of->input.dimension; k++) {
             near_pair s = f->near->item[i];
-            uint32_t vertex = of->cut.item[simplex_on(s, (pair_side)!side)].vertex[k];
-            add_meeting(out, f, (meeting_cells){{vertex, simplex_on(s, side), 0, 0}, s, k, 0});
+            uint32_t vertex = of->cut.item[simplex_of(s, (pair_side)!side)].vertex[k];
+            add_meeting(out, f, (meeting_cells){{vertex, simplex_of(s, side), 0, 0}, s, k, 0});
         }
     leave_each_once(out);
-}
-
-static void order_edge(uint32_t *key, const uint32_t end[2]) {
-    key[0] = end[0] < end[1] ? end[0] : end[1];
-    key[1] = end[0] < end[1] ? end[1] : end[0];
 }
 
 static void gather_edges(cell_list *out, finder *f) {
@@ -84,11 +75,8 @@ static void gather_edges(cell_list *out, finder *f) {
         for (int k = 0; k < 3; k++)
             for (int l = 0; l < 3; l++) {
                 meeting_cells m = {{0, 0, 0, 0}, f->near->item[i], k, l};
-                uint32_t end[2];
-                simplex_side(end, f->p->pair->moving, m.simplices.moving, k);
-                order_edge(m.key, end);
-                simplex_side(end, f->p->pair->fixed, m.simplices.fixed, l);
-                order_edge(m.key + 2, end);
+                simplex_edge(m.key, f->p->pair->moving, m.simplices.moving, k);
+                simplex_edge(m.key + 2, f->p->pair->fixed, m.simplices.fixed, l);
                 add_meeting(out, f, m);
             }
     leave_each_once(out);
@@ -110,7 +98,7 @@ static int is_off(const finder *f, pair_side side, const meeting_cells *m) {
     const corners *a = &placing_solid(f->p, side)->corners;
     const corners *b = &placing_solid(f->p, other)->corners;
     const control_maps *maps = side == SIDE_FIXED ? &f->at->forward : &f->at->inverse;
-    size_t d = (size_t)f->p->pair->motion->dimension, moved = simplex_on(m->simplices, other);
+    size_t d = (size_t)f->p->pair->motion->dimension, moved = simplex_of(m->simplices, other);
     return a->at && b->at && maps->count &&
            vertex_off_plane(a, m->key[1], maps, b->at + (moved * d + (size_t)m->k) * d, b);
 }
@@ -122,7 +110,7 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     unsigned zero;
     fmpz_poly_t q;
     algebraic_list roots;
-    if (f->at && is_off(f, side, m))
+    if (is_off(f, side, m))
         return;
     fmpz_poly_init(q);
     algebraic_list_init(&roots);
@@ -188,7 +176,7 @@ static void meet_two_edges(finder *f, const meeting_cells *m) {
     algebraic_list roots;
     simplex_side(moving, f->p->pair->moving, m->simplices.moving, m->k);
     simplex_side(fixed, f->p->pair->fixed, m->simplices.fixed, m->l);
-    if (f->at && edges_apart(f, moving, fixed))
+    if (edges_apart(f, moving, fixed))
         return;
     fmpz_poly_init(q);
     algebraic_list_init(&roots);
@@ -213,14 +201,9 @@ static void order_times(algebraic_list *out, finder *f) {
     for (size_t k = 0; order && k < n; k++)
         order[k] = &f->found.item[k];
     if (!f->p->status)
-        f->p->status = algebraic_sort(order, n, f->p->context);
-    for (size_t k = 0, last = 0; k < n && !f->p->status; k++) {
-        int differ = 1;
-        if (k > 0)
-            f->p->status = algebraic_compare(&differ, f->p->context, order[last], order[k]);
-        if (differ)
-            algebraic_set(algebraic_list_append(out), order[last = k]);
-    }
+        f->p->status = algebraic_sort_once(order, &n, f->p->context, NULL, NULL);
+    for (size_t k = 0; k < n && !f->p->status; k++)
+        algebraic_set(algebraic_list_append(out), order[k]);
     free(order);
 }
 

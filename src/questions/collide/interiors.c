@@ -18,8 +18,8 @@ typedef struct meeting_point {
 } meeting_point;
 
 typedef struct looker {
-    pair_state *out;
     placing *p;
+    int crossing; /* an edge of one passes a simplex of the other: nothing below is whole */
     size_t count, capacity;
     meeting_point *point;
 } looker;
@@ -37,18 +37,14 @@ static int compare_meetings(const void *left, const void *right) {
 static void set_key(meeting_point *m, const placing *p) {
     if (m->kind == CORNER_EDGES) {
         for (int side = 0; side < 2; side++) {
-            uint32_t end[2];
-            simplex_side(end, placing_solid(p, (pair_side)side),
-                         side ? m->simplices.fixed : m->simplices.moving, m->corner.at[side]);
-            m->key[2 * side] = end[0] < end[1] ? end[0] : end[1];
-            m->key[2 * side + 1] = end[0] < end[1] ? end[1] : end[0];
+            simplex_edge(m->key + 2 * side, placing_solid(p, (pair_side)side),
+                         simplex_of(m->simplices, (pair_side)side), m->corner.at[side]);
         }
         return;
     }
-    int side = m->kind == CORNER_MOVING ? 0 : 1;
-    const simplices *cut = &placing_solid(p, (pair_side)side)->cut;
-    m->key[0] = m->key[1] =
-        cut->item[side ? m->simplices.fixed : m->simplices.moving].vertex[m->corner.at[side]];
+    pair_side side = m->kind == CORNER_MOVING ? SIDE_MOVING : SIDE_FIXED;
+    const simplices *cut = &placing_solid(p, side)->cut;
+    m->key[0] = m->key[1] = cut->item[simplex_of(m->simplices, side)].vertex[m->corner.at[side]];
 }
 
 static void add_meeting_point(looker *l, near_pair simplices, const common_corner *corner) {
@@ -68,7 +64,7 @@ static void gather_points(looker *l, const near_list *near) {
     for (size_t k = 0; k < near->count && !l->p->status; k++) {
         common_points_find(&found, l->p, near->item[k]);
         if (found.crossing && !l->p->status) {
-            *l->out = (pair_state){GRAZE_STATE_I, 1, near->item[k]};
+            l->crossing = 1;
             return;
         }
         for (int c = 0; c < found.count; c++)
@@ -114,7 +110,7 @@ static int finds_inside(looker *l, placing *rational, pair_side side) {
 static void set_shares(fmpz_poly_struct share[2], placing *p, const meeting_point *m,
                        pair_side side, const uint32_t end[2]) {
     pair_side other = (pair_side)!side;
-    uint32_t simplex = other == SIDE_FIXED ? m->simplices.fixed : m->simplices.moving;
+    uint32_t simplex = simplex_of(m->simplices, other);
     for (int k = 0; k < 2; k++) {
         placing_plane(&share[!k], p, other, simplex, end[k]);
         if (placing_sign(p, &share[!k]) == 0)
@@ -154,10 +150,10 @@ static void gather_sectors(sectors_about *out, placing *p, const meeting_point *
 static void gather_sectors_of_pairs(sectors_about *out, placing *p, const meeting_point *m,
                                     size_t count, pair_side side) {
     for (size_t k = 0; k < count && !p->status; k++) {
-        uint32_t simplex = side == SIDE_FIXED ? m[k].simplices.fixed : m[k].simplices.moving;
+        uint32_t simplex = simplex_of(m[k].simplices, side);
         int seen = 0;
         for (size_t j = 0; j < k && !seen; j++)
-            seen = simplex == (side == SIDE_FIXED ? m[j].simplices.fixed : m[j].simplices.moving);
+            seen = simplex == simplex_of(m[j].simplices, side);
         if (!seen)
             sectors_about_add(out, p, side, simplex, m[k].corner.zero[side]);
     }
@@ -192,15 +188,13 @@ static int cones_meet(looker *l) {
     return found;
 }
 
-void interiors_look(pair_state *out, placing *p, const near_list *near, placing *before) {
-    looker l = {.out = out, .p = p};
+graze_state interiors_look(placing *p, const near_list *near, placing *before) {
+    looker l = {.p = p};
     placing *rational = before ? before : p;
-    *out = (pair_state){.state = GRAZE_STATE_ABSENT};
     gather_points(&l, near);
-    if (!p->status && !out->state) {
-        int found = finds_inside(&l, rational, SIDE_MOVING) ||
-                    finds_inside(&l, rational, SIDE_FIXED) || cones_meet(&l);
-        out->state = found ? GRAZE_STATE_I : l.count ? GRAZE_STATE_B : GRAZE_STATE_O;
-    }
+    int meet =
+        l.crossing || (!p->status && (finds_inside(&l, rational, SIDE_MOVING) ||
+                                      finds_inside(&l, rational, SIDE_FIXED) || cones_meet(&l)));
     free(l.point);
+    return meet ? GRAZE_STATE_I : l.count ? GRAZE_STATE_B : GRAZE_STATE_O;
 }

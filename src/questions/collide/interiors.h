@@ -6,20 +6,14 @@
 
 #include "questions/collide/common_points.h"
 
-/** What the two solids have in common at a time: I, B or O. */
-typedef struct pair_state {
-    graze_state state;
-    int crossing;      /* I: an edge of one passes a simplex of the other, */
-    near_pair witness; /* of this pair */
-} pair_state;
-
 /**
- * Find the state at the placing's time, a rational one, or an irrational one at which the
- * boundaries meet (proofs/collision.md C109, C111).
+ * What the two solids have in common at the placing's time, a rational one, or an irrational one at
+ * which the boundaries meet: I, B or O (proofs/collision.md C109, C111). Without GRAZE_OK in the
+ * placing it means nothing.
  * @param near   all pairs of simplices that meet then, perhaps others
  * @param before of an irrational time: a rational time between which and it no state of a vertex
  *               changes, as a placing; else NULL
  */
-void interiors_look(pair_state *out, placing *p, const near_list *near, placing *before);
+graze_state interiors_look(placing *p, const near_list *near, placing *before);
 
 #endif

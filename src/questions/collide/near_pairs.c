@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include "base/context/array.h"
+#include "decide/filter/normal.h"
 #include "input/solid/box_image.h"
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item) {
@@ -27,48 +28,40 @@ graze_status near_pairs_take(near_list *out, graze_context *context, const solid
     return status;
 }
 
-/* The plane of a simplex: a corner, a normal, and how far its corners are apart. */
+/* The plane of a simplex. */
 typedef struct rough_plane {
-    const double *at;
-    double normal[3], s;
+    const double *at; /* a corner */
+    normal normal;
 } rough_plane;
 
 static void find_plane(rough_plane *out, const corners *of, uint32_t simplex, int d) {
-    const double *p = of->at + (size_t)simplex * (size_t)(d * d);
-    double u[3] = {0}, v[3] = {0};
-    out->at = p;
-    out->s = 0;
-    for (int i = 0; i < d; i++) {
-        u[i] = p[d + i] - p[i];
-        v[i] = d == 3 ? p[2 * d + i] - p[i] : 0;
-        out->s = fmax(out->s, fmax(fabs(u[i]), fabs(v[i])));
-    }
-    out->normal[0] = d == 3 ? u[1] * v[2] - u[2] * v[1] : -u[1];
-    out->normal[1] = d == 3 ? u[2] * v[0] - u[0] * v[2] : u[0];
-    out->normal[2] = d == 3 ? u[0] * v[1] - u[1] * v[0] : 0;
+    out->at = of->at + (size_t)simplex * (size_t)(d * d);
+    if (d == 3)
+        normal_space(&out->normal, out->at, of->error);
+    else
+        normal_plane(&out->normal, out->at, of->error);
 }
 
-/* The side of a plane on which a vertex is at control map k: 0 if it is not certain. The value is
- * the volume (E^2: area) that the simplex spans with the vertex. */
+/* The side of a plane on which a vertex is at control map k: 0 if it is not certain. */
 static int side_at_control(const rough_plane *plane, const corners *plane_of,
                            const control_maps *maps, size_t k, const double *vertex,
                            const corners *of) {
     int d = maps->dimension;
-    double value = 0, t = 0, s = plane->s, far = maps->shift[k] + maps->slope[k] * of->reach;
+    double value = 0, t = 0, far = maps->shift[k] + maps->slope[k] * of->reach;
     for (int i = 0; i < d; i++) {
         const double *row = maps->entry + k * (size_t)(d * (d + 1)) + i * (d + 1);
         double x = row[d];
         for (int j = 0; j < d; j++)
             x += row[j] * vertex[j];
         double w = x - plane->at[i];
-        value += plane->normal[i] * w;
-        t = fmax(t, fabs(w));
+        value += plane->normal.at[i] * w;
+        t = larger(t, fabs(w));
     }
     /* What a difference of coordinates errs by. */
     double e =
         0x1p-44 * (far + plane_of->reach) + plane_of->error + of->error * (1 + maps->slope[k]);
-    double bound = 16 * e * (d == 3 ? s + e : 1) * (s + t + e) + 0x1p-600;
-    return value > bound ? 1 : value < -bound ? -1 : 0;
+    double bound = 4 * (largest3(plane->normal.at) * e + plane->normal.error * (t + e)) + 0x1p-600;
+    return !isfinite(value) ? 0 : value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
 /* The side on which a vertex is all the time, or 0. */
@@ -108,7 +101,8 @@ static int plane_between(const corners *corners_of, uint32_t simplex, const corn
     return 1;
 }
 
-int near_pair_apart(const solid_pair *pair, const motion_stretch *at, near_pair simplices) {
+/* Are two simplices certainly apart during an interval, by the plane of one of them? */
+static int near_pair_apart(const solid_pair *pair, const motion_stretch *at, near_pair simplices) {
     const corners *a = &pair->moving->corners, *b = &pair->fixed->corners;
     if (!a->at || !b->at || !at->forward.count)
         return 0;

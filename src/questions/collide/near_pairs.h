@@ -40,10 +40,6 @@ graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,
                              const node_list *leaves);
 
-/** Are two simplices certainly apart during an interval: by boxes, or by the plane of one of them?
- */
-int near_pair_apart(const solid_pair *pair, const motion_stretch *at, near_pair simplices);
-
 /** Is a vertex of one solid, whose place in doubles is given, certainly off the plane of a simplex
  * of the other one all the time? `maps` carry the vertex, one of those of `of`. */
 int vertex_off_plane(const corners *plane_of, uint32_t simplex, const control_maps *maps,

@@ -160,9 +160,9 @@ static graze_status enter_gap(pair_walk *walk, graze_state state) {
 }
 
 /* At t0, where no incidence is: of a gap that slides the contact begins there. */
-static graze_status enter_start(pair_walk *walk, const pair_state *found, scene_then *then) {
+static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *then) {
     graze_status status = GRAZE_OK;
-    if (found->state == GRAZE_STATE_B) {
+    if (state == GRAZE_STATE_B) {
         fmpq_t zero;
         fmpq_init(zero);
         status = keep_rational(walk, 0, zero);
@@ -170,20 +170,20 @@ static graze_status enter_start(pair_walk *walk, const pair_state *found, scene_
         if (!status)
             status = open_contact(walk, GRAZE_STATE_ABSENT, &then->p, &then->near);
     }
-    return status ? status : enter_gap(walk, found->state);
+    return status ? status : enter_gap(walk, state);
 }
 
 /* Look at the solids at a rational time, and enter the gap that has it. */
 static graze_status look_into_gap(pair_walk *walk, size_t piece, const fmpq_t u) {
     scene_then then = {0};
-    pair_state found = {0};
+    graze_state state = GRAZE_STATE_ABSENT;
     graze_status status = place_both_at(&then, walk, piece, u, NULL);
     if (!status) {
-        interiors_look(&found, &then.p, &then.near, NULL);
+        state = interiors_look(&then.p, &then.near, NULL);
         status = then.p.status;
     }
     if (!status)
-        status = walk->last ? enter_gap(walk, found.state) : enter_start(walk, &found, &then);
+        status = walk->last ? enter_gap(walk, state) : enter_start(walk, state, &then);
     then_clear(&then);
     return status;
 }
@@ -217,17 +217,15 @@ static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_tim
 /* The state at a time at which the boundaries meet, after a gap in state I or none. */
 static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
                                     int at_start, size_t before, const fmpq_t u) {
-    pair_state found = {0};
     placing rational;
     if (!p->is_frozen && !at_start) {
         placing_init_at(&rational, walk->context, walk->pair, before, u);
-        interiors_look(&found, p, &then->near, &rational);
+        *out = interiors_look(p, &then->near, &rational);
         placing_clear(&rational);
     } else {
-        interiors_look(&found, p, &then->near, NULL);
+        *out = interiors_look(p, &then->near, NULL);
     }
-    *out = found.state;
-    if (!p->status && found.state == GRAZE_STATE_O)
+    if (!p->status && *out == GRAZE_STATE_O)
         return context_fail(walk->context, GRAZE_EINTERNAL,
                             "two boundaries that meet have no point in common");
     return p->status;

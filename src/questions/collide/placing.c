@@ -1,7 +1,6 @@
 /* Forms pulled back to vertices. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/collide/placing.h"
 
-#include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
@@ -9,26 +8,17 @@
 #include "base/number/sign.h"
 #include "input/solid/locate.h"
 
-/* Does the motion reverse orientation? Its determinant never vanishes. */
+/* Does the motion turn outside in? Its determinant never vanishes. */
 static int is_mirrored(const point_map *map) {
-    slong d = map->dimension;
-    fmpq_t start, det;
-    fmpq *value = _fmpq_vec_init(d * (d + 1));
-    fmpq_mat_t linear;
+    int n = map->dimension * (map->dimension + 1);
+    fmpq *value = _fmpq_vec_init(n);
+    fmpq_t start;
     fmpq_init(start);
-    fmpq_init(det);
-    fmpq_mat_init(linear, d, d);
     point_map_at(value, map, start);
-    for (slong i = 0; i < d; i++)
-        for (slong j = 0; j < d; j++)
-            fmpq_set(fmpq_mat_entry(linear, i, j), value + i * (d + 1) + j);
-    fmpq_mat_det(det, linear);
-    int mirrored = fmpq_sgn(det) < 0;
-    fmpq_mat_clear(linear);
+    int sign = affine_orientation(value, map->dimension);
     fmpq_clear(start);
-    fmpq_clear(det);
-    _fmpq_vec_clear(value, d * (d + 1));
-    return mirrored;
+    _fmpq_vec_clear(value, n);
+    return sign < 0;
 }
 
 static void init(placing *p, graze_context *context, const solid_pair *pair) {

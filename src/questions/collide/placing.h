@@ -48,6 +48,11 @@ void placing_clear(placing *p);
 
 const graze_solid *placing_solid(const placing *p, pair_side side);
 
+/** That of two simplices which is of a side. */
+static inline uint32_t simplex_of(near_pair simplices, pair_side side) {
+    return side == SIDE_MOVING ? simplices.moving : simplices.fixed;
+}
+
 /** The place of a vertex of a side in the other's space; NULL without memory. */
 const trajectory *placing_vertex(placing *p, pair_side side, uint32_t vertex);
 

@@ -4,7 +4,6 @@
  */
 #include "questions/contact/flow.h"
 
-#include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include "decide/trace/trajectory.h"
 
@@ -93,21 +92,6 @@ static void negate_vector(fmpq *a, int d) {
         fmpq_neg(a + i, a + i);
 }
 
-static int orientation_of(const fmpq *map, int d) {
-    fmpq_mat_t linear;
-    fmpq_t determinant;
-    fmpq_mat_init(linear, d, d);
-    fmpq_init(determinant);
-    for (int i = 0; i < d; i++)
-        for (int j = 0; j < d; j++)
-            fmpq_set(fmpq_mat_entry(linear, i, j), map + i * (d + 1) + j);
-    fmpq_mat_det(determinant, linear);
-    int sign = fmpq_sgn(determinant);
-    fmpq_mat_clear(linear);
-    fmpq_clear(determinant);
-    return sign;
-}
-
 /* Divide by the power of dt/du that derivatives by t want. */
 static void scale_to_time(flow *f, const motion_piece *piece) {
     fmpq_t width;
@@ -142,7 +126,7 @@ void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq 
     add_vector_to(second, turned, d);
     apply_linear(out->bend, inverse, second, d);
     negate_vector(out->bend, d);
-    out->orientation = orientation_of(inverse, d);
+    out->orientation = affine_orientation(inverse, d);
     scale_to_time(out, piece);
     _fmpq_vec_clear(inverse, d * (d + 1));
     _fmpq_vec_clear(velocity, d);

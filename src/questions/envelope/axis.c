@@ -25,15 +25,8 @@ static graze_status order_points(axis *x, graze_context *context) {
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for roots");
     for (size_t k = 0; k < n; k++)
         x->point[k] = &x->roots.item[k];
-    graze_status status = algebraic_sort(x->point, n, context);
-    for (size_t k = 0; k < n && !status; k++) {
-        int order = -1;
-        if (x->count)
-            status = algebraic_compare(&order, context, x->point[x->count - 1], x->point[k]);
-        if (order != 0)
-            x->point[x->count++] = x->point[k];
-    }
-    return status;
+    x->count = n;
+    return algebraic_sort_once(x->point, &x->count, context, NULL, NULL);
 }
 
 graze_status axis_make(axis *out, graze_context *context, const fmpz_poly_struct *p, size_t count) {
