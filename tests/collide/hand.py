@@ -380,6 +380,17 @@ def text(collide, checks):
     checks.holds(contact.startswith("contact 0 to 1, tangency: edge 0-1 of MOVING with edge 0-1, "), "text", contact)
     # Four pairs of edges, four of vertices: no more than the eight that are printed.
     checks.equal(contact.count(" of MOVING with "), 8, "text", contact)
+    # The cube meets its fellow by a face with four edges and four vertices: nine pairs.
+    cube, fellow = (write(f"{name}.off", block(x, 0, 0, x + 1, 1, 1).text()) for name, x in (("cube", 0), ("fellow", 3)))
+    ahead = write("ahead.json", '{"dimension": 3, "pieces": [{"t": [0, 5], "transform": {"translate": ["t", 0, 0]}}]}')
+    out = collide.graze.call("collide", cube, ahead, fellow, "--first")
+    first, word, contact = out.stdout.splitlines()
+    checks.equal((out.returncode, first, word), (1, "touch", "word OB"), "text")
+    checks.holds(contact.startswith("first contact 2: ") and contact.endswith(", and 1 more"), "text", contact)
+    # t + 1 = 3 + t/2 at t = 4; the motions have [2, 5] in common.
+    behind = write("behind.json", '{"dimension": 3, "pieces": [{"t": [2, 9], "transform": {"translate": ["t/2", 0, 0]}}]}')
+    out = collide.graze.call("collide", cube, ahead, fellow, "--motion-of-fixed", behind)
+    checks.equal(out.stdout.splitlines()[:2] + [out.stdout.splitlines()[2][:10]], ["overlap", "word OBI", "contact 4,"], "text")
 
 
 def main():

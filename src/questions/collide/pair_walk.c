@@ -46,11 +46,20 @@ static graze_status lack_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for a motion at a time");
 }
 
-/* Doubles and pairs at a rational time: of all pairs, or of those given. */
-static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
-                                 const node_list *of) {
+/* Pairs that may meet then, of those given, or of all for NULL. `made`: the doubles are there. */
+static graze_status take_near(scene_then *out, pair_walk *walk, int made, const node_list *of) {
     node_pair roots = {0, 0};
     const node_list all = {1, 1, &roots};
+    graze_status status = made ? GRAZE_OK : lack_memory(walk->context);
+    if (!status)
+        status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->at,
+                                   of ? of : &all, 1);
+    return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
+}
+
+/* Doubles and pairs at a rational time. */
+static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
+                                 const node_list *of) {
     int d = walk->pair->motion->dimension;
     const motion_piece *m = &walk->pair->motion->piece[piece];
     fmpq *map = _fmpq_vec_init(d * (d + 1));
@@ -59,11 +68,7 @@ static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece,
     point_map_at(map, &m->inverse, u);
     made = made && control_maps_set_one(&out->at.inverse, map, d);
     _fmpq_vec_clear(map, d * (d + 1));
-    graze_status status = made ? GRAZE_OK : lack_memory(walk->context);
-    if (!status)
-        status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->at,
-                                   of ? of : &all, 1);
-    return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
+    return take_near(out, walk, made, of);
 }
 
 static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
@@ -93,10 +98,7 @@ static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piec
     map_forms_init(&forms, &m->inverse, &time->where);
     made = made && control_maps_set(&out->at.inverse, &forms);
     map_forms_clear(&forms);
-    status = made ? GRAZE_OK : lack_memory(walk->context);
-    if (!status)
-        status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->at, of, 1);
-    return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
+    return take_near(out, walk, made, of);
 }
 
 static graze_status add_letter(pair_walk *walk, graze_state state) {
@@ -316,16 +318,14 @@ graze_status pair_walk_end(pair_walk *walk) {
     if (walk->done || (walk->last && time_is_end(walk->last)))
         return GRAZE_OK;
     fmpq_init(end);
-    fmpq_one(end);
     if (!walk->last)
-        fmpq_zero(end);
-    if (!walk->gap)
-        status = look_into_gap(walk, walk->last ? piece : 0, end);
-    if (!status && walk->open && !walk->first) {
-        fmpq_one(end);
+        status = look_into_gap(walk, 0, end); /* t0: a contact that lasts begins there */
+    fmpq_one(end);
+    if (!status && !walk->gap)
+        status = look_into_gap(walk, piece, end);
+    if (!status && walk->open) {
         status = keep_rational(walk, piece, end);
-        if (!status)
-            walk->contact[walk->contact_count - 1].to = walk->last;
+        walk->contact[walk->contact_count - 1].to = walk->last;
     }
     fmpq_clear(end);
     return status;
