@@ -46,6 +46,7 @@ ROOMS = {
     "questions/collide": ["api/test_pair", "collide/hand", "collide/convex", "collide/polycubes", "collide/laws"],
     "questions/generate": ["generate/generate", "generate/levels", "refuse/run generate"],
     "questions/certify": ["unit/test_control", "check/golden", "api/test_certificate", "check/contacts", "shards/certificates"],
+    "questions/judge": ["unit/test_judged_mesh"],
     "questions/boundary": ["boundary/sharp", "boundary/boundary", "boundary/vertices"],
     "output/report": ["unit/test_report", "api/test_reports", "envelope/joints", "cases/cases", "explain/explain", "examples/examples", "topo/table",
                       "contact/hand", "refuse/run usage certify"],

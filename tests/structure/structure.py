@@ -31,7 +31,7 @@ WINGS = {
     "base": ["context", "number"],
     "input": ["delimited motion soup", "csg", "validate", "read", "solid", "convert mend", "scad"],
     "decide": ["filter", "scene", "trace", "curved", "verdict", "lattice"],
-    "questions": ["topo", "contact distance collide", "envelope generate certify", "boundary"],
+    "questions": ["topo", "contact distance collide", "envelope generate certify", "boundary judge"],
     "output": ["table", "report", "compare", "draw", "page png"],
     "api": ["api"],
     "program": ["run", "cli", "mpi"],

@@ -8,49 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/file.h"
-#include "base/number/rounding.h"
 #include "input/csg/csg_read.h"
 #include "input/solid/locate.h"
 #include "input/validate/validate.h"
-
-static graze_status make_bounds(graze_solid *solid, graze_context *context) {
-    size_t n = solid->input.vertex_count * (size_t)solid->input.dimension;
-    solid->low = malloc(n * sizeof *solid->low);
-    solid->high = malloc(n * sizeof *solid->high);
-    if (!solid->low || !solid->high)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu coordinates", n);
-    for (size_t k = 0; k < n; k++)
-        rational_bounds(&solid->low[k], &solid->high[k], solid->input.coordinates + k);
-    return GRAZE_OK;
-}
-
-static void bound_simplex(box *out, const graze_solid *solid, size_t simplex) {
-    size_t d = (size_t)solid->input.dimension;
-    *out = (box){{0, 0, 0}, {0, 0, 0}};
-    for (size_t k = 0; k < d; k++) {
-        size_t at = solid->cut.item[simplex].vertex[k] * d;
-        for (size_t i = 0; i < d; i++) {
-            if (k == 0 || solid->low[at + i] < out->low[i])
-                out->low[i] = solid->low[at + i];
-            if (k == 0 || solid->high[at + i] > out->high[i])
-                out->high[i] = solid->high[at + i];
-        }
-    }
-}
-
-static graze_status make_tree(graze_solid *solid, graze_context *context) {
-    size_t n = solid->cut.count;
-    box *boxes = malloc(n * sizeof *boxes);
-    int failed = !boxes;
-    if (boxes) {
-        for (size_t s = 0; s < n; s++)
-            bound_simplex(&boxes[s], solid, s);
-        failed = tree_build(&solid->boxes, boxes, n);
-    }
-    free(boxes);
-    return failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a tree of %zu boxes", n)
-                  : GRAZE_OK;
-}
 
 static graze_status make_slabs(graze_solid *solid, graze_context *context) {
     return slabs_make(&solid->slabs, &solid->boxes, &solid->corners, solid->input.dimension)
@@ -90,9 +50,10 @@ graze_status solid_create(graze_solid **out, graze_context *context, soup *input
     solid->input = *input;
     graze_status status = validate_soup(&solid->cut, context, &solid->input, flags);
     if (status == GRAZE_OK)
-        status = make_bounds(solid, context);
+        status = skin_bounds(&solid->low, &solid->high, context, &solid->input);
+    skin bare = solid_skin(solid);
     if (status == GRAZE_OK)
-        status = make_tree(solid, context);
+        status = skin_tree(&solid->boxes, context, &bare);
     if (status == GRAZE_OK)
         status = corners_make(&solid->corners, context, &solid->input, &solid->cut, solid->low,
                               solid->high);

@@ -17,7 +17,7 @@
 #include "input/solid/forms.h"
 
 typedef struct ray {
-    const graze_solid *solid;
+    const skin *of;
     const fmpz *x;
     box around;      /* holds x */
     box reach;       /* and all that lies beyond it on the ray */
@@ -48,7 +48,7 @@ static double separation(double *off, double low, double high, double x_low, dou
 }
 
 static arrow arrow_to(const ray *r, size_t vertex) {
-    const double *low = r->solid->low + 3 * vertex, *high = r->solid->high + 3 * vertex;
+    const double *low = r->of->low + 3 * vertex, *high = r->of->high + 3 * vertex;
     const box *x = &r->around;
     arrow a;
     a.y = separation(&a.off_y, low[1], high[1], x->low[1], x->high[1]);
@@ -73,14 +73,14 @@ static int turn(const arrow *a, const arrow *b) {
  * that case the outward normal points along the ray iff the triangle turns to the left, and the
  * crossing is beyond x if the whole triangle is. */
 static int settle(ray *r, size_t simplex) {
-    const uint32_t *v = r->solid->cut.item[simplex].vertex;
+    const uint32_t *v = r->of->cut->item[simplex].vertex;
     arrow to[3] = {arrow_to(r, v[0]), arrow_to(r, v[1]), arrow_to(r, v[2])};
     int left = 0, right = 0, beyond = 1;
     for (int k = 0; k < 3; k++) {
         int sign = turn(&to[k], &to[(k + 1) % 3]);
         left += sign > 0;
         right += sign < 0;
-        beyond = beyond && r->solid->low[3 * (size_t)v[k]] > r->around.high[0];
+        beyond = beyond && r->of->low[3 * (size_t)v[k]] > r->around.high[0];
     }
     if (left > 0 && right > 0)
         return 1;
@@ -91,16 +91,16 @@ static int settle(ray *r, size_t simplex) {
 }
 
 static void cross_exactly(ray *r, size_t simplex) {
-    int d = r->solid->input.dimension;
+    int d = r->of->input->dimension;
     fmpz *plane = _fmpz_vec_init(2 * (d + 1)), *side = plane + d + 1;
-    int facing = solid_plane(plane, r->solid, simplex);
+    int facing = skin_plane(plane, r->of, simplex);
     int parallel = fmpz_is_zero(plane), plane_sign = form_sign(plane, r->x, d);
     int contains = plane_sign == 0;
     /* The plane's first coefficient is positive, so the ray runs from its negative to its positive
      * side. */
     int crosses = !parallel && displaced_sign(plane, plane_sign, d) < 0;
     for (int k = 0; k < d && (contains || crosses); k++) {
-        solid_side(side, r->solid, simplex, plane, k);
+        skin_side(side, r->of, simplex, plane, k);
         int sign = form_sign(side, r->x, d);
         contains = contains && sign >= 0;
         crosses = crosses && displaced_sign(side, sign, d) > 0;
@@ -111,20 +111,20 @@ static void cross_exactly(ray *r, size_t simplex) {
 }
 
 static void descend(ray *r, size_t index) {
-    const tree_node *node = &r->solid->boxes.node[index];
+    const tree_node *node = &r->of->boxes->node[index];
     if (!box_meets(&node->box, &r->reach))
         return;
     if (node->child) {
         descend(r, node->child);
         descend(r, node->child + 1);
     } else if (node->simplex != r->skip &&
-               !(r->solid->input.dimension == 3 && settle(r, node->simplex))) {
+               !(r->of->input->dimension == 3 && settle(r, node->simplex))) {
         cross_exactly(r, node->simplex);
     }
 }
 
 static void shoot(ray *r) {
-    int d = r->solid->input.dimension;
+    int d = r->of->input->dimension;
     fmpq_t coordinate;
     fmpq_init(coordinate);
     r->around = (box){{0, 0, 0}, {0, 0, 0}};
@@ -133,19 +133,28 @@ static void shoot(ray *r) {
         rational_bounds(&r->around.low[i], &r->around.high[i], coordinate);
     }
     r->reach = r->around;
-    double root_high = r->solid->boxes.node[0].box.high[0];
+    double root_high = r->of->boxes->node[0].box.high[0];
     if (root_high > r->reach.high[0])
         r->reach.high[0] = root_high;
     fmpq_clear(coordinate);
     descend(r, 0);
 }
 
+long skin_winding(int *on, const skin *s, const fmpz *x) {
+    ray r = {.of = s, .x = x, .skip = SIZE_MAX};
+    if (s->boxes->node_count)
+        shoot(&r);
+    *on = r.on_boundary;
+    return r.winding;
+}
+
 graze_state solid_locate(const graze_solid *solid, const fmpz *x) {
-    ray r = {.solid = solid, .x = x, .skip = SIZE_MAX};
-    shoot(&r);
-    if (r.on_boundary)
+    skin boundary = solid_skin(solid);
+    int on;
+    long winding = skin_winding(&on, &boundary, x);
+    if (on)
         return GRAZE_STATE_B;
-    return r.winding == 1 ? GRAZE_STATE_I : r.winding == 0 ? GRAZE_STATE_O : GRAZE_STATE_ABSENT;
+    return winding == 1 ? GRAZE_STATE_I : winding == 0 ? GRAZE_STATE_O : GRAZE_STATE_ABSENT;
 }
 
 /* The point with the barycentric weights 1, w, w^2 ... in a simplex, homogeneous. */
@@ -174,11 +183,12 @@ static void weighted_point(fmpz *x, const graze_solid *solid, size_t simplex, ul
  * finitely many segments. */
 static long winding_outside(const graze_solid *solid, size_t simplex, int facing) {
     fmpz *x = _fmpz_vec_init(solid->input.dimension + 1);
+    skin boundary = solid_skin(solid);
     ray r;
     ulong w = 1;
     do {
         weighted_point(x, solid, simplex, w++);
-        r = (ray){.solid = solid, .x = x, .skip = simplex};
+        r = (ray){.of = &boundary, .x = x, .skip = simplex};
         shoot(&r);
     } while (r.on_boundary);
     _fmpz_vec_clear(x, solid->input.dimension + 1);

@@ -7,8 +7,17 @@
 #include "input/solid/solid.h"
 
 /**
- * Location of a point: I, B or O. Counts the signed crossings of one ray, made generic by an
- * infinitesimal displacement (proofs/claims.md C6). `x` are d + 1 homogeneous integers, x[d] > 0.
+ * The signed crossings of one ray from a point, made generic by an infinitesimal displacement
+ * (proofs/claims.md C6): the winding number where the surface closes. Its parity is that of the
+ * unsigned crossings.
+ * @param[out] on 1 if x lies on a simplex
+ * @param x d + 1 homogeneous integers, x[d] > 0
+ */
+long skin_winding(int *on, const skin *s, const fmpz *x);
+
+/**
+ * Location of a point: I, B or O, by the winding number. `x` are d + 1 homogeneous integers, x[d] >
+ * 0.
  * @return GRAZE_STATE_ABSENT if the crossings add up to neither, which only a fault of Graze causes
  */
 graze_state solid_locate(const graze_solid *solid, const fmpz *x);

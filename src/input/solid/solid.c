@@ -3,15 +3,6 @@
  */
 #include "input/solid/solid.h"
 
-#include "input/solid/forms.h"
-
-/* The coordinates of a simplex's vertices. */
-static void simplex_vertices(const fmpq **vertex, const graze_solid *solid, size_t simplex) {
-    size_t d = (size_t)solid->input.dimension;
-    for (size_t k = 0; k < d; k++)
-        vertex[k] = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * d;
-}
-
 int solid_bounded(const graze_solid *solid) {
     return !solid->curved || solid->curved->box.dimension > 0;
 }
@@ -34,15 +25,13 @@ void solid_box(fmpq *low, fmpq *high, const graze_solid *solid) {
 }
 
 int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex) {
-    const fmpq *vertex[3];
-    simplex_vertices(vertex, solid, simplex);
-    return form_of_plane(out, vertex, solid->input.dimension);
+    skin s = solid_skin(solid);
+    return skin_plane(out, &s, simplex);
 }
 
 void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k) {
-    const fmpq *vertex[3];
-    simplex_vertices(vertex, solid, simplex);
-    form_of_side(out, vertex, plane, k, solid->input.dimension);
+    skin s = solid_skin(solid);
+    skin_side(out, &s, simplex, plane, k);
 }
 
 /* Sides vanish in one place each: E^2 none or the vertex k; E^3 the edge k, or the vertex two edges

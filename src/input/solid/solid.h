@@ -11,6 +11,7 @@
 #include "input/csg/csg.h"
 #include "input/solid/corners.h"
 #include "input/solid/slabs.h"
+#include "input/solid/skin.h"
 #include "input/solid/tree.h"
 #include "input/soup/soup.h"
 #include "input/validate/simplices.h"
@@ -29,6 +30,11 @@ struct graze_solid {
     char note[256]; /* note on an unusual input; "" if none */
     csg *curved;    /* a curved solid: then of the above only number, dimension and hash are set */
 };
+
+/** The boundary of a solid that is not curved, as searches take it; borrowed. */
+static inline skin solid_skin(const graze_solid *solid) {
+    return (skin){&solid->input, &solid->cut, solid->low, solid->high, &solid->boxes};
+}
 
 /** Whether a box that holds the solid is known: 1 unless it is curved. */
 int solid_bounded(const graze_solid *solid);

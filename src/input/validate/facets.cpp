@@ -43,20 +43,19 @@ void check_cycle(graze_context *context, const points &at, std::size_t facet,
                facet, different.size());
 }
 
-/* Three positions of the facet that span its plane. */
-piece plane_of(graze_context *context, const points &at, std::size_t facet, const cycle &all) {
-    piece plane = {};
-    plane.at[0] = position(at, all[0]);
-    plane.at[1] = position(at, all[1]);
+/* Three positions of the facet that span its plane; false if all its vertices lie on one line. */
+bool spans_plane(piece &plane, const points &at, const cycle &all) {
     for (std::size_t k = 2; k < all.size(); k++) {
+        plane.at[0] = position(at, all[0]);
+        plane.at[1] = position(at, all[1]);
         plane.at[2] = position(at, all[k]);
         plane.cell.vertex[0] = static_cast<std::uint32_t>(all[0]);
         plane.cell.vertex[1] = static_cast<std::uint32_t>(all[1]);
         plane.cell.vertex[2] = static_cast<std::uint32_t>(all[k]);
         if (piece_orient(plane, at))
-            return plane;
+            return true;
     }
-    refuse(context, "facet %zu has no area: all its vertices lie on one line", facet);
+    return false;
 }
 
 piece triangle(const points &at, std::size_t facet, std::size_t u, std::size_t v, std::size_t w) {
@@ -71,10 +70,15 @@ piece triangle(const points &at, std::size_t facet, std::size_t u, std::size_t v
 }
 
 void fan_facet(graze_context *context, std::vector<piece> &out, const points &at, std::size_t facet,
-               const cycle &all) {
+               const cycle &all, std::size_t *flat) {
     for (std::size_t k = 1; k + 1 < all.size(); k++) {
         piece p = triangle(at, facet, all[0], all[k], all[k + 1]);
-        if (!piece_orient(p, at))
+        const bool spans = piece_orient(p, at);
+        if (!spans && flat != nullptr) {
+            ++*flat;
+            continue;
+        }
+        if (!spans)
             refuse(context,
                    "facet %zu: the triangle (%zu, %zu, %zu) of its fan has no area; cut the facet "
                    "into triangles another way",
@@ -108,15 +112,22 @@ bool convex_quadrilateral(std::vector<piece> &out, const points &at, std::size_t
 }
 
 void cut_facet(graze_context *context, std::vector<piece> &out, const points &at, const soup &s,
-               std::size_t facet, bool fan) {
+               std::size_t facet, bool fan, std::size_t *flat) {
+    const cycle all = vertices_of(at, s, facet);
+    piece plane = {};
+    const bool spans = spans_plane(plane, at, all);
+    if (!spans && flat != nullptr) {
+        ++*flat;
+        return;
+    }
     const std::size_t cycles = s.facet_start[facet + 1] - s.facet_start[facet];
     if (cycles == 0)
         check_cycle(context, at, facet, s.index, 0);
     for (std::size_t c = s.facet_start[facet]; c < s.facet_start[facet + 1]; c++)
         check_cycle(context, at, facet, s.index + s.cycle_start[c],
                     s.cycle_start[c + 1] - s.cycle_start[c]);
-    const cycle all = vertices_of(at, s, facet);
-    const piece plane = plane_of(context, at, facet, all);
+    if (!spans)
+        refuse(context, "facet %zu has no area: all its vertices lie on one line", facet);
     if (all.size() == 3) {
         piece whole = triangle(at, facet, all[0], all[1], all[2]);
         whole.drop = plane.drop;
@@ -129,7 +140,7 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
         if (at.side(plane.at[0], plane.at[1], plane.at[2], position(at, v)) == 0)
             continue;
         if (fan && cycles == 1) {
-            fan_facet(context, out, at, facet, all);
+            fan_facet(context, out, at, facet, all, flat);
             return;
         }
         refuse(context,
@@ -174,7 +185,8 @@ class bad_facets {
 
 } // namespace
 
-std::vector<piece> cut_facets(graze_context *context, const points &at, const soup &s, bool fan) {
+std::vector<piece> cut_facets(graze_context *context, const points &at, const soup &s, bool fan,
+                              std::size_t *flat) {
     std::vector<piece> out;
     out.reserve(s.index_count);
     interruption cancel(context);
@@ -182,7 +194,7 @@ std::vector<piece> cut_facets(graze_context *context, const points &at, const so
     for (std::size_t facet = 0; facet < s.facet_count; facet++) {
         cancel.poll();
         try {
-            cut_facet(context, out, at, s, facet, fan);
+            cut_facet(context, out, at, s, facet, fan, flat);
         } catch (const failure &found) {
             bad.take(found, context, facet);
         }

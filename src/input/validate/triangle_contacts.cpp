@@ -17,20 +17,9 @@
 #include "input/validate/failure.hpp"
 #include "input/validate/faults.hpp"
 #include "input/validate/germs.hpp"
+#include "input/validate/half_edges.hpp"
 
 namespace {
-
-/* One side of one triangle. */
-struct half_edge {
-    std::uint32_t low, high; /* positions, low < high */
-    std::uint32_t piece;
-    std::uint8_t side;
-    bool ascends; /* runs from low to high */
-
-    bool same_edge(const half_edge &other) const {
-        return low == other.low && high == other.high;
-    }
-};
 
 /* Illegal pairs of triangles that are counted. */
 constexpr std::size_t PAIRS_MOST = 1000;
@@ -51,7 +40,6 @@ class surface {
   private:
     typedef std::vector<half_edge>::const_iterator place;
 
-    void collect_edges();
     void check_balance();
     static std::pair<std::size_t, std::size_t> uses_of(place first, place last);
     fault_list faults_like(place first, place last) const;
@@ -88,25 +76,13 @@ class surface {
 };
 
 std::size_t surface::check(bool trust_contacts) {
-    collect_edges();
+    edges_ = sorted_half_edges(pieces_);
     check_balance();
     if (!trust_contacts) {
         check_pairs();
         check_edges();
     }
     return assign_components(pieces_, sets_);
-}
-
-void surface::collect_edges() {
-    edges_.reserve(3 * pieces_.size());
-    for (std::uint32_t i = 0; i < pieces_.size(); i++)
-        for (std::uint8_t k = 0; k < 3; k++) {
-            const std::uint32_t a = pieces_[i].at[k], b = pieces_[i].at[(k + 1) % 3];
-            edges_.push_back({std::min(a, b), std::max(a, b), i, k, a < b});
-        }
-    std::sort(edges_.begin(), edges_.end(), [](const half_edge &e, const half_edge &f) {
-        return std::tie(e.low, e.high, e.piece, e.side) < std::tie(f.low, f.high, f.piece, f.side);
-    });
 }
 
 /* How often an edge is run through along its first and against it, the larger number first. */

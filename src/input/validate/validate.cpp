@@ -26,26 +26,15 @@
  */
 #include "input/validate/validate.h"
 
-#include <cstdlib>
-#include <limits>
 #include "input/validate/cgal.hpp"
 #include <CGAL/version.h>
 #include "input/validate/facets.hpp"
 #include "input/validate/outline.hpp"
+#include "input/validate/pieces_out.hpp"
 #include "input/validate/triangle_contacts.hpp"
 #include "input/validate/twin_names.hpp"
 
 namespace {
-
-/* Vertices, cells and the three sides of every cell are counted in 32 bits. */
-void check_size(graze_context *context, const soup &s) {
-    constexpr std::size_t MOST = std::numeric_limits<std::uint32_t>::max() / 8;
-    if (s.vertex_count > MOST || s.index_count > MOST || s.facet_count > MOST)
-        throw failure{context_fail(context, GRAZE_ELIMIT,
-                                   "the solid has more than %zu vertices or corners of facets, "
-                                   "which is as many as can be numbered",
-                                   MOST)};
-}
 
 flat_sides find_flat(const points &at, const soup &s) {
     flat_sides flat = {};
@@ -58,16 +47,6 @@ flat_sides find_flat(const points &at, const soup &s) {
                     flat = {1, f, c - s.facet_start[f], from, to};
             }
     return flat;
-}
-
-void hand_over(simplices *out, const std::vector<piece> &pieces, std::size_t components) {
-    out->item = static_cast<simplex *>(std::malloc((pieces.size() + 1) * sizeof *out->item));
-    if (out->item == nullptr)
-        throw std::bad_alloc();
-    for (std::size_t k = 0; k < pieces.size(); k++)
-        out->item[k] = pieces[k].cell;
-    out->count = pieces.size();
-    out->component_count = components;
 }
 
 } // namespace
@@ -83,7 +62,7 @@ graze_status validate_soup(simplices *out, graze_context *context, const soup *s
             pieces = cut_rings(at, *s);
             components = check_outline(context, pieces, at, *s);
         } else {
-            pieces = cut_facets(context, at, *s, (flags & GRAZE_SOLID_TRIANGULATE) != 0);
+            pieces = cut_facets(context, at, *s, (flags & GRAZE_SOLID_TRIANGULATE) != 0, nullptr);
             components = check_surface(context, pieces, at, (flags & VALIDATE_TRUST_CONTACTS) != 0);
         }
         hand_over(out, pieces, components);

@@ -1,0 +1,26 @@
+/* Sizes of soups, and simplices in memory of C. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "input/validate/pieces_out.hpp"
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include "input/validate/failure.hpp"
+
+void check_size(graze_context *context, const soup &s) {
+    constexpr std::size_t MOST = std::numeric_limits<std::uint32_t>::max() / 8;
+    if (s.vertex_count > MOST || s.index_count > MOST || s.facet_count > MOST)
+        throw failure{context_fail(context, GRAZE_ELIMIT,
+                                   "the solid has more than %zu vertices or corners of facets, "
+                                   "which is as many as can be numbered",
+                                   MOST)};
+}
+
+void hand_over(simplices *out, const std::vector<piece> &pieces, std::size_t components) {
+    out->item = static_cast<simplex *>(std::malloc((pieces.size() + 1) * sizeof *out->item));
+    if (out->item == nullptr)
+        throw std::bad_alloc();
+    for (std::size_t k = 0; k < pieces.size(); k++)
+        out->item[k] = pieces[k].cell;
+    out->count = pieces.size();
+    out->component_count = components;
+}

@@ -1,0 +1,85 @@
+/* Facts of a mesh: its rule, and its volume.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/judge/judged_mesh.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Six times the signed volume of the tetrahedron of the origin and a triangle. */
+static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {
+    const fmpq *p[3];
+    fmpq_t minor, other;
+    skin_vertices(p, s, simplex);
+    fmpq_init(minor);
+    fmpq_init(other);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        fmpq_mul(minor, p[1] + j, p[2] + k);
+        fmpq_mul(other, p[1] + k, p[2] + j);
+        fmpq_sub(minor, minor, other);
+        fmpq_addmul(sum, p[0] + i, minor);
+    }
+    fmpq_clear(other);
+    fmpq_clear(minor);
+}
+
+/* Halves keep numbers short whose denominators are all different. */
+static void add_tetrahedra(fmpq_t sum, const skin *s, size_t first, size_t count) {
+    fmpq_t half;
+    if (count <= 1) {
+        if (count)
+            add_tetrahedron(sum, s, first);
+        return;
+    }
+    fmpq_init(half);
+    add_tetrahedra(sum, s, first, count / 2);
+    add_tetrahedra(half, s, first + count / 2, count - count / 2);
+    fmpq_add(sum, sum, half);
+    fmpq_clear(half);
+}
+
+static mesh_rule rule_of(const loose_edges *open) {
+    return open->odd_count          ? MESH_RULE_NONE
+           : open->unbalanced_count ? MESH_RULE_PARITY
+                                    : MESH_RULE_WINDING;
+}
+
+/* The integral of the winding number is the sum of the signed tetrahedra that the origin makes with
+ * the triangles. */
+static void find_volume(judged_mesh *m) {
+    skin s = judged_skin(m);
+    add_tetrahedra(m->volume, &s, 0, m->cut.count);
+    fmpq_div_fmpz(m->volume, m->volume, (fmpz[]){6});
+}
+
+graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const soup *input,
+                              unsigned flags) {
+    memset(out, 0, sizeof *out);
+    out->input = input;
+    fmpq_init(out->volume);
+    graze_status status =
+        validate_loose(&out->cut, &out->open, &out->flat_count, context, input, flags);
+    if (!status)
+        status = skin_bounds(&out->low, &out->high, context, input);
+    skin bare = judged_skin(out);
+    if (!status)
+        status = skin_tree(&out->boxes, context, &bare);
+    if (!status && out->cut.count)
+        status = corners_make(&out->corners, context, input, &out->cut, out->low, out->high);
+    if (status)
+        return status;
+    out->rule = rule_of(&out->open);
+    if (out->rule == MESH_RULE_WINDING)
+        find_volume(out);
+    return context_poll(context);
+}
+
+void judged_mesh_clear(judged_mesh *m) {
+    simplices_clear(&m->cut);
+    corners_clear(&m->corners);
+    tree_clear(&m->boxes);
+    free(m->low);
+    free(m->high);
+    fmpq_clear(m->volume);
+}
